@@ -1,0 +1,39 @@
+# make run    opens the application on the built-in demo shot (without a display: tracks the demo and says so)
+# make test   runs every check; each target may be the first command on a fresh machine
+PYTHON ?= python3
+VENV := .venv
+BIN := $(VENV)/bin
+READY := $(VENV)/.ready
+
+.PHONY: run test setup lint bench screenshots clean
+
+setup: $(READY)
+
+$(READY): pyproject.toml constraints.txt scripts/system-libraries
+	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || { echo "ROAM needs Python 3.11 or newer: make setup PYTHON=python3.11"; exit 1; }
+	@scripts/system-libraries --test
+	@$(PYTHON) -c 'import ensurepip' 2>/dev/null || { echo "Python's venv module is missing: sudo apt-get install python3-venv"; exit 1; }
+	@test -x $(BIN)/python || $(PYTHON) -m venv $(VENV)
+	@echo "Installing ROAM and its libraries into $(VENV) ..."
+	@$(BIN)/python -m pip install --quiet --disable-pip-version-check --constraint constraints.txt --editable '.[dev]'
+	@touch $(READY)
+
+run: setup
+	@$(BIN)/roam demo
+
+lint: setup
+	$(BIN)/ruff check .
+	$(BIN)/mypy
+	$(BIN)/lint-imports
+
+test: lint
+	scripts/run-tests
+
+bench: setup
+	$(BIN)/python -m benchmarks
+
+screenshots: setup
+	$(BIN)/python -m scripts.screenshots
+
+clean:
+	rm -rf $(VENV) build dist *.egg-info

@@ -1,0 +1,34 @@
+"""The only undo class: a step from one immutable project to another."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from PySide6.QtGui import QUndoCommand
+
+from roam_core.roto import Project
+
+
+class ProjectEdit(QUndoCommand):
+    """Replaces `before` by `after`; undo goes back. Steps with the same `merge_key` in a row become one."""
+
+    def __init__(
+        self, before: Project, after: Project, text: str, merge_key: str, show: Callable[[Project], None]
+    ) -> None:
+        super().__init__(text)
+        self._before, self._after, self._merge_key, self._show = before, after, merge_key, show
+
+    def redo(self) -> None:
+        self._show(self._after)
+
+    def undo(self) -> None:
+        self._show(self._before)
+
+    def id(self) -> int:
+        return 1 if self._merge_key else -1
+
+    def mergeWith(self, other: QUndoCommand) -> bool:
+        if not isinstance(other, ProjectEdit) or other._merge_key != self._merge_key:
+            return False
+        self._after = other._after
+        return True

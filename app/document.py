@@ -1,0 +1,90 @@
+"""Document: the current project, its undo stack and its file. The one door for edits."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from PySide6.QtCore import QObject, Signal
+from PySide6.QtGui import QUndoStack
+
+from app.commands import ProjectEdit
+from roam_core.roto import Project, file
+from roam_core.roto.project import Layer
+
+
+class Document(QObject):
+    """Holds one immutable project at a time. Views listen to `changed` and pull what they show.
+
+    Signals
+    -------
+    changed(ids) : after every edit, undo and redo: the ids of layers and shapes that differ, as a frozenset.
+    replaced() : another project was opened or begun; everything may differ.
+    path_changed() : the project has another file name, or became saved or unsaved.
+    """
+
+    changed = Signal(object)
+    replaced = Signal()
+    path_changed = Signal()
+
+    def __init__(self, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._project = Project()
+        self.path: Path | None = None
+        self.undo_stack = QUndoStack(self)
+        self.undo_stack.cleanChanged.connect(lambda _clean: self.path_changed.emit())
+
+    @property
+    def project(self) -> Project:
+        return self._project
+
+    def apply(self, text: str, project: Project, merge_key: str = "") -> None:
+        """Make `project` the current one as an undo step named `text`.
+
+        Steps in a row with the same non-empty `merge_key` are one step for the artist (a tracked run, a held key).
+        """
+        if project is self._project or project == self._project:
+            return
+        self.undo_stack.push(ProjectEdit(self._project, project, text, merge_key, self._show))
+
+    def open(self, project: Project, path: Path | None) -> None:
+        """Show another project; the undo stack starts anew."""
+        self._project, self.path = project, path
+        self.undo_stack.clear()
+        self.undo_stack.setClean()
+        self.replaced.emit()
+        self.path_changed.emit()
+
+    def save(self, path: Path) -> None:
+        """Write the project; raises `RoamError` when it cannot be written."""
+        file.save(self._project, path)
+        self.path = path
+        self.undo_stack.setClean()
+        self.path_changed.emit()
+
+    @property
+    def is_modified(self) -> bool:
+        return not self.undo_stack.isClean()
+
+    def _show(self, project: Project) -> None:
+        before, self._project = self._project, project
+        self.changed.emit(changed_ids(before, project))
+
+
+def changed_ids(before: Project, after: Project) -> frozenset[str]:
+    """The ids of the layers and shapes that are new, gone or different."""
+    old, new = ({item.id: item for item in project.root.items()} for project in (before, after))
+    old["root"], new["root"] = before.root, after.root
+    return frozenset(item_id for item_id in old.keys() | new.keys() if _differs(old.get(item_id), new.get(item_id)))
+
+
+def _differs(a: object, b: object) -> bool:
+    if a is b:
+        return False
+    if isinstance(a, Layer) and isinstance(b, Layer):
+        shallow = [tuple(child.id for child in layer.children) for layer in (a, b)]
+        return shallow[0] != shallow[1] or _plain(a) != _plain(b)
+    return a != b
+
+
+def _plain(layer: Layer) -> tuple[object, ...]:
+    return (layer.name, layer.visible, layer.locked, layer.opacity, layer.invert)

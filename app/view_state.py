@@ -1,0 +1,105 @@
+"""ViewState: what the window looks at and holds in its hand. Never saved in the project, never undone."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from PySide6.QtCore import QObject, Signal
+
+from roam_core.roto import Project
+from roam_core.roto.edit import Part
+
+
+@dataclass(frozen=True)
+class Selection:
+    """Selected shapes by id, and the selected points as (shape id, point index)."""
+
+    shapes: frozenset[str] = frozenset()
+    points: frozenset[tuple[str, int]] = frozenset()
+
+
+class ViewState(QObject):
+    """Frame, selection, tool, drag preview, play range.
+
+    Signals carry nothing: listeners pull. `preview` is the project as a drag would make it, or None.
+    """
+
+    frame_changed = Signal()
+    selection_changed = Signal()
+    tool_changed = Signal()
+    preview_changed = Signal()
+    range_changed = Signal()
+    message_changed = Signal()
+
+    def __init__(self, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._frame = 1
+        self._selection = Selection()
+        self._tool = "select"
+        self._preview: Project | None = None
+        self._range = (1, 2)
+        self._message = ""
+        self.hovered: tuple[str, int, int] | None = None
+        """(shape id, point index, part) under the pointer, or None."""
+
+    @property
+    def frame(self) -> int:
+        return self._frame
+
+    def set_frame(self, frame: int) -> None:
+        if frame != self._frame:
+            self._frame = frame
+            self.frame_changed.emit()
+
+    @property
+    def selection(self) -> Selection:
+        return self._selection
+
+    def select(self, shapes: frozenset[str], points: frozenset[tuple[str, int]] = frozenset()) -> None:
+        """Select shapes and points; a selected point's shape is selected with it."""
+        selection = Selection(shapes | {shape_id for shape_id, _ in points}, points)
+        if selection != self._selection:
+            self._selection = selection
+            self.selection_changed.emit()
+
+    @property
+    def tool(self) -> str:
+        return self._tool
+
+    def set_tool(self, name: str) -> None:
+        if name != self._tool:
+            self._tool = name
+            self.tool_changed.emit()
+
+    @property
+    def preview(self) -> Project | None:
+        return self._preview
+
+    def set_preview(self, project: Project | None) -> None:
+        if project is not self._preview:
+            self._preview = project
+            self.preview_changed.emit()
+
+    @property
+    def play_range(self) -> tuple[int, int]:
+        """In and out frame, half open."""
+        return self._range
+
+    def set_play_range(self, first: int, stop: int) -> None:
+        if (first, stop) != self._range and stop > first:
+            self._range = (first, stop)
+            self.range_changed.emit()
+
+    @property
+    def message(self) -> str:
+        """The sentence in the status bar: an error, or what to do next."""
+        return self._message
+
+    def say(self, sentence: str) -> None:
+        self._message = sentence
+        self.message_changed.emit()
+
+
+def parts_of(selection: Selection, shape_id: str) -> list[Part]:
+    """The selected anchors of one shape, as the edit verbs want them."""
+    return [(index, 0) for owner, index in sorted(selection.points) if owner == shape_id]

@@ -1,0 +1,33 @@
+"""Cancelling and progress, shared by every long job: engine, decoding, exports."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable
+
+Progress = Callable[[float, str], None]
+"""Called with the finished fraction in [0, 1] and a few words that say what is being done."""
+
+
+class Cancelled(Exception):
+    """Raised inside a job, at a safe point, after its token was cancelled."""
+
+
+class CancelToken:
+    """A flag that one thread raises and a job on another thread looks at, at its safe points."""
+
+    def __init__(self) -> None:
+        self._event = threading.Event()
+
+    def cancel(self) -> None:
+        """Ask the job to stop at its next safe point."""
+        self._event.set()
+
+    @property
+    def is_cancelled(self) -> bool:
+        return self._event.is_set()
+
+    def check(self) -> None:
+        """Raise `Cancelled` if `cancel` was called."""
+        if self._event.is_set():
+            raise Cancelled

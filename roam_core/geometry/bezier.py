@@ -1,0 +1,143 @@
+"""Cubic Bezier splines as point arrays `(P, 3, 2)`: anchor, in-handle, out-handle, all absolute.
+
+Segment `i` runs from anchor `i` to anchor `i + 1` (cyclic when closed) with control points
+`anchor[i], out[i], in[i+1], anchor[i+1]`. A polygon is a spline whose handles lie on its anchors.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+Array = NDArray[np.float64]
+IntArray = NDArray[np.intp]
+
+ANCHOR, IN, OUT = 0, 1, 2
+
+
+def polygon_points(anchors: ArrayLike) -> Array:
+    """Spline points `(P, 3, 2)` of the polygon with the given `anchors (P, 2)`: both handles on each anchor."""
+    return np.repeat(np.asarray(anchors, dtype=np.float64)[:, None, :], 3, axis=1)
+
+
+def segment_count(point_count: int, closed: bool) -> int:
+    """Number of cubic segments of a spline with `point_count` points."""
+    return point_count if closed else max(point_count - 1, 0)
+
+
+def segments(points: Array, closed: bool = True) -> Array:
+    """Control polygons `(S, 4, 2)` of all cubic segments of `points (P, 3, 2)`."""
+    start = points if closed else points[:-1]
+    end = np.roll(points, -1, axis=0) if closed else points[1:]
+    return np.stack([start[:, ANCHOR], start[:, OUT], end[:, IN], end[:, ANCHOR]], axis=1)
+
+
+def bernstein(t: Array) -> Array:
+    """The four cubic Bernstein polynomials at parameters `t (N,)`, as `(N, 4)`."""
+    s = 1.0 - t
+    return np.stack([s * s * s, 3 * s * s * t, 3 * s * t * t, t * t * t], axis=-1)
+
+
+def evaluate(points: Array, segment: IntArray, t: Array, closed: bool = True) -> Array:
+    """Positions `(N, 2)` on the spline at the pairs `(segment, t)`."""
+    control = segments(points, closed)[segment]
+    return np.asarray(np.einsum("nk,nkc->nc", bernstein(np.asarray(t, dtype=np.float64)), control))
+
+
+def derivative(points: Array, segment: IntArray, t: Array, closed: bool = True) -> Array:
+    """First derivatives `(N, 2)` with respect to `t` at the pairs `(segment, t)`."""
+    control = segments(points, closed)[segment]
+    t = np.asarray(t, dtype=np.float64)
+    s = 1.0 - t
+    weights = np.stack([3 * s * s, 6 * s * t, 3 * t * t], axis=-1)
+    return np.asarray(np.einsum("nk,nkc->nc", weights, np.diff(control, axis=1)))
+
+
+def design_matrix(point_count: int, segment: IntArray, t: Array, closed: bool = True) -> Array:
+    """The linear map `(N, 3 P)` from the flattened points (anchor, in, out of each) to positions at `(segment, t)`.
+
+    `design_matrix(...) @ points.reshape(3 * P, 2)` equals `evaluate(points, ...)`: this is what makes the fit back from
+    engine nodes to control points one linear least-squares problem.
+    """
+    n = len(segment)
+    weights = bernstein(np.asarray(t, dtype=np.float64))
+    following = (segment + 1) % point_count if closed else segment + 1
+    columns = np.stack([3 * segment + ANCHOR, 3 * segment + OUT, 3 * following + IN, 3 * following + ANCHOR], axis=1)
+    matrix = np.zeros((n, 3 * point_count))
+    np.add.at(matrix, (np.arange(n)[:, None], columns), weights)
+    return matrix
+
+
+def split(points: Array, segment: int, t: float, closed: bool = True) -> Array:
+    """Insert a point at `(segment, t)` by de Casteljau's construction; the outline stays the same curve.
+
+    Returns `(P + 1, 3, 2)`; the new point has index `segment + 1`. Works on any array that is linear in the control
+    points, so the feather offsets of a key are split by the same call.
+    """
+    a, b, c, d = segments(points, closed)[segment]
+    ab, bc, cd = a + t * (b - a), b + t * (c - b), c + t * (d - c)
+    abc, bcd = ab + t * (bc - ab), bc + t * (cd - bc)
+    middle = abc + t * (bcd - abc)
+    result = np.insert(points, segment + 1, np.stack([middle, abc, bcd]), axis=0)
+    result[segment, OUT] = ab
+    result[(segment + 2) % len(result), IN] = cd
+    return result
+
+
+def flatten(points: Array, closed: bool = True, tolerance: float = 0.05) -> Array:
+    """A polyline `(K, 2)` within `tolerance` pixels of the spline; a closed one does not repeat its first vertex.
+
+    Each segment is cut into equal parameter steps; their number follows from the bound on the second difference of its
+    control polygon (Wang's formula).
+    """
+    control = segments(points, closed)
+    if len(control) == 0:
+        return points[:, ANCHOR].copy()
+    counts = flatten_counts(control, tolerance)
+    segment = np.repeat(np.arange(len(control)), counts)
+    first = np.cumsum(counts) - counts
+    t = (np.arange(len(segment)) - first[segment]) / counts[segment]
+    line = np.einsum("nk,nkc->nc", bernstein(t), control[segment])
+    return line if closed else np.vstack([line, control[-1, 3]])
+
+
+def flatten_counts(control: Array, tolerance: float) -> IntArray:
+    """Equal parameter steps `(S,)` that keep each segment of `control (S, 4, 2)` within `tolerance` pixels."""
+    second = np.diff(control, n=2, axis=1)
+    bend = np.sqrt((second**2).sum(axis=2).max(axis=1))
+    steps = np.ceil(np.sqrt(0.75 * bend / tolerance))
+    return np.asarray(np.clip(steps, 1, 4096), dtype=np.intp)
+
+
+def arc_length_pairs(points: Array, count: int, closed: bool = True) -> tuple[IntArray, Array]:
+    """`count` pairs `(segment, t)` at equal arc length along the spline, the first at its first anchor."""
+    fine = 32
+    n_segments = segment_count(len(points), closed)
+    segment = np.repeat(np.arange(n_segments), fine)
+    t = np.tile(np.arange(fine) / fine, n_segments)
+    segment, t = np.append(segment, n_segments - 1), np.append(t, 1.0)
+    line = evaluate(points, segment, t, closed)
+    s = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(line, axis=0).T))])
+    parameter = np.append(np.arange(n_segments * fine) / fine, float(n_segments))
+    targets = np.linspace(0.0, s[-1], count, endpoint=not closed)
+    u = np.interp(targets, s, parameter)
+    index = np.minimum(u.astype(np.intp), n_segments - 1)
+    return index, u - index
+
+
+def nearest(points: Array, position: ArrayLike, closed: bool = True) -> tuple[int, float, float]:
+    """The pair `(segment, t)` of the spline nearest to `position (2,)`, and its distance in pixels."""
+    target = np.asarray(position, dtype=np.float64)
+    n_segments = segment_count(len(points), closed)
+    t = np.linspace(0.0, 1.0, 33)
+    segment = np.repeat(np.arange(n_segments), len(t))
+    grid = np.tile(t, n_segments)
+    best = int(np.argmin(((evaluate(points, segment, grid, closed) - target) ** 2).sum(axis=1)))
+    index, u, step = int(segment[best]), float(grid[best]), 1.0 / 32
+    for _ in range(24):  # golden rule enough: halve a bracket around the best sample
+        candidates = np.clip(np.array([u - step, u, u + step]), 0.0, 1.0)
+        distance = ((evaluate(points, np.full(3, index), candidates, closed) - target) ** 2).sum(axis=1)
+        u = float(candidates[int(np.argmin(distance))])
+        step *= 0.5
+    found = evaluate(points, np.array([index]), np.array([u]), closed)[0]
+    return index, u, float(np.hypot(*(found - target)))

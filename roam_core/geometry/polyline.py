@@ -1,0 +1,64 @@
+"""Polylines `(K, 2)`: length, area, resampling, normals, self-intersection."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+
+
+def length(line: Array, closed: bool = True) -> float:
+    """Length in pixels."""
+    ends = np.roll(line, -1, axis=0) if closed else line[1:]
+    return float(np.hypot(*(ends - line[: len(ends)]).T).sum())
+
+
+def signed_area(line: Array) -> float:
+    """Area of a closed polyline; positive when it runs clockwise on screen (y down)."""
+    x, y = line.T
+    return float(0.5 * (x * np.roll(y, -1) - np.roll(x, -1) * y).sum())
+
+
+def resample(line: Array, count: int, closed: bool = True) -> Array:
+    """`count` points at equal arc length, the first at `line[0]`."""
+    whole = np.vstack([line, line[:1]]) if closed else line
+    s = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(whole, axis=0).T))])
+    targets = np.linspace(0.0, s[-1], count, endpoint=not closed)
+    return np.stack([np.interp(targets, s, whole[:, 0]), np.interp(targets, s, whole[:, 1])], axis=1)
+
+
+def outward_normals(line: Array) -> Array:
+    """Unit normals `(K, 2)` at the vertices of a closed polyline, pointing out of it; zero where it is degenerate."""
+    tangent = np.roll(line, -1, axis=0) - np.roll(line, 1, axis=0)
+    norm = np.hypot(*tangent.T)[:, None]
+    tangent = np.divide(tangent, norm, out=np.zeros_like(tangent), where=norm > 0)
+    side = 1.0 if signed_area(line) > 0 else -1.0
+    return side * np.stack([tangent[:, 1], -tangent[:, 0]], axis=1)
+
+
+def is_simple(line: Array, closed: bool = True) -> bool:
+    """True when no two edges that are not neighbours touch or cross."""
+    return len(crossings(line, closed)) == 0
+
+
+def crossings(line: Array, closed: bool = True) -> NDArray[np.intp]:
+    """Pairs `(C, 2)` of indices of edges, not neighbours, that properly cross each other (touching does not count)."""
+    ends = np.roll(line, -1, axis=0) if closed else line[1:]
+    start = line[: len(ends)]
+    n = len(start)
+    i, j = np.triu_indices(n, k=2)
+    if closed:
+        keep = ~((i == 0) & (j == n - 1))
+        i, j = i[keep], j[keep]
+    low, high = np.minimum(start, ends), np.maximum(start, ends)
+    near = (low[i] <= high[j]).all(axis=1) & (low[j] <= high[i]).all(axis=1)
+    i, j = i[near], j[near]
+    a, b, c, d = start[i], ends[i], start[j], ends[j]
+    hit = (_side(a, b, c) * _side(a, b, d) < 0) & (_side(c, d, a) * _side(c, d, b) < 0)
+    return np.stack([i[hit], j[hit]], axis=1)
+
+
+def _side(a: Array, b: Array, p: Array) -> Array:
+    u, v = b - a, p - a
+    return np.asarray(u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0])

@@ -1,0 +1,1 @@
+"""Carrying shapes through a shot: one frame (`step`), many frames (`run`), the public `Tracker`."""

@@ -1,0 +1,56 @@
+"""What the engine gives back for a frame."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from enum import StrEnum
+
+from roam_core.roto import Keyframe, RotoShape
+
+
+class Termination(StrEnum):
+    """Why the engine was done with a frame, or why it doubts it."""
+
+    CONVERGED = "converged"
+    MAX_ITERATIONS = "max_iterations"
+    LEFT_FRAME = "left_frame"
+    LOW_CONFIDENCE = "low_confidence"
+    MISSING_FRAME = "missing_frame"
+    ARTIST_KEY = "artist_key"
+    CANCELLED = "cancelled"
+
+
+@dataclass(frozen=True)
+class TrackResult:
+    """One shape on one frame.
+
+    Attributes
+    ----------
+    frame : the plate's frame number.
+    shape : the shape with all its keys so far, the one of this frame included (without one on a missing frame).
+    confidence : in [0, 1].
+    energies : the joint energy by term, and their sum under "total"; empty where nothing was solved.
+    termination : why the engine stopped or what it doubts.
+    seconds : the engine's time for this shape and frame, without decoding.
+    """
+
+    frame: int
+    shape: RotoShape
+    confidence: float
+    energies: Mapping[str, float]
+    termination: Termination
+    seconds: float = 0.0
+
+    @property
+    def key(self) -> Keyframe | None:
+        """The key on this frame."""
+        return self.shape.key_at(self.frame)
+
+
+@dataclass(frozen=True)
+class FrameResult:
+    """All tracked shapes on one frame, in the order in which they were given."""
+
+    frame: int
+    results: tuple[TrackResult, ...]

@@ -1,0 +1,17 @@
+"""The artist's data: immutable projects, layers, shapes and keyframes; the edit verbs; the project file."""
+
+from roam_core.roto.project import Clip, Layer, Project
+from roam_core.roto.shape import BlendMode, Interpolation, Keyframe, MotionBlur, Origin, Outline, RotoShape
+
+__all__ = [
+    "BlendMode",
+    "Clip",
+    "Interpolation",
+    "Keyframe",
+    "Layer",
+    "MotionBlur",
+    "Origin",
+    "Outline",
+    "Project",
+    "RotoShape",
+]

@@ -1,0 +1,258 @@
+"""The edit verbs: pure functions from a value to a new one. Every change of a project, by hand or by engine, is one."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from roam_core.errors import RoamError
+from roam_core.geometry import bezier
+from roam_core.geometry.bezier import ANCHOR, IN, OUT
+from roam_core.roto.project import PALETTE, Layer, Project
+from roam_core.roto.shape import Interpolation, Keyframe, Origin, RotoShape
+
+Array = NDArray[np.float64]
+Part = tuple[int, int]
+"""A grabbed part of a shape: (point index, `ANCHOR` | `IN` | `OUT`)."""
+
+MIN_POINTS_CLOSED = 3
+MIN_POINTS_OPEN = 2
+
+
+# ---- shapes and layers of a project ----------------------------------------------------------------------------------
+
+
+def add_shape(project: Project, shape: RotoShape, layer_id: str = "root") -> Project:
+    """The project with `shape` put on top of a layer. An id that is taken is refused."""
+    if project.has(shape.id):
+        raise ValueError(f"the id {shape.id!r} is taken")
+    return project.map_item(layer_id, lambda layer: replace(layer, children=(*layer.children, shape)))
+
+
+def new_shape(
+    project: Project, points: ArrayLike, frame: int, *, name: str = "", closed: bool = True, layer_id: str = "root"
+) -> tuple[Project, RotoShape]:
+    """Add a shape with one artist key at `frame`; its id, name and colour are the next free ones."""
+    shape = RotoShape(
+        id=project.free_id("shape"),
+        name=name or project.free_name("Shape"),
+        keys=(Keyframe(frame, np.asarray(points, dtype=np.float64)),),
+        closed=closed,
+        colour=PALETTE[len(project.shapes) % len(PALETTE)],
+    )
+    return add_shape(project, shape, layer_id), shape
+
+
+def add_layer(project: Project, name: str = "", parent_id: str = "root") -> tuple[Project, Layer]:
+    """Add an empty layer on top of another."""
+    layer = Layer(project.free_id("layer"), name or project.free_name("Layer"))
+    return project.map_item(parent_id, lambda parent: replace(parent, children=(*parent.children, layer))), layer
+
+
+def remove_items(project: Project, item_ids: Iterable[str]) -> Project:
+    """The project without these layers and shapes (and what lies in them)."""
+    gone = set(item_ids)
+
+    def pruned(layer: Layer) -> Layer:
+        kept = (child for child in layer.children if child.id not in gone)
+        return replace(layer, children=tuple(pruned(c) if isinstance(c, Layer) else c for c in kept))
+
+    return replace(project, root=pruned(project.root))
+
+
+def move_item(project: Project, item_id: str, layer_id: str, index: int) -> Project:
+    """Put a layer or shape at `index` (0 = bottom) among the children of another layer."""
+    item = project.find(item_id)
+    if isinstance(item, Layer) and (item_id == layer_id or any(child.id == layer_id for child in item.items())):
+        raise RoamError(f"The layer {item.name!r} cannot be moved into itself.")
+    without = remove_items(project, [item_id])
+
+    def inserted(layer: Layer) -> Layer:
+        return replace(layer, children=(*layer.children[:index], item, *layer.children[index:]))
+
+    return without.map_item(layer_id, inserted)
+
+
+def set_properties(project: Project, item_id: str, **values: Any) -> Project:
+    """Change plain fields of a layer or shape: name, colour, visible, locked, opacity, blend, feather, ..."""
+    return project.map_item(item_id, lambda item: replace(item, **values))
+
+
+# ---- keys of a shape -------------------------------------------------------------------------------------------------
+
+
+def set_key(shape: RotoShape, frame: int, points: ArrayLike, feather: ArrayLike | None = None) -> RotoShape:
+    """The shape with an artist key at `frame`; what a key there held beside its points (interpolation) is kept."""
+    old = shape.key_at(frame)
+    key = Keyframe(
+        frame=frame,
+        points=np.asarray(points, dtype=np.float64),
+        feather=np.asarray(feather, dtype=np.float64) if feather is not None else shape.at(frame).feather,
+        interpolation=old.interpolation if old else Interpolation.LINEAR,
+        extra=old.extra if old else {},
+    )
+    return shape.with_key(key)
+
+
+def key_here(shape: RotoShape, frame: int) -> RotoShape:
+    """Make the shape as it is at `frame` an artist key."""
+    return set_key(shape, frame, shape.at(frame).points)
+
+
+def set_engine_keys(shape: RotoShape, keys: Iterable[Keyframe]) -> RotoShape:
+    """Put the engine's keys on their frames. A frame that holds an artist key keeps it untouched."""
+    sacred = set(shape.artist_frames)
+    made = [key for key in keys if key.frame not in sacred]
+    if any(key.origin is not Origin.ENGINE for key in made):
+        raise ValueError("set_engine_keys was given a key that the engine did not make")
+    return shape.with_keys(made)
+
+
+def delete_keys(shape: RotoShape, frames: Iterable[int]) -> RotoShape:
+    """The shape without its keys on these frames; the last key of all cannot be deleted."""
+    gone = set(frames)
+    kept = tuple(key for key in shape.keys if key.frame not in gone)
+    if not kept:
+        raise RoamError(f"{shape.name!r} needs at least one key; delete the shape instead.")
+    return replace(shape, keys=kept)
+
+
+def delete_engine_keys(shape: RotoShape, frames: range | None = None) -> RotoShape:
+    """The shape without the engine's keys (in a range); the artist's stay, and if there is none nothing changes."""
+    if not shape.artist_frames:
+        return shape
+    gone = [k.frame for k in shape.keys if k.origin is Origin.ENGINE and (frames is None or k.frame in frames)]
+    return delete_keys(shape, gone)
+
+
+def move_keys(shape: RotoShape, frames: Iterable[int], offset: int) -> RotoShape:
+    """Shift keys in time; a key that lay where one arrives gives way to it."""
+    moving = set(frames)
+    moved = [replace(key, frame=key.frame + offset) for key in shape.keys if key.frame in moving]
+    rest = {key.frame: key for key in shape.keys if key.frame not in moving}
+    return replace(shape, keys=tuple((rest | {key.frame: key for key in moved}).values()))
+
+
+def set_interpolation(shape: RotoShape, frames: Iterable[int], interpolation: Interpolation) -> RotoShape:
+    """Set how the shape moves on from its keys at `frames`."""
+    chosen = set(frames)
+    return shape.with_keys(replace(k, interpolation=interpolation) for k in shape.keys if k.frame in chosen)
+
+
+# ---- points of a shape -----------------------------------------------------------------------------------------------
+
+
+def move_parts(points: Array, parts: Iterable[Part], delta: ArrayLike) -> Array:
+    """Points with the grabbed parts moved by `delta (2,)`; an anchor takes its handles along, once."""
+    result, offset = points.copy(), np.asarray(delta, dtype=np.float64)
+    grabbed = set(parts)
+    anchors = {index for index, part in grabbed if part == ANCHOR}
+    for index in anchors:
+        result[index] += offset
+    for index, part in grabbed:
+        if part != ANCHOR and index not in anchors:
+            result[index, part] += offset
+    return result
+
+
+def drag_handle(points: Array, index: int, part: int, position: ArrayLike, *, keep_smooth: bool = True) -> Array:
+    """Points with one handle put at `position`; where the point is smooth the other handle turns with it.
+
+    A point counts as smooth when its handles are opposite within two degrees; the other handle keeps its length.
+    """
+    result = points.copy()
+    other = IN if part == OUT else OUT
+    anchor = points[index, ANCHOR]
+    smooth = is_smooth(points[index])
+    result[index, part] = position
+    direction = result[index, part] - anchor
+    reach = np.hypot(*direction)
+    if keep_smooth and smooth and reach > 1e-9:
+        result[index, other] = anchor - direction / reach * np.hypot(*(points[index, other] - anchor))
+    return result
+
+
+def is_smooth(point: Array, degrees: float = 2.0) -> bool:
+    """True when both handles of a `point (3, 2)` have a length and point in opposite directions."""
+    a, b = point[IN] - point[ANCHOR], point[OUT] - point[ANCHOR]
+    lengths = np.hypot(*a) * np.hypot(*b)
+    return bool(lengths > 1e-9 and -float(a @ b) / lengths > np.cos(np.radians(degrees)))
+
+
+def smooth_points(points: Array, indices: Iterable[int], closed: bool = True) -> Array:
+    """Points with tangents along the chord of their neighbours, handles a third of the way to each."""
+    result, count = points.copy(), len(points)
+    for index in indices:
+        before = points[(index - 1) % count if closed else max(index - 1, 0), ANCHOR]
+        after = points[(index + 1) % count if closed else min(index + 1, count - 1), ANCHOR]
+        here = points[index, ANCHOR]
+        chord = after - before
+        reach = np.hypot(*chord)
+        if reach < 1e-9:
+            continue
+        chord = chord / reach
+        result[index, IN] = here - chord * np.hypot(*(here - before)) / 3.0
+        result[index, OUT] = here + chord * np.hypot(*(after - here)) / 3.0
+    return result
+
+
+def cusp_points(points: Array, indices: Iterable[int]) -> Array:
+    """Points with their handles drawn in, so that the outline has a corner there."""
+    result = points.copy()
+    for index in indices:
+        result[index, IN] = result[index, OUT] = points[index, ANCHOR]
+    return result
+
+
+def insert_point(shape: RotoShape, segment: int, t: float) -> RotoShape:
+    """A new point at `(segment, t)` in every key: the outline changes on no key, nor between linear keys."""
+    if not 0.0 < t < 1.0:
+        raise ValueError(f"t = {t} lies outside (0, 1)")
+    return shape.map_points(lambda array: bezier.split(array, segment, t, shape.closed))
+
+
+def delete_points(shape: RotoShape, indices: Sequence[int]) -> RotoShape:
+    """The shape without these points, on every key; the neighbours' handles are refitted to the old outline."""
+    gone = sorted(set(indices))
+    least = MIN_POINTS_CLOSED if shape.closed else MIN_POINTS_OPEN
+    if shape.point_count - len(gone) < least:
+        raise RoamError(f"{shape.name!r} needs at least {least} points; delete the shape instead.")
+
+    def without(points: Array) -> Array:
+        for index in reversed(gone):
+            points = _without_point(points, index, shape.closed)
+        return points
+
+    return shape.map_points(without)
+
+
+def _without_point(points: Array, index: int, closed: bool) -> Array:
+    """Remove one point; scale its neighbours' facing handles so that the merged segment follows the two old ones."""
+    count = len(points)
+    result = np.delete(points, index, axis=0)
+    if not closed and index in (0, count - 1):
+        return result
+    before, after = (index - 1) % count, (index + 1) % count
+    flat = all(np.array_equal(points[i, h], points[i, ANCHOR]) for i, h in ((before, OUT), (index, IN)))
+    flat &= all(np.array_equal(points[i, h], points[i, ANCHOR]) for i, h in ((index, OUT), (after, IN)))
+    if flat:
+        return result
+    t = np.linspace(0.0, 1.0, 17)
+    run = np.concatenate(
+        [bezier.evaluate(points, np.full(17, s), t, True) for s in (before, index)],
+    )
+    lengths = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(run, axis=0).T))])
+    if lengths[-1] < 1e-9:
+        return result
+    u = lengths / lengths[-1]
+    weights = bezier.bernstein(u)
+    a, d = points[before, ANCHOR], points[after, ANCHOR]
+    target = run - weights[:, :1] * a - weights[:, 3:] * d
+    handles, *_ = np.linalg.lstsq(weights[:, 1:3], target, rcond=None)
+    result[before if before < index else before - 1, OUT] = handles[0]
+    result[after if after < index else after - 1, IN] = handles[1]
+    return result

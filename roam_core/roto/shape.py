@@ -1,0 +1,240 @@
+"""RotoShape and Keyframe: a closed or open spline through time, as immutable values, and `shape.at(frame)`."""
+
+from __future__ import annotations
+
+import bisect
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field, replace
+from enum import StrEnum
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from roam_core.geometry import bezier
+
+Array = NDArray[np.float64]
+
+
+class Origin(StrEnum):
+    """Who made a keyframe. The engine writes and replaces ENGINE keys only; ARTIST keys are sacred."""
+
+    ARTIST = "artist"
+    ENGINE = "engine"
+
+
+class Interpolation(StrEnum):
+    """How a shape moves from a key to the next one."""
+
+    LINEAR = "linear"
+    SMOOTH = "smooth"
+    HOLD = "hold"
+
+
+class BlendMode(StrEnum):
+    """How a shape's matte joins what lies under it in its layer."""
+
+    ADD = "add"
+    SUBTRACT = "subtract"
+    INTERSECT = "intersect"
+    DIFFERENCE = "difference"
+    MAX = "max"
+
+
+def frozen_array(values: ArrayLike) -> Array:
+    """A read-only float64 copy (or the array itself where it is read-only already)."""
+    array = np.asarray(values, dtype=np.float64)
+    if array.flags.writeable:
+        array = array.copy()
+        array.setflags(write=False)
+    return array
+
+
+@dataclass(frozen=True, eq=False)
+class Outline:
+    """A shape at one moment: `points (P, 3, 2)`, the `feather` offsets of its points or None, and whether it closes."""
+
+    points: Array
+    feather: Array | None
+    closed: bool
+
+    @property
+    def anchors(self) -> Array:
+        """The anchors `(P, 2)`."""
+        return self.points[:, bezier.ANCHOR]
+
+    def flatten(self, tolerance: float = 0.05) -> Array:
+        """The outline as a polyline `(K, 2)` within `tolerance` pixels."""
+        return bezier.flatten(self.points, self.closed, tolerance)
+
+
+@dataclass(frozen=True, eq=False)
+class Keyframe:
+    """A shape's control points at one frame.
+
+    Attributes
+    ----------
+    frame : the plate's own frame number.
+    points : (P, 3, 2) anchor, in-handle and out-handle of each point, absolute, pixels.
+    feather : (P, 3, 2) or None. The feather curve minus the outline, for anchor, in- and out-handle; pixels.
+    origin : who made the key.
+    interpolation : how the shape moves from this key to the next.
+    confidence : the engine's trust in the frame, in [0, 1]; None on artist keys.
+    vertex_confidence : (P,) or None; the same for each point.
+    inputs : a short hash of what an ENGINE key was computed from (clip, parameters, artist keys); "" on artist keys.
+    extra : fields of a newer file that this version does not know; carried through.
+    """
+
+    frame: int
+    points: Array
+    feather: Array | None = None
+    origin: Origin = Origin.ARTIST
+    interpolation: Interpolation = Interpolation.LINEAR
+    confidence: float | None = None
+    vertex_confidence: Array | None = None
+    inputs: str = ""
+    extra: Mapping[str, Any] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        points = frozen_array(self.points)
+        if points.ndim != 3 or points.shape[1:] != (3, 2):
+            raise ValueError(f"a key's points have shape {points.shape}, not (P, 3, 2)")
+        object.__setattr__(self, "points", points)
+        if self.feather is not None:
+            feather = frozen_array(self.feather)
+            if feather.shape != points.shape:
+                raise ValueError(f"a key's feather has shape {feather.shape}, its points {points.shape}")
+            object.__setattr__(self, "feather", feather)
+        if self.vertex_confidence is not None:
+            object.__setattr__(self, "vertex_confidence", frozen_array(self.vertex_confidence))
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Keyframe) and self._value() == other._value()
+
+    def __hash__(self) -> int:
+        return hash((self.frame, self.origin, self.points.tobytes()))
+
+    def _value(self) -> tuple[Any, ...]:
+        arrays = (self.points, self.feather, self.vertex_confidence)
+        packed = tuple(None if a is None else (a.shape, a.tobytes()) for a in arrays)
+        rest = (self.frame, self.origin, self.interpolation, self.confidence, self.inputs, dict(self.extra))
+        return (*packed, *rest)
+
+
+@dataclass(frozen=True)
+class MotionBlur:
+    """Motion blur from the vertices' motion: `shutter` in frames, `phase` of its opening in frames, `samples`."""
+
+    shutter: float = 0.5
+    phase: float = -0.25
+    samples: int = 16
+
+
+@dataclass(frozen=True)
+class RotoShape:
+    """A closed or open spline through time. Every key has the same number of points; keys are in frame order.
+
+    Attributes
+    ----------
+    id : stable identity inside a project, for example `shape-1`.
+    keys : at least one key, strictly increasing frames.
+    lifetime : half-open frame range in which the shape exists, or None for always.
+    feather : width of the uniform soft edge in pixels, outwards positive.
+    """
+
+    id: str
+    name: str
+    keys: tuple[Keyframe, ...]
+    closed: bool = True
+    colour: tuple[float, float, float] = (0.90, 0.62, 0.0)
+    blend: BlendMode = BlendMode.ADD
+    opacity: float = 1.0
+    invert: bool = False
+    feather: float = 0.0
+    motion_blur: MotionBlur | None = None
+    lifetime: tuple[int, int] | None = None
+    visible: bool = True
+    locked: bool = False
+    extra: Mapping[str, Any] = field(default_factory=dict, hash=False)
+
+    def __post_init__(self) -> None:
+        keys = tuple(sorted(self.keys, key=lambda key: key.frame))
+        object.__setattr__(self, "keys", keys)
+        if not keys:
+            raise ValueError(f"shape {self.name!r} has no key")
+        if len({len(key.points) for key in keys}) != 1:
+            raise ValueError(f"the keys of shape {self.name!r} differ in their number of points")
+        if len({key.frame for key in keys}) != len(keys):
+            raise ValueError(f"shape {self.name!r} has two keys on one frame")
+
+    @property
+    def point_count(self) -> int:
+        return len(self.keys[0].points)
+
+    @property
+    def frames(self) -> tuple[int, ...]:
+        """The frames that hold a key."""
+        return tuple(key.frame for key in self.keys)
+
+    @property
+    def artist_frames(self) -> tuple[int, ...]:
+        """The frames that hold an artist's key."""
+        return tuple(key.frame for key in self.keys if key.origin is Origin.ARTIST)
+
+    def key_at(self, frame: int) -> Keyframe | None:
+        """The key on exactly this frame, or None."""
+        index = bisect.bisect_left(self.keys, frame, key=lambda key: key.frame)
+        return self.keys[index] if index < len(self.keys) and self.keys[index].frame == frame else None
+
+    def exists_at(self, frame: float) -> bool:
+        """False outside the shape's lifetime."""
+        return self.lifetime is None or self.lifetime[0] <= frame < self.lifetime[1]
+
+    def at(self, frame: float) -> Outline:
+        """The shape at `frame` (fractions are for motion blur): the one way in which it varies with time.
+
+        Before the first and after the last key it holds still.
+        """
+        index = bisect.bisect_right(self.keys, frame, key=lambda key: key.frame)
+        before, after = self.keys[max(index - 1, 0)], self.keys[min(index, len(self.keys) - 1)]
+        if before is after or before.frame == frame or before.interpolation is Interpolation.HOLD:
+            return Outline(before.points, before.feather, self.closed)
+        u = (frame - before.frame) / (after.frame - before.frame)
+        if before.interpolation is Interpolation.SMOOTH:
+            u = u * u * (3.0 - 2.0 * u)
+        return Outline(
+            _blend(before.points, after.points, u), _blend_feather(before.feather, after.feather, u), self.closed
+        )
+
+    def with_key(self, key: Keyframe) -> RotoShape:
+        """The shape with `key` put on its frame, in place of a key that was there."""
+        return self.with_keys([key])
+
+    def with_keys(self, keys: Iterable[Keyframe]) -> RotoShape:
+        """The shape with all `keys` put on their frames, in place of those that were there."""
+        merged = {key.frame: key for key in self.keys} | {key.frame: key for key in keys}
+        return replace(self, keys=tuple(merged.values()))
+
+    def map_points(self, function: Any) -> RotoShape:
+        """The shape with `function(array (P, 3, 2)) -> (Q, 3, 2)` applied to points and feather of every key."""
+        keys = tuple(
+            replace(
+                key,
+                points=function(key.points),
+                feather=None if key.feather is None else function(key.feather),
+                vertex_confidence=None,
+            )
+            for key in self.keys
+        )
+        return replace(self, keys=keys)
+
+
+def _blend(a: Array, b: Array, u: float) -> Array:
+    return (1.0 - u) * a + u * b
+
+
+def _blend_feather(a: Array | None, b: Array | None, u: float) -> Array | None:
+    if a is None and b is None:
+        return None
+    a = np.zeros_like(b) if a is None else a
+    return _blend(a, np.zeros_like(a) if b is None else b, u)
