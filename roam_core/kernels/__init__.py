@@ -1,0 +1,1 @@
+"""Compiled kernels: numba functions on plain arrays, each behind a public wrapper that checks and allocates."""

@@ -1,0 +1,181 @@
+"""Closed polylines on the pixel grid: the exact area they cover of every pixel, and the distance to them."""
+
+from __future__ import annotations
+
+import numpy as np
+from numba import njit
+from numpy.typing import NDArray
+
+Float32 = NDArray[np.float32]
+Float64 = NDArray[np.float64]
+
+DUST = 1e-9
+"""Coverage below this is the rounding error of a sum that is zero."""
+
+
+def coverage(line: Float64, size: tuple[int, int]) -> Float32:
+    """The fraction of every pixel that a closed polyline covers.
+
+    The signed area under each edge is summed pixel by pixel; running totals along the rows turn the sums into the
+    winding number averaged over each pixel. Its magnitude, clamped to 1, is the coverage: for a simple polygon the
+    exact area in either orientation, and where a polyline overlaps itself with equal orientation the overlap is
+    covered once, not cut out. Parts outside the image count as they should: what lies beyond the left edge still winds
+    around the pixels to its right.
+
+    Parameters
+    ----------
+    line : (K, 2) vertices (x, y) in pixels, the centre of pixel [row, col] being (col + .5, row + .5); the last vertex
+        is joined to the first.
+    size : (h, w) of the image.
+
+    Returns
+    -------
+    (h, w) float32 in [0, 1].
+    """
+    line = _checked(line)
+    height, width = size
+    result = np.zeros((height, width), dtype=np.float32)
+    box = _box(line, size, 0.0)
+    if box is None or len(line) < 3:
+        return result
+    top, bottom, left, right = box
+    sums = np.zeros((bottom - top, right - left + 1))
+    _sum_areas(line - np.array([left, top], dtype=np.float64), sums)
+    _wind(sums, result[top:bottom, left:right])
+    return result
+
+
+def distance(line: Float64, size: tuple[int, int], reach: float) -> Float32:
+    """The distance of every pixel's centre to a closed polyline, where it is less than `reach`.
+
+    Parameters
+    ----------
+    line : (K, 2) vertices in pixels; the last one is joined to the first.
+    size : (h, w) of the image.
+    reach : pixels; only a band of this width on both sides is visited, so that the cost follows the outline's length.
+
+    Returns
+    -------
+    (h, w) float32 pixels; `reach` where the polyline is as far away as that, or farther.
+    """
+    line = _checked(line)
+    height, width = size
+    result = np.full((height, width), reach * reach, dtype=np.float32)
+    box = _box(line, size, reach)
+    if box is None or reach <= 0.0:
+        return np.sqrt(result)
+    top, bottom, left, right = box
+    region = result[top:bottom, left:right]
+    _least_squares(line - np.array([left, top], dtype=np.float64), float(reach), region)
+    np.sqrt(result, out=result)
+    return result
+
+
+def _checked(line: Float64) -> Float64:
+    line = np.ascontiguousarray(line, dtype=np.float64)
+    if line.ndim != 2 or line.shape[1] != 2:
+        raise ValueError(f"a polyline has shape {line.shape}, not (K, 2)")
+    if not np.isfinite(line).all():
+        raise ValueError("a polyline has a vertex that is not finite")
+    return line
+
+
+def _box(line: Float64, size: tuple[int, int], margin: float) -> tuple[int, int, int, int] | None:
+    """Rows and columns (top, bottom, left, right; half open) that the polyline reaches inside the image, or None."""
+    if len(line) == 0:
+        return None
+    shape = np.array([size[1], size[0]], dtype=np.float64)
+    low = np.clip(np.floor(line.min(axis=0) - margin), 0.0, shape).astype(np.intp)
+    high = np.clip(np.ceil(line.max(axis=0) + margin), 0.0, shape).astype(np.intp)
+    if (low >= high).any():
+        return None
+    return int(low[1]), int(high[1]), int(low[0]), int(high[0])
+
+
+@njit(nogil=True, cache=True)
+def _sum_areas(line, sums):  # type: ignore[no-untyped-def]
+    """Add every edge's signed area to `sums (h, w + 1)`: the row-wise running total is the mean winding number.
+
+    An edge that crosses a row adds its signed height to all pixels on its right, and the part of it that lies to the
+    right of the edge to the pixels that it crosses. A height that is added in one column counts for all columns after
+    it, so each column gets the share of the pixel and the next column the rest of the height.
+    """
+    height, width = sums.shape[0], sums.shape[1] - 1
+    count = line.shape[0]
+    for k in range(count):
+        x0, y0 = line[k, 0], line[k, 1]
+        x1, y1 = line[(k + 1) % count, 0], line[(k + 1) % count, 1]
+        if y0 == y1:
+            continue
+        sign = 1.0
+        if y0 > y1:
+            sign = -1.0
+            x0, y0, x1, y1 = x1, y1, x0, y0
+        if y1 <= 0.0 or y0 >= height:
+            continue
+        slope = (x1 - x0) / (y1 - y0)
+        low, high = min(x0, x1), max(x0, x1)
+        for row in range(int(max(y0, 0.0)), int(min(np.ceil(y1), height))):
+            ya, yb = max(y0, float(row)), min(y1, row + 1.0)
+            # Clamped, because rounding may carry a point of the edge beyond its ends.
+            xa = min(max(x0 + (ya - y0) * slope, low), high)
+            xb = min(max(x0 + (yb - y0) * slope, low), high)
+            rise = sign * (yb - ya)
+            left, right = min(xa, xb), max(xa, xb)
+            if left >= width:
+                continue
+            if right <= 0.0:
+                sums[row, 0] += rise
+                continue
+            span = right - left
+            if left < 0.0:  # what lies beyond the image's left edge winds around the whole row
+                sums[row, 0] += rise * (-left / span)
+                left = 0.0
+            right = min(right, float(width))
+            if right == left:  # upright
+                column = int(left)
+                sums[row, column] += rise * (column + 1.0 - left)
+                sums[row, column + 1] += rise * (left - column)
+                continue
+            for column in range(int(left), int(np.ceil(right))):
+                a, b = max(left, float(column)), min(right, column + 1.0)
+                part = rise * ((b - a) / span)
+                share = 0.5 * (a + b) - column
+                sums[row, column] += part * (1.0 - share)
+                sums[row, column + 1] += part * share
+
+
+@njit(nogil=True, cache=True)
+def _wind(sums, result):  # type: ignore[no-untyped-def]
+    """Running totals of `sums (h, w + 1)` along the rows, as magnitudes clamped to 1, into `result (h, w)`."""
+    for row in range(result.shape[0]):
+        total = 0.0
+        for column in range(result.shape[1]):
+            total += sums[row, column]
+            covered = min(abs(total), 1.0)
+            result[row, column] = covered if covered > DUST else 0.0
+
+
+@njit(nogil=True, cache=True)
+def _least_squares(line, reach, squares):  # type: ignore[no-untyped-def]
+    """Lower `squares (h, w)` to the squared distance between pixel centres and the edges nearer than `reach`."""
+    height, width = squares.shape
+    count = line.shape[0]
+    for k in range(count):
+        ax, ay = line[k, 0], line[k, 1]
+        bx, by = line[(k + 1) % count, 0], line[(k + 1) % count, 1]
+        dx, dy = bx - ax, by - ay
+        norm = dx * dx + dy * dy
+        top, bottom = max(min(ay, by) - reach, 0.0), min(max(ay, by) + reach, float(height))
+        left, right = max(min(ax, bx) - reach, 0.0), min(max(ax, bx) + reach, float(width))
+        for row in range(int(top), int(np.ceil(bottom))):
+            py = row + 0.5 - ay
+            for column in range(int(left), int(np.ceil(right))):
+                px = column + 0.5 - ax
+                t = 0.0
+                if norm > 0.0:
+                    t = min(max((px * dx + py * dy) / norm, 0.0), 1.0)
+                ex, ey = px - t * dx, py - t * dy
+                square = ex * ex + ey * ey
+                if square < squares[row, column]:
+                    squares[row, column] = square

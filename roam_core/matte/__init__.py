@@ -1,0 +1,6 @@
+"""Mattes: shapes to antialiased pixels, and pixels back to shapes."""
+
+from roam_core.matte.compose import render_matte
+from roam_core.matte.rasterise import Matte, shape_matte
+
+__all__ = ["Matte", "render_matte", "shape_matte"]

@@ -1,0 +1,129 @@
+"""The coverage kernel against its two twins, and the cases that a rasteriser gets wrong."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from roam_core.kernels.coverage import coverage, distance
+from tests.reference.coverage import comp_coverage, ref_coverage, ref_distance
+
+Array = NDArray[np.float64]
+
+
+def star(seed: int, count: int = 9, centre: tuple[float, float] = (16.0, 12.0), reach: float = 14.0) -> Array:
+    """A random simple polygon: radii over increasing angles."""
+    rng = np.random.default_rng(seed)
+    angle = (np.arange(count) + rng.uniform(0.05, 0.95, count)) * 2.0 * np.pi / count
+    radius = rng.uniform(0.15, 1.0, count) * reach
+    return np.stack([centre[0] + radius * np.cos(angle), centre[1] + radius * np.sin(angle)], axis=1)
+
+
+def rectangle(left: float, top: float, right: float, bottom: float) -> Array:
+    return np.array([[left, top], [right, top], [right, bottom], [left, bottom]])
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_simple_polygons_have_their_exact_area_in_every_pixel(seed: int) -> None:
+    line = star(seed)
+    np.testing.assert_allclose(coverage(line, (24, 32)), comp_coverage(line, (24, 32)), atol=1e-6)
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_simple_polygons_agree_with_supersampling(seed: int) -> None:
+    """16 x 16 points tell a pixel's area to about half a point a sub-row, so single pixels may stray by some 1/32.
+
+    That error is the twin's and has no bias: over the pixels that an outline crosses it averages to less than 1/256,
+    which a systematic error of the kernel (half a pixel's shift is 1/2) could not hide in.
+    """
+    line, size = star(seed, reach=20.0), (24, 32)
+    error = coverage(line, size) - ref_coverage(line, size)
+    crossed = error != 0
+    assert np.abs(error).max() < 1 / 16
+    assert np.abs(error).mean() < 1 / 256
+    assert abs(error[crossed].mean()) < 1 / 256
+
+
+@pytest.mark.parametrize("centre", [(0.0, 0.0), (32.0, 24.0), (-3.0, 12.0), (35.0, 12.0), (16.0, -4.0), (16.0, 28.0)])
+def test_parts_outside_the_image_count_on_every_side(centre: tuple[float, float]) -> None:
+    line = star(3, centre=centre)
+    np.testing.assert_allclose(coverage(line, (24, 32)), comp_coverage(line, (24, 32)), atol=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("line", "expected"),
+    [
+        (rectangle(-50, -50, 50, 50), 1.0),
+        (rectangle(-50, -50, -1, 50), 0.0),
+        (rectangle(9, -50, 50, 50), 0.0),
+        (rectangle(-50, -50, 50, -1), 0.0),
+        (rectangle(-50, 9, 50, 50), 0.0),
+        (rectangle(-1e9, -1e9, 1e9, 1e9), 1.0),
+    ],
+)
+def test_an_outline_around_or_beside_the_image_fills_it_or_leaves_it_empty(line: Array, expected: float) -> None:
+    np.testing.assert_array_equal(coverage(line, (8, 8)), np.full((8, 8), expected, dtype=np.float32))
+
+
+def test_a_pixel_centre_is_at_half_coordinates() -> None:
+    matte = coverage(rectangle(2.0, 1.0, 3.0, 2.0), (4, 5))
+    assert matte[1, 2] == 1.0
+    assert matte.sum() == 1.0
+
+
+def test_a_sliver_covers_its_width() -> None:
+    matte = coverage(rectangle(2.25, 0.0, 2.375, 4.0), (4, 5))
+    np.testing.assert_allclose(matte[:, 2], 0.125)
+    assert np.count_nonzero(matte) == 4
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_orientation_and_first_vertex_do_not_matter(seed: int) -> None:
+    line = star(seed)
+    expected = coverage(line, (24, 32))
+    np.testing.assert_allclose(coverage(line[::-1], (24, 32)), expected, atol=1e-6)
+    np.testing.assert_allclose(coverage(np.roll(line, 4, axis=0), (24, 32)), expected, atol=1e-6)
+
+
+def test_overlap_of_equal_orientation_is_covered_once() -> None:
+    twice = np.vstack([rectangle(2, 2, 8, 8), rectangle(2, 2, 8, 8)])
+    np.testing.assert_array_equal(coverage(twice, (12, 12)), coverage(rectangle(2, 2, 8, 8), (12, 12)))
+
+
+def test_both_lobes_of_an_eight_are_covered() -> None:
+    eight = np.array([[0.0, 0.0], [8.0, 8.0], [8.0, 0.0], [0.0, 8.0]])
+    matte = coverage(eight, (8, 8))
+    assert matte[4, 0] == 1.0
+    assert matte[4, 7] == 1.0
+    assert matte[0, 4] == 0.0
+
+
+def test_everything_outside_the_outline_is_exactly_zero() -> None:
+    line = star(5)
+    matte, untouched = coverage(line, (24, 32)), comp_coverage(line, (24, 32)) == 0.0
+    assert untouched.sum() > 100
+    assert matte[untouched].max() == 0.0
+
+
+@pytest.mark.parametrize("line", [np.zeros((0, 2)), np.ones((1, 2)), np.ones((2, 2)), np.full((5, 2), 3.0)])
+def test_degenerate_outlines_cover_nothing(line: Array) -> None:
+    assert coverage(line, (6, 6)).max() == 0.0
+
+
+@pytest.mark.parametrize("line", [np.zeros((4, 3)), np.array([[0.0, 0.0], [np.nan, 1.0], [2.0, 2.0]])])
+def test_nonsense_is_refused(line: Array) -> None:
+    with pytest.raises(ValueError, match="polyline"):
+        coverage(line, (6, 6))
+
+
+@pytest.mark.parametrize("seed", range(4))
+@pytest.mark.parametrize("reach", [0.5, 3.0, 100.0])
+def test_distance_is_exact_within_its_reach(seed: int, reach: float) -> None:
+    line = star(seed)
+    expected = np.minimum(ref_distance(line, (24, 32)), reach)
+    np.testing.assert_allclose(distance(line, (24, 32), reach), expected, atol=1e-4)
+
+
+def test_distance_out_of_reach_is_the_reach() -> None:
+    np.testing.assert_array_equal(distance(rectangle(90, 90, 99, 99), (4, 4), 2.0), np.full((4, 4), 2.0))

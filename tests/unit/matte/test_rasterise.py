@@ -1,0 +1,148 @@
+"""One shape's matte: coverage, feather on both sides, motion blur, lifetime, invert and opacity."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from roam_core.geometry import bezier
+from roam_core.matte import shape_matte
+from roam_core.roto import Keyframe, MotionBlur, RotoShape
+from tests.unit.matte.conftest import rectangle
+
+SIZE = (20, 24)
+
+
+def circle(centre: tuple[float, float], radius: float, count: int = 8) -> NDArray[np.float64]:
+    """Spline points `(count, 3, 2)` of a circle, to about 1e-5 of its radius."""
+    angle = np.arange(count) * 2.0 * np.pi / count
+    radial = np.stack([np.cos(angle), np.sin(angle)], axis=1)
+    tangent = np.stack([-radial[:, 1], radial[:, 0]], axis=1) * (4.0 / 3.0) * np.tan(np.pi / count / 2.0)
+    return np.asarray(centre) + radius * np.stack([radial, radial - tangent, radial + tangent], axis=1)
+
+
+def test_a_square_on_pixel_borders_is_sharp(square: RotoShape) -> None:
+    expected = np.zeros(SIZE, dtype=np.float32)
+    expected[5:15, 5:15] = 1.0
+    matte = shape_matte(square, 1, SIZE)
+    assert matte.dtype == np.float32
+    np.testing.assert_array_equal(matte, expected)
+
+
+def test_a_circle_has_the_area_of_a_circle() -> None:
+    shape = RotoShape("a", "Circle", (Keyframe(1, circle((50.0, 40.0), 30.0)),))
+    assert shape_matte(shape, 1, (80, 100)).sum() == pytest.approx(np.pi * 30.0**2, rel=1e-3)
+
+
+def test_the_matte_follows_the_keys(square: RotoShape) -> None:
+    moving = square.with_key(Keyframe(11, square.keys[0].points + np.array([4.0, 0.0])))
+    np.testing.assert_allclose(
+        shape_matte(moving, 6, SIZE), shape_matte(rectangle(7.0, 5.0, 17.0, 15.0), 1, SIZE), atol=1e-6
+    )
+
+
+@pytest.mark.parametrize("invert", [False, True])
+def test_an_open_shape_has_no_area(square: RotoShape, invert: bool) -> None:
+    assert shape_matte(replace(square, closed=False, invert=invert), 1, SIZE).max() == 0.0
+
+
+def test_a_shape_exists_in_its_lifetime_only(square: RotoShape) -> None:
+    shape = replace(square, lifetime=(3, 5), invert=True)
+    assert [bool(shape_matte(shape, frame, SIZE).any()) for frame in (2, 3, 4, 5)] == [False, True, True, False]
+
+
+def test_invert_comes_before_opacity(square: RotoShape) -> None:
+    matte = shape_matte(replace(square, invert=True, opacity=0.5), 1, SIZE)
+    assert matte[10, 10] == 0.0
+    assert matte[0, 0] == 0.5
+
+
+# ---- uniform feather -------------------------------------------------------------------------------------------------
+
+
+def test_feather_is_a_ramp_over_the_distance_outwards(square: RotoShape) -> None:
+    matte = shape_matte(replace(square, feather=4.0), 1, SIZE)
+    # The centres of the pixels right of the edge lie 0.5, 1.5, ... pixels away from it.
+    np.testing.assert_allclose(matte[10, 14:20], [1.0, 0.875, 0.625, 0.375, 0.125, 0.0], atol=1e-6)
+    # Around a corner the ramp is round.
+    assert matte[16, 16] == pytest.approx(1.0 - np.hypot(1.5, 1.5) / 4.0, abs=1e-6)
+
+
+def test_negative_feather_is_a_ramp_inwards(square: RotoShape) -> None:
+    matte = shape_matte(replace(square, feather=-2.0), 1, SIZE)
+    np.testing.assert_allclose(matte[10, 4:9], [0.0, 0.25, 0.75, 1.0, 1.0], atol=1e-6)
+
+
+def test_the_soft_edge_of_a_shape_outside_the_image_reaches_into_it() -> None:
+    matte = shape_matte(rectangle(-10.0, -5.0, -1.0, 30.0, feather=4.0), 1, SIZE)
+    np.testing.assert_allclose(matte[10, :4], [1.0 - 1.5 / 4.0, 1.0 - 2.5 / 4.0, 1.0 - 3.5 / 4.0, 0.0], atol=1e-6)
+
+
+# ---- feather curve ---------------------------------------------------------------------------------------------------
+
+
+def test_a_feather_curve_is_an_even_ramp_between_the_outlines() -> None:
+    points = circle((50.0, 50.0), 20.0)
+    feather = circle((50.0, 50.0), 32.0) - points
+    matte = shape_matte(RotoShape("a", "Soft", (Keyframe(1, points, feather),)), 1, (100, 100))
+    radius = np.hypot(*(np.stack(np.meshgrid(np.arange(100) + 0.5, np.arange(100) + 0.5)) - 50.0))
+    expected = np.clip((32.0 - radius) / 12.0, 0.0, 1.0)
+    np.testing.assert_allclose(matte, expected, atol=0.06)
+    outwards = matte[50, 50:]
+    assert (np.diff(outwards) <= 1e-6).all()
+
+
+def test_a_feather_curve_inside_its_outline_softens_inwards() -> None:
+    points = circle((50.0, 50.0), 30.0)
+    matte = shape_matte(
+        RotoShape("a", "Soft", (Keyframe(1, points, circle((50.0, 50.0), 18.0) - points),)), 1, (100,) * 2
+    )
+    assert matte[50, 50] == 1.0
+    assert matte[50, 74] == pytest.approx(0.46, abs=0.05)
+    assert matte[50, 82] == 0.0
+
+
+def test_a_feather_curve_softens_only_where_it_leaves_the_outline(square: RotoShape) -> None:
+    feather = np.zeros((4, 3, 2))
+    feather[1:3, :, 0] = 6.0  # the right side
+    matte = shape_matte(replace(square, keys=(Keyframe(1, square.keys[0].points, feather),)), 1, SIZE)
+    np.testing.assert_allclose(matte[10, 3:6], [0.0, 0.0, 1.0], atol=1e-6)
+    np.testing.assert_allclose(matte[10, 15:21], (5.5 - np.arange(6)) / 6.0, atol=0.07)
+
+
+def test_a_feather_of_zeros_is_none(square: RotoShape) -> None:
+    key = Keyframe(1, square.keys[0].points, np.zeros((4, 3, 2)))
+    np.testing.assert_array_equal(shape_matte(replace(square, keys=(key,)), 1, SIZE), shape_matte(square, 1, SIZE))
+
+
+# ---- motion blur -----------------------------------------------------------------------------------------------------
+
+
+def test_motion_blur_averages_the_open_shutter() -> None:
+    start = rectangle(4.0, 4.0, 8.0, 16.0)
+    moving = start.with_key(Keyframe(2, start.keys[0].points + np.array([8.0, 0.0])))
+    blurred = replace(moving, motion_blur=MotionBlur(shutter=1.0, phase=0.0, samples=4))
+    # Sub-frames at 1/8, 3/8, 5/8, 7/8: the rectangle's left side at 5, 7, 9, 11.
+    expected = np.mean([shape_matte(rectangle(x, 4.0, x + 4.0, 16.0), 1, SIZE) for x in (5, 7, 9, 11)], axis=0)
+    np.testing.assert_allclose(shape_matte(blurred, 1, SIZE), expected, atol=1e-6)
+
+
+def test_the_shutter_opens_at_its_phase() -> None:
+    start = rectangle(8.0, 4.0, 12.0, 16.0, frame=1)
+    moving = start.with_key(Keyframe(3, start.keys[0].points + np.array([8.0, 0.0])))
+    centred = shape_matte(replace(moving, motion_blur=MotionBlur(1.0, -0.5, 8)), 2, SIZE)
+    np.testing.assert_allclose(centred, np.roll(centred[:, ::-1], 4, axis=1), atol=1e-6)
+
+
+def test_a_shape_that_holds_still_has_no_blur(square: RotoShape) -> None:
+    blurred = replace(square, motion_blur=MotionBlur())
+    np.testing.assert_allclose(shape_matte(blurred, 1, SIZE), shape_matte(square, 1, SIZE), atol=1e-6)
+
+
+def test_polygon_points_fill_like_their_polygon() -> None:
+    triangle = bezier.polygon_points([(2.0, 2.0), (18.0, 2.0), (2.0, 18.0)])
+    matte = shape_matte(RotoShape("a", "Triangle", (Keyframe(1, triangle),)), 1, SIZE)
+    assert matte.sum() == pytest.approx(128.0, abs=1e-3)
