@@ -1,0 +1,84 @@
+"""`roam demo --headless`: render the built-in shot, track it from its true outline, and say how well that went."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from pathlib import Path
+
+import numpy as np
+from platformdirs import user_cache_path
+from tqdm import tqdm
+
+from resources import demo
+from roam_core.cli.plate import Plate, clip_of, opened
+from roam_core.cli.track import Report, frame_range, print_line, require_writable, track_project
+from roam_core.matte import render_matte
+from roam_core.params import DEFAULT_CONFIG
+from roam_core.propagate import TrackResult
+from roam_core.roto import Project, RotoShape, edit, file
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Declare the command's options."""
+    parser.add_argument("--headless", action="store_true", help="track without opening a window")
+    parser.add_argument("--config", default=DEFAULT_CONFIG)
+    parser.add_argument("--frames", type=Path, metavar="DIR", help="folder for the shot (default: the user's cache)")
+    parser.add_argument("--save", type=Path, metavar="P.roam", help="write the tracked project")
+    parser.add_argument("--json", action="store_true", help="print one line of JSON a frame")
+
+
+def run(arguments: argparse.Namespace) -> int:
+    """Carry out the command."""
+    if arguments.save is not None:
+        require_writable(arguments.save.parent, create=False)
+    folder = demo_frames(arguments.frames)
+    truth: list[float] = []
+
+    def scored(frame: int, results: tuple[TrackResult, ...]) -> None:
+        truth.append(overlap(results[0].shape, frame))
+        if arguments.json:
+            print_line(frame, results)
+
+    with opened(str(folder)) as plate:
+        project = track_demo(plate, arguments.config, scored)
+    if arguments.save is not None:
+        file.save(project, arguments.save)
+    solved = np.array(truth[1:])
+    worst = int(np.argmin(solved))
+    print(
+        f"Tracked the demo shot, frames {demo.FIRST}-{demo.LAST}, without a window: IoU with the true outline "
+        f"{solved.mean():.3f} on average, {solved[worst]:.3f} at worst (frame {demo.FIRST + 1 + worst}).",
+        file=sys.stderr if arguments.json else sys.stdout,
+    )
+    return 0
+
+
+def demo_frames(folder: Path | None = None) -> Path:
+    """The folder with the rendered shot; what is not there yet is rendered first."""
+    place = folder or user_cache_path("roam") / demo.cache_name()
+    require_writable(place, create=True)
+    with tqdm(total=1.0, desc="Rendering the demo shot", disable=not sys.stderr.isatty(), leave=False) as bar:
+        demo.write_frames(place, lambda fraction, _: bar.update(fraction - bar.n))
+    return place
+
+
+def demo_project(plate: Plate) -> Project:
+    """The demo as it is handed to the artist: the clip, and the true outline as the key of the first frame."""
+    project, _ = edit.new_shape(Project(clip_of(plate.source)), demo.true_points(demo.FIRST), demo.FIRST, name="Demo")
+    return project
+
+
+def track_demo(plate: Plate, config: str, report: Report) -> Project:
+    """Track the demo forward from its first frame."""
+    return track_project(
+        plate, demo_project(plate), frame_range(plate.source.frames, None, None), config, report=report
+    )
+
+
+def overlap(shape: RotoShape, frame: int) -> float:
+    """IoU of a tracked shape with the true outline."""
+    width, height = demo.SIZE
+    ours = render_matte([shape], frame, (height, width)) > 0.5
+    true = demo.true_mask(frame) > 127
+    return int(np.count_nonzero(ours & true)) / max(int(np.count_nonzero(ours | true)), 1)

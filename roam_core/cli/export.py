@@ -1,0 +1,29 @@
+"""`roam export P.roam --to FORMAT OUT`: write a project's shapes for another program."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from pathlib import Path
+
+from roam_core.interchange import EXPORTERS, ExportOptions, KeyChoice, exporter_for
+from roam_core.roto import file
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Declare the command's options."""
+    parser.add_argument("project", type=Path, metavar="P.roam")
+    parser.add_argument("out", type=Path, metavar="OUT")
+    parser.add_argument("--to", required=True, metavar="FORMAT", help=" | ".join(EXPORTERS))
+    parser.add_argument("--keys", choices=[choice.value for choice in KeyChoice], default=KeyChoice.ALL.value)
+    parser.add_argument("--frame-offset", type=int, default=0, metavar="N", help="added to every frame number")
+
+
+def run(arguments: argparse.Namespace) -> int:
+    """Carry out the command."""
+    exporter = exporter_for(arguments.to)
+    project = file.load(arguments.project)
+    options = ExportOptions(frame_offset=arguments.frame_offset, keys=KeyChoice(arguments.keys))
+    exporter.export(project, arguments.out, options)
+    print(f"Wrote {len(project.shapes)} shape(s) to {arguments.out}.", file=sys.stderr)
+    return 0

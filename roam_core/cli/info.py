@@ -1,0 +1,63 @@
+"""`roam info P.roam`: say what is in a project, or what a clip is."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+
+from roam_core.media import open_clip
+from roam_core.propagate.provenance import is_stale
+from roam_core.roto import Clip, Origin, RotoShape, file
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Declare the command's options."""
+    parser.add_argument("project", type=Path, metavar="P.roam", help="a project, or a clip")
+
+
+def run(arguments: argparse.Namespace) -> int:
+    """Carry out the command."""
+    if arguments.project.suffix.lower() == ".roam":
+        for line in _project_lines(arguments.project):
+            print(line)
+        return 0
+    source = open_clip(arguments.project)
+    width, height = source.size
+    print(f"clip     {source.path}")
+    print(
+        f"frames   {source.frames[0]}-{source.frames[-1]}, {len(source.frames)} present, {len(source.missing)} missing"
+    )
+    print(f"picture  {width}x{height}, {source.fps:g} fps, {source.colour_space}, pixel aspect {source.pixel_aspect:g}")
+    return 0
+
+
+def _project_lines(path: Path) -> list[str]:
+    project = file.load(path)
+    lines = [f"project  {path}", f"digest   {file.digest(project)[:16]}"]
+    if project.clip is None:
+        lines.append("clip     none")
+    else:
+        width, height = project.clip.size
+        lines.append(
+            f"clip     {project.clip.path}, frames {project.clip.first}-{project.clip.last}, {width}x{height}, "
+            f"{project.clip.fps:g} fps, {project.clip.colour_space}"
+        )
+    lines.extend(_shape_line(shape, project.clip) for shape in project.shapes)
+    return lines
+
+
+def _shape_line(shape: RotoShape, clip: Clip | None) -> str:
+    engine = [key for key in shape.keys if key.origin is Origin.ENGINE]
+    stale = sum(is_stale(shape, key, clip) for key in engine)
+    rated = [(key.confidence, key.frame) for key in engine if key.confidence is not None]
+    line = (
+        f"shape    {shape.name!r}: {shape.point_count} points, {'closed' if shape.closed else 'open'}, "
+        f"{shape.blend.value}, keys on {shape.frames[0]}-{shape.frames[-1]}: "
+        f"{len(shape.artist_frames)} artist, {len(engine)} engine"
+    )
+    if stale:
+        line += f" ({stale} stale)"
+    if rated:
+        confidence, frame = min(rated)
+        line += f"; least sure on {frame} ({confidence:.2f})"
+    return line

@@ -1,0 +1,61 @@
+"""Choosing the command, and turning what goes wrong into one sentence and an exit code."""
+
+from __future__ import annotations
+
+import argparse
+import os
+import sys
+from collections.abc import Sequence
+from importlib import import_module
+from importlib.metadata import PackageNotFoundError, version
+
+from roam_core.cancel import Cancelled
+from roam_core.errors import RoamError
+
+COMMANDS: dict[str, str] = {
+    "track": "carry shapes through a clip",
+    "export": "write a project's shapes for another program",
+    "render": "write a project's mattes",
+    "info": "say what is in a project or clip",
+    "demo": "track the built-in demo shot",
+}
+"""Commands and what they do; each lives in the module of its name beside this one."""
+
+FAILED, INTERRUPTED = 1, 130
+
+
+def main(argv: Sequence[str] | None = None) -> int:
+    """Run one command. Returns the exit code: 0 done, 1 refused or failed, 2 bad usage, 130 interrupted."""
+    try:
+        return _run(sys.argv[1:] if argv is None else list(argv))
+    except RoamError as error:
+        print(f"roam: {error}", file=sys.stderr)
+        return FAILED
+    except (KeyboardInterrupt, Cancelled):
+        print("roam: stopped; what was finished is kept.", file=sys.stderr)
+        return INTERRUPTED
+    except BrokenPipeError:
+        # The reader of our output went away: nobody is left to be told.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return FAILED
+
+
+def _run(argv: list[str]) -> int:
+    parser = argparse.ArgumentParser(prog="roam", description="Rotoscoping: editable curves carried through a shot.")
+    parser.add_argument("--version", action="version", version=f"roam {_version()}")
+    commands = parser.add_subparsers(dest="command", required=True, metavar="command")
+    for name, summary in COMMANDS.items():
+        command = commands.add_parser(name, help=summary, description=summary.capitalize() + ".")
+        # Only the command that was asked for is loaded: `roam info` does not wait for the solver.
+        if name in argv:
+            import_module(f"roam_core.cli.{name}").add_arguments(command)
+    arguments = parser.parse_args(argv)
+    status: int = import_module(f"roam_core.cli.{arguments.command}").run(arguments)
+    return status
+
+
+def _version() -> str:
+    try:
+        return version("roam-roto")
+    except PackageNotFoundError:
+        return "(not installed)"

@@ -1,0 +1,160 @@
+"""`roam track CLIP --init FILE`: carry shapes through a clip; mattes, a project and a line a frame come out."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import os
+import sys
+from collections.abc import Callable
+from pathlib import Path
+
+from tqdm import tqdm
+
+from roam_core.cli.plate import Plate, clip_of, opened
+from roam_core.errors import RoamError
+from roam_core.interchange.mattes import write_matte
+from roam_core.matte.vectorise import read_mask, shapes_from_mask
+from roam_core.params import CONFIGS, DEFAULT_CONFIG
+from roam_core.propagate import FrameResult, Termination, TrackResult, track, warm_up
+from roam_core.propagate.provenance import clip_stamp
+from roam_core.roto import Layer, Project, RotoShape, file
+
+Report = Callable[[int, tuple[TrackResult, ...]], None]
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Declare the command's options."""
+    parser.add_argument("clip", metavar="CLIP", help="folder of images, pattern (plate.%%04d.exr) or movie")
+    parser.add_argument("--init", required=True, metavar="FILE", help="mask of the start frame, or a .roam project")
+    parser.add_argument("--config", default=DEFAULT_CONFIG, help=f"{' | '.join(CONFIGS)} (default {DEFAULT_CONFIG})")
+    parser.add_argument("--start", type=int, metavar="F", help="frame that FILE describes (default: the first)")
+    parser.add_argument("--end", type=int, metavar="F", help="last frame to track (default: the last)")
+    parser.add_argument("--backward", action="store_true", help="track to earlier frames, by default from the last")
+    parser.add_argument("--matte", type=Path, metavar="DIR", help="write 8-bit PNG mattes named as the frames")
+    parser.add_argument("--save", type=Path, metavar="P.roam", help="write a project")
+    parser.add_argument("--json", action="store_true", help="print one line of JSON a frame")
+
+
+def run(arguments: argparse.Namespace) -> int:
+    """Carry out the command."""
+    with opened(arguments.clip) as plate:
+        frames = frame_range(plate.source.frames, arguments.start, arguments.end, backward=arguments.backward)
+        project = initial_project(Path(arguments.init), plate, frames[0])
+        for folder in (arguments.matte, arguments.save and arguments.save.parent):
+            if folder is not None:
+                require_writable(folder, create=folder is arguments.matte)
+        report = print_line if arguments.json else _silent
+        project = track_project(plate, project, frames, arguments.config, report=report, mattes=arguments.matte)
+    if arguments.save is not None:
+        file.save(project, arguments.save)
+    if not arguments.json:
+        print(f"Tracked {len(project.shapes)} shape(s) from frame {frames[0]} to {frames[-1]}.", file=sys.stderr)
+    return 0
+
+
+def track_project(
+    plate: Plate,
+    project: Project,
+    frames: range,
+    config: str,
+    *,
+    report: Report | None = None,
+    mattes: Path | None = None,
+) -> Project:
+    """Track all closed, unlocked shapes of a project through `frames` of its plate.
+
+    `report` is called with each frame's results; `mattes` is a folder for a PNG of each frame. What is finished is
+    written frame by frame, so an interruption keeps it.
+    """
+    shapes = [shape for shape in project.shapes if shape.closed and not shape.locked]
+    stamp = clip_stamp(project.clip)
+    warm_up(config)
+    width, height = plate.source.size
+
+    def finished(frame: int, results: tuple[TrackResult, ...]) -> None:
+        if mattes is not None and frame in plate.source.frames:
+            name = f"{plate.source.frame_name(frame)}.png"
+            write_matte(project.root, frame, mattes / name, (height, width))
+        if report is not None:
+            report(frame, results)
+
+    plate.read(frames[0])
+    plate.ahead_of(frames[0], frames)
+    finished(frames[0], tuple(TrackResult(frames[0], s, 1.0, {}, Termination.ARTIST_KEY) for s in shapes))
+    solved = track(plate.read, shapes, frames, config, clip=stamp)
+    quiet = not sys.stderr.isatty()
+    for result in tqdm(solved, total=len(frames) - 1, unit="frame", disable=quiet, leave=False):
+        project = with_results(project, result)
+        finished(result.frame, result.results)
+        plate.ahead_of(result.frame, frames)
+    return project
+
+
+def with_results(project: Project, result: FrameResult) -> Project:
+    """The project with the engine's shapes of one frame in place of what they were."""
+    for each in result.results:
+        project = project.with_shape(each.shape)
+    return project
+
+
+def frame_range(frames: tuple[int, ...], start: int | None, end: int | None, *, backward: bool = False) -> range:
+    """The frames of a run, its first one first: from `start` to `end`, both inclusive, in the run's direction."""
+    first, last = (frames[-1], frames[0]) if backward else (frames[0], frames[-1])
+    first, last = first if start is None else start, last if end is None else end
+    for name, frame in (("start", first), ("end", last)):
+        if not frames[0] <= frame <= frames[-1]:
+            raise RoamError(f"--{name} {frame} lies outside the clip's frames {frames[0]}-{frames[-1]}.")
+    if first not in frames:
+        raise RoamError(f"--start {first} is missing from the clip; start on a frame that exists.")
+    if (last > first) if backward else (last < first):
+        way = "backward" if backward else "forward"
+        raise RoamError(f"--end {last} cannot be reached from --start {first} {way}.")
+    return range(first, last - 1, -1) if backward else range(first, last + 1)
+
+
+def initial_project(init: Path, plate: Plate, start: int) -> Project:
+    """The project to track: a `.roam` file's on this clip, or one made of a mask of the start frame."""
+    clip = clip_of(plate.source)
+    if not init.exists():
+        raise RoamError(f"{init} does not exist; --init wants a mask image of the start frame or a .roam project.")
+    if init.suffix.lower() == ".roam":
+        project = file.load(init)
+        if not any(shape.closed and not shape.locked for shape in project.shapes):
+            raise RoamError(f"{init} holds no closed, unlocked shape to track.")
+        return Project(clip, project.root, project.extra)
+    width, height = plate.source.size
+    shapes: list[RotoShape] = shapes_from_mask(read_mask(init, (height, width)), start)
+    if not shapes:
+        raise RoamError(f"The mask {init} is empty; paint the object white on frame {start}.")
+    return Project(clip, Layer("root", "Root", tuple(shapes)))
+
+
+def require_writable(folder: Path, *, create: bool) -> None:
+    """Refuse a target before any work is done for it; make the folder where that is asked for."""
+    try:
+        if create:
+            folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise RoamError(f"The folder {folder} cannot be made: {error.strerror}.") from None
+    if not folder.is_dir():
+        raise RoamError(f"The folder {folder} does not exist.")
+    if not os.access(folder, os.W_OK | os.X_OK):
+        raise RoamError(f"The folder {folder} cannot be written to; choose another or change its permissions.")
+
+
+def print_line(frame: int, results: tuple[TrackResult, ...]) -> None:
+    """One line of JSON: the frame's seconds and energy summed over shapes, its least confidence and what it doubts."""
+    worst = min(results, key=lambda result: result.confidence)
+    line = {
+        "frame": frame,
+        "seconds": round(sum(result.seconds for result in results), 6),
+        "energy": round(sum(result.energies.get("total", 0.0) for result in results), 6),
+        "confidence": round(worst.confidence, 4),
+        "termination": worst.termination.value,
+    }
+    print(json.dumps(line), flush=True)
+
+
+def _silent(frame: int, results: tuple[TrackResult, ...]) -> None:
+    """No line a frame."""

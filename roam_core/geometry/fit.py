@@ -1,0 +1,172 @@
+"""Few-point Bezier splines fitted to dense closed polylines: corners kept, tangents continuous elsewhere."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from roam_core.geometry import polyline
+from roam_core.geometry.bezier import bernstein
+
+Array = NDArray[np.float64]
+
+STEP = 0.5
+"""Pixels between the samples of the outline that a curve is fitted to."""
+
+
+def fit_closed(line: Array, tolerance: float = 1.0, corner_degrees: float = 50.0) -> Array:
+    """A closed spline `(P, 3, 2)` of few points within about `tolerance` pixels of the closed polyline `line (K, 2)`.
+
+    The outline is cut at its corners (a turn of at least `corner_degrees` over a few pixels); each piece is fitted by
+    least squares with reparametrisation and halved where it strays most, with a common tangent at the cut (Schneider,
+    "An Algorithm for Automatically Fitting Digitized Curves", Graphics Gems, 1990).
+    """
+    perimeter = polyline.length(line)
+    count = max(16, round(perimeter / STEP))
+    dense = polyline.resample(line, count)
+    reach = perimeter / count
+    cuts = _corners(dense, max(2, round(min(5.0, perimeter / 12) / reach)), np.radians(corner_degrees))
+    sharp = len(cuts) > 0
+    if not sharp:
+        cuts = np.array([int(np.argmax(((dense - dense.mean(axis=0)) ** 2).sum(axis=1)))])
+    smooth = _smoothed(dense, cuts if sharp else np.empty(0, dtype=int), 1.2 / reach)
+    pieces: list[Array] = []
+    for k, start in enumerate(cuts):
+        stop = cuts[(k + 1) % len(cuts)]
+        index = np.arange(start, stop + 1 if stop > start else stop + count + 1) % count
+        run = smooth[index]
+        if sharp:
+            ends = _end_tangent(run), -_end_tangent(run[::-1])
+        else:
+            tangent = _centre_tangent(np.vstack([run[-6:-1], run[:6]]), 5)
+            ends = tangent, tangent
+        pieces.extend(_fit_run(run, ends[0], ends[1], tolerance, 0))
+    return _joined(pieces)
+
+
+def _joined(pieces: list[Array]) -> Array:
+    """Cubic pieces `(4, 2)` in a ring as spline points; a ring of fewer than three is halved until it has three."""
+    while len(pieces) < 3:
+        pieces = [half for piece in pieces for half in _halves(piece)]
+    points = np.empty((len(pieces), 3, 2))
+    for k, piece in enumerate(pieces):
+        points[k, 0], points[k, 2] = piece[0], piece[1]
+        points[(k + 1) % len(pieces), 1] = piece[2]
+    return points
+
+
+def _halves(piece: Array) -> tuple[Array, Array]:
+    a, b, c, d = piece
+    ab, bc, cd = (a + b) / 2, (b + c) / 2, (c + d) / 2
+    abc, bcd = (ab + bc) / 2, (bc + cd) / 2
+    middle = (abc + bcd) / 2
+    return np.stack([a, ab, abc, middle]), np.stack([middle, bcd, cd, d])
+
+
+def _corners(line: Array, reach: int, angle: float) -> NDArray[np.intp]:
+    """Indices where the outline turns by more than `angle` between the chords of `reach` samples on both sides."""
+    back, ahead = line - np.roll(line, reach, axis=0), np.roll(line, -reach, axis=0) - line
+    cross = back[:, 0] * ahead[:, 1] - back[:, 1] * ahead[:, 0]
+    turn = np.abs(np.arctan2(cross, (back * ahead).sum(axis=1)))
+    neighbourhood = np.stack([np.roll(turn, k) for k in range(-reach, reach + 1)])
+    peak = (turn >= neighbourhood.max(axis=0)) & (turn > angle)
+    found = np.flatnonzero(peak)
+    if len(found) < 2:
+        return found
+    return found[np.diff(np.append(found, found[0] + len(line))) > reach // 2]
+
+
+def _smoothed(line: Array, corners: NDArray[np.intp], sigma: float) -> Array:
+    """A Gaussian of `sigma` samples along the outline takes the pixel stairs off; near corners it fades out."""
+    radius = int(np.ceil(3 * sigma))
+    offsets = np.arange(-radius, radius + 1)
+    kernel = np.exp(-0.5 * (offsets / sigma) ** 2)
+    kernel /= kernel.sum()
+    soft = sum(w * np.roll(line, -k, axis=0) for k, w in zip(offsets, kernel, strict=True))
+    if len(corners) == 0:
+        return np.asarray(soft)
+    index = np.arange(len(line))
+    gap = np.abs(index[:, None] - corners[None])
+    distance = np.minimum(gap, len(line) - gap).min(axis=1)
+    fade = np.clip(distance / (2.0 * radius), 0.0, 1.0)[:, None]
+    return np.asarray(fade * soft + (1.0 - fade) * line)
+
+
+def _end_tangent(run: Array) -> Array:
+    span = min(len(run) - 1, 6)
+    return _unit(run[span] - run[0])
+
+
+def _centre_tangent(run: Array, index: int) -> Array:
+    span = min(5, index, len(run) - 1 - index)
+    return _unit(run[index + span] - run[index - span])
+
+
+def _unit(vector: Array) -> Array:
+    return np.asarray(vector / max(float(np.hypot(*vector)), 1e-12))
+
+
+def _fit_run(run: Array, start: Array, end: Array, tolerance: float, depth: int) -> list[Array]:
+    """Cubics along `run (K, 2)` that leave along `start` and arrive along `end`."""
+    chord = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(run, axis=0).T))])
+    if len(run) < 4 or chord[-1] < 1.5:
+        third = chord[-1] / 3.0
+        return [np.stack([run[0], run[0] + start * third, run[-1] - end * third, run[-1]])]
+    t = chord / chord[-1]
+    piece = _fit_cubic(run, t, start, end)
+    error, worst = _stray(run, t, piece)
+    for _ in range(6):
+        if error <= tolerance or error > 16 * tolerance:
+            break
+        t = _reparametrised(run, t, piece)
+        piece = _fit_cubic(run, t, start, end)
+        error, worst = _stray(run, t, piece)
+    if error <= tolerance or depth > 24:
+        return [piece]
+    middle = int(np.clip(worst, 2, len(run) - 3)) if len(run) > 5 else len(run) // 2
+    tangent = _centre_tangent(run, middle)
+    return [
+        *_fit_run(run[: middle + 1], start, tangent, tolerance, depth + 1),
+        *_fit_run(run[middle:], tangent, end, tolerance, depth + 1),
+    ]
+
+
+def _fit_cubic(run: Array, t: Array, start: Array, end: Array) -> Array:
+    """Least squares for the two handle lengths along the given tangents."""
+    weights = bernstein(t)
+    rest = run - (
+        weights[:, :2].sum(axis=1, keepdims=True) * run[0] + weights[:, 2:].sum(axis=1, keepdims=True) * run[-1]
+    )
+    a, b = weights[:, 1:2] * start, -weights[:, 2:3] * end
+    aa, ab, bb = float((a * a).sum()), float((a * b).sum()), float((b * b).sum())
+    ra, rb = float((a * rest).sum()), float((b * rest).sum())
+    determinant = aa * bb - ab * ab
+    length = float(np.hypot(*(run[-1] - run[0])))
+    if determinant > 1e-12:
+        alpha, beta = (ra * bb - rb * ab) / determinant, (aa * rb - ab * ra) / determinant
+    else:
+        alpha = beta = 0.0
+    arc = float(np.hypot(*np.diff(run, axis=0).T).sum())
+    if not (0.02 * length < alpha <= arc and 0.02 * length < beta <= arc):
+        alpha = beta = min(length, arc) / 3.0
+    return np.stack([run[0], run[0] + alpha * start, run[-1] - beta * end, run[-1]])
+
+
+def _stray(run: Array, t: Array, piece: Array) -> tuple[float, int]:
+    distance = ((bernstein(t) @ piece - run) ** 2).sum(axis=1)
+    worst = int(np.argmax(distance))
+    return float(np.sqrt(distance[worst])), worst
+
+
+def _reparametrised(run: Array, t: Array, piece: Array) -> Array:
+    """One Newton step of every sample's parameter towards the nearest point of the cubic."""
+    s = 1.0 - t
+    first, second = np.diff(piece, axis=0), np.diff(piece, n=2, axis=0)
+    d1 = np.stack([3 * s * s, 6 * s * t, 3 * t * t], axis=1) @ first
+    d2 = np.stack([6 * s, 6 * t], axis=1) @ second
+    off = bernstein(t) @ piece - run
+    slope = (d1 * d1).sum(axis=1) + (off * d2).sum(axis=1)
+    step = np.divide((off * d1).sum(axis=1), slope, out=np.zeros_like(t), where=np.abs(slope) > 1e-9)
+    moved = np.clip(t - step, 0.0, 1.0)
+    moved[0], moved[-1] = 0.0, 1.0
+    return np.maximum.accumulate(moved)

@@ -1,0 +1,1 @@
+"""Minimising the energy: exact block-wise steps."""

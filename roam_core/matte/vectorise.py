@@ -1,0 +1,96 @@
+"""From pixels to curves: a mask's outlines as Bezier shapes of few points, its holes as subtracting shapes."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+from pathlib import Path
+from typing import Any
+
+import cv2
+import numpy as np
+from contourpy import FillType, contour_generator
+from numpy.typing import NDArray
+
+from roam_core.errors import RoamError
+from roam_core.geometry import fit, polyline
+from roam_core.roto import BlendMode, Keyframe, RotoShape
+from roam_core.roto.project import PALETTE
+
+Array = NDArray[np.float64]
+
+LEAST_AREA = 12.0
+"""Pixels: smaller specks of a mask become no shape, unless there is nothing larger."""
+
+
+def shapes_from_mask(mask: NDArray[Any], frame: int = 0, tolerance: float = 1.0) -> list[RotoShape]:
+    """One shape for each outer contour of a mask, largest first, each followed by its holes as subtracting shapes.
+
+    Parameters
+    ----------
+    mask : (h, w) or (h, w, c); bool, integer or float; white inside. A grey antialiased edge is met at half intensity.
+    frame : the frame of the shapes' one artist key.
+    tolerance : pixels by which the spline may stray from the mask's outline.
+
+    Returns
+    -------
+    An empty list for an empty mask.
+    """
+    shapes: list[RotoShape] = []
+    for number, rings in enumerate(outlines(mask), start=1):
+        for hole, ring in enumerate(rings):
+            shapes.append(
+                RotoShape(
+                    id=f"shape-{len(shapes) + 1}",
+                    name=f"Shape {number}" if hole == 0 else f"Shape {number} hole {hole}",
+                    keys=(Keyframe(frame, fit.fit_closed(ring, tolerance)),),
+                    colour=PALETTE[len(shapes) % len(PALETTE)],
+                    blend=BlendMode.ADD if hole == 0 else BlendMode.SUBTRACT,
+                )
+            )
+    return shapes
+
+
+def outlines(mask: NDArray[Any]) -> list[list[Array]]:
+    """The mask's regions, largest first: each its outer contour `(K, 2)` and then the contours of its holes."""
+    field = np.pad(coverage_of(mask), 1)
+    generator: Any = contour_generator(z=field, fill_type=FillType.OuterOffset)
+    points, offsets = generator.filled(0.5, np.inf)
+    regions = []
+    for vertices, starts in zip(points, offsets, strict=True):
+        # Index space of the padded array, whose first pixel's centre is (-0.5, -0.5) of the image.
+        rings = [vertices[a : b - 1] - 0.5 for a, b in pairwise(starts)]
+        regions.append([rings[0], *(ring for ring in rings[1:] if abs(polyline.signed_area(ring)) >= LEAST_AREA)])
+    regions.sort(key=lambda rings: -abs(polyline.signed_area(rings[0])))
+    large = [rings for rings in regions if abs(polyline.signed_area(rings[0])) >= LEAST_AREA]
+    return large or regions[:1]
+
+
+def coverage_of(mask: NDArray[Any]) -> NDArray[np.float64]:
+    """A mask as coverage (h, w) in [0, 1]: alpha where there is one, else the brightest channel."""
+    if mask.ndim == 3:
+        mask = mask[:, :, 3] if mask.shape[2] == 4 else mask.max(axis=2)
+    if mask.ndim != 2:
+        raise ValueError(f"a mask has shape {mask.shape}, not (h, w)")
+    values = mask.astype(np.float64)
+    if mask.dtype == bool:
+        return values
+    top = float(values.max()) if values.size else 0.0
+    if np.issubdtype(mask.dtype, np.integer):
+        # A mask of zeros and ones (or other small labels) is white at its largest value.
+        return values / max(top if top <= 16 else float(np.iinfo(mask.dtype).max), 1.0)
+    return np.clip(np.nan_to_num(values), 0.0, 1.0)
+
+
+def read_mask(path: Path, size: tuple[int, int] | None = None) -> NDArray[Any]:
+    """Read a mask image; with `size` (h, w) given, one of another size is refused."""
+    if not path.exists():
+        raise RoamError(f"{path} does not exist.")
+    mask = cv2.imread(str(path), cv2.IMREAD_UNCHANGED)
+    if mask is None:
+        raise RoamError(f"{path} cannot be read as a mask image; give a PNG, TIFF or JPEG, white inside.")
+    if size is not None and mask.shape[:2] != size:
+        raise RoamError(
+            f"The mask {path} is {mask.shape[1]}x{mask.shape[0]}, the clip is {size[1]}x{size[0]}; "
+            "give a mask of the start frame in the clip's size."
+        )
+    return np.asarray(mask)

@@ -1,0 +1,83 @@
+"""The pre-warp from sparse points: corners inside the outline, followed by pyramidal KLT, a RANSAC similarity."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from roam_core.features import PreparedFrame, Region
+from roam_core.geometry import similarity
+from roam_core.params import RoamParams
+
+Array = NDArray[np.float64]
+
+MAX_TRAVEL = 48.0
+"""Pixels of a 480-line image by which an object may move between two frames and still be found."""
+
+
+@dataclass(frozen=True)
+class Warp:
+    """A similarity `(2, 3)` from one frame to the next, how many points there were and what share agreed."""
+
+    transform: Array
+    points: int
+    agreement: float
+
+
+def similarity_warp(before: PreparedFrame, after: PreparedFrame, line: Array, params: RoamParams, scale: float) -> Warp:
+    """How the inside of the closed polyline `line (K, 2)` moved from one frame to the next.
+
+    Points are followed on a reduced copy of the region, forwards and back again; those that do not return within half
+    a pixel are dropped. With fewer than three points left the shape is taken to stand still.
+    """
+    region = Region.around(line, MAX_TRAVEL * scale, before.size)
+    if region.is_empty:
+        return Warp(similarity.IDENTITY.copy(), 0, 0.0)
+    rows, columns = region.slices
+    reduce = min(1.0, params.motion_size / max(region.x1 - region.x0, region.y1 - region.y0))
+    old, new = (_reduced(frame.grey[rows, columns], reduce) for frame in (before, after))
+    local = (line - np.asarray(region.origin)) * reduce
+    start = _corners(old, local, params.motion_features)
+    if len(start) < 3:
+        return Warp(similarity.IDENTITY.copy(), len(start), 0.0)
+    start, end = _followed(old, new, start)
+    # Pixel centres lie at half-integers in our coordinates and at integers in OpenCV's.
+    source = (start + 0.5) / reduce + np.asarray(region.origin)
+    target = (end + 0.5) / reduce + np.asarray(region.origin)
+    if len(source) < 3:
+        return Warp(similarity.IDENTITY.copy(), len(source), 0.0)
+    transform, inliers = similarity.ransac(source, target, params.motion_threshold * max(scale, 0.5 / reduce))
+    return Warp(transform, len(source), float(inliers.mean()))
+
+
+def _reduced(grey: NDArray[np.uint8], factor: float) -> NDArray[np.uint8]:
+    if factor == 1.0:
+        return np.ascontiguousarray(grey)
+    return np.asarray(cv2.resize(grey, None, fx=factor, fy=factor, interpolation=cv2.INTER_AREA), dtype=np.uint8)
+
+
+def _corners(grey: NDArray[np.uint8], line: Array, count: int) -> Array:
+    """Up to `count` corners inside the polyline, spread out; a shape of few corners yields weaker ones."""
+    mask = np.zeros(grey.shape, dtype=np.uint8)
+    cv2.fillPoly(mask, [np.round((line - 0.5) * 16).astype(np.int32)], 255, shift=4)
+    area = int(np.count_nonzero(mask))
+    if area == 0:
+        return np.empty((0, 2))
+    distance = max(2.0, float(np.sqrt(area / count)) * 0.6)
+    found = cv2.goodFeaturesToTrack(grey, count, 0.003, distance, mask=mask, blockSize=5)
+    return np.empty((0, 2)) if found is None else found.reshape(-1, 2).astype(np.float64)
+
+
+def _followed(old: NDArray[np.uint8], new: NDArray[np.uint8], start: Array) -> tuple[Array, Array]:
+    criteria = (cv2.TERM_CRITERIA_EPS | cv2.TERM_CRITERIA_COUNT, 20, 0.02)
+    options: dict[str, Any] = {"winSize": (15, 15), "maxLevel": 3, "criteria": criteria}
+    points = start.astype(np.float32).reshape(-1, 1, 2)
+    forward, good, _ = cv2.calcOpticalFlowPyrLK(old, new, points, None, **options)
+    back, good_back, _ = cv2.calcOpticalFlowPyrLK(new, old, forward, None, **options)
+    returned = np.hypot(*(back - points).reshape(-1, 2).T) < 0.5
+    keep = (good.ravel() == 1) & (good_back.ravel() == 1) & returned
+    return start[keep], forward.reshape(-1, 2)[keep].astype(np.float64)

@@ -1,0 +1,71 @@
+"""RoamParams: every number of the engine, one field for each symbol, and the named configurations."""
+
+from __future__ import annotations
+
+from dataclasses import asdict, dataclass
+
+from roam_core.errors import RoamError
+
+
+@dataclass(frozen=True)
+class RoamParams:
+    """Parameters of the engine. Lengths are pixels of a 480-line image and grow with the image (`scale_for`).
+
+    Attributes
+    ----------
+    config : the name of the configuration.
+    node_spacing : distance of neighbouring nodes x_n on the outline; more nodes follow finer detail and cost more.
+    min_nodes, max_nodes : bounds on N; the spacing gives way to them.
+    window : side of the square of moves of a node, so D = window**2; odd. The paper varies 3 to 13.
+    steps : step between neighbouring moves, one entry for each round of inference, coarse to fine.
+    max_iterations : rounds of dynamic programming at each step size.
+    mu : weight of the l2 regulariser (equation 3), per node, of the squared edge length over the squared spacing.
+    lambda_gradient : weight of the squared image gradient (equation 3), per node, of its mean along the edge.
+    gradient_sigma : blur before the gradient is taken.
+    fit_rigidity : weight, per control point, that holds the fitted spline to the pre-warped one where nodes say little.
+    motion_features : upper bound on the points that KLT follows for the pre-warp.
+    motion_threshold : distance up to which a followed point agrees with a similarity.
+    motion_size : the region is scaled down to this side before points are followed; costs follow it.
+    """
+
+    config: str = "baseline"
+    node_spacing: float = 8.0
+    min_nodes: int = 12
+    max_nodes: int = 220
+    window: int = 5
+    steps: tuple[float, ...] = (2.0, 1.0)
+    max_iterations: int = 3
+    mu: float = 0.06
+    lambda_gradient: float = 1.0
+    gradient_sigma: float = 1.0
+    fit_rigidity: float = 0.02
+    motion_features: int = 300
+    motion_threshold: float = 2.0
+    motion_size: int = 512
+
+    def values(self) -> dict[str, object]:
+        """All fields by name: what the hash of an ENGINE key covers."""
+        return asdict(self)
+
+
+CONFIGS: dict[str, RoamParams] = {
+    "baseline": RoamParams(),
+}
+"""Configurations by name. `baseline`: gradient and l2 regulariser (the paper's Baseline)."""
+
+DEFAULT_CONFIG = "baseline"
+
+
+def params_for(config: str | RoamParams) -> RoamParams:
+    """The parameters of a named configuration; a `RoamParams` is passed through."""
+    if isinstance(config, RoamParams):
+        return config
+    try:
+        return CONFIGS[config]
+    except KeyError:
+        raise RoamError(f"There is no configuration {config!r}; choose from {', '.join(CONFIGS)}.") from None
+
+
+def scale_for(size: tuple[int, int]) -> float:
+    """How much longer lengths are in an image of `size` (h, w) than in one of 480 lines; never below 1."""
+    return max(1.0, min(size) / 480.0)

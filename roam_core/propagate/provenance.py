@@ -1,0 +1,47 @@
+"""What an ENGINE key was computed from, as a short stamp, and whether that still holds."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from pathlib import Path
+
+from roam_core.params import CONFIGS, RoamParams
+from roam_core.roto import Clip, Keyframe, Origin, RotoShape
+
+
+def clip_stamp(clip: Clip | None) -> str:
+    """What identifies a clip's pictures in a stamp: its file name, range and size (not where it lies)."""
+    if clip is None:
+        return ""
+    return json.dumps([Path(clip.path).name, clip.first, clip.last, list(clip.size), clip.colour_space])
+
+
+def stamp(source: Keyframe, closed: bool, params: RoamParams, clip: str, forward: bool) -> str:
+    """A stamp `direction:configuration:hash` over the artist's key, the parameters and the clip."""
+    content = json.dumps(params.values(), sort_keys=True) + clip + str(closed) + str(source.frame)
+    digest = hashlib.sha256(content.encode() + source.points.tobytes()).hexdigest()[:16]
+    return f"{'forward' if forward else 'backward'}:{params.config}:{digest}"
+
+
+def governing_key(shape: RotoShape, frame: int, forward: bool) -> Keyframe | None:
+    """The artist's key that a run in this direction carries to `frame`: the nearest one it passes, or None."""
+    keys = [key for key in shape.keys if key.origin is Origin.ARTIST]
+    if forward:
+        return next((key for key in reversed(keys) if key.frame <= frame), None)
+    return next((key for key in keys if key.frame >= frame), None)
+
+
+def is_stale(shape: RotoShape, key: Keyframe, clip: Clip | None) -> bool:
+    """True for an ENGINE key whose artist key, parameters or clip have changed since it was made."""
+    if key.origin is not Origin.ENGINE:
+        return False
+    direction, _, rest = key.inputs.partition(":")
+    config = rest.partition(":")[0]
+    if config not in CONFIGS:
+        return True
+    forward = direction == "forward"
+    source = governing_key(shape, key.frame, forward)
+    if source is None:
+        return True
+    return stamp(source, shape.closed, CONFIGS[config], clip_stamp(clip), forward) != key.inputs

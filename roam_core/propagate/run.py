@@ -1,0 +1,56 @@
+"""Many frames: the loop that the command line, the window and the tests all run."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from typing import Any
+
+from numpy.typing import NDArray
+
+from roam_core.cancel import CancelToken
+from roam_core.errors import RoamError
+from roam_core.features import PreparedFrame
+from roam_core.media.source import MissingFrame
+from roam_core.params import DEFAULT_CONFIG, RoamParams
+from roam_core.propagate.result import FrameResult
+from roam_core.propagate.tracker import Tracker
+from roam_core.roto import RotoShape
+
+ReadFrame = Callable[[int], NDArray[Any]]
+"""Gives the picture of a frame, (h, w, 3) RGB, display-referred; raises `MissingFrame` in a gap."""
+
+
+def track(
+    read: ReadFrame,
+    shapes: Sequence[RotoShape],
+    frames: range,
+    config: str | RoamParams = DEFAULT_CONFIG,
+    token: CancelToken | None = None,
+    clip: str = "",
+) -> Iterator[FrameResult]:
+    """Carry `shapes` from `frames[0]`, where they are given, through the other frames, in their order.
+
+    All shapes share one preparation of each picture. Results come one frame at a time; a caller that stops early keeps
+    what it has. The first frame yields nothing: it is the artist's.
+
+    Raises
+    ------
+    Cancelled
+        at a safe point after `token` was cancelled. MissingFrame, RoamError: as `read` raises them for the first frame;
+        a gap later on is passed over and reported as MISSING_FRAME.
+    """
+    if not shapes:
+        raise RoamError("There is no shape to track; draw one, or select one, first.")
+    trackers = [Tracker(config, clip) for _ in shapes]
+    first = PreparedFrame(read(frames[0]))
+    for tracker, shape in zip(trackers, shapes, strict=True):
+        tracker.start(first, shape, frames[0])
+    for frame in frames[1:]:
+        if token is not None:
+            token.check()
+        try:
+            picture = PreparedFrame(read(frame))
+        except MissingFrame:
+            yield FrameResult(frame, tuple(tracker.skip(frame) for tracker in trackers))
+            continue
+        yield FrameResult(frame, tuple(tracker.step(picture, frame, token) for tracker in trackers))
