@@ -1,0 +1,223 @@
+"""FrameCache: the decoded frames of a plate in memory, bounded in bytes, filled ahead by one thread."""
+
+from __future__ import annotations
+
+import threading
+from collections import OrderedDict, deque
+from collections.abc import Callable, Sequence
+
+from roam_core.cancel import CancelToken
+from roam_core.media.source import Image, PlateSource
+
+DEFAULT_LIMIT = 1 << 30
+"""Bytes: some 40 frames of 4K in 8 bits."""
+POLL_SECONDS = 0.05
+"""How often a reader that waits for another thread's decoding looks at its token."""
+
+
+class FrameCache:
+    """Decoded frames of one plate. Safe from any thread; the pictures are read-only and shared.
+
+    What was used longest ago goes first. The bytes held stay within the limit, except where the frame just asked for is
+    larger than all of it: then it is held alone. A frame is decoded by one thread at a time; others wait for it.
+
+    Parameters
+    ----------
+    source : the plate.
+    limit_bytes : the most that is held.
+    on_change : called without arguments after the set of cached frames changed, on the thread that changed it
+        (a reader's, or the one that reads ahead), with no lock held; not by `close`.
+    """
+
+    def __init__(
+        self,
+        source: PlateSource,
+        limit_bytes: int = DEFAULT_LIMIT,
+        on_change: Callable[[], None] | None = None,
+    ) -> None:
+        self.source = source
+        self.limit_bytes = limit_bytes
+        self._on_change = on_change or (lambda: None)
+        self._lock = threading.Lock()
+        self._wake = threading.Condition(self._lock)
+        self._images: OrderedDict[int, Image] = OrderedDict()  # longest unused first
+        self._bytes = 0
+        self._frame_bytes = 0  # of the frame held last: what the next one will need
+        self._decoding: dict[int, _Decoding] = {}
+        self._shown: int | None = None  # the frame read last: reading ahead does not push it out
+        self._ahead: deque[int] = deque()
+        self._wanted_ahead: frozenset[int] = frozenset()
+        self._reader: threading.Thread | None = None
+        self._closed = False
+
+    @property
+    def held_bytes(self) -> int:
+        """The bytes of all frames held now."""
+        with self._lock:
+            return self._bytes
+
+    def read(self, frame: int, token: CancelToken | None = None) -> Image:
+        """The picture `(h, w, 3)` of a frame, decoded now where it is not held. Read-only.
+
+        Raises
+        ------
+        RoamError
+            what the source raises: a missing frame, a damaged file.
+        Cancelled
+            when `token` was cancelled before the picture was there.
+        """
+        while True:
+            if token:
+                token.check()
+            with self._lock:
+                self._shown = frame
+                if frame in self._images:
+                    self._images.move_to_end(frame)
+                    return self._images[frame]
+                decoding, is_ours = self._claim(frame)
+            if is_ours:
+                changed = self._decode(frame, decoding, frozenset())
+            else:
+                decoding.wait(token)
+                # What was read ahead is not held where there was no room; now that it is asked for, it is.
+                changed = decoding.image is not None and self._hold(frame, decoding.image, frozenset())
+            if changed:
+                self._on_change()
+            if decoding.image is not None:
+                return decoding.image
+            # The other thread failed: this one tries for itself, so that the error is raised here too.
+
+    def get(self, frame: int) -> Image | None:
+        """The picture of a frame where it is held, else None; never waits for decoding."""
+        with self._lock:
+            if frame in self._images:
+                self._images.move_to_end(frame)
+            return self._images.get(frame)
+
+    def cached_frames(self) -> frozenset[int]:
+        """The frames that are held."""
+        with self._lock:
+            return frozenset(self._images)
+
+    def read_ahead(self, frames: Sequence[int]) -> None:
+        """Decode these frames in the background, in this order, in place of what an earlier call asked for.
+
+        Ends early where the limit would push out one of these frames or the one read last. Errors stay silent: `read`
+        of such a frame raises them.
+        """
+        with self._lock:
+            if self._closed:
+                return
+            self._ahead = deque(frames)
+            self._wanted_ahead = frozenset(frames)
+            if self._reader is None and self._ahead:
+                self._reader = threading.Thread(target=self._run_ahead, name="read-ahead", daemon=True)
+                self._reader.start()
+            self._wake.notify()
+
+    def close(self) -> None:
+        """Stop reading ahead, wait for its thread, and let go of all frames. Later reads decode and hold nothing."""
+        with self._lock:
+            self._closed = True
+            self._ahead.clear()
+            self._images.clear()
+            self._bytes = 0
+            reader, self._reader = self._reader, None
+            self._wake.notify()
+        if reader and reader is not threading.current_thread():
+            reader.join()
+
+    # ---- decoding ----------------------------------------------------------------------------------------------------
+
+    def _claim(self, frame: int) -> tuple[_Decoding, bool]:
+        """The decoding of a frame, and whether it is the caller's to do. The lock is held."""
+        running = self._decoding.get(frame)
+        if running:
+            return running, False
+        self._decoding[frame] = _Decoding()
+        return self._decoding[frame], True
+
+    def _decode(self, frame: int, decoding: _Decoding, kept: frozenset[int]) -> bool:
+        """Decode a claimed frame, and hold it where none of `kept` has to go for it; whether it is held now."""
+        try:
+            image = self.source.read(frame)
+            image.setflags(write=False)
+            decoding.image = image
+            # Held before the claim ends: at no moment is the frame neither held nor on its way.
+            return self._hold(frame, image, kept)
+        finally:
+            with self._lock:
+                del self._decoding[frame]
+            decoding.done.set()
+
+    def _hold(self, frame: int, image: Image, kept: frozenset[int]) -> bool:
+        """Hold a picture in place of those longest unused; False where it is held already, or has no room."""
+        with self._lock:
+            leaving = self._leaving_for(image.nbytes, kept)
+            if self._closed or leaving is None or frame in self._images:
+                return False
+            for old in leaving:
+                self._bytes -= self._images.pop(old).nbytes
+            self._images[frame] = image
+            self._bytes += image.nbytes
+            self._frame_bytes = image.nbytes
+            return True
+
+    def _leaving_for(self, nbytes: int, kept: frozenset[int]) -> list[int] | None:
+        """The frames, longest unused first, that have to go before `nbytes` fit; None where `kept` ones had to.
+
+        With nothing to keep there is always room: a frame above the limit is then held alone. The lock is held.
+        """
+        surplus = self._bytes + nbytes - self.limit_bytes
+        leaving = []
+        for frame, image in self._images.items():
+            if surplus <= 0:
+                break
+            if frame not in kept:
+                leaving.append(frame)
+                surplus -= image.nbytes
+        return None if surplus > 0 and kept else leaving
+
+    # ---- reading ahead: one thread -----------------------------------------------------------------------------------
+
+    def _run_ahead(self) -> None:
+        while claimed := self._next_ahead():
+            try:
+                changed = self._decode(*claimed)
+            except Exception:
+                # A frame that nobody asked for yet must not disturb; whoever reads it gets the error.
+                continue
+            if changed:
+                self._on_change()
+
+    def _next_ahead(self) -> tuple[int, _Decoding, frozenset[int]] | None:
+        """Wait for a frame to read ahead and claim it, with the frames to keep for it; None when the cache closes."""
+        with self._lock:
+            while not self._closed:
+                if not self._ahead:
+                    self._wake.wait()
+                    continue
+                frame = self._ahead.popleft()
+                if frame in self._images or frame in self._decoding:
+                    continue
+                kept = self._wanted_ahead | ({self._shown} if self._shown is not None else frozenset())
+                if self._leaving_for(self._frame_bytes, kept) is None:
+                    self._ahead.clear()
+                    continue
+                decoding, _ = self._claim(frame)
+                return frame, decoding, kept
+            return None
+
+
+class _Decoding:
+    """One frame on its way: `image` stays None where the source failed."""
+
+    def __init__(self) -> None:
+        self.done = threading.Event()
+        self.image: Image | None = None
+
+    def wait(self, token: CancelToken | None) -> None:
+        """Wait for the end, or raise `Cancelled`."""
+        while not self.done.wait(POLL_SECONDS if token else None):
+            if token:
+                token.check()

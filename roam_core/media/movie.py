@@ -1,0 +1,162 @@
+"""Movie: a plate inside a movie file, decoded with FFmpeg through OpenCV; any frame, exactly, in any order."""
+
+from __future__ import annotations
+
+import math
+import threading
+from pathlib import Path
+
+import cv2
+import numpy as np
+
+from roam_core.errors import RoamError
+from roam_core.media.colour import SRGB
+from roam_core.media.source import Image, MissingFrame
+
+LONGEST_STEP = 24
+"""Frames that are decoded one by one rather than sought: about the distance between key frames."""
+SAME_TIME = 0.25
+"""Two time stamps closer than this part of a frame are one frame's (Matroska rounds them to milliseconds)."""
+
+
+class Movie:
+    """A movie as a plate: frames are numbered from 1. See `PlateSource` for the attributes.
+
+    Pictures are 8-bit RGB, whatever the movie's own depth. A seek is believed only where the time stamp it lands on is
+    the wanted frame's; else the movie is decoded from its start. So a frame is the same picture however it was
+    reached. Opening looks at the first and the last frame; a movie whose stamps are uneven, or whose container is
+    wrong about its length, is gone through once when it is opened.
+    """
+
+    def __init__(self, path: Path) -> None:
+        self.path = path
+        self._lock = threading.Lock()
+        self._capture = self._opened()
+        self._next = 0  # index of the frame that the next grab gives
+        self._times: list[float] = []  # stamps in ms of the frames 0, 1, ... reached by counting
+        self._period = 0.0  # ms between frames where stamps are even, else 0
+        rate = float(self._capture.get(cv2.CAP_PROP_FPS))
+        self.fps = rate if math.isfinite(rate) and 1.0 <= rate <= 1000.0 else 24.0
+        self.size = self._first_size()
+        self.pixel_aspect = self._aspect()
+        self.colour_space = SRGB
+        self._count = self._verified_count()
+        self.frames = tuple(range(1, self._count + 1))
+        self.missing: tuple[int, ...] = ()
+
+    def frame_name(self, frame: int) -> str:
+        """The frame's number, padded with zeros: to five digits, more for a longer movie."""
+        return f"{frame:0{max(5, len(str(self._count)))}d}"
+
+    def read(self, frame: int) -> Image:
+        """The picture `(h, w, 3)` uint8 of a frame."""
+        if not 1 <= frame <= self._count:
+            raise MissingFrame(f"Frame {frame} of {self.path} is missing: the movie has the frames 1 to {self._count}.")
+        with self._lock:
+            picture = self._retrieved() if self._go_to(frame - 1) else None
+        if picture is None:
+            raise RoamError(f"Frame {frame} of {self.path} cannot be decoded; the movie is damaged or cut short.")
+        if (picture.shape[1], picture.shape[0]) != self.size:
+            raise RoamError(f"Frame {frame} of {self.path} differs in size from the first; a plate needs one size.")
+        return np.asarray(cv2.cvtColor(picture, cv2.COLOR_BGR2RGB))
+
+    # ---- moving through the file; `_lock` is held, except while opening ----------------------------------------------
+
+    def _go_to(self, index: int) -> bool:
+        """Grab the frame `index` (from 0): step where it lies close ahead, else seek, else count from the start."""
+        if 0 <= index - self._next <= LONGEST_STEP and self._step_to(index):
+            return True
+        if self._seek(index):
+            return True
+        self._rewind()
+        return self._step_to(index)
+
+    def _step_to(self, index: int) -> bool:
+        """Grab frame after frame up to `index`; False at the end of the movie."""
+        while self._next <= index:
+            if not self._capture.grab():
+                return False
+            if self._next == len(self._times):
+                self._times.append(self._stamp())
+            self._next += 1
+        return True
+
+    def _seek(self, index: int) -> bool:
+        """Jump to `index`; False where it cannot be known by its time stamp that this is where the jump led."""
+        wanted = self._time_of(index)
+        if wanted is None:
+            return False
+        tolerance = SAME_TIME * 1000.0 / self.fps
+        self._capture.set(cv2.CAP_PROP_POS_FRAMES, index)
+        # A jump may land early (the container's clock starts elsewhere); what follows is then decoded up to the frame.
+        while self._capture.grab():
+            distance = self._stamp() - wanted
+            if abs(distance) <= tolerance:
+                self._next = index + 1
+                return True
+            if distance > 0.0:
+                break
+        return False
+
+    def _rewind(self) -> None:
+        """Start again from the file: unlike a seek to 0 this depends on nothing in the container."""
+        self._capture.release()
+        self._capture = self._opened()
+        self._next = 0
+
+    def _time_of(self, index: int) -> float | None:
+        """The stamp of a frame in ms, or None where it is not known, or is not its own."""
+        if index < len(self._times):
+            time = self._times[index]
+            return time if index == 0 or time > self._times[index - 1] else None
+        return self._times[0] + index * self._period if self._period and self._times else None
+
+    def _stamp(self) -> float:
+        return float(self._capture.get(cv2.CAP_PROP_POS_MSEC))
+
+    def _retrieved(self) -> Image | None:
+        found, picture = self._capture.retrieve()
+        return picture if found else None
+
+    # ---- opening -----------------------------------------------------------------------------------------------------
+
+    def _opened(self) -> cv2.VideoCapture:
+        capture = cv2.VideoCapture(str(self.path), cv2.CAP_FFMPEG)
+        if not capture.isOpened():
+            raise RoamError(f"{self.path} is no movie that can be decoded, or it is damaged; convert it to images.")
+        return capture
+
+    def _first_size(self) -> tuple[int, int]:
+        """(width, height) of the first picture; the header's may be before the camera's rotation is applied."""
+        picture = self._retrieved() if self._step_to(0) else None
+        if picture is None:
+            raise RoamError(f"{self.path} holds no picture that can be decoded; convert it to images.")
+        return int(picture.shape[1]), int(picture.shape[0])
+
+    def _aspect(self) -> float:
+        over, under = (float(self._capture.get(key)) for key in (cv2.CAP_PROP_SAR_NUM, cv2.CAP_PROP_SAR_DEN))
+        return over / under if over > 0.0 and under > 0.0 and 0.1 <= over / under <= 10.0 else 1.0
+
+    def _verified_count(self) -> int:
+        """The number of frames: the container's where the last frame bears it out, else counted."""
+        claimed = self._capture.get(cv2.CAP_PROP_FRAME_COUNT)
+        claimed = int(claimed) if math.isfinite(claimed) else 0
+        if claimed > 1 and self._ends_with(claimed - 1):
+            return claimed
+        self._rewind()
+        self._period = 0.0
+        while self._step_to(self._next):
+            pass
+        return self._next
+
+    def _ends_with(self, last: int) -> bool:
+        """Whether the movie's last frame is `last` and its stamps lie evenly; that makes seeks cheap to check."""
+        self._period = 1000.0 / self.fps
+        if not self._seek(last):
+            return False
+        even = (self._stamp() - self._times[0]) / last
+        if self._capture.grab():
+            return False
+        self._period = even
+        self._rewind()
+        return True

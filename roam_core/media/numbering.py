@@ -1,0 +1,182 @@
+"""How frames are named: the number in a file's name, patterns such as `plate.%04d.exr`, files that form a sequence."""
+
+from __future__ import annotations
+
+import re
+from collections import defaultdict
+from collections.abc import Collection, Iterable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+from roam_core.errors import RoamError
+
+WIDEST_RANGE = 1_000_000
+"""Files whose numbers lie further apart are numbered by something else (a date, a time code) than by frame."""
+
+# The last group of digits. A minus sign counts only after a separator: `a.-3` is frame -3, `shot-3` is frame 3.
+# Ten digits and more are a date or a serial number, never a frame (and would not fit a frame's 32 bits in the window).
+_LAST_NUMBER = re.compile(
+    r"(?P<prefix>.*?)(?<![0-9])(?P<number>(?:(?<![^._\s-])-)?[0-9]{1,9})(?P<suffix>[^0-9]*)", re.DOTALL
+)
+_PERCENT = re.compile(r"%0?(?P<width>[0-9]*)d")
+_HASHES = re.compile(r"#+")
+_INTEGER = re.compile(r"-?[0-9]{1,9}")
+
+
+@dataclass(frozen=True)
+class NamePattern:
+    """A file name with a place for the frame number.
+
+    Attributes
+    ----------
+    prefix, suffix : what stands before and after the number; the suffix ends in the extension.
+    width : the least number of digits, filled with zeros; 0 where any padding will do.
+    """
+
+    prefix: str
+    width: int
+    suffix: str
+
+    def __str__(self) -> str:
+        return f"{self.prefix}{f'%0{self.width}d' if self.width else '%d'}{self.suffix}"
+
+    def name(self, frame: int) -> str:
+        """The file name of a frame."""
+        return f"{self.prefix}{'-' if frame < 0 else ''}{abs(frame):0{max(self.width, 1)}d}{self.suffix}"
+
+    def number_of(self, name: str) -> int | None:
+        """The frame number that `name` bears, or None where it does not follow the pattern."""
+        if len(name) <= len(self.prefix) + len(self.suffix):
+            return None
+        if not (name.startswith(self.prefix) and name.endswith(self.suffix)):
+            return None
+        text = name[len(self.prefix) : len(name) - len(self.suffix)]
+        return int(text) if _INTEGER.fullmatch(text) and _is_padded(text, self.width) else None
+
+
+@dataclass(frozen=True)
+class FileSequence:
+    """The files of one sequence in one folder: `names[frame]` is a file name; a lone un-numbered file is frame 1."""
+
+    folder: Path
+    names: Mapping[int, str]
+    pattern: NamePattern | None
+    clash: tuple[str, str] | None = None
+
+    @property
+    def path(self) -> Path:
+        """The pattern, or the one file, as a path that opens this sequence again."""
+        return self.folder / (str(self.pattern) if self.pattern else self.names[1])
+
+    @property
+    def label(self) -> str:
+        """The sequence in a few words, for messages."""
+        if self.pattern is None:
+            return f"{self.path.name} (one image)"
+        frames = f"{len(self.names)} frames" if len(self.names) > 1 else "one frame"
+        return f"{self.path.name} ({frames}, {min(self.names)} to {max(self.names)})"
+
+    def holds(self, name: str) -> bool:
+        """Whether the file `name` belongs to this sequence."""
+        return name in self.names.values() or name in (self.clash or ())
+
+    def checked(self) -> FileSequence:
+        """This sequence, or a sentence where its numbers make no sense."""
+        if self.clash:
+            one, other = self.clash
+            raise RoamError(
+                f"{one} and {other} in {self.folder} bear the same frame number; "
+                "remove one, or give a pattern with the number of digits, such as name.%04d.png."
+            )
+        first, last = min(self.names), max(self.names)
+        if last - first > WIDEST_RANGE:
+            raise RoamError(
+                f"The numbers of {self.path} run from {first} to {last}; that is no sequence of frames. "
+                "Rename the files so that they count the frames."
+            )
+        return self
+
+
+def split_number(stem: str) -> tuple[str, str, str] | None:
+    """A file's stem as (before, number, after) around its last group of digits; None where it has no digit.
+
+    `shot_v002.1001` gives `("shot_v002.", "1001", "")`.
+    """
+    match = _LAST_NUMBER.fullmatch(stem)
+    return (match["prefix"], match["number"], match["suffix"]) if match else None
+
+
+def parse_pattern(name: str) -> NamePattern | None:
+    """The pattern that a file name with `%04d`, `%d` or `####` in it stands for; None where it is a plain name.
+
+    The last `%d` is the frame number (else the last run of `#`): what else looks like one belongs to the name.
+    """
+    for match in reversed([*_PERCENT.finditer(name)]):
+        return NamePattern(name[: match.start()], int(match["width"] or 0), name[match.end() :])
+    for match in reversed([*_HASHES.finditer(name)]):
+        # One `#` is the custom for "the number, however it is padded".
+        width = len(match[0]) if len(match[0]) > 1 else 0
+        return NamePattern(name[: match.start()], width, name[match.end() :])
+    return None
+
+
+def find_pattern(folder: Path, pattern: NamePattern) -> FileSequence | None:
+    """The files in `folder` that follow `pattern`, or None."""
+    numbered = [(number, name) for name in file_names(folder) if (number := pattern.number_of(name)) is not None]
+    return _sequence(folder, numbered, pattern) if numbered else None
+
+
+def find_sequences(folder: Path, extensions: Collection[str]) -> list[FileSequence]:
+    """All sequences and lone images in `folder`, longest first.
+
+    Hidden files are passed over, and so are files whose extension (lower case, with its dot) is none of `extensions`.
+    """
+    groups: dict[tuple[str, str], list[str]] = defaultdict(list)
+    sequences = []
+    for name in file_names(folder):
+        path = Path(name)
+        if path.suffix.lower() not in extensions:
+            continue
+        parts = split_number(path.stem)
+        if parts:
+            groups[parts[0], parts[2] + path.suffix].append(parts[1])
+        else:
+            sequences.append(FileSequence(folder, {1: name}, None))
+    for (prefix, suffix), numbers in groups.items():
+        pattern = NamePattern(prefix, _common_width(numbers), suffix)
+        sequences.append(_sequence(folder, [(int(text), f"{prefix}{text}{suffix}") for text in numbers], pattern))
+    return sorted(sequences, key=lambda sequence: (-len(sequence.names), sequence.path.name))
+
+
+def file_names(folder: Path) -> list[str]:
+    """The names of the plain files in `folder` that are not hidden, sorted."""
+    try:
+        return sorted(entry.name for entry in folder.iterdir() if not entry.name.startswith(".") and entry.is_file())
+    except FileNotFoundError:
+        raise RoamError(f"The folder {folder} does not exist; check the path.") from None
+    except OSError as error:
+        raise RoamError(f"The folder {folder} cannot be read: {error.strerror}.") from error
+
+
+def _sequence(folder: Path, numbered: Iterable[tuple[int, str]], pattern: NamePattern) -> FileSequence:
+    names: dict[int, str] = {}
+    clash = None
+    for number, name in sorted(numbered):
+        if number in names:
+            clash = clash or (names[number], name)
+        names[number] = name
+    return FileSequence(folder, names, pattern, clash)
+
+
+def _common_width(numbers: Iterable[str]) -> int:
+    """The padding that all these numbers share, or 0."""
+    texts = list(numbers)
+    width = min(len(text.lstrip("-")) for text in texts)
+    return width if width > 1 and all(_is_padded(text, width) for text in texts) else 0
+
+
+def _is_padded(text: str, width: int) -> bool:
+    """True where `text` is its number filled to `width` digits; the sign may or may not count as one (as in C)."""
+    number = int(text)
+    plain = f"{abs(number):0{width}d}" if width else ""
+    return width == 0 or text in (("-" if number < 0 else "") + plain, f"{number:0{width}d}")
