@@ -25,19 +25,12 @@ class FrameCache:
     ----------
     source : the plate.
     limit_bytes : the most that is held.
-    on_change : called without arguments after the set of cached frames changed, on the thread that changed it
-        (a reader's, or the one that reads ahead), with no lock held; not by `close`.
     """
 
-    def __init__(
-        self,
-        source: PlateSource,
-        limit_bytes: int = DEFAULT_LIMIT,
-        on_change: Callable[[], None] | None = None,
-    ) -> None:
+    def __init__(self, source: PlateSource, limit_bytes: int = DEFAULT_LIMIT) -> None:
         self.source = source
         self.limit_bytes = limit_bytes
-        self._on_change = on_change or (lambda: None)
+        self._listeners: tuple[Callable[[], None], ...] = ()
         self._lock = threading.Lock()
         self._wake = threading.Condition(self._lock)
         self._images: OrderedDict[int, Image] = OrderedDict()  # longest unused first
@@ -50,8 +43,17 @@ class FrameCache:
         self._reader: threading.Thread | None = None
         self._closed = False
 
+    def on_change(self, listener: Callable[[], None]) -> None:
+        """Have `listener()` called after the set of cached frames changed.
+
+        It runs on the thread that changed it (a reader's, or the one that reads ahead) with no lock held; it must not
+        block. `close` does not call it.
+        """
+        with self._lock:
+            self._listeners = (*self._listeners, listener)
+
     @property
-    def held_bytes(self) -> int:
+    def used_bytes(self) -> int:
         """The bytes of all frames held now."""
         with self._lock:
             return self._bytes
@@ -82,7 +84,7 @@ class FrameCache:
                 # What was read ahead is not held where there was no room; now that it is asked for, it is.
                 changed = decoding.image is not None and self._hold(frame, decoding.image, frozenset())
             if changed:
-                self._on_change()
+                self._tell()
             if decoding.image is not None:
                 return decoding.image
             # The other thread failed: this one tries for itself, so that the error is raised here too.
@@ -178,6 +180,10 @@ class FrameCache:
                 surplus -= image.nbytes
         return None if surplus > 0 and kept else leaving
 
+    def _tell(self) -> None:
+        for listener in self._listeners:
+            listener()
+
     # ---- reading ahead: one thread -----------------------------------------------------------------------------------
 
     def _run_ahead(self) -> None:
@@ -188,7 +194,7 @@ class FrameCache:
                 # A frame that nobody asked for yet must not disturb; whoever reads it gets the error.
                 continue
             if changed:
-                self._on_change()
+                self._tell()
 
     def _next_ahead(self) -> tuple[int, _Decoding, frozenset[int]] | None:
         """Wait for a frame to read ahead and claim it, with the frames to keep for it; None when the cache closes."""
