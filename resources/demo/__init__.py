@@ -1,0 +1,18 @@
+"""The built-in demo shot: a manta ray over a reef, rendered by code, with its true outline known on every frame."""
+
+from resources.demo.frames import cache_name, write_frames
+from resources.demo.outline import true_points
+from resources.demo.shot import occlusion, render_frame, true_mask
+from resources.demo.timing import FIRST, LAST, SIZE
+
+__all__ = [
+    "FIRST",
+    "LAST",
+    "SIZE",
+    "cache_name",
+    "occlusion",
+    "render_frame",
+    "true_mask",
+    "true_points",
+    "write_frames",
+]
