@@ -21,7 +21,8 @@ def edge_means(field: Float32, nodes: Float64, moves: Float64) -> Float64:
 
     Returns
     -------
-    (N, D, D). The edge is sampled about once a pixel, its first vertex included and its last one excluded.
+    (N, D, D). Each edge is sampled about once a pixel of its own, moved length, its first vertex included and its last
+    one excluded: an entry equals the mean of the same edge had it been drawn there.
     """
     means = np.empty((len(nodes), len(moves), len(moves)))
     _edge_means(field, nodes, moves, means)
@@ -34,12 +35,11 @@ def _edge_means(field, nodes, moves, means):  # type: ignore[no-untyped-def]
     count, kinds = means.shape[0], means.shape[1]
     for n in range(count):
         following = (n + 1) % count
-        dx, dy = nodes[following, 0] - nodes[n, 0], nodes[following, 1] - nodes[n, 1]
-        samples = max(1, int(np.ceil(np.hypot(dx, dy))))
         for i in range(kinds):
             ax, ay = nodes[n, 0] + moves[i, 0], nodes[n, 1] + moves[i, 1]
             for j in range(kinds):
                 bx, by = nodes[following, 0] + moves[j, 0], nodes[following, 1] + moves[j, 1]
+                samples = max(1, int(np.ceil(np.hypot(bx - ax, by - ay))))
                 sx, sy = (bx - ax) / samples, (by - ay) / samples
                 total = 0.0
                 for k in range(samples):
