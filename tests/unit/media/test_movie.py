@@ -1,0 +1,191 @@
+"""Movies: every frame the same picture however it is reached, and containers that lie."""
+
+from __future__ import annotations
+
+import random
+import threading
+from pathlib import Path
+from typing import Any
+
+import cv2
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from roam_core.errors import RoamError
+from roam_core.media import MissingFrame, open_clip
+from roam_core.media.movie import LONGEST_STEP
+from tests.unit.media.conftest import movie_pictures, write_movie
+
+COUNT = 40
+CODECS = [("avi", "MJPG"), ("mp4", "mp4v"), ("avi", "XVID"), ("mkv", "FFV1"), ("webm", "VP80")]
+
+
+def decoded_in_order(path: Path) -> list[NDArray[Any]]:
+    """The RGB pictures of a movie, read straight through."""
+    movie = RealCapture(str(path), cv2.CAP_FFMPEG)
+    pictures = []
+    while movie.grab():
+        pictures.append(movie.retrieve()[1][..., ::-1])
+    return pictures
+
+
+@pytest.mark.parametrize(("extension", "codec"), CODECS)
+def test_any_order_gives_the_pictures_of_decoding_in_order(tmp_path: Path, extension: str, codec: str) -> None:
+    path = write_movie(tmp_path / f"shot.{extension}", codec, COUNT)
+    expected = decoded_in_order(path)
+    plate = open_clip(path)
+    assert plate.frames == tuple(range(1, COUNT + 1))
+    assert plate.missing == ()
+    assert (plate.path, plate.size, plate.pixel_aspect, plate.colour_space) == (path, (64, 48), 1.0, "sRGB")
+    assert plate.fps == pytest.approx(24.0)
+    shuffled = list(plate.frames)
+    random.Random(7).shuffle(shuffled)
+    for frame in [*plate.frames, *reversed(plate.frames), *shuffled, 1, COUNT, 1, COUNT - 1]:
+        np.testing.assert_array_equal(plate.read(frame), expected[frame - 1], err_msg=f"frame {frame}")
+
+
+def test_the_first_picture_read_may_be_any(tmp_path: Path) -> None:
+    path = write_movie(tmp_path / "shot.mp4", "mp4v", COUNT)
+    expected = decoded_in_order(path)
+    for frame in (COUNT, 33, 2):
+        np.testing.assert_array_equal(open_clip(path).read(frame), expected[frame - 1])
+
+
+def test_pictures_are_rgb_of_8_bits(tmp_path: Path) -> None:
+    image = open_clip(write_movie(tmp_path / "shot.mkv", "FFV1", 3)).read(2)
+    assert image.dtype == np.uint8
+    assert np.abs(image.astype(int) - movie_pictures(3)[1][..., ::-1]).max() <= 3
+
+
+def test_frames_outside_the_movie_are_missing(tmp_path: Path) -> None:
+    plate = open_clip(write_movie(tmp_path / "shot.avi", "MJPG", 5))
+    for frame in (-1, 0, 6):
+        with pytest.raises(MissingFrame, match=f"Frame {frame} of .* has the frames 1 to 5"):
+            plate.read(frame)
+
+
+def test_frames_are_named_by_padded_numbers(tmp_path: Path) -> None:
+    plate = open_clip(write_movie(tmp_path / "shot.avi", "MJPG", 5))
+    assert [plate.frame_name(frame) for frame in (1, 5)] == ["00001", "00005"]
+
+
+RealCapture = cv2.VideoCapture
+
+
+class UnreliableCapture:
+    """A capture that answers wrongly, as some containers do: of its length, its clock, or where a seek led."""
+
+    opened = 0
+    claimed: float | None = None
+    stamp_scale = 1.0
+    seek_error = 0
+    damaged = False
+
+    def __init__(self, *arguments: Any) -> None:
+        type(self).opened += 1
+        self._capture = RealCapture(*arguments)
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self._capture, name)
+
+    def get(self, key: int) -> float:
+        if key == cv2.CAP_PROP_FRAME_COUNT and self.claimed is not None:
+            return self.claimed
+        value = self._capture.get(key)
+        return value * self.stamp_scale if key == cv2.CAP_PROP_POS_MSEC else value
+
+    def set(self, key: int, value: float) -> bool:
+        return bool(self._capture.set(key, max(value + self.seek_error, 0)))
+
+    def retrieve(self) -> Any:
+        return (False, None) if self.damaged else self._capture.retrieve()
+
+
+@pytest.fixture
+def capture(monkeypatch: pytest.MonkeyPatch) -> type[UnreliableCapture]:
+    """The class that movies decode with; a test sets what it gets wrong."""
+
+    class Capture(UnreliableCapture):
+        pass
+
+    monkeypatch.setattr(cv2, "VideoCapture", Capture)
+    return Capture
+
+
+@pytest.mark.parametrize(
+    ("lie", "value"),
+    [("claimed", claimed) for claimed in (0.0, 1.0, 39.0, 41.0, 1000.0, -3.0, float("nan"), float("inf"))]
+    + [("stamp_scale", 0.0), ("stamp_scale", 0.5), ("seek_error", 3), ("seek_error", -3)],
+)
+def test_a_container_that_lies_changes_no_frame(
+    tmp_path: Path, capture: type[UnreliableCapture], lie: str, value: float
+) -> None:
+    path = write_movie(tmp_path / "shot.mp4", "mp4v", COUNT)
+    expected = decoded_in_order(path)
+    setattr(capture, lie, value)
+    plate = open_clip(path)
+    assert plate.frames == tuple(range(1, COUNT + 1))
+    for frame in (COUNT, 3, 30, 29, 1, 38, 2):
+        np.testing.assert_array_equal(plate.read(frame), expected[frame - 1], err_msg=f"frame {frame}")
+
+
+def test_a_reliable_movie_is_sought_in_and_not_decoded_again(tmp_path: Path, capture: type[UnreliableCapture]) -> None:
+    plate = open_clip(write_movie(tmp_path / "shot.mp4", "mp4v", 3 * LONGEST_STEP))
+    opened = capture.opened
+    for frame in (3 * LONGEST_STEP, 1, 2 * LONGEST_STEP, 3, 2, 1):
+        plate.read(frame)
+    assert capture.opened == opened
+
+
+def test_a_frame_that_cannot_be_decoded_is_named(tmp_path: Path, capture: type[UnreliableCapture]) -> None:
+    plate = open_clip(write_movie(tmp_path / "shot.avi", "MJPG", 5))
+    capture.damaged = True
+    with pytest.raises(RoamError, match=r"Frame 3 of .*shot\.avi cannot be decoded"):
+        plate.read(3)
+    capture.damaged = False
+    assert plate.read(3).shape == (48, 64, 3)
+
+
+def test_many_threads_read_one_movie(tmp_path: Path) -> None:
+    path = write_movie(tmp_path / "shot.mp4", "mp4v", COUNT)
+    expected = decoded_in_order(path)
+    plate = open_clip(path)
+    wrong: list[int] = []
+
+    def read(seed: int) -> None:
+        for frame in random.Random(seed).sample(plate.frames, 15):
+            if not np.array_equal(plate.read(frame), expected[frame - 1]):
+                wrong.append(frame)
+
+    threads = [threading.Thread(target=read, args=(seed,)) for seed in range(4)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert wrong == []
+
+
+@pytest.mark.parametrize("content", [b"", b"no movie, only words " * 200])
+def test_text_in_a_movies_name_is_told(tmp_path: Path, content: bytes) -> None:
+    path = tmp_path / "shot.mov"
+    path.write_bytes(content)
+    with pytest.raises(RoamError, match=r"shot\.mov is no movie that can be decoded"):
+        open_clip(path)
+
+
+def test_a_movie_cut_short_gives_the_frames_that_are_whole(tmp_path: Path) -> None:
+    path = write_movie(tmp_path / "shot.avi", "MJPG", COUNT)
+    expected = decoded_in_order(path)
+    path.write_bytes(path.read_bytes()[: path.stat().st_size // 2])
+    plate = open_clip(path)
+    assert 1 < len(plate.frames) < COUNT
+    for frame in (plate.frames[-2], 2, 1):
+        np.testing.assert_array_equal(plate.read(frame), expected[frame - 1])
+
+
+def test_a_movie_without_its_index_is_told(tmp_path: Path) -> None:
+    path = write_movie(tmp_path / "shot.mp4", "mp4v", COUNT)
+    path.write_bytes(path.read_bytes()[: path.stat().st_size // 2])
+    with pytest.raises(RoamError, match=r"shot\.mp4 is no movie that can be decoded"):
+        open_clip(path)
