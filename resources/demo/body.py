@@ -23,7 +23,7 @@ BEAT = 42.0
 DISTANCE = 6.5
 """From camera to manta, in half spans: how strong its perspective is."""
 
-COURSE = np.array([[352.0, 324.0], [418.0, 344.0], [508.0, 314.0], [566.0, 244.0]])
+COURSE = np.array([[352.0, 324.0], [418.0, 344.0], [500.0, 318.0], [556.0, 258.0]])
 """Cubic Bezier course of the body on the plate over the whole shot, without the camera's sway."""
 
 REST_LIMIT = 1.45
@@ -73,7 +73,7 @@ def rest_positions(left: int, top: int, width: int, height: int, frame: float) -
     origin = np.zeros(2)
     start = np.linalg.inv(jacobian(origin, frame)[:2])
     rest = np.clip((target - surface(origin, frame)[:2]) @ start.T, -REST_LIMIT, REST_LIMIT)
-    for _ in range(6):
+    for _ in range(4):
         error = target - surface(rest, frame)[..., :2]
         j = jacobian(rest, frame)[..., :2, :]
         determinant = j[..., 0, 0] * j[..., 1, 1] - j[..., 0, 1] * j[..., 1, 0]
@@ -108,7 +108,7 @@ def _bent(rest: Array, frame: float) -> tuple[Array, Array, Array]:
     side = np.tanh(2.5 * v)
 
     # The beat runs outwards and backwards: tips and trailing edge follow late. In a turn the inner wing beats less.
-    curl = 0.20 + 0.58 * np.sin(phase - 0.6 * side * side + 0.8 * u) + 0.16 * np.sin(np.pi * p) * side
+    curl = 0.20 + 0.54 * np.sin(phase - 0.6 * side * side + 0.8 * u) + 0.16 * np.sin(np.pi * p) * side
     curl = np.where(np.abs(curl) < 1e-6, 1e-6, curl)
     across = np.sin(curl * v) / curl
     up = (1.0 - np.cos(curl * v)) / curl
@@ -155,10 +155,10 @@ def _centre(frame: float) -> Array:
     course = s**3 * a + 3 * s * s * p * b + 3 * s * p * p * c + p**3 * d
     phase = 2.0 * np.pi * (frame - FIRST) / BEAT
     heading = _heading(frame)
-    surge = 4.0 * np.sin(phase + 2.4) * np.array([np.cos(heading), np.sin(heading)])
+    surge = 2.0 * np.sin(phase + 2.4) * np.array([np.cos(heading), np.sin(heading)])
     return np.asarray(course + surge - 1.4 * camera.sway(frame))
 
 
 def _scale(frame: float) -> float:
     """The manta climbs towards the camera while it swims."""
-    return float(0.90 + 0.14 * progress(frame))
+    return float(0.90 + 0.12 * progress(frame))

@@ -12,7 +12,7 @@ import cv2
 from resources.demo.shot import render_frame
 from resources.demo.timing import FIRST, LAST
 
-VERSION = "manta-1"
+VERSION = "manta-2"
 """Changes with every change of the picture or the true outline, so that no old frames are taken for new ones."""
 
 _END_OF_PNG = bytes.fromhex("0000000049454e44ae426082")

@@ -18,7 +18,7 @@ _COARSE = 3
 def exposure(frame: float) -> Array:
     """Gain `(3,)` of red, green and blue: the day darkens by half a stop and turns from warm to cool."""
     p = float(progress(frame))
-    stops = 0.16 - 0.50 * p + 0.05 * np.sin(5.0 * p)
+    stops = 0.30 - 0.52 * p + 0.05 * np.sin(5.0 * p)
     tint = np.array([0.045, 0.0, -0.040]) * (1.0 - 2.0 * p)
     return np.asarray(2.0**stops * (1.0 + tint))
 
