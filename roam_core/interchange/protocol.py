@@ -1,0 +1,120 @@
+"""What an export format is: the protocol, its options, and the checks that all formats share."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from enum import StrEnum
+from pathlib import Path
+from typing import Protocol
+
+import numpy as np
+
+from roam_core.cancel import CancelToken, Progress
+from roam_core.errors import RoamError
+from roam_core.roto import Interpolation, Keyframe, Origin, Project, RotoShape
+
+FARTHEST = 1e7
+"""Pixels: a coordinate beyond this is a defect of the project, and single precision would not hold it to a pixel."""
+
+
+class KeyChoice(StrEnum):
+    """Which keys leave the program."""
+
+    ALL = "all"
+    ARTIST = "artist"
+
+
+@dataclass(frozen=True)
+class ExportOptions:
+    """What an artist may choose, and the channels to whoever waits.
+
+    Attributes
+    ----------
+    frame_offset : added to the plate's own frame numbers wherever a frame is written.
+    keys : all keys, or the artist's only; a shape without any of the artist's gives all of its keys.
+    progress : called with the finished fraction and a few words.
+    token : cancels the export at its next safe point; no half-written file is left behind.
+    """
+
+    frame_offset: int = 0
+    keys: KeyChoice = KeyChoice.ALL
+    progress: Progress | None = None
+    token: CancelToken | None = None
+
+    def advance(self, fraction: float, text: str) -> None:
+        """A safe point: give up here when cancelled, otherwise tell how far the export has come."""
+        if self.token is not None:
+            self.token.check()
+        if self.progress is not None:
+            self.progress(fraction, text)
+
+
+STANDARD = ExportOptions()
+
+
+class Exporter(Protocol):
+    """One format to write: one file of this package, one line in `registry.py`.
+
+    Attributes
+    ----------
+    name : how the command line calls it: lower case, one word.
+    title : how a menu calls it.
+    suffix : of the files that it writes, with the dot.
+    """
+
+    @property
+    def name(self) -> str: ...
+
+    @property
+    def title(self) -> str: ...
+
+    @property
+    def suffix(self) -> str: ...
+
+    def export(self, project: Project, path: Path, options: ExportOptions = ...) -> tuple[str, ...]:
+        """Write all shapes of a project, the locked and the invisible ones too.
+
+        Returns
+        -------
+        One sentence for each thing that the format cannot hold and that was therefore left out or changed.
+
+        Raises
+        ------
+        RoamError
+            when the project has no clip, holds a point that is not a sensible number, or the file cannot be written.
+        """
+        ...
+
+
+def chosen_keys(shape: RotoShape, options: ExportOptions) -> RotoShape:
+    """The shape with only those keys that are to be exported, on the plate's own frames.
+
+    Raises `RoamError` for a point that is not finite or lies absurdly far away: no program could open it.
+    """
+    if options.keys is KeyChoice.ARTIST and shape.artist_frames:
+        shape = replace(shape, keys=tuple(key for key in shape.keys if key.origin is Origin.ARTIST))
+    for key in shape.keys:
+        for array in (key.points, key.feather):
+            if array is not None and not (np.abs(array) < FARTHEST).all():  # written so that NaN fails too
+                raise RoamError(
+                    f"The shape {shape.name!r} has a point on frame {key.frame} that lies nowhere near the image; "
+                    "correct or delete it, then export again."
+                )
+    return shape
+
+
+def without_smooth_keys(shape: RotoShape) -> RotoShape:
+    """The shape with a linear key on every frame of its smooth spans, for formats that know linear and hold only."""
+    return replace(shape, keys=tuple(_linear_keys(shape)))
+
+
+def _linear_keys(shape: RotoShape) -> Iterator[Keyframe]:
+    for key, following in zip(shape.keys, (*shape.keys[1:], None), strict=True):
+        if key.interpolation is not Interpolation.SMOOTH:
+            yield key
+            continue
+        yield replace(key, interpolation=Interpolation.LINEAR)
+        for frame in range(key.frame + 1, key.frame if following is None else following.frame):
+            outline = shape.at(frame)
+            yield Keyframe(frame, outline.points, outline.feather, origin=key.origin)

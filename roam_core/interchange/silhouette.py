@@ -1,0 +1,184 @@
+"""Silhouette `.fxs`: layers and shapes as XML.
+
+Coordinates are measured from the image's centre in units of its height, y down, handles absolute in the order point,
+incoming handle, outgoing handle; keys are numbered from the session's first frame. Silhouette's makers publish no
+description: what stands here follows the exporters that artists use to bring shapes into it.
+"""
+
+from __future__ import annotations
+
+import re
+import xml.etree.ElementTree as ET
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from roam_core.geometry.bezier import ANCHOR, IN, OUT
+from roam_core.interchange.protocol import STANDARD, ExportOptions, chosen_keys, without_smooth_keys
+from roam_core.roto import BlendMode, Clip, Interpolation, Keyframe, Layer, Project, RotoShape
+from roam_core.roto.file import write_atomically
+
+Array = NDArray[np.float64]
+
+MODES = {
+    BlendMode.ADD: "Add",
+    BlendMode.SUBTRACT: "Subtract",
+    BlendMode.INTERSECT: "Inside",
+    BlendMode.DIFFERENCE: "Difference",
+    BlendMode.MAX: "Max",
+}
+SCALED_BY_THEIR_LAYER = {BlendMode.ADD, BlendMode.DIFFERENCE, BlendMode.MAX}
+"""Scaling these shapes scales the layer's joint matte alike; subtracting and inside shapes act on what is scaled."""
+
+
+class SilhouetteExporter:
+    """Writes all layers and shapes of a project as a Silhouette shape file."""
+
+    name = "silhouette"
+    title = "Silhouette shapes"
+    suffix = ".fxs"
+
+    def export(self, project: Project, path: Path, options: ExportOptions = STANDARD) -> tuple[str, ...]:
+        """Write `project` to `path`; what Silhouette's file cannot hold comes back as sentences."""
+        text, notes = silhouette_document(project, options)
+        options.advance(1.0, f"Writing {path.name}")
+        write_atomically(path, text.encode("utf-8"))
+        return notes
+
+
+def silhouette_document(project: Project, options: ExportOptions = STANDARD) -> tuple[str, tuple[str, ...]]:
+    """The text of a shape file with all shapes of `project`, and a sentence for each thing that it cannot hold.
+
+    The key of frame f is numbered f minus the clip's first frame plus the options' offset; the session's own range
+    stays the plate's.
+    """
+    clip = project.require_clip()
+    session = ET.Element(
+        "Silhouette",
+        width=str(clip.size[0]),
+        height=str(clip.size[1]),
+        pixelAspect=f"{clip.pixel_aspect:g}",
+        workRangeStart=str(clip.first),
+        workRangeEnd=str(clip.last),
+        sessionStartFrame=str(clip.first),
+    )
+    writer = _Writer(clip, options, len(project.shapes))
+    root = ET.SubElement(session, "Layer", type="Layer", label=xml_text(project.root.name), expanded="True")
+    if not project.root.visible or project.root.locked:
+        root.attrib.update(_flags(project.root))
+    writer.fill_layer(root, project.root, 1.0)
+    ET.indent(session, " ")
+    text = "<!-- Silhouette Shape File -->\n" + ET.tostring(session, encoding="unicode") + "\n"
+    return text, tuple(writer.notes)
+
+
+def xml_text(text: str) -> str:
+    """`text` with every character that XML 1.0 cannot hold (controls, lone surrogates) replaced by U+FFFD."""
+    return re.sub(r"[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]", "\ufffd", text)
+
+
+def normalised(points: Array, clip: Clip) -> Array:
+    """Positions `(..., 2)` in pixels as Silhouette measures them: from the centre, in image heights, y down."""
+    width, height = clip.size
+    result: Array = (points - np.array([width, height]) / 2.0) / height * np.array([clip.pixel_aspect, 1.0])
+    return result
+
+
+@dataclass
+class _Writer:
+    """Fills XML elements from layers and shapes; gathers what is lost on the way."""
+
+    clip: Clip
+    options: ExportOptions
+    total: int
+    done: int = 0
+    notes: list[str] = field(default_factory=list)
+
+    def fill_layer(self, element: ET.Element, layer: Layer, opacity: float) -> None:
+        """Properties and children of a layer; `opacity` is what the layers around it leave of its shapes'."""
+        opacity *= layer.opacity
+        if opacity != 1.0 and layer.invert:  # scaling what is inverted does not scale what becomes of it
+            self.notes.append(f"Silhouette layers have no opacity: that of the inverted {layer.name!r} was left out.")
+            opacity = 1.0
+        elif layer.opacity != 1.0:
+            self.notes.append(f"Silhouette layers have no opacity: that of {layer.name!r} went into its shapes.")
+        properties = ET.SubElement(element, "Properties")
+        _constant(properties, "color", "(1.000000,1.000000,1.000000)")
+        _constant(properties, "invert", _truth(layer.invert))
+        _constant(properties, "mode", MODES[BlendMode.ADD])
+        objects = ET.SubElement(properties, "Property", id="objects", constant="True", expanded="True")
+        for child in layer.children:  # bottom first, as in ROAM
+            if isinstance(child, Layer):
+                inner = ET.SubElement(objects, "Object", type="Layer", label=xml_text(child.name), expanded="True")
+                inner.attrib.update(_flags(child))
+                self.fill_layer(inner, child, opacity)
+            else:
+                self.add_shape(objects, child, opacity)
+
+    def add_shape(self, objects: ET.Element, shape: RotoShape, opacity: float) -> None:
+        self.options.advance(self.done / self.total, f"Shape {shape.name}")
+        self.done += 1
+        shape = without_smooth_keys(chosen_keys(shape, self.options))
+        if shape.point_count < 2:
+            self.notes.append(f"Silhouette refuses shapes of a single point: {shape.name!r} was left out.")
+            return
+        self._note_losses(shape)
+        element = ET.SubElement(objects, "Object", type="Shape", label=xml_text(shape.name), shape_type="Bezier")
+        element.attrib.update(_flags(shape))
+        properties = ET.SubElement(element, "Properties")
+        share = opacity if shape.blend in SCALED_BY_THEIR_LAYER else 1.0
+        self._add_opacity(properties, shape, 100.0 * share * shape.opacity)
+        _constant(properties, "motionBlur", _truth(shape.motion_blur is not None))
+        _constant(properties, "outlineColor", _tuple(np.array(shape.colour)))
+        _constant(properties, "mode", MODES[shape.blend])
+        _constant(properties, "invert", _truth(shape.invert))
+        path = ET.SubElement(properties, "Property", id="path")
+        for key in shape.keys:
+            self._add_path_key(path, key, shape.closed)
+
+    def _note_losses(self, shape: RotoShape) -> None:
+        if shape.feather or any(key.feather is not None and key.feather.any() for key in shape.keys):
+            self.notes.append(
+                f"The feather of {shape.name!r} was left out: how a Silhouette file holds it is not known."
+            )
+        if shape.motion_blur is not None:
+            self.notes.append(f"Silhouette's shutter is the session's: that of {shape.name!r} was left out.")
+
+    def _add_opacity(self, properties: ET.Element, shape: RotoShape, percent: float) -> None:
+        """A constant, or for a lifetime keys that hold zero, the opacity, and zero again."""
+        if shape.lifetime is None:
+            _constant(properties, "opacity", f"{percent:.6f}")
+            return
+        opacity = ET.SubElement(properties, "Property", id="opacity")
+        start, stop = shape.lifetime
+        for frame, value in ((start - 1, 0.0), (start, percent), (stop, 0.0)):
+            ET.SubElement(opacity, "Key", frame=self._frame(frame), interp="hold").text = f"{value:.6f}"
+
+    def _add_path_key(self, parent: ET.Element, key: Keyframe, closed: bool) -> None:
+        interp = "hold" if key.interpolation is Interpolation.HOLD else "linear"
+        element = ET.SubElement(parent, "Key", frame=self._frame(key.frame), interp=interp)
+        path = ET.SubElement(element, "Path", closed=str(closed), type="Bezier")
+        for point in normalised(key.points[:, [ANCHOR, IN, OUT]], self.clip):
+            ET.SubElement(path, "Point").text = ",".join(_tuple(position) for position in point)
+
+    def _frame(self, frame: int) -> str:
+        return str(frame - self.clip.first + self.options.frame_offset)
+
+
+def _flags(item: Layer | RotoShape) -> dict[str, str]:
+    return {"hidden": str(not item.visible), "locked": str(item.locked)}
+
+
+def _constant(properties: ET.Element, name: str, value: str) -> None:
+    ET.SubElement(ET.SubElement(properties, "Property", constant="True", id=name), "Value").text = value
+
+
+def _truth(value: bool) -> str:
+    return "true" if value else "false"
+
+
+def _tuple(values: Array) -> str:
+    """Always six decimals: Silhouette may refuse a number with an exponent."""
+    return "(" + ",".join(f"{value:.6f}" for value in values.tolist()) + ")"

@@ -1,0 +1,161 @@
+"""The `.fxs` exporter, judged by parsing it again: coordinates, keys, properties, labels, what it says it lost."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from roam_core.errors import RoamError
+from roam_core.interchange import EXPORTERS, ExportOptions, KeyChoice
+from roam_core.interchange.silhouette import silhouette_document
+from roam_core.roto import BlendMode, Clip, Keyframe, Layer, Project, RotoShape
+from tests.unit.interchange.conftest import CLIP, animated, points
+from tests.unit.interchange.silhouette_judge import JudgedLayer, JudgedShape, judge
+
+WITHIN = 0.01
+
+
+def judged(project: Project, options: ExportOptions | None = None) -> dict[str, JudgedShape]:
+    text, _ = silhouette_document(project, options) if options else silhouette_document(project)
+    return {shape.label: shape for shape in judge(text)[1].shapes()}
+
+
+def only(*shapes: RotoShape, clip: Clip = CLIP, **layer: object) -> Project:
+    inner = Layer("layer-1", "Body", shapes, **layer)  # type: ignore[arg-type]
+    return Project(clip, Layer("root", "Root", (inner,)))
+
+
+def test_layers_and_shapes_are_nested_as_in_the_project_bottom_first(project: Project) -> None:
+    def names(layer: JudgedLayer) -> list[object]:
+        return [names(c) if isinstance(c, JudgedLayer) else c.label for c in layer.children]
+
+    session, root = judge(silhouette_document(project)[0])
+    assert names(root) == ["Still", ["Arm", ["Held"], "Soft"], "Open", "Smooth"]
+    assert session == {
+        "width": "1920",
+        "height": "1080",
+        "pixelAspect": "1",
+        "workRangeStart": "1001",
+        "workRangeEnd": "1040",
+        "sessionStartFrame": "1001",
+    }
+    body = root.children[1]
+    assert isinstance(body, JudgedLayer)
+    assert (body.hidden, body.locked, body.properties["invert"]) == ("True", "False", "true")
+
+
+@pytest.mark.parametrize("name", ["Arm", "Held", "Still", "Soft", "Open", "Smooth"])
+def test_positions_are_right_on_every_frame(project: Project, name: str) -> None:
+    shape = next(s for s in project.shapes if s.name == name)
+    written = judged(project)[name]
+    for frame in range(1001, 1040):
+        np.testing.assert_allclose(written.points(frame - 1001), shape.at(frame).points, atol=WITHIN)
+
+
+def test_the_image_corners_and_its_centre() -> None:
+    corners = np.array([[0.0, 0.0], [1920.0, 0.0], [1920.0, 1080.0], [960.0, 540.0]])[:, None].repeat(3, axis=1)
+    text, _ = silhouette_document(only(RotoShape("a", "A", (Keyframe(1001, corners),))))
+    for place in ("(-0.888889,-0.500000)", "(0.888889,-0.500000)", "(0.888889,0.500000)", "(0.000000,0.000000)"):
+        assert f"<Point>{place},{place},{place}</Point>" in text
+
+
+def test_pixel_aspect_widens_x() -> None:
+    clip = replace(CLIP, size=(1440, 1080), pixel_aspect=2.0)
+    shape = animated("A")
+    np.testing.assert_allclose(judged(only(shape, clip=clip))["A"].points(0), shape.at(1001).points, atol=WITHIN)
+    text, _ = silhouette_document(only(RotoShape("a", "A", (Keyframe(1001, np.zeros((3, 3, 2))),)), clip=clip))
+    assert "(-1.333333,-0.500000)" in text
+
+
+def test_properties_and_flags(project: Project) -> None:
+    shapes = judged(project)
+    still, stroke, soft = shapes["Still"], shapes["Open"], shapes["Soft"]
+    assert (still.hidden, still.locked, still.closed) == ("False", "True", {"True"})
+    assert (stroke.hidden, stroke.locked, stroke.closed) == ("True", "False", {"False"})
+    assert still.properties["outlineColor"] == "(0.250000,0.500000,0.750000)"
+    assert still.properties["opacity"] == "100.000000"
+    assert [soft.properties[name] for name in ("mode", "invert", "motionBlur")] == ["Subtract", "true", "true"]
+    assert [still.properties[name] for name in ("mode", "invert", "motionBlur")] == ["Add", "false", "false"]
+
+
+def test_a_lifetime_becomes_held_opacity(project: Project) -> None:
+    assert judged(project)["Soft"].opacity == {3: 0.0, 4: 25.0, 14: 0.0}
+
+
+@pytest.mark.parametrize(
+    ("blend", "mode", "percent"),
+    [
+        (BlendMode.ADD, "Add", "20.000000"),
+        (BlendMode.MAX, "Max", "20.000000"),
+        (BlendMode.DIFFERENCE, "Difference", "20.000000"),
+        (BlendMode.INTERSECT, "Inside", "40.000000"),
+        (BlendMode.SUBTRACT, "Subtract", "40.000000"),
+    ],
+)
+def test_a_layers_opacity_goes_into_the_shapes_that_it_scales(blend: BlendMode, mode: str, percent: str) -> None:
+    project = only(replace(animated("A"), blend=blend, opacity=0.4), opacity=0.5)
+    shape = judged(project)["A"]
+    assert (shape.properties["mode"], shape.properties["opacity"]) == (mode, percent)
+    assert "'Body' went into its shapes" in silhouette_document(project)[1][0]
+
+
+def test_an_inverted_layers_opacity_is_told_as_lost() -> None:
+    project = only(animated("A"), opacity=0.5, invert=True)
+    assert judged(project)["A"].properties["opacity"] == "100.000000"
+    assert "inverted 'Body' was left out" in silhouette_document(project)[1][0]
+
+
+def test_held_and_smooth_keys(project: Project) -> None:
+    shapes = judged(project)
+    assert shapes["Held"].interps == {0: "hold", 10: "hold", 11: "hold", 29: "hold"}
+    assert set(shapes["Smooth"].keys) == set(range(30))
+    assert set(shapes["Smooth"].interps.values()) == {"linear"}
+
+
+def test_the_offset_renumbers_the_keys(project: Project) -> None:
+    shapes = judged(project, ExportOptions(frame_offset=1, keys=KeyChoice.ARTIST))
+    assert list(shapes["Arm"].keys) == [1, 12, 30]
+
+
+@pytest.mark.parametrize(
+    ("name", "label"),
+    [
+        ("plain", "plain"),
+        ("<Layer> & \"quotes\" 'too'", "<Layer> & \"quotes\" 'too'"),
+        ("]]> <!-- -->", "]]> <!-- -->"),
+        ("line\nbreak\ttab\r", "line\nbreak\ttab\r"),
+        ("Übergröße 髪 \N{HAIRCUT}", "Übergröße 髪 \N{HAIRCUT}"),
+        ("nul\0 bell\7 half\ud83d \ufffe\uffff", "nul\ufffd bell\ufffd half\ufffd \ufffd\ufffd"),
+        ("&#0; &nbsp; %s {}", "&#0; &nbsp; %s {}"),
+    ],
+)
+def test_labels_survive_xml(name: str, label: str, tmp_path: Path) -> None:
+    target = tmp_path / "a.fxs"
+    project = Project(CLIP, Layer("root", name, (Layer("layer-1", name, (replace(animated("A"), name=name),)),)))
+    EXPORTERS["silhouette"].export(project, target)
+    root = judge(target.read_text(encoding="utf-8"))[1]
+    assert [root.label, root.children[0].label, root.shapes()[0].label] == [label] * 3
+
+
+def test_what_is_lost_is_told(project: Project, tmp_path: Path) -> None:
+    notes = EXPORTERS["silhouette"].export(project, tmp_path / "a.fxs")
+    assert any("feather of 'Soft'" in note for note in notes)
+    assert any("shutter" in note and "'Soft'" in note for note in notes)
+
+
+def test_a_single_point_is_left_out_and_told() -> None:
+    text, notes = silhouette_document(only(RotoShape("a", "Dot", (Keyframe(1001, points(1, 1)),))))
+    assert judge(text)[1].shapes() == []
+    assert notes == ("Silhouette refuses shapes of a single point: 'Dot' was left out.",)
+
+
+def test_nothing_is_lost_of_a_plain_shape() -> None:
+    assert silhouette_document(only(animated("A")))[1] == ()
+
+
+def test_no_clip_is_told_in_a_sentence(tmp_path: Path) -> None:
+    with pytest.raises(RoamError, match="no clip"):
+        EXPORTERS["silhouette"].export(Project(), tmp_path / "a.fxs")
