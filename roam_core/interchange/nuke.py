@@ -253,8 +253,9 @@ def _keyed_curves(times: Array, flat: NDArray[np.bool_], values: Array) -> list[
 def tcl_word(text: str) -> str:
     """`text` as one word of a Tcl list, which reads back as the same text and runs nothing.
 
-    Whatever Tcl might take for syntax gets a backslash, white space and control characters become escapes; unlike a
-    word in braces, such a word may lie in any depth of lists. A lone surrogate, which UTF-8 cannot hold, becomes U+FFFD.
+    Whatever Tcl might take for syntax gets a backslash, white space and control characters become escapes: such a word
+    keeps braces balanced however deep the lists around it are. A lone surrogate, which UTF-8 cannot hold, becomes
+    U+FFFD.
     """
     return _SPECIAL.sub(_escaped, text.encode("utf-16-le", "surrogatepass").decode("utf-16-le", "replace")) or "{}"
 

@@ -2,5 +2,6 @@
 
 from roam_core.matte.compose import render_matte
 from roam_core.matte.rasterise import Matte, shape_matte
+from roam_core.matte.vectorise import shapes_from_mask
 
-__all__ = ["Matte", "render_matte", "shape_matte"]
+__all__ = ["Matte", "render_matte", "shape_matte", "shapes_from_mask"]

@@ -48,7 +48,7 @@ while {[gets stdin line] >= 0} {
             set words [coded [interp eval judge {set ::body}]]
         }
     } message]
-    puts [expr {$failed ? "![coded $message]" : [join $words]}]
+    if {$failed} {puts ![coded $message]} else {puts [join $words]}
 }
 """.replace("WORDS", WORDS)
 

@@ -199,6 +199,7 @@ def test_tclsh_judges_alike(project: Project) -> None:
         body = there.node_body(script)
         assert body == here.node_body(script)
         assert there.split(body) == here.split(body)
+        assert there.split("1 0.5 {} {a b} \\u00fc") == ["1", "0.5", "", "a b", "ü"]
         with pytest.raises(ValueError, match="the script runs python"):
             there.node_body("Roto [python 1]")
     finally:
