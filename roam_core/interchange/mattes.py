@@ -83,8 +83,6 @@ def write_mattes(
     Cancelled
         when the token was cancelled.
     """
-    if bits not in LEVELS:
-        raise RoamError(f"Mattes have 8 or 16 bits, not {bits}.")
     paths = _paths(frames, folder, name_for)
     try:
         folder.mkdir(parents=True, exist_ok=True)
@@ -95,14 +93,26 @@ def write_mattes(
             token.check()
         if progress is not None:
             progress(done / len(paths), f"Matte of frame {frame}")
-        write_atomically(path, encode_png(render_matte(shapes, frame, size), bits))
+        write_matte(shapes, frame, path, size, bits=bits)
     if progress is not None:
         progress(1.0, f"{len(paths)} mattes written")
     return tuple(paths.values())
 
 
+def write_matte(
+    shapes: Project | Layer | Sequence[RotoShape], frame: int, path: Path, size: tuple[int, int], *, bits: int = 8
+) -> None:
+    """Render one frame's matte `(h, w)` = `size` and write it as PNG: to a temporary file beside `path`, then renamed.
+
+    Raises `RoamError` when the file cannot be written.
+    """
+    write_atomically(path, encode_png(render_matte(shapes, frame, size), bits))
+
+
 def encode_png(matte: Matte, bits: int = 8) -> bytes:
     """A matte `(h, w)` in [0, 1] as a grey PNG, rounded to the nearest of its 256 or 65536 levels."""
+    if bits not in LEVELS:
+        raise RoamError(f"Mattes have 8 or 16 bits, not {bits}.")
     white = float((1 << bits) - 1)
     written, buffer = cv2.imencode(".png", np.rint(matte.astype(np.float64) * white).astype(LEVELS[bits]))
     if not written:

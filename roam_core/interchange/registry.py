@@ -21,4 +21,9 @@ class Exporters(dict[str, Exporter]):
         raise RoamError(f"There is no export format {name!r}; there are: {', '.join(sorted(self))}.")
 
 
+def exporter_for(name: str) -> Exporter:
+    """The format of that name, or a `RoamError` that lists those that are there."""
+    return EXPORTERS[name]
+
+
 EXPORTERS = Exporters([NukeExporter(), SilhouetteExporter(), MatteExporter()])

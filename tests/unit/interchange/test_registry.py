@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from roam_core.errors import RoamError
-from roam_core.interchange import EXPORTERS
+from roam_core.interchange import EXPORTERS, exporter_for
 
 
 def test_every_format_is_known_by_its_own_name() -> None:
@@ -16,5 +16,5 @@ def test_every_format_is_known_by_its_own_name() -> None:
 
 def test_an_unknown_format_is_answered_with_the_known_ones() -> None:
     with pytest.raises(RoamError, match=r"no export format 'flame'; there are: .*mattes.*nuke.*silhouette"):
-        EXPORTERS["flame"]
+        exporter_for("flame")
     assert "flame" not in EXPORTERS
