@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import threading
+from itertools import pairwise
 from pathlib import Path
 
 import cv2
@@ -34,9 +35,9 @@ class Movie:
         self._capture = self._opened()
         self._next = 0  # index of the frame that the next grab gives
         self._times: list[float] = []  # stamps in ms of the frames 0, 1, ... reached by counting
-        self._period = 0.0  # ms between frames where stamps are even, else 0
         rate = float(self._capture.get(cv2.CAP_PROP_FPS))
         self.fps = rate if math.isfinite(rate) and 1.0 <= rate <= 1000.0 else 24.0
+        self._period = 1000.0 / self.fps  # ms
         self.size = self._first_size()
         self.pixel_aspect = self._aspect()
         self.colour_space = SRGB
@@ -86,12 +87,11 @@ class Movie:
         wanted = self._time_of(index)
         if wanted is None:
             return False
-        tolerance = SAME_TIME * 1000.0 / self.fps
         self._capture.set(cv2.CAP_PROP_POS_FRAMES, index)
         # A jump may land early (the container's clock starts elsewhere); what follows is then decoded up to the frame.
         while self._capture.grab():
             distance = self._stamp() - wanted
-            if abs(distance) <= tolerance:
+            if abs(distance) <= self._tolerance:
                 self._next = index + 1
                 return True
             if distance > 0.0:
@@ -105,11 +105,18 @@ class Movie:
         self._next = 0
 
     def _time_of(self, index: int) -> float | None:
-        """The stamp of a frame in ms, or None where it is not known, or is not its own."""
-        if index < len(self._times):
-            time = self._times[index]
-            return time if index == 0 or time > self._times[index - 1] else None
-        return self._times[0] + index * self._period if self._period and self._times else None
+        """The stamp of a frame in ms: as met, or as an even clock gives it; None where a neighbour's is too close."""
+        if index >= len(self._times):
+            return self._times[0] + index * self._period
+        near = self._times[max(index - 1, 0) : index + 2]
+        if any(later - earlier <= 2.0 * self._tolerance for earlier, later in pairwise(near)):
+            return None
+        return self._times[index]
+
+    @property
+    def _tolerance(self) -> float:
+        """By how many ms the stamps of one frame may differ."""
+        return SAME_TIME * self._period
 
     def _stamp(self) -> float:
         return float(self._capture.get(cv2.CAP_PROP_POS_MSEC))
@@ -144,19 +151,16 @@ class Movie:
         if claimed > 1 and self._ends_with(claimed - 1):
             return claimed
         self._rewind()
-        self._period = 0.0
         while self._step_to(self._next):
             pass
         return self._next
 
     def _ends_with(self, last: int) -> bool:
-        """Whether the movie's last frame is `last` and its stamps lie evenly; that makes seeks cheap to check."""
-        self._period = 1000.0 / self.fps
-        if not self._seek(last):
+        """Whether the movie ends with `last` at the time that an even clock gives it.
+
+        Then the other frames' stamps follow from their numbers, and a seek to any of them can be checked.
+        """
+        if not self._seek(last) or self._capture.grab():
             return False
-        even = (self._stamp() - self._times[0]) / last
-        if self._capture.grab():
-            return False
-        self._period = even
         self._rewind()
         return True

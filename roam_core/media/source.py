@@ -110,6 +110,7 @@ def open_clip(path: str | Path) -> PlateSource:
         raise RoamError("No plate was named; give a folder of images, a pattern, an image or a movie.")
     try:
         place = Path(path).expanduser().absolute()
+        str(place).encode()  # the decoders take UTF-8 only
         is_folder, is_file = place.is_dir(), place.is_file()
     except (OSError, RuntimeError, ValueError) as error:
         raise RoamError(f"{str(path)!r} is no path that can be opened: {error}.") from error

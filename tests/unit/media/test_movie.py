@@ -76,9 +76,9 @@ RealCapture = cv2.VideoCapture
 class UnreliableCapture:
     """A capture that answers wrongly, as some containers do: of its length, its clock, or where a seek led."""
 
-    opened = 0
+    opened = sought = 0
     claimed: float | None = None
-    stamp_scale = 1.0
+    stamp_scale, stamp_power = 1.0, 1.0
     seek_error = 0
     damaged = False
 
@@ -93,9 +93,10 @@ class UnreliableCapture:
         if key == cv2.CAP_PROP_FRAME_COUNT and self.claimed is not None:
             return self.claimed
         value = self._capture.get(key)
-        return value * self.stamp_scale if key == cv2.CAP_PROP_POS_MSEC else value
+        return float(value**self.stamp_power) * self.stamp_scale if key == cv2.CAP_PROP_POS_MSEC else value
 
     def set(self, key: int, value: float) -> bool:
+        type(self).sought += 1
         return bool(self._capture.set(key, max(value + self.seek_error, 0)))
 
     def retrieve(self) -> Any:
@@ -114,16 +115,21 @@ def capture(monkeypatch: pytest.MonkeyPatch) -> type[UnreliableCapture]:
 
 
 @pytest.mark.parametrize(
-    ("lie", "value"),
-    [("claimed", claimed) for claimed in (0.0, 1.0, 39.0, 41.0, 1000.0, -3.0, float("nan"), float("inf"))]
-    + [("stamp_scale", 0.0), ("stamp_scale", 0.5), ("seek_error", 3), ("seek_error", -3)],
+    "lies",
+    [
+        *({"claimed": claimed} for claimed in (0.0, 1.0, 39.0, 41.0, 1000.0, -3.0, float("nan"), float("inf"))),
+        *({"stamp_scale": scale, "seek_error": error} for scale in (0.0, 0.5, 1.0) for error in (-3, 0, 1)),
+        *({"stamp_power": power, "seek_error": error} for power in (0.5, 1.2) for error in (-3, 0, 1)),
+    ],
+    ids=str,
 )
 def test_a_container_that_lies_changes_no_frame(
-    tmp_path: Path, capture: type[UnreliableCapture], lie: str, value: float
+    tmp_path: Path, capture: type[UnreliableCapture], lies: dict[str, float]
 ) -> None:
     path = write_movie(tmp_path / "shot.mp4", "mp4v", COUNT)
     expected = decoded_in_order(path)
-    setattr(capture, lie, value)
+    for name, value in lies.items():
+        setattr(capture, name, value)
     plate = open_clip(path)
     assert plate.frames == tuple(range(1, COUNT + 1))
     for frame in (COUNT, 3, 30, 29, 1, 38, 2):
@@ -136,6 +142,14 @@ def test_a_reliable_movie_is_sought_in_and_not_decoded_again(tmp_path: Path, cap
     for frame in (3 * LONGEST_STEP, 1, 2 * LONGEST_STEP, 3, 2, 1):
         plate.read(frame)
     assert capture.opened == opened
+
+
+def test_reading_in_order_does_not_seek(tmp_path: Path, capture: type[UnreliableCapture]) -> None:
+    plate = open_clip(write_movie(tmp_path / "shot.mp4", "mp4v", COUNT))
+    sought = capture.sought
+    for frame in plate.frames:
+        plate.read(frame)
+    assert capture.sought == sought
 
 
 def test_a_frame_that_cannot_be_decoded_is_named(tmp_path: Path, capture: type[UnreliableCapture]) -> None:

@@ -148,6 +148,7 @@ def test_images_come_before_movies(tmp_path: Path) -> None:
         ("plate/p.01.png/x.%04d.png", "cannot be read"),
         ("plate/notes.txt", r"notes\.txt is no image"),
         ("a\0b", "is no path that can be opened|does not exist"),
+        ("\udcff.png", "is no path that can be opened"),
         ("x" * 5000, "is no path that can be opened|does not exist"),
     ],
 )
@@ -157,3 +158,27 @@ def test_what_cannot_be_opened_is_told(write_frames: WriteFrames, tmp_path: Path
     (tmp_path / "empty").mkdir()
     with pytest.raises(RoamError, match=words):
         open_clip(os.path.join(tmp_path, place) if place else "")  # noqa: PTH118 - Path would refuse the NUL
+
+
+@pytest.mark.skipif(os.name == "nt", reason="Windows has no file names that are not text")
+def test_a_name_that_is_no_text_is_passed_over(write_frames: WriteFrames) -> None:
+    folder = write_frames(["p.1.png"])
+    try:
+        (folder / "\udcff.2.png").touch()
+    except OSError:
+        pytest.skip("this file system refuses names that are not text")
+    assert open_clip(folder).frames == (1,)
+
+
+@pytest.mark.shared
+def test_a_shot_of_the_shared_set_opens() -> None:
+    shots = Path(__file__).parents[4] / "shared/data/davis2016-train/JPEGImages"
+    if not shots.is_dir():
+        pytest.skip("the shared DAVIS shots are not beside the repository")
+    shot = min(shots.iterdir())
+    plate = open_clip(shot)
+    names = sorted(file.stem for file in shot.glob("*.jpg"))
+    assert [plate.frame_name(frame) for frame in plate.frames] == names
+    assert plate.frames[0] == 0
+    image = plate.read(plate.frames[-1])
+    assert (image.shape, image.dtype) == ((plate.size[1], plate.size[0], 3), np.uint8)
