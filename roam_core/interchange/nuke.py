@@ -140,7 +140,7 @@ class _Writer:
             *_control_curve(times, flat, outline, flags, indent + "  "),
             *feather,
             f"{indent} }}",
-            f"{indent} {{t {_number(pivot[0])} {_number(height - pivot[1])}}}",
+            f"{indent} {{tx {_number(times[0])} {_number(pivot[0])} {_number(height - pivot[1])}}}",
             f"{indent} {_attributes(self._shape_attributes(shape))}}}",
         ]
 

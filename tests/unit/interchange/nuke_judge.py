@@ -139,8 +139,8 @@ class _Reader:
         if feather != "idem":
             same_flags, same_times, feather_points = self._curve(feather)
             assert (same_flags, same_times, len(feather_points)) == (curve_flags, times, len(points))
-        word, *pivot = self.interpreter.split(transform)
-        assert word == "t"
+        word, time, *pivot = self.interpreter.split(transform)
+        assert (word, number(time)) == ("tx", times[0])
         return JudgedShape(
             name=name,
             flags=int(flags),
