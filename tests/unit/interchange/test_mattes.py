@@ -78,7 +78,7 @@ def test_progress_rises_to_one(shape: RotoShape, tmp_path: Path) -> None:
     assert told == [(0.0, "Matte of frame 1001"), (0.5, "Matte of frame 1002"), (1.0, "2 mattes written")]
 
 
-@pytest.mark.parametrize("name", ["", "..", "a/b.png", "/tmp/a.png", "nul\0.png"])
+@pytest.mark.parametrize("name", ["", "..", "a/b.png", "/a.png", "nul\0.png"])
 def test_a_name_that_leaves_the_folder_is_refused(shape: RotoShape, tmp_path: Path, name: str) -> None:
     with pytest.raises(RoamError, match="no file name"):
         write_mattes([shape], [1001], tmp_path, lambda _: name, SIZE)
