@@ -28,10 +28,9 @@ class Document(QObject):
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self._project = Project()
+        self._project = self._saved = Project()
         self.path: Path | None = None
         self.undo_stack = QUndoStack(self)
-        self.undo_stack.cleanChanged.connect(lambda _clean: self.path_changed.emit())
 
     @property
     def project(self) -> Project:
@@ -48,26 +47,39 @@ class Document(QObject):
 
     def open(self, project: Project, path: Path | None) -> None:
         """Show another project; the undo stack starts anew."""
-        self._project, self.path = project, path
+        self._project = self._saved = project
+        self.path = path
         self.undo_stack.clear()
-        self.undo_stack.setClean()
         self.replaced.emit()
+        self.path_changed.emit()
+
+    def recover(self, project: Project, path: Path | None) -> None:
+        """Show a project that no file holds yet, as unsaved work on the file `path`."""
+        self.open(project, path)
+        self._saved = Project()
         self.path_changed.emit()
 
     def save(self, path: Path) -> None:
         """Write the project; raises `RoamError` when it cannot be written."""
         file.save(self._project, path)
-        self.path = path
-        self.undo_stack.setClean()
+        self.mark_saved(self._project, path)
+
+    def mark_saved(self, project: Project, path: Path) -> None:
+        """Note that `project` lies in the file `path`: it may be an older value, written while the artist went on."""
+        self._saved, self.path = project, path
         self.path_changed.emit()
 
     @property
     def is_modified(self) -> bool:
-        return not self.undo_stack.isClean()
+        """True when the file does not hold the current project. Undoing back to the saved value is enough."""
+        return self._project is not self._saved
 
     def _show(self, project: Project) -> None:
-        before, self._project = self._project, project
+        before, was_modified = self._project, self.is_modified
+        self._project = project
         self.changed.emit(changed_ids(before, project))
+        if self.is_modified != was_modified:
+            self.path_changed.emit()
 
 
 def changed_ids(before: Project, after: Project) -> frozenset[str]:

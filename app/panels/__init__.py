@@ -1,0 +1,1 @@
+"""The forms around the picture: shapes, tracker, shape properties, tools, views, status."""

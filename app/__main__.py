@@ -1,0 +1,8 @@
+"""`python -m app`: the same as `roam`."""
+
+import sys
+
+from app.launch import main
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,115 @@
+"""The File menu's verbs: which file, and what becomes of unsaved changes, asked of the artist."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+from PySide6.QtCore import QObject
+from PySide6.QtWidgets import QWidget
+
+from app import dialogs
+from app.dialogs import Unsaved
+from app.document import Document
+from app.files import PROJECT_SUFFIX, Files
+from app.jobs.export import Export
+
+
+class FileActions(QObject):
+    """Each method asks what must be asked and hands the rest to `Files` and `Export`."""
+
+    def __init__(self, window: QWidget, document: Document, files: Files, export: Export) -> None:
+        super().__init__(window)
+        self._window, self._document, self._files, self._export = window, document, files, export
+        self._after_saving: Callable[[], object] | None = None
+        files.saved.connect(self._saved)
+
+    def leave_project(self, then: Callable[[], object]) -> None:
+        """Do `then` once nothing is lost by it: at once, after saving, or never."""
+        if not self._document.is_modified:
+            then()
+            return
+        answer = dialogs.ask_unsaved(self._window, self.title)
+        if answer is Unsaved.DISCARD:
+            then()
+        elif answer is Unsaved.SAVE:
+            self._after_saving = then
+            self.save()
+
+    @property
+    def title(self) -> str:
+        """The project's name, for titles and questions."""
+        return self._document.path.name if self._document.path else "untitled"
+
+    def new(self) -> None:
+        self.leave_project(self._files.new)
+
+    def open_clip(self) -> None:
+        self._open(dialogs.choose_clip_folder(self._window, self._start_folder()))
+
+    def open_movie(self) -> None:
+        self._open(dialogs.choose_movie(self._window, self._start_folder()))
+
+    def open_project(self) -> None:
+        self._open(dialogs.choose_project(self._window, self._start_folder()))
+
+    def open_dropped(self, path: Path) -> None:
+        """Open what was dropped on the window."""
+        self._open(path)
+
+    def save(self) -> None:
+        """Save to the project's file; ask for one if it has none."""
+        if self._document.path is None:
+            self.save_as()
+        else:
+            self._files.save(self._document.path)
+
+    def save_as(self) -> None:
+        """Ask where, and save there."""
+        path = dialogs.choose_save(self._window, self._suggested(PROJECT_SUFFIX))
+        if path is None:
+            self._after_saving = None
+        else:
+            self._files.save(path)
+
+    def export_nuke(self) -> None:
+        self._export_file("nuke", "Export to Nuke")
+
+    def export_silhouette(self) -> None:
+        self._export_file("silhouette", "Export to Silhouette")
+
+    def export_mattes(self) -> None:
+        folder = dialogs.choose_folder(self._window, "Export mattes to a folder", self._start_folder())
+        if folder is not None:
+            self._export.start("mattes", folder)
+
+    # ---- the rest is private
+
+    def _open(self, path: Path | None) -> None:
+        if path is not None:
+            self.leave_project(lambda: self._files.open(path))
+
+    def _export_file(self, format_name: str, title: str) -> None:
+        from roam_core.interchange import EXPORTERS
+
+        suffix = EXPORTERS[format_name].suffix
+        path = dialogs.choose_export(self._window, title, self._suggested(suffix), suffix)
+        if path is not None:
+            self._export.start(format_name, path)
+
+    def _saved(self) -> None:
+        then, self._after_saving = self._after_saving, None
+        if then is not None:
+            then()
+
+    def _suggested(self, suffix: str) -> Path:
+        clip = self._document.project.clip
+        stem = self._document.path.stem if self._document.path else (clip.path.stem if clip else "untitled")
+        return self._start_folder() / f"{stem}{suffix}"
+
+    def _start_folder(self) -> Path:
+        """Where choosers begin: beside the project, beside the clip, at home."""
+        clip = self._document.project.clip
+        if self._document.path is not None:
+            return self._document.path.parent
+        return clip.path.parent if clip is not None else Path.home()

@@ -1,0 +1,179 @@
+"""Opening and saving: what the File menu, drops on the window and the command line do to document and plate."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+from PySide6.QtCore import QObject, Signal
+
+from app.document import Document
+from app.jobs.decode import PlateReader
+from app.jobs.runner import Ending, Report, Runner, Work
+from app.view_state import ViewState
+from roam_core.errors import RoamError
+from roam_core.roto import Project, edit, file
+
+PROJECT_SUFFIX = ".roam"
+
+
+class Files(QObject):
+    """Reads and writes on the worker; the document changes when that is done.
+
+    Signals
+    -------
+    progress(fraction, text), finished(ending, sentence) : news for the status bar.
+    saved() : the document was written to its file.
+    """
+
+    progress = Signal(float, str)
+    finished = Signal(object, str)
+    saved = Signal()
+
+    def __init__(
+        self,
+        document: Document,
+        view_state: ViewState,
+        reader: PlateReader,
+        runner: Runner,
+        parent: QObject | None = None,
+    ) -> None:
+        super().__init__(parent)
+        self._document, self._view, self._reader, self._runner = document, view_state, reader, runner
+
+    def new(self) -> None:
+        """Begin an empty project."""
+        self._show(Project(), None, None, False)
+
+    def open(self, path: Path) -> None:
+        """Open a project file, or a clip as a new project."""
+        if path.suffix.lower() == PROJECT_SUFFIX:
+            self.open_project(path)
+        else:
+            self.open_clip(path)
+
+    def open_clip(self, path: Path) -> None:
+        """Begin a project on a folder of images, a pattern, an image of a sequence, or a movie."""
+
+        def read() -> tuple[Project, Any, str]:
+            project, source = clip_project(path)
+            return project, source, f"Opened {path.name}: {len(source.frames)} frames. {_gaps(source)}".rstrip()
+
+        self._open(f"Opening {path.name} …", read, None)
+
+    def open_project(self, path: Path) -> None:
+        """Open a project and its plate; without its plate it opens too, and says so."""
+        self._open(f"Opening {path.name} …", lambda: _read_project(path), path)
+
+    def open_demo(self) -> None:
+        """Render the demo shot, if it is not there yet, and open it with its true outline as the first key."""
+
+        def work(report: Report) -> str:
+            project, source = _demo_project(report)
+            report.partial((project, source))
+            return "The demo shot: press ] to track the shape forward, Esc to stop, drag its points to correct it."
+
+        self._start(work, None)
+
+    def open_recovered(self, read: Callable[[], Project], original: Path | None) -> None:
+        """Open an autosaved project as unsaved changes of the artist's own file."""
+
+        def recovered() -> tuple[Project, Any, str]:
+            project = read()
+            source, problem = _plate_of(project)
+            return project, source, problem or "Recovered; save to keep it."
+
+        self._open("Recovering …", recovered, original, is_unsaved=True)
+
+    def save(self, path: Path) -> None:
+        """Write the project as it is now; the artist goes on meanwhile."""
+        project = self._document.project
+
+        def work(report: Report) -> str:
+            file.save(project, path)
+            return f"Saved {path.name}."
+
+        job = self._runner.start("save", work)
+        job.ended.connect(lambda ending, sentence: self._saved(ending, sentence, project, path))
+
+    # ---- the rest is private
+
+    def _open(
+        self, text: str, read: Callable[[], tuple[Project, Any, str]], path: Path | None, *, is_unsaved: bool = False
+    ) -> None:
+        def work(report: Report) -> str:
+            report.progress(0.0, text)
+            project, source, sentence = read()
+            report.partial((project, source))
+            return sentence
+
+        self._start(work, path, is_unsaved=is_unsaved)
+
+    def _start(self, work: Work, path: Path | None, *, is_unsaved: bool = False) -> None:
+        job = self._runner.start("open", work)
+        job.progress.connect(self.progress)
+        job.partial.connect(lambda found: self._show(found[0], found[1], path, is_unsaved))
+        job.ended.connect(self.finished)
+
+    def _show(self, project: Project, source: Any, path: Path | None, is_unsaved: bool) -> None:
+        # The old plate goes first and the new one comes last: no frame is ever asked of the wrong one.
+        self._reader.open(None)
+        if is_unsaved:
+            self._document.recover(project, path)
+        else:
+            self._document.open(project, path)
+        self._view.select(frozenset(shape.id for shape in project.shapes[-1:]))
+        self._reader.open(source)
+
+    def _saved(self, ending: Ending, sentence: str, project: Project, path: Path) -> None:
+        if ending is Ending.DONE:
+            self._document.mark_saved(project, path)
+            self.saved.emit()
+        self.finished.emit(ending, sentence)
+
+
+def clip_project(path: Path) -> tuple[Project, Any]:
+    """A new project on a clip, and the clip's source. Raises `RoamError` when there is no clip at `path`."""
+    from roam_core.cli.plate import clip_of
+    from roam_core.media import open_clip
+
+    source = open_clip(path)
+    return Project(clip_of(source)), source
+
+
+def _demo_project(report: Report) -> tuple[Project, Any]:
+    from app.folders import cache_folder
+    from resources import demo
+
+    folder = cache_folder() / demo.cache_name()
+    try:
+        demo.write_frames(folder, report.progress)
+    except OSError as error:
+        raise RoamError(f"The demo shot cannot be written to {folder}: {error.strerror}.") from None
+    project, source = clip_project(folder)
+    project, _ = edit.new_shape(project, demo.true_points(demo.FIRST), demo.FIRST, name="Manta")
+    return project, source
+
+
+def _read_project(path: Path) -> tuple[Project, Any, str]:
+    project = file.load(path)
+    source, problem = _plate_of(project)
+    return project, source, problem or f"Opened {path.name}."
+
+
+def _plate_of(project: Project) -> tuple[Any, str]:
+    """The plate of a project, or None and why it could not be opened."""
+    from roam_core.media import open_clip
+
+    if project.clip is None:
+        return None, ""
+    try:
+        return open_clip(project.clip.path), ""
+    except RoamError as error:
+        return None, f"The plate could not be opened: {error}"
+
+
+def _gaps(source: Any) -> str:
+    missing = len(source.missing)
+    return f"{missing} frame{'s are' if missing > 1 else ' is'} missing." if missing else ""

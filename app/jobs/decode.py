@@ -1,0 +1,149 @@
+"""Decoding off the window's thread: the viewer keeps its last picture until the one it wants is there."""
+
+from __future__ import annotations
+
+from collections import OrderedDict
+from typing import TYPE_CHECKING, Any
+
+from PySide6.QtCore import QObject, QTimer, Signal
+
+from app.jobs.runner import Ending, Report, Runner
+from roam_core.errors import RoamError
+
+if TYPE_CHECKING:
+    from roam_core.media import FrameCache, PlateSource
+
+READ_AHEAD = 24
+"""Frames decoded ahead of the playhead in the direction in which it moves."""
+DISPLAY_BYTES = 512 << 20
+"""Bound on pictures kept ready for the screen; only plates whose colours must be converted need any."""
+
+
+class PlateReader(QObject):
+    """The plate that is open: its source, its cache, and the picture of the frame that the window looks at.
+
+    Signals
+    -------
+    plate_changed() : another plate was opened, or none is.
+    picture(frame, image) : `image (h, w, 3)` uint8 for the screen, or None where the frame cannot be shown.
+    refused(sentence) : why a frame cannot be shown.
+    cache_changed() : other frames are cached than before; at most ten times a second.
+    """
+
+    plate_changed = Signal()
+    picture = Signal(int, object)
+    refused = Signal(str)
+    cache_changed = Signal()
+    _cache_touched = Signal()
+
+    def __init__(self, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._runner = Runner("decode", self)
+        self._source: PlateSource | None = None
+        self._cache: FrameCache | None = None
+        self._ready: OrderedDict[int, Any] = OrderedDict()
+        self._wanted: int | None = None
+        self._previous = 0
+        self._cache_touched.connect(self._touch)
+        self._settle = QTimer(self, interval=100, singleShot=True)
+        self._settle.timeout.connect(self.cache_changed)
+
+    @property
+    def source(self) -> PlateSource | None:
+        return self._source
+
+    def open(self, source: PlateSource | None) -> None:
+        """Show another plate; the frames of the old one are let go."""
+        from roam_core.media import FrameCache
+
+        self._let_go()
+        if source is not None:
+            self._source, self._cache = source, FrameCache(source)
+            self._cache.on_change(self._cache_touched.emit)
+        self.plate_changed.emit()
+        self.cache_changed.emit()
+
+    def close(self) -> None:
+        """Let the plate go and end the worker."""
+        self._let_go()
+        self._settle.stop()
+        self._runner.close()
+
+    def cached_frames(self) -> frozenset[int]:
+        return frozenset(self._cache.cached_frames()) if self._cache is not None else frozenset()
+
+    def memory(self) -> tuple[int, int]:
+        """Bytes held by the cache, and its bound."""
+        return (0, 0) if self._cache is None else (self._cache.used_bytes, self._cache.limit_bytes)
+
+    def engine_frame(self, frame: int) -> Any:
+        """The frame `(h, w, 3)` in the engine's colours; called by the engine on its own thread."""
+        from roam_core.media.colour import to_engine
+
+        if self._cache is None or self._source is None:
+            raise RoamError("There is no plate to track in; open a clip first.")
+        return to_engine(self._cache.read(frame), self._source.colour_space)
+
+    def show(self, frame: int) -> None:
+        """Ask for the picture of `frame`. While one is being decoded only the last wish counts."""
+        self._wanted = frame
+        if self._cache is not None and self._runner.running("decode") is None:
+            self._decode(frame)
+
+    # ---- the rest is private
+
+    def _decode(self, frame: int) -> None:
+        cache, source, ready = self._cache, self._source, self._ready
+        assert cache is not None
+        assert source is not None
+        ahead = self._ahead(frame)
+
+        def work(report: Report) -> str:
+            from roam_core.media.colour import to_display
+
+            if (picture := ready.get(frame)) is None:
+                plate = cache.read(frame)
+                picture = to_display(plate, source.colour_space)
+                if picture is not plate:
+                    _keep(ready, frame, picture)
+            report.partial(picture)
+            cache.read_ahead(ahead)
+            return ""
+
+        job = self._runner.start("decode", work)
+        job.partial.connect(lambda picture: self.picture.emit(frame, picture))
+        job.ended.connect(lambda ending, sentence: self._decoded(frame, ending, sentence))
+
+    def _decoded(self, frame: int, ending: Ending, sentence: str) -> None:
+        if ending is Ending.FAILED:
+            self.picture.emit(frame, None)
+            self.refused.emit(sentence)
+        if ending is not Ending.CANCELLED and self._wanted is not None and self._wanted != frame:
+            self.show(self._wanted)
+
+    def _ahead(self, frame: int) -> list[int]:
+        assert self._source is not None
+        step = 1 if frame >= self._previous else -1
+        self._previous = frame
+        frames = self._source.frames
+        wanted = range(frame + step, frame + step * (READ_AHEAD + 1), step)
+        return [other for other in wanted if frames[0] <= other <= frames[-1]]
+
+    def _touch(self) -> None:
+        if not self._settle.isActive():
+            self._settle.start()
+
+    def _let_go(self) -> None:
+        if (job := self._runner.running("decode")) is not None:
+            job.drop()
+        if self._cache is not None:
+            self._cache.close()
+        self._source = self._cache = self._wanted = None
+        self._ready = OrderedDict()
+
+
+def _keep(ready: OrderedDict[int, Any], frame: int, picture: Any) -> None:
+    """Remember a converted picture; the longest unseen go first when they are too many."""
+    ready[frame] = picture
+    while len(ready) * picture.nbytes > DISPLAY_BYTES and len(ready) > 1:
+        ready.popitem(last=False)

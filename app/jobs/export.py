@@ -1,0 +1,42 @@
+"""Exports as a job: a snapshot of the project is written on the worker, while the artist goes on."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from PySide6.QtCore import QObject, Signal
+
+from app.document import Document
+from app.jobs.runner import Report, Runner
+
+
+class Export(QObject):
+    """Writes shapes and mattes in the formats of `roam_core.interchange`.
+
+    Signals
+    -------
+    progress(fraction, text), finished(ending, sentence) : the job's news.
+    """
+
+    progress = Signal(float, str)
+    finished = Signal(object, str)
+
+    def __init__(self, document: Document, runner: Runner, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._document, self._runner = document, runner
+
+    def start(self, format_name: str, path: Path) -> None:
+        """Write the project as it is now to `path` (a file, or for mattes a folder) in the format of that name."""
+        project = self._document.project
+
+        def work(report: Report) -> str:
+            from roam_core.interchange import EXPORTERS, ExportOptions
+
+            report.progress(0.0, f"Exporting to {path.name} …")
+            options = ExportOptions(progress=report.progress, token=report.token)
+            losses = EXPORTERS[format_name].export(project, path, options)
+            return " ".join([f"Exported to {path}.", *losses])
+
+        job = self._runner.start(f"export {format_name}", work)
+        job.progress.connect(self.progress)
+        job.ended.connect(self.finished)

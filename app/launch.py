@@ -1,0 +1,182 @@
+"""`roam`: opens the window on a clip, a project or the demo; hands every other command to the command line."""
+
+from __future__ import annotations
+
+import argparse
+import logging
+import os
+import sys
+from collections.abc import Callable, Sequence
+from logging.handlers import RotatingFileHandler
+from pathlib import Path
+from types import TracebackType
+from typing import TYPE_CHECKING
+
+from roam_core.errors import RoamError
+
+if TYPE_CHECKING:
+    from app.main_window import MainWindow
+
+FAILED, BAD_USAGE = 1, 2
+NO_DISPLAY = (
+    "There is no display to open a window on; use the command line (roam --help), "
+    "or log in with a display or X forwarding."
+)
+EPILOG = """commands that need no window:
+{commands}
+roam COMMAND --help describes each of them.
+"""
+
+log = logging.getLogger("roam")
+
+
+def main(argv: Sequence[str] | None = None) -> int:
+    """Run `roam`. Returns the exit code: 0 done, 1 refused or failed, 2 bad usage or no display."""
+    arguments = list(sys.argv[1:] if argv is None else argv)
+    from roam_core.cli import COMMANDS
+    from roam_core.cli import main as command_line
+
+    if arguments == ["demo"]:
+        return _demo()
+    if arguments and arguments[0] in {*COMMANDS, "--version"}:
+        return command_line(arguments)
+    parsed = _parser(COMMANDS).parse_args(arguments)
+    return _window(parsed.path)
+
+
+def has_display() -> bool:
+    """True where a window can be opened: always but on a Unix without X, Wayland or a chosen Qt platform."""
+    if sys.platform in ("win32", "darwin"):
+        return True
+    return any(os.environ.get(name) for name in ("DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"))
+
+
+def _parser(commands: dict[str, str]) -> argparse.ArgumentParser:
+    listed = "\n".join(f"  {name:<10} {summary}" for name, summary in commands.items())
+    parser = argparse.ArgumentParser(
+        prog="roam",
+        usage="roam [CLIP | PROJECT.roam] | roam demo [--headless] | roam COMMAND ...",
+        description="Rotoscoping: editable curves carried through a shot. Without a command the window opens.",
+        epilog=EPILOG.format(commands=listed),
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    parser.add_argument("path", nargs="?", metavar="CLIP | PROJECT.roam", help="what the window opens")
+    parser.add_argument("--version", action="store_true", help="print the version")
+    return parser
+
+
+def _window(path: str | None) -> int:
+    """Open the window, on a clip or project if one was named."""
+    if path is not None and (problem := _problem(path)):
+        _tell(problem)
+        return FAILED
+    if not has_display():
+        _tell(NO_DISPLAY)
+        return BAD_USAGE
+    return _run(lambda window: _open_first(window, path))
+
+
+def _problem(path: str) -> str:
+    """Why a clip or project cannot be opened, or nothing: a wrong name is told before any window opens."""
+    from app.files import PROJECT_SUFFIX, clip_project
+    from roam_core.roto import file
+
+    try:
+        if path.lower().endswith(PROJECT_SUFFIX):
+            file.load(Path(path))
+        else:
+            clip_project(Path(path))
+    except RoamError as error:
+        return str(error)
+    return ""
+
+
+def _open_first(window: MainWindow, path: str | None) -> None:
+    if path is not None:
+        window.files.open(Path(path).absolute())
+    else:
+        _offer_recovery(window)
+
+
+def _demo() -> int:
+    """The demo in a window; without a display it is tracked on the command line."""
+    if has_display():
+        return _run(lambda window: window.files.open_demo())
+    from roam_core.cli import main as command_line
+
+    _tell("There is no display, so the demo is tracked without a window.")
+    return command_line(["demo", "--headless"])
+
+
+def _run(begin: Callable[[MainWindow], object]) -> int:
+    from PySide6.QtCore import QTimer
+    from PySide6.QtWidgets import QApplication
+
+    from app import style
+    from app.folders import state_folder
+    from app.main_window import MainWindow
+
+    _keep_log(state_folder() / "roam.log")
+    application = QApplication.instance() or QApplication(sys.argv[:1])
+    assert isinstance(application, QApplication)
+    application.setApplicationName("ROAM")
+    application.setDesktopFileName("roam")
+    style.apply(application)
+    window = MainWindow(state_folder() / "autosave")
+    before = _catch_errors(window, state_folder() / "roam.log")
+    window.show()
+    QTimer.singleShot(0, window, lambda: begin(window))
+    QTimer.singleShot(0, window, window.warm_up)
+    try:
+        return application.exec()
+    finally:
+        sys.excepthook = before
+
+
+def _offer_recovery(window: MainWindow) -> None:
+    from app import dialogs
+    from app.folders import state_folder
+    from app.jobs import autosave
+
+    found = autosave.recoveries(state_folder() / "autosave")
+    if not found:
+        return
+    latest = found[0]
+    if dialogs.ask_recover(window, latest.title):
+        window.files.open_recovered(lambda: autosave.load_recovery(latest), latest.original)
+    autosave.dismiss(latest)
+
+
+def _tell(sentence: str) -> None:
+    sys.stderr.write(f"roam: {sentence}\n")
+
+
+def _keep_log(path: Path) -> None:
+    handler = RotatingFileHandler(path, maxBytes=1 << 20, backupCount=2, encoding="utf-8", delay=True)
+    handler.setFormatter(logging.Formatter("%(asctime)s %(levelname)s %(name)s: %(message)s"))
+    logging.getLogger().addHandler(handler)
+
+
+Hook = Callable[[type[BaseException], BaseException, TracebackType | None], object]
+
+
+def _catch_errors(window: MainWindow, log_path: Path) -> Hook:
+    """Let a defect lose nothing: save first, write the traceback to the log, tell one sentence. Gives the old hook."""
+    before = sys.excepthook
+
+    def hook(kind: type[BaseException], error: BaseException, traceback: TracebackType | None) -> None:
+        log.critical("an error nobody caught", exc_info=(kind, error, traceback))
+        try:
+            window.autosave.save_now()
+            kept = "your work is autosaved"
+        except Exception:
+            log.exception("the autosave failed too")
+            kept = "save your work under a new name"
+        window.view_state.say(f"Something went wrong inside ROAM; {kept}. Details are in {log_path}.")
+
+    sys.excepthook = hook
+    return before
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,310 @@
+"""The main window: builds the parts and connects them. What they do is theirs."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent
+from PySide6.QtWidgets import QHBoxLayout, QMainWindow, QSplitter, QUndoView, QVBoxLayout, QWidget
+
+from app import menus
+from app.actions import Actions, Keymap, load_keymap
+from app.canvas.view import CanvasView, ViewMode
+from app.dialogs import KeysDialog
+from app.document import Document
+from app.file_actions import FileActions
+from app.files import Files
+from app.focus import FocusFollowsPointer
+from app.jobs.autosave import Autosave
+from app.jobs.decode import PlateReader
+from app.jobs.export import Export
+from app.jobs.propagation import Propagation
+from app.jobs.runner import Report, Runner
+from app.navigation import Navigation
+from app.panels.controls import tool_button
+from app.panels.panel import Panel
+from app.panels.properties import PropertiesPanel
+from app.panels.shapes import ShapesPanel
+from app.panels.status import StatusBar
+from app.panels.tool_column import ToolColumn
+from app.panels.tracker import TrackerPanel
+from app.panels.view_bar import ViewBar
+from app.playback import Playback
+from app.shape_verbs import ShapeVerbs
+from app.timeline.timeline import Timeline
+from app.timeline.transport import Transport
+from app.tools import TOOLS
+from app.tracking import Tracking
+from app.view_state import ViewState
+
+PANEL_WIDTH = 272
+TIMELINE_HEIGHT = 200
+
+
+class MainWindow(QMainWindow):
+    """ROAM's window. `autosave_root` is the folder of the autosaved projects."""
+
+    def __init__(self, autosave_root: Path) -> None:
+        super().__init__()
+        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose, False)
+        self.setAcceptDrops(True)
+        self.resize(1500, 940)
+        self._is_leaving = False
+        self.keymap: Keymap = load_keymap()
+        self._build_state(autosave_root)
+        self._build_parts()
+        self._lay_out()
+        self._connect()
+        self._connect_actions()
+        self._pull_title()
+        self.canvas.setFocus()
+
+    # ---- building
+
+    def _build_state(self, autosave_root: Path) -> None:
+        self.document, self.view_state = Document(self), ViewState(self)
+        self.solver, self.writer = Runner("solver", self), Runner("writer", self)
+        self.reader = PlateReader(self)
+        self.files = Files(self.document, self.view_state, self.reader, self.writer, self)
+        self.export = Export(self.document, self.writer, self)
+        self.autosave = Autosave(self.document, self.writer, autosave_root, self)
+        self.propagation = Propagation(self.document, self.view_state, self.solver, self.reader.engine_frame, self)
+        self.playback = Playback(self.view_state, self)
+        self.navigation = Navigation(self.document, self.view_state)
+        self.tracking = Tracking(self.document, self.view_state, self.propagation)
+        self.shape_verbs = ShapeVerbs(self.document, self.view_state)
+        self.file_actions = FileActions(self, self.document, self.files, self.export)
+
+    def _build_parts(self) -> None:
+        document, view_state = self.document, self.view_state
+        self.canvas = CanvasView(document, view_state)
+        FocusFollowsPointer(self.canvas)
+        self.actions_by_id = actions = Actions(self, self.canvas, self.keymap)
+        self.tool_column = ToolColumn(view_state, actions, tuple(TOOLS))
+        self.view_bar = ViewBar(document, self.canvas, actions)
+        self.shapes = ShapesPanel(document, view_state)
+        self.tracker = TrackerPanel(document, view_state, self.tracking, actions)
+        self.properties = PropertiesPanel(document, view_state)
+        self.history = QUndoView(document.undo_stack)
+        self.transport = Transport(self.navigation, view_state, self.playback, actions)
+        self.timeline = Timeline(document, view_state, self.reader.cached_frames)
+        self.status = StatusBar(view_state)
+        menus.fill(self.menuBar(), actions)
+        self.menuBar().setCornerWidget(self.view_bar)
+
+    def _lay_out(self) -> None:
+        self.panel_column = self._panel_column()
+        self._upper = QSplitter(Qt.Orientation.Horizontal)
+        picture = QWidget()
+        _fill(QHBoxLayout(picture), self.tool_column, self.canvas)
+        for part, stretch in ((picture, 1), (self.panel_column, 0)):
+            self._upper.addWidget(part)
+            self._upper.setStretchFactor(self._upper.indexOf(part), stretch)
+        lower = QWidget()
+        _fill(QVBoxLayout(lower), self.transport, self.timeline)
+        self._halves = QSplitter(Qt.Orientation.Vertical)
+        for half, stretch in ((self._upper, 1), (lower, 0)):
+            self._halves.addWidget(half)
+            self._halves.setStretchFactor(self._halves.indexOf(half), stretch)
+        for splitter in (self._upper, self._halves):
+            splitter.setChildrenCollapsible(False)
+            splitter.setHandleWidth(3)
+        self._upper.setSizes([self.width() - PANEL_WIDTH, PANEL_WIDTH])
+        self._halves.setSizes([self.height() - TIMELINE_HEIGHT, TIMELINE_HEIGHT])
+        whole = QWidget()
+        _fill(QVBoxLayout(whole), self._halves, self.status)
+        self.setCentralWidget(whole)
+
+    def _panel_column(self) -> QWidget:
+        actions = self.actions_by_id
+        shape_tools = tuple(tool_button(actions, name) for name in ("shape.group", "shape.duplicate", "shape.delete"))
+        key_tools = tuple(tool_button(actions, name) for name in ("key.set", "key.delete"))
+        self.history_panel = Panel("History", self.history)
+        self.history_panel.setVisible(False)
+        column = QWidget()
+        column.setObjectName("panelColumn")
+        column.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
+        column.setMinimumWidth(220)
+        box = QVBoxLayout(column)
+        shapes = Panel("Shapes", self.shapes, shape_tools)
+        _fill(box, shapes, Panel("Track", self.tracker), Panel("Shape", self.properties, key_tools), self.history_panel)
+        box.setStretchFactor(shapes, 1)
+        return column
+
+    # ---- connecting
+
+    def _connect(self) -> None:
+        view, reader, status = self.view_state, self.reader, self.status
+        view.frame_changed.connect(lambda: reader.show(view.frame))
+        reader.plate_changed.connect(lambda: reader.show(view.frame))
+        reader.picture.connect(self.canvas.set_image)
+        reader.refused.connect(view.say)
+        reader.cache_changed.connect(self.timeline.ruler.update)
+        reader.cache_changed.connect(lambda: status.show_memory(*reader.memory()))
+        for job in (self.files, self.export, self.propagation):
+            job.progress.connect(status.show_progress)
+            job.finished.connect(status.show_end)
+        self.propagation.finished.connect(lambda *_: self.autosave.save())
+        self.propagation.running_changed.connect(self._pull_running)
+        self.document.replaced.connect(self._pull_clip)
+        self.document.path_changed.connect(self._pull_title)
+        undo = self.document.undo_stack
+        undo.canUndoChanged.connect(self.actions_by_id["edit.undo"].setEnabled)
+        undo.canRedoChanged.connect(self.actions_by_id["edit.redo"].setEnabled)
+        undo.undoTextChanged.connect(lambda text: self.actions_by_id["edit.undo"].setText(f"Undo {text}".rstrip()))
+        undo.redoTextChanged.connect(lambda text: self.actions_by_id["edit.redo"].setText(f"Redo {text}".rstrip()))
+
+    def _connect_actions(self) -> None:
+        actions = self.actions_by_id
+        actions.connect_all(self._handlers())
+        for name in ("edit.undo", "edit.redo", "track.stop"):
+            actions[name].setEnabled(False)
+        actions["time.loop"].setChecked(self.playback.is_looping)
+        actions["view.panels"].setChecked(True)
+        for name, switch in (
+            ("edit.history", self.history_panel.setVisible),
+            ("view.panels", self.panel_column.setVisible),
+            ("view.tall_timeline", self._set_tall_timeline),
+            ("time.loop", lambda on: setattr(self.playback, "is_looping", on)),
+        ):
+            actions[name].toggled.connect(switch)
+
+    def _handlers(self) -> dict[str, Callable[[], object]]:
+        """What each action calls; tools and switches are connected by their own widgets."""
+        files, points, verbs = self.file_actions, self.canvas.points, self.shape_verbs
+        tracking, time, playback, canvas = self.tracking, self.navigation, self.playback, self.canvas
+        return {
+            "file.new": files.new,
+            "file.open_clip": files.open_clip,
+            "file.open_movie": files.open_movie,
+            "file.open_project": files.open_project,
+            "file.save": files.save,
+            "file.save_as": files.save_as,
+            "file.export_nuke": files.export_nuke,
+            "file.export_silhouette": files.export_silhouette,
+            "file.export_mattes": files.export_mattes,
+            "file.quit": self.close,
+            "edit.undo": self.document.undo_stack.undo,
+            "edit.redo": self.document.undo_stack.redo,
+            "points.delete": points.delete,
+            "points.select_all": points.select_all,
+            "points.next": lambda: points.cycle(1),
+            "points.previous": lambda: points.cycle(-1),
+            "points.smooth": points.smooth,
+            "points.cusp": points.cusp,
+            "points.toggle_closed": points.toggle_closed,
+            "shape.duplicate": verbs.duplicate,
+            "shape.group": verbs.group,
+            "shape.delete": self._delete_in_list,
+            "shape.lock": verbs.toggle_lock,
+            "shape.hide": verbs.hide,
+            "shape.show_all": verbs.show_all,
+            "key.set": verbs.set_key,
+            "key.delete": verbs.delete_key,
+            "track.forward": tracking.forward,
+            "track.backward": tracking.backward,
+            "track.forward_one": tracking.forward_one,
+            "track.backward_one": tracking.backward_one,
+            "track.to_next_key": tracking.to_next_key,
+            "track.stop": tracking.stop,
+            "track.next_doubtful": tracking.next_doubtful,
+            "track.previous_doubtful": tracking.previous_doubtful,
+            "track.delete_engine_keys": verbs.delete_engine_keys,
+            "view.source": lambda: canvas.set_mode(ViewMode.SOURCE),
+            "view.overlay": lambda: canvas.set_mode(ViewMode.OVERLAY),
+            "view.matte": lambda: canvas.set_mode(ViewMode.MATTE),
+            "view.hide_overlays": lambda: canvas.hide_shapes(not canvas.are_shapes_hidden),
+            "view.fit": canvas.fit,
+            "view.fit_selection": canvas.fit_selection,
+            "view.actual_size": canvas.actual_size,
+            "view.fit_time": self.timeline.axis.fit,
+            "time.previous": lambda: time.step(-1),
+            "time.next": lambda: time.step(1),
+            "time.back_ten": lambda: time.step(-10),
+            "time.on_ten": lambda: time.step(10),
+            "time.previous_key": time.previous_key,
+            "time.next_key": time.next_key,
+            "time.first": time.first,
+            "time.last": time.last,
+            "time.toggle_play": playback.toggle,
+            "time.play_back": playback.play_back,
+            "time.pause": playback.pause,
+            "time.play": playback.play,
+            "time.set_in": time.set_in,
+            "time.set_out": time.set_out,
+            "time.clear_range": time.clear_range,
+            "help.keys": lambda: KeysDialog(self.keymap, self).show(),
+        }
+
+    def warm_up(self) -> None:
+        """Compile the engine's kernels on the worker, so that the first track need not wait for it."""
+        config = self.tracking.config
+
+        def work(report: Report) -> str:
+            from roam_core.propagate.warm_up import warm_up
+
+            warm_up(config)
+            return ""
+
+        self.solver.start("warm-up", work)
+
+    # ---- pulling
+
+    def _pull_title(self) -> None:
+        self.setWindowTitle(f"{self.file_actions.title}[*] – ROAM")
+        self.setWindowModified(self.document.is_modified)
+
+    def _pull_clip(self) -> None:
+        clip = self.document.project.clip
+        self.playback.pause()
+        self.playback.fps = clip.fps if clip is not None else 24.0
+
+    def _pull_running(self) -> None:
+        self.actions_by_id["track.stop"].setEnabled(self.propagation.is_running)
+
+    def _set_tall_timeline(self, tall: bool) -> None:
+        height = self._halves.height()
+        lower = height // 2 if tall else TIMELINE_HEIGHT
+        self._halves.setSizes([height - lower, lower])
+
+    def _delete_in_list(self) -> None:
+        self.shapes.tree.delete_selected()
+
+    # ---- events of the window
+
+    def dragEnterEvent(self, event: QDragEnterEvent) -> None:
+        if any(url.isLocalFile() for url in event.mimeData().urls()):
+            event.acceptProposedAction()
+
+    def dropEvent(self, event: QDropEvent) -> None:
+        paths = [Path(url.toLocalFile()) for url in event.mimeData().urls() if url.isLocalFile()]
+        if paths:
+            event.acceptProposedAction()
+            self.file_actions.open_dropped(paths[0])
+
+    def closeEvent(self, event: QCloseEvent) -> None:
+        if self._is_leaving:
+            self._shut_down()
+            event.accept()
+        else:
+            event.ignore()
+            self.file_actions.leave_project(self._leave)
+
+    def _leave(self) -> None:
+        self._is_leaving = True
+        self.close()
+
+    def _shut_down(self) -> None:
+        self.playback.pause()
+        self.propagation.drop()
+        for part in (self.solver, self.reader, self.writer, self.autosave):
+            part.close()
+
+
+def _fill(box: QHBoxLayout | QVBoxLayout, *parts: QWidget) -> None:
+    box.setContentsMargins(0, 0, 0, 0)
+    box.setSpacing(0)
+    for part in parts:
+        box.addWidget(part)

@@ -1,0 +1,55 @@
+"""The menu bar: which actions stand in which menu."""
+
+from __future__ import annotations
+
+from PySide6.QtWidgets import QMenuBar
+
+from app.actions import Actions
+
+SEPARATOR = ""
+
+MENUS: dict[str, tuple[str, ...]] = {
+    "File": (
+        "file.new", "file.open_clip", "file.open_movie", "file.open_project", SEPARATOR,
+        "file.save", "file.save_as", SEPARATOR,
+        "file.export_nuke", "file.export_silhouette", "file.export_mattes", SEPARATOR,
+        "file.quit",
+    ),
+    "Edit": (
+        "edit.undo", "edit.redo", "edit.history", SEPARATOR,
+        "points.delete", "points.select_all", "points.next", "points.previous", SEPARATOR,
+        "points.smooth", "points.cusp", "points.toggle_closed",
+    ),
+    "Shape": (
+        "tool.select", "tool.bezier", "tool.polygon", SEPARATOR,
+        "key.set", "key.delete", SEPARATOR,
+        "shape.duplicate", "shape.group", "shape.delete", SEPARATOR,
+        "shape.lock", "shape.hide", "shape.show_all",
+    ),
+    "Track": (
+        "track.forward", "track.backward", "track.forward_one", "track.backward_one", "track.to_next_key", SEPARATOR,
+        "track.stop", SEPARATOR,
+        "track.next_doubtful", "track.previous_doubtful", SEPARATOR,
+        "track.delete_engine_keys",
+    ),
+    "View": (
+        "view.source", "view.overlay", "view.matte", "view.hide_overlays", SEPARATOR,
+        "view.fit", "view.fit_selection", "view.actual_size", SEPARATOR,
+        "time.previous", "time.next", "time.previous_key", "time.next_key", "time.first", "time.last", SEPARATOR,
+        "time.toggle_play", "time.play", "time.play_back", "time.pause", "time.loop", SEPARATOR,
+        "time.set_in", "time.set_out", "time.clear_range", SEPARATOR,
+        "view.fit_time", "view.tall_timeline", "view.panels",
+    ),
+    "Help": ("help.keys",),
+}  # fmt: skip
+
+
+def fill(menu_bar: QMenuBar, actions: Actions) -> None:
+    """Put every menu on the bar."""
+    for title, entries in MENUS.items():
+        menu = menu_bar.addMenu(title)
+        for entry in entries:
+            if entry == SEPARATOR:
+                menu.addSeparator()
+            else:
+                menu.addAction(actions[entry])

@@ -1,0 +1,66 @@
+"""Moving the playhead: by frames, by keys, to the ends; and the play range."""
+
+from __future__ import annotations
+
+from app.document import Document
+from app.view_state import ViewState
+
+
+class Navigation:
+    """The verbs behind the time keys. The playhead never leaves the clip."""
+
+    def __init__(self, document: Document, view_state: ViewState) -> None:
+        self._document, self._view = document, view_state
+        document.replaced.connect(self._begin)
+
+    @property
+    def clip_range(self) -> tuple[int, int]:
+        """The clip's frames, half open; without a clip just the present one."""
+        clip = self._document.project.clip
+        return (self._view.frame, self._view.frame + 1) if clip is None else (clip.first, clip.last + 1)
+
+    def step(self, frames: int) -> None:
+        first, stop = self.clip_range
+        self._view.set_frame(min(max(self._view.frame + frames, first), stop - 1))
+
+    def first(self) -> None:
+        self._view.set_frame(self._view.play_range[0])
+
+    def last(self) -> None:
+        self._view.set_frame(self._view.play_range[1] - 1)
+
+    def next_key(self) -> None:
+        """Go to the next artist key of the selected shapes, or of all when none is selected."""
+        if later := [frame for frame in self._key_frames() if frame > self._view.frame]:
+            self._view.set_frame(min(later))
+        else:
+            self._view.say("There is no key after this frame.")
+
+    def previous_key(self) -> None:
+        if earlier := [frame for frame in self._key_frames() if frame < self._view.frame]:
+            self._view.set_frame(max(earlier))
+        else:
+            self._view.say("There is no key before this frame.")
+
+    def set_in(self) -> None:
+        frame, (_, stop) = self._view.frame, self._view.play_range
+        self._view.set_play_range(frame, stop if stop > frame else self.clip_range[1])
+
+    def set_out(self) -> None:
+        frame, (first, _) = self._view.frame, self._view.play_range
+        self._view.set_play_range(first if first <= frame else self.clip_range[0], frame + 1)
+
+    def clear_range(self) -> None:
+        self._view.set_play_range(*self.clip_range)
+
+    def _begin(self) -> None:
+        """Another project: its clip is the play range, its first frame or its first key's the present one."""
+        clip, keys = self._document.project.clip, self._key_frames()
+        first, stop = (1, 2) if clip is None else (clip.first, clip.last + 1)
+        self._view.set_play_range(first, stop)
+        self._view.set_frame(min(max(min(keys, default=first), first), stop - 1))
+
+    def _key_frames(self) -> set[int]:
+        shapes, chosen = self._document.project.shapes, self._view.selection.shapes
+        wanted = [shape for shape in shapes if shape.id in chosen] or shapes
+        return {frame for shape in wanted for frame in shape.artist_frames}

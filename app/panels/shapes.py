@@ -1,0 +1,218 @@
+"""The shapes panel: the tree of layers and shapes, the top-most on top."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from PySide6.QtCore import QSignalBlocker, Qt
+from PySide6.QtGui import QBrush, QColor, QDropEvent, QKeyEvent
+from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QLabel, QTreeWidget, QTreeWidgetItem, QVBoxLayout, QWidget
+
+from app import shape_verbs, style
+from app.document import Document
+from app.view_state import ViewState
+from roam_core.errors import RoamError
+from roam_core.roto import Layer, RotoShape, edit
+
+NAME, EYE, LOCK = 0, 1, 2
+ID = Qt.ItemDataRole.UserRole
+EMPTY = "Draw a shape: press B in the viewer,\nclick for corners, drag for curves."
+
+
+class ShapesPanel(QWidget):
+    """The tree, and what to do when it is empty."""
+
+    def __init__(self, document: Document, view_state: ViewState, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._document = document
+        self.tree = ShapeTree(document, view_state)
+        self._hint = QLabel(EMPTY)
+        self._hint.setObjectName("weak")
+        self._hint.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.addWidget(self.tree)
+        column.addWidget(self._hint, 1)
+        document.changed.connect(self._pull)
+        document.replaced.connect(self._pull)
+        self._pull()
+
+    def _pull(self, _ids: object = None) -> None:
+        is_empty = not self._document.project.root.children
+        self._hint.setVisible(is_empty)
+        self.tree.setVisible(not is_empty)
+
+
+class ShapeTree(QTreeWidget):
+    """Rows of the tree; selection goes both ways. Drag a row to restack it, double-click its name to rename it."""
+
+    def __init__(self, document: Document, view_state: ViewState, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._document, self._view = document, view_state
+        self._shown: object = None
+        self._dress()
+        self.itemSelectionChanged.connect(self._push_selection)
+        self.itemChanged.connect(self._push_name)
+        self.itemClicked.connect(self._push_switch)
+        document.changed.connect(self._pull)
+        document.replaced.connect(self._pull)
+        view_state.selection_changed.connect(self._pull_selection)
+        self._pull()
+
+    def _dress(self) -> None:
+        self.setColumnCount(3)
+        self.setHeaderHidden(True)
+        self.setIndentation(16)
+        self.setIconSize(style.ICON_SIZE)
+        self.setUniformRowHeights(True)
+        self.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
+        self.setDragDropMode(QAbstractItemView.DragDropMode.InternalMove)
+        self.setEditTriggers(QAbstractItemView.EditTrigger.DoubleClicked | QAbstractItemView.EditTrigger.EditKeyPressed)
+        self.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
+        header = self.header()
+        header.setStretchLastSection(False)
+        header.setMinimumSectionSize(24)
+        header.setSectionResizeMode(NAME, QHeaderView.ResizeMode.Stretch)
+        for column in (EYE, LOCK):
+            header.setSectionResizeMode(column, QHeaderView.ResizeMode.Fixed)
+            header.resizeSection(column, 26)
+
+    def item(self, item_id: str) -> QTreeWidgetItem:
+        """The row of a layer or shape."""
+        return next(row for row in self._rows() if row.data(NAME, ID) == item_id)
+
+    # ---- from the document
+
+    def _pull(self, _ids: object = None) -> None:
+        """Build the rows again, but only if what they show has changed: a tracked frame changes no row."""
+        root = self._document.project.root
+        if (shown := _summary(root)) == self._shown:
+            return
+        self._shown = shown
+        closed = {row.data(NAME, ID) for row in self._rows() if row.childCount() and not row.isExpanded()}
+        with QSignalBlocker(self):
+            self.clear()
+            self._add_rows(self.invisibleRootItem(), root)
+            for row in self._rows():
+                row.setExpanded(row.data(NAME, ID) not in closed)
+        self._pull_selection()
+
+    def _add_rows(self, parent: QTreeWidgetItem, layer: Layer) -> None:
+        for child in reversed(layer.children):
+            row = QTreeWidgetItem(parent)
+            _dress_row(row, child)
+            if isinstance(child, Layer):
+                self._add_rows(row, child)
+
+    def _pull_selection(self) -> None:
+        selected = self._view.selection.shapes
+        with QSignalBlocker(self):
+            for row in self._rows():
+                row.setSelected(bool(self._covered(row)) and self._covered(row) <= selected)
+        self.viewport().update()
+
+    # ---- to the document
+
+    def _push_selection(self) -> None:
+        shapes = frozenset[str]().union(*(self._covered(row) for row in self.selectedItems()))
+        self._view.select(shapes)
+
+    def _push_name(self, row: QTreeWidgetItem, column: int) -> None:
+        name = row.text(NAME).strip()
+        if column == NAME and name:
+            project = edit.set_properties(self._document.project, row.data(NAME, ID), name=name)
+            self._document.apply("Rename", project)
+        self._shown = None
+        self._pull()
+
+    def _push_switch(self, row: QTreeWidgetItem, column: int) -> None:
+        if column in (EYE, LOCK):
+            shape_verbs.toggle(self._document, "visible" if column == EYE else "locked", [row.data(NAME, ID)])
+
+    def selected_ids(self) -> list[str]:
+        """The ids of the selected rows, layers included; one inside a selected layer is left to it."""
+        selected = self.selectedItems()
+        return [row.data(NAME, ID) for row in selected if row.parent() not in selected]
+
+    def delete_selected(self) -> None:
+        """Delete the layers and shapes of the selected rows."""
+        shape_verbs.delete(self._document, self.selected_ids())
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        if event.key() in (Qt.Key.Key_Delete, Qt.Key.Key_Backspace):
+            self.delete_selected()
+        else:
+            super().keyPressEvent(event)
+
+    def dropEvent(self, event: QDropEvent) -> None:
+        """Restack in the document; the rows follow from it."""
+        target = self.itemAt(event.position().toPoint())
+        moved = self.selected_ids()
+        event.setDropAction(Qt.DropAction.IgnoreAction)
+        event.accept()
+        try:
+            project = self._document.project
+            for item_id in moved:
+                if target is None or item_id != target.data(NAME, ID):
+                    project = edit.move_item(project, item_id, *self._place(target, item_id))
+            self._document.apply("Restack", project)
+        except RoamError as error:
+            self._view.say(str(error))
+
+    def _place(self, target: QTreeWidgetItem | None, item_id: str) -> tuple[str, int]:
+        """The layer and the index in it (0 = bottom) that a drop means, counted without the moved item."""
+        root = self._document.project.root
+        if target is None:
+            return root.id, 0
+        item = self._document.project.find(target.data(NAME, ID))
+        where = self.dropIndicatorPosition()
+        if where == QAbstractItemView.DropIndicatorPosition.OnItem and isinstance(item, Layer):
+            return item.id, len(item.children)
+        parent = target.parent()
+        layer = root if parent is None else self._document.project.find(parent.data(NAME, ID))
+        assert isinstance(layer, Layer)
+        others = [child.id for child in layer.children if child.id != item_id]
+        above = where != QAbstractItemView.DropIndicatorPosition.BelowItem
+        return layer.id, others.index(item.id) + (1 if above else 0)
+
+    # ---- rows
+
+    def _rows(self) -> Iterator[QTreeWidgetItem]:
+        waiting = [self.topLevelItem(index) for index in range(self.topLevelItemCount())]
+        while waiting:
+            row = waiting.pop(0)
+            if row is not None:
+                yield row
+                waiting.extend(row.child(index) for index in range(row.childCount()))
+
+    def _covered(self, row: QTreeWidgetItem) -> frozenset[str]:
+        """The shapes that a row stands for: itself, or all in the layer."""
+        item = self._document.project.find(row.data(NAME, ID))
+        return frozenset({item.id} if isinstance(item, RotoShape) else (shape.id for shape in item.shapes()))
+
+
+def _dress_row(row: QTreeWidgetItem, item: Layer | RotoShape) -> None:
+    row.setText(NAME, item.name)
+    row.setData(NAME, ID, item.id)
+    row.setIcon(NAME, style.swatch(item.colour) if isinstance(item, RotoShape) else style.icon("layer"))
+    row.setIcon(EYE, style.icon("eye" if item.visible else "eye-off"))
+    row.setIcon(LOCK, style.icon("lock" if item.locked else "lock-open"))
+    row.setToolTip(EYE, "Show or hide")
+    row.setToolTip(LOCK, "Lock or unlock")
+    flag = Qt.ItemFlag
+    drops = flag.ItemIsDropEnabled if isinstance(item, Layer) else flag.NoItemFlags
+    row.setFlags(flag.ItemIsSelectable | flag.ItemIsEnabled | flag.ItemIsEditable | flag.ItemIsDragEnabled | drops)
+    if not item.visible:
+        row.setForeground(NAME, QBrush(QColor(style.DISABLED)))
+
+
+def _summary(layer: Layer) -> tuple[object, ...]:
+    """Everything that the rows show of a layer."""
+    plain = (layer.id, layer.name, layer.visible, layer.locked)
+    children = (
+        _summary(child)
+        if isinstance(child, Layer)
+        else (child.id, child.name, child.visible, child.locked, child.colour)
+        for child in layer.children
+    )
+    return (plain, *children)

@@ -1,0 +1,69 @@
+"""The status bar: what is going on, how far, how to stop it; otherwise what to do next, or what went wrong."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QProgressBar, QWidget
+
+from app import style
+from app.jobs.runner import Ending
+from app.view_state import ViewState
+
+
+class StatusBar(QWidget):
+    """One sentence, a progress bar while work is under way, the memory that frames take."""
+
+    def __init__(self, view_state: ViewState, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._view = view_state
+        self.setObjectName("statusBar")
+        self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
+        self.setFixedHeight(26)
+        self.sentence, self._hint, self._memory = QLabel(), QLabel("Esc stops"), QLabel()
+        self.bar = QProgressBar()
+        self._build()
+        view_state.message_changed.connect(self._pull)
+
+    def _build(self) -> None:
+        self.sentence.setObjectName("sentence")
+        self.sentence.setTextFormat(Qt.TextFormat.PlainText)
+        self.sentence.setMinimumWidth(100)
+        self.bar.setRange(0, 1000)
+        self.bar.setTextVisible(False)
+        self.bar.setFixedWidth(180)
+        row = QHBoxLayout(self)
+        row.setContentsMargins(style.MARGIN, 0, style.MARGIN, 0)
+        row.setSpacing(12)
+        row.addWidget(self.sentence, 1)
+        for label in (self._hint, self._memory):
+            label.setObjectName("weak")
+        for widget in (self.bar, self._hint, self._memory):
+            row.addWidget(widget)
+        self._show_work(False)
+
+    def show_progress(self, fraction: float, text: str) -> None:
+        """Tell of work under way."""
+        self.bar.setValue(round(1000 * fraction))
+        self._show_work(True)
+        self._say(text)
+
+    def show_end(self, ending: Ending, sentence: str) -> None:
+        """Tell how work ended."""
+        self._show_work(False)
+        if sentence or ending is not Ending.DONE:
+            self._say(sentence)
+
+    def show_memory(self, used: int, limit: int) -> None:
+        """Tell how much of the frame cache is used, in bytes."""
+        self._memory.setText(f"memory {used / 2**30:.1f}/{limit / 2**30:.1f} GB" if limit else "")
+
+    def _show_work(self, running: bool) -> None:
+        self.bar.setVisible(running)
+        self._hint.setVisible(running)
+
+    def _pull(self) -> None:
+        self._say(self._view.message)
+
+    def _say(self, text: str) -> None:
+        self.sentence.setText(text)
+        self.sentence.setToolTip(text)

@@ -1,0 +1,75 @@
+"""TimeAxis: the one time scale that ruler, rows and plot share, and the hand gestures that change it."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from PySide6.QtCore import QObject, QPointF, Qt, Signal
+from PySide6.QtGui import QColor, QMouseEvent, QPainter, QPen, QWheelEvent
+from PySide6.QtWidgets import QWidget
+
+from app import style
+from app.timeline.scale import RIGHT_MARGIN, TimeScale
+from app.view_state import ViewState
+
+
+class TimeAxis(QObject):
+    """Holds the scale; emits `changed` when it moved. Follows the playhead when it leaves the strip."""
+
+    changed = Signal()
+
+    def __init__(self, view_state: ViewState, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self.view_state = view_state
+        self._scale = TimeScale()
+        self._is_scrubbing = False
+        view_state.frame_changed.connect(self._follow)
+
+    @property
+    def scale(self) -> TimeScale:
+        return self._scale
+
+    def set_scale(self, scale: TimeScale) -> None:
+        if scale != self._scale:
+            self._scale = scale
+            self.changed.emit()
+
+    def set_clip(self, first: int, stop: int) -> None:
+        """The frames that exist; all of them are shown."""
+        self.set_scale(replace(self._scale, clip=(first, stop)).fitted())
+
+    def set_width(self, width: int) -> None:
+        self.set_scale(self._scale.resized(width - RIGHT_MARGIN))
+
+    def fit(self) -> None:
+        self.set_scale(self._scale.fitted())
+
+    # ---- gestures, the same in ruler and rows
+
+    def wheel(self, event: QWheelEvent) -> None:
+        """Zoom at the pointer; with Shift, or sideways, pan."""
+        turn = event.angleDelta()
+        if turn.x() or event.modifiers() & Qt.KeyboardModifier.ShiftModifier:
+            self.set_scale(
+                self._scale.panned(-(turn.x() or turn.y()) / 120 * self._scale.width / self._scale.pixels / 10)
+            )
+        else:
+            self.set_scale(self._scale.zoomed(1.25 ** (turn.y() / 120), event.position().x()))
+        event.accept()
+
+    def scrub(self, event: QMouseEvent) -> None:
+        """Put the playhead under the pointer."""
+        self._is_scrubbing = True
+        self.view_state.set_frame(self._scale.frame(event.position().x()))
+        self._is_scrubbing = False
+
+    def _follow(self) -> None:
+        self.set_scale(self._scale.showing(self.view_state.frame))
+
+
+def paint_playhead(painter: QPainter, axis: TimeAxis, widget: QWidget) -> None:
+    """The playhead's line over the full height of a row of the timeline."""
+    x = axis.scale.x(axis.view_state.frame)
+    if axis.scale.left <= x <= axis.scale.right + RIGHT_MARGIN:
+        painter.setPen(QPen(QColor(style.ACCENT), 1))
+        painter.drawLine(QPointF(x, 0), QPointF(x, widget.height()))

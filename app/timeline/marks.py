@@ -1,0 +1,106 @@
+"""KeyMarks: what a row of the timeline shows of a shape, as arrays of frame numbers."""
+
+from __future__ import annotations
+
+import bisect
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.document import Document
+from roam_core.params import CONFIGS
+from roam_core.propagate import provenance
+from roam_core.roto import Clip, Keyframe, Origin, RotoShape
+
+Frames = NDArray[np.int64]
+
+DOUBTFUL = 0.5
+"""Engine frames of less confidence carry a notch."""
+
+
+@dataclass(frozen=True)
+class KeyMarks:
+    """Frames by what lies on them: `artist` keys; `engine` frames that are trusted, `doubtful` or `stale`.
+
+    `confidence` are pairs (frame, confidence) `(K, 2)` of all engine frames, in the order of time.
+    """
+
+    artist: Frames
+    engine: Frames
+    doubtful: Frames
+    stale: Frames
+    confidence: NDArray[np.float64]
+
+
+def key_marks(shape: RotoShape, clip: Clip | None) -> KeyMarks:
+    """The marks of a shape of a project with this clip."""
+    artist, engine, doubtful, stale = [], [], [], []
+    confidence = []
+    stamps = _Stamps(shape, clip)
+    for key in shape.keys:
+        if key.origin is Origin.ARTIST:
+            artist.append(key.frame)
+            continue
+        trust = 1.0 if key.confidence is None else key.confidence
+        confidence.append((key.frame, trust))
+        if stamps.is_stale(key):
+            stale.append(key.frame)
+        elif trust < DOUBTFUL:
+            doubtful.append(key.frame)
+        else:
+            engine.append(key.frame)
+    return KeyMarks(
+        _frames(artist),
+        _frames(engine),
+        _frames(doubtful),
+        _frames(stale),
+        np.asarray(confidence, dtype=np.float64).reshape(-1, 2),
+    )
+
+
+def _frames(numbers: list[int]) -> Frames:
+    return np.asarray(numbers, dtype=np.int64)
+
+
+class MarksOf:
+    """The marks of each shape, made anew only for a shape that is another value than before."""
+
+    def __init__(self, document: Document) -> None:
+        self._document = document
+        self._known: dict[str, tuple[RotoShape, KeyMarks]] = {}
+        document.replaced.connect(self._known.clear)
+
+    def __call__(self, shape: RotoShape) -> KeyMarks:
+        known = self._known.get(shape.id)
+        if known is None or known[0] is not shape:
+            known = self._known[shape.id] = (shape, key_marks(shape, self._document.project.clip))
+        return known[1]
+
+
+class _Stamps:
+    """`provenance.is_stale` for all keys of one shape, with one hash for each span instead of one for each key."""
+
+    def __init__(self, shape: RotoShape, clip: Clip | None) -> None:
+        self._shape, self._clip = shape, provenance.clip_stamp(clip)
+        self._artist = [key for key in shape.keys if key.origin is Origin.ARTIST]
+        self._frames = [key.frame for key in self._artist]
+        self._made: dict[tuple[int, bool, str], str] = {}
+
+    def is_stale(self, key: Keyframe) -> bool:
+        direction, _, rest = key.inputs.partition(":")
+        config, forward = rest.partition(":")[0], direction == "forward"
+        source = (
+            bisect.bisect_right(self._frames, key.frame) - 1 if forward else bisect.bisect_left(self._frames, key.frame)
+        )
+        if config not in CONFIGS or not 0 <= source < len(self._artist):
+            return True
+        return self._stamp(source, forward, config) != key.inputs
+
+    def _stamp(self, source: int, forward: bool, config: str) -> str:
+        made = self._made.get((source, forward, config))
+        if made is None:
+            key, params = self._artist[source], CONFIGS[config]
+            made = provenance.stamp(key, self._shape.closed, params, self._clip, forward)
+            self._made[source, forward, config] = made
+        return made

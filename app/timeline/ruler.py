@@ -1,0 +1,137 @@
+"""The ruler: the plate's frame numbers, the play range, what is cached, and the playhead with its number."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+from itertools import groupby
+
+from PySide6.QtCore import QPointF, QRectF, QSize, Qt
+from PySide6.QtGui import QColor, QFont, QMouseEvent, QPainter, QPaintEvent, QPen, QPolygonF, QResizeEvent, QWheelEvent
+from PySide6.QtWidgets import QWidget
+
+from app import style
+from app.timeline.axis import TimeAxis
+from app.timeline.scale import LABEL_WIDTH
+
+HEIGHT = 34
+CACHE_HEIGHT = 3
+
+
+class Ruler(QWidget):
+    """Drag to scrub, wheel to zoom, double-click to see the whole clip. `cached` gives the decoded frames."""
+
+    def __init__(self, axis: TimeAxis, cached: Callable[[], Iterable[int]], parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._axis, self._cached = axis, cached
+        self.setFixedHeight(HEIGHT)
+        self.setToolTip("Drag to scrub, wheel to zoom, Shift+wheel to pan, double-click to see the whole clip")
+        axis.changed.connect(self.update)
+        axis.view_state.frame_changed.connect(self.update)
+        axis.view_state.range_changed.connect(self.update)
+
+    def sizeHint(self) -> QSize:
+        return QSize(600, HEIGHT)
+
+    # ---- events
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        self._axis.set_width(self.width())
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        if event.button() == Qt.MouseButton.LeftButton:
+            self._axis.scrub(event)
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        if event.buttons() & Qt.MouseButton.LeftButton:
+            self._axis.scrub(event)
+
+    def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
+        self._axis.fit()
+
+    def wheelEvent(self, event: QWheelEvent) -> None:
+        self._axis.wheel(event)
+
+    # ---- painting
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        painter = QPainter(self)
+        painter.fillRect(self.rect(), QColor(style.WINDOW))
+        self._paint_range(painter)
+        self._paint_ticks(painter)
+        self._paint_cache(painter)
+        self._paint_labels(painter)
+        self._paint_playhead(painter)
+        painter.end()
+
+    def _paint_range(self, painter: QPainter) -> None:
+        """The play range lies on a lighter ground; its ends are brackets."""
+        scale, (first, stop) = self._axis.scale, self._axis.view_state.play_range
+        left, right = (max(scale.x(edge - 0.5), scale.left) for edge in (first, stop))
+        painter.fillRect(QRectF(left, 0, right - left, HEIGHT), QColor(style.PANEL))
+        painter.setPen(QPen(QColor(style.WEAK), 1))
+        for x, inward in ((left, 4), (right, -4)):
+            painter.drawPolyline([QPointF(x + inward, 1), QPointF(x, 1), QPointF(x, HEIGHT - 6)])
+
+    def _paint_ticks(self, painter: QPainter) -> None:
+        scale = self._axis.scale
+        label, tick = scale.steps()
+        painter.setFont(self._small_font())
+        for frame in _multiples(tick, scale.first, min(scale.last, scale.clip[1] - 1)):
+            x, is_labelled = scale.x(frame), frame % label == 0
+            painter.setPen(QColor(style.WEAK if is_labelled else "#555555"))
+            painter.drawLine(QPointF(x, HEIGHT - (14 if is_labelled else 10)), QPointF(x, HEIGHT - 6))
+            if is_labelled:
+                painter.drawText(QRectF(x - 30, 3, 60, 14), Qt.AlignmentFlag.AlignCenter, str(frame))
+
+    def _paint_cache(self, painter: QPainter) -> None:
+        scale = self._axis.scale
+        for first, stop in _runs(self._cached()):
+            left, right = max(scale.x(first - 0.5), scale.left), min(scale.x(stop - 0.5), scale.right)
+            if right > left:
+                bar = QRectF(left, HEIGHT - CACHE_HEIGHT - 1, right - left, CACHE_HEIGHT)
+                painter.fillRect(bar, QColor("#6e6e6e"))
+
+    def _paint_labels(self, painter: QPainter) -> None:
+        painter.fillRect(0, 0, LABEL_WIDTH, HEIGHT, QColor(style.WINDOW))
+        painter.setPen(QColor(style.WEAK))
+        first, stop = self._axis.scale.clip
+        text = f"{stop - first} frames"
+        painter.drawText(QRectF(8, 0, LABEL_WIDTH - 16, HEIGHT - 4), Qt.AlignmentFlag.AlignVCenter, text)
+
+    def _paint_playhead(self, painter: QPainter) -> None:
+        """A tab with the frame's number, and the line's beginning."""
+        scale, frame = self._axis.scale, self._axis.view_state.frame
+        x = scale.x(frame)
+        if x < scale.left:
+            return
+        text = str(frame)
+        width = painter.fontMetrics().horizontalAdvance(text) + 12
+        tab = QRectF(min(max(x - width / 2, 0), self.width() - width), 1, width, 17)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(QColor(style.ACCENT))
+        painter.drawRoundedRect(tab, 2, 2)
+        painter.drawPolygon(QPolygonF([QPointF(x - 4, 18), QPointF(x + 4, 18), QPointF(x, 23)]))
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
+        painter.setPen(QColor(style.ACCENT))
+        painter.drawLine(QPointF(x, 22), QPointF(x, HEIGHT))
+        painter.setPen(QColor(style.EDGE))
+        painter.drawText(tab, Qt.AlignmentFlag.AlignCenter, text)
+
+    def _small_font(self) -> QFont:
+        font = self.font()
+        font.setPixelSize(11)
+        return font
+
+
+def _multiples(step: int, first: float, last: float) -> Iterator[int]:
+    start = -(-int(first) // step) * step
+    return iter(range(start, int(last) + 1, step))
+
+
+def _runs(frames: Iterable[int]) -> Iterator[tuple[int, int]]:
+    """Half-open runs of consecutive numbers."""
+    # Consecutive numbers have one difference to their place in the order.
+    for _, run in groupby(enumerate(sorted(frames)), key=lambda pair: pair[1] - pair[0]):
+        numbers = [frame for _, frame in run]
+        yield numbers[0], numbers[-1] + 1

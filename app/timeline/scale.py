@@ -1,0 +1,96 @@
+"""TimeScale: where frames lie on the screen. No Qt: plain numbers, pulled by every row of the timeline."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+
+LABEL_WIDTH = 148
+"""Pixels left of the frames: the names of the rows."""
+RIGHT_MARGIN = 14
+WIDEST_FRAME = 80.0
+"""Pixels a frame at the closest zoom."""
+
+
+@dataclass(frozen=True)
+class TimeScale:
+    """A piece of time on a strip of pixels.
+
+    `first` is the frame (fractions allowed) at the left edge of the strip, `pixels` the width of one frame, `left` and
+    `right` the strip's edges in pixels, `clip` the frames that exist, as a half-open pair.
+    """
+
+    first: float = 1.0
+    pixels: float = 10.0
+    left: float = LABEL_WIDTH
+    right: float = 1000.0
+    clip: tuple[int, int] = (1, 2)
+
+    @property
+    def width(self) -> float:
+        return max(self.right - self.left, 1.0)
+
+    @property
+    def last(self) -> float:
+        """The time at the right edge of the strip."""
+        return self.first + self.width / self.pixels
+
+    def x(self, frame: float) -> float:
+        """The middle of a frame, in pixels."""
+        return self.left + (frame - self.first + 0.5) * self.pixels
+
+    def frame(self, x: float) -> int:
+        """The frame under a pixel, held inside the clip."""
+        return self.held(math.floor(self.first + (x - self.left) / self.pixels))
+
+    def held(self, frame: int) -> int:
+        return min(max(frame, self.clip[0]), self.clip[1] - 1)
+
+    def fitted(self) -> TimeScale:
+        """The whole clip from edge to edge."""
+        first, stop = self.clip
+        return replace(self, first=float(first), pixels=min(self.width / (stop - first), WIDEST_FRAME))
+
+    def zoomed(self, factor: float, x: float) -> TimeScale:
+        """Zoomed by `factor` with the time under the pixel `x` held in place."""
+        least = self.fitted().pixels
+        pixels = min(max(self.pixels * factor, least), max(WIDEST_FRAME, least))
+        time = self.first + (x - self.left) / self.pixels
+        return replace(self, pixels=pixels, first=time - (x - self.left) / pixels).bounded()
+
+    def panned(self, frames: float) -> TimeScale:
+        return replace(self, first=self.first + frames).bounded()
+
+    def resized(self, right: float) -> TimeScale:
+        """On a strip that ends elsewhere; a clip that was fitted stays so."""
+        was_fitted = math.isclose(self.pixels, self.fitted().pixels)
+        resized = replace(self, right=right)
+        return resized.fitted() if was_fitted else resized.bounded()
+
+    def showing(self, frame: int) -> TimeScale:
+        """Moved by as little as makes `frame` visible."""
+        if frame < self.first:
+            return replace(self, first=float(frame)).bounded()
+        if frame + 1 > self.last:
+            return replace(self, first=frame + 1 - self.width / self.pixels).bounded()
+        return self
+
+    def bounded(self) -> TimeScale:
+        """Moved so that no empty time shows where the clip could fill the strip."""
+        first, stop = self.clip
+        latest = max(stop - self.width / self.pixels, first)
+        return replace(self, first=min(max(self.first, first), latest))
+
+    def steps(self, least: float = 56.0) -> tuple[int, int]:
+        """Frames between labels and between ticks: round numbers, labels at least so many pixels apart."""
+        label = next(step for step in _round_numbers() if step * self.pixels >= least)
+        tick = next(step for step in _round_numbers() if step * self.pixels >= 6.0 and label % step == 0)
+        return label, tick
+
+
+def _round_numbers() -> Iterator[int]:
+    """1, 2, 5, 10, 20, 50, ..."""
+    for power in range(12):
+        for digit in (1, 2, 5):
+            yield digit * 10**power

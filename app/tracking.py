@@ -1,0 +1,99 @@
+"""What the track buttons and keys mean: which shapes, from which frame to which, and where the doubtful frames are."""
+
+from __future__ import annotations
+
+from app.document import Document
+from app.jobs.propagation import DOUBTFUL, Propagation
+from app.view_state import ViewState
+from roam_core.params import DEFAULT_CONFIG
+from roam_core.roto import RotoShape
+
+NO_CLIP = "Open a clip first: drop a folder of images or a movie on the window."
+NO_SHAPE = "Draw a shape first: press B in the viewer."
+
+
+class Tracking:
+    """Starts runs of the propagation from the playhead. `config` names the engine's configuration."""
+
+    def __init__(self, document: Document, view_state: ViewState, propagation: Propagation) -> None:
+        self._document, self._view, self._propagation = document, view_state, propagation
+        self.config = DEFAULT_CONFIG
+
+    def forward(self) -> None:
+        """Track to the end of the play range, or of the clip when the playhead lies behind it."""
+        stop = self._view.play_range[1]
+        self._run(1, stop if self._view.frame + 1 < stop else self._clip_range()[1])
+
+    def backward(self) -> None:
+        """Track back to the beginning of the play range, or of the clip when the playhead lies before it."""
+        first = self._view.play_range[0]
+        self._run(-1, (first if self._view.frame > first else self._clip_range()[0]) - 1)
+
+    def forward_one(self) -> None:
+        self._run(1, min(self._view.frame + 2, self._clip_range()[1]))
+
+    def backward_one(self) -> None:
+        self._run(-1, max(self._view.frame - 2, self._clip_range()[0] - 1))
+
+    def to_next_key(self) -> None:
+        """Track up to the next artist key of the shapes, or to the end where there is none."""
+        frame = self._view.frame
+        later = [key for shape in self._shapes() for key in shape.artist_frames if key > frame]
+        if later:
+            self._run(1, min(later))
+        else:
+            self.forward()
+
+    def stop(self) -> None:
+        self._propagation.stop()
+
+    def next_doubtful(self) -> None:
+        self._go_to_doubtful(1)
+
+    def previous_doubtful(self) -> None:
+        self._go_to_doubtful(-1)
+
+    # ---- the rest is private
+
+    def _clip_range(self) -> tuple[int, int]:
+        clip = self._document.project.clip
+        return (self._view.frame, self._view.frame + 1) if clip is None else (clip.first, clip.last + 1)
+
+    def _run(self, step: int, stop: int) -> None:
+        frames = range(self._view.frame, stop, step)
+        if self._document.project.clip is None:
+            self._view.say(NO_CLIP)
+        elif len(frames) < 2:
+            self._view.say(f"The clip {'ends' if step > 0 else 'begins'} here: there is no frame to track to.")
+        elif shapes := self._trackable():
+            self._propagation.start([shape.id for shape in shapes], frames, self.config)
+
+    def _shapes(self) -> list[RotoShape]:
+        """The selected shapes, or all when none is selected."""
+        shapes, chosen = self._document.project.shapes, self._view.selection.shapes
+        return [shape for shape in shapes if shape.id in chosen] or list(shapes)
+
+    def _trackable(self) -> list[RotoShape]:
+        """Those that can be tracked; says why when there is none."""
+        shapes = self._shapes()
+        able = [shape for shape in shapes if shape.closed and not shape.locked]
+        if not shapes:
+            self._view.say(NO_SHAPE)
+        elif not able and shapes[0].locked:
+            self._view.say(f"{shapes[0].name} is locked; unlock it to track it.")
+        elif not able:
+            self._view.say(f"{shapes[0].name} is open; close it (C in the viewer) to track it.")
+        return able
+
+    def _go_to_doubtful(self, step: int) -> None:
+        here = self._view.frame
+        doubtful = {
+            key.frame
+            for shape in self._shapes()
+            for key in shape.keys
+            if key.confidence is not None and key.confidence < DOUBTFUL and (key.frame - here) * step > 0
+        }
+        if doubtful:
+            self._view.set_frame(min(doubtful) if step > 0 else max(doubtful))
+        else:
+            self._view.say(f"No doubtful frame {'after' if step > 0 else 'before'} frame {here}.")
