@@ -114,9 +114,8 @@ def read_image(file: Path) -> Image:
     eight_bit = spec.format.basetype == oiio.UINT8
     pixels = source.read_image(0, 0, first, end, "uint8" if eight_bit else "float")
     # A JPEG that is cut short still gives pixels (grey below the cut) beside its error.
-    error = source.geterror()
-    if pixels is None or error:
-        raise RoamError(f"{file} cannot be read; it is damaged or cut short ({_one_line(error)}). Render it again.")
+    if pixels is None or source.has_error:
+        raise RoamError(f"{file} cannot be read; it is damaged or cut short ({_reason(source)}). Render it again.")
     picked = [channel - first for channel in channels]
     if picked != list(range(end - first)):
         pixels = np.ascontiguousarray(pixels[..., picked])
@@ -148,7 +147,7 @@ def _open(file: Path) -> Any:
     as_stored.attribute("oiio:UnassociatedAlpha", 1)
     source = oiio.ImageInput.open(str(file), as_stored)
     if source is None:
-        raise RoamError(f"{file} is no image that can be read ({_one_line(oiio.geterror())}).")
+        raise RoamError(f"{file} is no image that can be read ({_reason(oiio)}).")
     width, height = _display_size(source)
     # OpenImageIO limits the pixels that are stored; the display window around them is what is allocated here.
     if width * height * 12 > LARGEST_IMAGE_MB << 20:
@@ -220,14 +219,20 @@ _SPACE_OF_WORD: Mapping[str, str] = {
 def _colour_space(source: Any) -> str:
     """What the metadata says of the values' curve; else linear for floating point, log for DPX and Cineon, or sRGB."""
     spec = source.spec()
-    for said in (spec.get_string_attribute("oiio:ColorSpace"), spec.get_string_attribute("dpx:Transfer")):
+    for name in ("oiio:ColorSpace", "dpx:Transfer"):
+        said = spec.get_string_attribute(name).lower()
         for word, space in _SPACE_OF_WORD.items():
-            if word in said.lower():
+            if word in said:
                 return space
     if spec.format.basetype in (oiio.HALF, oiio.FLOAT, oiio.DOUBLE):
         return LINEAR
     return LOG if source.format_name() in ("dpx", "cineon") else SRGB
 
 
-def _one_line(message: str) -> str:
-    return " ".join(message.split()) or "no reason given"
+def _reason(speaker: Any) -> str:
+    """What OpenImageIO, or one of its readers, says of the last failure, in one line."""
+    try:
+        return " ".join(speaker.geterror().split()) or "no reason given"
+    except UnicodeDecodeError:
+        # The message quotes bytes of the damaged file.
+        return "no reason given"

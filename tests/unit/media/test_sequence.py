@@ -194,6 +194,37 @@ def test_text_in_an_images_name_is_told(tmp_path: Path, extension: str, content:
         open_clip(file)
 
 
+@pytest.mark.parametrize(
+    ("extension", "pixel_format"),
+    [("png", "uint8"), ("jpg", "uint8"), ("tif", "uint16"), ("exr", "half"), ("dpx", "uint16")],
+)
+def test_damaged_bytes_anywhere_give_a_picture_or_a_sentence(tmp_path: Path, extension: str, pixel_format: str) -> None:
+    whole = write_image(tmp_path / f"p.{extension}", picture(1), pixel_format).read_bytes()
+    rng = np.random.default_rng(1)
+    file = tmp_path / f"damaged.{extension}"
+    outcomes = {"picture": 0, "sentence": 0}
+    for reach in [64, 400, len(whole)] * 25:
+        damaged = bytearray(whole)
+        for place in rng.integers(0, min(reach, len(whole)), rng.integers(1, 6)):
+            damaged[place] = rng.integers(0, 256)
+        file.write_bytes(damaged)
+        try:
+            image = open_clip(file).read(1)
+        except RoamError:
+            outcomes["sentence"] += 1
+        else:
+            assert image.shape[2] == 3
+            outcomes["picture"] += 1
+    assert outcomes["sentence"] > 0
+
+
+def test_a_message_that_quotes_bytes_of_the_file_is_told_without_them(tmp_path: Path) -> None:
+    file = write_image(tmp_path / "p.exr", picture(1), "half")
+    file.write_bytes(file.read_bytes().replace(b"chlist\0", b"\xff\xfelist\0"))
+    with pytest.raises(RoamError, match=r"p\.exr"):
+        open_clip(file).read(1)
+
+
 def test_a_damaged_first_frame_does_not_keep_a_plate_from_opening(tmp_path: Path) -> None:
     write_bytes_png(tmp_path / "p.2.png")
     (tmp_path / "p.1.png").write_text("words")
