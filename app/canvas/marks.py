@@ -1,0 +1,103 @@
+"""The marks of the canvas: outlines, anchors, handles, rings. Sizes are widget units, the same at every zoom."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
+from PySide6.QtGui import QBrush, QColor, QPainter, QPainterPath, QPen
+
+SURROUND = QColor("#262626")
+EMPTY_PLATE = QColor("#2e2e2e")
+LINE = QColor("#3a3a3a")
+TEXT = QColor("#d8d8d8")
+WEAK_TEXT = QColor("#9a9a9a")
+ACCENT = QColor("#e0a030")
+EDGE = QColor(0, 0, 0, 190)
+"""Dark rim of every mark, so that it reads on any plate."""
+
+HOLLOW = QColor(24, 24, 24, 210)
+BRIGHT = QColor("#ffffff")
+
+OUTLINE_WIDTH, SELECTED_WIDTH, EDGE_WIDTH = 1.5, 2.25, 0.5
+ANCHOR_SIZE, HANDLE_SIZE, HOVER_GROWTH = 7.0, 5.0, 2.0
+RING_SIZES = (13.0, 27.0)
+"""Diameter of the ring about a vertex at the brink of doubt, and of one with no confidence at all."""
+
+
+def stroke(painter: QPainter, path: QPainterPath, colour: QColor, width: float) -> None:
+    """An outline with a dark edge on both sides; `path` in widget coordinates."""
+    painter.setBrush(Qt.BrushStyle.NoBrush)
+    for ink, thickness in ((faded(EDGE, colour.alphaF()), width + 2 * EDGE_WIDTH), (colour, width)):
+        painter.setPen(_pen(ink, thickness))
+        painter.drawPath(path)
+
+
+def anchor(painter: QPainter, at: QPointF, colour: QColor, *, round_: bool, filled: bool, grown: bool = False) -> None:
+    """A square, or a circle where the spline is smooth. Filled when selected, hollow when not."""
+    size = ANCHOR_SIZE + (HOVER_GROWTH if grown else 0.0)
+    box = _box(at, size)
+    painter.setPen(_pen(EDGE, 2 * EDGE_WIDTH))
+    painter.setBrush(BRIGHT if filled else colour)
+    _round_or_square(painter, box, round_)
+    if not filled:
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(HOLLOW)
+        _round_or_square(painter, box.adjusted(1.5, 1.5, -1.5, -1.5), round_)
+
+
+def arms(painter: QPainter, lines: Sequence[QLineF], colour: QColor) -> None:
+    """The 1 px lines from anchors to their handles."""
+    for ink, thickness in ((faded(EDGE, 0.6), 1.0 + 2 * EDGE_WIDTH), (colour, 1.0)):
+        painter.setPen(_pen(ink, thickness))
+        painter.drawLines(list(lines))
+
+
+def handle(painter: QPainter, at: QPointF, colour: QColor, *, grown: bool = False) -> None:
+    """A disc."""
+    painter.setPen(_pen(EDGE, 2 * EDGE_WIDTH))
+    painter.setBrush(colour)
+    painter.drawEllipse(_box(at, HANDLE_SIZE + (HOVER_GROWTH if grown else 0.0)))
+
+
+def ring(painter: QPainter, at: QPointF, doubt: float) -> None:
+    """A ring whose size tells how much the engine doubts a vertex; `doubt` in [0, 1]."""
+    smallest, largest = RING_SIZES
+    box = _box(at, smallest + (largest - smallest) * doubt)
+    painter.setBrush(Qt.BrushStyle.NoBrush)
+    for ink, thickness in ((EDGE, 1.25 + 2 * EDGE_WIDTH), (TEXT, 1.25)):
+        painter.setPen(_pen(ink, thickness))
+        painter.drawEllipse(box)
+
+
+def marquee(painter: QPainter, box: QRectF) -> None:
+    """The rectangle that a drag on empty ground spans."""
+    painter.setBrush(QBrush(QColor(255, 255, 255, 18)))
+    painter.setPen(_pen(EDGE, 1.0))
+    painter.drawRect(box)
+    dashes = _pen(TEXT, 1.0)
+    dashes.setDashPattern([3.0, 3.0])
+    painter.setPen(dashes)
+    painter.drawRect(box)
+
+
+def faded(colour: QColor, opacity: float) -> QColor:
+    """The colour with its alpha multiplied."""
+    result = QColor(colour)
+    result.setAlphaF(min(max(colour.alphaF() * opacity, 0.0), 1.0))
+    return result
+
+
+def _pen(colour: QColor, width: float) -> QPen:
+    return QPen(colour, width, Qt.PenStyle.SolidLine, Qt.PenCapStyle.FlatCap, Qt.PenJoinStyle.RoundJoin)
+
+
+def _box(at: QPointF, size: float) -> QRectF:
+    return QRectF(at.x() - size / 2, at.y() - size / 2, size, size)
+
+
+def _round_or_square(painter: QPainter, box: QRectF, round_: bool) -> None:
+    if round_:
+        painter.drawEllipse(box)
+    else:
+        painter.drawRect(box)

@@ -1,0 +1,86 @@
+"""MatteLayer: the matte of a project on a frame, rendered beside the window's thread, the newest request first."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+from PySide6.QtCore import QObject, Signal
+
+from roam_core.roto import Project
+
+Render = Callable[[Project, int, tuple[int, int]], NDArray[np.float32]]
+
+
+class MatteRequest(NamedTuple):
+    """What to render: `size` is (h, w)."""
+
+    project: Project
+    frame: int
+    size: tuple[int, int]
+
+    def is_same(self, other: MatteRequest | None) -> bool:
+        """Projects are immutable: the same object has the same matte."""
+        return other is not None and self.project is other.project and self[1:] == other[1:]
+
+
+class MatteLayer(QObject):
+    """Renders mattes one at a time; a request made meanwhile waits, and replaces one that waited.
+
+    The thread lives as long as there is something to render.
+    """
+
+    ready = Signal()
+    _rendered = Signal(object, object)
+
+    def __init__(self, render: Render | None = None) -> None:
+        super().__init__()
+        self._render = render or _render
+        self._shown: MatteRequest | None = None
+        self._running: MatteRequest | None = None
+        self._waiting: MatteRequest | None = None
+        self._thread: threading.Thread | None = None
+        self._rendered.connect(self._take)
+        self.pixels: NDArray[np.uint8] | None = None
+        """The last matte that was rendered, (h, w); it stays until the next one is ready."""
+
+    def request(self, project: Project, frame: int, size: tuple[int, int]) -> None:
+        """Ask for a matte; `ready` tells when `pixels` holds it."""
+        request = MatteRequest(project, frame, size)
+        if self._running:
+            self._waiting = None if request.is_same(self._running) else request
+        elif not request.is_same(self._shown):
+            self._start(request)
+
+    def close(self) -> None:
+        """Wait for the matte under work, and forget what waits."""
+        self._waiting = None
+        if self._thread:
+            self._thread.join()
+
+    def _start(self, request: MatteRequest) -> None:
+        self._running = request
+        self._thread = threading.Thread(target=self._work, args=(request,), name="matte")
+        self._thread.start()
+
+    def _work(self, request: MatteRequest) -> None:
+        """On the layer's thread: the signal brings the result back to the window's."""
+        matte = self._render(*request)
+        self._rendered.emit(request, np.rint(matte * np.float32(255.0)).astype(np.uint8))
+
+    def _take(self, request: MatteRequest, pixels: NDArray[np.uint8]) -> None:
+        self.pixels, self._shown, self._running = pixels, request, None
+        waiting, self._waiting = self._waiting, None
+        if waiting:
+            self._start(waiting)
+        self.ready.emit()
+
+
+def _render(project: Project, frame: int, size: tuple[int, int]) -> NDArray[np.float32]:
+    # Imported late: the rasteriser's kernels are compiled or loaded on first use, off the window's thread.
+    from roam_core.matte import render_matte
+
+    return render_matte(project, frame, size)

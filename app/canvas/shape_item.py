@@ -1,0 +1,114 @@
+"""Paints the shapes of a project on one frame. Only paints: it decides and changes nothing."""
+
+from __future__ import annotations
+
+from collections import OrderedDict
+
+import numpy as np
+from numpy.typing import NDArray
+from PySide6.QtCore import QLineF, QPointF
+from PySide6.QtGui import QColor, QPainter, QPainterPath
+
+from app.canvas import marks
+from app.canvas.shown import Shown, shown_shapes
+from app.canvas.viewport import Viewport
+from app.view_state import Selection
+from roam_core.geometry import bezier
+from roam_core.geometry.bezier import ANCHOR, IN, OUT
+from roam_core.roto import Outline, Project, RotoShape
+from roam_core.roto.edit import is_smooth
+
+Array = NDArray[np.float64]
+Hover = tuple[str, int, int] | None
+
+DOUBTFUL = 0.5
+"""Vertices the engine trusts less than this get a ring."""
+
+LOCKED_OPACITY = 0.45
+CACHED_PATHS = 512
+
+
+def outline_path(points: Array, closed: bool) -> QPainterPath:
+    """The spline of `points (P, 3, 2)` in image coordinates."""
+    path = QPainterPath(QPointF(*points[0, ANCHOR]))
+    for _, leave, arrive, end in bezier.segments(points, closed).tolist():
+        path.cubicTo(*leave, *arrive, *end)
+    if closed:
+        path.closeSubpath()
+    return path
+
+
+class ShapePainter:
+    """Paints shapes and remembers their paths by shape value and frame."""
+
+    def __init__(self) -> None:
+        self._paths: OrderedDict[tuple[int, int], tuple[RotoShape, QPainterPath]] = OrderedDict()
+
+    def path(self, shape: RotoShape, frame: int) -> QPainterPath:
+        """The shape's path at `frame`, image coordinates. An immutable shape is known by its identity."""
+        key = (id(shape), frame)
+        if key not in self._paths:
+            # The shape is kept with its path: while it lives no other can have its identity.
+            self._paths[key] = shape, outline_path(shape.at(frame).points, shape.closed)
+            while len(self._paths) > CACHED_PATHS:
+                self._paths.popitem(last=False)
+        self._paths.move_to_end(key)
+        return self._paths[key][1]
+
+    def paint(
+        self,
+        painter: QPainter,
+        viewport: Viewport,
+        project: Project,
+        frame: int,
+        selection: Selection,
+        hover: Hover = None,
+    ) -> None:
+        """Paint all shapes in sight, the selected ones above the others."""
+        shown = shown_shapes(project, frame)
+        for item in sorted(shown, key=lambda s: s.shape.id in selection.shapes):
+            self._paint_outline(painter, viewport, item, frame, item.shape.id in selection.shapes)
+            _paint_doubts(painter, viewport, item.shape, frame)
+            if item.shape.id in selection.shapes and not item.locked:
+                _paint_points(painter, viewport, item.shape, item.shape.at(frame), selection, hover)
+
+    def _paint_outline(self, painter: QPainter, viewport: Viewport, item: Shown, frame: int, selected: bool) -> None:
+        colour = marks.faded(shape_colour(item.shape), LOCKED_OPACITY if item.locked else 1.0)
+        path = viewport.transform.map(self.path(item.shape, frame))
+        marks.stroke(painter, path, colour, marks.SELECTED_WIDTH if selected else marks.OUTLINE_WIDTH)
+
+
+def shape_colour(shape: RotoShape) -> QColor:
+    return QColor.fromRgbF(*shape.colour)
+
+
+def visible_handles(points: Array, index: int) -> list[int]:
+    """The handles of a point that are out of its anchor, and so can be seen and grabbed."""
+    return [part for part in (IN, OUT) if not np.array_equal(points[index, part], points[index, ANCHOR])]
+
+
+def _paint_points(
+    painter: QPainter, viewport: Viewport, shape: RotoShape, outline: Outline, selection: Selection, hover: Hover
+) -> None:
+    """Anchors of a selected shape, and the handles of its selected points."""
+    colour, points = shape_colour(shape), outline.points
+    chosen = sorted(index for owner, index in selection.points if owner == shape.id and index < len(points))
+    grips = [(index, part) for index in chosen for part in visible_handles(points, index)]
+    spot = [[viewport.to_widget(*position) for position in point] for point in points.tolist()]
+    marks.arms(painter, [QLineF(spot[i][ANCHOR], spot[i][part]) for i, part in grips], colour)
+    for i, part in grips:
+        marks.handle(painter, spot[i][part], colour, grown=hover == (shape.id, i, part))
+    picked = set(chosen)
+    for i in range(len(points)):
+        grown = hover == (shape.id, i, ANCHOR)
+        marks.anchor(painter, spot[i][ANCHOR], colour, round_=is_smooth(points[i]), filled=i in picked, grown=grown)
+
+
+def _paint_doubts(painter: QPainter, viewport: Viewport, shape: RotoShape, frame: int) -> None:
+    """Rings about the vertices that the engine does not trust on this frame."""
+    key = shape.key_at(frame)
+    if key is None or key.vertex_confidence is None:
+        return
+    for position, confidence in zip(key.points[:, ANCHOR].tolist(), key.vertex_confidence.tolist(), strict=True):
+        if confidence < DOUBTFUL:
+            marks.ring(painter, viewport.to_widget(*position), 1.0 - max(confidence, 0.0) / DOUBTFUL)

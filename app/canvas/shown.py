@@ -1,0 +1,59 @@
+"""Which shapes are in sight on a frame, and which of them may be edited. Free of Qt: painting and hitting both ask."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from roam_core.geometry.bezier import ANCHOR
+from roam_core.roto import Layer, Project, RotoShape
+
+
+@dataclass(frozen=True)
+class Shown:
+    """A visible shape; `locked` also when a layer above it is."""
+
+    shape: RotoShape
+    locked: bool
+
+
+def shown_shapes(project: Project, frame: int) -> list[Shown]:
+    """The shapes in sight at `frame`, bottom first: visible with all their layers, and inside their lifetime."""
+    return [shown for shown in _below(project.root, project.root.locked) if shown.shape.exists_at(frame)]
+
+
+def editable_shapes(project: Project, frame: int) -> list[RotoShape]:
+    """The shapes that may be grabbed at `frame`, bottom first."""
+    return [shown.shape for shown in shown_shapes(project, frame) if not shown.locked]
+
+
+def bounds(arrays: list[NDArray[np.float64]]) -> tuple[float, float, float, float] | None:
+    """The box `(left, top, right, bottom)` around positions `(..., 2)`, or None where there are none."""
+    flat = [array.reshape(-1, 2) for array in arrays if array.size]
+    if not flat:
+        return None
+    low, high = np.vstack(flat).min(axis=0), np.vstack(flat).max(axis=0)
+    return float(low[0]), float(low[1]), float(high[0]), float(high[1])
+
+
+def selection_bounds(
+    project: Project, frame: int, shape_ids: frozenset[str], points: frozenset[tuple[str, int]]
+) -> tuple[float, float, float, float] | None:
+    """The box around the selected points, or around the selected shapes where no point is."""
+    outlines = {s.shape.id: s.shape.at(frame) for s in shown_shapes(project, frame) if s.shape.id in shape_ids}
+    if points:
+        return bounds([outlines[i].points[p, ANCHOR] for i, p in points if i in outlines])
+    return bounds([outline.flatten(1.0) for outline in outlines.values()])
+
+
+def _below(layer: Layer, locked: bool) -> Iterator[Shown]:
+    if not layer.visible:
+        return
+    for child in layer.children:
+        if isinstance(child, Layer):
+            yield from _below(child, locked or child.locked)
+        elif child.visible:
+            yield Shown(child, locked or child.locked)

@@ -1,0 +1,342 @@
+"""CanvasView: shows the plate with the shapes on it, pans and zooms, and hands events to the tool."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from enum import StrEnum
+
+import numpy as np
+from numpy.typing import NDArray
+from PySide6.QtCore import QEvent, QPointF, QRectF, QSizeF, Qt, Signal
+from PySide6.QtGui import QKeyEvent, QMouseEvent, QPainter, QPaintEvent
+from PySide6.QtWidgets import QWidget
+
+from app.canvas.backdrop import Backdrop, paint_label, paint_sentence
+from app.canvas.keys import CANVAS_KEYS, NUDGES, is_modifier, key_name
+from app.canvas.matte_layer import MatteLayer
+from app.canvas.picture import Picture
+from app.canvas.shape_item import ShapePainter
+from app.canvas.shown import selection_bounds
+from app.canvas.viewport import Viewport
+from app.canvas.zoomable import ZoomableWidget
+from app.document import Document
+from app.tools import TOOLS, PointActions, Pointer, Tool
+from app.tools.reshape import pruned
+from app.view_state import ViewState
+from roam_core.roto import Project
+
+
+class ViewMode(StrEnum):
+    """What the canvas shows below the tool's marks."""
+
+    SOURCE = "source"
+    OVERLAY = "overlay"
+    MATTE = "matte"
+
+
+class CanvasView(ZoomableWidget):
+    """The picture and the curves on it.
+
+    It pulls what it paints: the document's project (or the view state's drag preview), frame and selection. Events of
+    the left button go to the tool that `view_state.tool` names.
+
+    Signals
+    -------
+    pointer_moved(position) : the pointer's image position `(x, y)`, or None when it left.
+    """
+
+    pointer_moved = Signal(object)
+
+    def __init__(self, document: Document, view_state: ViewState, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._document, self._view_state = document, view_state
+        self.points = PointActions(document, view_state)
+        self.keys: Mapping[str, str] = CANVAS_KEYS
+        """Key names to action ids, for keys that no shortcut of the window takes first."""
+        self.empty_hint = "Draw a shape: press B"
+        """What to do next, shown while the project has no shape."""
+        self._tools = {name: tool(document, view_state) for name, tool in TOOLS.items()}
+        self._tool: Tool = self._tools["select"]
+        self._mode, self._are_shapes_hidden = ViewMode.OVERLAY, False
+        self._picture: Picture | None = None
+        self._missing: int | None = None
+        self._matte = MatteLayer()
+        self._matte_picture: Picture | None = None
+        self._backdrop, self._shapes = Backdrop(), ShapePainter()
+        self._is_pressed = False
+        self._pointer: QPointF | None = None
+        self._key_presses = 0
+        self._framed: tuple[QSizeF | None, float] = (None, 1.0)
+        self._listen()
+        self.setMouseTracking(True)
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
+        self.setMinimumSize(160, 120)
+        self._take_tool()
+
+    def _listen(self) -> None:
+        self._document.changed.connect(self._pull)
+        self._document.replaced.connect(self._begin_anew)
+        view = self._view_state
+        view.frame_changed.connect(self._pull)
+        view.selection_changed.connect(self.update)
+        view.preview_changed.connect(self.update)
+        view.tool_changed.connect(self._take_tool)
+        self._matte.ready.connect(self._show_matte)
+        self.destroyed.connect(self._matte.close)
+
+    # ---- what is shown
+
+    def set_image(self, frame: int, image: NDArray[np.uint8] | None) -> None:
+        """Show the plate's picture of `frame`: (h, w, 3) uint8 display values, or None where the plate has none.
+
+        A proxy with fewer pixels than the clip is stretched to the clip's size.
+        """
+        self._picture = None if image is None else Picture(image)
+        self._missing = frame if image is None else None
+        self._follow_plate()
+        self.update()
+
+    @property
+    def mode(self) -> ViewMode:
+        return self._mode
+
+    def set_mode(self, mode: ViewMode) -> None:
+        """Show the source alone, the source with its shapes, or the matte."""
+        self._mode, self._are_shapes_hidden = ViewMode(mode), False
+        self._announce()
+
+    @property
+    def are_shapes_hidden(self) -> bool:
+        return self._are_shapes_hidden
+
+    def hide_shapes(self, hidden: bool) -> None:
+        """Hide or show the shapes in any mode."""
+        self._are_shapes_hidden = hidden
+        self._announce()
+
+    def fit_selection(self) -> None:
+        """Show the selected points or shapes as large as can be; without a selection, the whole picture."""
+        selection = self._view_state.selection
+        box = selection_bounds(self._document.project, self._view_state.frame, selection.shapes, selection.points)
+        if box is None:
+            self.fit()
+        else:
+            left, top, right, bottom = box
+            self.show_area(QRectF(QPointF(left, top), QPointF(right, bottom)))
+
+    def _announce(self) -> None:
+        self.view_changed.emit()
+        self.update()
+
+    # ---- what it pulls
+
+    def _project(self) -> Project:
+        return self._view_state.preview or self._document.project
+
+    def _image_size(self) -> QSizeF | None:
+        """The plate's size in full-resolution pixels, or None where there is no plate."""
+        clip = self._document.project.clip
+        if clip:
+            return QSizeF(*clip.size)
+        return self._picture.size if self._picture else None
+
+    def plate_size(self) -> QSizeF:
+        return self._image_size() or QSizeF(self.size())
+
+    def _shows_shapes(self) -> bool:
+        return self._mode is not ViewMode.SOURCE and not self._are_shapes_hidden
+
+    def _pull(self, _ids: object = None) -> None:
+        """The project or the frame changed: nothing may stay selected or grabbed that is gone."""
+        selection = pruned(self._view_state.selection, self._document.project)
+        self._view_state.select(selection.shapes, selection.points)
+        self._tool.refresh()
+        self._follow_plate()
+        self.update()
+
+    def _begin_anew(self) -> None:
+        """Another project was opened."""
+        self._tool.drop()
+        self._view_state.select(frozenset())
+        self._picture = self._matte_picture = self._missing = None
+        self._follow_plate()
+        self.fit()
+
+    def _follow_plate(self) -> None:
+        """Another plate than the one that was framed is shown whole."""
+        clip = self._document.project.clip
+        framed = self._image_size(), clip.pixel_aspect if clip else 1.0
+        if framed != self._framed:
+            self._framed = framed
+            self._viewport = Viewport(pixel_aspect=framed[1])
+            self.fit()
+
+    def _take_tool(self) -> None:
+        """Put the tool that the view state names into the hand."""
+        self._tool.deactivate()
+        self._tool = self._tools[self._view_state.tool]
+        self._is_pressed = False
+        self._tool.activate()
+        self.setCursor(self._tool.cursor)
+        self.update()
+
+    def _show_matte(self) -> None:
+        pixels = self._matte.pixels
+        self._matte_picture = None if pixels is None else Picture(pixels)
+        self.update()
+
+    # ---- painting
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        painter = QPainter(self)
+        picture = self._matte_to_show() if self._mode is ViewMode.MATTE else self._picture
+        self._backdrop.paint(painter, picture, self._viewport, self._image_size(), self.devicePixelRatioF())
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        if self._shows_shapes():
+            view = self._view_state
+            self._shapes.paint(painter, self._viewport, self._project(), view.frame, view.selection, view.hovered)
+            self._tool.paint(painter, self._viewport)
+        self._paint_words(painter)
+        painter.end()
+
+    def _matte_to_show(self) -> Picture | None:
+        size = self._image_size()
+        if size is None:
+            return None
+        height_width = round(size.height()), round(size.width())
+        self._matte.request(self._project(), self._view_state.frame, height_width)
+        return self._matte_picture
+
+    def _paint_words(self, painter: QPainter) -> None:
+        """What is empty, and what to do about it; what is hidden."""
+        plate, size = self._image_size(), QSizeF(self.size())
+        if plate is None:
+            paint_sentence(painter, QRectF(self.rect()), "Drop a folder of images or a movie here")
+        elif self._missing is not None and self._mode is not ViewMode.MATTE:
+            area = self._viewport.transform.mapRect(QRectF(QPointF(), plate))
+            paint_sentence(painter, area, f"frame {self._missing} is missing")
+        if self._are_shapes_hidden:
+            paint_label(painter, size, "Shapes hidden", Qt.AlignmentFlag.AlignTop)
+        elif self._mode is not ViewMode.OVERLAY:
+            paint_label(painter, size, self._mode.capitalize(), Qt.AlignmentFlag.AlignTop)
+        elif plate and not self._project().shapes and self._view_state.tool == "select":
+            paint_label(painter, size, self.empty_hint, Qt.AlignmentFlag.AlignBottom)
+
+    # ---- events: the view's own, then the tool's
+
+    def event(self, event: QEvent) -> bool:
+        if (
+            isinstance(event, QKeyEvent)
+            and event.type() is QEvent.Type.ShortcutOverride
+            and key_name(event) in self._tool.claimed_keys
+        ):
+            # The key comes to `keyPressEvent` instead of the window's shortcut.
+            event.accept()
+            return True
+        return super().event(event)
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        self._press(event, self._tool.press)
+
+    def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
+        self._press(event, self._tool.double_press)
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        position = event.position()
+        if self.is_panning:
+            self.pan(event)
+            return
+        self.pointer_moved.emit(self.widget_to_image(position))
+        if self._is_pressed:
+            self._hand(self._tool.drag, position, event.modifiers())
+        else:
+            self._hover(position, event.modifiers())
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        if self.is_panning and event.button() is not Qt.MouseButton.RightButton:
+            self.end_pan()
+            self._hover(event.position(), event.modifiers())
+        elif self._is_pressed and event.button() is Qt.MouseButton.LeftButton:
+            self._is_pressed = False
+            self._hand(self._tool.release, event.position(), event.modifiers())
+
+    def leaveEvent(self, event: QEvent) -> None:
+        self._pointer = None
+        self._tool.leave()
+        self.pointer_moved.emit(None)
+        self.update()
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        name = key_name(event)
+        self._key_presses += not event.isAutoRepeat()
+        if is_modifier(event):
+            self._feel_modifiers(event)
+        elif name in self._tool.claimed_keys:
+            self._is_pressed = False
+            self._tool.key(name)
+            self.update()
+        elif name in self.keys and not self._is_pressed:
+            self._run(self.keys[name])
+        else:
+            event.ignore()
+
+    def keyReleaseEvent(self, event: QKeyEvent) -> None:
+        if is_modifier(event):
+            self._feel_modifiers(event)
+        else:
+            event.ignore()
+
+    def _press(self, event: QMouseEvent, call: Callable[[Pointer], None]) -> None:
+        """Give a press to the tool, unless it begins a pan."""
+        if self._is_pressed or self.is_panning or self.begin_pan(event):
+            return
+        if event.button() is not Qt.MouseButton.LeftButton:
+            event.ignore()
+            return
+        if not self._shows_shapes():
+            self._view_state.say("The shapes are hidden; show them (overlay view) to draw and edit.")
+            return
+        self._is_pressed = True
+        self._hand(call, event.position(), event.modifiers())
+
+    def _hover(self, position: QPointF, modifiers: Qt.KeyboardModifier) -> None:
+        if self._shows_shapes():
+            self._hand(self._tool.hover, position, modifiers)
+
+    def _hand(self, call: Callable[[Pointer], None], position: QPointF, modifiers: Qt.KeyboardModifier) -> None:
+        """Give the pointer to the tool, then show what it made of it."""
+        self._pointer = position
+        call(Pointer(self.widget_to_image(position), self._viewport.pixel, modifiers))
+        self.setCursor(self._tool.cursor)
+        self.update()
+
+    def _feel_modifiers(self, event: QKeyEvent) -> None:
+        """A modifier was pressed or let go: the tool may now do something else at the same place."""
+        if self._pointer is not None and not self.is_panning and self._shows_shapes():
+            self._hand(self._tool.drag if self._is_pressed else self._tool.hover, self._pointer, event.modifiers())
+
+    def _run(self, action: str) -> None:
+        """Do what a canvas key means."""
+        points = self.points
+        if action in NUDGES:
+            # All repeats of a held key are one undo step.
+            points.nudge(*NUDGES[action], merge_key=f"nudge {self._key_presses}")
+            return
+        actions: Mapping[str, Callable[[], None]] = {
+            "points.delete": points.delete,
+            "points.smooth": points.smooth,
+            "points.cusp": points.cusp,
+            "points.toggle_closed": points.toggle_closed,
+            "points.select_all": points.select_all,
+            "points.next": lambda: points.cycle(1),
+            "points.previous": lambda: points.cycle(-1),
+            "view.fit": self.fit,
+            "view.fit_selection": self.fit_selection,
+            "view.actual_size": self.actual_size,
+            "view.source": lambda: self.set_mode(ViewMode.SOURCE),
+            "view.overlay": lambda: self.set_mode(ViewMode.OVERLAY),
+            "view.matte": lambda: self.set_mode(ViewMode.MATTE),
+            "view.hide_overlays": lambda: self.hide_shapes(not self._are_shapes_hidden),
+        }
+        actions[action]()

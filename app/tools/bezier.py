@@ -1,0 +1,33 @@
+"""BezierTool: draws a spline; a click places a corner, a drag a smooth point."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.tools.drawing import DrawingTool, mirrored
+from app.tools.tool import Modifier, Pointer
+from roam_core.geometry.bezier import IN, OUT
+
+Array = NDArray[np.float64]
+
+
+class BezierTool(DrawingTool):
+    """The drag after a press pulls the handles out, both alike; with Ctrl only the one on
+    the side of the line that is being drawn."""
+
+    name = "bezier"
+    title = "Bezier"
+    hint = "Click for a corner, drag for a curve. Return or the first point closes, Esc leaves it open."
+
+    def place(self, point: Array, pointer: Pointer) -> Array:
+        result = mirrored(point, OUT, pointer.position)
+        if pointer.holds(Modifier.ControlModifier):
+            result[IN] = point[IN]
+        return result
+
+    def close(self, point: Array, pointer: Pointer) -> Array:
+        result = mirrored(point, OUT, pointer.position)
+        if pointer.holds(Modifier.ControlModifier):
+            result[OUT] = point[OUT]
+        return result

@@ -1,0 +1,168 @@
+"""What a press of the select tool begins: moving parts, turning a handle, spanning a marquee."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from PySide6.QtCore import QRectF
+from PySide6.QtGui import QPainter
+
+from app.canvas import marks
+from app.canvas.shown import editable_shapes
+from app.canvas.viewport import Viewport
+from app.document import Document
+from app.tools.hit_test import points_in_box
+from app.tools.reshape import Grab, Tangent, Vector, break_tangent, equal_tangent, keep_tangent
+from app.tools.tool import Modifier, Pointer
+from app.view_state import Selection, ViewState
+from roam_core.roto import Project
+
+DRAG_DISTANCE = 3.0
+"""A press that moves less than this many screen pixels is a click: a click never moves anything."""
+
+
+class Gesture:
+    """From a press to its release. `drag` previews, `finish` makes it real, `drop` leaves all as it was.
+
+    This base is a press that may only click: `on_click` is called at release, unless the pointer was dragged away.
+    """
+
+    def __init__(
+        self, document: Document, view_state: ViewState, pressed: Pointer, on_click: Callable[[], None] | None = None
+    ) -> None:
+        self.document, self.view_state = document, view_state
+        self.pressed = self.last = pressed
+        self.is_dragging = False
+        self._on_click = on_click
+
+    def move(self, pointer: Pointer) -> None:
+        """The pointer moves; beyond a small distance the press is a drag."""
+        self.last = pointer
+        self.is_dragging |= pointer.screen_distance(self.pressed.position) >= DRAG_DISTANCE
+        if self.is_dragging:
+            self.drag(pointer)
+
+    def release(self, pointer: Pointer) -> None:
+        """The button comes up: the end of a drag, or a click."""
+        self.move(pointer)
+        if self.is_dragging:
+            self.finish(pointer)
+        else:
+            self.click()
+
+    @property
+    def delta(self) -> Vector:
+        """From the press to the pointer, image pixels."""
+        (x0, y0), (x1, y1) = self.pressed.position, self.last.position
+        return x1 - x0, y1 - y0
+
+    @property
+    def is_valid(self) -> bool:
+        """False when an edit or another frame took away what the gesture holds."""
+        return True
+
+    def drag(self, pointer: Pointer) -> None:
+        """Preview."""
+
+    def finish(self, pointer: Pointer) -> None:
+        """The drag ends here."""
+
+    def click(self) -> None:
+        """The press was no drag."""
+        if self._on_click:
+            self._on_click()
+
+    def drop(self) -> None:
+        """Forget the drag."""
+
+    def paint(self, painter: QPainter, viewport: Viewport) -> None:
+        """Paint the gesture's own marks."""
+
+
+class Edit(Gesture):
+    """A drag that changes shapes: previewed in the view state, applied once at release as an undo step `text`."""
+
+    def __init__(
+        self,
+        document: Document,
+        view_state: ViewState,
+        pressed: Pointer,
+        grab: Grab,
+        text: str,
+        on_click: Callable[[], None] | None = None,
+    ) -> None:
+        super().__init__(document, view_state, pressed, on_click)
+        self.grab, self.text = grab, text
+
+    def edited(self) -> Project:
+        """The document's project as the drag makes it."""
+        raise NotImplementedError
+
+    @property
+    def is_valid(self) -> bool:
+        return self.view_state.frame == self.grab.frame and self.grab.is_held(self.document.project)
+
+    def drag(self, pointer: Pointer) -> None:
+        # Always from the document as it is now: frames tracked meanwhile stay.
+        self.view_state.set_preview(self.edited())
+
+    def finish(self, pointer: Pointer) -> None:
+        if self.delta != (0.0, 0.0):
+            self.document.apply(self.text, self.edited())
+        self.view_state.set_preview(None)
+
+    def drop(self) -> None:
+        self.view_state.set_preview(None)
+
+
+class Move(Edit):
+    """Drags anchors with their handles, or whole shapes."""
+
+    def edited(self) -> Project:
+        return self.grab.moved(self.document.project, self.delta)
+
+
+class Turn(Edit):
+    """Drags one handle. Ctrl breaks the tangent, Shift makes both handles equal; either may be pressed on the way."""
+
+    def edited(self) -> Project:
+        ((shape_id, ((index, part),)),) = self.grab.parts.items()
+        x, y = self.grab.start[shape_id][index, part]
+        dx, dy = self.delta
+        return self.grab.turned(self.document.project, (x + dx, y + dy), _tangent(self.last))
+
+
+class Marquee(Gesture):
+    """A rectangle on empty ground selects the anchors inside. With Shift it adds them."""
+
+    def __init__(self, document: Document, view_state: ViewState, pressed: Pointer) -> None:
+        super().__init__(document, view_state, pressed)
+        self._before = view_state.selection if pressed.holds(Modifier.ShiftModifier) else Selection()
+        self._preferred = view_state.selection.shapes
+
+    def drag(self, pointer: Pointer) -> None:
+        self.view_state.select(self._before.shapes, self._before.points | self._inside())
+
+    def click(self) -> None:
+        self.view_state.select(self._before.shapes, self._before.points)
+
+    def drop(self) -> None:
+        self.click()
+
+    def paint(self, painter: QPainter, viewport: Viewport) -> None:
+        if self.is_dragging:
+            corners = (viewport.to_widget(*pointer.position) for pointer in (self.pressed, self.last))
+            marks.marquee(painter, QRectF(*corners).normalized())
+
+    def _inside(self) -> frozenset[tuple[str, int]]:
+        """Points of the shapes that were selected; only where none of these is inside, points of any shape."""
+        shapes = editable_shapes(self.document.project, self.view_state.frame)
+        corners = self.pressed.position, self.last.position
+        inside = points_in_box(shapes, self.view_state.frame, *corners)
+        return frozenset(point for point in inside if point[0] in self._preferred) or inside
+
+
+def _tangent(pointer: Pointer) -> Tangent:
+    if pointer.holds(Modifier.ControlModifier):
+        return break_tangent
+    return equal_tangent if pointer.holds(Modifier.ShiftModifier) else keep_tangent

@@ -1,0 +1,134 @@
+"""What lies under the pointer: the nearest anchor, handle or outline. Free of Qt.
+
+Distances are measured in screen pixels, so that hit areas have one size at every zoom: `pixel` is the size of a screen
+pixel in image pixels along x and y. Locked and hidden shapes are never hit; selected shapes come first.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.canvas.shown import editable_shapes
+from app.view_state import Selection
+from roam_core.geometry import bezier
+from roam_core.geometry.bezier import ANCHOR, IN, OUT
+from roam_core.roto import Project, RotoShape
+
+Array = NDArray[np.float64]
+Vector = tuple[float, float]
+
+REACH = 7.0
+"""Radius of the hit area of a point, and half the width of an outline's, in screen pixels."""
+
+SAME_SPOT = 0.75
+"""An anchor wins over a handle that is nearer by less than this, in screen pixels."""
+
+
+@dataclass(frozen=True)
+class PointHit:
+    """An anchor or handle under the pointer: `part` is ANCHOR, IN or OUT."""
+
+    shape_id: str
+    index: int
+    part: int
+    distance: float
+
+
+@dataclass(frozen=True)
+class OutlineHit:
+    """An outline under the pointer, nearest at `(segment, t)`."""
+
+    shape_id: str
+    segment: int
+    t: float
+    distance: float
+
+
+def hit(
+    project: Project, frame: int, selection: Selection, position: Vector, pixel: Vector
+) -> PointHit | OutlineHit | None:
+    """The part a press at `position` (image pixels) grabs.
+
+    First the points of selected shapes (their anchors, and the handles of selected points: those that are seen), then
+    their outlines, then the outlines of other shapes, the upper ones before the lower.
+    """
+    return hit_point(project, frame, selection, position, pixel) or hit_outline(
+        project, frame, selection, position, pixel
+    )
+
+
+def hit_point(project: Project, frame: int, selection: Selection, position: Vector, pixel: Vector) -> PointHit | None:
+    """The nearest anchor or handle of the selected shapes within reach, or None."""
+    best: PointHit | None = None
+    for shape in _selected(project, frame, selection):
+        points = shape.at(frame).points
+        distances = np.hypot(*np.moveaxis((points - position) / pixel, -1, 0))
+        distances[:, [IN, OUT]] += SAME_SPOT
+        distances[~_grabbable(points, shape.id, selection)] = np.inf
+        index, part = np.unravel_index(int(np.argmin(distances)), distances.shape)
+        distance = float(distances[index, part])
+        if distance <= REACH + (SAME_SPOT if part != ANCHOR else 0.0) and (best is None or distance < best.distance):
+            best = PointHit(shape.id, int(index), int(part), distance)
+    return best
+
+
+def hit_outline(
+    project: Project, frame: int, selection: Selection, position: Vector, pixel: Vector
+) -> OutlineHit | None:
+    """The nearest outline within reach: of the selected shapes if any, else of the others; or None."""
+    for chosen in (True, False):
+        best: OutlineHit | None = None
+        for shape in _candidates(project, frame, selection, chosen):
+            found = _on_outline(shape, frame, position, pixel)
+            if found and (best is None or found.distance < best.distance - 1e-9):
+                best = found
+        if best:
+            return best
+    return None
+
+
+def points_in_box(shapes: Iterable[RotoShape], frame: int, a: Vector, b: Vector) -> frozenset[tuple[str, int]]:
+    """The anchors inside the rectangle with corners `a` and `b`, as (shape id, point index)."""
+    low, high = np.minimum(a, b), np.maximum(a, b)
+    return frozenset(
+        (shape.id, int(index))
+        for shape in shapes
+        for index in np.flatnonzero(((shape.at(frame).anchors >= low) & (shape.at(frame).anchors <= high)).all(axis=1))
+    )
+
+
+def _selected(project: Project, frame: int, selection: Selection) -> Iterator[RotoShape]:
+    return _candidates(project, frame, selection, True)
+
+
+def _candidates(project: Project, frame: int, selection: Selection, chosen: bool) -> Iterator[RotoShape]:
+    """Editable shapes that are selected, or that are not; the upper first."""
+    return (s for s in reversed(editable_shapes(project, frame)) if (s.id in selection.shapes) is chosen)
+
+
+def _grabbable(points: Array, shape_id: str, selection: Selection) -> NDArray[np.bool_]:
+    """Which of the parts `(P, 3)` can be seen: all anchors, and the drawn-out handles of selected points."""
+    parts = np.zeros(points.shape[:2], dtype=bool)
+    chosen = [index for owner, index in selection.points if owner == shape_id and index < len(points)]
+    parts[chosen] = (points[chosen] != points[chosen][:, ANCHOR, None]).any(axis=2)
+    parts[:, ANCHOR] = True
+    return parts
+
+
+def _on_outline(shape: RotoShape, frame: int, position: Vector, pixel: Vector) -> OutlineHit | None:
+    control = bezier.segments(shape.at(frame).points / pixel, shape.closed)
+    target = np.divide(position, pixel)
+    # A segment lies inside the box of its control points: only those near the pointer are searched.
+    low, high = control.min(axis=1) - REACH, control.max(axis=1) + REACH
+    best: OutlineHit | None = None
+    for segment in np.flatnonzero(((target >= low) & (target <= high)).all(axis=1)).tolist():
+        start, leave, arrive, end = control[segment]
+        alone = np.array([[start, start, leave], [end, arrive, end]])
+        _, t, distance = bezier.nearest(alone, target, closed=False)
+        if distance <= REACH and (best is None or distance < best.distance):
+            best = OutlineHit(shape.id, segment, t, distance)
+    return best

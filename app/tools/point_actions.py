@@ -1,0 +1,136 @@
+"""PointActions: what keys and menus do to the selected points. Each action is one undo step."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.canvas.shown import editable_shapes
+from app.document import Document
+from app.tools.reshape import Grab, grabbed_parts, keyed, selected_indices
+from app.view_state import ViewState
+from roam_core.errors import RoamError
+from roam_core.roto import Project, RotoShape, edit
+
+Array = NDArray[np.float64]
+
+
+class PointActions:
+    """Actions on the selection of the view state, for menus and keys.
+
+    Where shapes are selected but no point of any, an action takes all their points. Locked and hidden shapes are left
+    alone; what cannot be done is said in the status bar.
+    """
+
+    def __init__(self, document: Document, view_state: ViewState) -> None:
+        self._document, self._view = document, view_state
+
+    def delete(self) -> None:
+        """Delete the selected points; a shape goes whole when all its points are selected, or no point at all is."""
+        shapes = self._shapes()
+        if not shapes:
+            self._say_why()
+            return
+        whole = [s for s in shapes if self._point_count(s) in (0, s.point_count)]
+        project = edit.remove_items(self._document.project, [shape.id for shape in whole])
+        removed = 0
+        for shape in shapes:
+            if shape not in whole:
+                indices = selected_indices(shape, self._view.selection)
+                try:
+                    project = project.with_shape(edit.delete_points(shape, indices))
+                except RoamError as error:
+                    self._view.say(str(error))
+                    return
+                removed += len(indices)
+        text = _counted("Delete", removed, "point") if removed else _counted("Delete", len(whole), "shape")
+        self._document.apply(text, project)
+        gone = {shape.id for shape in whole}
+        self._view.select(frozenset(i for i in self._view.selection.shapes if i not in gone))
+
+    def smooth(self) -> None:
+        """Give the points tangents along the chord of their neighbours."""
+        self._reshape("Smooth", lambda shape, points, chosen: edit.smooth_points(points, chosen, shape.closed))
+
+    def cusp(self) -> None:
+        """Draw the points' handles in, so that the outline has corners there."""
+        self._reshape("Cusp", lambda _shape, points, chosen: edit.cusp_points(points, chosen))
+
+    def nudge(self, dx: float, dy: float, merge_key: str = "") -> None:
+        """Move the points by image pixels. Nudges with one `merge_key` (a held key) are one undo step."""
+        project, frame = self._document.project, self._view.frame
+        parts = grabbed_parts(project, frame, self._view.selection)
+        if not parts:
+            self._say_why()
+            return
+        moved = Grab.of(project, frame, parts).moved(project, (dx, dy))
+        self._document.apply(_counted("Nudge", sum(map(len, parts.values())), "point"), moved, merge_key)
+
+    def cycle(self, step: int) -> None:
+        """Select the point `step` further along the shape (backwards when negative)."""
+        shapes = self._shapes()
+        if not shapes:
+            self._say_why()
+            return
+        shape = next((s for s in shapes if selected_indices(s, self._view.selection)), shapes[0])
+        chosen = selected_indices(shape, self._view.selection)
+        here = (chosen[-1] if step > 0 else chosen[0]) if chosen else (-1 if step > 0 else 0)
+        index = (here + step) % shape.point_count
+        self._view.select(self._view.selection.shapes, frozenset({(shape.id, index)}))
+
+    def toggle_closed(self) -> None:
+        """Close the open selected shapes and open the closed ones."""
+        project = self._document.project
+        for shape in self._shapes():
+            if not shape.closed and shape.point_count < edit.MIN_POINTS_CLOSED:
+                self._view.say(f"{shape.name!r} needs at least {edit.MIN_POINTS_CLOSED} points to be closed; add one.")
+                return
+            project = project.with_shape(replace(shape, closed=not shape.closed))
+        self._apply("Open or close shape", project)
+
+    def select_all(self) -> None:
+        """Select all points of the selected shapes, or of every shape where none is selected."""
+        shapes = self._shapes() or editable_shapes(self._document.project, self._view.frame)
+        points = frozenset((shape.id, index) for shape in shapes for index in range(shape.point_count))
+        self._view.select(self._view.selection.shapes, points)
+
+    def _reshape(self, verb: str, function: Callable[[RotoShape, Array, Iterable[int]], Array]) -> None:
+        """Apply `function(shape, points, indices)` to the selected points on this frame."""
+        project, frame = self._document.project, self._view.frame
+        parts = grabbed_parts(project, frame, self._view.selection)
+        for shape_id, grabbed in parts.items():
+            shape = project.shape(shape_id)
+            points = function(shape, shape.at(frame).points, [index for index, _ in grabbed])
+            if not np.array_equal(points, shape.at(frame).points):
+                project = keyed(project, shape_id, frame, points)
+        self._apply(_counted(verb, sum(map(len, parts.values())), "point"), project)
+
+    def _apply(self, text: str, project: Project) -> None:
+        if self._shapes():
+            self._document.apply(text, project)
+        else:
+            self._say_why()
+
+    def _shapes(self) -> list[RotoShape]:
+        """The selected shapes that may be edited; those with selected points where any point is selected."""
+        selection = self._view.selection
+        shapes = [s for s in editable_shapes(self._document.project, self._view.frame) if s.id in selection.shapes]
+        return [s for s in shapes if self._point_count(s)] if selection.points else shapes
+
+    def _point_count(self, shape: RotoShape) -> int:
+        return len(selected_indices(shape, self._view.selection))
+
+    def _say_why(self) -> None:
+        """Say why nothing happened."""
+        names = [s.name for s in self._document.project.shapes if s.id in self._view.selection.shapes]
+        if names:
+            self._view.say(f"{names[0]!r} is locked or hidden; unlock and show it to edit it.")
+        else:
+            self._view.say("Select a shape or some of its points first.")
+
+
+def _counted(verb: str, count: int, noun: str) -> str:
+    return f"{verb} {noun}" if count == 1 else f"{verb} {count} {noun}s"

@@ -1,0 +1,123 @@
+"""Moving the points of shapes on one frame: what drags, nudges and point actions have in common. Free of Qt."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.canvas.shown import editable_shapes
+from app.view_state import Selection
+from roam_core.geometry import bezier
+from roam_core.geometry.bezier import ANCHOR, IN, OUT
+from roam_core.roto import Project, RotoShape, edit
+from roam_core.roto.edit import Part
+
+Array = NDArray[np.float64]
+Vector = tuple[float, float]
+
+
+def keyed(project: Project, shape_id: str, frame: int, points: Array) -> Project:
+    """The project with these points of a shape at `frame`, as an artist key.
+
+    On a frame without a key, or with one of the engine's, this makes an artist key: a hand-made edit is never
+    interpolated away nor tracked over.
+    """
+    return project.with_shape(edit.set_key(project.shape(shape_id), frame, points))
+
+
+@dataclass(frozen=True)
+class Grab:
+    """What a drag holds: parts of shapes on one frame, and where their points were when it began."""
+
+    frame: int
+    parts: Mapping[str, tuple[Part, ...]]
+    start: Mapping[str, Array]
+
+    @classmethod
+    def of(cls, project: Project, frame: int, parts: Mapping[str, tuple[Part, ...]]) -> Grab:
+        return cls(frame, parts, {shape_id: project.shape(shape_id).at(frame).points for shape_id in parts})
+
+    def is_held(self, project: Project) -> bool:
+        """False when an edit meanwhile took a shape away, locked it, or gave it another number of points."""
+        counts = {shape.id: shape.point_count for shape in editable_shapes(project, self.frame)}
+        return all(counts.get(shape_id) == len(points) for shape_id, points in self.start.items())
+
+    def moved(self, project: Project, delta: Vector) -> Project:
+        """The project with the grabbed parts moved by `delta` from where they began, image pixels."""
+        return self._mapped(project, lambda points, parts: edit.move_parts(points, parts, delta))
+
+    def turned(self, project: Project, position: Vector, tangent: Tangent) -> Project:
+        """The project with the one grabbed handle put at `position`."""
+        return self._mapped(project, lambda points, parts: tangent(points, *parts[0], position))
+
+    def _mapped(self, project: Project, function: Callable[[Array, tuple[Part, ...]], Array]) -> Project:
+        for shape_id, parts in self.parts.items():
+            project = keyed(project, shape_id, self.frame, function(self.start[shape_id], parts))
+        return project
+
+
+Tangent = Callable[[Array, int, int, Vector], Array]
+"""How the other handle follows: `(points, index, part, position) -> points`."""
+
+
+def keep_tangent(points: Array, index: int, part: int, position: Vector) -> Array:
+    """The other handle of a smooth point turns along; that of a cusp stays."""
+    return edit.drag_handle(points, index, part, position)
+
+
+def break_tangent(points: Array, index: int, part: int, position: Vector) -> Array:
+    """The other handle stays: the point becomes a cusp."""
+    return edit.drag_handle(points, index, part, position, keep_smooth=False)
+
+
+def equal_tangent(points: Array, index: int, part: int, position: Vector) -> Array:
+    """The other handle mirrors this one in direction and length."""
+    mirrored = 2.0 * points[index, ANCHOR] - np.asarray(position)
+    points = break_tangent(points, index, part, position)
+    return edit.drag_handle(points, index, IN if part == OUT else OUT, mirrored, keep_smooth=False)
+
+
+def grabbed_parts(project: Project, frame: int, selection: Selection) -> dict[str, tuple[Part, ...]]:
+    """The anchors that an edit of the selection moves, by shape: the selected points, or whole shapes if none is.
+
+    Shapes that are locked, hidden or outside their lifetime are left out.
+    """
+    chosen: dict[str, tuple[Part, ...]] = {}
+    for shape in editable_shapes(project, frame):
+        if shape.id in selection.shapes:
+            indices = selected_indices(shape, selection) if selection.points else range(shape.point_count)
+            if indices:
+                chosen[shape.id] = tuple((index, ANCHOR) for index in indices)
+    return chosen
+
+
+def selected_indices(shape: RotoShape, selection: Selection) -> list[int]:
+    """The selected points of one shape, in order."""
+    return sorted(index for owner, index in selection.points if owner == shape.id and index < shape.point_count)
+
+
+def with_point_inserted(shape: RotoShape, segment: int, t: float) -> RotoShape:
+    """A new point at `(segment, t)`, index `segment + 1`, that changes the outline on no key.
+
+    Where the segment is a straight line between drawn-in handles on every key (a polygon's) the new point is a corner
+    too, as it then should be: the split of a cubic would give it handles along the line.
+    """
+    curves = [array for key in shape.keys for array in (key.points, key.feather) if array is not None]
+    straight = all(_is_straight(points, segment, shape.closed) for points in curves)
+    split = edit.insert_point(shape, segment, min(max(t, 1e-3), 1.0 - 1e-3))
+    return split.map_points(lambda points: edit.cusp_points(points, [segment + 1])) if straight else split
+
+
+def pruned(selection: Selection, project: Project) -> Selection:
+    """The selection without the shapes and points that the project does not have (any more)."""
+    counts = {shape.id: shape.point_count for shape in project.shapes}
+    shapes = frozenset(shape_id for shape_id in selection.shapes if shape_id in counts)
+    return Selection(shapes, frozenset((i, p) for i, p in selection.points if p < counts.get(i, 0)))
+
+
+def _is_straight(points: Array, segment: int, closed: bool) -> bool:
+    start, leave, arrive, end = bezier.segments(points, closed)[segment]
+    return np.array_equal(start, leave) and np.array_equal(arrive, end)

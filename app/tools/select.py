@@ -1,0 +1,168 @@
+"""SelectTool: selects shapes and points; drags points, handles and whole shapes."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QPainter
+
+from app.canvas.viewport import Viewport
+from app.document import Document
+from app.tools.gestures import Gesture, Marquee, Move, Turn
+from app.tools.hit_test import OutlineHit, PointHit, hit, hit_outline
+from app.tools.reshape import Grab, grabbed_parts, with_point_inserted
+from app.tools.tool import Modifier, Pointer, Tool
+from app.view_state import Selection, ViewState
+from roam_core.geometry.bezier import ANCHOR
+
+INSERT = Modifier.ControlModifier | Modifier.AltModifier
+DROP_KEYS = frozenset({"Esc", "Ctrl+Z"})
+
+
+class SelectTool(Tool):
+    """Click selects, drag moves. A press on a shape that is not selected selects it and moves nothing."""
+
+    name = "select"
+    title = "Select"
+
+    def __init__(self, document: Document, view_state: ViewState) -> None:
+        super().__init__(document, view_state)
+        self._gesture: Gesture | None = None
+        self._cursor = Qt.CursorShape.ArrowCursor
+
+    @property
+    def cursor(self) -> Qt.CursorShape:
+        return self._cursor
+
+    @property
+    def claimed_keys(self) -> frozenset[str]:
+        return DROP_KEYS if self._gesture else frozenset()
+
+    def deactivate(self) -> None:
+        self.drop()
+        self.leave()
+
+    def press(self, pointer: Pointer) -> None:
+        if pointer.holds(INSERT):
+            self._insert_point(pointer)
+            return
+        found = self._hit(pointer)
+        if isinstance(found, PointHit):
+            self._gesture = self._press_anchor(pointer, found) if found.part == ANCHOR else self._turn(pointer, found)
+        elif isinstance(found, OutlineHit):
+            self._gesture = self._press_outline(pointer, found)
+        else:
+            self._gesture = Marquee(self.document, self.view_state, pointer)
+
+    def double_press(self, pointer: Pointer) -> None:
+        """On an outline: select all points of its shape."""
+        found = self._hit(pointer)
+        if not isinstance(found, OutlineHit):
+            self.press(pointer)
+            return
+        count = self.document.project.shape(found.shape_id).point_count
+        self.view_state.select(frozenset(), frozenset((found.shape_id, index) for index in range(count)))
+
+    def drag(self, pointer: Pointer) -> None:
+        if self._gesture:
+            self._gesture.move(pointer)
+
+    def release(self, pointer: Pointer) -> None:
+        # Laid down first: the edit that it makes comes back as a change of the document.
+        gesture, self._gesture = self._gesture, None
+        if gesture:
+            gesture.release(pointer)
+        self.hover(pointer)
+
+    def hover(self, pointer: Pointer) -> None:
+        found = self._hit_insertion(pointer) if pointer.holds(INSERT) else self._hit(pointer)
+        self.view_state.hovered = (found.shape_id, found.index, found.part) if isinstance(found, PointHit) else None
+        if found is None:
+            self._cursor = Qt.CursorShape.ArrowCursor
+        elif pointer.holds(INSERT):
+            self._cursor = Qt.CursorShape.CrossCursor
+        elif isinstance(found, PointHit) or found.shape_id in self.view_state.selection.shapes:
+            self._cursor = Qt.CursorShape.SizeAllCursor
+        else:
+            self._cursor = Qt.CursorShape.PointingHandCursor
+
+    def leave(self) -> None:
+        self.view_state.hovered = None
+        self._cursor = Qt.CursorShape.ArrowCursor
+
+    def refresh(self) -> None:
+        gesture = self._gesture
+        if gesture and not gesture.is_valid:
+            self.drop()
+            self.view_state.say("The drag was dropped: its shape or the frame changed meanwhile.")
+        elif gesture and gesture.is_dragging:
+            gesture.drag(gesture.last)
+
+    def drop(self) -> None:
+        gesture, self._gesture = self._gesture, None
+        if gesture:
+            gesture.drop()
+
+    def key(self, name: str) -> None:
+        self.drop()
+
+    def paint(self, painter: QPainter, viewport: Viewport) -> None:
+        if self._gesture:
+            self._gesture.paint(painter, viewport)
+
+    def _hit(self, pointer: Pointer) -> PointHit | OutlineHit | None:
+        view = self.view_state
+        return hit(self.document.project, view.frame, view.selection, pointer.position, pointer.pixel)
+
+    def _hit_insertion(self, pointer: Pointer) -> OutlineHit | None:
+        view = self.view_state
+        return hit_outline(self.document.project, view.frame, view.selection, pointer.position, pointer.pixel)
+
+    def _press_anchor(self, pointer: Pointer, found: PointHit) -> Gesture:
+        """Select the point, unless it is one of several that a drag may want to keep together."""
+        view, point = self.view_state, (found.shape_id, found.index)
+        shapes, points = view.selection.shapes, view.selection.points
+        adds = pointer.holds(Modifier.ShiftModifier)
+        if point not in points:
+            view.select(shapes, points | {point} if adds else frozenset({point}))
+            after_click = view.selection
+        else:
+            after_click = Selection(shapes, points - {point} if adds else frozenset({point}))
+        count = len(view.selection.points)
+        return self._move(pointer, "Move point" if count == 1 else f"Move {count} points", view.selection, after_click)
+
+    def _press_outline(self, pointer: Pointer, found: OutlineHit) -> Gesture:
+        """Select the shape; one that is selected can be dragged as a whole, with the others that are."""
+        view, shape_id = self.view_state, found.shape_id
+        shapes = view.selection.shapes
+        adds = pointer.holds(Modifier.ShiftModifier)
+        if shape_id not in shapes:
+            added = Selection(shapes | {shape_id}, view.selection.points) if adds else Selection(frozenset({shape_id}))
+            view.select(added.shapes, added.points)
+            return Gesture(self.document, view, pointer)
+        after_click = Selection(shapes - {shape_id}) if adds else Selection(frozenset({shape_id}))
+        text = "Move shape" if len(shapes) == 1 else f"Move {len(shapes)} shapes"
+        return self._move(pointer, text, Selection(shapes), after_click)
+
+    def _move(self, pointer: Pointer, text: str, moving: Selection, after_click: Selection) -> Gesture:
+        project, view = self.document.project, self.view_state
+        grab = Grab.of(project, view.frame, grabbed_parts(project, view.frame, moving))
+
+        def click() -> None:
+            view.select(after_click.shapes, after_click.points)
+
+        return Move(self.document, view, pointer, grab, text, click)
+
+    def _turn(self, pointer: Pointer, found: PointHit) -> Gesture:
+        parts = {found.shape_id: ((found.index, found.part),)}
+        grab = Grab.of(self.document.project, self.view_state.frame, parts)
+        return Turn(self.document, self.view_state, pointer, grab, "Move handle")
+
+    def _insert_point(self, pointer: Pointer) -> None:
+        found = self._hit_insertion(pointer)
+        if found is None:
+            self.view_state.say("Ctrl+Alt+click on an outline inserts a point there.")
+            return
+        project = self.document.project
+        shape = with_point_inserted(project.shape(found.shape_id), found.segment, found.t)
+        self.document.apply("Insert point", project.with_shape(shape))
+        self.view_state.select(self.view_state.selection.shapes, frozenset({(shape.id, found.segment + 1)}))

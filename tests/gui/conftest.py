@@ -1,0 +1,68 @@
+"""Fixtures of the window's tests: no screen, a fresh document, and nothing that survives its test."""
+
+from __future__ import annotations
+
+import gc
+import os
+import threading
+from collections.abc import Iterator
+
+import pytest
+
+os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
+
+from PySide6.QtCore import QCoreApplication, QEvent, QThread, QTimer
+from PySide6.QtWidgets import QApplication
+from shiboken6 import isValid
+
+from app.canvas.bindings import keep_none_alive
+from app.document import Document
+from app.view_state import ViewState
+
+keep_none_alive()  # Also for tests of rooms that open no canvas: without it Python 3.11 aborts in their midst.
+
+
+@pytest.fixture(autouse=True)
+def nothing_survives(qapp: QApplication) -> Iterator[None]:
+    """Fail a test that leaves a thread, a running timer or a top-level widget behind."""
+    threads, widgets = set(threading.enumerate()), set(QApplication.topLevelWidgets())
+    yield
+    _let_go()
+    new_widgets = [widget for widget in QApplication.topLevelWidgets() if widget not in widgets]
+    assert not new_widgets, f"widgets survive the test: {new_widgets}"
+    new_threads = [thread for thread in threading.enumerate() if thread not in threads and not _is_foreign(thread)]
+    assert not new_threads, f"threads survive the test: {new_threads}"
+    running = [item for item in gc.get_objects() if isinstance(item, QThread | QTimer) and _is_running(item)]
+    assert not running, f"threads or timers run on after the test: {running}"
+
+
+@pytest.fixture
+def document(qapp: QApplication) -> Document:
+    """An empty document."""
+    return Document()
+
+
+@pytest.fixture
+def view_state(qapp: QApplication) -> ViewState:
+    """A view state on frame 1."""
+    return ViewState()
+
+
+def _let_go() -> None:
+    """Deliver what `deleteLater` put off, and collect what only cycles hold."""
+    gc.collect()
+    QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+    QCoreApplication.processEvents()
+
+
+def _is_foreign(thread: threading.Thread) -> bool:
+    """A thread of Qt that Python has met, which ends with its QThread; that is looked at by itself."""
+    return thread.name.startswith("Dummy-")
+
+
+def _is_running(item: QThread | QTimer) -> bool:
+    if not isValid(item):
+        return False
+    if isinstance(item, QTimer):
+        return item.isActive()
+    return item.isRunning() and item is not QThread.currentThread()
