@@ -102,10 +102,14 @@ def flatten(points: Array, closed: bool = True, tolerance: float = 0.05) -> Arra
 
 
 def flatten_counts(control: Array, tolerance: float) -> IntArray:
-    """Equal parameter steps `(S,)` that keep each segment of `control (S, 4, 2)` within `tolerance` pixels."""
+    """Equal parameter steps `(S,)` that keep each segment of `control (S, 4, 2)` within `tolerance` pixels.
+
+    A segment whose handles lie on its anchors is straight, however unevenly it runs: one step.
+    """
     second = np.diff(control, n=2, axis=1)
     bend = np.sqrt((second**2).sum(axis=2).max(axis=1))
-    steps = np.ceil(np.sqrt(0.75 * bend / tolerance))
+    straight = (control[:, 0] == control[:, 1]).all(axis=1) & (control[:, 2] == control[:, 3]).all(axis=1)
+    steps = np.where(straight, 1.0, np.ceil(np.sqrt(0.75 * bend / tolerance)))
     return np.asarray(np.clip(steps, 1, 4096), dtype=np.intp)
 
 

@@ -209,10 +209,30 @@ def cusp_points(points: Array, indices: Iterable[int]) -> Array:
 
 
 def insert_point(shape: RotoShape, segment: int, t: float) -> RotoShape:
-    """A new point at `(segment, t)` in every key: the outline changes on no key, nor between linear keys."""
+    """A new point at `(segment, t)` in every key: the outline changes on no key, nor between linear keys.
+
+    On a segment that is straight in every key the new point is a corner without handles: a polygon stays one.
+    """
     if not 0.0 < t < 1.0:
         raise ValueError(f"t = {t} lies outside (0, 1)")
-    return shape.map_points(lambda array: bezier.split(array, segment, t, shape.closed))
+    arrays = [array for key in shape.keys for array in (key.points, key.feather) if array is not None]
+    straight = all(_is_straight(array, segment, shape.closed) for array in arrays)
+
+    def with_point(array: Array) -> Array:
+        result = bezier.split(array, segment, t, shape.closed)
+        if straight:
+            around = (segment, OUT), (segment + 1, IN), (segment + 1, OUT), ((segment + 2) % len(result), IN)
+            for index, handle in around:
+                result[index, handle] = result[index, ANCHOR]
+        return result
+
+    return shape.map_points(with_point)
+
+
+def _is_straight(array: Array, segment: int, closed: bool) -> bool:
+    """True when both handles of a segment lie on their anchors."""
+    a, b, c, d = bezier.segments(array, closed)[segment]
+    return np.array_equal(a, b) and np.array_equal(c, d)
 
 
 def delete_points(shape: RotoShape, indices: Sequence[int]) -> RotoShape:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import json
+import math
 import os
 import tempfile
 from collections.abc import Callable, Mapping
@@ -29,8 +30,7 @@ def save(project: Project, path: Path) -> None:
     RoamError
         when the folder is missing or may not be written to; a file that was there is then still there, whole.
     """
-    text = dumps(project, path.parent)
-    write_atomically(path, text.encode())
+    write_atomically(path, _encoded(dumps(project, path.parent)))
 
 
 def load(path: Path) -> Project:
@@ -65,8 +65,8 @@ def dumps(project: Project, folder: Path) -> str:
 def loads(text: str, folder: Path, name: str = "the file") -> Project:
     """The project that `text` describes; relative media paths are taken from `folder`."""
     try:
-        document = json.loads(text)
-    except (json.JSONDecodeError, RecursionError):
+        document = json.loads(text, parse_float=_finite, parse_constant=_finite)
+    except (ValueError, RecursionError):
         raise RoamError(f"{name} is not a ROAM project (it is not valid JSON).") from None
     if not isinstance(document, dict) or document.get("type") != "roam.Project":
         raise RoamError(f"{name} is not a ROAM project.")
@@ -80,13 +80,18 @@ def loads(text: str, folder: Path, name: str = "the file") -> Project:
         )
     try:
         return _read_project(migrate(document, version), folder)
-    except (KeyError, TypeError, ValueError, AttributeError, RecursionError) as error:
+    except (KeyError, TypeError, ValueError, AttributeError, OverflowError, RecursionError) as error:
         raise RoamError(f"{name} is damaged: {_reason(error)}.") from None
 
 
 def digest(project: Project) -> str:
     """A hash of everything in the project: equal projects, and only they, have equal digests."""
-    return hashlib.sha256(dumps(project, Path("/")).encode()).hexdigest()
+    return hashlib.sha256(_encoded(dumps(project, Path("/")))).hexdigest()
+
+
+def _encoded(text: str) -> bytes:
+    """UTF-8. A file name that is no UTF-8 reaches us as lone surrogates, which JSON writes as escapes."""
+    return text.encode("utf-8", "backslashreplace")
 
 
 def write_atomically(path: Path, content: bytes) -> None:
@@ -220,11 +225,22 @@ def _lines(value: Any, indent: str = "") -> str:
 # ---- reading ---------------------------------------------------------------------------------------------------------
 
 
+def _finite(text: str) -> float:
+    """A number of the file. JSON has no NaN and no infinity, though Python's reader lets them pass."""
+    number = float(text)
+    if not math.isfinite(number):
+        raise ValueError(f"{text} is no number")
+    return number
+
+
 def _read_project(document: dict[str, Any], folder: Path) -> Project:
-    clip = document["clip"]
+    clip, root = document["clip"], _read_layer(document["root"])
+    ids = [root.id, *(item.id for item in root.items())]
+    if len(set(ids)) < len(ids):
+        raise ValueError("two of its layers or shapes have one id")
     return Project(
         clip=None if clip is None else _read_clip(clip, folder),
-        root=_read_layer(document["root"]),
+        root=root,
         extra=_rest(document, "type", "version", "clip", "root"),
     )
 
@@ -271,7 +287,7 @@ def _read_shape(document: dict[str, Any]) -> RotoShape:
         opacity=float(document["opacity"]),
         invert=bool(document["invert"]),
         feather=float(document["feather"]),
-        motion_blur=None if blur is None else MotionBlur(blur["shutter"], blur["phase"], blur["samples"]),
+        motion_blur=None if blur is None else _read_blur(blur),
         lifetime=None if lifetime is None else (int(lifetime[0]), int(lifetime[1])),
         visible=bool(document["visible"]),
         locked=bool(document["locked"]),
@@ -281,6 +297,10 @@ def _read_shape(document: dict[str, Any]) -> RotoShape:
             "lifetime", "visible", "locked", "keys",
         ),
     )  # fmt: skip
+
+
+def _read_blur(document: dict[str, Any]) -> MotionBlur:
+    return MotionBlur(float(document["shutter"]), float(document["phase"]), int(document["samples"]))
 
 
 def _read_key(document: dict[str, Any]) -> Keyframe:
@@ -302,10 +322,7 @@ def _read_key(document: dict[str, Any]) -> Keyframe:
 
 
 def _read_points(rows: list[list[float]]) -> Any:
-    array = np.asarray(rows, dtype=np.float64).reshape(-1, 3, 2)
-    if not np.isfinite(array).all():
-        raise ValueError("a point is not a finite number")
-    return array
+    return np.asarray(rows, dtype=np.float64).reshape(-1, 3, 2)
 
 
 def _rest(document: Mapping[str, Any], *known: str) -> dict[str, Any]:

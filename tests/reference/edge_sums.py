@@ -14,7 +14,10 @@ def ref_edge_means(field: NDArray[np.float32], nodes: Array, moves: Array) -> Ar
     """`(N, D, D)`: every candidate edge on its own, sampled by `ref_edge_mean`."""
     ahead = np.roll(nodes, -1, axis=0)
     return np.array(
-        [[[ref_edge_mean(field, a + i, b + j) for j in moves] for i in moves] for a, b in zip(nodes, ahead, strict=True)]
+        [
+            [[ref_edge_mean(field, a + i, b + j) for j in moves] for i in moves]
+            for a, b in zip(nodes, ahead, strict=True)
+        ]
     )
 
 

@@ -1,0 +1,150 @@
+"""What hypothesis draws from: point arrays, keys, shapes, layers, whole projects."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from hypothesis import strategies as st
+from hypothesis.extra.numpy import arrays
+from numpy.typing import NDArray
+
+from roam_core.roto import (
+    BlendMode,
+    Clip,
+    Interpolation,
+    Keyframe,
+    Layer,
+    MotionBlur,
+    Origin,
+    Project,
+    RotoShape,
+    edit,
+)
+
+Array = NDArray[np.float64]
+FOLDER = Path("/shots/project")
+"""Where a drawn project's clip lies, and its file would: absolute, as the program keeps them."""
+
+
+def coordinates(limit: float = 2000.0) -> st.SearchStrategy[float]:
+    """Pixels, also far outside of any picture."""
+    return st.floats(-limit, limit, allow_subnormal=False)
+
+
+def point_arrays(least: int = 2, most: int = 7) -> st.SearchStrategy[Array]:
+    """Spline points `(P, 3, 2)`."""
+    return st.integers(least, most).flatmap(points_of)
+
+
+def points_of(count: int) -> st.SearchStrategy[Array]:
+    """Spline points `(count, 3, 2)`."""
+    return arrays(np.float64, (count, 3, 2), elements=coordinates())
+
+
+def shares() -> st.SearchStrategy[float]:
+    return st.floats(0.0, 1.0)
+
+
+def unknown_fields() -> st.SearchStrategy[dict[str, Any]]:
+    """Fields that a later version of the program might write."""
+    plain = st.none() | st.booleans() | st.integers(-(2**40), 2**40) | st.floats(allow_nan=False, allow_infinity=False)
+    values = st.recursive(
+        plain | st.text(max_size=8),
+        lambda inner: st.lists(inner, max_size=3) | st.dictionaries(st.text(max_size=5), inner, max_size=3),
+        max_leaves=5,
+    )
+    return st.dictionaries(st.text(max_size=6).map(lambda name: f"later.{name}"), values, max_size=2)
+
+
+@st.composite
+def keyframes(draw: st.DrawFn, frame: int, count: int, origin: Origin | None = None) -> Keyframe:
+    """A key of `count` points at `frame`."""
+    origin = origin or draw(st.sampled_from(Origin))
+    made: dict[str, Any] = {}
+    if origin is Origin.ENGINE:
+        made = {
+            "confidence": draw(st.none() | shares()),
+            "vertex_confidence": draw(st.none() | arrays(np.float64, count, elements=shares())),
+            "inputs": draw(st.text(max_size=12)),
+        }
+    return Keyframe(
+        frame=frame,
+        points=draw(points_of(count)),
+        feather=draw(st.none() | points_of(count)),
+        origin=origin,
+        interpolation=draw(st.sampled_from(Interpolation)),
+        extra=draw(unknown_fields()),
+        **made,
+    )
+
+
+@st.composite
+def roto_shapes(draw: st.DrawFn, shape_id: str = "shape-1", interpolation: Interpolation | None = None) -> RotoShape:
+    """A shape of 1-4 keys, closed or open."""
+    closed = draw(st.booleans())
+    count = draw(st.integers(3 if closed else 2, 6))
+    frames = draw(st.lists(st.integers(-50, 2000), min_size=1, max_size=4, unique=True))
+    keys = tuple(draw(keyframes(frame, count)) for frame in frames)
+    start = draw(st.integers(-50, 2000))
+    shape = RotoShape(
+        id=shape_id,
+        name=draw(st.text(max_size=10)),
+        keys=keys,
+        closed=closed,
+        colour=draw(st.tuples(shares(), shares(), shares())),
+        blend=draw(st.sampled_from(BlendMode)),
+        opacity=draw(shares()),
+        invert=draw(st.booleans()),
+        feather=draw(st.floats(-50.0, 50.0)),
+        motion_blur=draw(st.none() | st.builds(MotionBlur, shares(), st.floats(-1.0, 1.0), st.integers(2, 64))),
+        lifetime=draw(st.none() | st.integers(1, 500).map(lambda length: (start, start + length))),
+        visible=draw(st.booleans()),
+        locked=draw(st.booleans()),
+        extra=draw(unknown_fields()),
+    )
+    return shape if interpolation is None else edit.set_interpolation(shape, shape.frames, interpolation)
+
+
+@st.composite
+def projects(draw: st.DrawFn) -> Project:
+    """A clip or none, and layers nested up to three deep with shapes between them."""
+    number = iter(range(1, 1000))
+
+    def layer(depth: int, layer_id: str) -> Layer:
+        kinds = draw(st.lists(st.sampled_from(["shape", "layer"] if depth < 3 else ["shape"]), max_size=2))
+        children = tuple(
+            draw(roto_shapes(f"shape-{next(number)}")) if kind == "shape" else layer(depth + 1, f"layer-{next(number)}")
+            for kind in kinds
+        )
+        return Layer(
+            layer_id,
+            draw(st.text(max_size=10)),
+            children,
+            visible=draw(st.booleans()),
+            locked=draw(st.booleans()),
+            opacity=draw(shares()),
+            invert=draw(st.booleans()),
+            extra=draw(unknown_fields()),
+        )
+
+    return Project(clip=draw(st.none() | clips()), root=layer(0, "root"), extra=draw(unknown_fields()))
+
+
+@st.composite
+def clips(draw: st.DrawFn) -> Clip:
+    """A reference to a plate beside, above or below the project."""
+    name = draw(st.sampled_from(["plate", "plate.%04d.exr", "Bäume und Äste.mov", "a b"]))
+    place = draw(st.sampled_from([FOLDER, FOLDER / "plates", FOLDER.parent, Path("/elsewhere")]))
+    first = draw(st.integers(-100, 2000))
+    return Clip(
+        path=place / name,
+        first=first,
+        last=first + draw(st.integers(0, 500)),
+        size=(draw(st.integers(1, 8192)), draw(st.integers(1, 8192))),
+        fps=draw(st.floats(1.0, 120.0)),
+        pixel_aspect=draw(st.floats(0.5, 2.0)),
+        colour_space=draw(st.sampled_from(["sRGB", "linear", "log"])),
+        extra=draw(unknown_fields()),
+    )

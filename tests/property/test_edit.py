@@ -1,0 +1,94 @@
+"""The edit verbs on whatever shape: outlines that stay, keys that are sacred, frames on which a shape is its key."""
+
+from __future__ import annotations
+
+import numpy as np
+from hypothesis import assume, given
+from hypothesis import strategies as st
+from numpy.typing import NDArray
+
+from roam_core.geometry import bezier
+from roam_core.roto import Interpolation, Keyframe, Origin, RotoShape, edit
+from tests.property.strategies import keyframes, point_arrays, roto_shapes
+
+Array = NDArray[np.float64]
+
+
+@given(roto_shapes(interpolation=Interpolation.LINEAR), st.data(), st.floats(0.05, 0.95), st.floats(-60.0, 2010.0))
+def test_inserting_changes_no_outline_on_and_between_keys(
+    shape: RotoShape, data: st.DataObject, t: float, between: float
+) -> None:
+    segment = data.draw(st.integers(0, bezier.segment_count(shape.point_count, shape.closed) - 1))
+    assume(any(is_curved(key.points, segment, shape.closed) for key in shape.keys))
+    after = edit.insert_point(shape, segment, t)
+    u = np.linspace(0.0, 1.0, 9)
+    halves = np.where(u <= t, segment, segment + 1), np.where(u <= t, u / t, (u - t) / (1.0 - t))
+    for frame in (*shape.frames, between):
+        old, new = shape.at(frame).points, after.at(frame).points
+        before = bezier.evaluate(old, np.full(9, segment), u, shape.closed)
+        np.testing.assert_allclose(bezier.evaluate(new, *halves, shape.closed), before, atol=1e-8)
+    assert after.frames == shape.frames
+    assert after.artist_frames == shape.artist_frames
+
+
+@given(point_arrays(least=3), st.data(), st.floats(0.05, 0.95))
+def test_inserting_into_a_polygon_puts_a_corner_on_its_side(points: Array, data: st.DataObject, t: float) -> None:
+    anchors = points[:, bezier.ANCHOR]
+    polygon = RotoShape("a", "A", (Keyframe(1, bezier.polygon_points(anchors)),))
+    segment = data.draw(st.integers(0, len(anchors) - 1))
+    after = edit.insert_point(polygon, segment, t).keys[0].points
+    made = after[segment + 1, bezier.ANCHOR]
+    np.testing.assert_array_equal(after, bezier.polygon_points(np.insert(anchors, segment + 1, made, axis=0)))
+    side = np.stack([anchors[segment], made, anchors[(segment + 1) % len(anchors)]])
+    np.testing.assert_allclose(np.hypot(*np.diff(side, axis=0).T).sum(), np.hypot(*(side[2] - side[0])), atol=1e-8)
+
+
+@given(roto_shapes(), st.data())
+def test_the_engine_leaves_artist_keys_bit_by_bit(shape: RotoShape, data: st.DataObject) -> None:
+    frames = data.draw(st.lists(st.sampled_from([*shape.frames, 3000, 3001]), min_size=1, unique=True))
+    made = [data.draw(keyframes(frame, shape.point_count, Origin.ENGINE)) for frame in frames]
+    after = edit.set_engine_keys(shape, made)
+    for key in shape.keys:
+        if key.origin is Origin.ARTIST:
+            assert after.key_at(key.frame) is key
+    for key in made:
+        assert after.key_at(key.frame) in (key, shape.key_at(key.frame))
+
+
+@given(roto_shapes(), st.integers(-100, 2100))
+def test_a_key_here_shows_the_same_outline(shape: RotoShape, frame: int) -> None:
+    after = edit.key_here(shape, frame)
+    before = shape.at(frame)
+    assert after.at(frame).points.tobytes() == before.points.tobytes()
+    key = after.key_at(frame)
+    assert key is not None
+    assert key.origin is Origin.ARTIST
+    assert key.feather is None if before.feather is None else np.array_equal(key.feather, before.feather)
+
+
+@given(roto_shapes(), st.integers(1, 400))
+def test_moving_keys_there_and_back_is_nothing(shape: RotoShape, offset: int) -> None:
+    there = edit.move_keys(shape, shape.frames, offset)
+    assert there.frames == tuple(frame + offset for frame in shape.frames)
+    assert edit.move_keys(there, there.frames, -offset) == shape
+
+
+@given(point_arrays(least=3), st.data(), st.tuples(st.floats(-50.0, 50.0), st.floats(-50.0, 50.0)))
+def test_moving_all_anchors_moves_the_outline(points: Array, data: st.DataObject, delta: tuple[float, float]) -> None:
+    parts = [(index, bezier.ANCHOR) for index in range(len(points))]
+    parts += data.draw(st.lists(st.tuples(st.integers(0, len(points) - 1), st.integers(0, 2)), max_size=4))
+    np.testing.assert_allclose(edit.move_parts(points, parts, delta), points + np.array(delta), atol=1e-9)
+
+
+@given(roto_shapes(), st.integers(0, 3))
+def test_every_shape_is_its_key_on_its_frames(shape: RotoShape, which: int) -> None:
+    key: Keyframe = shape.keys[which % len(shape.keys)]
+    outline = shape.at(key.frame)
+    assert outline.points is key.points
+    assert outline.closed == shape.closed
+
+
+def is_curved(points: Array, segment: int, closed: bool) -> bool:
+    """True when a handle of the segment lies off its anchor: such a segment keeps its parametrisation when split."""
+    a, b, c, d = bezier.segments(points, closed)[segment]
+    return not (np.array_equal(a, b) and np.array_equal(c, d))

@@ -1,0 +1,83 @@
+"""What the engine sees of a picture: kinds of images, regions, the squared gradient."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from roam_core.features import PreparedFrame, Region
+from roam_core.features.frame import as_uint8
+
+LEVELS = np.arange(256, dtype=np.uint8)
+
+
+def picture(height: int = 40, width: int = 60) -> np.ndarray:
+    return np.random.default_rng(6).integers(0, 256, (height, width, 3), dtype=np.uint8)
+
+
+@pytest.mark.parametrize("kind", [np.float32, np.float64])
+def test_every_level_survives_as_a_float(kind: type) -> None:
+    image = np.repeat(LEVELS.reshape(16, 16, 1), 3, axis=2)
+    np.testing.assert_array_equal(as_uint8((image / 255.0).astype(kind)), image)
+
+
+def test_floats_out_of_range_are_cut() -> None:
+    image = np.array([[[-0.5, 0.5, 1.5], [np.nan, np.inf, -np.inf]]], dtype=np.float32)
+    np.testing.assert_array_equal(as_uint8(image), [[[0, 128, 255], [0, 255, 0]]])
+
+
+def test_a_grey_image_is_one_of_equal_channels() -> None:
+    grey = picture()[..., 0]
+    frame = PreparedFrame(grey)
+    assert frame.size == (40, 60)
+    np.testing.assert_array_equal(frame.image, np.repeat(grey[..., None], 3, axis=2))
+    np.testing.assert_array_equal(frame.grey, grey)
+
+
+@pytest.mark.parametrize("image", [np.zeros((4, 4, 4), np.uint8), np.zeros(4, np.uint8), np.zeros((4, 4, 3), np.int32)])
+def test_what_is_no_image_is_refused(image: np.ndarray) -> None:
+    with pytest.raises(ValueError, match="an image has"):
+        PreparedFrame(image)
+
+
+def test_a_region_holds_all_positions_and_their_margin() -> None:
+    region = Region.around(np.array([(10.5, 20.2), (30.9, 25.0)]), 4.0, (100, 100))
+    assert region == Region(6, 16, 35, 29)
+    assert region.origin == (6, 16)
+    assert picture(100, 100)[region.slices].shape == (13, 29, 3)
+
+
+def test_a_region_ends_at_the_image() -> None:
+    assert Region.around(np.array([(-30.0, 5.0), (500.0, 9.0)]), 10.0, (12, 34)) == Region(0, 0, 34, 12)
+    assert Region.around(np.array([(-30.0, -30.0), (-20.0, -25.0)]), 5.0, (12, 34)).is_empty
+
+
+def test_the_gradient_is_strongest_on_the_border_between_two_flats() -> None:
+    image = np.zeros((40, 60, 3), np.uint8)
+    image[:, 30:, 1] = 200
+    field = PreparedFrame(image).squared_gradient(Region(0, 0, 60, 40), 1.0)
+    assert field.dtype == np.float32
+    assert field[20].argmax() in (29, 30)
+    np.testing.assert_array_equal(field[:, 29:31], 1.0)
+    assert field[:, :24].max() == field[:, 36:].max() == 0.0
+
+
+def test_faint_grain_does_not_pass_for_edges() -> None:
+    grain = 128 + np.random.default_rng(1).integers(-2, 3, (60, 60, 3))
+    assert PreparedFrame(grain.astype(np.uint8)).squared_gradient(Region(0, 0, 60, 60), 1.0).max() < 0.1
+
+
+def test_a_region_is_cut_from_the_whole_picture_and_not_framed_by_its_border() -> None:
+    """The blur looks beyond the region, so what a pixel shows does not depend on where the region was cut."""
+    frame = PreparedFrame(picture(80, 80))
+    whole = frame.squared_gradient(Region(0, 0, 80, 80), 1.5)
+    part = frame.squared_gradient(Region(20, 30, 50, 60), 1.5)
+    inside = whole[30:60, 20:50]
+    unsaturated = (part < 1.0) & (inside < 1.0)
+    ratio = part[unsaturated] / inside[unsaturated]
+    np.testing.assert_allclose(ratio, ratio[0], rtol=1e-4)
+
+
+def test_a_region_is_made_once() -> None:
+    frame, region = PreparedFrame(picture()), Region(5, 5, 30, 30)
+    assert frame.squared_gradient(region, 1.0) is frame.squared_gradient(region, 1.0)

@@ -1,0 +1,53 @@
+"""Outlines on real pictures with the context that the engine looks at: where solver and oracle have to agree."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+import cv2
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from roam_core.energy.total import CurveContext
+from roam_core.features import PreparedFrame
+from roam_core.geometry import similarity
+from roam_core.matte.vectorise import read_mask, shapes_from_mask
+from roam_core.params import RoamParams, scale_for
+from roam_core.propagate.nodes import NodeMap
+from roam_core.propagate.step import curve_context
+from tests.golden.shots import Shot, blob, pose
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Problem:
+    """Nodes to be moved on a picture."""
+
+    nodes: Array
+    context: CurveContext
+    params: RoamParams
+    scale: float
+
+
+def problem(image: NDArray[np.uint8], points: Array, params: RoamParams) -> Problem:
+    """What the engine would solve if a pre-warp had left `points` a few pixels beside their object."""
+    frame = PreparedFrame(image)
+    scale = scale_for(frame.size)
+    beside = similarity.apply(np.array([[1.0, -0.02, 2.6], [0.02, 1.0, -1.7]]), points)
+    nodes = NodeMap.of(beside, params, scale).nodes(beside)
+    return Problem(nodes, curve_context(frame, nodes, params, scale), params, scale)
+
+
+@pytest.fixture(params=["drawn", pytest.param("car-turn", marks=pytest.mark.shared)])
+def real(request: pytest.FixtureRequest) -> Problem:
+    """One problem on a drawn picture and one on a photograph."""
+    if request.param == "drawn":
+        shot = Shot(blob([34.0, 26.0, 22.0, 30.0, 36.0, 24.0]), (pose(80.0, 60.0),))
+        return problem(shot.read(shot.first), shot.truth(shot.first), RoamParams())
+    data: Path = request.getfixturevalue("shared") / "data" / "davis2016-train"
+    photograph = cv2.imread(str(data / "JPEGImages" / "car-turn" / "00000.jpg"))
+    mask = read_mask(data / "Annotations" / "car-turn" / "00000.png")
+    return problem(np.ascontiguousarray(photograph[..., ::-1]), shapes_from_mask(mask)[0].keys[0].points, RoamParams())

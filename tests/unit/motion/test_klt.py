@@ -1,0 +1,64 @@
+"""The pre-warp: how the inside of an outline moved between two drawn frames."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from roam_core.features import PreparedFrame
+from roam_core.geometry import bezier, similarity
+from roam_core.motion.klt import similarity_warp
+from roam_core.params import RoamParams
+from tests.golden.shots import Shot, blob, inverse, pose
+
+REST = blob([34.0, 28.0, 30.0, 36.0, 26.0, 32.0])
+
+
+def warp_between(first: np.ndarray, second: np.ndarray) -> tuple[Shot, np.ndarray, float]:
+    """A shot of two poses, its estimated warp and the worst error of that on the outline, in pixels."""
+    shot = Shot(REST, (first, second), size=(140, 180))
+    before, after = (PreparedFrame(shot.read(frame)) for frame in shot.frames)
+    outline = bezier.flatten(shot.truth(shot.first))
+    warp = similarity_warp(before, after, outline, RoamParams(), 1.0)
+    assert warp.points >= 10
+    assert warp.agreement > 0.8
+    moved = similarity.apply(second, similarity.apply(inverse(first), outline))
+    return shot, warp.transform, float(np.hypot(*(similarity.apply(warp.transform, outline) - moved).T).max())
+
+
+@pytest.mark.parametrize(
+    "second",
+    [pose(80, 70), pose(83.4, 68.7), pose(80, 70, degrees=3.0), pose(81, 70, scale=1.06), pose(92.5, 61.25, 4.0, 0.97)],
+    ids=["still", "shift", "turn", "scale", "all"],
+)
+def test_a_rigid_motion_is_found(second: np.ndarray) -> None:
+    assert warp_between(pose(80, 70), second)[2] < 1.5
+
+
+def test_a_flat_picture_has_no_motion() -> None:
+    flat = PreparedFrame(np.full((60, 80, 3), 90, np.uint8))
+    outline = np.array([(20.0, 20.0), (60.0, 20.0), (60.0, 45.0)])
+    warp = similarity_warp(flat, flat, outline, RoamParams(), 1.0)
+    np.testing.assert_array_equal(warp.transform, similarity.IDENTITY)
+    assert warp.points < 3
+
+
+def test_an_outline_outside_the_picture_stands_still() -> None:
+    frame = PreparedFrame(np.random.default_rng(1).integers(0, 256, (60, 80, 3), dtype=np.uint8))
+    outline = np.array([(400.0, 20.0), (460.0, 20.0), (460.0, 45.0)])
+    np.testing.assert_array_equal(
+        similarity_warp(frame, frame, outline, RoamParams(), 1.0).transform, similarity.IDENTITY
+    )
+
+
+def test_the_ground_beside_the_object_has_no_say() -> None:
+    """Only points inside the outline are followed: a ground that moves otherwise does not drag the object along."""
+    still, gliding = (Shot(REST, (pose(80, 70), pose(83, 71)), (140, 180), drift=d) for d in ((0.0, 0.0), (-4.0, 3.0)))
+    transforms = []
+    for shot in (still, gliding):
+        before, after = (PreparedFrame(shot.read(frame)) for frame in shot.frames)
+        outline = bezier.flatten(shot.truth(shot.first))
+        transforms.append(similarity_warp(before, after, outline, RoamParams(), 1.0).transform)
+    centre = np.array([80.0, 70.0])
+    for transform in transforms:
+        assert np.hypot(*(similarity.apply(transform, centre) - (83.0, 71.0))) < 1.0

@@ -1,0 +1,151 @@
+"""Shapes through time: keys, interpolation, the one evaluation `at`; values that cannot be changed."""
+
+from __future__ import annotations
+
+from dataclasses import FrozenInstanceError, replace
+
+import numpy as np
+import pytest
+
+from roam_core.geometry import bezier
+from roam_core.roto import Interpolation, Keyframe, Origin, RotoShape
+
+TRIANGLE = bezier.polygon_points([(0.0, 0.0), (10.0, 0.0), (0.0, 10.0)])
+
+
+def moving(interpolation: Interpolation = Interpolation.LINEAR) -> RotoShape:
+    """Keys on 10, 20 and 40; the last two 10 and 20 pixels to the right of the first."""
+    keys = tuple(
+        Keyframe(frame, TRIANGLE + np.array([shift, 0.0]), interpolation=interpolation)
+        for frame, shift in ((40, 20.0), (10, 0.0), (20, 10.0))
+    )
+    return RotoShape("a", "A", keys)
+
+
+def shift_at(shape: RotoShape, frame: float) -> float:
+    return float(shape.at(frame).anchors[0, 0])
+
+
+def test_keys_are_put_in_order() -> None:
+    assert moving().frames == (10, 20, 40)
+
+
+@pytest.mark.parametrize("interpolation", list(Interpolation))
+def test_on_a_key_the_shape_is_the_key_bit_by_bit(interpolation: Interpolation) -> None:
+    shape = moving(interpolation)
+    for key in shape.keys:
+        assert shape.at(key.frame).points.tobytes() == key.points.tobytes()
+
+
+@pytest.mark.parametrize("interpolation", list(Interpolation))
+def test_beyond_its_keys_a_shape_holds_still(interpolation: Interpolation) -> None:
+    shape = moving(interpolation)
+    assert [shift_at(shape, frame) for frame in (-100, 9.5, 40.25, 9999)] == [0.0, 0.0, 20.0, 20.0]
+
+
+@pytest.mark.parametrize(
+    ("interpolation", "expected"),
+    [
+        (Interpolation.LINEAR, [2.5, 5.0, 12.5]),
+        (Interpolation.HOLD, [0.0, 0.0, 10.0]),
+        (Interpolation.SMOOTH, [10.0 * 0.15625, 5.0, 10.0 + 10.0 * 0.15625]),
+    ],
+)
+def test_between_keys(interpolation: Interpolation, expected: list[float]) -> None:
+    shape = moving(interpolation)
+    assert [shift_at(shape, frame) for frame in (12.5, 15, 25)] == pytest.approx(expected)
+
+
+def test_the_earlier_key_says_how_the_shape_moves_on() -> None:
+    shape = moving()
+    shape = shape.with_key(replace(shape.keys[0], interpolation=Interpolation.HOLD))
+    assert shift_at(shape, 19.9) == 0.0
+    assert shift_at(shape, 25) == pytest.approx(12.5)
+
+
+def test_a_missing_feather_counts_as_none_between_keys() -> None:
+    soft = np.full((3, 3, 2), 4.0)
+    shape = RotoShape("a", "A", (Keyframe(1, TRIANGLE), Keyframe(3, TRIANGLE, feather=soft)))
+    feather = shape.at(2).feather
+    assert feather is not None
+    np.testing.assert_allclose(feather, 2.0)
+    assert shape.at(1).feather is None
+    assert moving().at(15).feather is None
+
+
+def test_lifetime_is_half_open() -> None:
+    shape = replace(moving(), lifetime=(12, 20))
+    assert [shape.exists_at(frame) for frame in (11, 12, 19.5, 20)] == [False, True, True, False]
+    assert moving().exists_at(-5000)
+
+
+def test_key_at_finds_keys_only() -> None:
+    shape = moving()
+    assert shape.key_at(20) is shape.keys[1]
+    assert shape.key_at(21) is None
+    assert shape.key_at(9999) is None
+
+
+def test_artist_frames_leave_the_engines_out() -> None:
+    shape = moving().with_key(Keyframe(30, TRIANGLE, origin=Origin.ENGINE))
+    assert shape.frames == (10, 20, 30, 40)
+    assert shape.artist_frames == (10, 20, 40)
+
+
+def test_with_keys_replaces_what_lay_on_their_frames() -> None:
+    shape = moving()
+    other = Keyframe(20, TRIANGLE + 5.0)
+    assert shape.with_keys([other]).key_at(20) is other
+    assert shape.key_at(20) is not other
+
+
+def test_a_key_owns_its_points() -> None:
+    mine = TRIANGLE.copy()
+    key = Keyframe(1, mine)
+    mine += 100.0
+    np.testing.assert_array_equal(key.points, TRIANGLE)
+    with pytest.raises(ValueError, match="read-only"):
+        key.points[0, 0, 0] = 1.0
+
+
+def test_values_cannot_be_changed() -> None:
+    with pytest.raises(FrozenInstanceError):
+        moving().name = "B"  # type: ignore[misc]
+    with pytest.raises(FrozenInstanceError):
+        moving().keys[0].frame = 2  # type: ignore[misc]
+
+
+def test_keys_are_equal_when_everything_in_them_is() -> None:
+    key = Keyframe(1, TRIANGLE, extra={"later": 1})
+    same = Keyframe(1, TRIANGLE.copy(), extra={"later": 1})
+    assert key == same
+    assert hash(key) == hash(same)
+    assert key != replace(key, frame=2)
+    assert key != replace(key, points=TRIANGLE + 1e-12)
+    assert key != replace(key, feather=TRIANGLE)
+    assert key != replace(key, extra={})
+    assert moving() == moving()
+
+
+@pytest.mark.parametrize("points", [np.zeros((3, 2)), np.zeros((3, 2, 2)), np.zeros(6)])
+def test_points_of_another_form_are_refused(points: np.ndarray) -> None:
+    with pytest.raises(ValueError, match="points have shape"):
+        Keyframe(1, points)
+
+
+def test_a_feather_has_the_form_of_its_points() -> None:
+    with pytest.raises(ValueError, match="feather has shape"):
+        Keyframe(1, TRIANGLE, feather=np.zeros((4, 3, 2)))
+
+
+@pytest.mark.parametrize(
+    ("keys", "reason"),
+    [
+        ((), "no key"),
+        ((Keyframe(1, TRIANGLE), Keyframe(2, TRIANGLE[:2])), "number of points"),
+        ((Keyframe(1, TRIANGLE), Keyframe(1, TRIANGLE)), "two keys on one frame"),
+    ],
+)
+def test_what_is_no_shape_is_refused(keys: tuple[Keyframe, ...], reason: str) -> None:
+    with pytest.raises(ValueError, match=reason):
+        RotoShape("a", "A", keys)
