@@ -6,20 +6,26 @@ import gc
 import os
 import threading
 from collections.abc import Iterator
+from pathlib import Path
 
+import numpy as np
 import pytest
 
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 
 from PySide6.QtCore import QCoreApplication, QEvent, QThread, QTimer
 from PySide6.QtWidgets import QApplication
+from pytestqt.qtbot import QtBot
 from shiboken6 import isValid
 
-from app.canvas.bindings import keep_none_alive
+from app.canvas.bindings import keep_singletons_alive
+from app.canvas.view import CanvasView
 from app.document import Document
 from app.view_state import ViewState
+from roam_core.roto import Clip, Project
+from tests.gui.hand import Hand
 
-keep_none_alive()  # Also for tests of rooms that open no canvas: without it Python 3.11 aborts in their midst.
+keep_singletons_alive()  # Also for tests of rooms that open no canvas: without it Python 3.11 aborts in their midst.
 
 
 @pytest.fixture(autouse=True)
@@ -46,6 +52,25 @@ def document(qapp: QApplication) -> Document:
 def view_state(qapp: QApplication) -> ViewState:
     """A view state on frame 1."""
     return ViewState()
+
+
+@pytest.fixture
+def canvas(document: Document, view_state: ViewState, qtbot: QtBot) -> CanvasView:
+    """A canvas on a grey plate of 200 x 150 pixels, fitted at 200 %: image (x, y) lies at widget (24 + 2x, 24 + 2y)."""
+    document.open(Project(clip=Clip(Path("plate"), 1, 20, (200, 150))), None)
+    view = CanvasView(document, view_state)
+    qtbot.addWidget(view)
+    view.resize(448, 348)
+    view.set_image(1, np.full((150, 200, 3), 100, dtype=np.uint8))
+    view.show()
+    view.setFocus()
+    return view
+
+
+@pytest.fixture
+def hand(canvas: CanvasView) -> Hand:
+    """The artist's hand over `canvas`."""
+    return Hand(canvas)
 
 
 def _let_go() -> None:

@@ -1,0 +1,413 @@
+"""The select tool: clicks, drags, marquee, insertion; each drag a preview and then one undo step."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from PySide6.QtCore import Qt
+
+from app.canvas.view import CanvasView
+from app.document import Document
+from app.view_state import Selection, ViewState
+from roam_core.geometry import bezier
+from roam_core.geometry.bezier import ANCHOR, IN, OUT, polygon_points
+from roam_core.roto import Keyframe, Origin, edit
+from tests.gui.hand import ALT, CTRL, SHIFT, Hand
+from tests.gui.tools.conftest import SQUARE, OnlyShape
+
+
+def add_triangle(document: Document) -> str:
+    """A second shape, above the first; not an undo step."""
+    project, shape = edit.new_shape(document.project, polygon_points([(150.0, 20.0), (190.0, 20.0), (170.0, 60.0)]), 1)
+    document.open(project, None)
+    return shape.id
+
+
+# ---- selecting
+
+
+def test_click_on_an_outline_selects_its_shape(hand: Hand, view_state: ViewState, square: str) -> None:
+    view_state.select(frozenset())
+    hand.click((80.0, 40.0))
+    assert view_state.selection == Selection(frozenset({square}))
+
+
+def test_shift_click_adds_a_shape_and_takes_it_away(hand: Hand, document: Document, view_state: ViewState, square: str):
+    triangle = add_triangle(document)
+    view_state.select(frozenset({square}))
+    hand.click((170.0, 20.0), SHIFT)
+    assert view_state.selection.shapes == {square, triangle}
+    hand.click((170.0, 20.0), SHIFT)
+    assert view_state.selection.shapes == {square}
+
+
+def test_click_on_empty_ground_selects_nothing(hand: Hand, view_state: ViewState, square: str) -> None:
+    hand.click((180.0, 130.0))
+    assert view_state.selection == Selection()
+
+
+def test_click_on_an_anchor_selects_the_point(hand: Hand, view_state: ViewState, square: str) -> None:
+    hand.click((120.0, 40.0))
+    assert view_state.selection == Selection(frozenset({square}), frozenset({(square, 1)}))
+
+
+def test_shift_click_adds_a_point_and_takes_it_away(hand: Hand, view_state: ViewState, square: str) -> None:
+    hand.click((120.0, 40.0))
+    hand.click((120.0, 100.0), SHIFT)
+    assert view_state.selection.points == {(square, 1), (square, 2)}
+    hand.click((120.0, 40.0), SHIFT)
+    assert view_state.selection.points == {(square, 2)}
+
+
+def test_click_on_one_of_several_selected_points_leaves_only_that(hand: Hand, view_state: ViewState, square: str):
+    view_state.select(frozenset(), frozenset({(square, 0), (square, 1)}))
+    hand.click((120.0, 40.0))
+    assert view_state.selection.points == {(square, 1)}
+
+
+def test_double_click_on_an_outline_selects_all_its_points(hand: Hand, view_state: ViewState, square: str) -> None:
+    hand.double_click((80.0, 40.0))
+    assert view_state.selection.points == {(square, index) for index in range(4)}
+
+
+def test_clicks_are_no_undo_steps(hand: Hand, document: Document, square: str) -> None:
+    for at in ((80.0, 40.0), (120.0, 40.0), (180.0, 130.0)):
+        hand.click(at)
+    assert document.undo_stack.count() == 0
+
+
+def test_press_that_trembles_is_a_click(hand: Hand, document: Document, square: str, only: OnlyShape) -> None:
+    hand.press((120.0, 40.0))
+    hand.move((121.0, 40.0))
+    hand.release((121.0, 40.0))
+    assert only.anchors() == SQUARE
+    assert document.undo_stack.count() == 0
+
+
+# ---- marquee
+
+
+def test_marquee_selects_the_points_inside(hand: Hand, view_state: ViewState, square: str) -> None:
+    hand.drag((100.0, 20.0), (140.0, 120.0))
+    assert view_state.selection.points == {(square, 1), (square, 2)}
+
+
+def test_marquee_with_shift_adds_points(hand: Hand, view_state: ViewState, square: str) -> None:
+    view_state.select(frozenset(), frozenset({(square, 0)}))
+    hand.drag((100.0, 20.0), (140.0, 120.0), SHIFT)
+    assert view_state.selection.points == {(square, 0), (square, 1), (square, 2)}
+
+
+def test_marquee_prefers_points_of_the_selected_shapes(
+    hand: Hand, document: Document, view_state: ViewState, square: str
+):
+    triangle = add_triangle(document)
+    view_state.select(frozenset({square}))
+    hand.drag((100.0, 10.0), (199.0, 145.0))
+    assert {shape_id for shape_id, _ in view_state.selection.points} == {square}
+    hand.drag((145.0, 10.0), (199.0, 70.0))
+    assert {shape_id for shape_id, _ in view_state.selection.points} == {triangle}
+
+
+def test_escape_drops_a_marquee(hand: Hand, view_state: ViewState, square: str) -> None:
+    hand.press((100.0, 20.0))
+    hand.move((140.0, 120.0))
+    assert view_state.selection.points
+    hand.key(Qt.Key.Key_Escape)
+    hand.release((140.0, 120.0))
+    assert not view_state.selection.points
+
+
+# ---- dragging points
+
+
+def test_drag_of_an_anchor_moves_it_as_one_undo_step(hand: Hand, document: Document, square: str, only: OnlyShape):
+    hand.drag((120.0, 40.0), (130.0, 35.0))
+    assert only.anchors() == [SQUARE[0], (130.0, 35.0), *SQUARE[2:]]
+    assert document.undo_stack.count() == 1
+    assert document.undo_stack.undoText() == "Move point"
+    document.undo_stack.undo()
+    assert only.anchors() == SQUARE
+    document.undo_stack.redo()
+    assert only.anchors()[1] == (130.0, 35.0)
+
+
+def test_drag_begun_beside_an_anchor_does_not_jump(hand: Hand, square: str, only: OnlyShape) -> None:
+    hand.drag((122.0, 41.0), (132.0, 41.0))
+    assert only.anchors()[1] == (130.0, 40.0)
+
+
+def test_drag_of_one_selected_point_moves_them_all(hand: Hand, view_state: ViewState, square: str, only: OnlyShape):
+    view_state.select(frozenset(), frozenset({(square, 1), (square, 2)}))
+    hand.drag((120.0, 40.0), (125.0, 40.0))
+    assert only.anchors() == [SQUARE[0], (125.0, 40.0), (125.0, 100.0), SQUARE[3]]
+    assert view_state.selection.points == {(square, 1), (square, 2)}
+
+
+def test_drag_of_another_point_leaves_the_selected_ones(
+    hand: Hand, view_state: ViewState, square: str, only: OnlyShape
+):
+    view_state.select(frozenset(), frozenset({(square, 2)}))
+    hand.drag((120.0, 40.0), (125.0, 40.0))
+    assert only.anchors() == [SQUARE[0], (125.0, 40.0), *SQUARE[2:]]
+
+
+def test_drag_previews_and_touches_the_document_only_at_release(
+    hand: Hand, document: Document, view_state: ViewState, square: str, only: OnlyShape
+) -> None:
+    hand.press((120.0, 40.0))
+    hand.move((140.0, 40.0))
+    assert view_state.preview is not None
+    assert tuple(view_state.preview.shape(square).at(1).anchors[1]) == (140.0, 40.0)
+    assert only.anchors() == SQUARE
+    assert document.undo_stack.count() == 0
+    hand.release((140.0, 40.0))
+    assert view_state.preview is None
+    assert document.undo_stack.count() == 1
+
+
+@pytest.mark.parametrize(
+    ("key", "modifiers"), [(Qt.Key.Key_Escape, Qt.KeyboardModifier.NoModifier), (Qt.Key.Key_Z, CTRL)]
+)
+def test_escape_or_undo_drops_a_drag(
+    hand: Hand,
+    document: Document,
+    view_state: ViewState,
+    square: str,
+    only: OnlyShape,
+    key: Qt.Key,
+    modifiers: Qt.KeyboardModifier,
+) -> None:
+    hand.drag((40.0, 40.0), (30.0, 30.0))
+    hand.press((120.0, 40.0))
+    hand.move((140.0, 40.0))
+    hand.key(key, modifiers)
+    assert view_state.preview is None
+    hand.move((150.0, 50.0))
+    hand.release((150.0, 50.0))
+    assert only.anchors() == [(30.0, 30.0), *SQUARE[1:]]
+    assert document.undo_stack.index() == 1
+
+
+def test_drag_back_to_where_it_began_changes_nothing(hand: Hand, document: Document, square: str) -> None:
+    hand.press((120.0, 40.0))
+    hand.move((140.0, 40.0))
+    hand.move((120.0, 40.0))
+    hand.release((120.0, 40.0))
+    assert document.undo_stack.count() == 0
+
+
+def test_drag_of_the_outline_moves_the_whole_shape(
+    hand: Hand, document: Document, square: str, only: OnlyShape
+) -> None:
+    hand.drag((80.0, 40.0), (85.0, 50.0))
+    assert only.anchors() == [(x + 5.0, y + 10.0) for x, y in SQUARE]
+    assert document.undo_stack.undoText() == "Move shape"
+
+
+def test_drag_of_a_shape_that_is_not_selected_moves_nothing(
+    hand: Hand, document: Document, view_state: ViewState, square: str
+):
+    view_state.select(frozenset())
+    hand.drag((80.0, 40.0), (85.0, 50.0))
+    assert view_state.selection.shapes == {square}
+    assert document.undo_stack.count() == 0
+
+
+def test_locked_shape_cannot_be_dragged(hand: Hand, document: Document, square: str, only: OnlyShape) -> None:
+    document.apply("Lock", edit.set_properties(document.project, square, locked=True))
+    hand.drag((120.0, 40.0), (130.0, 40.0))
+    assert only.anchors() == SQUARE
+
+
+# ---- handles
+
+
+def test_drag_of_a_handle_turns_the_other_one_of_a_smooth_point(hand: Hand, smooth: str, only: OnlyShape) -> None:
+    hand.drag((70.0, 40.0), (40.0, 60.0))
+    point = only().at(1).points[0]
+    np.testing.assert_allclose(point, [(40.0, 40.0), (40.0, 10.0), (40.0, 60.0)], atol=1e-9)
+
+
+def test_ctrl_drag_breaks_the_tangent(hand: Hand, smooth: str, only: OnlyShape) -> None:
+    hand.drag((70.0, 40.0), (40.0, 60.0), CTRL)
+    np.testing.assert_array_equal(only().at(1).points[0], [(40.0, 40.0), (10.0, 40.0), (40.0, 60.0)])
+
+
+def test_shift_drag_makes_both_handles_equal(hand: Hand, smooth: str, only: OnlyShape) -> None:
+    hand.drag((70.0, 40.0), (50.0, 50.0), SHIFT)
+    np.testing.assert_array_equal(only().at(1).points[0], [(40.0, 40.0), (30.0, 30.0), (50.0, 50.0)])
+
+
+def test_modifier_pressed_during_the_drag_counts_at_once(hand: Hand, view_state: ViewState, smooth: str) -> None:
+    hand.press((70.0, 40.0))
+    hand.move((40.0, 60.0))
+    hand.move((40.0, 60.0), CTRL)
+    assert view_state.preview is not None
+    assert tuple(view_state.preview.shape(smooth).at(1).points[0, IN]) == (10.0, 40.0)
+    hand.key(Qt.Key.Key_Escape)
+    hand.release((40.0, 60.0))
+
+
+def test_handle_drag_is_one_undo_step(hand: Hand, document: Document, smooth: str, only: OnlyShape) -> None:
+    before = only().at(1).points.copy()
+    hand.drag((70.0, 40.0), (40.0, 60.0))
+    assert document.undo_stack.undoText() == "Move handle"
+    document.undo_stack.undo()
+    np.testing.assert_array_equal(only().at(1).points, before)
+
+
+def test_anchor_takes_its_handles_along(hand: Hand, smooth: str, only: OnlyShape) -> None:
+    hand.drag((40.0, 40.0), (45.0, 40.0))
+    np.testing.assert_array_equal(only().at(1).points[0], [(45.0, 40.0), (15.0, 40.0), (75.0, 40.0)])
+
+
+# ---- keys and time
+
+
+def test_edit_on_a_frame_without_a_key_makes_an_artist_key(
+    hand: Hand, view_state: ViewState, square: str, only: OnlyShape
+):
+    view_state.set_frame(7)
+    hand.drag((120.0, 40.0), (130.0, 40.0))
+    assert only().artist_frames == (1, 7)
+    assert only.anchors(1) == SQUARE
+    assert only.anchors(7)[1] == (130.0, 40.0)
+
+
+def test_edit_of_an_engine_key_makes_it_the_artists(
+    hand: Hand, document: Document, view_state: ViewState, square: str, only: OnlyShape
+) -> None:
+    doubted = np.array([1.0, 0.1, 1.0, 1.0])
+    key = Keyframe(5, polygon_points(SQUARE), origin=Origin.ENGINE, confidence=0.4, vertex_confidence=doubted)
+    document.open(document.project.with_shape(edit.set_engine_keys(only(), [key])), None)
+    view_state.select(frozenset({square}))
+    view_state.set_frame(5)
+    hand.drag((120.0, 40.0), (130.0, 40.0))
+    edited = only().key_at(5)
+    assert edited is not None
+    assert edited.origin is Origin.ARTIST
+    assert edited.vertex_confidence is None
+    document.undo_stack.undo()
+    assert only().key_at(5) == key
+
+
+def test_frames_tracked_during_a_drag_stay(hand: Hand, document: Document, square: str, only: OnlyShape) -> None:
+    hand.press((120.0, 40.0))
+    hand.move((130.0, 40.0))
+    key = Keyframe(9, polygon_points(SQUARE), origin=Origin.ENGINE)
+    document.apply("Track", document.project.with_shape(edit.set_engine_keys(only(), [key])), "run")
+    hand.release((130.0, 40.0))
+    assert only().key_at(9) == key
+    assert only.anchors()[1] == (130.0, 40.0)
+
+
+def test_drag_is_dropped_when_the_frame_changes(hand: Hand, document: Document, view_state: ViewState, square: str):
+    hand.press((120.0, 40.0))
+    hand.move((130.0, 40.0))
+    view_state.set_frame(2)
+    assert view_state.preview is None
+    assert "dropped" in view_state.message
+    hand.release((130.0, 40.0))
+    assert document.undo_stack.count() == 0
+
+
+def test_drag_is_dropped_when_its_shape_goes(
+    hand: Hand, document: Document, view_state: ViewState, square: str
+) -> None:
+    hand.press((120.0, 40.0))
+    hand.move((130.0, 40.0))
+    document.apply("Delete", edit.remove_items(document.project, [square]))
+    assert view_state.preview is None
+    assert view_state.selection == Selection()
+    hand.release((130.0, 40.0))
+    assert not document.project.shapes
+
+
+def test_taking_another_tool_drops_a_drag(hand: Hand, document: Document, view_state: ViewState, square: str) -> None:
+    hand.press((120.0, 40.0))
+    hand.move((130.0, 40.0))
+    view_state.set_tool("bezier")
+    assert view_state.preview is None
+    hand.release((130.0, 40.0))
+    assert document.undo_stack.count() == 0
+
+
+# ---- inserting points
+
+
+def test_ctrl_alt_click_inserts_a_corner_into_a_straight_edge(
+    hand: Hand, document: Document, view_state: ViewState, square: str, only: OnlyShape
+) -> None:
+    hand.click((80.0, 40.0), CTRL | ALT)
+    assert only().point_count == 5
+    np.testing.assert_allclose(only().at(1).points[1], np.tile((80.0, 40.0), (3, 1)), atol=0.2)
+    assert view_state.selection.points == {(square, 1)}
+    assert document.undo_stack.undoText() == "Insert point"
+    document.undo_stack.undo()
+    assert only.anchors() == SQUARE
+    assert view_state.selection.points <= {(square, index) for index in range(4)}
+
+
+def test_inserting_a_point_leaves_a_curved_outline_as_it_was_on_every_key(
+    hand: Hand, document: Document, smooth: str, only: OnlyShape
+) -> None:
+    moved = edit.set_key(only(), 9, only().at(1).points * 1.1)
+    document.open(document.project.with_shape(moved), None)
+    hand.click(tuple(moved.at(1).flatten(0.5)[3]), CTRL | ALT)
+    assert only().point_count == 5
+    for frame in (1, 9):
+        for position in only().at(frame).flatten(1.0):
+            assert bezier.nearest(moved.at(frame).points, position)[2] < 1e-4
+
+
+def test_insertion_beside_every_outline_says_what_to_do(
+    hand: Hand, document: Document, view_state: ViewState, square: str
+):
+    hand.click((180.0, 130.0), CTRL | ALT)
+    assert "outline" in view_state.message
+    assert document.undo_stack.count() == 0
+
+
+def test_selection_is_pruned_when_undo_takes_its_points_away(
+    hand: Hand, document: Document, view_state: ViewState, square: str
+):
+    hand.click((80.0, 40.0), CTRL | ALT)
+    view_state.select(frozenset({square}), frozenset({(square, 4)}))
+    document.undo_stack.undo()
+    assert view_state.selection == Selection(frozenset({square}))
+
+
+# ---- the pointer
+
+
+def test_pointer_shows_what_a_press_would_do(
+    canvas: CanvasView, hand: Hand, view_state: ViewState, square: str
+) -> None:
+    shapes = {}
+    for name, at, modifiers in (
+        ("anchor", (120.0, 40.0), None),
+        ("outline", (80.0, 40.0), None),
+        ("insert", (80.0, 40.0), CTRL | ALT),
+        ("empty", (180.0, 130.0), None),
+    ):
+        hand.move(at, modifiers or Qt.KeyboardModifier.NoModifier)
+        shapes[name] = canvas.cursor().shape()
+    assert shapes == {
+        "anchor": Qt.CursorShape.SizeAllCursor,
+        "outline": Qt.CursorShape.SizeAllCursor,
+        "insert": Qt.CursorShape.CrossCursor,
+        "empty": Qt.CursorShape.ArrowCursor,
+    }
+    view_state.select(frozenset())
+    hand.move((80.0, 40.0))
+    assert canvas.cursor().shape() is Qt.CursorShape.PointingHandCursor
+
+
+def test_hovered_part_is_known(hand: Hand, view_state: ViewState, smooth: str) -> None:
+    hand.move((70.0, 40.0))
+    assert view_state.hovered == (smooth, 0, OUT)
+    hand.move((120.0, 100.0))
+    assert view_state.hovered == (smooth, 2, ANCHOR)
+    hand.move((180.0, 130.0))
+    assert view_state.hovered is None
