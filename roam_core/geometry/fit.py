@@ -19,7 +19,8 @@ def fit_closed(line: Array, tolerance: float = 1.0, corner_degrees: float = 50.0
 
     The outline is cut at its corners (a turn of at least `corner_degrees` over a few pixels); each piece is fitted by
     least squares with reparametrisation and halved where it strays most, with a common tangent at the cut (Schneider,
-    "An Algorithm for Automatically Fitting Digitized Curves", Graphics Gems, 1990).
+    "An Algorithm for Automatically Fitting Digitized Curves", Graphics Gems, 1990). A piece from corner to corner that
+    is straight within half the tolerance becomes straight: the tangents that pixels show at a corner would bend it.
     """
     perimeter = polyline.length(line)
     count = max(16, round(perimeter / STEP))
@@ -35,6 +36,9 @@ def fit_closed(line: Array, tolerance: float = 1.0, corner_degrees: float = 50.0
         stop = cuts[(k + 1) % len(cuts)]
         index = np.arange(start, stop + 1 if stop > start else stop + count + 1) % count
         run = smooth[index]
+        if sharp and _off_chord(run) <= tolerance / 2.0:
+            pieces.append(_straight(run[0], run[-1]))
+            continue
         if sharp:
             ends = _end_tangent(run), -_end_tangent(run[::-1])
         else:
@@ -42,6 +46,18 @@ def fit_closed(line: Array, tolerance: float = 1.0, corner_degrees: float = 50.0
             ends = tangent, tangent
         pieces.extend(_fit_run(run, ends[0], ends[1], tolerance, 0))
     return _joined(pieces)
+
+
+def _off_chord(run: Array) -> float:
+    """The furthest that a run strays from the straight line between its ends."""
+    chord = run[-1] - run[0]
+    along = _unit(chord)
+    foot = np.clip((run - run[0]) @ along, 0.0, np.hypot(*chord))
+    return float(np.hypot(*(run - run[0] - foot[:, None] * along).T).max())
+
+
+def _straight(start: Array, end: Array) -> Array:
+    return start + np.linspace(0.0, 1.0, 4)[:, None] * (end - start)
 
 
 def _joined(pieces: list[Array]) -> Array:

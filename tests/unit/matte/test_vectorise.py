@@ -1,0 +1,180 @@
+"""From masks to shapes: one for each region, holes that subtract, sub-pixel outlines, all kinds of mask images."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import cv2
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from roam_core.errors import RoamError
+from roam_core.geometry import polyline
+from roam_core.matte import render_matte, shapes_from_mask
+from roam_core.matte.vectorise import coverage_of, outlines, read_mask
+from roam_core.roto import BlendMode, Origin
+from tests.golden.shots import dense, overlap
+
+SIZE = (90, 120)
+
+
+def disc(x: float, y: float, radius: float, size: tuple[int, int] = SIZE, samples: int = 16) -> NDArray[np.float64]:
+    """Antialiased coverage of a disc, by counting."""
+    height, width = size
+    grid = [(np.arange(n * samples) + 0.5) / samples for n in size]
+    inside = (grid[1][None] - x) ** 2 + (grid[0][:, None] - y) ** 2 < radius**2
+    return inside.reshape(height, samples, width, samples).mean(axis=(1, 3))
+
+
+def box(*boxes: tuple[int, int, int, int], size: tuple[int, int] = SIZE) -> NDArray[np.uint8]:
+    """A mask with boxes (left, top, right, bottom) of 255."""
+    mask = np.zeros(size, dtype=np.uint8)
+    for left, top, right, bottom in boxes:
+        mask[top:bottom, left:right] = 255
+    return mask
+
+
+@pytest.mark.parametrize("radius", [8.0, 20.3, 33.3])
+def test_a_soft_disc_is_met_far_below_a_pixel(radius: float) -> None:
+    centre = np.array([58.3, 44.8])
+    (ring,) = outlines(disc(*centre, radius))[0]
+    assert np.abs(np.hypot(*(ring - centre).T) - radius).max() < 0.1
+
+
+@pytest.mark.parametrize("radius", [12.0, 33.3])
+def test_the_spline_of_a_soft_disc_is_met_below_half_a_pixel(radius: float) -> None:
+    centre = np.array([58.3, 44.8])
+    (shape,) = shapes_from_mask(disc(*centre, radius), tolerance=0.5)
+    off = np.hypot(*(dense(shape.keys[0].points) - centre).T) - radius
+    assert np.abs(off).mean() < 0.2
+    assert np.abs(off).max() < 0.6
+
+
+def test_one_shape_for_each_region_the_largest_first() -> None:
+    shapes = shapes_from_mask(box((5, 5, 25, 25), (40, 10, 100, 70), (8, 50, 20, 62)), frame=1004)
+    assert [shape.id for shape in shapes] == ["shape-1", "shape-2", "shape-3"]
+    areas = [abs(polyline.signed_area(shape.at(1004).flatten())) for shape in shapes]
+    assert areas == sorted(areas, reverse=True)
+    assert areas == pytest.approx([3600.0, 400.0, 144.0], rel=0.1)
+    assert all(shape.frames == (1004,) and shape.keys[0].origin is Origin.ARTIST for shape in shapes)
+    assert all(shape.blend is BlendMode.ADD and shape.closed for shape in shapes)
+
+
+def test_holes_subtract_and_follow_their_region() -> None:
+    mask = box((10, 10, 70, 70), (80, 20, 110, 50))
+    mask[20:40, 20:40] = 0
+    mask[50:60, 50:60] = 0
+    shapes = shapes_from_mask(mask)
+    blends = [shape.blend for shape in shapes]
+    assert blends == [BlendMode.ADD, BlendMode.SUBTRACT, BlendMode.SUBTRACT, BlendMode.ADD]
+    assert [shape.name for shape in shapes] == ["Shape 1", "Shape 1 hole 1", "Shape 1 hole 2", "Shape 2"]
+    assert overlap(render_matte(shapes, 0, SIZE) > 0.5, mask > 0) > 0.985
+
+
+def test_an_island_in_a_hole_is_a_region_of_its_own() -> None:
+    mask = box((10, 10, 80, 80))
+    mask[20:70, 20:70] = 0
+    mask[35:55, 35:55] = 255
+    shapes = shapes_from_mask(mask)
+    assert [shape.blend for shape in shapes] == [BlendMode.ADD, BlendMode.SUBTRACT, BlendMode.ADD]
+    assert overlap(render_matte(shapes, 0, SIZE) > 0.5, mask > 0) > 0.985
+
+
+@pytest.mark.parametrize(
+    "edges", [(0, 0, 40, 40), (80, 0, 120, 90), (0, 50, 120, 90), (0, 0, 120, 90)],
+    ids=["corner", "side", "bottom", "everything"],
+)  # fmt: skip
+def test_a_mask_at_the_border_ends_at_the_border(edges: tuple[int, int, int, int]) -> None:
+    (shape,) = shapes_from_mask(box(edges))
+    line = shape.at(0).flatten()
+    np.testing.assert_allclose(line.min(axis=0), edges[:2], atol=0.5)
+    np.testing.assert_allclose(line.max(axis=0), edges[2:], atol=0.5)
+    assert overlap(render_matte([shape], 0, SIZE) > 0.5, box(edges) > 0) > 0.99
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_the_matte_of_the_shapes_is_the_mask(seed: int) -> None:
+    noise = cv2.GaussianBlur(np.random.default_rng(seed).normal(size=(140, 180)), (0, 0), 12.0)
+    mask = noise > 0.3 * noise.std()
+    shapes = shapes_from_mask(mask)
+    assert overlap(render_matte(shapes, 0, mask.shape) > 0.5, mask) > 0.95
+    assert sum(shape.point_count for shape in shapes) < 150
+
+
+SOFT = disc(60.0, 45.0, 30.0)
+HARD = SOFT > 0.5
+
+
+@pytest.mark.parametrize(
+    "mask",
+    [
+        HARD,
+        HARD.astype(np.uint8),
+        HARD.astype(np.int64) * 3,
+        HARD.astype(np.uint8) * 255,
+        HARD.astype(np.uint16) * 65535,
+        HARD.astype(np.float32),
+        HARD.astype(np.float64)[..., None],
+        np.repeat(HARD[..., None].astype(np.uint8) * 255, 3, axis=2),
+        np.stack([np.full(SIZE, 200, np.uint8)] * 3 + [HARD.astype(np.uint8) * 255], axis=2),
+        np.stack([HARD * 1.0, np.zeros(SIZE), np.zeros(SIZE)], axis=2),
+    ],
+    ids=["bool", "0/1", "labels", "uint8", "uint16", "float32", "one channel", "RGB", "RGBA", "red"],
+)
+def test_every_kind_of_mask_gives_the_same_outline(mask: NDArray[np.generic]) -> None:
+    expected = outlines(HARD)[0][0]
+    np.testing.assert_allclose(outlines(mask)[0][0], expected, atol=1e-6)
+
+
+def test_grey_is_coverage() -> None:
+    grey = np.round(SOFT * 255).astype(np.uint8)
+    np.testing.assert_allclose(coverage_of(grey), SOFT, atol=1 / 500)
+    np.testing.assert_allclose(coverage_of(np.array([[np.nan, -1.0, 2.0]])), [[0.0, 0.0, 1.0]])
+
+
+@pytest.mark.parametrize("mask", [np.zeros(SIZE, np.uint8), np.zeros(SIZE), np.zeros(SIZE, bool), np.zeros((0, 0))])
+def test_an_empty_mask_has_no_shape(mask: NDArray[np.generic]) -> None:
+    assert shapes_from_mask(mask) == []
+
+
+def test_specks_are_left_out_unless_there_is_nothing_else() -> None:
+    speck = (5, 5, 7, 7)
+    assert len(shapes_from_mask(box(speck, (30, 30, 60, 60)))) == 1
+    (shape,) = shapes_from_mask(box(speck))
+    np.testing.assert_allclose(shape.at(0).anchors.mean(axis=0), (6.0, 6.0), atol=0.5)
+
+
+def test_what_is_no_mask_is_refused() -> None:
+    with pytest.raises(ValueError, match="a mask has shape"):
+        coverage_of(np.zeros(5))
+
+
+# ---- mask files ------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("name", ["mask.png", "mask.tif", "mask.jpg"])
+def test_a_mask_is_read_from_a_file(tmp_path: Path, name: str) -> None:
+    cv2.imwrite(str(tmp_path / name), HARD.astype(np.uint8) * 255)
+    assert overlap(coverage_of(read_mask(tmp_path / name, SIZE)) > 0.5, HARD) > 0.99
+
+
+def test_alpha_and_sixteen_bits_survive_reading(tmp_path: Path) -> None:
+    cv2.imwrite(str(tmp_path / "a.png"), np.round(SOFT * 65535).astype(np.uint16))
+    np.testing.assert_allclose(coverage_of(read_mask(tmp_path / "a.png")), SOFT, atol=1e-4)
+    rgba = np.stack([np.full(SIZE, 255, np.uint8)] * 3 + [HARD.astype(np.uint8) * 255], axis=2)
+    cv2.imwrite(str(tmp_path / "b.png"), rgba)
+    np.testing.assert_array_equal(coverage_of(read_mask(tmp_path / "b.png")) > 0.5, HARD)
+
+
+def test_masks_that_cannot_serve_are_refused(tmp_path: Path) -> None:
+    (tmp_path / "text.png").write_text("no picture")
+    cv2.imwrite(str(tmp_path / "small.png"), np.full((4, 4), 255, np.uint8))
+    with pytest.raises(RoamError, match="does not exist"):
+        read_mask(tmp_path / "none.png")
+    with pytest.raises(RoamError, match="cannot be read as a mask"):
+        read_mask(tmp_path / "text.png")
+    with pytest.raises(RoamError, match="cannot be read as a mask"):
+        read_mask(tmp_path)
+    with pytest.raises(RoamError, match="is 4x4, the clip is 120x90"):
+        read_mask(tmp_path / "small.png", SIZE)
