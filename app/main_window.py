@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from pathlib import Path
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import Qt, QTimer
 from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent
 from PySide6.QtWidgets import QHBoxLayout, QMainWindow, QSplitter, QUndoView, QVBoxLayout, QWidget
 
@@ -91,8 +91,7 @@ class MainWindow(QMainWindow):
         self.transport = Transport(self.navigation, view_state, self.playback, actions)
         self.timeline = Timeline(document, view_state, self.reader.cached_frames)
         self.status = StatusBar(view_state)
-        menus.fill(self.menuBar(), actions)
-        self.menuBar().setCornerWidget(self.view_bar)
+        self.setMenuWidget(_top_row(menus.menu_bar(actions), self.view_bar))
 
     def _lay_out(self) -> None:
         self.panel_column = self._panel_column()
@@ -293,14 +292,23 @@ class MainWindow(QMainWindow):
             self.file_actions.leave_project(self._leave)
 
     def _leave(self) -> None:
+        """Close for good. Later, because Qt lets no window close while it is being asked to."""
         self._is_leaving = True
-        self.close()
+        QTimer.singleShot(0, self, self.close)
 
     def _shut_down(self) -> None:
         self.playback.pause()
         self.propagation.drop()
         for part in (self.solver, self.reader, self.writer, self.autosave):
             part.close()
+
+
+def _top_row(menu_bar: QWidget, view_bar: QWidget) -> QWidget:
+    row = QWidget()
+    box = QHBoxLayout(row)
+    _fill(box, menu_bar, view_bar)
+    box.setStretchFactor(menu_bar, 1)
+    return row
 
 
 def _fill(box: QHBoxLayout | QVBoxLayout, *parts: QWidget) -> None:

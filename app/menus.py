@@ -44,12 +44,14 @@ MENUS: dict[str, tuple[str, ...]] = {
 }  # fmt: skip
 
 
-def fill(menu_bar: QMenuBar, actions: Actions) -> None:
-    """Put every menu on the bar."""
+def menu_bar(actions: Actions) -> QMenuBar:
+    """A bar with every menu."""
+    bar = QMenuBar()
     for title, entries in MENUS.items():
-        menu = menu_bar.addMenu(title)
+        menu = bar.addMenu(title)
         for entry in entries:
             if entry == SEPARATOR:
                 menu.addSeparator()
             else:
                 menu.addAction(actions[entry])
+    return bar

@@ -61,17 +61,19 @@ def style_sheet() -> str:
 
 
 @lru_cache(maxsize=256)
-def icon(name: str) -> QIcon:
-    """The line drawing `resources/icons/<name>.svg`: text grey, accent where it is switched on, dim where disabled."""
+def icon(name: str, colour: str = TEXT, lit: str = ACCENT) -> QIcon:
+    """The line drawing `resources/icons/<name>.svg`: in `colour`, `lit` where it is switched on, dim where disabled."""
     drawing = (files("resources") / "icons" / f"{name}.svg").read_text(encoding="utf-8")
     result = QIcon()
     for size in (16, 32, 48):
-        for mode, state, colour in (
-            (QIcon.Mode.Normal, QIcon.State.Off, TEXT),
+        for mode, state, shade in (
+            (QIcon.Mode.Normal, QIcon.State.Off, colour),
+            (QIcon.Mode.Selected, QIcon.State.Off, colour),
             (QIcon.Mode.Disabled, QIcon.State.Off, DISABLED),
-            (QIcon.Mode.Normal, QIcon.State.On, ACCENT),
+            (QIcon.Mode.Normal, QIcon.State.On, lit),
+            (QIcon.Mode.Selected, QIcon.State.On, lit),
         ):
-            result.addPixmap(_drawn(drawing.replace(TEXT, colour), size), mode, state)
+            result.addPixmap(_drawn(drawing.replace(TEXT, shade), size), mode, state)
     return result
 
 
@@ -85,7 +87,9 @@ def swatch(colour: tuple[float, float, float], size: int = 10) -> QIcon:
     painter.setBrush(QColor.fromRgbF(*colour))
     painter.drawRect(1, 1, 2 * size - 3, 2 * size - 3)
     painter.end()
-    return QIcon(pixmap)
+    result = QIcon(pixmap)
+    result.addPixmap(pixmap, QIcon.Mode.Selected)
+    return result
 
 
 def _drawn(drawing: str, size: int) -> QPixmap:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from PySide6.QtCore import QSignalBlocker, Qt
-from PySide6.QtGui import QBrush, QColor, QDropEvent, QKeyEvent
+from PySide6.QtGui import QBrush, QColor, QDropEvent, QIcon, QKeyEvent
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QLabel, QTreeWidget, QTreeWidgetItem, QVBoxLayout, QWidget
 
 from app import shape_verbs, style
@@ -94,7 +94,7 @@ class ShapeTree(QTreeWidget):
             self.clear()
             self._add_rows(self.invisibleRootItem(), root)
             for row in self._rows():
-                row.setExpanded(row.data(NAME, ID) not in closed)
+                row.setExpanded(row.childCount() > 0 and row.data(NAME, ID) not in closed)
         self._pull_selection()
 
     def _add_rows(self, parent: QTreeWidgetItem, layer: Layer) -> None:
@@ -186,7 +186,9 @@ class ShapeTree(QTreeWidget):
                 waiting.extend(row.child(index) for index in range(row.childCount()))
 
     def _covered(self, row: QTreeWidgetItem) -> frozenset[str]:
-        """The shapes that a row stands for: itself, or all in the layer."""
+        """The shapes that a row stands for: itself, or all in the layer; none when it is about to go."""
+        if not self._document.project.has(row.data(NAME, ID)):
+            return frozenset()
         item = self._document.project.find(row.data(NAME, ID))
         return frozenset({item.id} if isinstance(item, RotoShape) else (shape.id for shape in item.shapes()))
 
@@ -194,9 +196,10 @@ class ShapeTree(QTreeWidget):
 def _dress_row(row: QTreeWidgetItem, item: Layer | RotoShape) -> None:
     row.setText(NAME, item.name)
     row.setData(NAME, ID, item.id)
-    row.setIcon(NAME, style.swatch(item.colour) if isinstance(item, RotoShape) else style.icon("layer"))
-    row.setIcon(EYE, style.icon("eye" if item.visible else "eye-off"))
-    row.setIcon(LOCK, style.icon("lock" if item.locked else "lock-open"))
+    row.setIcon(NAME, style.swatch(item.colour) if isinstance(item, RotoShape) else _drawing("layer", style.WEAK))
+    # What is usual is quiet; what keeps a shape from being seen or edited stands out.
+    row.setIcon(EYE, _drawing("eye", style.WEAK) if item.visible else _drawing("eye-off", style.TEXT))
+    row.setIcon(LOCK, _drawing("lock", style.TEXT) if item.locked else _drawing("lock-open", style.DISABLED))
     row.setToolTip(EYE, "Show or hide")
     row.setToolTip(LOCK, "Lock or unlock")
     flag = Qt.ItemFlag
@@ -204,6 +207,11 @@ def _dress_row(row: QTreeWidgetItem, item: Layer | RotoShape) -> None:
     row.setFlags(flag.ItemIsSelectable | flag.ItemIsEnabled | flag.ItemIsEditable | flag.ItemIsDragEnabled | drops)
     if not item.visible:
         row.setForeground(NAME, QBrush(QColor(style.DISABLED)))
+
+
+def _drawing(name: str, colour: str) -> QIcon:
+    """An icon that looks the same on open and closed rows."""
+    return style.icon(name, colour, lit=colour)
 
 
 def _summary(layer: Layer) -> tuple[object, ...]:

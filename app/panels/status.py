@@ -55,7 +55,7 @@ class StatusBar(QWidget):
 
     def show_memory(self, used: int, limit: int) -> None:
         """Tell how much of the frame cache is used, in bytes."""
-        self._memory.setText(f"memory {used / 2**30:.1f}/{limit / 2**30:.1f} GB" if limit else "")
+        self._memory.setText(f"memory {used / 2**30:.2f}/{limit / 2**30:.1f} GB" if limit else "")
 
     def _show_work(self, running: bool) -> None:
         self.bar.setVisible(running)

@@ -5,12 +5,15 @@ from __future__ import annotations
 from dataclasses import replace
 
 from PySide6.QtCore import QObject, QPointF, Qt, Signal
-from PySide6.QtGui import QColor, QMouseEvent, QPainter, QPen, QWheelEvent
+from PySide6.QtGui import QColor, QPainter, QPen, QWheelEvent
 from PySide6.QtWidgets import QWidget
 
 from app import style
 from app.timeline.scale import RIGHT_MARGIN, TimeScale
 from app.view_state import ViewState
+
+ZOOM, PAN = 1.25, 0.1
+"""A notch of the wheel: the factor of zoom, the share of the strip."""
 
 
 class TimeAxis(QObject):
@@ -22,7 +25,6 @@ class TimeAxis(QObject):
         super().__init__(parent)
         self.view_state = view_state
         self._scale = TimeScale()
-        self._is_scrubbing = False
         view_state.frame_changed.connect(self._follow)
 
     @property
@@ -46,22 +48,19 @@ class TimeAxis(QObject):
 
     # ---- gestures, the same in ruler and rows
 
-    def wheel(self, event: QWheelEvent) -> None:
-        """Zoom at the pointer; with Shift, or sideways, pan."""
-        turn = event.angleDelta()
+    def wheel(self, event: QWheelEvent, x: float) -> None:
+        """Zoom at the pixel `x`; with Shift, or sideways, pan."""
+        turn, scale = event.angleDelta(), self._scale
         if turn.x() or event.modifiers() & Qt.KeyboardModifier.ShiftModifier:
-            self.set_scale(
-                self._scale.panned(-(turn.x() or turn.y()) / 120 * self._scale.width / self._scale.pixels / 10)
-            )
+            notches = (turn.x() or turn.y()) / 120
+            self.set_scale(scale.panned(-notches * PAN * scale.width / scale.pixels))
         else:
-            self.set_scale(self._scale.zoomed(1.25 ** (turn.y() / 120), event.position().x()))
+            self.set_scale(scale.zoomed(ZOOM ** (turn.y() / 120), x))
         event.accept()
 
-    def scrub(self, event: QMouseEvent) -> None:
-        """Put the playhead under the pointer."""
-        self._is_scrubbing = True
-        self.view_state.set_frame(self._scale.frame(event.position().x()))
-        self._is_scrubbing = False
+    def scrub(self, x: float) -> None:
+        """Put the playhead on the frame under the pixel `x`."""
+        self.view_state.set_frame(self._scale.frame(x))
 
     def _follow(self) -> None:
         self.set_scale(self._scale.showing(self.view_state.frame))

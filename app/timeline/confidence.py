@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pyqtgraph as pg
 from numpy.typing import NDArray
-from PySide6.QtCore import Qt
-from PySide6.QtGui import QColor, QMouseEvent, QResizeEvent, QWheelEvent
-from PySide6.QtWidgets import QWidget
+from PySide6.QtCore import QRectF, Qt
+from PySide6.QtGui import QColor, QMouseEvent, QPainter, QPaintEvent, QResizeEvent, QWheelEvent
+from PySide6.QtWidgets import QHBoxLayout, QWidget
 
 from app import style
 from app.document import Document
@@ -19,46 +19,56 @@ Pairs = NDArray[np.float64]
 Values = NDArray[np.float64]
 
 HEIGHT = 64
+LOW, HIGH = -0.12, 1.12
+"""The plot's range: a little more than a confidence can be, so that lines at its ends are seen."""
 
 
-class ConfidencePlot(pg.PlotWidget):  # type: ignore[misc]
-    """One line a shown shape: the selected ones, or all when none is. Under the threshold it is filled."""
+class ConfidencePlot(QWidget):
+    """The name and values of the scale, and right of them the lines, under the ruler's frames."""
 
     def __init__(self, document: Document, axis: TimeAxis, marks: MarksOf, parent: QWidget | None = None) -> None:
-        super().__init__(parent, background=style.PANEL)
-        self._document, self._axis, self._marks = document, axis, marks
-        self._curves: dict[str, pg.PlotDataItem] = {}
+        super().__init__(parent)
         self.setFixedHeight(HEIGHT)
-        self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self.setToolTip("Confidence of the tracked frames; under the dashed line a frame is worth a look")
-        self._dress()
+        self.lines = ConfidenceLines(document, axis, marks)
+        row = QHBoxLayout(self)
+        row.setContentsMargins(LABEL_WIDTH, 0, 0, 0)
+        row.addWidget(self.lines)
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        painter = QPainter(self)
+        painter.fillRect(self.rect(), QColor(style.PANEL))
+        font = self.font()
+        font.setPixelSize(11)
+        painter.setFont(font)
+        painter.setPen(QColor(style.WEAK))
+        middle, right = Qt.AlignmentFlag.AlignVCenter, Qt.AlignmentFlag.AlignRight
+        for value, text in ((0.0, "0"), (DOUBTFUL, f"{DOUBTFUL:g}"), (1.0, "1")):
+            y = HEIGHT * (HIGH - value) / (HIGH - LOW)
+            painter.drawText(QRectF(0, y - 8, LABEL_WIDTH - 6, 16), middle | right, text)
+        painter.drawText(QRectF(style.MARGIN, 0, LABEL_WIDTH, HEIGHT), middle, "confidence")
+        painter.end()
+
+
+class ConfidenceLines(pg.GraphicsView):  # type: ignore[misc]
+    """One line a shown shape: the selected ones, or all when none is. Doubt is filled up to the threshold."""
+
+    def __init__(self, document: Document, axis: TimeAxis, marks: MarksOf) -> None:
+        super().__init__(background=style.PANEL)
+        self._document, self._axis, self._marks = document, axis, marks
+        self._curves: dict[str, pg.PlotCurveItem] = {}
+        self._box = pg.ViewBox(enableMouse=False, enableMenu=False, defaultPadding=0)
+        self.setCentralItem(self._box)
+        self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        self._box.setYRange(LOW, HIGH, padding=0)
         self._playhead = pg.InfiniteLine(pen=pg.mkPen(style.ACCENT, width=1))
-        self._threshold = pg.InfiniteLine(DOUBTFUL, angle=0, pen=pg.mkPen("#6a6a6a", style=Qt.PenStyle.DashLine))
-        for line in (self._threshold, self._playhead):
-            self.addItem(line)
+        threshold = pg.InfiniteLine(DOUBTFUL, angle=0, pen=pg.mkPen(style.DISABLED, style=Qt.PenStyle.DashLine))
+        for line in (threshold, self._playhead):
+            self._box.addItem(line, ignoreBounds=True)
         for signal in (document.changed, document.replaced, axis.view_state.selection_changed):
             signal.connect(self._pull)
         axis.changed.connect(self._pull_time)
         axis.view_state.frame_changed.connect(self._pull_playhead)
-
-    def _dress(self) -> None:
-        item = self.getPlotItem()
-        item.setMenuEnabled(False)
-        item.hideButtons()
-        item.setMouseEnabled(x=False, y=False)
-        item.setContentsMargins(0, 0, 0, 0)
-        item.layout.setContentsMargins(0, 2, 0, 4)
-        item.hideAxis("bottom")
-        side = item.getAxis("left")
-        side.setWidth(LABEL_WIDTH)
-        side.setTicks([[(0.0, "0"), (DOUBTFUL, f"confidence   {DOUBTFUL:.1f}"), (1.0, "1")]])
-        side.setStyle(tickLength=0, hideOverlappingLabels=False)
-        side.setPen(None)
-        side.setTextPen(style.WEAK)
-        font = self.font()
-        font.setPixelSize(11)
-        side.setTickFont(font)
-        item.setYRange(0.0, 1.0, padding=0.12)
 
     def _shown(self) -> list[str]:
         selected = self._axis.view_state.selection.shapes
@@ -68,20 +78,22 @@ class ConfidencePlot(pg.PlotWidget):  # type: ignore[misc]
     def _pull(self, _ids: object = None) -> None:
         shown = self._shown()
         for shape_id in set(self._curves) - set(shown):
-            self.removeItem(self._curves.pop(shape_id))
+            self._box.removeItem(self._curves.pop(shape_id))
         for shape_id in shown:
-            shape = self._document.project.shape(shape_id)
-            if shape_id not in self._curves:
-                self._curves[shape_id] = self.plot(connect="finite", fillLevel=DOUBTFUL)
-            curve, frames = self._curves[shape_id], self._marks(shape).confidence
-            colour = QColor.fromRgbF(*shape.colour)
-            curve.setPen(pg.mkPen(colour, width=1))
-            curve.setData(*_with_gaps(frames))
+            self._pull_curve(shape_id)
+
+    def _pull_curve(self, shape_id: str) -> None:
+        shape = self._document.project.shape(shape_id)
+        if shape_id not in self._curves:
+            self._curves[shape_id] = pg.PlotCurveItem(connect="finite")
+            self._box.addItem(self._curves[shape_id], ignoreBounds=True)
+        colour = QColor.fromRgbF(*shape.colour)
+        self._curves[shape_id].setPen(pg.mkPen(colour, width=1))
+        self._curves[shape_id].setData(*_with_gaps(self._marks(shape).confidence))
 
     def _pull_time(self) -> None:
         scale = self._axis.scale
-        pixels_right = max(self.width() - scale.left, 1.0)
-        self.setXRange(scale.first, scale.first + pixels_right / scale.pixels, padding=0)
+        self._box.setXRange(scale.first, scale.first + max(self.width(), 1) / scale.pixels, padding=0)
         self._pull_playhead()
 
     def _pull_playhead(self) -> None:
@@ -89,18 +101,22 @@ class ConfidencePlot(pg.PlotWidget):  # type: ignore[misc]
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
+        # pyqtgraph's constructor resizes the view before there is anything in it.
         if hasattr(self, "_playhead"):
             self._pull_time()
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
-        self._axis.scrub(event)
+        self._axis.scrub(event.position().x() + LABEL_WIDTH)
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         if event.buttons() & Qt.MouseButton.LeftButton:
-            self._axis.scrub(event)
+            self._axis.scrub(event.position().x() + LABEL_WIDTH)
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        """The gesture ends; pyqtgraph's own handling is not wanted."""
 
     def wheelEvent(self, event: QWheelEvent) -> None:
-        self._axis.wheel(event)
+        self._axis.wheel(event, event.position().x() + LABEL_WIDTH)
 
 
 def _with_gaps(confidence: Pairs) -> tuple[Values, Values]:

@@ -62,17 +62,17 @@ class KeyRows(QAbstractScrollArea):
             self._select(shape, event.modifiers())
             self._axis.view_state.set_frame(frame)
         elif position.x() >= LABEL_WIDTH:
-            self._axis.scrub(event)
+            self._axis.scrub(event.position().x())
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         if event.buttons() & Qt.MouseButton.LeftButton and event.position().x() >= LABEL_WIDTH:
-            self._axis.scrub(event)
+            self._axis.scrub(event.position().x())
 
     def wheelEvent(self, event: QWheelEvent) -> None:
         if event.position().x() < LABEL_WIDTH:
             super().wheelEvent(event)
         else:
-            self._axis.wheel(event)
+            self._axis.wheel(event, event.position().x())
 
     # ---- the rest is private
 

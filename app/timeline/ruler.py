@@ -15,6 +15,9 @@ from app.timeline.scale import LABEL_WIDTH
 
 HEIGHT = 34
 CACHE_HEIGHT = 3
+LABEL_SPACE = 40.0
+"""Pixels that the labels of the first and the last frame keep free around them."""
+TICK, CACHED = "#555555", "#6e6e6e"
 
 
 class Ruler(QWidget):
@@ -39,17 +42,17 @@ class Ruler(QWidget):
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         if event.button() == Qt.MouseButton.LeftButton:
-            self._axis.scrub(event)
+            self._axis.scrub(event.position().x())
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         if event.buttons() & Qt.MouseButton.LeftButton:
-            self._axis.scrub(event)
+            self._axis.scrub(event.position().x())
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
         self._axis.fit()
 
     def wheelEvent(self, event: QWheelEvent) -> None:
-        self._axis.wheel(event)
+        self._axis.wheel(event, event.position().x())
 
     # ---- painting
 
@@ -76,12 +79,20 @@ class Ruler(QWidget):
         scale = self._axis.scale
         label, tick = scale.steps()
         painter.setFont(self._small_font())
-        for frame in _multiples(tick, scale.first, min(scale.last, scale.clip[1] - 1)):
-            x, is_labelled = scale.x(frame), frame % label == 0
-            painter.setPen(QColor(style.WEAK if is_labelled else "#555555"))
-            painter.drawLine(QPointF(x, HEIGHT - (14 if is_labelled else 10)), QPointF(x, HEIGHT - 6))
-            if is_labelled:
-                painter.drawText(QRectF(x - 30, 3, 60, 14), Qt.AlignmentFlag.AlignCenter, str(frame))
+        ends = (scale.clip[0], scale.clip[1] - 1)
+        for frame in _multiples(tick, scale.first, min(scale.last, ends[1])):
+            near_end = any(abs(frame - end) * scale.pixels < LABEL_SPACE for end in ends)
+            self._paint_tick(painter, frame, is_labelled=frame % label == 0 and not near_end)
+        for frame in ends:
+            if scale.first <= frame <= scale.last:
+                self._paint_tick(painter, frame, is_labelled=True)
+
+    def _paint_tick(self, painter: QPainter, frame: int, *, is_labelled: bool) -> None:
+        x = self._axis.scale.x(frame)
+        painter.setPen(QColor(style.WEAK if is_labelled else TICK))
+        painter.drawLine(QPointF(x, HEIGHT - (14 if is_labelled else 10)), QPointF(x, HEIGHT - 6))
+        if is_labelled:
+            painter.drawText(QRectF(x - 30, 3, 60, 14), Qt.AlignmentFlag.AlignCenter, str(frame))
 
     def _paint_cache(self, painter: QPainter) -> None:
         scale = self._axis.scale
@@ -89,7 +100,7 @@ class Ruler(QWidget):
             left, right = max(scale.x(first - 0.5), scale.left), min(scale.x(stop - 0.5), scale.right)
             if right > left:
                 bar = QRectF(left, HEIGHT - CACHE_HEIGHT - 1, right - left, CACHE_HEIGHT)
-                painter.fillRect(bar, QColor("#6e6e6e"))
+                painter.fillRect(bar, QColor(CACHED))
 
     def _paint_labels(self, painter: QPainter) -> None:
         painter.fillRect(0, 0, LABEL_WIDTH, HEIGHT, QColor(style.WINDOW))

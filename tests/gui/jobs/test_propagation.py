@@ -1,0 +1,191 @@
+"""Tracking as a job: one undo step a run, artist keys untouched, an edit of a shape under work ends the run."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field
+from typing import Any
+
+import pytest
+from pytestqt.qtbot import QtBot
+
+from app.document import Document
+from app.jobs.propagation import Propagation
+from app.jobs.runner import Ending, Runner
+from app.view_state import ViewState
+from roam_core.cancel import CancelToken
+from roam_core.geometry.bezier import polygon_points
+from roam_core.propagate import run
+from roam_core.propagate.result import FrameResult, Termination, TrackResult
+from roam_core.roto import Keyframe, Origin, Project, RotoShape, edit
+
+WAIT = 5000
+SQUARE = polygon_points([(0, 0), (10, 0), (10, 10), (0, 10)])
+
+
+@dataclass
+class Engine:
+    """Stands in for the engine: moves shapes by a pixel a frame, one frame for each `allow`."""
+
+    gate: threading.Semaphore = field(default_factory=lambda: threading.Semaphore(0))
+
+    def allow(self, frames: int) -> None:
+        self.gate.release(frames)
+
+    def track(
+        self, read: Any, shapes: Any, frames: range, config: str, token: CancelToken, clip: str
+    ) -> Iterator[FrameResult]:
+        for frame in frames[1:]:
+            while not self.gate.acquire(timeout=0.01):
+                token.check()
+            results = []
+            for shape in shapes:
+                points = shape.at(frames[0]).points + (frame - frames[0])
+                key = Keyframe(frame, points, origin=Origin.ENGINE, confidence=0.4 if frame == 3 else 0.9)
+                moved = edit.set_engine_keys(shape, [key])
+                results.append(TrackResult(frame, moved, 0.4 if frame == 3 else 0.9, {}, Termination.CONVERGED, 0.01))
+            yield FrameResult(frame, tuple(results))
+
+
+@pytest.fixture
+def engine(monkeypatch: pytest.MonkeyPatch) -> Engine:
+    engine = Engine()
+    monkeypatch.setattr(run, "track", engine.track)
+    return engine
+
+
+@pytest.fixture
+def runner(qtbot: QtBot) -> Iterator[Runner]:
+    runner = Runner("solver")
+    yield runner
+    assert runner.close()
+
+
+@pytest.fixture
+def propagation(document: Document, view_state: ViewState, runner: Runner, engine: Engine) -> Propagation:
+    project, _ = edit.new_shape(Project(), SQUARE, 1)
+    project, _ = edit.new_shape(project, SQUARE, 1)
+    document.open(project, None)
+    return Propagation(document, view_state, runner, lambda frame: None)
+
+
+def shape(document: Document) -> RotoShape:
+    return document.project.shape("shape-1")
+
+
+def solved(document: Document, frames: list[int]) -> Callable[[], bool]:
+    return lambda: [key.frame for key in shape(document).keys if key.origin is Origin.ENGINE] == frames
+
+
+def test_a_run_is_one_undo_step_and_the_playhead_goes_with_it(
+    qtbot: QtBot, propagation: Propagation, document: Document, view_state: ViewState, engine: Engine
+) -> None:
+    before = document.project
+    engine.allow(4)
+    with qtbot.waitSignal(propagation.finished, timeout=WAIT) as finished:
+        propagation.start(["shape-1"], range(1, 6))
+    assert solved(document, [2, 3, 4, 5])()
+    assert view_state.frame == 5
+    assert document.undo_stack.count() == 1
+    assert finished.args == [
+        Ending.DONE,
+        "Tracked Shape 1 to frame 5: 4 frames, 10 ms each. 1 doubtful frame: N goes to the next one.",
+    ]
+    document.undo_stack.undo()
+    assert document.project is before
+
+
+def test_the_status_tells_what_how_far_and_how_fast(qtbot: QtBot, propagation: Propagation, engine: Engine) -> None:
+    told: list[tuple[float, str]] = []
+    propagation.progress.connect(lambda fraction, text: told.append((fraction, text)))
+    engine.allow(4)
+    with qtbot.waitSignal(propagation.finished, timeout=WAIT):
+        propagation.start(["shape-1"], range(1, 6))
+    assert told[-1] == (1.0, "Tracking Shape 1 forward: frame 5 of 5 · 10 ms a frame")
+
+
+def test_stop_keeps_the_frames_that_are_finished(
+    qtbot: QtBot, propagation: Propagation, document: Document, engine: Engine
+) -> None:
+    engine.allow(2)
+    propagation.start(["shape-1"], range(1, 6))
+    qtbot.waitUntil(solved(document, [2, 3]), timeout=WAIT)
+    with qtbot.waitSignal(propagation.finished, timeout=WAIT) as finished:
+        propagation.stop()
+    assert finished.args == [Ending.CANCELLED, "Tracking stopped at frame 3; the finished frames stay."]
+    assert solved(document, [2, 3])()
+    assert not propagation.is_running
+
+
+def test_artist_keys_come_back_bit_identical(
+    qtbot: QtBot, propagation: Propagation, document: Document, engine: Engine
+) -> None:
+    keyed = edit.set_key(shape(document), 3, SQUARE * 2)
+    document.apply("Key", document.project.with_shape(keyed))
+    engine.allow(4)
+    with qtbot.waitSignal(propagation.finished, timeout=WAIT):
+        propagation.start(["shape-1"], range(1, 6))
+    assert shape(document).key_at(3) is keyed.key_at(3)
+    assert solved(document, [2, 4, 5])()
+
+
+@pytest.mark.parametrize("act", ["edit", "undo", "delete"])
+def test_touching_a_shape_under_work_ends_its_run_at_once(
+    qtbot: QtBot, propagation: Propagation, document: Document, engine: Engine, act: str
+) -> None:
+    engine.allow(2)
+    propagation.start(["shape-1"], range(1, 6))
+    qtbot.waitUntil(solved(document, [2, 3]), timeout=WAIT)
+    if act == "edit":
+        moved = edit.set_key(shape(document), 3, SQUARE + 1.5)
+        document.apply("Move", document.project.with_shape(moved))
+    elif act == "undo":
+        document.undo_stack.undo()
+    else:
+        document.apply("Delete", edit.remove_items(document.project, ["shape-1"]))
+    assert not propagation.is_running
+    after = document.project
+    engine.allow(3)
+    qtbot.wait(50)
+    assert document.project is after
+
+
+def test_other_edits_leave_the_run_alone(
+    qtbot: QtBot, propagation: Propagation, document: Document, engine: Engine
+) -> None:
+    engine.allow(1)
+    propagation.start(["shape-1"], range(1, 6))
+    qtbot.waitUntil(solved(document, [2]), timeout=WAIT)
+    document.apply("Colour", edit.set_properties(document.project, "shape-1", colour=(1.0, 0.0, 0.0)))
+    document.apply("Move", document.project.with_shape(edit.key_here(document.project.shape("shape-2"), 4)))
+    assert propagation.is_running
+    engine.allow(3)
+    with qtbot.waitSignal(propagation.finished, timeout=WAIT):
+        pass
+    assert solved(document, [2, 3, 4, 5])()
+    assert shape(document).colour == (1.0, 0.0, 0.0)
+
+
+def test_the_playhead_stays_where_the_artist_scrubbed_to(
+    qtbot: QtBot, propagation: Propagation, document: Document, view_state: ViewState, engine: Engine
+) -> None:
+    engine.allow(1)
+    propagation.start(["shape-1"], range(1, 6))
+    qtbot.waitUntil(lambda: view_state.frame == 2, timeout=WAIT)
+    view_state.set_frame(1)
+    engine.allow(3)
+    with qtbot.waitSignal(propagation.finished, timeout=WAIT):
+        pass
+    assert view_state.frame == 1
+
+
+def test_opening_another_project_ends_the_run(
+    qtbot: QtBot, propagation: Propagation, document: Document, engine: Engine
+) -> None:
+    propagation.start(["shape-1"], range(1, 6))
+    document.open(Project(), None)
+    assert not propagation.is_running
+    engine.allow(4)
+    qtbot.wait(50)
+    assert document.project == Project()

@@ -1,0 +1,109 @@
+"""`roam`: what it does without a display, with a wrong path, with a command; and what a defect costs."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from pytestqt.qtbot import QtBot
+
+from app import launch
+from app.jobs import autosave
+from roam_core.geometry.bezier import polygon_points
+from roam_core.roto import Project, edit, file
+from tests.gui.windows import offscreen, opened_window, write_clip
+
+DISPLAYS = ("DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM")
+
+
+@pytest.fixture
+def no_display(monkeypatch: pytest.MonkeyPatch) -> None:
+    for name in DISPLAYS:
+        monkeypatch.delenv(name, raising=False)
+
+
+@pytest.mark.skipif(sys.platform in ("win32", "darwin"), reason="there is always a display there")
+class TestWithoutADisplay:
+    def test_a_window_is_refused_in_one_sentence(
+        self, no_display: None, capsys: pytest.CaptureFixture[str], tmp_path: Path
+    ) -> None:
+        assert launch.main([str(write_clip(tmp_path / "plate", 1))]) == launch.BAD_USAGE
+        error = capsys.readouterr().err
+        assert error.count("\n") == 1
+        assert "no display" in error
+
+    def test_the_demo_is_tracked_on_the_command_line(
+        self, no_display: None, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+    ) -> None:
+        asked: list[list[str]] = []
+        monkeypatch.setattr("roam_core.cli.main", lambda argv: asked.append(argv) or 0)
+        assert launch.main(["demo"]) == 0
+        assert asked == [["demo", "--headless"]]
+        assert "without a window" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("path", ["nowhere", "nowhere.roam", "nowhere.%04d.png"])
+def test_a_path_that_is_not_there_is_one_sentence(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], path: str
+) -> None:
+    assert launch.main([str(tmp_path / path)]) == launch.FAILED
+    error = capsys.readouterr().err
+    assert error.startswith("roam: ")
+    assert error.count("\n") == 1
+    assert "nowhere" in error
+
+
+def test_help_names_every_command(capsys: pytest.CaptureFixture[str]) -> None:
+    from roam_core.cli import COMMANDS
+
+    with pytest.raises(SystemExit) as left:
+        launch.main(["--help"])
+    assert left.value.code == 0
+    text = capsys.readouterr().out
+    assert all(name in text for name in COMMANDS)
+
+
+def test_commands_are_handed_on_without_loading_qt() -> None:
+    program = (
+        "import sys; from app.launch import main; code = main(['info', '/nowhere.roam']); "
+        "sys.exit(code if not any(name.startswith('PySide6') for name in sys.modules) else 99)"
+    )
+    result = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=60, check=False)
+    assert result.returncode == 1, result.stderr
+    assert result.stderr.startswith("roam: ")
+
+
+@offscreen
+def test_a_defect_is_logged_told_and_loses_nothing(
+    qtbot: QtBot, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(sys, "excepthook", sys.__excepthook__)
+    with opened_window(qtbot, None, tmp_path / "autosave") as window:
+        square = polygon_points([(0, 0), (9, 0), (9, 9)])
+        window.document.apply("Draw", edit.new_shape(Project(), square, 1)[0])
+        launch._catch_errors(window, tmp_path / "roam.log")
+        sys.excepthook(ZeroDivisionError, ZeroDivisionError("by zero"), None)
+        assert "went wrong" in window.status.sentence.text()
+        assert str(tmp_path / "roam.log") in window.status.sentence.text()
+        (snapshot,) = (tmp_path / "autosave").glob("*/*.roam")
+        assert file.load(snapshot) == window.document.project
+
+
+@offscreen
+def test_what_a_crash_left_is_offered_and_opened_as_unsaved_work(
+    qtbot: QtBot, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("app.folders.state_folder", lambda: tmp_path)
+    monkeypatch.setattr("app.dialogs.ask_recover", lambda parent, title: True)
+    lost = edit.new_shape(Project(), polygon_points([(0, 0), (9, 0), (9, 9)]), 1)[0]
+    (tmp_path / "autosave" / "20260101-1").mkdir(parents=True)
+    autosave.write_snapshot(tmp_path / "autosave" / "20260101-1", lost, tmp_path / "mine.roam")
+    with opened_window(qtbot, None, tmp_path / "other") as window:
+        with qtbot.waitSignal(window.files.finished, timeout=5000):
+            launch._offer_recovery(window)
+        assert window.document.project == lost
+        assert window.document.is_modified
+        assert window.document.path == tmp_path / "mine.roam"
+    assert autosave.recoveries(tmp_path / "autosave") == []

@@ -1,0 +1,61 @@
+"""KeyMarks: every key falls into its kind, stale ones as the engine's own provenance tells."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+
+from app.document import Document
+from app.timeline.marks import MarksOf, key_marks
+from roam_core.geometry.bezier import polygon_points
+from roam_core.params import CONFIGS, DEFAULT_CONFIG
+from roam_core.propagate.provenance import clip_stamp, governing_key, is_stale, stamp
+from roam_core.roto import Clip, Keyframe, Origin, Project, RotoShape, edit
+
+SQUARE = polygon_points([(0, 0), (10, 0), (10, 10), (0, 10)])
+CLIP = Clip(Path("shot"), 1, 30, (64, 48))
+
+
+def tracked() -> RotoShape:
+    """Artist keys at 5 and 15; engine keys forward and backward of them, frame 8 doubtful, frame 20 of unknown origin."""
+    shape = RotoShape("s", "s", (Keyframe(5, SQUARE), Keyframe(15, SQUARE + 1)))
+    keys = []
+    for frame, forward in [(2, False), (7, True), (8, True), (12, False), (16, True)]:
+        source = governing_key(shape, frame, forward)
+        assert source is not None
+        inputs = stamp(source, True, CONFIGS[DEFAULT_CONFIG], clip_stamp(CLIP), forward)
+        confidence = 0.3 if frame == 8 else 0.9
+        keys.append(Keyframe(frame, SQUARE, origin=Origin.ENGINE, confidence=confidence, inputs=inputs))
+    keys.append(Keyframe(20, SQUARE, origin=Origin.ENGINE, inputs="forward:abacus:0"))
+    return edit.set_engine_keys(shape, keys)
+
+
+def test_every_key_falls_into_its_kind() -> None:
+    marks = key_marks(tracked(), CLIP)
+    assert marks.artist.tolist() == [5, 15]
+    assert marks.engine.tolist() == [2, 7, 12, 16]
+    assert marks.doubtful.tolist() == [8]
+    assert marks.stale.tolist() == [20]
+    assert marks.confidence[:, 0].tolist() == [2, 7, 8, 12, 16, 20]
+    assert marks.confidence[2, 1] == 0.3
+
+
+def test_stale_keys_are_those_that_provenance_tells() -> None:
+    moved = edit.set_key(tracked(), 5, SQUARE * 1.5)
+    for shape in (tracked(), moved, edit.delete_keys(tracked(), [15]), replace(tracked(), closed=False)):
+        for clip in (CLIP, replace(CLIP, size=(32, 24)), None):
+            ref_stale = [key.frame for key in shape.keys if is_stale(shape, key, clip)]
+            comp_stale = key_marks(shape, clip).stale.tolist()
+            assert comp_stale == ref_stale
+
+
+def test_marks_are_made_anew_only_for_another_value(document: Document) -> None:
+    document.open(edit.add_shape(Project(CLIP), tracked()), None)
+    marks = MarksOf(document)
+    shape = document.project.shape("s")
+    first = marks(shape)
+    assert marks(shape) is first
+    moved = edit.set_key(shape, 9, SQUARE)
+    assert np.array_equal(marks(moved).artist, [5, 9, 15])

@@ -1,0 +1,169 @@
+"""The timeline under the hand: scrubbing, keys that are clicked, zoom, rows of many shapes."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QPoint, QPointF, Qt
+from PySide6.QtGui import QWheelEvent
+from PySide6.QtWidgets import QApplication, QWidget
+from pytestqt.qtbot import QtBot
+
+from app.document import Document
+from app.navigation import Navigation
+from app.timeline import key_rows
+from app.timeline.confidence import _with_gaps
+from app.timeline.timeline import Timeline
+from app.view_state import ViewState
+from roam_core.geometry.bezier import polygon_points
+from roam_core.params import CONFIGS, DEFAULT_CONFIG
+from roam_core.propagate.provenance import clip_stamp, stamp
+from roam_core.roto import Clip, Keyframe, Origin, Project, edit
+from tests.gui.windows import offscreen
+
+pytestmark = offscreen
+
+SQUARE = polygon_points([(0, 0), (10, 0), (10, 10), (0, 10)])
+CLIP = Clip(Path("shot"), 1001, 1048, (64, 48))
+
+
+@pytest.fixture
+def timeline(qtbot: QtBot, document: Document, view_state: ViewState) -> Timeline:
+    navigation = Navigation(document, view_state)
+    timeline = Timeline(document, view_state, lambda: range(1001, 1011))
+    qtbot.addWidget(timeline)
+    timeline.resize(1100, 220)
+    with qtbot.waitExposed(timeline):
+        timeline.show()
+    project = Project(CLIP)
+    for first in (1001, 1010):
+        project, shape = edit.new_shape(project, SQUARE, first)
+        inputs = stamp(shape.keys[0], True, CONFIGS[DEFAULT_CONFIG], clip_stamp(CLIP), True)
+        keys = [
+            Keyframe(f, SQUARE, origin=Origin.ENGINE, confidence=0.2, inputs=inputs) for f in range(first + 1, 1020)
+        ]
+        project = project.with_shape(edit.set_engine_keys(edit.key_here(shape, 1030), keys))
+    document.open(project, None)
+    assert navigation.clip_range == (1001, 1049)
+    return timeline
+
+
+def x_of(timeline: Timeline, frame: int) -> int:
+    return round(timeline.axis.scale.x(frame))
+
+
+def row_middle(index: int) -> int:
+    return index * key_rows.ROW + key_rows.ROW // 2
+
+
+def wheel(widget: QWidget, x: int, turn: int, modifiers: Qt.KeyboardModifier = Qt.KeyboardModifier.NoModifier) -> None:
+    place = QPointF(x, 5)
+    event = QWheelEvent(
+        place, QPointF(widget.mapToGlobal(place.toPoint())), QPoint(), QPoint(0, turn), Qt.MouseButton.NoButton,
+        modifiers, Qt.ScrollPhase.NoScrollPhase, False,
+    )  # fmt: skip
+    QApplication.sendEvent(widget, event)
+
+
+def test_the_whole_clip_is_in_sight_when_it_opens(timeline: Timeline) -> None:
+    scale = timeline.axis.scale
+    assert scale.clip == (1001, 1049)
+    assert scale.first == 1001
+    assert scale.last == pytest.approx(1049)
+
+
+def test_dragging_on_the_ruler_scrubs(qtbot: QtBot, timeline: Timeline, view_state: ViewState) -> None:
+    ruler = timeline.ruler
+    qtbot.mousePress(ruler, Qt.MouseButton.LeftButton, pos=QPoint(x_of(timeline, 1005), 10))
+    assert view_state.frame == 1005
+    qtbot.mouseMove(ruler, QPoint(x_of(timeline, 1012), 10))
+    assert view_state.frame == 1012
+    qtbot.mouseMove(ruler, QPoint(5000, 10))
+    assert view_state.frame == 1048
+    qtbot.mouseRelease(ruler, Qt.MouseButton.LeftButton, pos=QPoint(5000, 10))
+
+
+def test_a_click_near_a_key_goes_to_it_and_selects_its_shape(
+    qtbot: QtBot, timeline: Timeline, view_state: ViewState
+) -> None:
+    place = QPoint(x_of(timeline, 1030) + 5, row_middle(0))
+    qtbot.mouseClick(timeline.rows.viewport(), Qt.MouseButton.LeftButton, pos=place)
+    assert view_state.frame == 1030
+    assert view_state.selection.shapes == {"shape-2"}  # the top row is the top-most shape
+
+
+def test_a_click_beside_the_keys_scrubs_and_selects_nothing(
+    qtbot: QtBot, timeline: Timeline, view_state: ViewState
+) -> None:
+    place = QPoint(x_of(timeline, 1040), row_middle(0))
+    qtbot.mouseClick(timeline.rows.viewport(), Qt.MouseButton.LeftButton, pos=place)
+    assert view_state.frame == 1040
+    assert view_state.selection.shapes == frozenset()
+
+
+def test_a_click_on_a_name_selects_and_shift_adds(qtbot: QtBot, timeline: Timeline, view_state: ViewState) -> None:
+    rows, button = timeline.rows.viewport(), Qt.MouseButton.LeftButton
+    qtbot.mouseClick(rows, button, pos=QPoint(40, row_middle(1)))
+    assert view_state.selection.shapes == {"shape-1"}
+    qtbot.mouseClick(rows, button, Qt.KeyboardModifier.ShiftModifier, pos=QPoint(40, row_middle(0)))
+    assert view_state.selection.shapes == {"shape-1", "shape-2"}
+    assert view_state.frame == 1001
+
+
+def test_the_wheel_zooms_at_the_pointer_and_a_double_click_fits(qtbot: QtBot, timeline: Timeline) -> None:
+    before, x = timeline.axis.scale, x_of(timeline, 1020)
+    wheel(timeline.rows.viewport(), x, 360)
+    zoomed = timeline.axis.scale
+    assert zoomed.pixels > before.pixels * 1.5
+    assert zoomed.frame(x) == 1020
+    wheel(timeline.ruler, x, -120, Qt.KeyboardModifier.ShiftModifier)
+    assert timeline.axis.scale.first > zoomed.first
+    qtbot.mouseDClick(timeline.ruler, Qt.MouseButton.LeftButton, pos=QPoint(x, 10))
+    assert timeline.axis.scale == before
+
+
+def test_the_strip_follows_the_playhead(timeline: Timeline, view_state: ViewState) -> None:
+    wheel(timeline.ruler, x_of(timeline, 1002), 1200)
+    view_state.set_frame(1045)
+    scale = timeline.axis.scale
+    assert scale.first <= 1045 < scale.last
+
+
+def test_every_kind_of_mark_is_painted(timeline: Timeline, document: Document) -> None:
+    with_marks = timeline.rows.viewport().grab().toImage()
+    project = document.project
+    for shape in project.shapes:
+        project = project.with_shape(edit.delete_engine_keys(shape))
+    document.apply("Clear", project)
+    without = timeline.rows.viewport().grab().toImage()
+    x, middle = x_of(timeline, 1015), key_rows.ROW // 2
+    for below in (0, 8):  # the tick, and the notch of a doubt under it
+        assert with_marks.pixelColor(x, middle + below) != without.pixelColor(x, middle + below)
+    key = x_of(timeline, 1030)
+    assert without.pixelColor(key, middle) == with_marks.pixelColor(key, middle)
+    assert without.pixelColor(key, middle) != without.pixelColor(key + 40, middle)
+
+
+def test_the_confidence_line_has_a_hole_where_nothing_was_tracked() -> None:
+    frames, values = _with_gaps(np.array([[1, 0.5], [2, 0.6], [7, 0.7]]))
+    assert np.array_equal(np.isnan(frames), [False, False, True, False])
+    assert np.array_equal(np.isnan(values), [False, False, True, False])
+
+
+def test_only_visible_rows_and_one_mark_a_pixel_are_drawn(timeline: Timeline, document: Document) -> None:
+    """What makes 50 shapes of 2000 frames quick: work is bounded by pixels, not by keys."""
+    scale = timeline.axis.scale
+    crowded = np.arange(scale.clip[0] * 100, scale.clip[1] * 100) / 100
+    columns = key_rows._columns(crowded, scale)
+    assert len(columns) <= scale.width + 3
+    project = document.project
+    for _ in range(48):
+        project, _shape = edit.new_shape(project, SQUARE, 1001)
+    document.apply("Many", project)
+    bar = timeline.rows.verticalScrollBar()
+    assert bar.maximum() == 50 * key_rows.ROW - timeline.rows.viewport().height()
+    bar.setValue(10 * key_rows.ROW)
+    top = timeline.rows.shape_at(5)
+    assert top is timeline.rows.rows()[10]
