@@ -43,9 +43,11 @@ class CanvasView(ZoomableWidget):
     Signals
     -------
     pointer_moved(position) : the pointer's image position `(x, y)`, or None when it left.
+    matte_ready() : the matte that the view wants has been rendered, beside the window's thread.
     """
 
     pointer_moved = Signal(object)
+    matte_ready = Signal()
 
     def __init__(self, document: Document, view_state: ViewState, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -96,6 +98,11 @@ class CanvasView(ZoomableWidget):
         self._missing = frame if image is None else None
         self._follow_plate()
         self.update()
+
+    @property
+    def tool(self) -> Tool:
+        """The tool in the hand."""
+        return self._tool
 
     @property
     def mode(self) -> ViewMode:
@@ -185,6 +192,7 @@ class CanvasView(ZoomableWidget):
         pixels = self._matte.pixels
         self._matte_picture = None if pixels is None else Picture(pixels)
         self.update()
+        self.matte_ready.emit()
 
     # ---- painting
 

@@ -24,7 +24,7 @@ from roam_core.roto.project import PALETTE
 Array = NDArray[np.float64]
 
 CLOSE_KEYS = frozenset({"Return", "Enter"})
-TAKE_BACK_KEYS = frozenset({"Backspace", "Ctrl+Z"})
+TAKE_BACK_KEYS = frozenset({"Backspace", "Del", "Ctrl+Z"})
 LEAVE_KEYS = frozenset({"Esc"})
 
 

@@ -10,7 +10,6 @@ from numpy.typing import NDArray
 
 from app.canvas.shown import editable_shapes
 from app.view_state import Selection
-from roam_core.geometry import bezier
 from roam_core.geometry.bezier import ANCHOR, IN, OUT
 from roam_core.roto import Project, RotoShape, edit
 from roam_core.roto.edit import Part
@@ -100,15 +99,8 @@ def selected_indices(shape: RotoShape, selection: Selection) -> list[int]:
 
 
 def with_point_inserted(shape: RotoShape, segment: int, t: float) -> RotoShape:
-    """A new point at `(segment, t)`, index `segment + 1`, that changes the outline on no key.
-
-    Where the segment is a straight line between drawn-in handles on every key (a polygon's) the new point is a corner
-    too, as it then should be: the split of a cubic would give it handles along the line.
-    """
-    curves = [array for key in shape.keys for array in (key.points, key.feather) if array is not None]
-    straight = all(_is_straight(points, segment, shape.closed) for points in curves)
-    split = edit.insert_point(shape, segment, min(max(t, 1e-3), 1.0 - 1e-3))
-    return split.map_points(lambda points: edit.cusp_points(points, [segment + 1])) if straight else split
+    """A new point, of index `segment + 1`, where the outline was hit; a hit on an anchor puts it just beside."""
+    return edit.insert_point(shape, segment, min(max(t, 1e-3), 1.0 - 1e-3))
 
 
 def pruned(selection: Selection, project: Project) -> Selection:
@@ -116,8 +108,3 @@ def pruned(selection: Selection, project: Project) -> Selection:
     counts = {shape.id: shape.point_count for shape in project.shapes}
     shapes = frozenset(shape_id for shape_id in selection.shapes if shape_id in counts)
     return Selection(shapes, frozenset((i, p) for i, p in selection.points if p < counts.get(i, 0)))
-
-
-def _is_straight(points: Array, segment: int, closed: bool) -> bool:
-    start, leave, arrive, end = bezier.segments(points, closed)[segment]
-    return np.array_equal(start, leave) and np.array_equal(arrive, end)

@@ -31,6 +31,7 @@ keep_singletons_alive()  # Also for tests of rooms that open no canvas: without 
 @pytest.fixture(autouse=True)
 def nothing_survives(qapp: QApplication) -> Iterator[None]:
     """Fail a test that leaves a thread, a running timer or a top-level widget behind."""
+    gc.freeze()  # Whatever was there before is not looked through again: only what this test makes.
     threads, widgets = set(threading.enumerate()), set(QApplication.topLevelWidgets())
     yield
     _let_go()
