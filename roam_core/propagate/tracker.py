@@ -17,6 +17,9 @@ from roam_core.propagate.step import TrackerState, begin, step
 from roam_core.roto import Keyframe, Origin, RotoShape
 from roam_core.roto.edit import set_engine_keys
 
+MIN_POINTS = 2
+"""Two points with handles are the least that can enclose something."""
+
 
 class Tracker:
     """Carries one closed shape from frame to frame, in either direction.
@@ -61,10 +64,12 @@ class Tracker:
         Raises
         ------
         RoamError
-            when the shape is open: only a closed curve has an inside to follow.
+            when the shape is open or a single point: only a closed curve has an inside to follow.
         """
         if not shape.closed:
             raise RoamError(f"{shape.name!r} is open; close it (C) before it can be tracked.")
+        if shape.point_count < MIN_POINTS:
+            raise RoamError(f"{shape.name!r} is a single point; draw an outline around the object to track it.")
         prepared = image if isinstance(image, PreparedFrame) else PreparedFrame(image)
         self._shape, self._frame = shape, frame
         self._state = begin(prepared, shape.at(frame).points, self.params)

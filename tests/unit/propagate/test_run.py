@@ -1,0 +1,176 @@
+"""Many frames: both directions, several shapes, gaps, cancelling, and the same bits in another process."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from roam_core.cancel import Cancelled, CancelToken
+from roam_core.errors import RoamError
+from roam_core.media import MissingFrame
+from roam_core.params import CONFIGS
+from roam_core.propagate import FrameResult, Termination, track, warm_up
+from roam_core.roto import Keyframe, Origin, Project, RotoShape, edit, file
+from tests.conftest import ROOT
+from tests.golden.shots import Shot, blob, gliding, outline_distance
+
+pytestmark = pytest.mark.parametrize("config", list(CONFIGS))
+
+
+def last(results: list[FrameResult]) -> RotoShape:
+    return results[-1].results[0].shape
+
+
+def test_every_frame_after_the_first_gives_a_result(config: str, blob_shot: Shot) -> None:
+    results = list(track(blob_shot.read, [blob_shot.shape()], blob_shot.frames, config))
+    assert [result.frame for result in results] == list(blob_shot.frames[1:])
+    assert last(results).frames == tuple(blob_shot.frames)
+    assert last(results).artist_frames == (1001,)
+
+
+def test_forward_through_the_reversed_clip_is_backward_bit_by_bit(config: str, blob_shot: Shot) -> None:
+    first, end = blob_shot.frames[0], blob_shot.frames[-1]
+    backward = last(list(track(blob_shot.read, [blob_shot.shape(end)], blob_shot.frames[::-1], config)))
+    mirrored = blob_shot.reversed()
+    forward = last(list(track(mirrored.read, [mirrored.shape()], mirrored.frames, config)))
+    for frame in blob_shot.frames:
+        ours, twin = backward.key_at(frame), forward.key_at(first + end - frame)
+        assert ours is not None
+        assert twin is not None
+        assert ours.points.tobytes() == twin.points.tobytes()
+        assert ours.confidence == twin.confidence
+    for frame in blob_shot.frames:
+        assert outline_distance(backward.at(frame).points, blob_shot.truth(frame)) < 1.0
+
+
+def test_shapes_together_are_what_each_is_alone(config: str, blob_shot: Shot) -> None:
+    shapes = [
+        blob_shot.shape(),
+        RotoShape("shape-2", "B", (Keyframe(1001, blob([14.0, 12.0, 16.0]) + np.array([70.0, 60.0])),)),
+        RotoShape("shape-3", "C", (Keyframe(1001, blob([10.0, 9.0, 11.0, 12.0]) + np.array([130.0, 30.0])),)),
+    ]
+    together = list(track(blob_shot.read, shapes, blob_shot.frames[:4], config))[-1].results
+    for shape, result in zip(shapes, together, strict=True):
+        assert result.shape == last(list(track(blob_shot.read, [shape], blob_shot.frames[:4], config)))
+
+
+def test_a_run_in_two_parts_is_a_run_in_one(config: str, blob_shot: Shot) -> None:
+    """What a resumed run starts from is the key on its frame, not what the engine happened to remember."""
+    key = blob_shot.shape(1003).keys[0]
+    whole = last(list(track(blob_shot.read, [blob_shot.shape().with_key(key)], blob_shot.frames, config)))
+    part = last(list(track(blob_shot.read, [blob_shot.shape().with_key(key)], blob_shot.frames[:3], config)))
+    rest = last(list(track(blob_shot.read, [part], blob_shot.frames[2:], config)))
+    assert rest == whole
+
+
+def test_a_gap_in_the_plate_is_passed_over(config: str, blob_shot: Shot) -> None:
+    def read(frame: int) -> NDArray[np.uint8]:
+        if frame == 1003:
+            raise MissingFrame("Frame 1003 is missing.")
+        return blob_shot.read(frame)
+
+    results = list(track(read, [blob_shot.shape()], blob_shot.frames, config))
+    assert [result.frame for result in results] == list(blob_shot.frames[1:])
+    assert results[1].results[0].termination is Termination.MISSING_FRAME
+    assert last(results).frames == (1001, 1002, 1004, 1005, 1006)
+    assert outline_distance(last(results).at(1004).points, blob_shot.truth(1004)) < 1.5
+
+
+def test_a_missing_first_frame_is_an_error(config: str, blob_shot: Shot) -> None:
+    def read(frame: int) -> NDArray[np.uint8]:
+        raise MissingFrame(f"Frame {frame} is missing.")
+
+    with pytest.raises(MissingFrame, match="1001"):
+        next(track(read, [blob_shot.shape()], blob_shot.frames, config))
+
+
+def test_an_unreadable_frame_ends_the_run_with_what_is_finished(config: str, blob_shot: Shot) -> None:
+    def read(frame: int) -> NDArray[np.uint8]:
+        if frame == 1004:
+            raise RoamError("Frame 1004 cannot be decoded.")
+        return blob_shot.read(frame)
+
+    run = track(read, [blob_shot.shape()], blob_shot.frames, config)
+    finished = [next(run), next(run)]
+    with pytest.raises(RoamError, match="1004"):
+        next(run)
+    assert [result.frame for result in finished] == [1002, 1003]
+
+
+def test_cancelling_keeps_the_finished_frames(config: str, blob_shot: Shot) -> None:
+    token = CancelToken()
+    run = track(blob_shot.read, [blob_shot.shape()], blob_shot.frames, config, token)
+    finished = [next(run), next(run)]
+    token.cancel()
+    with pytest.raises(Cancelled):
+        next(run)
+    assert [result.frame for result in finished] == [1002, 1003]
+    whole = last(list(track(blob_shot.read, [blob_shot.shape()], blob_shot.frames, config)))
+    assert finished[-1].results[0].shape.at(1003).points.tobytes() == whole.at(1003).points.tobytes()
+
+
+def test_a_cancelled_token_reads_no_further_frame(config: str, blob_shot: Shot) -> None:
+    token, asked = CancelToken(), []
+
+    def read(frame: int) -> NDArray[np.uint8]:
+        asked.append(frame)
+        return blob_shot.read(frame)
+
+    token.cancel()
+    with pytest.raises(Cancelled):
+        next(track(read, [blob_shot.shape()], blob_shot.frames, config, token))
+    assert asked == [1001]
+
+
+def test_a_still_picture_holds_the_shape(config: str) -> None:
+    shot = gliding(blob([26.0, 24.0, 22.0, 25.0, 28.0]), 6, (80.0, 60.0), (0.0, 0.0))
+    shape = last(list(track(shot.read, [shot.shape()], shot.frames, config)))
+    for frame in shot.frames:
+        assert outline_distance(shape.at(frame).points, shot.truth(frame)) < 1.0
+
+
+def test_nothing_to_track_is_refused(config: str, blob_shot: Shot) -> None:
+    with pytest.raises(RoamError, match="no shape to track; draw one"):
+        next(track(blob_shot.read, [], blob_shot.frames, config))
+
+
+def test_one_frame_is_a_run_of_none(config: str, blob_shot: Shot) -> None:
+    assert list(track(blob_shot.read, [blob_shot.shape()], blob_shot.frames[:1], config)) == []
+
+
+def test_warming_up_leaves_nothing_behind(config: str) -> None:
+    before = dict(CONFIGS)
+    warm_up(config)
+    assert before == CONFIGS
+
+
+# ---- the same bits in another process --------------------------------------------------------------------------------
+
+
+def tracked_digest(config: str) -> str:
+    """Digest of a project tracked from scratch: what a second process has to come to as well."""
+    shot = gliding(blob([26.0, 20.0, 22.0, 28.0]), 5, (60.0, 60.0), (1.7, -0.9), drift=(-0.5, 0.3))
+    project = edit.add_shape(Project(), shot.shape())
+    for result in track(shot.read, project.shapes, shot.frames, config):
+        project = project.with_shape(result.results[0].shape)
+    assert [key.origin for key in project.shapes[0].keys] == [Origin.ARTIST] + [Origin.ENGINE] * 4
+    return file.digest(project)
+
+
+@pytest.mark.parametrize("hash_seed", ["1", "4242"])
+def test_other_processes_give_the_same_bits(config: str, hash_seed: str) -> None:
+    program = f"from tests.unit.propagate.test_run import tracked_digest; print(tracked_digest({config!r}))"
+    answer = subprocess.run(
+        [sys.executable, "-c", program],
+        env=os.environ | {"PYTHONHASHSEED": hash_seed},
+        cwd=ROOT,
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    assert answer.stdout.strip() == tracked_digest(config)
