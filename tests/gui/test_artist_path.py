@@ -1,4 +1,4 @@
-"""An artist's way through the window, with real events: draw, track, stop, correct, resume, undo, save, reopen, export."""
+"""An artist's way through the window, with real events: draw, track, stop, correct, resume, undo, save, export."""
 
 from __future__ import annotations
 

@@ -19,7 +19,7 @@ CLIP = Clip(Path("shot"), 1, 30, (64, 48))
 
 
 def tracked() -> RotoShape:
-    """Artist keys at 5 and 15; engine keys forward and backward of them, frame 8 doubtful, frame 20 of unknown origin."""
+    """Artist keys at 5 and 15; engine keys both ways from them, frame 8 doubtful, frame 20 of unknown origin."""
     shape = RotoShape("s", "s", (Keyframe(5, SQUARE), Keyframe(15, SQUARE + 1)))
     keys = []
     for frame, forward in [(2, False), (7, True), (8, True), (12, False), (16, True)]:

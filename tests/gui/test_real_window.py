@@ -1,0 +1,152 @@
+"""The program itself, under a virtual X server and driven by keys and mouse: draw, track, save."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+import sys
+import time
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from roam_core.roto import Origin, file
+from tests.gui.windows import COUNT, FIRST, SIZE, centre, write_clip
+
+NEEDED = ("Xvfb", "xdotool")
+MISSING = [tool for tool in NEEDED if shutil.which(tool) is None]
+LAST, CORNERS, RADIUS = FIRST + COUNT - 1, 10, 24.0
+WINDOW = (1200, 760)
+TOOLS, MENU, PANELS, TIMELINE = 36, 30, 275, 229
+"""Pixels of the window that are not the viewer, at its four sides."""
+PATIENCE = 120.0
+"""Seconds after which the program is thought to be stuck; the first track may compile kernels."""
+
+pytestmark = [
+    pytest.mark.xvfb,
+    pytest.mark.skipif(bool(MISSING), reason=f"needs {' and '.join(MISSING)} to drive a real window"),
+]
+
+
+@dataclass
+class Screen:
+    """A virtual screen and the hands before it."""
+
+    environment: dict[str, str]
+
+    def do(self, *arguments: object) -> str:
+        """Run xdotool; gives what it prints."""
+        command = ["xdotool", *map(str, arguments)]
+        result = subprocess.run(
+            command, env=self.environment, capture_output=True, text=True, timeout=PATIENCE, check=False
+        )
+        return result.stdout.strip()
+
+    def windows(self, name: str) -> list[str]:
+        """The visible windows whose title holds `name`."""
+        return self.do("search", "--onlyvisible", "--name", name).split()
+
+    def click(self, x: float, y: float) -> None:
+        self.do("mousemove", round(x), round(y), "click", 1)
+        time.sleep(0.05)
+
+    def key(self, *keys: str) -> None:
+        self.do("key", "--delay", 60, *keys)
+
+
+def until(condition: Callable[[], bool], what: str, program: subprocess.Popen[bytes]) -> None:
+    """Wait for a condition; fail when the program ended or took too long."""
+    deadline = time.monotonic() + PATIENCE
+    while not condition():
+        assert program.poll() is None, f"the program ended while waiting for {what}"
+        assert time.monotonic() < deadline, f"waited in vain for {what}"
+        time.sleep(0.1)
+
+
+@pytest.fixture
+def screen(tmp_path: Path) -> Iterator[Screen]:
+    """An X server on a display number of its own choosing."""
+    reading, writing = os.pipe()
+    command = ["Xvfb", "-displayfd", str(writing), "-screen", "0", "1280x800x24", "-nolisten", "tcp"]
+    server = subprocess.Popen(command, pass_fds=[writing], stderr=subprocess.DEVNULL)
+    os.close(writing)
+    try:
+        with os.fdopen(reading) as pipe:
+            number = pipe.readline().strip()
+        assert number, "Xvfb did not start"
+        environment = {name: value for name, value in os.environ.items() if name != "QT_QPA_PLATFORM"}
+        folders = {f"XDG_{kind}_HOME": str(tmp_path / kind.lower()) for kind in ("STATE", "CACHE", "CONFIG")}
+        yield Screen(environment | folders | {"DISPLAY": f":{number}", "QT_QPA_PLATFORM": "xcb"})
+    finally:
+        server.terminate()
+        server.wait(10)
+
+
+@pytest.fixture
+def project_path(tmp_path: Path) -> Path:
+    """A project on a tiny clip, saved, without a shape: Ctrl+S then needs no file chooser."""
+    from app.files import clip_project
+
+    path = tmp_path / "disc.roam"
+    project, _source = clip_project(write_clip(tmp_path / "plate"))
+    file.save(project, path)
+    return path
+
+
+def outline(frame: int) -> Iterator[tuple[float, float]]:
+    """Corners on the screen of a polygon around the disc, in a window of `WINDOW` at the screen's corner.
+
+    The fitted plate stands in the middle of the viewer; the viewer is what the bars and panels around it leave.
+    """
+    left, top, right, bottom = TOOLS, MENU, WINDOW[0] - PANELS, WINDOW[1] - TIMELINE
+    scale = 0.95 * min((right - left) / SIZE[0], (bottom - top) / SIZE[1])
+    for turn in np.linspace(0, 2 * np.pi, CORNERS, endpoint=False):
+        x, y = centre(frame) + RADIUS * np.array([np.cos(turn), np.sin(turn)])
+        yield (left + right) / 2 + scale * (x - SIZE[0] / 2), (top + bottom) / 2 + scale * (y - SIZE[1] / 2)
+
+
+def tracked_frames(path: Path) -> list[int]:
+    shapes = file.load(path).shapes
+    return [key.frame for shape in shapes for key in shape.keys if key.origin is Origin.ENGINE]
+
+
+def test_draw_track_and_save(screen: Screen, project_path: Path, tmp_path: Path) -> None:
+    log = tmp_path / "output"
+    with log.open("wb") as output:
+        command = [sys.executable, "-m", "app", str(project_path)]
+        program = subprocess.Popen(command, env=screen.environment, stdout=output, stderr=output)
+        try:
+            work(screen, program, project_path)
+            assert program.wait(PATIENCE) == 0
+        finally:
+            program.kill()
+    assert "Traceback" not in log.read_text()
+    (shape,) = file.load(project_path).shapes
+    assert shape.artist_frames == (FIRST,)
+    assert shape.point_count == CORNERS
+    assert np.hypot(*(shape.at(FIRST).anchors.mean(axis=0) - centre(FIRST))) < 6.0
+    moved = shape.at(LAST).anchors.mean(axis=0) - shape.at(FIRST).anchors.mean(axis=0)
+    assert np.hypot(*(moved - np.subtract(centre(LAST), centre(FIRST)))) < 6.0
+
+
+def work(screen: Screen, program: subprocess.Popen[bytes], project_path: Path) -> None:
+    """What the artist does."""
+    until(lambda: bool(screen.windows(project_path.name)), "the window", program)
+    window = screen.windows(project_path.name)[-1]
+    screen.do("windowmove", "--sync", window, 0, 0, "windowsize", "--sync", window, *WINDOW, "windowfocus", window)
+    screen.do("mousemove", WINDOW[0] // 3, WINDOW[1] // 3)
+    screen.key("f", "p")
+    for corner in outline(FIRST):
+        screen.click(*corner)
+    screen.key("Return", "bracketright")
+
+    def is_tracked() -> bool:
+        screen.key("ctrl+s")  # while it tracks, too: the window is alive
+        return tracked_frames(project_path) == list(range(FIRST + 1, LAST + 1))
+
+    until(is_tracked, "the last tracked frame", program)
+    screen.key("ctrl+q")
