@@ -18,14 +18,11 @@ from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 from shiboken6 import isValid
 
-from app.canvas.bindings import keep_singletons_alive
 from app.canvas.view import CanvasView
 from app.document import Document
 from app.view_state import ViewState
 from roam_core.roto import Clip, Project
 from tests.gui.hand import Hand
-
-keep_singletons_alive()  # Also for tests of rooms that open no canvas: without it Python 3.11 aborts in their midst.
 
 
 @pytest.fixture(autouse=True)
