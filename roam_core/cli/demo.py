@@ -12,9 +12,9 @@ from tqdm import tqdm
 
 from resources import demo
 from roam_core.cli.plate import Plate, clip_of, opened
-from roam_core.cli.track import Report, frame_range, print_line, require_writable, track_project
+from roam_core.cli.track import Report, frame_range, print_line, require_target, require_writable, track_project
 from roam_core.matte import render_matte
-from roam_core.params import DEFAULT_CONFIG
+from roam_core.params import DEFAULT_CONFIG, params_for
 from roam_core.propagate import TrackResult
 from roam_core.roto import Project, RotoShape, edit, file
 
@@ -30,8 +30,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace) -> int:
     """Carry out the command."""
+    params_for(arguments.config)
     if arguments.save is not None:
-        require_writable(arguments.save.parent, create=False)
+        require_target(arguments.save)
     folder = demo_frames(arguments.frames)
     truth: list[float] = []
 

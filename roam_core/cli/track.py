@@ -15,7 +15,7 @@ from roam_core.cli.plate import Plate, clip_of, opened
 from roam_core.errors import RoamError
 from roam_core.interchange.mattes import write_matte
 from roam_core.matte.vectorise import read_mask, shapes_from_mask
-from roam_core.params import CONFIGS, DEFAULT_CONFIG
+from roam_core.params import CONFIGS, DEFAULT_CONFIG, params_for
 from roam_core.propagate import FrameResult, Termination, TrackResult, track, warm_up
 from roam_core.propagate.provenance import clip_stamp
 from roam_core.roto import Layer, Project, RotoShape, file
@@ -38,12 +38,16 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace) -> int:
     """Carry out the command."""
+    # Everything that can be refused is refused before anything is written.
+    params_for(arguments.config)
     with opened(arguments.clip) as plate:
         frames = frame_range(plate.source.frames, arguments.start, arguments.end, backward=arguments.backward)
         project = initial_project(Path(arguments.init), plate, frames[0])
-        for folder in (arguments.matte, arguments.save and arguments.save.parent):
-            if folder is not None:
-                require_writable(folder, create=folder is arguments.matte)
+        plate.read(frames[0])
+        if arguments.save is not None:
+            require_target(arguments.save)
+        if arguments.matte is not None:
+            require_writable(arguments.matte, create=True)
         report = print_line if arguments.json else _silent
         project = track_project(plate, project, frames, arguments.config, report=report, mattes=arguments.matte)
     if arguments.save is not None:
@@ -128,6 +132,13 @@ def initial_project(init: Path, plate: Plate, start: int) -> Project:
     if not shapes:
         raise RoamError(f"The mask {init} is empty; paint the object white on frame {start}.")
     return Project(clip, Layer("root", "Root", tuple(shapes)))
+
+
+def require_target(path: Path) -> None:
+    """Refuse a file that could not be written at the end, before any work is done for it."""
+    if path.is_dir():
+        raise RoamError(f"{path} is a folder; name the project file to write.")
+    require_writable(path.parent, create=False)
 
 
 def require_writable(folder: Path, *, create: bool) -> None:

@@ -6,8 +6,8 @@ from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
-import cv2
 import numpy as np
+import OpenImageIO as oiio  # noqa: N813 - the name its own manual uses
 from contourpy import FillType, contour_generator
 from numpy.typing import NDArray
 
@@ -68,7 +68,7 @@ def outlines(mask: NDArray[Any]) -> list[list[Array]]:
 def coverage_of(mask: NDArray[Any]) -> NDArray[np.float64]:
     """A mask as coverage (h, w) in [0, 1]: alpha where there is one, else the brightest channel."""
     if mask.ndim == 3:
-        mask = mask[:, :, 3] if mask.shape[2] == 4 else mask.max(axis=2)
+        mask = mask[:, :, -1] if mask.shape[2] in (2, 4) else mask.max(axis=2)
     if mask.ndim != 2:
         raise ValueError(f"a mask has shape {mask.shape}, not (h, w)")
     values = mask.astype(np.float64)
@@ -82,10 +82,10 @@ def coverage_of(mask: NDArray[Any]) -> NDArray[np.float64]:
 
 
 def read_mask(path: Path, size: tuple[int, int] | None = None) -> NDArray[Any]:
-    """Read a mask image; with `size` (h, w) given, one of another size is refused."""
+    """Read a mask image `(h, w, c)` as it is stored; with `size` (h, w) given, one of another size is refused."""
     if not path.exists():
         raise RoamError(f"{path} does not exist.")
-    mask = cv2.imread(str(path), cv2.IMREAD_UNCHANGED)
+    mask = _stored(path)
     if mask is None:
         raise RoamError(f"{path} cannot be read as a mask image; give a PNG, TIFF or JPEG, white inside.")
     if size is not None and mask.shape[:2] != size:
@@ -93,4 +93,13 @@ def read_mask(path: Path, size: tuple[int, int] | None = None) -> NDArray[Any]:
             f"The mask {path} is {mask.shape[1]}x{mask.shape[0]}, the clip is {size[1]}x{size[0]}; "
             "give a mask of the start frame in the clip's size."
         )
-    return np.asarray(mask)
+    return mask
+
+
+def _stored(path: Path) -> NDArray[Any] | None:
+    """All channels of an image in their own type, or None where it is no image, damaged or cut short."""
+    source = oiio.ImageInput.open(str(path))
+    pixels = None if source is None else source.read_image("unknown")
+    # What a reader has to say is fetched, or it says it on the terminal later.
+    failed = bool((source or oiio).geterror())
+    return None if failed or pixels is None else np.asarray(pixels)

@@ -118,9 +118,10 @@ HARD = SOFT > 0.5
         HARD.astype(np.float64)[..., None],
         np.repeat(HARD[..., None].astype(np.uint8) * 255, 3, axis=2),
         np.stack([np.full(SIZE, 200, np.uint8)] * 3 + [HARD.astype(np.uint8) * 255], axis=2),
+        np.stack([np.full(SIZE, 200, np.uint8), HARD.astype(np.uint8) * 255], axis=2),
         np.stack([HARD * 1.0, np.zeros(SIZE), np.zeros(SIZE)], axis=2),
     ],
-    ids=["bool", "0/1", "labels", "uint8", "uint16", "float32", "one channel", "RGB", "RGBA", "red"],
+    ids=["bool", "0/1", "labels", "uint8", "uint16", "float32", "one channel", "RGB", "RGBA", "grey and alpha", "red"],
 )
 def test_every_kind_of_mask_gives_the_same_outline(mask: NDArray[np.generic]) -> None:
     expected = outlines(HARD)[0][0]
@@ -169,6 +170,13 @@ def test_alpha_and_sixteen_bits_survive_reading(tmp_path: Path) -> None:
 
 def test_masks_that_cannot_serve_are_refused(tmp_path: Path) -> None:
     (tmp_path / "text.png").write_text("no picture")
+    noise = np.random.default_rng(1).integers(0, 256, SIZE, dtype=np.uint8)
+    for name in ("cut.png", "cut.jpg", "cut.tif"):
+        cv2.imwrite(str(tmp_path / name), noise)
+        whole = (tmp_path / name).read_bytes()
+        (tmp_path / name).write_bytes(whole[: len(whole) // 2])
+        with pytest.raises(RoamError, match="cannot be read as a mask"):
+            read_mask(tmp_path / name)
     cv2.imwrite(str(tmp_path / "small.png"), np.full((4, 4), 255, np.uint8))
     with pytest.raises(RoamError, match="does not exist"):
         read_mask(tmp_path / "none.png")

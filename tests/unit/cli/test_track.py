@@ -1,0 +1,131 @@
+"""`roam track`: mattes named as the frames, a project, a line a frame, both directions, both kinds of start."""
+
+from __future__ import annotations
+
+import json
+
+import cv2
+import numpy as np
+import pytest
+
+from roam_core.params import CONFIGS
+from roam_core.roto import Origin, edit, file
+from tests.golden.shots import overlap
+from tests.unit.cli.conftest import SHOT, Plate, Roam, read_matte
+
+FRAMES = list(SHOT.frames)
+
+
+@pytest.mark.parametrize("config", list(CONFIGS))
+def test_a_mask_becomes_mattes_and_a_project(roam: Roam, plate: Plate, config: str) -> None:
+    out, project_path = plate.folder.parent / "mattes" / "deep", plate.folder.parent / "p.roam"
+    words = ("--init", plate.mask, "--config", config, "--matte", out, "--save", project_path, "--json")
+    done = roam("track", plate.folder, *words)
+    assert (done.status, done.err) == (0, "")
+    assert sorted(path.name for path in out.iterdir()) == [f"plate.{frame}.png" for frame in FRAMES]
+    for frame in FRAMES:
+        assert overlap(read_matte(out / f"plate.{frame}.png") > 127, SHOT.matte(frame) > 0.5) > 0.85
+    project = file.load(project_path)
+    assert project.require_clip().path == plate.folder
+    (shape,) = project.shapes
+    assert shape.frames == tuple(FRAMES)
+    assert shape.artist_frames == (1001,)
+    assert shape.point_count <= 12
+
+
+def test_a_line_of_json_a_frame(roam: Roam, plate: Plate) -> None:
+    done = roam("track", plate.folder, "--init", plate.mask, "--json")
+    lines = [json.loads(line) for line in done.out.splitlines()]
+    assert [line["frame"] for line in lines] == FRAMES
+    assert all(set(line) == {"frame", "seconds", "energy", "confidence", "termination"} for line in lines)
+    assert lines[0]["termination"] == "artist_key"
+    assert all(line["termination"] in ("converged", "max_iterations", "low_confidence") for line in lines[1:])
+    assert all(0.0 <= line["confidence"] <= 1.0 for line in lines)
+
+
+def test_in_a_pipe_there_is_one_sentence_and_no_bar(roam: Roam, plate: Plate) -> None:
+    done = roam("track", plate.folder, "--init", plate.mask)
+    assert (done.out, done.err) == ("", "Tracked 1 shape(s) from frame 1001 to 1006.\n")
+
+
+def test_two_runs_give_the_same_project(roam: Roam, plate: Plate) -> None:
+    paths = [plate.folder.parent / name for name in ("a.roam", "b.roam")]
+    for path in paths:
+        roam("track", plate.folder, "--init", plate.mask, "--save", path)
+    assert paths[0].read_bytes() == paths[1].read_bytes()
+
+
+def test_backward_from_the_last_frame(roam: Roam, plate: Plate) -> None:
+    path = plate.folder.parent / "p.roam"
+    done = roam("track", plate.folder, "--init", plate.last_mask, "--backward", "--save", path, "--json")
+    assert [json.loads(line)["frame"] for line in done.out.splitlines()] == FRAMES[::-1]
+    (shape,) = file.load(path).shapes
+    assert shape.artist_frames == (1006,)
+    assert shape.frames == tuple(FRAMES)
+
+
+def test_part_of_a_clip(roam: Roam, plate: Plate) -> None:
+    path, out = plate.folder.parent / "p.roam", plate.folder.parent / "mattes"
+    words = ("--start", 1001, "--end", 1003, "--save", path, "--matte", out)
+    assert roam("track", plate.folder, "--init", plate.mask, *words).status == 0
+    assert file.load(path).shapes[0].frames == (1001, 1002, 1003)
+    assert len(list(out.iterdir())) == 3
+
+
+def test_a_project_is_led_on_and_its_artist_keys_stay(roam: Roam, plate: Plate) -> None:
+    first, second = plate.folder.parent / "a.roam", plate.folder.parent / "b.roam"
+    roam("track", plate.folder, "--init", plate.mask, "--save", first)
+    project = file.load(first)
+    mine = edit.set_key(project.shapes[0], 1003, project.shapes[0].at(1003).points + 1.0)
+    file.save(project.with_shape(mine), first)
+    assert roam("track", plate.folder, "--init", first, "--start", 1003, "--save", second).status == 0
+    after = file.load(second).shapes[0]
+    assert after.key_at(1003) == mine.key_at(1003)
+    assert after.key_at(1002) == mine.key_at(1002)
+    assert after.key_at(1004) != mine.key_at(1004)
+
+
+def test_locked_and_open_shapes_stay_as_they_are(roam: Roam, plate: Plate) -> None:
+    path = plate.folder.parent / "p.roam"
+    roam("track", plate.folder, "--init", plate.mask, "--end", 1001, "--save", path)
+    project = file.load(path)
+    points = project.shapes[0].keys[0].points
+    project, locked = edit.new_shape(project, points, 1001)
+    project = edit.set_properties(project, locked.id, locked=True)
+    project, opened = edit.new_shape(project, points, 1001, closed=False)
+    file.save(project, path)
+    assert roam("track", plate.folder, "--init", path, "--save", path).status == 0
+    lengths = {shape.id: len(shape.keys) for shape in file.load(path).shapes}
+    assert lengths == {"shape-1": 6, locked.id: 1, opened.id: 1}
+
+
+def test_a_gap_in_the_plate_is_reported_and_bridged(roam: Roam, plate: Plate) -> None:
+    (plate.folder / "plate.1003.png").unlink()
+    out, path = plate.folder.parent / "mattes", plate.folder.parent / "p.roam"
+    done = roam("track", plate.folder, "--init", plate.mask, "--matte", out, "--save", path, "--json")
+    lines = [json.loads(line) for line in done.out.splitlines()]
+    assert [line["frame"] for line in lines] == FRAMES
+    assert lines[2]["termination"] == "missing_frame"
+    assert [key.frame for key in file.load(path).shapes[0].keys] == [1001, 1002, 1004, 1005, 1006]
+    assert not (out / "plate.1003.png").exists()
+    assert (out / "plate.1004.png").exists()
+
+
+def test_a_pattern_names_the_clip_too(roam: Roam, plate: Plate) -> None:
+    path = plate.folder.parent / "p.roam"
+    pattern = plate.folder / "plate.%04d.png"
+    assert roam("track", pattern, "--init", plate.mask, "--end", 1002, "--save", path).status == 0
+    assert file.load(path).require_clip().path == pattern
+
+
+def test_every_region_of_the_mask_is_tracked_and_holes_stay_holes(roam: Roam, plate: Plate) -> None:
+    mask = np.round(SHOT.matte(1001) * 255).astype(np.uint8)
+    mask[50:60, 55:65] = 0
+    mask[4:20, 100:124] = 255
+    cv2.imwrite(str(plate.mask), mask)
+    path = plate.folder.parent / "p.roam"
+    done = roam("track", plate.folder, "--init", plate.mask, "--save", path)
+    assert done.err == "Tracked 3 shape(s) from frame 1001 to 1006.\n"
+    shapes = file.load(path).shapes
+    assert [shape.blend.value for shape in shapes] == ["add", "subtract", "add"]
+    assert all(shape.keys[-1].origin is Origin.ENGINE and len(shape.keys) == 6 for shape in shapes)
