@@ -1,0 +1,57 @@
+"""The walls of the house: who may import whom, and that the engine stands without Qt."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+
+import pytest
+
+from tests.conftest import ROOT
+
+WITHOUT_WINDOW = """
+import sys
+{imports}
+loaded = sorted(name for name in sys.modules if name.partition(".")[0] in ("PySide6", "shiboken6", "pyqtgraph", "app"))
+sys.exit(", ".join(loaded[:5]) or 0)
+"""
+
+
+def run_python(program: str) -> subprocess.CompletedProcess[str]:
+    return subprocess.run([sys.executable, "-c", program], cwd=ROOT, capture_output=True, text=True, check=False)
+
+
+def test_the_contracts_of_the_import_linter_hold() -> None:
+    program = "import sys; from importlinter.cli import lint_imports_command; sys.exit(lint_imports_command())"
+    done = run_python(program)
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert "0 broken" in done.stdout
+
+
+@pytest.mark.parametrize(
+    "imports",
+    [
+        "import roam_core",
+        "import roam_core; [getattr(roam_core, name) for name in roam_core.__all__]",
+        "import importlib, pkgutil, roam_core\n"
+        "for module in pkgutil.walk_packages(roam_core.__path__, 'roam_core.'):\n"
+        "    if not module.name.endswith('__main__'): importlib.import_module(module.name)",
+    ],
+    ids=["the package", "its doors", "every module"],
+)
+def test_the_engine_leaves_qt_unloaded(imports: str) -> None:
+    done = run_python(WITHOUT_WINDOW.format(imports=imports))
+    assert done.returncode == 0, done.stderr
+
+
+def test_reading_a_project_does_not_wait_for_the_solver() -> None:
+    done = run_python("import sys, roam_core.roto.file; sys.exit(int('numba' in sys.modules or 'cv2' in sys.modules))")
+    assert done.returncode == 0, done.stderr
+
+
+def test_an_unknown_door_is_an_attribute_error() -> None:
+    import roam_core
+
+    with pytest.raises(AttributeError, match="no attribute 'Brush'"):
+        _ = roam_core.Brush
+    assert set(roam_core.__all__) <= {*roam_core._HOME}
