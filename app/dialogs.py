@@ -6,6 +6,7 @@ from enum import Enum
 from pathlib import Path
 
 from PySide6.QtCore import Qt
+from PySide6.QtGui import QColor
 from PySide6.QtWidgets import (
     QDialog,
     QFileDialog,
@@ -17,6 +18,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app import style
 from app.actions import SPECS, Keymap, keys_text
 from app.files import PROJECT_SUFFIX
 
@@ -125,6 +127,7 @@ class KeysDialog(QDialog):
 def _group(tree: QTreeWidget, groups: dict[str, QTreeWidgetItem], title: str) -> QTreeWidgetItem:
     if title not in groups:
         groups[title] = QTreeWidgetItem(tree, [title])
+        groups[title].setForeground(0, QColor(style.ACCENT))
     return groups[title]
 
 

@@ -7,9 +7,9 @@ from pathlib import Path
 
 from PySide6.QtCore import Qt, QTimer
 from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent
-from PySide6.QtWidgets import QHBoxLayout, QMainWindow, QSplitter, QUndoView, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QFrame, QHBoxLayout, QMainWindow, QScrollArea, QSplitter, QUndoView, QVBoxLayout, QWidget
 
-from app import menus
+from app import menus, style
 from app.actions import Actions, Keymap, load_keymap
 from app.canvas.view import CanvasView, ViewMode
 from app.dialogs import KeysDialog
@@ -88,6 +88,8 @@ class MainWindow(QMainWindow):
         self.tracker = TrackerPanel(document, view_state, self.tracking, actions)
         self.properties = PropertiesPanel(document, view_state)
         self.history = QUndoView(document.undo_stack)
+        self.history.setEmptyLabel("As opened")
+        self.history.setMinimumHeight(6 * style.ROW_HEIGHT)
         self.transport = Transport(self.navigation, view_state, self.playback, actions)
         self.timeline = Timeline(document, view_state, self.reader.cached_frames)
         self.status = StatusBar(view_state)
@@ -125,12 +127,17 @@ class MainWindow(QMainWindow):
         column = QWidget()
         column.setObjectName("panelColumn")
         column.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
-        column.setMinimumWidth(220)
         box = QVBoxLayout(column)
         shapes = Panel("Shapes", self.shapes, shape_tools)
         _fill(box, shapes, Panel("Track", self.tracker), Panel("Shape", self.properties, key_tools), self.history_panel)
         box.setStretchFactor(shapes, 1)
-        return column
+        scroll = QScrollArea()  # for small screens: nothing is squeezed, what does not fit is scrolled to
+        scroll.setWidgetResizable(True)
+        scroll.setFrameShape(QFrame.Shape.NoFrame)
+        scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        scroll.setWidget(column)
+        scroll.setMinimumWidth(240)
+        return scroll
 
     # ---- connecting
 

@@ -17,6 +17,7 @@ from roam_core.roto import Layer, RotoShape, edit
 NAME, EYE, LOCK = 0, 1, 2
 ID = Qt.ItemDataRole.UserRole
 EMPTY = "Draw a shape: press B in the viewer,\nclick for corners, drag for curves."
+NO_CLIP = "Open a clip first: drop a folder of\nimages or a movie on the window."
 
 
 class ShapesPanel(QWidget):
@@ -26,11 +27,12 @@ class ShapesPanel(QWidget):
         super().__init__(parent)
         self._document = document
         self.tree = ShapeTree(document, view_state)
-        self._hint = QLabel(EMPTY)
+        self._hint = QLabel()
         self._hint.setObjectName("weak")
         self._hint.setAlignment(Qt.AlignmentFlag.AlignCenter)
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
+        self.setMinimumHeight(5 * style.ROW_HEIGHT)
         column.addWidget(self.tree)
         column.addWidget(self._hint, 1)
         document.changed.connect(self._pull)
@@ -40,6 +42,7 @@ class ShapesPanel(QWidget):
     def _pull(self, _ids: object = None) -> None:
         is_empty = not self._document.project.root.children
         self._hint.setVisible(is_empty)
+        self._hint.setText(NO_CLIP if self._document.project.clip is None else EMPTY)
         self.tree.setVisible(not is_empty)
 
 

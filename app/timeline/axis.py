@@ -25,6 +25,7 @@ class TimeAxis(QObject):
         super().__init__(parent)
         self.view_state = view_state
         self._scale = TimeScale()
+        self._has_clip = False
         view_state.frame_changed.connect(self._follow)
 
     @property
@@ -36,9 +37,16 @@ class TimeAxis(QObject):
             self._scale = scale
             self.changed.emit()
 
-    def set_clip(self, first: int, stop: int) -> None:
-        """The frames that exist; all of them are shown."""
-        self.set_scale(replace(self._scale, clip=(first, stop)).fitted())
+    @property
+    def has_clip(self) -> bool:
+        """False while there is no time to show."""
+        return self._has_clip
+
+    def set_clip(self, clip: tuple[int, int] | None) -> None:
+        """The frames that exist, half open, or None; all of them are shown."""
+        self._has_clip = clip is not None
+        self._scale = replace(self._scale, clip=clip or (1, 2)).fitted()
+        self.changed.emit()
 
     def set_width(self, width: int) -> None:
         self.set_scale(self._scale.resized(width - RIGHT_MARGIN))
@@ -69,6 +77,6 @@ class TimeAxis(QObject):
 def paint_playhead(painter: QPainter, axis: TimeAxis, widget: QWidget) -> None:
     """The playhead's line over the full height of a row of the timeline."""
     x = axis.scale.x(axis.view_state.frame)
-    if axis.scale.left <= x <= axis.scale.right + RIGHT_MARGIN:
+    if axis.has_clip and axis.scale.left <= x <= axis.scale.right + RIGHT_MARGIN:
         painter.setPen(QPen(QColor(style.ACCENT), 1))
         painter.drawLine(QPointF(x, 0), QPointF(x, widget.height()))

@@ -97,6 +97,7 @@ class ConfidenceLines(pg.GraphicsView):  # type: ignore[misc]
         self._pull_playhead()
 
     def _pull_playhead(self) -> None:
+        self._playhead.setVisible(self._axis.has_clip)
         self._playhead.setPos(self._axis.view_state.frame + 0.5)
 
     def resizeEvent(self, event: QResizeEvent) -> None:

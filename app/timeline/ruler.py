@@ -15,6 +15,7 @@ from app.timeline.scale import LABEL_WIDTH
 
 HEIGHT = 34
 CACHE_HEIGHT = 3
+TICK_TOP = HEIGHT - 14
 LABEL_SPACE = 40.0
 """Pixels that the labels of the first and the last frame keep free around them."""
 TICK, CACHED = "#555555", "#6e6e6e"
@@ -59,21 +60,24 @@ class Ruler(QWidget):
     def paintEvent(self, event: QPaintEvent) -> None:
         painter = QPainter(self)
         painter.fillRect(self.rect(), QColor(style.WINDOW))
-        self._paint_range(painter)
-        self._paint_ticks(painter)
-        self._paint_cache(painter)
-        self._paint_labels(painter)
-        self._paint_playhead(painter)
+        if self._axis.has_clip:
+            self._paint_range(painter)
+            self._paint_ticks(painter)
+            self._paint_cache(painter)
+            self._paint_labels(painter)
+            self._paint_playhead(painter)
         painter.end()
 
     def _paint_range(self, painter: QPainter) -> None:
-        """The play range lies on a lighter ground; its ends are brackets."""
+        """The play range lies on a lighter ground; where it is not the whole clip its ends are marked."""
         scale, (first, stop) = self._axis.scale, self._axis.view_state.play_range
         left, right = (max(scale.x(edge - 0.5), scale.left) for edge in (first, stop))
         painter.fillRect(QRectF(left, 0, right - left, HEIGHT), QColor(style.PANEL))
+        if (first, stop) == scale.clip:
+            return
         painter.setPen(QPen(QColor(style.WEAK), 1))
         for x, inward in ((left, 4), (right, -4)):
-            painter.drawPolyline([QPointF(x + inward, 1), QPointF(x, 1), QPointF(x, HEIGHT - 6)])
+            painter.drawPolyline([QPointF(x + inward, TICK_TOP), QPointF(x, TICK_TOP), QPointF(x, HEIGHT - 1)])
 
     def _paint_ticks(self, painter: QPainter) -> None:
         scale = self._axis.scale
@@ -90,9 +94,11 @@ class Ruler(QWidget):
     def _paint_tick(self, painter: QPainter, frame: int, *, is_labelled: bool) -> None:
         x = self._axis.scale.x(frame)
         painter.setPen(QColor(style.WEAK if is_labelled else TICK))
-        painter.drawLine(QPointF(x, HEIGHT - (14 if is_labelled else 10)), QPointF(x, HEIGHT - 6))
+        painter.drawLine(QPointF(x, TICK_TOP if is_labelled else TICK_TOP + 4), QPointF(x, HEIGHT - 6))
         if is_labelled:
-            painter.drawText(QRectF(x - 30, 3, 60, 14), Qt.AlignmentFlag.AlignCenter, str(frame))
+            width = painter.fontMetrics().horizontalAdvance(str(frame)) + 2
+            left = min(max(x - width / 2, LABEL_WIDTH), self.width() - width)
+            painter.drawText(QRectF(left, 3, width, 14), Qt.AlignmentFlag.AlignCenter, str(frame))
 
     def _paint_cache(self, painter: QPainter) -> None:
         scale = self._axis.scale
@@ -106,7 +112,7 @@ class Ruler(QWidget):
         painter.fillRect(0, 0, LABEL_WIDTH, HEIGHT, QColor(style.WINDOW))
         painter.setPen(QColor(style.WEAK))
         first, stop = self._axis.scale.clip
-        text = f"{stop - first} frames"
+        text = f"{stop - first} frame{'s' * (stop - first > 1)}"
         painter.drawText(QRectF(8, 0, LABEL_WIDTH - 16, HEIGHT - 4), Qt.AlignmentFlag.AlignVCenter, text)
 
     def _paint_playhead(self, painter: QPainter) -> None:

@@ -41,4 +41,4 @@ class Timeline(QWidget):
 
     def _pull_clip(self) -> None:
         clip = self._document.project.clip
-        self.axis.set_clip(*((1, 2) if clip is None else (clip.first, clip.last + 1)))
+        self.axis.set_clip(None if clip is None else (clip.first, clip.last + 1))

@@ -46,6 +46,7 @@ class Transport(QWidget):
         view_state.frame_changed.connect(self._pull)
         view_state.range_changed.connect(self._pull)
         playback.playing_changed.connect(self._pull)
+        self._pull()
 
     def _build(self, actions: Actions) -> None:
         row = QHBoxLayout(self)

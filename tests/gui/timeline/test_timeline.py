@@ -3,24 +3,26 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, QPointF, Qt
-from PySide6.QtGui import QWheelEvent
+from PySide6.QtGui import QPainter, QWheelEvent
 from PySide6.QtWidgets import QApplication, QWidget
 from pytestqt.qtbot import QtBot
 
 from app.document import Document
 from app.navigation import Navigation
-from app.timeline import key_rows
+from app.timeline import row_painter
 from app.timeline.confidence import _with_gaps
+from app.timeline.row_painter import ROW
 from app.timeline.timeline import Timeline
 from app.view_state import ViewState
 from roam_core.geometry.bezier import polygon_points
 from roam_core.params import CONFIGS, DEFAULT_CONFIG
 from roam_core.propagate.provenance import clip_stamp, stamp
-from roam_core.roto import Clip, Keyframe, Origin, Project, edit
+from roam_core.roto import Clip, Keyframe, Origin, Project, RotoShape, edit
 from tests.gui.windows import offscreen
 
 pytestmark = offscreen
@@ -55,7 +57,7 @@ def x_of(timeline: Timeline, frame: int) -> int:
 
 
 def row_middle(index: int) -> int:
-    return index * key_rows.ROW + key_rows.ROW // 2
+    return index * ROW + ROW // 2
 
 
 def wheel(widget: QWidget, x: int, turn: int, modifiers: Qt.KeyboardModifier = Qt.KeyboardModifier.NoModifier) -> None:
@@ -138,7 +140,7 @@ def test_every_kind_of_mark_is_painted(timeline: Timeline, document: Document) -
         project = project.with_shape(edit.delete_engine_keys(shape))
     document.apply("Clear", project)
     without = timeline.rows.viewport().grab().toImage()
-    x, middle = x_of(timeline, 1015), key_rows.ROW // 2
+    x, middle = x_of(timeline, 1015), ROW // 2
     for below in (0, 8):  # the tick, and the notch of a doubt under it
         assert with_marks.pixelColor(x, middle + below) != without.pixelColor(x, middle + below)
     key = x_of(timeline, 1030)
@@ -156,14 +158,51 @@ def test_only_visible_rows_and_one_mark_a_pixel_are_drawn(timeline: Timeline, do
     """What makes 50 shapes of 2000 frames quick: work is bounded by pixels, not by keys."""
     scale = timeline.axis.scale
     crowded = np.arange(scale.clip[0] * 100, scale.clip[1] * 100) / 100
-    columns = key_rows._columns(crowded, scale)
+    columns = row_painter.columns(crowded, scale)
     assert len(columns) <= scale.width + 3
     project = document.project
     for _ in range(48):
         project, _shape = edit.new_shape(project, SQUARE, 1001)
     document.apply("Many", project)
     bar = timeline.rows.verticalScrollBar()
-    assert bar.maximum() == 50 * key_rows.ROW - timeline.rows.viewport().height()
-    bar.setValue(10 * key_rows.ROW)
+    assert bar.maximum() == 50 * ROW - timeline.rows.viewport().height()
+    bar.setValue(10 * ROW)
     top = timeline.rows.shape_at(5)
     assert top is timeline.rows.rows()[10]
+
+
+def test_scrubbing_paints_no_row_again(
+    timeline: Timeline, view_state: ViewState, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    painted: list[str] = []
+    paint = row_painter.RowPainter._paint
+
+    def recorded(self: row_painter.RowPainter, painter: QPainter, shape: RotoShape, *look: Any) -> None:
+        painted.append(shape.id)
+        paint(self, painter, shape, *look)
+
+    monkeypatch.setattr(row_painter.RowPainter, "_paint", recorded)
+    timeline.rows.viewport().grab()
+    painted.clear()
+    view_state.set_frame(1020)
+    timeline.rows.viewport().grab()
+    assert painted == []
+    view_state.select(frozenset({"shape-1"}))
+    timeline.rows.viewport().grab()
+    assert painted == ["shape-1"]
+
+
+def test_a_selected_row_scrolls_into_sight(timeline: Timeline, document: Document, view_state: ViewState) -> None:
+    project = document.project
+    for _ in range(48):
+        project, _shape = edit.new_shape(project, SQUARE, 1001)
+    document.apply("Many", project)
+    view_state.select(frozenset({"shape-1"}))
+    rows = timeline.rows
+    assert rows.shape_at(rows.viewport().height() - 3) is document.project.shape("shape-1")
+
+
+def test_without_a_clip_there_is_no_time_to_see(timeline: Timeline, document: Document) -> None:
+    document.open(Project(), None)
+    picture = timeline.ruler.grab().toImage()
+    assert {picture.pixelColor(x, 10).name() for x in range(0, picture.width(), 3)} == {picture.pixelColor(1, 1).name()}
