@@ -53,6 +53,9 @@ SPECS: tuple[ActionSpec, ...] = (
     ActionSpec("edit.undo", "Undo"),
     ActionSpec("edit.redo", "Redo"),
     ActionSpec("edit.history", "History", tip="Show every step and go back to any", checkable=True),
+    ActionSpec("edit.copy", "Copy", _VIEWER, tip="Copy the selected shapes"),
+    ActionSpec("edit.cut", "Cut", _VIEWER, tip="Cut the selected shapes"),
+    ActionSpec("edit.paste", "Paste", _VIEWER, tip="Paste the copied shapes"),
     ActionSpec("tool.select", "Select", _VIEWER, "tool-select", "Select and drag shapes, points and handles", True),
     ActionSpec(
         "tool.bezier", "Bezier", _VIEWER, "tool-bezier", "Draw a Bezier shape: click corners, drag curves", True

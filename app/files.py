@@ -97,6 +97,11 @@ class Files(QObject):
         job = self._runner.start("save", work)
         job.ended.connect(lambda ending, sentence: self._saved(ending, sentence, project, path))
 
+    def stop(self) -> None:
+        """Stop opening; a save is never stopped."""
+        if (job := self._runner.running("open")) is not None:
+            job.cancel()
+
     # ---- the rest is private
 
     def _open(

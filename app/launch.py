@@ -112,7 +112,7 @@ def _run(begin: Callable[[MainWindow], object]) -> int:
     from PySide6.QtCore import QTimer
     from PySide6.QtWidgets import QApplication
 
-    from app import style
+    from app import settings, style
     from app.folders import state_folder
     from app.main_window import MainWindow
 
@@ -124,6 +124,9 @@ def _run(begin: Callable[[MainWindow], object]) -> int:
     style.apply(application)
     window = MainWindow(state_folder() / "autosave")
     before = _catch_errors(window, state_folder() / "roam.log")
+    settings_path = state_folder() / "window.ini"
+    settings.restore(window, settings_path)
+    application.aboutToQuit.connect(lambda: settings.keep(window, settings_path))
     window.show()
     QTimer.singleShot(0, window, lambda: begin(window))
     QTimer.singleShot(0, window, window.warm_up)

@@ -12,6 +12,7 @@ from PySide6.QtWidgets import QFrame, QHBoxLayout, QMainWindow, QScrollArea, QSp
 from app import menus, style
 from app.actions import Actions, Keymap, load_keymap
 from app.canvas.view import CanvasView, ViewMode
+from app.clipboard import ShapeClipboard
 from app.dialogs import KeysDialog
 from app.document import Document
 from app.file_actions import FileActions
@@ -22,6 +23,7 @@ from app.jobs.decode import PlateReader
 from app.jobs.export import Export
 from app.jobs.propagation import Propagation
 from app.jobs.runner import Report, Runner
+from app.jobs.under_way import UnderWay
 from app.navigation import Navigation
 from app.panels.controls import tool_button
 from app.panels.panel import Panel
@@ -71,6 +73,7 @@ class MainWindow(QMainWindow):
         self.export = Export(self.document, self.writer, self)
         self.autosave = Autosave(self.document, self.writer, autosave_root, self)
         self.propagation = Propagation(self.document, self.view_state, self.solver, self.reader.engine_frame, self)
+        self.under_way = UnderWay(self.files, self.export, self.propagation, parent=self)
         self.playback = Playback(self.view_state, self)
         self.navigation = Navigation(self.document, self.view_state)
         self.tracking = Tracking(self.document, self.view_state, self.propagation)
@@ -92,7 +95,7 @@ class MainWindow(QMainWindow):
         self.history.setMinimumHeight(6 * style.ROW_HEIGHT)
         self.transport = Transport(self.navigation, view_state, self.playback, actions)
         self.timeline = Timeline(document, view_state, self.reader.cached_frames)
-        self.status = StatusBar(view_state)
+        self.status = StatusBar(view_state, self.under_way)
         self.setMenuWidget(_top_row(menus.menu_bar(actions), self.view_bar))
 
     def _lay_out(self) -> None:
@@ -112,6 +115,7 @@ class MainWindow(QMainWindow):
         for splitter in (self._upper, self._halves):
             splitter.setChildrenCollapsible(False)
             splitter.setHandleWidth(3)
+        self.splitters = {"upper": self._upper, "halves": self._halves}
         self._upper.setSizes([self.width() - PANEL_WIDTH, PANEL_WIDTH])
         self._halves.setSizes([self.height() - TIMELINE_HEIGHT, TIMELINE_HEIGHT])
         whole = QWidget()
@@ -149,11 +153,8 @@ class MainWindow(QMainWindow):
         reader.refused.connect(view.say)
         reader.cache_changed.connect(self.timeline.ruler.update)
         reader.cache_changed.connect(lambda: status.show_memory(*reader.memory()))
-        for job in (self.files, self.export, self.propagation):
-            job.progress.connect(status.show_progress)
-            job.finished.connect(status.show_end)
         self.propagation.finished.connect(lambda *_: self.autosave.save())
-        self.propagation.running_changed.connect(self._pull_running)
+        self.under_way.changed.connect(self._pull_running)
         self.document.replaced.connect(self._pull_clip)
         self.document.path_changed.connect(self._pull_title)
         undo = self.document.undo_stack
@@ -180,6 +181,7 @@ class MainWindow(QMainWindow):
     def _handlers(self) -> dict[str, Callable[[], object]]:
         """What each action calls; tools and switches are connected by their own widgets."""
         files, points, verbs = self.file_actions, self.canvas.points, self.shape_verbs
+        clipboard = ShapeClipboard(self.document, self.view_state)
         tracking, time, playback, canvas = self.tracking, self.navigation, self.playback, self.canvas
         return {
             "file.new": files.new,
@@ -194,6 +196,9 @@ class MainWindow(QMainWindow):
             "file.quit": self.close,
             "edit.undo": self.document.undo_stack.undo,
             "edit.redo": self.document.undo_stack.redo,
+            "edit.copy": clipboard.copy,
+            "edit.cut": clipboard.cut,
+            "edit.paste": clipboard.paste,
             "points.delete": points.delete,
             "points.select_all": points.select_all,
             "points.next": lambda: points.cycle(1),
@@ -214,7 +219,7 @@ class MainWindow(QMainWindow):
             "track.forward_one": tracking.forward_one,
             "track.backward_one": tracking.backward_one,
             "track.to_next_key": tracking.to_next_key,
-            "track.stop": tracking.stop,
+            "track.stop": self.under_way.stop,
             "track.next_doubtful": tracking.next_doubtful,
             "track.previous_doubtful": tracking.previous_doubtful,
             "track.delete_engine_keys": verbs.delete_engine_keys,
@@ -268,7 +273,7 @@ class MainWindow(QMainWindow):
         self.playback.fps = clip.fps if clip is not None else 24.0
 
     def _pull_running(self) -> None:
-        self.actions_by_id["track.stop"].setEnabled(self.propagation.is_running)
+        self.actions_by_id["track.stop"].setEnabled(self.under_way.is_any)
 
     def _set_tall_timeline(self, tall: bool) -> None:
         height = self._halves.height()

@@ -17,6 +17,7 @@ MENUS: dict[str, tuple[str, ...]] = {
     ),
     "Edit": (
         "edit.undo", "edit.redo", "edit.history", SEPARATOR,
+        "edit.copy", "edit.cut", "edit.paste", SEPARATOR,
         "points.delete", "points.select_all", "points.next", "points.previous", SEPARATOR,
         "points.smooth", "points.cusp", "points.toggle_closed",
     ),

@@ -44,9 +44,6 @@ class Tracking:
         else:
             self.forward()
 
-    def stop(self) -> None:
-        self._propagation.stop()
-
     def next_doubtful(self) -> None:
         self._go_to_doubtful(1)
 

@@ -130,7 +130,8 @@ class PlateReader(QObject):
         return [other for other in wanted if frames[0] <= other <= frames[-1]]
 
     def _touch(self) -> None:
-        if not self._settle.isActive():
+        # News of a cache that was let go meanwhile are late: nobody waits for them any more.
+        if self._cache is not None and not self._settle.isActive():
             self._settle.start()
 
     def _let_go(self) -> None:

@@ -7,7 +7,7 @@ from pathlib import Path
 from PySide6.QtCore import QObject, Signal
 
 from app.document import Document
-from app.jobs.runner import Report, Runner
+from app.jobs.runner import Ending, Report, Runner
 
 
 class Export(QObject):
@@ -37,6 +37,15 @@ class Export(QObject):
             losses = EXPORTERS[format_name].export(project, path, options)
             return " ".join([f"Exported to {path}.", *losses])
 
-        job = self._runner.start(f"export {format_name}", work)
+        job = self._runner.start("export", work)
         job.progress.connect(self.progress)
-        job.ended.connect(self.finished)
+        job.ended.connect(self._end)
+
+    def stop(self) -> None:
+        """Stop the export; files that are written whole stay."""
+        if (job := self._runner.running("export")) is not None:
+            job.cancel()
+
+    def _end(self, ending: Ending, sentence: str) -> None:
+        stopped = "Export stopped; the files that are finished stay."
+        self.finished.emit(ending, stopped if ending is Ending.CANCELLED else sentence)

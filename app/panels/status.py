@@ -7,22 +7,26 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QProgressBar, QWidget
 
 from app import style
 from app.jobs.runner import Ending
+from app.jobs.under_way import UnderWay
 from app.view_state import ViewState
 
 
 class StatusBar(QWidget):
     """One sentence, a progress bar while work is under way, the memory that frames take."""
 
-    def __init__(self, view_state: ViewState, parent: QWidget | None = None) -> None:
+    def __init__(self, view_state: ViewState, under_way: UnderWay, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._view = view_state
+        self._view, self._under_way = view_state, under_way
         self.setObjectName("statusBar")
         self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
         self.setFixedHeight(26)
         self.sentence, self._hint, self._memory = QLabel(), QLabel("Esc stops"), QLabel()
         self.bar = QProgressBar()
         self._build()
-        view_state.message_changed.connect(self._pull)
+        view_state.message_changed.connect(lambda: self._say(view_state.message))
+        under_way.progress.connect(self._show_progress)
+        under_way.ended.connect(self._show_end)
+        under_way.changed.connect(self._pull)
 
     def _build(self) -> None:
         self.sentence.setObjectName("sentence")
@@ -39,17 +43,13 @@ class StatusBar(QWidget):
             label.setObjectName("weak")
         for widget in (self.bar, self._hint, self._memory):
             row.addWidget(widget)
-        self._show_work(False)
+        self._pull()
 
-    def show_progress(self, fraction: float, text: str) -> None:
-        """Tell of work under way."""
+    def _show_progress(self, fraction: float, text: str) -> None:
         self.bar.setValue(round(1000 * fraction))
-        self._show_work(True)
         self._say(text)
 
-    def show_end(self, ending: Ending, sentence: str) -> None:
-        """Tell how work ended."""
-        self._show_work(False)
+    def _show_end(self, ending: Ending, sentence: str) -> None:
         if sentence or ending is not Ending.DONE:
             self._say(sentence)
 
@@ -57,12 +57,9 @@ class StatusBar(QWidget):
         """Tell how much of the frame cache is used, in bytes."""
         self._memory.setText(f"memory {used / 2**30:.2f}/{limit / 2**30:.1f} GB" if limit else "")
 
-    def _show_work(self, running: bool) -> None:
-        self.bar.setVisible(running)
-        self._hint.setVisible(running)
-
     def _pull(self) -> None:
-        self._say(self._view.message)
+        for widget in (self.bar, self._hint):
+            widget.setVisible(self._under_way.is_any)
 
     def _say(self, text: str) -> None:
         self.sentence.setText(text)

@@ -71,7 +71,7 @@ class Ruler(QWidget):
     def _paint_range(self, painter: QPainter) -> None:
         """The play range lies on a lighter ground; where it is not the whole clip its ends are marked."""
         scale, (first, stop) = self._axis.scale, self._axis.view_state.play_range
-        left, right = (max(scale.x(edge - 0.5), scale.left) for edge in (first, stop))
+        left, right = (scale.x(edge - 0.5) for edge in (first, stop))
         painter.fillRect(QRectF(left, 0, right - left, HEIGHT), QColor(style.PANEL))
         if (first, stop) == scale.clip:
             return
@@ -93,6 +93,8 @@ class Ruler(QWidget):
 
     def _paint_tick(self, painter: QPainter, frame: int, *, is_labelled: bool) -> None:
         x = self._axis.scale.x(frame)
+        if x < LABEL_WIDTH:
+            return
         painter.setPen(QColor(style.WEAK if is_labelled else TICK))
         painter.drawLine(QPointF(x, TICK_TOP if is_labelled else TICK_TOP + 4), QPointF(x, HEIGHT - 6))
         if is_labelled:

@@ -7,10 +7,10 @@ from pathlib import Path
 
 import pytest
 from PySide6.QtCore import QMimeData, QPointF, Qt, QUrl
-from PySide6.QtGui import QDropEvent
+from PySide6.QtGui import QDropEvent, QGuiApplication
 from pytestqt.qtbot import QtBot
 
-from app import dialogs
+from app import dialogs, settings
 from app.actions import SPECS
 from app.dialogs import Unsaved
 from app.main_window import MainWindow
@@ -191,6 +191,40 @@ def test_shape_verbs_are_one_step_each(qtbot: QtBot, window: MainWindow) -> None
     while window.document.project is not before:
         window.document.undo_stack.undo()
     assert window.document.undo_stack.index() == 1
+
+
+def test_shapes_are_copied_cut_and_pasted_with_their_keys(qtbot: QtBot, window: MainWindow) -> None:
+    draw(window)
+    original = window.document.project.shapes[0]
+    control = Qt.KeyboardModifier.ControlModifier
+    qtbot.keyClick(window.canvas, Qt.Key.Key_C, control)
+    qtbot.keyClick(window.canvas, Qt.Key.Key_V, control)
+    pasted = window.document.project.shapes[-1]
+    assert pasted.keys == original.keys
+    assert (pasted.id, pasted.name) != (original.id, original.name)
+    assert window.view_state.selection.shapes == {pasted.id}
+    qtbot.keyClick(window.canvas, Qt.Key.Key_X, control)
+    assert window.document.project.shapes == (original,)
+    QGuiApplication.clipboard().setText("no shape")
+    qtbot.keyClick(window.canvas, Qt.Key.Key_V, control)
+    assert window.document.project.shapes == (original,)
+    assert "no shape to paste" in window.status.sentence.text()
+
+
+def test_the_last_used_settings_come_back(qtbot: QtBot, window: MainWindow, tmp_path: Path) -> None:
+    window.actions_by_id["time.loop"].trigger()
+    window.resize(760, 640)  # fits on the screen that there is without a screen
+    window.splitters["halves"].setSizes([300, 300])
+    sizes = window.splitters["halves"].sizes()
+    settings.keep(window, tmp_path / "window.ini")
+    with opened_window(qtbot, None, tmp_path / "other") as other:
+        settings.restore(other, tmp_path / "window.ini")
+        assert not other.playback.is_looping
+        assert other.size() == window.size()
+        assert other.splitters["halves"].sizes() == pytest.approx(sizes, abs=2)
+        (tmp_path / "bad.ini").write_text("[General]\ngeometry=nonsense\nmode=abacus\n", encoding="utf-8")
+        settings.restore(other, tmp_path / "bad.ini")
+        assert other.tracking.config == window.tracking.config
 
 
 def test_views_and_panels_can_be_switched(qtbot: QtBot, window: MainWindow) -> None:

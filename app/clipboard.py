@@ -1,0 +1,66 @@
+"""Copy, cut and paste of shapes: the clipboard holds them as the text of a project without a clip."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from pathlib import Path
+
+from PySide6.QtGui import QGuiApplication
+
+from app.document import Document
+from app.view_state import ViewState
+from roam_core.errors import RoamError
+from roam_core.roto import Layer, Project, RotoShape, edit, file
+
+
+class ShapeClipboard:
+    """The verbs behind Ctrl+C, X and V in the viewer. Other windows of ROAM understand what was copied."""
+
+    def __init__(self, document: Document, view_state: ViewState) -> None:
+        self._document, self._view = document, view_state
+
+    def copy(self) -> None:
+        """Copy the selected shapes with all their keys."""
+        if shapes := self._selected():
+            QGuiApplication.clipboard().setText(_text(shapes))
+            self._view.say(f"Copied {_count(shapes)}.")
+
+    def cut(self) -> None:
+        """Copy the selected shapes and delete them."""
+        if shapes := self._selected():
+            self.copy()
+            self._document.apply("Cut", edit.remove_items(self._document.project, [shape.id for shape in shapes]))
+
+    def paste(self) -> None:
+        """Put the copied shapes on top, with ids and names of their own, and select them."""
+        try:
+            copied = file.loads(QGuiApplication.clipboard().text(), Path(), "the clipboard").shapes
+        except RoamError:
+            self._view.say("There is no shape to paste; copy one first.")
+            return
+        project, ids = self._document.project, []
+        for shape in copied:
+            project, pasted = _added(project, shape)
+            ids.append(pasted.id)
+        self._document.apply("Paste", project)
+        self._view.select(frozenset(ids))
+
+    def _selected(self) -> list[RotoShape]:
+        chosen = self._view.selection.shapes
+        return [shape for shape in self._document.project.shapes if shape.id in chosen]
+
+
+def _text(shapes: Sequence[RotoShape]) -> str:
+    return file.dumps(Project(root=Layer("root", "Root", tuple(shapes))), Path())
+
+
+def _added(project: Project, shape: RotoShape) -> tuple[Project, RotoShape]:
+    taken = {item.name for item in project.root.items()}
+    name = project.free_name(shape.name) if shape.name in taken else shape.name
+    copy = replace(shape, id=project.free_id("shape"), name=name)
+    return edit.add_shape(project, copy), copy
+
+
+def _count(shapes: Sequence[RotoShape]) -> str:
+    return "1 shape" if len(shapes) == 1 else f"{len(shapes)} shapes"

@@ -1,0 +1,41 @@
+"""The last used settings: the window's place and layout, the tracker's mode, the loop. Kept beside the log."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QByteArray, QSettings
+
+if TYPE_CHECKING:
+    from app.main_window import MainWindow
+
+SWITCHES = ("time.loop", "view.panels")
+
+
+def restore(window: MainWindow, path: Path) -> None:
+    """Give the window what `keep` wrote; what is missing or makes no sense stays as it is."""
+    settings = QSettings(str(path), QSettings.Format.IniFormat)
+    if isinstance(geometry := settings.value("geometry"), QByteArray):
+        window.restoreGeometry(geometry)
+    for name, splitter in window.splitters.items():
+        if isinstance(state := settings.value(f"splitter/{name}"), QByteArray):
+            splitter.restoreState(state)
+    for name in SWITCHES:
+        if settings.contains(name):
+            window.actions_by_id[name].setChecked(settings.value(name) == "true")
+    mode = window.tracker.mode
+    if (index := mode.findData(settings.value("mode"))) >= 0:
+        mode.setCurrentIndex(index)
+
+
+def keep(window: MainWindow, path: Path) -> None:
+    """Write the settings."""
+    settings = QSettings(str(path), QSettings.Format.IniFormat)
+    settings.setValue("geometry", window.saveGeometry())
+    for name, splitter in window.splitters.items():
+        settings.setValue(f"splitter/{name}", splitter.saveState())
+    for name in SWITCHES:
+        settings.setValue(name, "true" if window.actions_by_id[name].isChecked() else "false")
+    settings.setValue("mode", window.tracker.mode.currentData())
+    settings.sync()

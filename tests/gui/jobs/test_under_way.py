@@ -1,0 +1,64 @@
+"""UnderWay: one place for the news of all long work, one key to stop it."""
+
+from __future__ import annotations
+
+import pytest
+from PySide6.QtCore import QObject, Signal
+from PySide6.QtWidgets import QApplication
+from pytestqt.qtbot import QtBot
+
+from app.jobs.runner import Ending
+from app.jobs.under_way import UnderWay
+from app.panels.status import StatusBar
+from app.view_state import ViewState
+
+
+class Work(QObject):
+    progress = Signal(float, str)
+    finished = Signal(object, str)
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.stops = 0
+
+    def stop(self) -> None:
+        self.stops += 1
+
+
+@pytest.fixture
+def works(qapp: QApplication) -> tuple[Work, Work]:
+    return Work(), Work()
+
+
+def test_work_is_under_way_until_the_last_of_it_ends(works: tuple[Work, Work]) -> None:
+    under_way, changes = UnderWay(*works), []
+    under_way.changed.connect(lambda: changes.append(under_way.is_any))
+    works[0].progress.emit(0.1, "tracking")
+    works[1].progress.emit(0.2, "exporting")
+    works[0].finished.emit(Ending.DONE, "tracked")
+    assert under_way.is_any
+    works[1].finished.emit(Ending.FAILED, "disk full")
+    assert changes == [True, False]
+
+
+def test_one_stop_stops_all(works: tuple[Work, Work]) -> None:
+    UnderWay(*works).stop()
+    assert [work.stops for work in works] == [1, 1]
+
+
+def test_the_status_bar_tells_how_far_and_how_to_stop_it(
+    qtbot: QtBot, view_state: ViewState, works: tuple[Work, Work]
+) -> None:
+    status = StatusBar(view_state, UnderWay(*works))
+    qtbot.addWidget(status)
+    assert status.bar.isHidden()
+    works[0].progress.emit(0.25, "Tracking body forward")
+    assert not status.bar.isHidden()
+    assert not status._hint.isHidden()
+    assert status.bar.value() == 250
+    assert status.sentence.text() == "Tracking body forward"
+    works[0].finished.emit(Ending.DONE, "Tracked body.")
+    assert status.bar.isHidden()
+    assert status.sentence.text() == "Tracked body."
+    view_state.say("Select a shape first.")
+    assert status.sentence.text() == "Select a shape first."
