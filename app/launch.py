@@ -5,6 +5,8 @@ from __future__ import annotations
 import argparse
 import logging
 import os
+import signal
+import socket
 import sys
 from collections.abc import Callable, Sequence
 from logging.handlers import RotatingFileHandler
@@ -124,6 +126,7 @@ def _run(begin: Callable[[MainWindow], object]) -> int:
     style.apply(application)
     window = MainWindow(state_folder() / "autosave")
     before = _catch_errors(window, state_folder() / "roam.log")
+    _leave_on_signals(window)
     settings_path = state_folder() / "window.ini"
     settings.restore(window, settings_path)
     application.aboutToQuit.connect(lambda: settings.keep(window, settings_path))
@@ -134,6 +137,30 @@ def _run(begin: Callable[[MainWindow], object]) -> int:
         return application.exec()
     finally:
         sys.excepthook = before
+
+
+def _leave_on_signals(window: MainWindow) -> None:
+    """Let Ctrl+C in the terminal, and a logout, close the window in good order."""
+    from PySide6.QtCore import QSocketNotifier
+
+    # Python handles signals between its own instructions, and Qt's loop runs none while nothing happens: the byte that
+    # Python writes into this socket wakes it.
+    reading, writing = socket.socketpair()
+    for end in (reading, writing):
+        end.setblocking(False)
+    signal.set_wakeup_fd(writing.fileno())
+    notifier = QSocketNotifier(reading.fileno(), QSocketNotifier.Type.Read, window)
+
+    def leave() -> None:
+        notifier.setEnabled(False)
+        signal.set_wakeup_fd(-1)
+        reading.close()
+        writing.close()
+        window.leave_unasked()
+
+    notifier.activated.connect(leave)
+    for number in (signal.SIGINT, signal.SIGTERM):
+        signal.signal(number, lambda *_: None)
 
 
 def _offer_recovery(window: MainWindow) -> None:

@@ -303,6 +303,11 @@ class MainWindow(QMainWindow):
             event.ignore()
             self.file_actions.leave_project(self._leave)
 
+    def leave_unasked(self) -> None:
+        """Close without a question, because the desktop or the terminal says so; unsaved work waits for recovery."""
+        self.autosave.save_for_recovery()
+        self._leave()
+
     def _leave(self) -> None:
         """Close for good. Later, because Qt lets no window close while it is being asked to."""
         self._is_leaving = True

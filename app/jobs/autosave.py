@@ -51,6 +51,7 @@ class Autosave(QObject):
         self._lock = QLockFile(str(self._folder / "session.lock"))
         self._lock.tryLock(0)
         self._kept: Project | None = None
+        self._waits_for_recovery = False
         self._timer = QTimer(self, interval=INTERVAL)
         self._timer.timeout.connect(self.save)
         self._timer.start()
@@ -67,10 +68,16 @@ class Autosave(QObject):
         if self._has_news():
             write_snapshot(self._folder, *self._snapshot())
 
+    def save_for_recovery(self) -> None:
+        """Write a snapshot that is offered at the next start: the program has to end and cannot ask the artist."""
+        self.save_now()
+        self._waits_for_recovery = self._document.is_modified
+
     def close(self) -> None:
         """Close the session in good order: nothing is left to recover, the snapshots stay as backups."""
         self._timer.stop()
-        (self._folder / "session.json").unlink(missing_ok=True)
+        if not self._waits_for_recovery:
+            (self._folder / "session.json").unlink(missing_ok=True)
         self._lock.unlock()
         _prune_sessions(self._folder.parent)
 

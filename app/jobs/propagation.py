@@ -167,9 +167,9 @@ def _track(report: Report, request: _Request) -> str:
         report.progress(done / max(len(frames) - 1, 1), f"Tracking {names} {direction}: {place} · {pace}")
     if done == 0:
         return f"There is no frame to track {direction} to."
-    return (
-        f"Tracked {names} to frame {frames[-1]}: {done} frame{'s' * (done > 1)}, {1000 * seconds / done:.0f} ms each."
-    )
+    each = f"{1000 * seconds / done:.0f} ms"
+    paced = f"{done} frames, {each} each" if done > 1 else f"1 frame, {each}"
+    return f"Tracked {names} to frame {frames[-1]}: {paced}."
 
 
 def _names(shapes: Sequence[RotoShape]) -> str:

@@ -143,3 +143,14 @@ def test_escape_stops_the_run_and_keeps_what_is_finished(
         assert engine_frames(window) == [FIRST + 1, FIRST + 2]
         assert not stop.isEnabled()
         assert len(window.document.project.shapes) == 1  # Esc stops; it never deletes
+
+
+def test_closing_amid_a_run_ends_it(qtbot: QtBot, tmp_path: Path) -> None:
+    """The fixtures see to it that no thread, timer or window survives."""
+    with opened_window(qtbot, write_clip(tmp_path / "plate"), tmp_path / "autosave") as window:
+        draw_disc(qtbot, window)
+        qtbot.keyClick(window.canvas, Qt.Key.Key_BracketRight)
+        assert window.propagation.is_running
+        window._leave()
+        qtbot.waitUntil(lambda: not window.isVisible(), timeout=WAIT)
+        assert not window.propagation.is_running

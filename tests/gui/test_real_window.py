@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import shutil
+import signal
 import subprocess
 import sys
 import time
@@ -14,6 +15,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from app.jobs import autosave
 from roam_core.roto import Origin, file
 from tests.gui.windows import COUNT, FIRST, SIZE, centre, write_clip
 
@@ -133,16 +135,28 @@ def test_draw_track_and_save(screen: Screen, project_path: Path, tmp_path: Path)
     assert np.hypot(*(moved - np.subtract(centre(LAST), centre(FIRST)))) < 6.0
 
 
+def test_a_signal_ends_the_program_and_unsaved_work_waits_for_recovery(
+    screen: Screen, project_path: Path, tmp_path: Path
+) -> None:
+    command = [sys.executable, "-m", "app", str(project_path)]
+    program = subprocess.Popen(command, env=screen.environment)
+    try:
+        draw(screen, program, project_path)
+        until(lambda: bool(screen.windows("disc.roam\\*")), "the mark of unsaved changes", program)
+        program.send_signal(signal.SIGINT)
+        assert program.wait(PATIENCE) == 0
+    finally:
+        program.kill()
+    (found,) = autosave.recoveries(tmp_path / "state" / "roam" / "autosave")
+    assert found.original == project_path
+    assert len(autosave.load_recovery(found).shapes) == 1
+    assert file.load(project_path).shapes == ()
+
+
 def work(screen: Screen, program: subprocess.Popen[bytes], project_path: Path) -> None:
     """What the artist does."""
-    until(lambda: bool(screen.windows(project_path.name)), "the window", program)
-    window = screen.windows(project_path.name)[-1]
-    screen.do("windowmove", "--sync", window, 0, 0, "windowsize", "--sync", window, *WINDOW, "windowfocus", window)
-    screen.do("mousemove", WINDOW[0] // 3, WINDOW[1] // 3)
-    screen.key("f", "p")
-    for corner in outline(FIRST):
-        screen.click(*corner)
-    screen.key("Return", "bracketright")
+    draw(screen, program, project_path)
+    screen.key("bracketright")
 
     def is_tracked() -> bool:
         screen.key("ctrl+s")  # while it tracks, too: the window is alive
@@ -150,3 +164,15 @@ def work(screen: Screen, program: subprocess.Popen[bytes], project_path: Path) -
 
     until(is_tracked, "the last tracked frame", program)
     screen.key("ctrl+q")
+
+
+def draw(screen: Screen, program: subprocess.Popen[bytes], project_path: Path) -> None:
+    """Wait for the window and draw a polygon around the disc."""
+    until(lambda: bool(screen.windows(project_path.name)), "the window", program)
+    window = screen.windows(project_path.name)[-1]
+    screen.do("windowmove", "--sync", window, 0, 0, "windowsize", "--sync", window, *WINDOW, "windowfocus", window)
+    screen.do("mousemove", WINDOW[0] // 3, WINDOW[1] // 3)
+    screen.key("f", "p")
+    for corner in outline(FIRST):
+        screen.click(*corner)
+    screen.key("Return")

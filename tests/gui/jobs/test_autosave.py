@@ -105,6 +105,17 @@ def test_a_session_that_is_open_or_was_closed_is_no_crash(document: Document, ru
     assert autosave.recoveries(tmp_path) == []
 
 
+def test_work_that_nobody_could_be_asked_about_waits_for_recovery(
+    document: Document, runner: Runner, tmp_path: Path
+) -> None:
+    keeper = Autosave(document, runner, tmp_path)
+    draw(document)
+    keeper.save_for_recovery()
+    keeper.close()
+    (found,) = autosave.recoveries(tmp_path)
+    assert autosave.load_recovery(found) == document.project
+
+
 def test_closed_sessions_are_pruned_and_those_to_recover_are_not(
     document: Document, runner: Runner, tmp_path: Path
 ) -> None:
