@@ -116,6 +116,7 @@ def _run(begin: Callable[[MainWindow], object]) -> int:
 
     from app import settings, style
     from app.folders import state_folder
+    from app.jobs import warm_up
     from app.main_window import MainWindow
 
     _keep_log(state_folder() / "roam.log")
@@ -132,7 +133,7 @@ def _run(begin: Callable[[MainWindow], object]) -> int:
     application.aboutToQuit.connect(lambda: settings.keep(window, settings_path))
     window.show()
     QTimer.singleShot(0, window, lambda: begin(window))
-    QTimer.singleShot(0, window, window.warm_up)
+    QTimer.singleShot(0, window, lambda: warm_up.start(window.solver, window.tracking.config))
     try:
         return application.exec()
     finally:

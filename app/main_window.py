@@ -22,7 +22,7 @@ from app.jobs.autosave import Autosave
 from app.jobs.decode import PlateReader
 from app.jobs.export import Export
 from app.jobs.propagation import Propagation
-from app.jobs.runner import Report, Runner
+from app.jobs.runner import Runner
 from app.jobs.under_way import UnderWay
 from app.navigation import Navigation
 from app.panels.controls import tool_button
@@ -248,18 +248,6 @@ class MainWindow(QMainWindow):
             "time.clear_range": time.clear_range,
             "help.keys": lambda: KeysDialog(self.keymap, self).show(),
         }
-
-    def warm_up(self) -> None:
-        """Compile the engine's kernels on the worker, so that the first track need not wait for it."""
-        config = self.tracking.config
-
-        def work(report: Report) -> str:
-            from roam_core.propagate.warm_up import warm_up
-
-            warm_up(config)
-            return ""
-
-        self.solver.start("warm-up", work)
 
     # ---- pulling
 

@@ -13,8 +13,8 @@ from roam_core.errors import RoamError
 if TYPE_CHECKING:
     from roam_core.media import FrameCache, PlateSource
 
-READ_AHEAD = 24
-"""Frames decoded ahead of the playhead in the direction in which it moves."""
+READ_AHEAD = 120
+"""Frames decoded ahead of the playhead in the direction in which it moves: five seconds; fewer where memory ends."""
 DISPLAY_BYTES = 512 << 20
 """Bound on pictures kept ready for the screen; only plates whose colours must be converted need any."""
 

@@ -131,4 +131,4 @@ class KeyRows(QAbstractScrollArea):
     def _paint_hint(self, painter: QPainter) -> None:
         painter.setPen(QColor(style.WEAK))
         box = QRectF(LABEL_WIDTH + style.MARGIN, 0, self.viewport().width() - LABEL_WIDTH, 2 * ROW)
-        painter.drawText(box, Qt.AlignmentFlag.AlignVCenter, "The keys of your shapes appear here.")
+        painter.drawText(box, Qt.AlignmentFlag.AlignCenter, "The keys of your shapes appear here.")

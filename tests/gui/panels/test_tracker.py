@@ -1,0 +1,132 @@
+"""The tracker panel and the track verbs: which frames a key means, what is said when nothing can be tracked."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+import pytest
+from PySide6.QtWidgets import QWidget
+from pytestqt.qtbot import QtBot
+
+from app.actions import Actions, load_keymap
+from app.document import Document
+from app.panels.tracker import TrackerPanel
+from app.tracking import NO_CLIP, NO_SHAPE, Tracking
+from app.view_state import ViewState
+from roam_core.geometry.bezier import polygon_points
+from roam_core.params import CONFIGS, DEFAULT_CONFIG
+from roam_core.roto import Clip, Keyframe, Origin, Project, edit
+
+SQUARE = polygon_points([(0, 0), (10, 0), (10, 10), (0, 10)])
+CLIP = Clip(Path("shot"), 1001, 1048, (64, 48))
+
+
+class Propagation:
+    """Notes what it is asked to track."""
+
+    def __init__(self) -> None:
+        self.asked: list[tuple[list[str], range, str]] = []
+
+    def start(self, shape_ids: Sequence[str], frames: range, config: str) -> None:
+        self.asked.append((list(shape_ids), frames, config))
+
+
+@pytest.fixture
+def propagation() -> Propagation:
+    return Propagation()
+
+
+@pytest.fixture
+def tracking(document: Document, view_state: ViewState, propagation: Propagation) -> Tracking:
+    """A square with artist keys at 1001 and 1020, engine keys between, of which 1005 and 1010 are doubtful."""
+    project, shape = edit.new_shape(Project(CLIP), SQUARE, 1001)
+    doubts = {1005: 0.3, 1010: 0.2}
+    keys = [Keyframe(f, SQUARE, origin=Origin.ENGINE, confidence=doubts.get(f, 0.9)) for f in range(1002, 1020)]
+    project = project.with_shape(edit.set_engine_keys(edit.key_here(shape, 1020), keys))
+    document.open(project, None)
+    view_state.set_play_range(1001, 1049)
+    view_state.set_frame(1010)
+    return Tracking(document, view_state, propagation)  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize(
+    ("verb", "frames"),
+    [
+        ("forward", range(1010, 1049)),
+        ("backward", range(1010, 1000, -1)),
+        ("forward_one", range(1010, 1012)),
+        ("backward_one", range(1010, 1008, -1)),
+        ("to_next_key", range(1010, 1020)),
+    ],
+)
+def test_a_verb_means_these_frames(tracking: Tracking, propagation: Propagation, verb: str, frames: range) -> None:
+    getattr(tracking, verb)()
+    assert propagation.asked == [(["shape-1"], frames, DEFAULT_CONFIG)]
+
+
+def test_in_and_out_bound_a_run_that_begins_between_them(
+    tracking: Tracking, propagation: Propagation, view_state: ViewState
+) -> None:
+    view_state.set_play_range(1005, 1015)
+    tracking.forward()
+    tracking.backward()
+    view_state.set_frame(1030)
+    tracking.forward()
+    assert [frames for _, frames, _ in propagation.asked] == [
+        range(1010, 1015),
+        range(1010, 1004, -1),
+        range(1030, 1049),
+    ]
+
+
+def test_at_the_clips_end_there_is_nothing_to_track(
+    tracking: Tracking, propagation: Propagation, view_state: ViewState
+) -> None:
+    view_state.set_frame(1048)
+    tracking.forward()
+    tracking.forward_one()
+    assert propagation.asked == []
+    assert view_state.message == "The clip ends here: there is no frame to track to."
+
+
+def test_what_cannot_be_tracked_is_said(
+    tracking: Tracking, propagation: Propagation, document: Document, view_state: ViewState
+) -> None:
+    for values, word in (({"locked": True}, "locked"), ({"locked": False, "closed": False}, "open")):
+        document.apply("Change", edit.set_properties(document.project, "shape-1", **values))
+        tracking.forward()
+        assert word in view_state.message
+    document.open(Project(CLIP), None)
+    tracking.forward()
+    assert view_state.message == NO_SHAPE
+    document.open(Project(), None)
+    tracking.forward()
+    assert view_state.message == NO_CLIP
+    assert propagation.asked == []
+
+
+def test_n_goes_from_one_doubt_to_the_next(tracking: Tracking, view_state: ViewState) -> None:
+    view_state.set_frame(1001)
+    visited = []
+    for step in (tracking.next_doubtful, tracking.next_doubtful, tracking.next_doubtful, tracking.previous_doubtful):
+        step()
+        visited.append(view_state.frame)
+    assert visited == [1005, 1010, 1010, 1005]
+    assert view_state.message == "No doubtful frame after frame 1010."
+
+
+def test_the_panel_shows_the_confidence_and_sets_the_mode(
+    qtbot: QtBot, tracking: Tracking, document: Document, view_state: ViewState
+) -> None:
+    window = QWidget()
+    qtbot.addWidget(window)
+    panel = TrackerPanel(document, view_state, tracking, Actions(window, window, load_keymap()), window)
+    shown = []
+    for frame in (1001, 1002, 1005):
+        view_state.set_frame(frame)
+        shown.append(panel._confidence.text())
+    assert shown == ["–", "0.90", "0.30  doubtful"]
+    assert [panel.mode.itemData(row) for row in range(panel.mode.count())] == list(CONFIGS)
+    panel.mode.setCurrentIndex(panel.mode.count() - 1)
+    assert tracking.config == list(CONFIGS)[-1]
