@@ -38,7 +38,7 @@ def outward_normals(line: Array) -> Array:
 
 
 def is_simple(line: Array, closed: bool = True) -> bool:
-    """True when no two edges that are not neighbours touch or cross."""
+    """True when no two edges that are not neighbours properly cross; touching is allowed."""
     return len(crossings(line, closed)) == 0
 
 

@@ -21,7 +21,13 @@ def cyclic_viterbi(unary: Float64, pairwise: Float64) -> tuple[IntArray, float]:
 
     Parameters
     ----------
-    unary : (N, D). pairwise : (N, D, D), the last slice joins node N - 1 to node 0. Lower is better; finite.
+    unary : (N, D). pairwise : (N, D, D), the last slice joins node N - 1 to node 0. Lower is better; infinity
+        forbids a state or a pair.
+
+    Raises
+    ------
+    ValueError
+        when the tables are no cyclic chain, or every labelling of it is forbidden or not a number.
     """
     count, kinds = unary.shape
     if count < 2 or pairwise.shape != (count, kinds, kinds):
@@ -30,13 +36,15 @@ def cyclic_viterbi(unary: Float64, pairwise: Float64) -> tuple[IntArray, float]:
     energy = _cyclic_viterbi(
         np.ascontiguousarray(unary, dtype=np.float64), np.ascontiguousarray(pairwise, dtype=np.float64), labels
     )
+    if not np.isfinite(energy):
+        raise ValueError("no labelling of the cyclic chain has a finite energy")
     return labels, float(energy)
 
 
 @njit(nogil=True, cache=True)
 def _cyclic_viterbi(unary, pairwise, labels):  # type: ignore[no-untyped-def]
     count, kinds = unary.shape
-    parents = np.empty((count, kinds), dtype=np.int64)
+    parents = np.zeros((count, kinds), dtype=np.int64)
     # Open sets of first states [low, high) with their bound and the two ends of the path that reached it.
     low, high = np.empty(2 * kinds, dtype=np.int64), np.empty(2 * kinds, dtype=np.int64)
     bound = np.empty(2 * kinds)
@@ -49,7 +57,8 @@ def _cyclic_viterbi(unary, pairwise, labels):  # type: ignore[no-untyped-def]
         for k in range(1, sets):
             if bound[k] < bound[best]:
                 best = k
-        if first[best] == last[best]:
+        # Without a finite labelling there are no two ends to part.
+        if first[best] == last[best] or not np.isfinite(bound[best]):
             _run(unary, pairwise, low[best], high[best], parents, labels)
             return bound[best]
         # Part the two ends: the cut lies just above the smaller one, so no set can hold both again.

@@ -56,3 +56,30 @@ def test_tables_of_other_types_and_orders_give_the_same_answer() -> None:
 def test_what_is_no_cyclic_chain_is_refused(unary: tuple[int, ...], pairwise: tuple[int, ...]) -> None:
     with pytest.raises(ValueError, match="no cyclic chain"):
         cyclic_viterbi(np.zeros(unary), np.zeros(pairwise))
+
+
+def test_infinity_forbids() -> None:
+    rng = np.random.default_rng(9)
+    unary, pairwise = rng.normal(size=(20, 6)), rng.normal(size=(20, 6, 6))
+    unary[rng.random(unary.shape) < 0.2] = np.inf
+    pairwise[rng.random(pairwise.shape) < 0.2] = np.inf
+    labels, energy = cyclic_viterbi(unary, pairwise)
+    assert energy == pytest.approx(ref_cyclic_viterbi(unary, pairwise)[1])
+    assert energy == pytest.approx(chain_energy(unary, pairwise, labels))
+
+
+@pytest.mark.parametrize("value", [np.inf, np.nan])
+@pytest.mark.parametrize("count", [2, 7])
+def test_a_ring_without_a_way_around_is_refused(count: int, value: float) -> None:
+    pairwise = np.zeros((count, 4, 4))
+    pairwise[1] = value
+    with pytest.raises(ValueError, match="finite"):
+        cyclic_viterbi(np.zeros((count, 4)), pairwise)
+
+
+def test_a_ring_that_is_open_everywhere_but_where_it_closes_is_refused() -> None:
+    """Each state leads to itself only, and the last node may close on any state but its own."""
+    stay = np.where(np.eye(3) > 0, 0.0, np.inf)
+    move = np.where(np.eye(3) > 0, np.inf, 0.0)
+    with pytest.raises(ValueError, match="finite"):
+        cyclic_viterbi(np.zeros((3, 3)), np.stack([stay, stay, move]))
