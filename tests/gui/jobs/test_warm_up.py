@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import threading
+from importlib import import_module
 
 import pytest
 from pytestqt.qtbot import QtBot
@@ -17,7 +18,8 @@ def test_kernels_are_compiled_on_the_solvers_thread(qtbot: QtBot, monkeypatch: p
     def compile_for(config: str) -> None:
         compiled.append((config, threading.current_thread() is threading.main_thread()))
 
-    monkeypatch.setattr("roam_core.propagate.warm_up.warm_up", compile_for)
+    # By name: the package lends the module's name to its function.
+    monkeypatch.setattr(import_module("roam_core.propagate.warm_up"), "warm_up", compile_for)
     runner = Runner("solver")
     with qtbot.waitSignal(warm_up.start(runner, "baseline").ended, timeout=5000) as ended:
         pass
