@@ -13,7 +13,7 @@ from app.jobs.decode import PlateReader
 from app.jobs.runner import Ending, Report, Runner, Work
 from app.view_state import ViewState
 from roam_core.errors import RoamError
-from roam_core.roto import Project, edit, file
+from roam_core.roto import Clip, Project, edit, file
 
 PROJECT_SUFFIX = ".roam"
 
@@ -140,11 +140,10 @@ class Files(QObject):
 
 def clip_project(path: Path) -> tuple[Project, Any]:
     """A new project on a clip, and the clip's source. Raises `RoamError` when there is no clip at `path`."""
-    from roam_core.cli.plate import clip_of
     from roam_core.media import open_clip
 
     source = open_clip(path)
-    return Project(clip_of(source)), source
+    return Project(Clip.of(source)), source
 
 
 def _demo_project(report: Report) -> tuple[Project, Any]:
@@ -155,7 +154,7 @@ def _demo_project(report: Report) -> tuple[Project, Any]:
     try:
         demo.write_frames(folder, report.progress)
     except OSError as error:
-        raise RoamError(f"The demo shot cannot be written to {folder}: {error.strerror}.") from None
+        raise RoamError(f"The demo shot cannot be written to {folder}: {error.strerror or error}.") from None
     project, source = clip_project(folder)
     project, _ = edit.new_shape(project, demo.true_points(demo.FIRST), demo.FIRST, name="Manta")
     return project, source

@@ -91,8 +91,8 @@ class Propagation(QObject):
         self._follow(run, result.frame)
 
     def _follow(self, run: _Run, frame: int) -> None:
-        """Take the playhead along, unless the artist went to look at another frame."""
-        if self._view.frame == run.shown_frame:
+        """Take the playhead along, unless the artist went to look at another frame or drags something on this one."""
+        if self._view.frame == run.shown_frame and self._view.preview is None:
             run.shown_frame = frame
             self._view.set_frame(frame)
 

@@ -16,7 +16,7 @@ from app.tools.hit_test import REACH
 from app.tools.tool import Pointer, Tool
 from app.view_state import ViewState
 from roam_core.geometry import bezier
-from roam_core.geometry.bezier import ANCHOR, IN, OUT
+from roam_core.geometry.bezier import ANCHOR
 from roam_core.roto import edit
 from roam_core.roto.edit import is_smooth
 from roam_core.roto.project import PALETTE
@@ -181,11 +181,3 @@ class DrawingTool(Tool):
         self.view_state.select(frozenset({shape.id}))
         if self.view_state.tool == self.name:
             self.view_state.set_tool("select")
-
-
-def mirrored(point: Array, part: int, position: tuple[float, float]) -> Array:
-    """A `point (3, 2)` with one handle at `position` and the other opposite to it."""
-    result = point.copy()
-    result[part] = position
-    result[IN if part == OUT else OUT] = 2.0 * point[ANCHOR] - np.asarray(position)
-    return result

@@ -12,10 +12,10 @@ from app.canvas.shown import editable_shapes
 from app.canvas.viewport import Viewport
 from app.document import Document
 from app.tools.hit_test import points_in_box
-from app.tools.reshape import Grab, Tangent, Vector, break_tangent, equal_tangent, keep_tangent
+from app.tools.reshape import Grab, Tangent, Vector, break_tangent
 from app.tools.tool import Modifier, Pointer
 from app.view_state import Selection, ViewState
-from roam_core.roto import Project
+from roam_core.roto import Project, edit
 
 DRAG_DISTANCE = 3.0
 """A press that moves less than this many screen pixels is a click: a click never moves anything."""
@@ -163,6 +163,7 @@ class Marquee(Gesture):
 
 
 def _tangent(pointer: Pointer) -> Tangent:
+    """What the other handle does: stay with Ctrl, mirror this one with Shift, else turn along where it is smooth."""
     if pointer.holds(Modifier.ControlModifier):
         return break_tangent
-    return equal_tangent if pointer.holds(Modifier.ShiftModifier) else keep_tangent
+    return edit.equal_handles if pointer.holds(Modifier.ShiftModifier) else edit.drag_handle

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -84,11 +83,12 @@ class PointActions:
     def toggle_closed(self) -> None:
         """Close the open selected shapes and open the closed ones."""
         project = self._document.project
-        for shape in self._shapes():
-            if not shape.closed and shape.point_count < edit.MIN_POINTS_CLOSED:
-                self._view.say(f"{shape.name!r} needs at least {edit.MIN_POINTS_CLOSED} points to be closed; add one.")
-                return
-            project = project.with_shape(replace(shape, closed=not shape.closed))
+        try:
+            for shape in self._shapes():
+                project = project.with_shape(edit.toggle_closed(shape))
+        except RoamError as error:
+            self._view.say(str(error))
+            return
         self._apply("Open or close shape", project)
 
     def select_all(self) -> None:

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from app.canvas.shown import editable_shapes
 from app.view_state import Selection
-from roam_core.geometry.bezier import ANCHOR, IN, OUT
+from roam_core.geometry.bezier import ANCHOR
 from roam_core.roto import Project, RotoShape, edit
 from roam_core.roto.edit import Part
 
@@ -62,21 +62,9 @@ Tangent = Callable[[Array, int, int, Vector], Array]
 """How the other handle follows: `(points, index, part, position) -> points`."""
 
 
-def keep_tangent(points: Array, index: int, part: int, position: Vector) -> Array:
-    """The other handle of a smooth point turns along; that of a cusp stays."""
-    return edit.drag_handle(points, index, part, position)
-
-
 def break_tangent(points: Array, index: int, part: int, position: Vector) -> Array:
     """The other handle stays: the point becomes a cusp."""
     return edit.drag_handle(points, index, part, position, keep_smooth=False)
-
-
-def equal_tangent(points: Array, index: int, part: int, position: Vector) -> Array:
-    """The other handle mirrors this one in direction and length."""
-    mirrored = 2.0 * points[index, ANCHOR] - np.asarray(position)
-    points = break_tangent(points, index, part, position)
-    return edit.drag_handle(points, index, IN if part == OUT else OUT, mirrored, keep_smooth=False)
 
 
 def grabbed_parts(project: Project, frame: int, selection: Selection) -> dict[str, tuple[Part, ...]]:

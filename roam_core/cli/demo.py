@@ -11,12 +11,13 @@ from platformdirs import user_cache_path
 from tqdm import tqdm
 
 from resources import demo
-from roam_core.cli.plate import Plate, clip_of, opened
+from roam_core.cli.plate import Plate, opened
 from roam_core.cli.track import Report, frame_range, print_line, require_target, require_writable, track_project
+from roam_core.errors import RoamError
 from roam_core.matte import render_matte
 from roam_core.params import DEFAULT_CONFIG, params_for
 from roam_core.propagate import TrackResult
-from roam_core.roto import Project, RotoShape, edit, file
+from roam_core.roto import Clip, Project, RotoShape, edit, file
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -60,13 +61,16 @@ def demo_frames(folder: Path | None = None) -> Path:
     place = folder or user_cache_path("roam") / demo.cache_name()
     require_writable(place, create=True)
     with tqdm(total=1.0, desc="Rendering the demo shot", disable=not sys.stderr.isatty(), leave=False) as bar:
-        demo.write_frames(place, lambda fraction, _: bar.update(fraction - bar.n))
+        try:
+            demo.write_frames(place, lambda fraction, _: bar.update(fraction - bar.n))
+        except OSError as error:
+            raise RoamError(f"The demo shot cannot be written to {place}: {error.strerror or error}.") from None
     return place
 
 
 def demo_project(plate: Plate) -> Project:
     """The demo as it is handed to the artist: the clip, and the true outline as the key of the first frame."""
-    project, _ = edit.new_shape(Project(clip_of(plate.source)), demo.true_points(demo.FIRST), demo.FIRST, name="Demo")
+    project, _ = edit.new_shape(Project(Clip.of(plate.source)), demo.true_points(demo.FIRST), demo.FIRST, name="Demo")
     return project
 
 

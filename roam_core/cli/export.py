@@ -24,6 +24,8 @@ def run(arguments: argparse.Namespace) -> int:
     exporter = exporter_for(arguments.to)
     project = file.load(arguments.project)
     options = ExportOptions(frame_offset=arguments.frame_offset, keys=KeyChoice(arguments.keys))
-    exporter.export(project, arguments.out, options)
+    losses = exporter.export(project, arguments.out, options)
     print(f"Wrote {len(project.shapes)} shape(s) to {arguments.out}.", file=sys.stderr)
+    for loss in losses:
+        print(loss, file=sys.stderr)
     return 0

@@ -11,7 +11,6 @@ from numpy.typing import NDArray
 
 from roam_core.media import FrameCache, PlateSource, open_clip
 from roam_core.media.colour import to_engine
-from roam_core.roto import Clip
 
 AHEAD = 4
 """Frames decoded ahead of the solver."""
@@ -32,19 +31,6 @@ class Plate:
         """Decode the frames that follow `frame` in `frames` in the background."""
         position = frames.index(frame)
         self.cache.read_ahead([f for f in frames[position + 1 : position + 1 + AHEAD] if f in self.source.frames])
-
-
-def clip_of(source: PlateSource) -> Clip:
-    """The reference to a plate that a project holds."""
-    return Clip(
-        path=source.path,
-        first=source.frames[0],
-        last=source.frames[-1],
-        size=source.size,
-        fps=source.fps,
-        pixel_aspect=source.pixel_aspect,
-        colour_space=source.colour_space,
-    )
 
 
 @contextmanager

@@ -11,14 +11,14 @@ from pathlib import Path
 
 from tqdm import tqdm
 
-from roam_core.cli.plate import Plate, clip_of, opened
+from roam_core.cli.plate import Plate, opened
 from roam_core.errors import RoamError
 from roam_core.interchange.mattes import write_matte
 from roam_core.matte.vectorise import read_mask, shapes_from_mask
 from roam_core.params import CONFIGS, DEFAULT_CONFIG, params_for
 from roam_core.propagate import FrameResult, Termination, TrackResult, track, warm_up
 from roam_core.propagate.provenance import clip_stamp
-from roam_core.roto import Layer, Project, RotoShape, file
+from roam_core.roto import Clip, Layer, Project, RotoShape, file
 
 Report = Callable[[int, tuple[TrackResult, ...]], None]
 
@@ -119,7 +119,7 @@ def frame_range(frames: tuple[int, ...], start: int | None, end: int | None, *, 
 
 def initial_project(init: Path, plate: Plate, start: int) -> Project:
     """The project to track: a `.roam` file's on this clip, or one made of a mask of the start frame."""
-    clip = clip_of(plate.source)
+    clip = Clip.of(plate.source)
     if not init.exists():
         raise RoamError(f"{init} does not exist; --init wants a mask image of the start frame or a .roam project.")
     if init.suffix.lower() == ".roam":

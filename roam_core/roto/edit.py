@@ -143,6 +143,13 @@ def set_interpolation(shape: RotoShape, frames: Iterable[int], interpolation: In
     return shape.with_keys(replace(k, interpolation=interpolation) for k in shape.keys if k.frame in chosen)
 
 
+def toggle_closed(shape: RotoShape) -> RotoShape:
+    """The open shape closed, or the closed one opened; raises `RoamError` where it has too few points to be closed."""
+    if not shape.closed and shape.point_count < MIN_POINTS_CLOSED:
+        raise RoamError(f"{shape.name!r} needs at least {MIN_POINTS_CLOSED} points to be closed; add one.")
+    return replace(shape, closed=not shape.closed)
+
+
 # ---- points of a shape -----------------------------------------------------------------------------------------------
 
 
@@ -173,6 +180,14 @@ def drag_handle(points: Array, index: int, part: int, position: ArrayLike, *, ke
     reach = np.hypot(*direction)
     if keep_smooth and smooth and reach > 1e-9:
         result[index, other] = anchor - direction / reach * np.hypot(*(points[index, other] - anchor))
+    return result
+
+
+def equal_handles(points: Array, index: int, part: int, position: ArrayLike) -> Array:
+    """Points with one handle put at `position` and the other opposite to it, equally long: a smooth point."""
+    result = points.copy()
+    result[index, part] = position
+    result[index, IN if part == OUT else OUT] = 2.0 * result[index, ANCHOR] - result[index, part]
     return result
 
 

@@ -5,10 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from roam_core.errors import RoamError
 from roam_core.roto.shape import RotoShape
+
+if TYPE_CHECKING:
+    from roam_core.media.source import PlateSource
 
 PALETTE: tuple[tuple[float, float, float], ...] = (
     (0.90, 0.62, 0.00),
@@ -39,6 +42,19 @@ class Clip:
     pixel_aspect: float = 1.0
     colour_space: str = "sRGB"
     extra: Mapping[str, Any] = field(default_factory=dict, hash=False)
+
+    @classmethod
+    def of(cls, source: PlateSource) -> Clip:
+        """The reference to a plate that is open."""
+        return cls(
+            path=source.path,
+            first=source.frames[0],
+            last=source.frames[-1],
+            size=source.size,
+            fps=source.fps,
+            pixel_aspect=source.pixel_aspect,
+            colour_space=source.colour_space,
+        )
 
     @property
     def name(self) -> str:

@@ -22,13 +22,10 @@ from tests.gui.windows import (
     click,
     drag,
     nothing_slow_in_the_window_thread,
-    offscreen,
     opened_window,
     shape,
     write_clip,
 )
-
-pytestmark = offscreen
 
 LAST = FIRST + COUNT - 1
 CORNERS = 10

@@ -8,9 +8,6 @@ from PySide6.QtWidgets import QApplication, QLineEdit, QPushButton, QVBoxLayout,
 from pytestqt.qtbot import QtBot
 
 from app.focus import FocusFollowsPointer
-from tests.gui.windows import offscreen
-
-pytestmark = offscreen
 
 
 def test_the_viewer_takes_the_keyboard_unless_something_is_typed(qtbot: QtBot) -> None:

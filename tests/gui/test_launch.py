@@ -13,7 +13,7 @@ from app import launch
 from app.jobs import autosave
 from roam_core.geometry.bezier import polygon_points
 from roam_core.roto import Project, edit, file
-from tests.gui.windows import offscreen, opened_window, write_clip
+from tests.gui.windows import opened_window, write_clip
 
 DISPLAYS = ("DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM")
 
@@ -75,7 +75,6 @@ def test_commands_are_handed_on_without_loading_qt() -> None:
     assert result.stderr.startswith("roam: ")
 
 
-@offscreen
 def test_a_defect_is_logged_told_and_loses_nothing(
     qtbot: QtBot, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -91,7 +90,6 @@ def test_a_defect_is_logged_told_and_loses_nothing(
         assert file.load(snapshot) == window.document.project
 
 
-@offscreen
 def test_what_a_crash_left_is_offered_and_opened_as_unsaved_work(
     qtbot: QtBot, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

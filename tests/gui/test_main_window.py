@@ -16,9 +16,7 @@ from app.dialogs import Unsaved
 from app.main_window import MainWindow
 from roam_core.geometry.bezier import polygon_points
 from roam_core.roto import edit, file
-from tests.gui.windows import COUNT, FIRST, WAIT, offscreen, opened_window, write_clip
-
-pytestmark = offscreen
+from tests.gui.windows import COUNT, FIRST, WAIT, opened_window, write_clip
 
 SQUARE = polygon_points([(40, 30), (80, 30), (80, 70), (40, 70)])
 

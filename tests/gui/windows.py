@@ -20,9 +20,6 @@ from roam_core.propagate import run
 from roam_core.roto import Project, RotoShape, file
 
 FIRST, COUNT, SIZE = 1001, 8, (160, 120)
-offscreen = pytest.mark.qt_log_ignore("This plugin does not support propagateSizeHints")
-"""For tests that show a window: without a screen Qt cannot pass its size hints on, and says so."""
-
 WAIT = 30_000
 """Milliseconds after which a test gives up; the first track may compile kernels."""
 

@@ -180,6 +180,24 @@ def test_the_playhead_stays_where_the_artist_scrubbed_to(
     assert view_state.frame == 1
 
 
+def test_the_frame_stays_under_the_hand_while_something_is_dragged(
+    qtbot: QtBot, propagation: Propagation, document: Document, view_state: ViewState, engine: Engine
+) -> None:
+    engine.allow(1)
+    propagation.start(["shape-1"], range(1, 6))
+    qtbot.waitUntil(lambda: view_state.frame == 2, timeout=WAIT)
+    other = edit.key_here(document.project.shape("shape-2"), 2)
+    view_state.set_preview(document.project.with_shape(other))
+    engine.allow(1)
+    qtbot.waitUntil(solved(document, [2, 3]), timeout=WAIT)
+    assert view_state.frame == 2
+    view_state.set_preview(None)
+    engine.allow(2)
+    with qtbot.waitSignal(propagation.finished, timeout=WAIT):
+        pass
+    assert view_state.frame == 5
+
+
 def test_opening_another_project_ends_the_run(
     qtbot: QtBot, propagation: Propagation, document: Document, engine: Engine
 ) -> None:

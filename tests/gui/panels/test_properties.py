@@ -14,9 +14,6 @@ from app.view_state import ViewState
 from roam_core.geometry.bezier import polygon_points
 from roam_core.roto import BlendMode, Project, RotoShape, edit
 from roam_core.roto.project import PALETTE
-from tests.gui.windows import offscreen
-
-pytestmark = offscreen
 
 SQUARE = polygon_points([(0, 0), (10, 0), (10, 10), (0, 10)])
 

@@ -12,9 +12,6 @@ from app.panels.shapes import EYE, LOCK, NAME, ShapesPanel
 from app.view_state import ViewState
 from roam_core.geometry.bezier import polygon_points
 from roam_core.roto import Keyframe, Layer, Origin, Project, edit
-from tests.gui.windows import offscreen
-
-pytestmark = offscreen
 
 SQUARE = polygon_points([(0, 0), (10, 0), (10, 10), (0, 10)])
 

@@ -23,9 +23,6 @@ from roam_core.geometry.bezier import polygon_points
 from roam_core.params import CONFIGS, DEFAULT_CONFIG
 from roam_core.propagate.provenance import clip_stamp, stamp
 from roam_core.roto import Clip, Keyframe, Origin, Project, RotoShape, edit
-from tests.gui.windows import offscreen
-
-pytestmark = offscreen
 
 SQUARE = polygon_points([(0, 0), (10, 0), (10, 10), (0, 10)])
 CLIP = Clip(Path("shot"), 1001, 1048, (64, 48))
