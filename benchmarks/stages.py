@@ -1,0 +1,150 @@
+"""Seconds a frame of each stage of the engine on the demo shot, at 480p and 1080p, beside OpenCV's fastest flow."""
+
+from __future__ import annotations
+
+import tempfile
+import time
+from collections.abc import Callable, Sequence
+from itertools import pairwise
+from pathlib import Path
+from typing import Any
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from benchmarks import report
+from benchmarks.stopwatch import Stopwatch
+from resources import demo
+from roam_core.energy import total
+from roam_core.errors import RoamError
+from roam_core.features import PreparedFrame
+from roam_core.kernels.cyclic_viterbi import cyclic_viterbi
+from roam_core.matte import render_matte
+from roam_core.media import PlateSource, open_clip
+from roam_core.media.colour import to_engine
+from roam_core.motion.klt import similarity_warp
+from roam_core.propagate import track, warm_up
+from roam_core.propagate.confidence import frame_confidence, node_support
+from roam_core.propagate.nodes import NodeMap
+from roam_core.propagate.step import curve_context
+from roam_core.roto import Keyframe, RotoShape
+
+Image = NDArray[np.uint8]
+
+SIZES = {"480p": (854, 480), "1080p": (1920, 1080)}
+"""Width and height of the pictures that the demo is resized to."""
+
+PREPARING = "preparing the picture"
+STAGES: dict[str, Sequence[Callable[..., Any]]] = {
+    PREPARING: (PreparedFrame.__init__, curve_context),
+    "pre-warp": (similarity_warp,),
+    "edge tables": (total.tables,),
+    "dynamic programming": (cyclic_viterbi,),
+    "fit back to the control points": (NodeMap.points,),
+    "confidence and energies": (node_support, frame_confidence, total.energies),
+}
+"""What a frame's time is spent on: the functions of the engine that `propagate.run` and `propagate.step` call."""
+
+REST, SUM, MATTE, DECODING, FLOW = "the rest of the step", "tracking, all of it", "matte", "decoding a PNG", "DIS flow"
+SETTLING = 2
+"""Frames at the beginning that are solved but not counted: memory and caches are still being filled."""
+
+
+def run(config: str, count: int, *, publish: bool) -> None:
+    """Measure both sizes and report."""
+    last = demo.LAST - demo.FIRST
+    if not SETTLING < count <= last:
+        raise RoamError(
+            f"--frames {count} is not between {SETTLING + 1} and {last}, the frames that the demo can give."
+        )
+    threads = cv2.getNumThreads()
+    # One thread: the figures then say what is computed, not how many cores happened to be free.
+    cv2.setNumThreads(1)
+    try:
+        warm_up(config)
+        pictures = [demo.render_frame(demo.FIRST + k) for k in range(count + 1)]
+        measured = {name: _medians(pictures, size, config) for name, size in SIZES.items()}
+    finally:
+        cv2.setNumThreads(threads)
+    report.write(f"stages {config}", _table(measured, config, count), {"seconds": measured}, publish=publish)
+
+
+def _medians(pictures: Sequence[Image], size: tuple[int, int], config: str) -> dict[str, float]:
+    """The median seconds a frame of every stage, of decoding and of the flow, on pictures resized to `size`."""
+    resized = [
+        cv2.resize(p, size, interpolation=cv2.INTER_AREA if size < demo.SIZE else cv2.INTER_CUBIC) for p in pictures
+    ]
+    with tempfile.TemporaryDirectory() as folder:
+        laps = _solved(_written(resized, Path(folder)), _shape(size), config)
+    for lap, seconds in zip(laps, _flow(resized), strict=True):
+        lap[FLOW] = seconds
+    return {stage: float(np.median([lap.get(stage, 0.0) for lap in laps[SETTLING:]])) for stage in laps[-1]}
+
+
+def _shape(size: tuple[int, int]) -> RotoShape:
+    """The true outline of the first frame, scaled as the picture is."""
+    points = demo.true_points(demo.FIRST) * np.divide(size, demo.SIZE)
+    return RotoShape("shape-1", "Demo", (Keyframe(demo.FIRST, points),))
+
+
+def _written(pictures: Sequence[Image], folder: Path) -> PlateSource:
+    for frame, picture in enumerate(pictures, start=demo.FIRST):
+        cv2.imwrite(str(folder / f"demo.{frame}.png"), cv2.cvtColor(picture, cv2.COLOR_RGB2BGR))
+    return open_clip(folder)
+
+
+def _solved(plate: PlateSource, shape: RotoShape, config: str) -> list[dict[str, float]]:
+    """Seconds by stage of every tracked frame: the engine's own loop, watched from outside."""
+    watch, laps = Stopwatch(), list[dict[str, float]]()
+    frames = range(plate.frames[0], plate.frames[-1] + 1)
+    decoding = 0.0
+
+    def read(frame: int) -> NDArray[Any]:
+        nonlocal decoding
+        began = time.perf_counter()
+        picture = to_engine(plate.read(frame), plate.colour_space)
+        decoding = time.perf_counter() - began
+        return picture
+
+    with watch.watching(STAGES):
+        began = time.perf_counter()
+        for result in track(read, [shape], frames, config):
+            elapsed = time.perf_counter() - began - decoding
+            lap = dict.fromkeys(STAGES, 0.0) | watch.lap()
+            laps.append(lap | {REST: elapsed - sum(lap.values()), SUM: elapsed, DECODING: decoding})
+            laps[-1][MATTE] = _matte_seconds(result.results[0].shape, result.frame, plate.size)
+            began = time.perf_counter()
+    return laps
+
+
+def _matte_seconds(shape: RotoShape, frame: int, size: tuple[int, int]) -> float:
+    began = time.perf_counter()
+    render_matte([shape], frame, (size[1], size[0]))
+    return time.perf_counter() - began
+
+
+def _flow(pictures: Sequence[Image]) -> list[float]:
+    """Seconds of OpenCV's fastest DIS flow from each picture to the next: the yardstick of the same run."""
+    flow = cv2.DISOpticalFlow.create(cv2.DISOPTICAL_FLOW_PRESET_ULTRAFAST)
+    greys = [cv2.cvtColor(picture, cv2.COLOR_RGB2GRAY) for picture in pictures]
+    seconds = []
+    for before, after in pairwise(greys):
+        began = time.perf_counter()
+        flow.calc(before, after, None)
+        seconds.append(time.perf_counter() - began)
+    return seconds
+
+
+def _table(measured: dict[str, dict[str, float]], config: str, count: int) -> str:
+    head = ["stage", *(f"{name}, {what}" for name in SIZES for what in ("ms a frame", "times DIS"))]
+    rows = []
+    for stage in (*STAGES, REST, SUM, MATTE, DECODING, FLOW):
+        name = f"**{stage}**" if stage == SUM else stage
+        rows.append([name, *(cell for medians in measured.values() for cell in _cells(medians, stage))])
+    title = f"Configuration `{config}`, medians of {count - SETTLING} frames, one thread. {report.circumstances()}."
+    return f"{title}\n\n{report.table(head, rows)}"
+
+
+def _cells(medians: dict[str, float], stage: str) -> tuple[str, str]:
+    return f"{1000 * medians[stage]:.2f}", f"{medians[stage] / medians[FLOW]:.2f}"
