@@ -48,7 +48,7 @@ PAPER = {
         ("paper's Baseline, DAVIS validation set (20 shots)", ".358", ".930"),
     ),
 }
-"""Rows of the paper's table for a configuration: set, IoU, accuracy. It has no boundary F and one time for all 50 shots."""
+"""Rows of the paper's table for a configuration: set, IoU, accuracy. No boundary F; one time for all 50 shots."""
 
 PAPER_SECONDS = {"baseline": "0.056"}
 COLUMNS = {"iou": "IoU", "acc": "accuracy", "f": "boundary F", "sec_per_frame": "s a frame"}

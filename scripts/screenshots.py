@@ -1,0 +1,172 @@
+"""The pictures of the documentation: the real window on the demo shot, photographed. `make screenshots` runs this.
+
+Takes the display that is there, or starts a virtual one where there is none. Settings, autosaves and the log of the
+person who runs it stay untouched: the window gets a state folder of its own.
+"""
+
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from app.main_window import MainWindow
+
+IMAGES = Path(__file__).resolve().parent.parent / "docs" / "images"
+SIZE = (1440, 900)
+TRACKED_TO, LOOKED_AT = 1034, 1024
+DRAWN_POINTS = 11
+"""Points of the outline that are drawn when the picture of drawing is taken."""
+PATIENCE = 120.0
+"""Seconds after which the window is thought to be stuck; the first run compiles kernels and renders the shot."""
+
+
+def main() -> int:
+    """Take all pictures. Returns the exit code."""
+    with tempfile.TemporaryDirectory() as state, display() as found:
+        if not found:
+            print(
+                "screenshots: there is no display and no Xvfb; install xvfb or log in with a display.", file=sys.stderr
+            )
+            return 1
+        os.environ["XDG_STATE_HOME"] = state
+        IMAGES.mkdir(parents=True, exist_ok=True)
+        with window(Path(state)) as shown:
+            photograph_drawing(shown)
+            photograph_tracking(shown)
+    return 0
+
+
+@contextmanager
+def display() -> Iterator[bool]:
+    """A display for Qt: the one that is there, or a virtual one. Gives False when there is neither."""
+    from app.launch import has_display
+
+    if has_display():
+        yield True
+        return
+    if shutil.which("Xvfb") is None:
+        yield False
+        return
+    reading, writing = os.pipe()
+    command = ["Xvfb", "-displayfd", str(writing), "-screen", "0", "1600x1000x24", "-nolisten", "tcp"]
+    server = subprocess.Popen(command, pass_fds=[writing], stderr=subprocess.DEVNULL)
+    os.close(writing)
+    try:
+        with os.fdopen(reading) as pipe:
+            os.environ["DISPLAY"] = f":{pipe.readline().strip()}"
+        yield True
+    finally:
+        server.terminate()
+        server.wait(10)
+
+
+@contextmanager
+def window(state: Path) -> Iterator[MainWindow]:
+    """The application's window, as `roam` opens it."""
+    from PySide6.QtTest import QTest
+    from PySide6.QtWidgets import QApplication
+
+    from app import style
+    from app.main_window import MainWindow
+
+    application = QApplication(sys.argv[:1])
+    application.setApplicationName("ROAM")
+    style.apply(application)
+    shown = MainWindow(state / "autosave")
+    shown.resize(*SIZE)
+    shown.show()
+    QTest.qWaitForWindowExposed(shown)
+    try:
+        yield shown
+    finally:
+        shown._leave()
+        until(lambda: not shown.isVisible(), "the window to close")
+
+
+def photograph_drawing(shown: MainWindow) -> None:
+    """A Bezier shape around the manta, half drawn with real presses and drags."""
+    from PySide6.QtCore import QPoint, Qt
+    from PySide6.QtTest import QTest
+
+    from resources import demo
+    from roam_core.cli.demo import demo_frames
+
+    frames = demo_frames()
+    opened(shown, lambda: shown.files.open(frames))
+    shown.actions_by_id["tool.bezier"].trigger()
+    canvas, left = shown.canvas, Qt.MouseButton.LeftButton
+
+    def on_screen(position: tuple[float, float]) -> QPoint:
+        return canvas.image_to_widget(*position).toPoint()
+
+    points = demo.true_points(demo.FIRST)
+    for anchor, _, out in points[:DRAWN_POINTS]:
+        QTest.mouseMove(canvas, on_screen(anchor))
+        QTest.mousePress(canvas, left, pos=on_screen(anchor))
+        QTest.mouseMove(canvas, (on_screen(anchor) + on_screen(out)) / 2)
+        QTest.mouseMove(canvas, on_screen(out))
+        QTest.mouseRelease(canvas, left, pos=on_screen(out))
+    QTest.mouseMove(canvas, on_screen(points[DRAWN_POINTS, 0]))
+    photograph(shown, "drawing")
+    shown.actions_by_id["tool.select"].trigger()
+
+
+def photograph_tracking(shown: MainWindow) -> None:
+    """The demo as it opens, tracked part of the way: the plate with the shape, and the matte."""
+    from resources import demo
+
+    opened(shown, shown.files.open_demo)
+    shown.view_state.set_play_range(demo.FIRST, TRACKED_TO + 1)
+    shown.actions_by_id["track.forward"].trigger()
+    until(lambda: shown.propagation.is_running, "the engine to begin")
+    until(lambda: not shown.propagation.is_running, "the engine to end")
+    shown.view_state.set_play_range(demo.FIRST, demo.LAST + 1)
+    shown.view_state.set_frame(LOOKED_AT)
+    until(lambda: LOOKED_AT in shown.reader.cached_frames(), "the frame")
+    photograph(shown, "window")
+    shown.actions_by_id["view.matte"].trigger()
+    photograph(shown, "matte")
+
+
+def opened(shown: MainWindow, begin: Callable[[], object]) -> None:
+    """Open something and wait until its first frame is there."""
+    before = shown.document.project
+    begin()
+    until(lambda: shown.document.project is not before, "the project")
+    until(lambda: shown.view_state.frame in shown.reader.cached_frames(), "the first frame")
+
+
+def photograph(shown: MainWindow, name: str) -> None:
+    """Write the window's picture when what it began to show is painted."""
+    from PySide6.QtTest import QTest
+
+    QTest.qWait(600)
+    path = IMAGES / f"{name}.png"
+    picture = shown.grab()
+    if not picture.save(str(path)):
+        raise SystemExit(f"screenshots: {path} cannot be written")
+    print(f"Wrote {path.relative_to(IMAGES.parent.parent)}, {picture.width()}x{picture.height()}.")
+
+
+def until(condition: Callable[[], object], what: str) -> None:
+    """Let the window live until a condition holds."""
+    from PySide6.QtTest import QTest
+
+    deadline = time.monotonic() + PATIENCE
+    while not condition():
+        if time.monotonic() > deadline:
+            raise SystemExit(f"screenshots: waited in vain for {what}")
+        QTest.qWait(20)
+
+
+if __name__ == "__main__":
+    sys.exit(main())
