@@ -129,6 +129,26 @@ def arc_length_pairs(points: Array, count: int, closed: bool = True) -> tuple[In
     return index, u - index
 
 
+def segment_lengths(points: Array, closed: bool = True) -> Array:
+    """Arc length `(S,)` of every segment in pixels."""
+    lines = np.einsum("tk,skc->stc", bernstein(np.linspace(0.0, 1.0, 17)), segments(points, closed))
+    return np.asarray(np.hypot(*np.moveaxis(np.diff(lines, axis=1), 2, 0)).sum(axis=1))
+
+
+def aligned(points: Array, smooth: NDArray[np.bool_]) -> Array:
+    """Points with both handles of each `smooth (P,)` point turned onto their common direction; their lengths stay."""
+    result = points.copy()
+    back, ahead = points[:, IN] - points[:, ANCHOR], points[:, OUT] - points[:, ANCHOR]
+    reach_back, reach_ahead = np.hypot(*back.T), np.hypot(*ahead.T)
+    direction = ahead - back
+    norm = np.hypot(*direction.T)
+    usable = smooth & (norm > 1e-9) & (reach_back > 1e-9) & (reach_ahead > 1e-9)
+    unit = direction[usable] / norm[usable, None]
+    result[usable, IN] = points[usable, ANCHOR] - unit * reach_back[usable, None]
+    result[usable, OUT] = points[usable, ANCHOR] + unit * reach_ahead[usable, None]
+    return result
+
+
 def nearest(points: Array, position: ArrayLike, closed: bool = True) -> tuple[int, float, float]:
     """The pair `(segment, t)` of the spline nearest to `position (2,)`, and its distance in pixels."""
     target = np.asarray(position, dtype=np.float64)

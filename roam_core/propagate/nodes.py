@@ -42,7 +42,7 @@ class NodeMap:
         """
         segment, t = _pairs(points, params, scale)
         sample = bezier.design_matrix(len(points), segment, t)
-        return cls(segment, t, sample, _way_back(points, sample, params.fit_rigidity), _smooth_points(points))
+        return cls(segment, t, sample, _way_back(points, sample, params.fit_rigidity), smooth_points(points))
 
     def __len__(self) -> int:
         return len(self.t)
@@ -54,7 +54,7 @@ class NodeMap:
     def points(self, nodes: Array, prior: Array) -> Array:
         """The spline `(P, 3, 2)` that best follows `nodes (N, 2)`, held to `prior` where the nodes say little."""
         moved = prior.reshape(-1, 2) + self.back @ (nodes - self.nodes(prior))
-        return _aligned(moved.reshape(-1, 3, 2), self.smooth)
+        return bezier.aligned(moved.reshape(-1, 3, 2), self.smooth)
 
 
 def _pairs(points: Array, params: RoamParams, scale: float) -> tuple[NDArray[np.intp], Array]:
@@ -106,19 +106,6 @@ def _way_back(points: Array, sample: Array, rigidity: float) -> Array:
     return np.asarray(tie @ np.linalg.solve(normal, design.T))
 
 
-def _smooth_points(points: Array) -> NDArray[np.bool_]:
+def smooth_points(points: Array) -> NDArray[np.bool_]:
+    """Which points `(P,)` of a spline are to stay smooth: those whose handles are opposite within twelve degrees."""
     return np.array([is_smooth(point, degrees=12.0) for point in points], dtype=bool)
-
-
-def _aligned(points: Array, smooth: NDArray[np.bool_]) -> Array:
-    """Turn both handles of each smooth point onto their common direction; their lengths stay."""
-    result = points.copy()
-    back, ahead = points[:, IN] - points[:, ANCHOR], points[:, OUT] - points[:, ANCHOR]
-    reach_back, reach_ahead = np.hypot(*back.T), np.hypot(*ahead.T)
-    direction = ahead - back
-    norm = np.hypot(*direction.T)
-    usable = smooth & (norm > 1e-9) & (reach_back > 1e-9) & (reach_ahead > 1e-9)
-    unit = direction[usable] / norm[usable, None]
-    result[usable, IN] = points[usable, ANCHOR] - unit * reach_back[usable, None]
-    result[usable, OUT] = points[usable, ANCHOR] + unit * reach_ahead[usable, None]
-    return result

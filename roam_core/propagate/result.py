@@ -6,7 +6,12 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from enum import StrEnum
 
+import numpy as np
+from numpy.typing import NDArray
+
 from roam_core.roto import Keyframe, RotoShape
+
+Array = NDArray[np.float64]
 
 
 class Termination(StrEnum):
@@ -19,6 +24,25 @@ class Termination(StrEnum):
     MISSING_FRAME = "missing_frame"
     ARTIST_KEY = "artist_key"
     CANCELLED = "cancelled"
+
+
+@dataclass(frozen=True, eq=False)
+class Part:
+    """One outline of an object: control points `(P, 3, 2)`, and whether it cuts a hole."""
+
+    points: Array
+    subtracts: bool = False
+
+
+@dataclass(frozen=True, eq=False)
+class StepResult:
+    """One solved outline: control points `(P, 3, 2)`, confidence of the frame and of each point `(P,)`, energies."""
+
+    points: Array
+    confidence: float
+    vertex_confidence: Array
+    energies: Mapping[str, float]
+    termination: Termination
 
 
 @dataclass(frozen=True)

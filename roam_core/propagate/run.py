@@ -12,8 +12,8 @@ from roam_core.errors import RoamError
 from roam_core.features import PreparedFrame
 from roam_core.media.source import MissingFrame
 from roam_core.params import DEFAULT_CONFIG, RoamParams
+from roam_core.propagate.group import GroupTracker
 from roam_core.propagate.result import FrameResult
-from roam_core.propagate.tracker import Tracker
 from roam_core.roto import RotoShape
 
 ReadFrame = Callable[[int], NDArray[Any]]
@@ -41,16 +41,14 @@ def track(
     """
     if not shapes:
         raise RoamError("There is no shape to track; draw one, or select one, first.")
-    trackers = [Tracker(config, clip) for _ in shapes]
-    first = PreparedFrame(read(frames[0]))
-    for tracker, shape in zip(trackers, shapes, strict=True):
-        tracker.start(first, shape, frames[0])
+    group = GroupTracker(config, clip)
+    group.start(PreparedFrame(read(frames[0])), shapes, frames[0])
     for frame in frames[1:]:
         if token is not None:
             token.check()
         try:
             picture = PreparedFrame(read(frame))
         except MissingFrame:
-            yield FrameResult(frame, tuple(tracker.skip(frame) for tracker in trackers))
+            yield FrameResult(frame, group.skip(frame))
             continue
-        yield FrameResult(frame, tuple(tracker.step(picture, frame, token) for tracker in trackers))
+        yield FrameResult(frame, group.step(picture, frame, token))

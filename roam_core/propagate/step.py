@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -18,7 +17,7 @@ from roam_core.motion.klt import similarity_warp
 from roam_core.params import RoamParams, scale_for
 from roam_core.propagate.confidence import frame_confidence, node_support
 from roam_core.propagate.nodes import NodeMap
-from roam_core.propagate.result import Termination
+from roam_core.propagate.result import StepResult, Termination
 
 Array = NDArray[np.float64]
 
@@ -33,17 +32,6 @@ class TrackerState:
     frame: PreparedFrame
     points: Array
     nodes: NodeMap
-
-
-@dataclass(frozen=True, eq=False)
-class StepResult:
-    """One solved frame: control points `(P, 3, 2)`, confidence of the frame and of each point `(P,)`, energies."""
-
-    points: Array
-    confidence: float
-    vertex_confidence: Array
-    energies: Mapping[str, float]
-    termination: Termination
 
 
 def begin(frame: PreparedFrame, points: Array, params: RoamParams) -> TrackerState:

@@ -1,0 +1,66 @@
+"""Grid: a region of the image at the resolution at which evidence is gathered, with the maps to and from it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from roam_core.features.frame import Region
+
+Array = NDArray[np.float64]
+Float32 = NDArray[np.float32]
+
+
+@dataclass(frozen=True)
+class Grid:
+    """`region` seen as `rows` x `columns` cells: cost follows the object, not the size of the image."""
+
+    region: Region
+    rows: int
+    columns: int
+
+    @classmethod
+    def over(cls, region: Region, factor: float) -> Grid:
+        """A grid of about `factor` cells a pixel."""
+        width, height = region.x1 - region.x0, region.y1 - region.y0
+        return cls(region, max(1, round(height * factor)), max(1, round(width * factor)))
+
+    @property
+    def shape(self) -> tuple[int, int]:
+        return self.rows, self.columns
+
+    @property
+    def factor(self) -> Array:
+        """Cells a pixel, along x and y."""
+        width, height = self.region.x1 - self.region.x0, self.region.y1 - self.region.y0
+        return np.array([self.columns / width, self.rows / height])
+
+    def to_grid(self, positions: Array) -> Array:
+        """Image positions `(..., 2)` in cells; cell `[row, column]` has its centre at `(column + .5, row + .5)`."""
+        return np.asarray((positions - np.asarray(self.region.origin)) * self.factor)
+
+    def to_image(self, positions: Array) -> Array:
+        """Grid positions `(..., 2)` in pixels of the image."""
+        return np.asarray(positions / self.factor + np.asarray(self.region.origin))
+
+    def map_to_image(self) -> Array:
+        """The affine map `(3, 3)` from grid to image positions."""
+        sx, sy = 1.0 / self.factor
+        return np.array([[sx, 0.0, self.region.x0], [0.0, sy, self.region.y0], [0.0, 0.0, 1.0]])
+
+    def of(self, image: NDArray[Any]) -> NDArray[Any]:
+        """The region's pixels averaged into cells."""
+        rows, columns = self.region.slices
+        return np.asarray(cv2.resize(image[rows, columns], (self.columns, self.rows), interpolation=cv2.INTER_AREA))
+
+    def warped(self, image: NDArray[Any], transform: Array) -> NDArray[Any]:
+        """An image carried by `transform (3, 3)` (image to image), seen in cells; black where nothing was."""
+        to_grid = np.linalg.inv(self.map_to_image()) @ transform
+        # OpenCV counts from pixel centres, we from the corner.
+        half = np.array([[1.0, 0.0, 0.5], [0.0, 1.0, 0.5], [0.0, 0.0, 1.0]])
+        centred = (np.linalg.inv(half) @ to_grid @ half)[:2]
+        return np.asarray(cv2.warpAffine(image, centred, (self.columns, self.rows), flags=cv2.INTER_LINEAR))

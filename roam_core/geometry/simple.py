@@ -1,0 +1,51 @@
+"""Taking self-intersections out of a spline."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from roam_core.geometry import bezier, polyline
+from roam_core.geometry.bezier import ANCHOR, IN, OUT
+
+Array = NDArray[np.float64]
+
+TOLERANCE = 0.1
+"""Pixels of a 480-line image by which the polyline that is looked at may stray from the spline."""
+
+
+def simplified(points: Array, fallback: Array, scale: float = 1.0) -> Array:
+    """A closed spline `(P, 3, 2)` near `points` that does not cross itself.
+
+    Segments that cross are straightened first; where that is not enough the whole spline is drawn towards `fallback`
+    (a spline of as many points), and is `fallback` in the end.
+    """
+    result = points.copy()
+    for _ in range(4):
+        guilty = _crossing_segments(result, scale)
+        if len(guilty) == 0:
+            return result
+        result = _straightened(result, guilty)
+    for share in (0.25, 0.5, 0.75):
+        blended = (1.0 - share) * points + share * fallback
+        if len(_crossing_segments(blended, scale)) == 0:
+            return np.asarray(blended)
+    return fallback
+
+
+def _crossing_segments(points: Array, scale: float) -> NDArray[np.intp]:
+    control = bezier.segments(points)
+    counts = bezier.flatten_counts(control, TOLERANCE * scale)
+    owner = np.repeat(np.arange(len(control)), counts)
+    pairs = polyline.crossings(bezier.flatten(points, True, TOLERANCE * scale))
+    return np.unique(owner[pairs.ravel()])
+
+
+def _straightened(points: Array, segments: NDArray[np.intp]) -> Array:
+    result = points.copy()
+    for start in segments:
+        stop = (start + 1) % len(points)
+        chord = points[stop, ANCHOR] - points[start, ANCHOR]
+        result[start, OUT] = points[start, ANCHOR] + chord / 3.0
+        result[stop, IN] = points[stop, ANCHOR] - chord / 3.0
+    return result

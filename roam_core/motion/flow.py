@@ -1,0 +1,45 @@
+"""Dense motion: DIS optical flow on a grid, both ways."""
+
+from __future__ import annotations
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from roam_core.features import PreparedFrame
+from roam_core.features.grid import Grid
+from roam_core.geometry import similarity
+
+Array = NDArray[np.float64]
+Float32 = NDArray[np.float32]
+
+LEAST_SIDE = 24
+"""Cells below which DIS's patches and pyramid have no room; such regions stand still."""
+
+
+def dense_flow(before: PreparedFrame, after: PreparedFrame, grid: Grid) -> tuple[Float32, Float32]:
+    """Flow `(rows, columns, 2)` from `before` to `after` and back, in cells of the grid (Kroeger et al., ECCV 2016)."""
+    if min(grid.shape) < LEAST_SIDE:
+        still = np.zeros((*grid.shape, 2), dtype=np.float32)
+        return still, still
+    old, new = grid.of(before.grey), grid.of(after.grey)
+    # A new instance a call: it keeps buffers, and results must not depend on what it saw before.
+    solver = cv2.DISOpticalFlow.create(cv2.DISOPTICAL_FLOW_PRESET_ULTRAFAST)
+    forward = np.asarray(solver.calc(old, new, None), dtype=np.float32)
+    backward = np.asarray(solver.calc(new, old, None), dtype=np.float32)
+    return forward, backward
+
+
+def flow_similarity(flow: Float32, inside: NDArray[np.bool_], grid: Grid, samples: int = 400) -> tuple[Array, float]:
+    """The similarity `(3, 3)`, image to image, that most of the flow inside agrees with, and the share that does."""
+    core = cv2.erode(inside.astype(np.uint8), np.ones((3, 3), np.uint8))
+    rows, columns = np.nonzero(core if np.count_nonzero(core) >= 20 else inside)
+    if len(rows) < 3:
+        return np.eye(3), 0.0
+    pick = np.random.default_rng(0).permutation(len(rows))[:samples]
+    rows, columns = rows[pick], columns[pick]
+    source = np.stack([columns, rows], axis=1) + 0.5
+    target = source + flow[rows, columns]
+    fitted, inliers = similarity.ransac(source.astype(np.float64), target.astype(np.float64), 2.0)
+    to_image = grid.map_to_image()
+    return to_image @ np.vstack([fitted, [0.0, 0.0, 1.0]]) @ np.linalg.inv(to_image), float(inliers.mean())

@@ -1,0 +1,168 @@
+"""Several shapes of one object carried together: one preparation of each picture, one state, one result a shape."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from numpy.typing import NDArray
+
+from roam_core.cancel import CancelToken
+from roam_core.errors import RoamError
+from roam_core.features import PreparedFrame
+from roam_core.params import DEFAULT_CONFIG, RoamParams, params_for
+from roam_core.propagate import provenance, region
+from roam_core.propagate import step as outline
+from roam_core.propagate.region import RegionState
+from roam_core.propagate.result import Part, StepResult, Termination, TrackResult
+from roam_core.propagate.step import TrackerState
+from roam_core.roto import BlendMode, Keyframe, Origin, RotoShape
+from roam_core.roto.edit import set_engine_keys
+
+MIN_POINTS = 2
+"""Points from which a closed spline encloses anything."""
+
+State = RegionState | tuple[TrackerState, ...]
+
+
+@dataclass(frozen=True, eq=False)
+class Standing:
+    """Where a group stands: the frame, the shapes with all their keys so far, and the engine's state."""
+
+    frame: int
+    shapes: tuple[RotoShape, ...]
+    state: State
+
+    @property
+    def picture(self) -> PreparedFrame:
+        return self.state.frame if isinstance(self.state, RegionState) else self.state[0].frame
+
+
+class GroupTracker:
+    """Carries closed shapes from frame to frame, in either direction. Shapes that subtract are the object's holes.
+
+    Parameters
+    ----------
+    config : name of a configuration (`roam_core.params.CONFIGS`) or a `RoamParams`.
+    clip : identity of the clip for the stamps of ENGINE keys (`provenance.clip_stamp`).
+    """
+
+    def __init__(self, config: str | RoamParams = DEFAULT_CONFIG, clip: str = "") -> None:
+        self.params = params_for(config)
+        self._clip = clip
+        self._standing: Standing | None = None
+
+    @property
+    def standing(self) -> Standing:
+        """Where the group stands; a `RuntimeError` before `start`."""
+        if self._standing is None:
+            raise RuntimeError("the tracker was not started")
+        return self._standing
+
+    def start(self, image: NDArray[Any] | PreparedFrame, shapes: Sequence[RotoShape], frame: int) -> None:
+        """Begin at `frame`, where each shape is as `shape.at(frame)` says.
+
+        Raises
+        ------
+        RoamError
+            when a shape is open or a single point: only a closed curve has an inside to follow.
+        """
+        for shape in shapes:
+            if not shape.closed:
+                raise RoamError(f"{shape.name!r} is open; close it (C) before it can be tracked.")
+            if shape.point_count < MIN_POINTS:
+                raise RoamError(f"{shape.name!r} is a single point; draw an outline around the object to track it.")
+        parts = tuple(Part(s.at(frame).points, s.blend is BlendMode.SUBTRACT) for s in shapes)
+        self._standing = Standing(frame, tuple(shapes), self._begun(_prepared(image), parts))
+
+    def step(
+        self, image: NDArray[Any] | PreparedFrame, frame: int, token: CancelToken | None = None
+    ) -> tuple[TrackResult, ...]:
+        """Carry the shapes to `frame`. A shape that holds an artist's key there is taken as the artist made it.
+
+        Raises
+        ------
+        Cancelled
+            when `token` was cancelled; the tracker then still stands on the frame before.
+        """
+        standing = self.standing
+        began = time.perf_counter()
+        picture = _prepared(image)
+        if picture.size != standing.picture.size:
+            raise RoamError(
+                f"Frame {frame} is {picture.size[1]}x{picture.size[0]}, the one before "
+                f"{standing.picture.size[1]}x{standing.picture.size[0]}; all frames of a shot need one size."
+            )
+        given = [_artist_key(shape, frame) for shape in standing.shapes]
+        if all(given):
+            self.start(picture, standing.shapes, frame)
+            seconds = (time.perf_counter() - began) / len(given)
+            return tuple(_as_given(shape, frame, seconds) for shape in standing.shapes)
+        state, solved = self._solved(standing.state, picture, token)
+        shapes = tuple(
+            shape if key else self._keyed(shape, standing.frame, frame, each)
+            for shape, key, each in zip(standing.shapes, given, solved, strict=True)
+        )
+        if any(given):
+            self.start(picture, shapes, frame)
+        else:
+            self._standing = Standing(frame, shapes, state)
+        seconds = (time.perf_counter() - began) / len(shapes)
+        return tuple(
+            _as_given(shape, frame, seconds)
+            if key
+            else TrackResult(frame, shape, each.confidence, each.energies, each.termination, seconds)
+            for shape, key, each in zip(shapes, given, solved, strict=True)
+        )
+
+    def skip(self, frame: int) -> tuple[TrackResult, ...]:
+        """Pass over a frame whose picture is missing: no key is made there, the next step bridges the gap."""
+        return tuple(TrackResult(frame, s, 0.0, {}, Termination.MISSING_FRAME) for s in self.standing.shapes)
+
+    def correct(self, shapes: Sequence[RotoShape]) -> None:
+        """Take over the artist's edits on the current frame; the next step starts from them."""
+        self.start(self.standing.picture, shapes, self.standing.frame)
+
+    def _begun(self, picture: PreparedFrame, parts: tuple[Part, ...]) -> State:
+        if self.params.region is not None:
+            return region.begin(picture, parts, self.params.region)
+        return tuple(outline.begin(picture, part.points, self.params) for part in parts)
+
+    def _solved(
+        self, state: State, picture: PreparedFrame, token: CancelToken | None
+    ) -> tuple[State, tuple[StepResult, ...]]:
+        if isinstance(state, RegionState):
+            assert self.params.region is not None
+            return region.step(state, picture, self.params.region, token)
+        pairs = [outline.step(each, picture, self.params, token) for each in state]
+        return tuple(after for after, _ in pairs), tuple(result for _, result in pairs)
+
+    def _keyed(self, shape: RotoShape, before: int, frame: int, solved: StepResult) -> RotoShape:
+        """The shape with an ENGINE key for what was solved; feather goes on as it was."""
+        forward = frame > before
+        source = provenance.governing_key(shape, before, forward) or shape.key_at(before) or shape.keys[0]
+        key = Keyframe(
+            frame,
+            solved.points,
+            feather=shape.at(before).feather,
+            origin=Origin.ENGINE,
+            confidence=solved.confidence,
+            vertex_confidence=solved.vertex_confidence,
+            inputs=provenance.stamp(source, shape.closed, self.params, self._clip, forward),
+        )
+        return set_engine_keys(shape, [key])
+
+
+def _prepared(image: NDArray[Any] | PreparedFrame) -> PreparedFrame:
+    return image if isinstance(image, PreparedFrame) else PreparedFrame(image)
+
+
+def _artist_key(shape: RotoShape, frame: int) -> bool:
+    key = shape.key_at(frame)
+    return key is not None and key.origin is Origin.ARTIST
+
+
+def _as_given(shape: RotoShape, frame: int, seconds: float) -> TrackResult:
+    return TrackResult(frame, shape, 1.0, {}, Termination.ARTIST_KEY, seconds)

@@ -1,0 +1,210 @@
+"""One frame by regions: evidence around the whole object, the proposed region, every shape's curve laid along it.
+
+The paper lets a segmentation propose drastic changes where it and the curve differ markedly. Here it proposes on every
+frame: all shapes that are tracked together are one object; its region is carried, the curves follow its outlines.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from roam_core.appearance.global_model import GlobalModel
+from roam_core.cancel import CancelToken
+from roam_core.features import PreparedFrame, Region
+from roam_core.features.grid import Grid
+from roam_core.geometry import bezier, polyline, similarity
+from roam_core.geometry.simple import simplified
+from roam_core.kernels.coverage import coverage
+from roam_core.motion.flow import dense_flow, flow_similarity
+from roam_core.params import RegionParams, scale_for
+from roam_core.propagate.nodes import smooth_points
+from roam_core.propagate.result import Part, StepResult, Termination
+from roam_core.proposal import region as proposed
+from roam_core.proposal.contour import follow
+from roam_core.proposal.evidence import SURE, Field, KeyMemory, gathered
+
+Array = NDArray[np.float64]
+Float32 = NDArray[np.float32]
+Bools = NDArray[np.bool_]
+
+TRUSTED = 0.3
+"""Confidence below which a frame teaches the colour model nothing."""
+DOUBTFUL = 0.4
+"""Confidence below which a frame ends as LOW_CONFIDENCE."""
+CLOSED = 0.02
+"""Size, of its last one, to which a hole shrinks while the region leaves no room for it."""
+
+
+@dataclass(frozen=True, eq=False)
+class RegionState:
+    """After a frame: its picture, the region, each shape where it was last seen, and what is known of the object."""
+
+    frame: PreparedFrame
+    region: Field
+    parts: tuple[Part, ...]
+    smooth: tuple[NDArray[np.bool_], ...]
+    key: KeyMemory
+    colours: GlobalModel
+
+
+def begin(frame: PreparedFrame, parts: tuple[Part, ...], params: RegionParams) -> RegionState:
+    """The state on a frame whose outlines are given: they enclose the region, and the models are learned from it."""
+    scale = scale_for(frame.size)
+    grid = _grid_around(np.vstack([part.points.reshape(-1, 2) for part in parts]), frame.size, params, scale)
+    enclosed = np.zeros(grid.shape, dtype=np.float32)
+    for part in parts:
+        cover = _coverage(part.points, grid)
+        enclosed = enclosed * (1.0 - cover) if part.subtracts else np.maximum(enclosed, cover)
+    region = Field(grid, (2.0 * SURE * (enclosed - 0.5)).astype(np.float32))
+    colours = _learned(frame, region)
+    key = KeyMemory(frame, region, colours, np.eye(3))
+    return RegionState(frame, region, parts, tuple(smooth_points(part.points) for part in parts), key, colours)
+
+
+def step(
+    state: RegionState, frame: PreparedFrame, params: RegionParams, token: CancelToken | None = None
+) -> tuple[RegionState, tuple[StepResult, ...]]:
+    """Carry all shapes from the state's frame to `frame`."""
+    scale = scale_for(frame.size)
+    inside = state.region.grid.to_image(np.argwhere(state.region.inside)[:, ::-1].astype(np.float64) + 0.5)
+    spots = np.vstack([inside, *(part.points[:, bezier.ANCHOR] for part in state.parts)])
+    grid = _grid_around(spots, frame.size, params, scale)
+    if min(grid.shape) < 4:
+        return _left(state, frame)
+    fine = Grid.over(grid.region, 1.0 / scale)
+    forward, backward = dense_flow(state.frame, frame, fine)
+    moved, agreement = flow_similarity(forward, state.region.on(fine) > 0.5, fine)
+    if token is not None:
+        token.check()
+    back = _on_grid(backward, fine, grid)
+    carried = state.region.on(grid, moved)
+    flowed = _flowed(state.region.on(grid), back)
+    key = replace(state.key, to_now=moved @ state.key.to_now)
+    ratio = gathered(state.frame, frame, grid, state.region, back, carried, flowed, key, state.colours, params)
+    if token is not None:
+        token.check()
+    expected = (carried > 0.5) | (flowed > 0.5) | (key.region.on(grid, key.to_now) > 0.5)
+    found = proposed.cleaned(ratio, expected, params.overlap)
+    parts = tuple(replace(part, points=similarity.apply(moved[:2], part.points)) for part in state.parts)
+    placed = _placed(parts, state.smooth, found, scale)
+    confidence = _overlap(carried > 0.5, found.inside) * (0.5 + 0.5 * agreement)
+    results = tuple(
+        _result(part, points, seen, found, confidence) for part, (points, seen) in zip(parts, placed, strict=True)
+    )
+    colours = state.colours
+    if confidence > TRUSTED and found.inside.any():
+        colours = colours.adapted(_learned(frame, found), params.adaptation)
+    parts = tuple(
+        replace(part, points=points) if seen else part for part, (points, seen) in zip(parts, placed, strict=True)
+    )
+    return RegionState(frame, found, parts, state.smooth, key, colours), results
+
+
+def _grid_around(positions: Array, size: tuple[int, int], params: RegionParams, scale: float) -> Grid:
+    """The region of interest, with finer cells for a small object."""
+    area = Region.around(positions, params.margin * scale, size)
+    if area.is_empty:
+        return Grid(area, 0, 0)
+    extent = np.ptp(positions, axis=0)
+    side = max(float(np.sqrt(extent[0] * extent[1])), 1.0)
+    return Grid.over(area, float(np.clip(params.least_cells / side, params.grid_factor / scale, 1.0 / scale)))
+
+
+def _coverage(points: Array, grid: Grid) -> Float32:
+    return coverage(grid.to_grid(bezier.flatten(points)), grid.shape)
+
+
+def _learned(frame: PreparedFrame, region: Field) -> GlobalModel:
+    return GlobalModel.learned(region.grid.of(frame.image), region.inside, ~region.inside)
+
+
+def _on_grid(flow: Float32, fine: Grid, grid: Grid) -> Float32:
+    smaller = cv2.resize(flow, (grid.columns, grid.rows), interpolation=cv2.INTER_AREA)
+    return np.asarray(smaller * (grid.factor / fine.factor), dtype=np.float32)
+
+
+def _flowed(coverage_before: Float32, backward: Float32) -> Float32:
+    rows, columns = coverage_before.shape
+    x, y = np.meshgrid(np.arange(columns, dtype=np.float32), np.arange(rows, dtype=np.float32))
+    return np.asarray(
+        cv2.remap(coverage_before, x + backward[..., 0], y + backward[..., 1], interpolation=cv2.INTER_LINEAR)
+    )
+
+
+def _placed(
+    parts: tuple[Part, ...], smooth: tuple[NDArray[np.bool_], ...], found: Field, scale: float
+) -> list[tuple[Array, bool]]:
+    """Each shape's points along the outline that it claims, and whether it found one."""
+    inside = found.inside
+    solid = [k for k, part in enumerate(parts) if not part.subtracts]
+    holes = [k for k, part in enumerate(parts) if part.subtracts]
+    placed: list[tuple[Array, bool]] = [(part.points, False) for part in parts]
+    for members, area, field in (
+        (solid, inside, found),
+        (holes, _enclosed(~inside), Field(found.grid, -found.values)),
+    ):
+        claims = [_coverage(parts[k].points, found.grid) for k in members]
+        for k, mine in zip(members, proposed.shares(area, claims), strict=True):
+            rings = proposed.outlines(field, mine) if mine.any() else []
+            if rings:
+                points = follow(parts[k].points, rings[0][0], smooth[k], scale)
+                placed[k] = simplified(points, parts[k].points, scale), True
+    for k in holes:
+        points, seen = placed[k]
+        if not seen and _coverage(points, found.grid)[inside].sum() > 0:
+            middle = points[:, bezier.ANCHOR].mean(axis=0)
+            placed[k] = middle + CLOSED * (points - middle), False
+    return placed
+
+
+def _enclosed(outside: Bools) -> Bools:
+    """The parts of the outside that do not reach the border of the grid: holes."""
+    _, labels = cv2.connectedComponents(outside.astype(np.uint8), connectivity=4)
+    border = np.unique(np.concatenate([labels[0], labels[-1], labels[:, 0], labels[:, -1]]))
+    return np.asarray(outside & ~np.isin(labels, border))
+
+
+def _result(part: Part, points: Array, seen: bool, found: Field, confidence: float) -> StepResult:
+    anchors = points[:, bezier.ANCHOR]
+    support = _edge_support(anchors, found) if seen else np.zeros(len(points))
+    trust = float(np.clip(confidence * (0.5 + 0.5 * support.mean()), 0.0, 1.0)) if seen else 0.0
+    if part.subtracts and not seen:
+        trust = confidence  # a hole that closed is no reason to doubt the object
+    energy = -float(np.abs(np.clip(found.values, -SURE, SURE)).mean())
+    return StepResult(
+        points=points,
+        confidence=trust,
+        vertex_confidence=support,
+        energies={"region": energy, "total": energy},
+        termination=Termination.CONVERGED if trust >= DOUBTFUL else Termination.LOW_CONFIDENCE,
+    )
+
+
+def _edge_support(anchors: Array, found: Field) -> Array:
+    """For each anchor, in [0, 1]: how steeply the log-ratio falls from two cells inside to two cells outside."""
+    here = found.grid.to_grid(anchors)
+    normals = polyline.outward_normals(here)
+    rows, columns = found.grid.shape
+    sides = []
+    for offset in (-2.0, 2.0):
+        cell = np.floor(here + offset * normals).astype(np.intp)
+        x, y = np.clip(cell[:, 0], 0, columns - 1), np.clip(cell[:, 1], 0, rows - 1)
+        sides.append(found.values[y, x].astype(np.float64))
+    return np.asarray(np.clip((sides[0] - sides[1]) / (1.2 * SURE), 0.0, 1.0))
+
+
+def _overlap(a: Bools, b: Bools) -> float:
+    union = int(np.count_nonzero(a | b))
+    return int(np.count_nonzero(a & b)) / union if union else 0.0
+
+
+def _left(state: RegionState, frame: PreparedFrame) -> tuple[RegionState, tuple[StepResult, ...]]:
+    """Nothing of the object is in the picture: the shapes rest where they left it, and say so."""
+    results = tuple(
+        StepResult(part.points, 0.0, np.zeros(len(part.points)), {}, Termination.LEFT_FRAME) for part in state.parts
+    )
+    return replace(state, frame=frame), results

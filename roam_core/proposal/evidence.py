@@ -1,0 +1,128 @@
+"""The log-likelihood ratio of every pixel near the object: local and global colour, the key frame, the last region."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from roam_core.appearance.global_model import GlobalModel
+from roam_core.features import PreparedFrame
+from roam_core.features.grid import Grid
+from roam_core.kernels.diffusion import diffuse
+from roam_core.kernels.local_match import INSIDE, OUTSIDE, UNKNOWN, local_match
+from roam_core.params import RegionParams
+
+Array = NDArray[np.float64]
+Float32 = NDArray[np.float32]
+Bools = NDArray[np.bool_]
+
+SURE = 4.0
+"""Nats given to pixels too deep inside or too far outside to be in doubt."""
+
+
+@dataclass(frozen=True, eq=False)
+class Field:
+    """A signed field on a grid, positive inside: the region is where it is above zero."""
+
+    grid: Grid
+    values: Float32
+
+    @property
+    def inside(self) -> Bools:
+        return np.asarray(self.values > 0)
+
+    def on(self, grid: Grid, transform: Array | None = None) -> Float32:
+        """Coverage `(rows, columns)` in [0, 1] of the region on another grid, carried by `transform (3, 3)` first."""
+        carry = np.linalg.inv(grid.map_to_image()) @ (np.eye(3) if transform is None else transform)
+        half = np.array([[1.0, 0.0, 0.5], [0.0, 1.0, 0.5], [0.0, 0.0, 1.0]])
+        matrix = (np.linalg.inv(half) @ carry @ self.grid.map_to_image() @ half)[:2]
+        soft = self.inside.astype(np.float32)
+        return np.asarray(cv2.warpAffine(soft, matrix, (grid.columns, grid.rows), flags=cv2.INTER_LINEAR))
+
+
+@dataclass(frozen=True, eq=False)
+class KeyMemory:
+    """The artist's key, never forgotten: its picture, its region, its colours, and the way from it to the present."""
+
+    frame: PreparedFrame
+    region: Field
+    colours: GlobalModel
+    to_now: Array
+
+
+def trimap(coverage: Float32) -> NDArray[np.uint8]:
+    """Coverage as labels of `local_match`: mixed pixels teach nothing."""
+    labels = np.full(coverage.shape, UNKNOWN, dtype=np.uint8)
+    labels[coverage > 0.8] = INSIDE
+    labels[coverage < 0.2] = OUTSIDE
+    return labels
+
+
+def lab(image: NDArray[np.uint8]) -> Float32:
+    """CIE Lab in OpenCV's 8-bit scale, as float `(h, w, 3)`."""
+    return np.asarray(cv2.cvtColor(image, cv2.COLOR_RGB2LAB), dtype=np.float32)
+
+
+def uncertain_band(certain: Bools, possible: Bools, reach: int) -> Bools:
+    """Pixels within `reach` cells of the border of a region known only to lie between two bounds."""
+    disc = cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (2 * reach + 1, 2 * reach + 1))
+    outer = cv2.dilate(possible.astype(np.uint8), disc)
+    inner = cv2.erode(certain.astype(np.uint8), disc, borderType=cv2.BORDER_CONSTANT, borderValue=1)
+    return np.asarray((outer > 0) & (inner == 0))
+
+
+def signed_distance(inside: Bools, reach: float) -> Float32:
+    """Distance to the border in cells, positive inside, clipped to +-`reach`."""
+    mask = inside.astype(np.uint8)
+    inner = cv2.distanceTransform(mask, cv2.DIST_L2, 3)
+    outer = cv2.distanceTransform(1 - mask, cv2.DIST_L2, 3)
+    return np.asarray(np.clip(inner - outer, -reach, reach), dtype=np.float32)
+
+
+def gathered(
+    before: PreparedFrame,
+    after: PreparedFrame,
+    grid: Grid,
+    last: Field,
+    backward: Float32,
+    carried: Float32,
+    flowed: Float32,
+    key: KeyMemory,
+    colours: GlobalModel,
+    params: RegionParams,
+) -> Field:
+    """The smoothed log-ratio on `grid`, all terms weighted and added.
+
+    Parameters
+    ----------
+    last : the region on `before`. carried, flowed : its coverage on `grid` after the similarity and after the flow.
+    backward : (rows, columns, 2) flow from `after` to `before` in cells.
+    """
+    picture = grid.of(after.image)
+    colour = lab(picture)
+    rigid, fluid = carried > 0.5, flowed > 0.5
+    remembered = key.region.on(grid, key.to_now)
+    expected = remembered > 0.5
+    band = uncertain_band(rigid & fluid & expected, rigid | fluid | expected, params.band)
+
+    ratio = params.local_weight * local_match(
+        colour, lab(grid.of(before.image)), trimap(last.on(grid)), band, backward, params.local_radius,
+        params.local_sigma, params.local_spread, params.clip,
+    )  # fmt: skip
+    if params.key_weight > 0:
+        still = np.zeros((*grid.shape, 2), dtype=np.float32)
+        ratio += params.key_weight * local_match(
+            colour, lab(grid.warped(key.frame.image, key.to_now)), trimap(remembered), band, still, params.key_radius,
+            1.5 * params.local_sigma, params.key_spread, params.clip,
+        )  # fmt: skip
+    ratio += params.global_key_weight * key.colours.log_ratio(picture, params.clip)
+    ratio += params.global_weight * colours.log_ratio(picture, params.clip)
+    ratio += params.prior_weight * signed_distance(rigid | fluid, 20.0)
+    ratio += params.bias
+    ratio = cv2.GaussianBlur(ratio, (0, 0), params.blur)
+    sure = np.where(rigid & fluid, np.float32(SURE), np.float32(-SURE))
+    ratio = np.where(band, ratio, sure).astype(np.float32)
+    return Field(grid, diffuse(ratio, colour, band, params.diffusion, params.contrast, params.sweeps))
