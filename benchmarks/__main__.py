@@ -8,26 +8,27 @@ from collections.abc import Sequence
 
 from benchmarks import davis, stages
 from roam_core.errors import RoamError
-from roam_core.params import CONFIGS, DEFAULT_CONFIG, params_for
+from roam_core.params import CONFIGS, params_for
 
 
 def main(argv: Sequence[str] | None = None) -> int:
     """Run the benchmarks that were asked for. Returns the exit code."""
     parser = argparse.ArgumentParser(prog="python -m benchmarks", description=__doc__)
-    parser.add_argument("--config", default=DEFAULT_CONFIG, help=f"{' | '.join(CONFIGS)} (default {DEFAULT_CONFIG})")
+    parser.add_argument("--config", help=f"{' | '.join(CONFIGS)} (default: each of them)")
     parser.add_argument("--publish", action="store_true", help="put the tables into docs/BENCHMARKS.md")
     parser.add_argument("--frames", type=int, default=24, metavar="N", help="stages: frames of the demo that are timed")
     parser.add_argument("--shots", metavar="A,B", help="davis: only these shots")
     parser.add_argument("which", nargs="?", choices=["stages", "davis"], help="default: both")
     arguments = parser.parse_args(argv)
     try:
-        params_for(arguments.config)
-        if arguments.which != "davis":
-            stages.run(arguments.config, arguments.frames, publish=arguments.publish)
-        if arguments.which == "davis" or (arguments.which is None and davis.is_present()):
-            shots = arguments.shots.split(",") if arguments.shots else None
-            davis.run(arguments.config, shots, publish=arguments.publish)
-        elif arguments.which is None:
+        for config in [arguments.config] if arguments.config else CONFIGS:
+            params_for(config)
+            if arguments.which != "davis":
+                stages.run(config, arguments.frames, publish=arguments.publish)
+            if arguments.which == "davis" or (arguments.which is None and davis.is_present()):
+                shots = arguments.shots.split(",") if arguments.shots else None
+                davis.run(config, shots, publish=arguments.publish)
+        if arguments.which is None and not davis.is_present():
             print(f"\n{davis.ABSENT}", file=sys.stderr)
     except RoamError as error:
         print(f"benchmarks: {error}", file=sys.stderr)

@@ -19,15 +19,22 @@ from resources import demo
 from roam_core.energy import total
 from roam_core.errors import RoamError
 from roam_core.features import PreparedFrame
+from roam_core.geometry.simple import simplified
 from roam_core.kernels.cyclic_viterbi import cyclic_viterbi
+from roam_core.kernels.diffusion import diffuse
+from roam_core.kernels.local_match import local_match
 from roam_core.matte import render_matte
 from roam_core.media import PlateSource, open_clip
 from roam_core.media.colour import to_engine
+from roam_core.motion.flow import dense_flow, flow_similarity
 from roam_core.motion.klt import similarity_warp
 from roam_core.propagate import track, warm_up
 from roam_core.propagate.confidence import frame_confidence, node_support
 from roam_core.propagate.nodes import NodeMap
 from roam_core.propagate.step import curve_context
+from roam_core.proposal.contour import follow
+from roam_core.proposal.evidence import gathered
+from roam_core.proposal.region import cleaned, outlines, shares
 from roam_core.roto import Keyframe, RotoShape
 
 Image = NDArray[np.uint8]
@@ -35,16 +42,21 @@ Image = NDArray[np.uint8]
 SIZES = {"480p": (854, 480), "1080p": (1920, 1080)}
 """Width and height of the pictures that the demo is resized to."""
 
-PREPARING = "preparing the picture"
 STAGES: dict[str, Sequence[Callable[..., Any]]] = {
-    PREPARING: (PreparedFrame.__init__, curve_context),
-    "pre-warp": (similarity_warp,),
+    "preparing the picture": (PreparedFrame.__init__, curve_context),
+    "pre-warp": (similarity_warp, dense_flow, flow_similarity),
     "edge tables": (total.tables,),
     "dynamic programming": (cyclic_viterbi,),
     "fit back to the control points": (NodeMap.points,),
+    "local colours": (local_match,),
+    "smoothing of the evidence": (diffuse,),
+    "the other evidence": (gathered,),
+    "the region": (cleaned, shares, outlines),
+    "curves along the region": (follow, simplified),
     "confidence and energies": (node_support, frame_confidence, total.energies),
 }
-"""What a frame's time is spent on: the functions of the engine that `propagate.run` and `propagate.step` call."""
+"""What a frame's time is spent on: functions that `propagate.step` or `propagate.region` call. A configuration takes
+one way or the other; stages that it never enters stay out of its table."""
 
 REST, SUM, MATTE, DECODING, FLOW = "the rest of the step", "tracking, all of it", "matte", "decoding a PNG", "DIS flow"
 SETTLING = 2
@@ -79,7 +91,10 @@ def _medians(pictures: Sequence[Image], size: tuple[int, int], config: str) -> d
         laps = _solved(_written(resized, Path(folder)), _shape(size), config)
     for lap, seconds in zip(laps, _flow(resized), strict=True):
         lap[FLOW] = seconds
-    return {stage: float(np.median([lap.get(stage, 0.0) for lap in laps[SETTLING:]])) for stage in laps[-1]}
+    return {
+        stage: float(np.median([lap.get(stage, 0.0) for lap in laps[SETTLING:]]))
+        for stage in {s for lap in laps for s in lap}
+    }
 
 
 def _shape(size: tuple[int, int]) -> RotoShape:
@@ -111,7 +126,7 @@ def _solved(plate: PlateSource, shape: RotoShape, config: str) -> list[dict[str,
         began = time.perf_counter()
         for result in track(read, [shape], frames, config):
             elapsed = time.perf_counter() - began - decoding
-            lap = dict.fromkeys(STAGES, 0.0) | watch.lap()
+            lap = watch.lap()
             laps.append(lap | {REST: elapsed - sum(lap.values()), SUM: elapsed, DECODING: decoding})
             laps[-1][MATTE] = _matte_seconds(result.results[0].shape, result.frame, plate.size)
             began = time.perf_counter()
@@ -139,7 +154,8 @@ def _flow(pictures: Sequence[Image]) -> list[float]:
 def _table(measured: dict[str, dict[str, float]], config: str, count: int) -> str:
     head = ["stage", *(f"{name}, {what}" for name in SIZES for what in ("ms a frame", "times DIS"))]
     rows = []
-    for stage in (*STAGES, REST, SUM, MATTE, DECODING, FLOW):
+    entered = [stage for stage in STAGES if all(stage in medians for medians in measured.values())]
+    for stage in (*entered, REST, SUM, MATTE, DECODING, FLOW):
         name = f"**{stage}**" if stage == SUM else stage
         rows.append([name, *(cell for medians in measured.values() for cell in _cells(medians, stage))])
     title = f"Configuration `{config}`, medians of {count - SETTLING} frames, one thread. {report.circumstances()}."
