@@ -25,7 +25,10 @@ class Region:
 
     @classmethod
     def around(cls, positions: NDArray[np.float64], margin: float, size: tuple[int, int]) -> Region:
-        """The box around `positions (..., 2)` widened by `margin` and cut to an image of `size` (h, w)."""
+        """The box around `positions (..., 2)` widened by `margin` and cut to an image of `size` (h, w).
+
+        Empty where they lie wholly outside.
+        """
         flat = positions.reshape(-1, 2)
         low = np.floor(flat.min(axis=0) - margin).astype(int)
         high = np.ceil(flat.max(axis=0) + margin).astype(int)

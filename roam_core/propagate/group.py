@@ -74,8 +74,7 @@ class GroupTracker:
                 raise RoamError(f"{shape.name!r} is open; close it (C) before it can be tracked.")
             if shape.point_count < MIN_POINTS:
                 raise RoamError(f"{shape.name!r} is a single point; draw an outline around the object to track it.")
-        parts = tuple(Part(s.at(frame).points, s.blend is BlendMode.SUBTRACT) for s in shapes)
-        self._standing = Standing(frame, tuple(shapes), self._begun(_prepared(image), parts))
+        self._standing = Standing(frame, tuple(shapes), self._begun(_prepared(image), parts_at(shapes, frame)))
 
     def step(
         self, image: NDArray[Any] | PreparedFrame, frame: int, token: CancelToken | None = None
@@ -153,6 +152,11 @@ class GroupTracker:
             inputs=provenance.stamp(source, shape.closed, self.params, self._clip, forward),
         )
         return set_engine_keys(shape, [key])
+
+
+def parts_at(shapes: Sequence[RotoShape], frame: int) -> tuple[Part, ...]:
+    """The shapes' outlines on a frame."""
+    return tuple(Part(shape.at(frame).points, shape.blend is BlendMode.SUBTRACT) for shape in shapes)
 
 
 def _prepared(image: NDArray[Any] | PreparedFrame) -> PreparedFrame:

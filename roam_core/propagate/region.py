@@ -107,8 +107,9 @@ def step(
 def _grid_around(positions: Array, size: tuple[int, int], params: RegionParams, scale: float) -> Grid:
     """The region of interest, with finer cells for a small object."""
     area = Region.around(positions, params.margin * scale, size)
-    if area.is_empty:
-        return Grid(area, 0, 0)
+    if area.is_empty:  # wholly outside: the nearest pixel stands for a picture without the object
+        x, y = min(area.x0, size[1] - 1), min(area.y0, size[0] - 1)
+        return Grid(Region(x, y, x + 1, y + 1), 1, 1)
     extent = np.ptp(positions, axis=0)
     side = max(float(np.sqrt(extent[0] * extent[1])), 1.0)
     return Grid.over(area, float(np.clip(params.least_cells / side, params.grid_factor / scale, 1.0 / scale)))

@@ -11,10 +11,14 @@ from roam_core.cancel import CancelToken
 from roam_core.errors import RoamError
 from roam_core.features import PreparedFrame
 from roam_core.media.source import MissingFrame
-from roam_core.params import DEFAULT_CONFIG, RoamParams
-from roam_core.propagate.group import GroupTracker
-from roam_core.propagate.result import FrameResult
+from roam_core.params import DEFAULT_CONFIG, RoamParams, scale_for
+from roam_core.propagate.group import GroupTracker, parts_at
+from roam_core.propagate.objects import objects
+from roam_core.propagate.result import FrameResult, TrackResult
 from roam_core.roto import RotoShape
+
+NEAR = 20.0
+"""Pixels of a 480-line image between outlines that still belong to one object."""
 
 ReadFrame = Callable[[int], NDArray[Any]]
 """Gives the picture of a frame, (h, w, 3) RGB, display-referred; raises `MissingFrame` in a gap."""
@@ -30,8 +34,8 @@ def track(
 ) -> Iterator[FrameResult]:
     """Carry `shapes` from `frames[0]`, where they are given, through the other frames, in their order.
 
-    All shapes share one preparation of each picture. Results come one frame at a time; a caller that stops early keeps
-    what it has. The first frame yields nothing: it is the artist's.
+    Shapes near each other are tracked as one object; all share one preparation of each picture. Results come one
+    frame at a time; a caller that stops early keeps what it has. The first frame yields nothing: it is the artist's.
 
     Raises
     ------
@@ -41,14 +45,26 @@ def track(
     """
     if not shapes:
         raise RoamError("There is no shape to track; draw one, or select one, first.")
-    group = GroupTracker(config, clip)
-    group.start(PreparedFrame(read(frames[0])), shapes, frames[0])
+    first = PreparedFrame(read(frames[0]))
+    groups = objects(parts_at(shapes, frames[0]), NEAR * scale_for(first.size))
+    trackers = [GroupTracker(config, clip) for _ in groups]
+    for tracker, members in zip(trackers, groups, strict=True):
+        tracker.start(first, [shapes[k] for k in members], frames[0])
     for frame in frames[1:]:
         if token is not None:
             token.check()
         try:
             picture = PreparedFrame(read(frame))
         except MissingFrame:
-            yield FrameResult(frame, group.skip(frame))
+            yield _in_order(frame, groups, [tracker.skip(frame) for tracker in trackers])
             continue
-        yield FrameResult(frame, group.step(picture, frame, token))
+        yield _in_order(frame, groups, [tracker.step(picture, frame, token) for tracker in trackers])
+
+
+def _in_order(frame: int, groups: list[list[int]], solved: list[tuple[TrackResult, ...]]) -> FrameResult:
+    by_shape = {
+        index: result
+        for members, results in zip(groups, solved, strict=True)
+        for index, result in zip(members, results, strict=True)
+    }
+    return FrameResult(frame, tuple(by_shape[index] for index in sorted(by_shape)))

@@ -159,7 +159,7 @@ def test_a_project_without_a_shape_or_a_clip(roam: Roam, plate: Plate, outputs: 
         (("--end", 2000), "--end 2000 lies outside the clip's frames 1001-1006"),
         (("--start", 1004, "--end", 1002), "--end 1002 cannot be reached from --start 1004 forward"),
         (("--backward", "--start", 1002, "--end", 1004), "cannot be reached from --start 1002 backward"),
-        (("--config", "best"), "no configuration 'best'; choose from"),
+        (("--config", "utmost"), "no configuration 'utmost'; choose from"),
     ],
 )
 def test_what_cannot_be_asked_for(
@@ -218,5 +218,5 @@ def test_exports_and_mattes_that_cannot_be_written(roam: Roam, plate: Plate) -> 
     require_refusal(roam("demo", "--headless", "--frames", plate.mask / "deeper"), plate.mask)
     require_refusal(roam("demo", "--headless", "--save", plate.mask / "deeper" / "p.roam"), plate.mask)
     require_refusal(roam("demo", "--headless", "--save", plate.folder), plate.folder)
-    require_refusal(roam("demo", "--headless", "--config", "best"), "no configuration 'best'")
+    require_refusal(roam("demo", "--headless", "--config", "utmost"), "no configuration 'utmost'")
     assert tree(plate.folder.parent) == before
