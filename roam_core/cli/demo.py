@@ -58,7 +58,7 @@ def run(arguments: argparse.Namespace) -> int:
 
 def demo_frames(folder: Path | None = None) -> Path:
     """The folder with the rendered shot; what is not there yet is rendered first."""
-    place = folder or user_cache_path("roam") / demo.cache_name()
+    place = folder or user_cache_path("roam", appauthor=False) / demo.cache_name()
     require_writable(place, create=True)
     with tqdm(total=1.0, desc="Rendering the demo shot", disable=not sys.stderr.isatty(), leave=False) as bar:
         try:

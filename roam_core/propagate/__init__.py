@@ -1,8 +1,9 @@
 """Carrying shapes through a shot: one frame (`step`), many frames (`run`), the public `Tracker`."""
 
+from roam_core.propagate.memory import TrackMemory
 from roam_core.propagate.result import FrameResult, Termination, TrackResult
 from roam_core.propagate.run import track
 from roam_core.propagate.tracker import Tracker
 from roam_core.propagate.warm_up import warm_up
 
-__all__ = ["FrameResult", "Termination", "TrackResult", "Tracker", "track", "warm_up"]
+__all__ = ["FrameResult", "Termination", "TrackMemory", "TrackResult", "Tracker", "track", "warm_up"]

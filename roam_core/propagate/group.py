@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 from numpy.typing import NDArray
@@ -115,6 +115,10 @@ class GroupTracker:
             else TrackResult(frame, shape, each.confidence, each.energies, each.termination, seconds)
             for shape, key, each in zip(shapes, given, solved, strict=True)
         )
+
+    def resume(self, standing: Standing, shapes: Sequence[RotoShape]) -> None:
+        """Go on from where a group stood, with `shapes` (the same on that frame) in place of its own."""
+        self._standing = replace(standing, shapes=tuple(shapes))
 
     def skip(self, frame: int) -> tuple[TrackResult, ...]:
         """Pass over a frame whose picture is missing: no key is made there, the next step bridges the gap."""

@@ -13,6 +13,7 @@ from roam_core.features import PreparedFrame
 from roam_core.media.source import MissingFrame
 from roam_core.params import DEFAULT_CONFIG, RoamParams, scale_for
 from roam_core.propagate.group import GroupTracker, parts_at
+from roam_core.propagate.memory import TrackMemory, take_up
 from roam_core.propagate.objects import objects
 from roam_core.propagate.result import FrameResult, TrackResult
 from roam_core.roto import RotoShape
@@ -31,11 +32,13 @@ def track(
     config: str | RoamParams = DEFAULT_CONFIG,
     token: CancelToken | None = None,
     clip: str = "",
+    memory: TrackMemory | None = None,
 ) -> Iterator[FrameResult]:
     """Carry `shapes` from `frames[0]`, where they are given, through the other frames, in their order.
 
     Shapes near each other are tracked as one object; all share one preparation of each picture. Results come one
-    frame at a time; a caller that stops early keeps what it has. The first frame yields nothing: it is the artist's.
+    frame at a time; a caller that stops early keeps what it has. The first frame yields nothing: it is the artist's, or
+    an engine frame from which the run goes on as if it had never been stopped (`memory` spares it the way there).
 
     Raises
     ------
@@ -49,7 +52,15 @@ def track(
     groups = objects(parts_at(shapes, frames[0]), NEAR * scale_for(first.size))
     trackers = [GroupTracker(config, clip) for _ in groups]
     for tracker, members in zip(trackers, groups, strict=True):
-        tracker.start(first, [shapes[k] for k in members], frames[0])
+        take_up(
+            tracker,
+            lambda frame: first if frame == frames[0] else PreparedFrame(read(frame)),
+            [shapes[k] for k in members],
+            frames,
+            clip,
+            memory,
+            token,
+        )
     for frame in frames[1:]:
         if token is not None:
             token.check()
@@ -58,7 +69,11 @@ def track(
         except MissingFrame:
             yield _in_order(frame, groups, [tracker.skip(frame) for tracker in trackers])
             continue
-        yield _in_order(frame, groups, [tracker.step(picture, frame, token) for tracker in trackers])
+        solved = [tracker.step(picture, frame, token) for tracker in trackers]
+        if memory is not None:
+            for tracker in trackers:
+                memory.keep(tracker.standing, tracker.params)
+        yield _in_order(frame, groups, solved)
 
 
 def _in_order(frame: int, groups: list[list[int]], solved: list[tuple[TrackResult, ...]]) -> FrameResult:

@@ -14,7 +14,7 @@ from roam_core.cancel import Cancelled, CancelToken
 from roam_core.errors import RoamError
 from roam_core.media import MissingFrame
 from roam_core.params import CONFIGS
-from roam_core.propagate import FrameResult, Termination, track, warm_up
+from roam_core.propagate import FrameResult, Termination, TrackMemory, track, warm_up
 from roam_core.propagate.group import parts_at
 from roam_core.propagate.objects import objects
 from roam_core.propagate.run import NEAR
@@ -69,6 +69,17 @@ def test_a_run_in_two_parts_is_a_run_in_one(config: str, blob_shot: Shot) -> Non
     whole = last(list(track(blob_shot.read, [blob_shot.shape().with_key(key)], blob_shot.frames, config)))
     part = last(list(track(blob_shot.read, [blob_shot.shape().with_key(key)], blob_shot.frames[:3], config)))
     rest = last(list(track(blob_shot.read, [part], blob_shot.frames[2:], config)))
+    assert rest == whole
+
+
+@pytest.mark.parametrize("remembering", [True, False])
+def test_a_run_stopped_on_an_engine_frame_goes_on_as_if_it_had_not_been(
+    config: str, blob_shot: Shot, remembering: bool
+) -> None:
+    memory = TrackMemory() if remembering else None
+    whole = last(list(track(blob_shot.read, [blob_shot.shape()], blob_shot.frames, config)))
+    part = last(list(track(blob_shot.read, [blob_shot.shape()], blob_shot.frames[:3], config, memory=memory)))
+    rest = last(list(track(blob_shot.read, [part], blob_shot.frames[2:], config, memory=memory)))
     assert rest == whole
 
 
