@@ -9,7 +9,7 @@ from pathlib import Path
 from PySide6.QtGui import QGuiApplication
 
 from app.document import Document
-from app.view_state import ViewState
+from app.view_state import ViewState, selected_shapes
 from roam_core.errors import RoamError
 from roam_core.roto import Layer, Project, RotoShape, edit, file
 
@@ -47,8 +47,7 @@ class ShapeClipboard:
         self._view.select(frozenset(ids))
 
     def _selected(self) -> list[RotoShape]:
-        chosen = self._view.selection.shapes
-        return [shape for shape in self._document.project.shapes if shape.id in chosen]
+        return selected_shapes(self._document.project, self._view.selection)
 
 
 def _text(shapes: Sequence[RotoShape]) -> str:

@@ -12,6 +12,7 @@ from app import dialogs
 from app.dialogs import Unsaved
 from app.document import Document
 from app.files import PROJECT_SUFFIX, Files
+from app.folders import cache_folder
 from app.jobs.export import Export
 
 
@@ -86,7 +87,12 @@ class FileActions(QObject):
     # ---- the rest is private
 
     def _open(self, path: Path | None) -> None:
-        if path is not None:
+        """Open a project or a clip; a clip takes the place of the plate that the project looks for in vain."""
+        if path is None:
+            return
+        if self._files.lacks_plate and path.suffix.lower() != PROJECT_SUFFIX:
+            self._files.open_plate(path)
+        else:
             self.leave_project(lambda: self._files.open(path))
 
     def _export_file(self, format_name: str, title: str) -> None:
@@ -108,8 +114,10 @@ class FileActions(QObject):
         return self._start_folder() / f"{stem}{suffix}"
 
     def _start_folder(self) -> Path:
-        """Where choosers begin: beside the project, beside the clip, at home."""
+        """Where choosers begin: beside the project, beside the clip, at home; never in the cache: it may be emptied."""
         clip = self._document.project.clip
         if self._document.path is not None:
             return self._document.path.parent
-        return clip.path.parent if clip is not None else Path.home()
+        if clip is None or clip.path.is_relative_to(cache_folder()):
+            return Path.home()
+        return clip.path.parent

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -62,6 +63,21 @@ class Files(QObject):
 
         self._open(f"Opening {path.name} …", read, None)
 
+    @property
+    def lacks_plate(self) -> bool:
+        """True when the project has a clip that could not be opened."""
+        return self._document.project.clip is not None and self._reader.source is None
+
+    def open_plate(self, path: Path) -> None:
+        """Give the project its plate, which lies elsewhere now; its shapes stay, and it is to be saved."""
+        project = self._document.project
+
+        def read() -> tuple[Project, Any, str]:
+            found, source = clip_project(path)
+            return replace(project, clip=found.clip), source, f"The plate is {path.name} now; save to keep that."
+
+        self._open(f"Opening {path.name} …", read, self._document.path, is_unsaved=True)
+
     def open_project(self, path: Path) -> None:
         """Open a project and its plate; without its plate it opens too, and says so."""
         self._open(f"Opening {path.name} …", lambda: _read_project(path), path)
@@ -96,6 +112,10 @@ class Files(QObject):
 
         job = self._runner.start("save", work)
         job.ended.connect(lambda ending, sentence: self._saved(ending, sentence, project, path))
+
+    @property
+    def is_opening(self) -> bool:
+        return self._runner.running("open") is not None
 
     def stop(self) -> None:
         """Stop opening; a save is never stopped."""
@@ -152,7 +172,7 @@ def _demo_project(report: Report) -> tuple[Project, Any]:
 
     folder = cache_folder() / demo.cache_name()
     try:
-        demo.write_frames(folder, report.progress)
+        demo.write_frames(folder, lambda fraction, text: report.progress(fraction, f"{text.capitalize()} …"))
     except OSError as error:
         raise RoamError(f"The demo shot cannot be written to {folder}: {error.strerror or error}.") from None
     project, source = clip_project(folder)
@@ -175,7 +195,7 @@ def _plate_of(project: Project) -> tuple[Any, str]:
     try:
         return open_clip(project.clip.path), ""
     except RoamError as error:
-        return None, f"The plate could not be opened: {error}"
+        return None, f"The plate could not be opened; choose it again in the File menu. {error}"
 
 
 def _gaps(source: Any) -> str:

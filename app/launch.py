@@ -38,12 +38,13 @@ def main(argv: Sequence[str] | None = None) -> int:
     from roam_core.cli import COMMANDS
     from roam_core.cli import main as command_line
 
-    if arguments == ["demo"]:
-        return _demo()
-    if arguments and arguments[0] in {*COMMANDS, "--version"}:
+    if arguments != ["demo"] and arguments and arguments[0] in {*COMMANDS, "--version"}:
         return command_line(arguments)
-    parsed = _parser(COMMANDS).parse_args(arguments)
-    return _window(parsed.path)
+    try:
+        return _demo() if arguments == ["demo"] else _window(_parser(COMMANDS).parse_args(arguments).path)
+    except RoamError as error:
+        _tell(str(error))
+        return FAILED
 
 
 def has_display() -> bool:
@@ -61,6 +62,7 @@ def _parser(commands: dict[str, str]) -> argparse.ArgumentParser:
         description="Rotoscoping: editable curves carried through a shot. Without a command the window opens.",
         epilog=EPILOG.format(commands=listed),
         formatter_class=argparse.RawDescriptionHelpFormatter,
+        allow_abbrev=False,
     )
     parser.add_argument("path", nargs="?", metavar="CLIP | PROJECT.roam", help="what the window opens")
     parser.add_argument("--version", action="store_true", help="print the version")
@@ -69,28 +71,23 @@ def _parser(commands: dict[str, str]) -> argparse.ArgumentParser:
 
 def _window(path: str | None) -> int:
     """Open the window, on a clip or project if one was named."""
-    if path is not None and (problem := _problem(path)):
-        _tell(problem)
-        return FAILED
+    if path is not None:
+        _require_readable(path)
     if not has_display():
         _tell(NO_DISPLAY)
         return BAD_USAGE
     return _run(lambda window: _open_first(window, path))
 
 
-def _problem(path: str) -> str:
-    """Why a clip or project cannot be opened, or nothing: a wrong name is told before any window opens."""
+def _require_readable(path: str) -> None:
+    """Raise `RoamError` when a clip or project cannot be opened: a wrong name is told before any window opens."""
     from app.files import PROJECT_SUFFIX, clip_project
     from roam_core.roto import file
 
-    try:
-        if path.lower().endswith(PROJECT_SUFFIX):
-            file.load(Path(path))
-        else:
-            clip_project(Path(path))
-    except RoamError as error:
-        return str(error)
-    return ""
+    if path.lower().endswith(PROJECT_SUFFIX):
+        file.load(Path(path))
+    else:
+        clip_project(Path(path))
 
 
 def _open_first(window: MainWindow, path: str | None) -> None:

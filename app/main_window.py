@@ -18,6 +18,7 @@ from app.document import Document
 from app.file_actions import FileActions
 from app.files import Files
 from app.focus import FocusFollowsPointer
+from app.history import History
 from app.jobs.autosave import Autosave
 from app.jobs.decode import PlateReader
 from app.jobs.export import Export
@@ -182,6 +183,7 @@ class MainWindow(QMainWindow):
         """What each action calls; tools and switches are connected by their own widgets."""
         files, points, verbs = self.file_actions, self.canvas.points, self.shape_verbs
         clipboard = ShapeClipboard(self.document, self.view_state)
+        history = History(self.document, self.view_state)
         tracking, time, playback, canvas = self.tracking, self.navigation, self.playback, self.canvas
         return {
             "file.new": files.new,
@@ -194,8 +196,8 @@ class MainWindow(QMainWindow):
             "file.export_silhouette": files.export_silhouette,
             "file.export_mattes": files.export_mattes,
             "file.quit": self.close,
-            "edit.undo": self.document.undo_stack.undo,
-            "edit.redo": self.document.undo_stack.redo,
+            "edit.undo": history.undo,
+            "edit.redo": history.redo,
             "edit.copy": clipboard.copy,
             "edit.cut": clipboard.cut,
             "edit.paste": clipboard.paste,
@@ -262,6 +264,7 @@ class MainWindow(QMainWindow):
 
     def _pull_running(self) -> None:
         self.actions_by_id["track.stop"].setEnabled(self.under_way.is_any)
+        self.canvas.set_waiting(self.files.is_opening)
 
     def _set_tall_timeline(self, tall: bool) -> None:
         height = self._halves.height()

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from app.document import Document
-from app.view_state import ViewState
+from app.view_state import ViewState, shapes_in_hand
+from roam_core.roto import Project
 
 
 class Navigation:
@@ -16,8 +17,8 @@ class Navigation:
     @property
     def clip_range(self) -> tuple[int, int]:
         """The clip's frames, half open; without a clip just the present one."""
-        clip = self._document.project.clip
-        return (self._view.frame, self._view.frame + 1) if clip is None else (clip.first, clip.last + 1)
+        frames = clip_frames(self._document.project, self._view.frame)
+        return frames.start, frames.stop
 
     def step(self, frames: int) -> None:
         first, stop = self.clip_range
@@ -55,12 +56,16 @@ class Navigation:
 
     def _begin(self) -> None:
         """Another project: its clip is the play range, its first frame or its first key's the present one."""
-        clip, keys = self._document.project.clip, self._key_frames()
-        first, stop = (1, 2) if clip is None else (clip.first, clip.last + 1)
+        frames, keys = clip_frames(self._document.project, 1), self._key_frames()
+        first, stop = frames.start, frames.stop
         self._view.set_play_range(first, stop)
         self._view.set_frame(min(max(min(keys, default=first), first), stop - 1))
 
     def _key_frames(self) -> set[int]:
-        shapes, chosen = self._document.project.shapes, self._view.selection.shapes
-        wanted = [shape for shape in shapes if shape.id in chosen] or shapes
-        return {frame for shape in wanted for frame in shape.artist_frames}
+        shapes = shapes_in_hand(self._document.project, self._view.selection)
+        return {frame for shape in shapes for frame in shape.artist_frames}
+
+
+def clip_frames(project: Project, frame: int) -> range:
+    """The frames of the project's clip; without a clip just `frame`."""
+    return range(frame, frame + 1) if project.clip is None else project.clip.frame_range

@@ -6,9 +6,9 @@ from collections.abc import Callable, Iterable
 from dataclasses import replace
 
 from app.document import Document
-from app.view_state import ViewState
+from app.view_state import ViewState, selected_shapes
 from roam_core.errors import RoamError
-from roam_core.roto import Project, RotoShape, edit
+from roam_core.roto import Layer, Project, RotoShape, edit
 
 NOTHING_SELECTED = "Select a shape first: click it in the viewer or in the list."
 
@@ -84,8 +84,7 @@ class ShapeVerbs:
 
     def _selected(self) -> list[str]:
         """The selected shapes in the order of stacking; says so when there is none."""
-        chosen = self._view.selection.shapes
-        ids = [shape.id for shape in self._document.project.shapes if shape.id in chosen]
+        ids = [shape.id for shape in selected_shapes(self._document.project, self._view.selection)]
         if not ids:
             self._view.say(NOTHING_SELECTED)
         return ids
@@ -110,7 +109,5 @@ def toggle(document: Document, switch: str, item_ids: Iterable[str]) -> None:
 
 def _layer_of(project: Project, item_id: str) -> str:
     """The id of the layer that holds an item."""
-    from roam_core.roto import Layer
-
     layers = [project.root, *(item for item in project.root.items() if isinstance(item, Layer))]
     return next(layer.id for layer in layers if any(child.id == item_id for child in layer.children))

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from app.document import Document
-from app.jobs.propagation import DOUBTFUL, Propagation
-from app.view_state import ViewState
+from app.doubt import DOUBTFUL
+from app.jobs.propagation import Propagation
+from app.navigation import clip_frames
+from app.view_state import ViewState, shapes_in_hand
 from roam_core.params import DEFAULT_CONFIG
 from roam_core.roto import RotoShape
 
@@ -22,18 +24,18 @@ class Tracking:
     def forward(self) -> None:
         """Track to the end of the play range, or of the clip when the playhead lies behind it."""
         stop = self._view.play_range[1]
-        self._run(1, stop if self._view.frame + 1 < stop else self._clip_range()[1])
+        self._run(1, stop if self._view.frame + 1 < stop else self._clip().stop)
 
     def backward(self) -> None:
         """Track back to the beginning of the play range, or of the clip when the playhead lies before it."""
         first = self._view.play_range[0]
-        self._run(-1, (first if self._view.frame > first else self._clip_range()[0]) - 1)
+        self._run(-1, (first if self._view.frame > first else self._clip().start) - 1)
 
     def forward_one(self) -> None:
-        self._run(1, min(self._view.frame + 2, self._clip_range()[1]))
+        self._run(1, min(self._view.frame + 2, self._clip().stop))
 
     def backward_one(self) -> None:
-        self._run(-1, max(self._view.frame - 2, self._clip_range()[0] - 1))
+        self._run(-1, max(self._view.frame - 2, self._clip().start - 1))
 
     def to_next_key(self) -> None:
         """Track up to the next artist key of the shapes, or to the end where there is none."""
@@ -52,9 +54,8 @@ class Tracking:
 
     # ---- the rest is private
 
-    def _clip_range(self) -> tuple[int, int]:
-        clip = self._document.project.clip
-        return (self._view.frame, self._view.frame + 1) if clip is None else (clip.first, clip.last + 1)
+    def _clip(self) -> range:
+        return clip_frames(self._document.project, self._view.frame)
 
     def _run(self, step: int, stop: int) -> None:
         frames = range(self._view.frame, stop, step)
@@ -67,8 +68,7 @@ class Tracking:
 
     def _shapes(self) -> list[RotoShape]:
         """The selected shapes, or all when none is selected."""
-        shapes, chosen = self._document.project.shapes, self._view.selection.shapes
-        return [shape for shape in shapes if shape.id in chosen] or list(shapes)
+        return shapes_in_hand(self._document.project, self._view.selection)
 
     def _trackable(self) -> list[RotoShape]:
         """Those that can be tracked; says why when there is none."""

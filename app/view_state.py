@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from PySide6.QtCore import QObject, Signal
 
-from roam_core.roto import Project
+from roam_core.roto import Project, RotoShape
 from roam_core.roto.edit import Part
 
 
@@ -98,6 +98,16 @@ class ViewState(QObject):
     def say(self, sentence: str) -> None:
         self._message = sentence
         self.message_changed.emit()
+
+
+def selected_shapes(project: Project, selection: Selection) -> list[RotoShape]:
+    """The selected shapes, bottom first."""
+    return [shape for shape in project.shapes if shape.id in selection.shapes]
+
+
+def shapes_in_hand(project: Project, selection: Selection) -> list[RotoShape]:
+    """What tracking and navigation act on: the selected shapes, or all where none is selected; bottom first."""
+    return selected_shapes(project, selection) or list(project.shapes)
 
 
 def parts_of(selection: Selection, shape_id: str) -> list[Part]:

@@ -12,6 +12,7 @@ from PySide6.QtGui import QColor, QPainter, QPainterPath
 from app.canvas import marks
 from app.canvas.shown import Shown, shown_shapes
 from app.canvas.viewport import Viewport
+from app.doubt import DOUBTFUL
 from app.view_state import Selection
 from roam_core.geometry import bezier
 from roam_core.geometry.bezier import ANCHOR, IN, OUT
@@ -20,9 +21,6 @@ from roam_core.roto.edit import is_smooth
 
 Array = NDArray[np.float64]
 Hover = tuple[str, int, int] | None
-
-DOUBTFUL = 0.5
-"""Vertices the engine trusts less than this get a ring."""
 
 LOCKED_OPACITY = 0.45
 CACHED_PATHS = 512

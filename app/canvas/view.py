@@ -65,7 +65,7 @@ class CanvasView(ZoomableWidget):
         self._matte = MatteLayer()
         self._matte_picture: Picture | None = None
         self._backdrop, self._shapes = Backdrop(), ShapePainter()
-        self._is_pressed = False
+        self._is_pressed = self._is_waiting = False
         self._pointer: QPointF | None = None
         self._key_presses = 0
         self._framed: tuple[QSizeF | None, float] = (None, 1.0)
@@ -121,6 +121,11 @@ class CanvasView(ZoomableWidget):
         """Hide or show the shapes in any mode."""
         self._are_shapes_hidden = hidden
         self._announce()
+
+    def set_waiting(self, waits: bool) -> None:
+        """While a plate is being opened the empty canvas does not ask for one."""
+        self._is_waiting = waits
+        self.update()
 
     def fit_selection(self) -> None:
         """Show the selected points or shapes as large as can be; without a selection, the whole picture."""
@@ -220,7 +225,8 @@ class CanvasView(ZoomableWidget):
         """What is empty, and what to do about it; what is hidden."""
         plate, size = self._image_size(), QSizeF(self.size())
         if plate is None:
-            paint_sentence(painter, QRectF(self.rect()), "Drop a folder of images or a movie here")
+            sentence = "Opening …" if self._is_waiting else "Drop a folder of images or a movie here"
+            paint_sentence(painter, QRectF(self.rect()), sentence)
         elif self._missing is not None and self._mode is not ViewMode.MATTE:
             area = self._viewport.transform.mapRect(QRectF(QPointF(), plate))
             paint_sentence(painter, area, f"frame {self._missing} is missing")

@@ -10,15 +10,13 @@ from typing import Any
 from PySide6.QtCore import QObject, Signal
 
 from app.document import Document
+from app.doubt import DOUBTFUL
 from app.jobs.runner import Ending, Job, Report, Runner
 from app.view_state import ViewState
 from roam_core.params import DEFAULT_CONFIG
 from roam_core.propagate.provenance import clip_stamp
 from roam_core.propagate.result import FrameResult
 from roam_core.roto import Keyframe, Origin, Project, RotoShape, edit
-
-DOUBTFUL = 0.5
-"""Frames of less confidence are shown as worth fixing."""
 
 ReadFrame = Callable[[int], Any]
 _run_numbers = itertools.count(1)

@@ -23,7 +23,7 @@ from PySide6.QtWidgets import (
 from app import style
 from app.document import Document
 from app.panels.controls import dense_form, form_label
-from app.view_state import ViewState
+from app.view_state import ViewState, selected_shapes
 from roam_core.roto import BlendMode, RotoShape, edit
 from roam_core.roto.edit import MIN_POINTS_CLOSED
 from roam_core.roto.project import PALETTE
@@ -115,8 +115,7 @@ class PropertiesPanel(QWidget):
         self._pull()
 
     def _selected(self) -> list[RotoShape]:
-        chosen = self._view.selection.shapes
-        return [shape for shape in self._document.project.shapes if shape.id in chosen]
+        return selected_shapes(self._document.project, self._view.selection)
 
     def _pull(self, _ids: object = None) -> None:
         selected = self._selected()
@@ -127,6 +126,10 @@ class PropertiesPanel(QWidget):
             field.widget.setEnabled(not selected[0].locked)
         if selected:
             self.closed.setEnabled(_can_toggle_closed(selected[0]))
+        if len(selected) > 1:  # a name belongs to one shape
+            self.name.clear()
+            self.name.setEnabled(False)
+            self.name.setPlaceholderText(f"{len(selected)} shapes")
 
 
 class ColourRow(QWidget):

@@ -8,10 +8,10 @@ from PySide6.QtWidgets import QComboBox, QFormLayout, QHBoxLayout, QLabel, QVBox
 from app import style
 from app.actions import Actions
 from app.document import Document
-from app.jobs.propagation import DOUBTFUL
+from app.doubt import DOUBTFUL
 from app.panels.controls import dense_form, form_label, tool_button
 from app.tracking import Tracking
-from app.view_state import ViewState
+from app.view_state import ViewState, shapes_in_hand
 from roam_core.params import CONFIGS
 
 BUTTONS = ("track.backward", "track.backward_one", "track.stop", "track.forward_one", "track.forward")
@@ -65,8 +65,7 @@ class TrackerPanel(QWidget):
     def _pull(self, _ids: object = None) -> None:
         values = [
             key.confidence
-            for shape in self._document.project.shapes
-            if not self._view.selection.shapes or shape.id in self._view.selection.shapes
+            for shape in shapes_in_hand(self._document.project, self._view.selection)
             if (key := shape.key_at(self._view.frame)) is not None and key.confidence is not None
         ]
         if not values:

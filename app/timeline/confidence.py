@@ -11,9 +11,11 @@ from PySide6.QtWidgets import QHBoxLayout, QWidget
 
 from app import style
 from app.document import Document
+from app.doubt import DOUBTFUL
 from app.timeline.axis import TimeAxis
-from app.timeline.marks import DOUBTFUL, MarksOf
+from app.timeline.marks import MarksOf
 from app.timeline.scale import LABEL_WIDTH
+from app.view_state import shapes_in_hand
 
 Pairs = NDArray[np.float64]
 Values = NDArray[np.float64]
@@ -71,9 +73,8 @@ class ConfidenceLines(pg.GraphicsView):  # type: ignore[misc]
         axis.view_state.frame_changed.connect(self._pull_playhead)
 
     def _shown(self) -> list[str]:
-        selected = self._axis.view_state.selection.shapes
-        shapes = self._document.project.shapes
-        return [shape.id for shape in shapes if not selected or shape.id in selected]
+        shown = shapes_in_hand(self._document.project, self._axis.view_state.selection)
+        return [shape.id for shape in shown]
 
     def _pull(self, _ids: object = None) -> None:
         shown = self._shown()

@@ -9,14 +9,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.document import Document
+from app.doubt import DOUBTFUL
 from roam_core.params import CONFIGS
 from roam_core.propagate import provenance
 from roam_core.roto import Clip, Keyframe, Origin, RotoShape
 
 Frames = NDArray[np.int64]
-
-DOUBTFUL = 0.5
-"""Engine frames of less confidence carry a notch."""
 
 
 @dataclass(frozen=True)

@@ -14,7 +14,7 @@ from roam_core.roto import RotoShape
 
 ROW = style.ROW_HEIGHT
 MIDDLE = (ROW - 1) / 2
-DIAMOND = 4.5
+DIAMOND = 5.5
 TICK = 4.0
 """Half the height of a tick."""
 SELECTED, GROUND = "#3a3a3a", "#5a5a5a"

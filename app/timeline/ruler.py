@@ -100,7 +100,9 @@ class Ruler(QWidget):
         if is_labelled:
             width = painter.fontMetrics().horizontalAdvance(str(frame)) + 2
             left = min(max(x - width / 2, LABEL_WIDTH), self.width() - width)
-            painter.drawText(QRectF(left, 3, width, 14), Qt.AlignmentFlag.AlignCenter, str(frame))
+            label = QRectF(left, 3, width, 14)
+            if not label.intersects(self._tab()):  # half a number beside the playhead's reads as another number
+                painter.drawText(label, Qt.AlignmentFlag.AlignCenter, str(frame))
 
     def _paint_cache(self, painter: QPainter) -> None:
         scale = self._axis.scale
@@ -123,9 +125,7 @@ class Ruler(QWidget):
         x = scale.x(frame)
         if x < scale.left:
             return
-        text = str(frame)
-        width = painter.fontMetrics().horizontalAdvance(text) + 12
-        tab = QRectF(min(max(x - width / 2, 0), self.width() - width), 1, width, 17)
+        tab = self._tab()
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.setPen(Qt.PenStyle.NoPen)
         painter.setBrush(QColor(style.ACCENT))
@@ -135,7 +135,14 @@ class Ruler(QWidget):
         painter.setPen(QColor(style.ACCENT))
         painter.drawLine(QPointF(x, 22), QPointF(x, HEIGHT))
         painter.setPen(QColor(style.EDGE))
-        painter.drawText(tab, Qt.AlignmentFlag.AlignCenter, text)
+        painter.drawText(tab, Qt.AlignmentFlag.AlignCenter, str(frame))
+
+    def _tab(self) -> QRectF:
+        """Where the playhead's tab lies."""
+        frame = self._axis.view_state.frame
+        width = self.fontMetrics().horizontalAdvance(str(frame)) + 12
+        left = self._axis.scale.x(frame) - width / 2
+        return QRectF(min(max(left, 0), self.width() - width), 1, width, 17)
 
     def _small_font(self) -> QFont:
         font = self.font()

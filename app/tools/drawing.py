@@ -181,3 +181,5 @@ class DrawingTool(Tool):
         self.view_state.select(frozenset({shape.id}))
         if self.view_state.tool == self.name:
             self.view_state.set_tool("select")
+        follow = "] tracks it forward" if closed else "it is open, C closes it"
+        self.view_state.say(f"{shape.name} is drawn: drag its points to adjust it, {follow}.")

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from app.canvas.shown import editable_shapes
 from app.document import Document
 from app.tools.reshape import Grab, grabbed_parts, keyed, selected_indices
-from app.view_state import ViewState
+from app.view_state import ViewState, selected_shapes
 from roam_core.errors import RoamError
 from roam_core.roto import Project, RotoShape, edit
 
@@ -125,9 +125,9 @@ class PointActions:
 
     def _say_why(self) -> None:
         """Say why nothing happened."""
-        names = [s.name for s in self._document.project.shapes if s.id in self._view.selection.shapes]
-        if names:
-            self._view.say(f"{names[0]!r} is locked or hidden; unlock and show it to edit it.")
+        selected = selected_shapes(self._document.project, self._view.selection)
+        if selected:
+            self._view.say(f"{selected[0].name!r} is locked or hidden; unlock and show it to edit it.")
         else:
             self._view.say("Select a shape or some of its points first.")
 

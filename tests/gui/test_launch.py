@@ -55,6 +55,25 @@ def test_a_path_that_is_not_there_is_one_sentence(
     assert "nowhere" in error
 
 
+def test_state_that_cannot_be_kept_is_one_sentence(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "file").touch()
+    monkeypatch.setattr("platformdirs.user_state_path", lambda *_, **__: tmp_path / "file" / "roam")
+    monkeypatch.setenv("QT_QPA_PLATFORM", "offscreen")
+    assert launch.main([str(write_clip(tmp_path / "plate", 1))]) == launch.FAILED
+    error = capsys.readouterr().err
+    assert error.startswith("roam: The folder ")
+    assert error.count("\n") == 1
+
+
+def test_an_option_that_is_none_is_bad_usage(capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(SystemExit) as left:
+        launch.main(["--versio"])
+    assert left.value.code == launch.BAD_USAGE
+    assert "--versio" in capsys.readouterr().err
+
+
 def test_help_names_every_command(capsys: pytest.CaptureFixture[str]) -> None:
     from roam_core.cli import COMMANDS
 

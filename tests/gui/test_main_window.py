@@ -99,6 +99,10 @@ def test_undo_and_redo_name_what_they_do(qtbot: QtBot, window: MainWindow) -> No
     qtbot.keyClick(window.canvas, Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
     assert window.document.project.shapes == ()
     assert (redo.isEnabled(), redo.text()) == (True, "Redo Draw")
+    assert window.status.sentence.text() == "Undone: Draw."
+    redo.trigger()
+    assert window.status.sentence.text() == "Redone: Draw."
+    undo.trigger()
     assert not window.document.is_modified
 
 
@@ -158,6 +162,35 @@ def test_a_plate_that_is_gone_is_told_and_the_shapes_are_still_there(
         window.files.open(tmp_path / "a.roam")
     assert len(window.document.project.shapes) == 1
     assert "plate could not be opened" in window.status.sentence.text()
+
+
+def test_a_plate_that_was_moved_is_chosen_again_and_the_shapes_stay(
+    qtbot: QtBot, window: MainWindow, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    draw(window)
+    window.document.save(tmp_path / "a.roam")
+    (tmp_path / "plate").rename(tmp_path / "elsewhere")
+    with qtbot.waitSignal(window.files.finished, timeout=WAIT):
+        window.files.open(tmp_path / "a.roam")
+    drawn = window.document.project.root
+    monkeypatch.setattr(dialogs, "choose_clip_folder", lambda parent, start: tmp_path / "elsewhere")
+    with qtbot.waitSignal(window.reader.picture, timeout=WAIT):
+        window.file_actions.open_clip()
+    assert window.document.project.root is drawn
+    assert window.document.project.require_clip().path == tmp_path / "elsewhere"
+    assert window.document.path == tmp_path / "a.roam"
+    assert window.document.is_modified
+
+
+def test_files_are_not_offered_to_the_cache(
+    window: MainWindow, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    asked: list[Path] = []
+    monkeypatch.setattr(dialogs, "choose_save", lambda parent, start: asked.append(start))
+    window.file_actions.save()
+    monkeypatch.setattr("app.file_actions.cache_folder", lambda: tmp_path)
+    window.file_actions.save()
+    assert [path.parent for path in asked] == [tmp_path, Path.home()]
 
 
 def test_what_cannot_be_opened_is_one_sentence_and_changes_nothing(

@@ -87,6 +87,15 @@ def test_all_selected_shapes_are_edited_together(
     assert document.undo_stack.count() == 1
 
 
+def test_a_name_belongs_to_one_shape(panel: PropertiesPanel, view_state: ViewState) -> None:
+    view_state.select(frozenset({"shape-1", "shape-2"}))
+    assert not panel.name.isEnabled()
+    assert (panel.name.text(), panel.name.placeholderText()) == ("", "2 shapes")
+    view_state.select(frozenset({"shape-2"}))
+    assert panel.name.isEnabled()
+    assert panel.name.text() == "Shape 2"
+
+
 def test_a_locked_shape_cannot_be_edited(panel: PropertiesPanel, document: Document) -> None:
     document.apply("Lock", edit.set_properties(document.project, "shape-1", locked=True))
     assert not panel.opacity.isEnabled()

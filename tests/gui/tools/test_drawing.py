@@ -122,6 +122,16 @@ def test_escape_leaves_the_shape_open(hand: Hand, view_state: ViewState, drawing
     assert view_state.selection.shapes == {only().id}
 
 
+@pytest.mark.parametrize(("finish", "follow"), [(RETURN, "] tracks it"), (ESCAPE, "C closes it")])
+def test_a_finished_shape_says_what_comes_next(
+    hand: Hand, view_state: ViewState, drawing: str, finish: Qt.Key, follow: str
+) -> None:
+    click_all(hand)
+    hand.key(finish)
+    assert view_state.message.startswith("Shape 1 is drawn")
+    assert follow in view_state.message
+
+
 def test_escape_forgets_a_single_point(canvas: CanvasView, hand: Hand, document: Document, drawing: str) -> None:
     hand.click(CORNERS[0])
     hand.key(ESCAPE)
