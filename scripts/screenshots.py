@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 IMAGES = Path(__file__).resolve().parent.parent / "docs" / "images"
 SIZE = (1440, 900)
-TRACKED_TO, LOOKED_AT = 1034, 1024
+TRACKED_TO, LOOKED_AT = 1024, 1017
 DRAWN_POINTS = 11
 """Points of the outline that are drawn when the picture of drawing is taken."""
 PATIENCE = 120.0
@@ -76,6 +76,7 @@ def window(state: Path) -> Iterator[MainWindow]:
     from PySide6.QtWidgets import QApplication
 
     from app import style
+    from app.jobs import warm_up
     from app.main_window import MainWindow
 
     application = QApplication(sys.argv[:1])
@@ -85,6 +86,8 @@ def window(state: Path) -> Iterator[MainWindow]:
     shown.resize(*SIZE)
     shown.show()
     QTest.qWaitForWindowExposed(shown)
+    warm_up.start(shown.solver, shown.tracking.config)
+    until(lambda: shown.solver.is_idle, "the engine to be compiled")
     try:
         yield shown
     finally:
@@ -130,10 +133,15 @@ def photograph_tracking(shown: MainWindow) -> None:
     until(lambda: shown.propagation.is_running, "the engine to begin")
     until(lambda: not shown.propagation.is_running, "the engine to end")
     shown.view_state.set_play_range(demo.FIRST, demo.LAST + 1)
+    seen: list[int] = []
+    shown.reader.picture.connect(lambda frame, _: seen.append(frame))
     shown.view_state.set_frame(LOOKED_AT)
-    until(lambda: LOOKED_AT in shown.reader.cached_frames(), "the frame")
+    until(lambda: LOOKED_AT in seen, "the frame")
     photograph(shown, "window")
+    rendered: list[bool] = []
+    shown.canvas.matte_ready.connect(lambda: rendered.append(True))
     shown.actions_by_id["view.matte"].trigger()
+    until(lambda: rendered, "the matte")
     photograph(shown, "matte")
 
 

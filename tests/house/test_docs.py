@@ -1,0 +1,146 @@
+"""The documents keep their word: links and paths exist, names resolve, commands are there, the example runs."""
+
+from __future__ import annotations
+
+import os
+import re
+import subprocess
+import sys
+from importlib import import_module
+from pathlib import Path
+
+import cv2
+import numpy as np
+import pytest
+
+from app import launch
+from roam_core.cli import COMMANDS, main
+from tests.conftest import ROOT
+
+PAGES = [ROOT / "README.md", ROOT / "CHANGELOG.md", *sorted((ROOT / "docs").glob("*.md"))]
+README = (ROOT / "README.md").read_text(encoding="utf-8")
+ROOMS = ("app", "benchmarks", "docs", "resources", "roam_core", "scripts", "tests")
+OURS = re.compile(rf"(?:{'|'.join(ROOMS)})/[\w./*-]*")
+"""How a path of the repository begins when a document names it in code type."""
+
+
+def name_of(page: Path) -> str:
+    return page.name
+
+
+def in_code_type(page: Path) -> list[str]:
+    """What stands between backquotes, outside of blocks."""
+    prose = re.sub(r"^```.*?^```", "", page.read_text(encoding="utf-8"), flags=re.DOTALL | re.MULTILINE)
+    return re.findall(r"`([^`\n]+)`", prose)
+
+
+@pytest.mark.parametrize("page", PAGES, ids=name_of)
+def test_links_lead_somewhere(page: Path) -> None:
+    targets = re.findall(r"\]\(([^)#\s]+)[^)]*\)", page.read_text(encoding="utf-8"))
+    local = [target for target in targets if not target.startswith(("https://", "http://"))]
+    assert [target for target in local if not (page.parent / target).exists()] == []
+
+
+@pytest.mark.parametrize("page", PAGES, ids=name_of)
+def test_paths_exist(page: Path) -> None:
+    paths = [code.partition("::")[0] for code in in_code_type(page) if OURS.fullmatch(code.partition("::")[0])]
+    assert [path for path in paths if not (ROOT / path).exists()] == []
+
+
+@pytest.mark.parametrize("page", PAGES, ids=name_of)
+def test_tests_that_are_named_exist(page: Path) -> None:
+    named = [code.split("::") for code in in_code_type(page) if "::" in code]
+    missing = [test for path, test in named if f"def {test}(" not in (ROOT / path).read_text(encoding="utf-8")]
+    assert missing == []
+
+
+def test_every_recipe_names_its_tests() -> None:
+    recipes = re.split(r"^## ", (ROOT / "docs" / "RECIPES.md").read_text(encoding="utf-8"), flags=re.MULTILINE)[1:]
+    assert recipes
+    assert [recipe.splitlines()[0] for recipe in recipes if "::test_" not in recipe] == []
+
+
+def resolves(name: str) -> bool:
+    """True for the dotted name of a module, or of what lies in one."""
+    parts = name.split(".")
+    for cut in range(len(parts), 0, -1):
+        try:
+            found: object = import_module(".".join(parts[:cut]))
+        except ModuleNotFoundError:
+            continue
+        for attribute in parts[cut:]:
+            found = getattr(found, attribute, None)
+        return found is not None
+    return False
+
+
+def test_a_name_that_is_not_there_does_not_resolve() -> None:
+    assert resolves("roam_core.roto.edit.set_key")
+    assert not resolves("roam_core.roto.edit.no_such_verb")
+    assert not resolves("roam_core.no_such_room.edit")
+
+
+@pytest.mark.parametrize("page", PAGES, ids=name_of)
+def test_names_of_the_code_resolve(page: Path) -> None:
+    names = [code for code in in_code_type(page) if re.fullmatch(r"(app|roam_core)(\.\w+)+", code)]
+    assert [name for name in names if not resolves(name)] == []
+
+
+def test_the_walk_names_what_it_walks_through() -> None:
+    page = (ROOT / "docs" / "ARCHITECTURE.md").read_text(encoding="utf-8")
+    assert len(set(re.findall(r"`((?:app|roam_core)(?:\.\w+){2,})`", page))) >= 15
+
+
+def commands_in(text: str) -> set[str]:
+    """The commands of `roam` that a text shows at the beginning of a line or in code type."""
+    return set(re.findall(r"(?:^ {4}|`)roam ([a-z]+)(?= |`|$)", text, flags=re.MULTILINE))
+
+
+def test_commands_of_the_readme_are_those_of_the_program(capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(SystemExit):
+        launch.main(["--help"])
+    shown = capsys.readouterr().out
+    assert commands_in(README) == set(COMMANDS)
+    assert [command for command in COMMANDS if not re.search(rf"^  {command}\b", shown, flags=re.MULTILINE)] == []
+
+
+@pytest.mark.parametrize("command", list(COMMANDS))
+def test_options_of_the_readme_exist(command: str, capsys: pytest.CaptureFixture[str]) -> None:
+    lines = [line for line in README.splitlines() if line.startswith(f"    roam {command} ")]
+    written = {option for line in lines for option in re.findall(r"--[a-z-]+", line)}
+    with pytest.raises(SystemExit):
+        main([command, "--help"])
+    assert sorted(written - set(re.findall(r"--[a-z-]+", capsys.readouterr().out))) == []
+
+
+def test_the_targets_of_make_that_documents_name_exist() -> None:
+    makefile = (ROOT / "Makefile").read_text(encoding="utf-8")
+    text = "".join(page.read_text(encoding="utf-8") for page in PAGES)
+    named = set(re.findall(r"(?:^ {4}|`)make ([a-z]+)", text, flags=re.MULTILINE))
+    assert {"run", "test", "bench"} <= named
+    assert [target for target in named if not re.search(rf"^{target}:", makefile, flags=re.MULTILINE)] == []
+
+
+@pytest.fixture
+def shot(tmp_path: Path) -> Path:
+    """A folder in which `shot` is a small clip of a gliding disc and `mask.png` its first mask."""
+    pictures = tmp_path / "shot"
+    pictures.mkdir()
+    for frame in range(4):
+        mask = np.zeros((60, 80), dtype=np.uint8)
+        cv2.circle(mask, (30 + 2 * frame, 28 + frame), 14, 255, -1)
+        picture = np.where(mask[..., None] > 0, np.uint8(200), np.uint8(60)).repeat(3, axis=2)
+        assert cv2.imwrite(str(pictures / f"plate.{1001 + frame}.png"), picture)
+        if frame == 0:
+            assert cv2.imwrite(str(tmp_path / "mask.png"), mask)
+    return tmp_path
+
+
+def test_the_example_of_the_python_interface_runs(shot: Path) -> None:
+    (example,) = re.findall(r"^```python\n(.*?)^```", README, flags=re.DOTALL | re.MULTILINE)
+    command = [sys.executable, "-W", "error", "-c", example]
+    environment = os.environ | {"PYTHONPATH": str(ROOT)}
+    result = subprocess.run(command, cwd=shot, env=environment, capture_output=True, text=True, check=False)
+    assert result.returncode == 0, result.stderr
+    assert [line.split()[0] for line in result.stdout.splitlines()] == ["1002", "1003", "1004"]
+    assert (shot / "shot.roam").is_file()
