@@ -14,7 +14,9 @@ import numpy as np
 import pytest
 
 from app import launch
+from benchmarks import report
 from roam_core.cli import COMMANDS, main
+from roam_core.params import CONFIGS
 from tests.conftest import ROOT
 
 PAGES = [ROOT / "README.md", ROOT / "CHANGELOG.md", *sorted((ROOT / "docs").glob("*.md"))]
@@ -144,3 +146,18 @@ def test_the_example_of_the_python_interface_runs(shot: Path) -> None:
     assert result.returncode == 0, result.stderr
     assert [line.split()[0] for line in result.stdout.splitlines()] == ["1002", "1003", "1004"]
     assert (shot / "shot.roam").is_file()
+
+
+def test_tables_are_renewed_in_their_place() -> None:
+    page = "a\n<!-- x -->\nold\n<!-- end of x -->\nb\n<!-- x y -->\nkept\n<!-- end of x y -->\n"
+    renewed = report.with_block(page, "x", "new")
+    assert renewed == page.replace("old", "new")
+    assert report.with_block(page, "z", "new") == f"{page}\n<!-- z -->\nnew\n<!-- end of z -->\n"
+
+
+def test_published_tables_are_of_configurations_that_exist() -> None:
+    page = report.PAGE.read_text(encoding="utf-8")
+    names = re.findall(r"^<!-- (?!end of )(.+) -->$", page, flags=re.MULTILINE)
+    assert sorted(names) == sorted(re.findall(r"^<!-- end of (.+) -->$", page, flags=re.MULTILINE))
+    assert {name.split()[0] for name in names} == {"stages", "davis"}
+    assert {name.split()[1] for name in names} <= set(CONFIGS)
