@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QFrame, QHBoxLayout, QMainWindow, QScrollArea, QSp
 
 from app import menus, style
 from app.actions import Actions, Keymap, load_keymap
-from app.canvas.view import CanvasView, ViewMode
+from app.canvas.view import CanvasView
 from app.clipboard import ShapeClipboard
 from app.dialogs import KeysDialog
 from app.document import Document
@@ -181,11 +181,11 @@ class MainWindow(QMainWindow):
 
     def _handlers(self) -> dict[str, Callable[[], object]]:
         """What each action calls; tools and switches are connected by their own widgets."""
-        files, points, verbs = self.file_actions, self.canvas.points, self.shape_verbs
+        files, verbs = self.file_actions, self.shape_verbs
         clipboard = ShapeClipboard(self.document, self.view_state)
         history = History(self.document, self.view_state)
-        tracking, time, playback, canvas = self.tracking, self.navigation, self.playback, self.canvas
-        return {
+        tracking, time, playback = self.tracking, self.navigation, self.playback
+        return self.canvas.handlers() | {
             "file.new": files.new,
             "file.open_clip": files.open_clip,
             "file.open_movie": files.open_movie,
@@ -201,13 +201,6 @@ class MainWindow(QMainWindow):
             "edit.copy": clipboard.copy,
             "edit.cut": clipboard.cut,
             "edit.paste": clipboard.paste,
-            "points.delete": points.delete,
-            "points.select_all": points.select_all,
-            "points.next": lambda: points.cycle(1),
-            "points.previous": lambda: points.cycle(-1),
-            "points.smooth": points.smooth,
-            "points.cusp": points.cusp,
-            "points.toggle_closed": points.toggle_closed,
             "shape.duplicate": verbs.duplicate,
             "shape.group": verbs.group,
             "shape.delete": self._delete_in_list,
@@ -225,13 +218,6 @@ class MainWindow(QMainWindow):
             "track.next_doubtful": tracking.next_doubtful,
             "track.previous_doubtful": tracking.previous_doubtful,
             "track.delete_engine_keys": verbs.delete_engine_keys,
-            "view.source": lambda: canvas.set_mode(ViewMode.SOURCE),
-            "view.overlay": lambda: canvas.set_mode(ViewMode.OVERLAY),
-            "view.matte": lambda: canvas.set_mode(ViewMode.MATTE),
-            "view.hide_overlays": lambda: canvas.hide_shapes(not canvas.are_shapes_hidden),
-            "view.fit": canvas.fit,
-            "view.fit_selection": canvas.fit_selection,
-            "view.actual_size": canvas.actual_size,
             "view.fit_time": self.timeline.axis.fit,
             "time.previous": lambda: time.step(-1),
             "time.next": lambda: time.step(1),

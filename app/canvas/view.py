@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from enum import StrEnum
 
 import numpy as np
@@ -12,7 +12,7 @@ from PySide6.QtGui import QKeyEvent, QMouseEvent, QPainter, QPaintEvent
 from PySide6.QtWidgets import QWidget
 
 from app.canvas.backdrop import Backdrop, paint_label, paint_sentence
-from app.canvas.keys import CANVAS_KEYS, NUDGES, is_modifier, key_name
+from app.canvas.keys import NUDGES, is_modifier, key_name
 from app.canvas.matte_layer import MatteLayer
 from app.canvas.picture import Picture
 from app.canvas.shape_item import ShapePainter
@@ -53,8 +53,6 @@ class CanvasView(ZoomableWidget):
         super().__init__(parent)
         self._document, self._view_state = document, view_state
         self.points = PointActions(document, view_state)
-        self.keys: Mapping[str, str] = CANVAS_KEYS
-        """Key names to action ids, for keys that no shortcut of the window takes first."""
         self.empty_hint = "Draw a shape: press B"
         """What to do next, shown while the project has no shape."""
         self._tools = {name: tool(document, view_state) for name, tool in TOOLS.items()}
@@ -136,6 +134,26 @@ class CanvasView(ZoomableWidget):
         else:
             left, top, right, bottom = box
             self.show_area(QRectF(QPointF(left, top), QPointF(right, bottom)))
+
+    def handlers(self) -> dict[str, Callable[[], object]]:
+        """What the actions of the viewer do, by id."""
+        points = self.points
+        return {
+            "points.delete": points.delete,
+            "points.smooth": points.smooth,
+            "points.cusp": points.cusp,
+            "points.toggle_closed": points.toggle_closed,
+            "points.select_all": points.select_all,
+            "points.next": lambda: points.cycle(1),
+            "points.previous": lambda: points.cycle(-1),
+            "view.fit": self.fit,
+            "view.fit_selection": self.fit_selection,
+            "view.actual_size": self.actual_size,
+            "view.source": lambda: self.set_mode(ViewMode.SOURCE),
+            "view.overlay": lambda: self.set_mode(ViewMode.OVERLAY),
+            "view.matte": lambda: self.set_mode(ViewMode.MATTE),
+            "view.hide_overlays": lambda: self.hide_shapes(not self._are_shapes_hidden),
+        }
 
     def _announce(self) -> None:
         self.view_changed.emit()
@@ -243,9 +261,10 @@ class CanvasView(ZoomableWidget):
         if (
             isinstance(event, QKeyEvent)
             and event.type() is QEvent.Type.ShortcutOverride
-            and key_name(event) in self._tool.claimed_keys
+            and (self._is_pressed or key_name(event) in self._tool.claimed_keys)
         ):
-            # The key comes to `keyPressEvent` instead of the window's shortcut.
+            # The key comes to `keyPressEvent` instead of the window's shortcut: while something is in the hand, keys
+            # other than the tool's own mean nothing.
             event.accept()
             return True
         return super().event(event)
@@ -290,8 +309,9 @@ class CanvasView(ZoomableWidget):
             self._is_pressed = False
             self._tool.key(name)
             self.update()
-        elif name in self.keys and not self._is_pressed:
-            self._run(self.keys[name])
+        elif name in NUDGES and not self._is_pressed:
+            # All repeats of a held key are one undo step.
+            self.points.nudge(*NUDGES[name], merge_key=f"nudge {self._key_presses}")
         else:
             event.ignore()
 
@@ -329,28 +349,3 @@ class CanvasView(ZoomableWidget):
         """A modifier was pressed or let go: the tool may now do something else at the same place."""
         if self._pointer is not None and not self.is_panning and self._shows_shapes():
             self._hand(self._tool.drag if self._is_pressed else self._tool.hover, self._pointer, event.modifiers())
-
-    def _run(self, action: str) -> None:
-        """Do what a canvas key means."""
-        points = self.points
-        if action in NUDGES:
-            # All repeats of a held key are one undo step.
-            points.nudge(*NUDGES[action], merge_key=f"nudge {self._key_presses}")
-            return
-        actions: Mapping[str, Callable[[], None]] = {
-            "points.delete": points.delete,
-            "points.smooth": points.smooth,
-            "points.cusp": points.cusp,
-            "points.toggle_closed": points.toggle_closed,
-            "points.select_all": points.select_all,
-            "points.next": lambda: points.cycle(1),
-            "points.previous": lambda: points.cycle(-1),
-            "view.fit": self.fit,
-            "view.fit_selection": self.fit_selection,
-            "view.actual_size": self.actual_size,
-            "view.source": lambda: self.set_mode(ViewMode.SOURCE),
-            "view.overlay": lambda: self.set_mode(ViewMode.OVERLAY),
-            "view.matte": lambda: self.set_mode(ViewMode.MATTE),
-            "view.hide_overlays": lambda: self.hide_shapes(not self._are_shapes_hidden),
-        }
-        actions[action]()

@@ -18,6 +18,7 @@ from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 from shiboken6 import isValid
 
+from app.actions import Actions, load_keymap
 from app.canvas.view import CanvasView
 from app.document import Document
 from app.view_state import ViewState
@@ -63,6 +64,7 @@ def canvas(document: Document, view_state: ViewState, qtbot: QtBot) -> CanvasVie
     view.set_image(1, np.full((150, 200, 3), 100, dtype=np.uint8))
     view.show()
     view.setFocus()
+    Actions(view, view, load_keymap()).connect_all(view.handlers())
     return view
 
 

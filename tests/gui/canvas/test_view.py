@@ -324,17 +324,6 @@ def test_escape_belongs_to_the_canvas_only_during_a_drag(canvas: CanvasView, han
     assert not is_claimed()
 
 
-def test_keys_can_be_given_other_meanings(
-    canvas: CanvasView, hand: Hand, document: Document, view_state: ViewState
-) -> None:
-    view_state.select(frozenset({add_square(document)}))
-    canvas.keys = {"X": "points.delete"}
-    hand.key(Qt.Key.Key_Delete)
-    assert document.project.shapes
-    hand.key("x")
-    assert not document.project.shapes
-
-
 def test_modifier_alone_changes_the_pointer(
     canvas: CanvasView, hand: Hand, document: Document, view_state: ViewState
 ) -> None:

@@ -175,17 +175,17 @@ def test_two_presses_are_two_steps_but_a_held_key_is_one(
 # ---- cycling, closing, selecting all
 
 
-def test_braces_cycle_through_the_points(hand: Hand, view_state: ViewState, square: str) -> None:
+def test_tab_cycles_through_the_points(hand: Hand, view_state: ViewState, square: str) -> None:
     seen = []
-    for key in "}}{{{":
-        hand.key(key)
+    for modifiers in (NONE, NONE, SHIFT, SHIFT, SHIFT):
+        hand.key(Key.Key_Tab, modifiers)
         ((_, index),) = view_state.selection.points
         seen.append(index)
     assert seen == [0, 1, 0, 3, 2]
 
 
 def test_first_step_back_selects_the_last_point(hand: Hand, view_state: ViewState, square: str) -> None:
-    hand.key("{")
+    hand.key(Key.Key_Tab, SHIFT)
     assert view_state.selection.points == {(square, 3)}
 
 
