@@ -97,6 +97,12 @@ def test_the_artists_path(qtbot: QtBot, tmp_path: Path, monkeypatch: pytest.Monk
         assert shape(document.project).key_at(FIRST + 3) is fixed
         assert shape(document.project).artist_frames == (FIRST, FIRST + 3)
 
+        # Track across it, from before and from behind: it stays, bit for bit.
+        for start, key in ((FIRST, Qt.Key.Key_F7), (LAST, Qt.Key.Key_F5)):
+            view.set_frame(start)
+            track(qtbot, window, key)
+            assert shape(document.project).key_at(FIRST + 3) is fixed
+
         # Save, reopen, export.
         with qtbot.waitSignal(window.files.saved, timeout=WAIT):
             qtbot.keyClick(canvas, Qt.Key.Key_S, Qt.KeyboardModifier.ControlModifier)
@@ -110,6 +116,20 @@ def test_the_artists_path(qtbot: QtBot, tmp_path: Path, monkeypatch: pytest.Monk
             window.actions_by_id["file.export_nuke"].trigger()
         assert (tmp_path / "disc.nk").stat().st_size > 1000
     assert {"decode", "solve", "save"} <= set(slow_calls)
+
+
+def test_two_shapes_are_tracked_in_one_run_and_one_step(qtbot: QtBot, tmp_path: Path) -> None:
+    with opened_window(qtbot, write_clip(tmp_path / "plate"), tmp_path / "autosave") as window:
+        draw_disc(qtbot, window)
+        before = window.document.project
+        window.shape_verbs.duplicate()
+        both = window.document.project
+        window.view_state.select(frozenset(item.id for item in both.shapes))
+        assert "Tracked 2 shapes" in track(qtbot, window, Qt.Key.Key_BracketRight)
+        assert [each.frames for each in window.document.project.shapes] == [tuple(range(FIRST, LAST + 1))] * 2
+        for expected in (both, before):
+            qtbot.keyClick(window.canvas, Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
+            assert window.document.project is expected
 
 
 def test_escape_stops_the_run_and_keeps_what_is_finished(
