@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from app.document import Document
-from app.doubt import DOUBTFUL
 from app.jobs.propagation import Propagation
 from app.navigation import clip_frames
 from app.view_state import ViewState, shapes_in_hand
-from roam_core.params import DEFAULT_CONFIG
+from roam_core.params import DEFAULT_CONFIG, DOUBTFUL
 from roam_core.roto import RotoShape
 
 NO_CLIP = "Open a clip first: drop a folder of images or a movie on the window."

@@ -23,6 +23,8 @@ class RegionParams:
     global_key_weight, global_weight : histograms of the key frame, and those adapted since.
     adaptation : rate of that adaptation, a frame.
     clip : bound on each cue, nats. bias : nats towards the outside where nothing is known.
+    motion_weight, motion_sigma : agreement with the object's motion against that of its surroundings; sigma in pixels
+        of a 480-line image.
     prior_weight : nats a cell of depth inside the region carried from the last frame.
     blur : Gaussian on the ratio. diffusion, contrast, sweeps : contrast-dependent smoothing (`kernels.diffusion`).
     overlap : share of a detached part that must lie where the object was expected.
@@ -44,6 +46,8 @@ class RegionParams:
     adaptation: float = 0.1
     clip: float = 3.0
     bias: float = -0.2
+    motion_weight: float = 0.5
+    motion_sigma: float = 1.5
     prior_weight: float = 0.05
     blur: float = 0.6
     diffusion: float = 2.0
@@ -101,6 +105,9 @@ CONFIGS: dict[str, RoamParams] = {
 }
 """Configurations by name. `baseline`: gradient and l2 regulariser (the paper's Baseline); `best`: all that proved
 itself, at present the region proposals."""
+
+DOUBTFUL = 0.5
+"""Confidence below which a frame ends as LOW_CONFIDENCE and is offered as worth fixing."""
 
 DEFAULT_CONFIG = "best"
 

@@ -12,10 +12,10 @@ from PySide6.QtGui import QColor, QPainter, QPainterPath
 from app.canvas import marks
 from app.canvas.shown import Shown, shown_shapes
 from app.canvas.viewport import Viewport
-from app.doubt import DOUBTFUL
 from app.view_state import Selection
 from roam_core.geometry import bezier
 from roam_core.geometry.bezier import ANCHOR, IN, OUT
+from roam_core.params import DOUBTFUL
 from roam_core.roto import Outline, Project, RotoShape
 from roam_core.roto.edit import is_smooth
 

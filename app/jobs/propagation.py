@@ -10,10 +10,10 @@ from typing import Any
 from PySide6.QtCore import QObject, Signal
 
 from app.document import Document
-from app.doubt import DOUBTFUL
 from app.jobs.runner import Ending, Job, Report, Runner
 from app.view_state import ViewState
-from roam_core.params import DEFAULT_CONFIG
+from roam_core.params import DEFAULT_CONFIG, DOUBTFUL
+from roam_core.propagate.memory import TrackMemory
 from roam_core.propagate.provenance import clip_stamp
 from roam_core.propagate.result import FrameResult
 from roam_core.roto import Keyframe, Origin, Project, RotoShape, edit
@@ -44,8 +44,9 @@ class Propagation(QObject):
         super().__init__(parent)
         self._document, self._view, self._runner, self._read = document, view_state, runner, read
         self._run: _Run | None = None
+        self._memory = TrackMemory()
         document.changed.connect(self._guard)
-        document.replaced.connect(self.drop)
+        document.replaced.connect(self._forget)
 
     @property
     def is_running(self) -> bool:
@@ -56,7 +57,7 @@ class Propagation(QObject):
         self.drop()
         project = self._document.project
         shapes = tuple(project.shape(shape_id) for shape_id in shape_ids)
-        request = _Request(self._read, shapes, frames, config, clip_stamp(project.clip))
+        request = _Request(self._read, shapes, frames, config, clip_stamp(project.clip), self._memory)
         job = self._runner.start("track", lambda report: _track(report, request))
         self._run = _Run(job, frames, {shape.id: shape for shape in shapes}, self._view.frame)
         job.partial.connect(self._apply)
@@ -76,6 +77,11 @@ class Propagation(QObject):
             self._run.job.drop()
 
     # ---- the rest is private
+
+    def _forget(self) -> None:
+        """Another project: its clip is another one."""
+        self.drop()
+        self._memory = TrackMemory()
 
     def _apply(self, result: FrameResult) -> None:
         run, project = self._run, self._document.project
@@ -145,6 +151,7 @@ class _Request:
     frames: range
     config: str
     clip: str
+    memory: TrackMemory
 
 
 def _track(report: Report, request: _Request) -> str:
@@ -155,7 +162,9 @@ def _track(report: Report, request: _Request) -> str:
     frames, names = request.frames, _names(request.shapes)
     direction = "forward" if frames.step > 0 else "backward"
     done, seconds = 0, 0.0
-    for result in track(request.read, request.shapes, frames, request.config, report.token, request.clip):
+    for result in track(
+        request.read, request.shapes, frames, request.config, report.token, request.clip, request.memory
+    ):
         report.token.check()
         report.partial(result)
         done += 1

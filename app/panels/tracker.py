@@ -8,11 +8,10 @@ from PySide6.QtWidgets import QComboBox, QFormLayout, QHBoxLayout, QLabel, QVBox
 from app import style
 from app.actions import Actions
 from app.document import Document
-from app.doubt import DOUBTFUL
 from app.panels.controls import dense_form, form_label, tool_button
 from app.tracking import Tracking
 from app.view_state import ViewState, shapes_in_hand
-from roam_core.params import CONFIGS
+from roam_core.params import CONFIGS, DOUBTFUL
 
 BUTTONS = ("track.backward", "track.backward_one", "track.stop", "track.forward_one", "track.forward")
 

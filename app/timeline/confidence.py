@@ -11,11 +11,11 @@ from PySide6.QtWidgets import QHBoxLayout, QWidget
 
 from app import style
 from app.document import Document
-from app.doubt import DOUBTFUL
 from app.timeline.axis import TimeAxis
 from app.timeline.marks import MarksOf
 from app.timeline.scale import LABEL_WIDTH
 from app.view_state import shapes_in_hand
+from roam_core.params import DOUBTFUL
 
 Pairs = NDArray[np.float64]
 Values = NDArray[np.float64]

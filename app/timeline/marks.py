@@ -9,8 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.document import Document
-from app.doubt import DOUBTFUL
-from roam_core.params import CONFIGS
+from roam_core.params import CONFIGS, DOUBTFUL
 from roam_core.propagate import provenance
 from roam_core.roto import Clip, Keyframe, Origin, RotoShape
 

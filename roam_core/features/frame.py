@@ -91,8 +91,11 @@ def as_uint8(image: NDArray[Any]) -> UInt8:
         return np.ascontiguousarray(image)
     if not np.issubdtype(image.dtype, np.floating):
         raise ValueError(f"an image has type {image.dtype}, neither uint8 nor float")
-    finite = np.nan_to_num(image, nan=0.0, posinf=1.0, neginf=0.0)
-    return np.asarray(np.clip(finite * 255.0 + 0.5, 0.0, 255.0), dtype=np.uint8)
+    levels = np.multiply(image, np.float32(255.0), dtype=np.float32)
+    if not np.isfinite(levels.sum()):
+        levels = np.nan_to_num(levels, nan=0.0, posinf=255.0, neginf=0.0)
+    levels += np.float32(0.5)
+    return np.asarray(np.clip(levels, 0.0, 255.0, out=levels), dtype=np.uint8)
 
 
 FLOOR = 12.0**2

@@ -5,6 +5,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from roam_core.kernels.crossing import crossing_edges
+
 Array = NDArray[np.float64]
 
 
@@ -44,21 +46,4 @@ def is_simple(line: Array, closed: bool = True) -> bool:
 
 def crossings(line: Array, closed: bool = True) -> NDArray[np.intp]:
     """Pairs `(C, 2)` of indices of edges, not neighbours, that properly cross each other (touching does not count)."""
-    ends = np.roll(line, -1, axis=0) if closed else line[1:]
-    start = line[: len(ends)]
-    n = len(start)
-    i, j = np.triu_indices(n, k=2)
-    if closed:
-        keep = ~((i == 0) & (j == n - 1))
-        i, j = i[keep], j[keep]
-    low, high = np.minimum(start, ends), np.maximum(start, ends)
-    near = (low[i] <= high[j]).all(axis=1) & (low[j] <= high[i]).all(axis=1)
-    i, j = i[near], j[near]
-    a, b, c, d = start[i], ends[i], start[j], ends[j]
-    hit = (_side(a, b, c) * _side(a, b, d) < 0) & (_side(c, d, a) * _side(c, d, b) < 0)
-    return np.stack([i[hit], j[hit]], axis=1)
-
-
-def _side(a: Array, b: Array, p: Array) -> Array:
-    u, v = b - a, p - a
-    return np.asarray(u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0])
+    return np.asarray(crossing_edges(line, closed), dtype=np.intp)

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from roam_core.errors import RoamError
 from roam_core.geometry import fit, polyline
+from roam_core.geometry.simple import simplified
 from roam_core.roto import BlendMode, Keyframe, RotoShape
 from roam_core.roto.project import PALETTE
 
@@ -42,12 +43,17 @@ def shapes_from_mask(mask: NDArray[Any], frame: int = 0, tolerance: float = 1.0)
                 RotoShape(
                     id=f"shape-{len(shapes) + 1}",
                     name=f"Shape {number}" if hole == 0 else f"Shape {number} hole {hole}",
-                    keys=(Keyframe(frame, fit.fit_closed(ring, tolerance)),),
+                    keys=(Keyframe(frame, _fitted(ring, tolerance)),),
                     colour=PALETTE[len(shapes) % len(PALETTE)],
                     blend=BlendMode.ADD if hole == 0 else BlendMode.SUBTRACT,
                 )
             )
     return shapes
+
+
+def _fitted(ring: Array, tolerance: float) -> Array:
+    points = fit.fit_closed(ring, tolerance)
+    return simplified(points, points)
 
 
 def outlines(mask: NDArray[Any]) -> list[list[Array]]:

@@ -50,10 +50,11 @@ def to_display(image: Image, colour_space: str) -> NDArray[np.uint8]:
     return image if colour_space == SRGB else _bytes_looked_up(image, table)
 
 
-def to_engine(image: Image, colour_space: str) -> NDArray[np.float32]:
-    """The picture for the engine, `(h, w, 3)` float32 in [0, 1] with the sRGB curve: differences as an eye sees them.
+def to_engine(image: Image, colour_space: str) -> Image:
+    """The picture for the engine, `(h, w, 3)` in the sRGB curve: differences as an eye sees them.
 
-    An 8-bit sRGB `image` keeps its values (divided by 255). Values outside the range are clipped; NaN is black.
+    An 8-bit sRGB `image` is passed on untouched; all else becomes float32 in [0, 1]. Values outside the range are
+    clipped; NaN is black.
 
     Raises
     ------
@@ -62,7 +63,7 @@ def to_engine(image: Image, colour_space: str) -> NDArray[np.float32]:
     """
     table = _engine_table(_known(colour_space))
     if image.dtype == np.uint8:
-        return _bytes_looked_up(image, table)
+        return image if colour_space == SRGB else _bytes_looked_up(image, table)
     if colour_space == SRGB:
         return _clipped(image)
     return _looked_up(image, table)

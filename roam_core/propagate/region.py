@@ -20,12 +20,13 @@ from roam_core.geometry import bezier, polyline, similarity
 from roam_core.geometry.simple import simplified
 from roam_core.kernels.coverage import coverage
 from roam_core.motion.flow import dense_flow, flow_similarity
-from roam_core.params import RegionParams, scale_for
+from roam_core.params import DOUBTFUL, RegionParams, scale_for
 from roam_core.propagate.nodes import smooth_points
 from roam_core.propagate.result import Part, StepResult, Termination
 from roam_core.proposal import region as proposed
 from roam_core.proposal.contour import follow
 from roam_core.proposal.evidence import SURE, Field, KeyMemory, gathered
+from roam_core.proposal.motion_cue import motion_ratio
 
 Array = NDArray[np.float64]
 Float32 = NDArray[np.float32]
@@ -33,8 +34,6 @@ Bools = NDArray[np.bool_]
 
 TRUSTED = 0.3
 """Confidence below which a frame teaches the colour model nothing."""
-DOUBTFUL = 0.4
-"""Confidence below which a frame ends as LOW_CONFIDENCE."""
 CLOSED = 0.02
 """Size, of its last one, to which a hole shrinks while the region leaves no room for it."""
 
@@ -84,7 +83,9 @@ def step(
     carried = state.region.on(grid, moved)
     flowed = _flowed(state.region.on(grid), back)
     key = replace(state.key, to_now=moved @ state.key.to_now)
-    ratio = gathered(state.frame, frame, grid, state.region, back, carried, flowed, key, state.colours, params)
+    surroundings, _ = flow_similarity(forward, state.region.on(fine) < 0.5, fine)
+    motion = _motion(back, moved, surroundings, grid, params, scale)
+    ratio = gathered(state.frame, frame, grid, state.region, back, carried, flowed, key, state.colours, motion, params)
     if token is not None:
         token.check()
     expected = (carried > 0.5) | (flowed > 0.5) | (key.region.on(grid, key.to_now) > 0.5)
@@ -126,6 +127,17 @@ def _learned(frame: PreparedFrame, region: Field) -> GlobalModel:
 def _on_grid(flow: Float32, fine: Grid, grid: Grid) -> Float32:
     smaller = cv2.resize(flow, (grid.columns, grid.rows), interpolation=cv2.INTER_AREA)
     return np.asarray(smaller * (grid.factor / fine.factor), dtype=np.float32)
+
+
+def _motion(
+    back: Float32, moved: Array, surroundings: Array, grid: Grid, params: RegionParams, scale: float
+) -> Float32:
+    """The motion cue on the grid, from the image-to-image similarities of the object and of its surroundings."""
+    to_image = grid.map_to_image()
+    to_grid = np.linalg.inv(to_image)
+    inside_back, outside_back = (to_grid @ np.linalg.inv(t) @ to_image for t in (moved, surroundings))
+    sigma = params.motion_sigma * scale * float(grid.factor.mean())
+    return motion_ratio(back, inside_back, outside_back, sigma, params.clip)
 
 
 def _flowed(coverage_before: Float32, backward: Float32) -> Float32:

@@ -14,15 +14,12 @@ from roam_core.features import PreparedFrame, Region
 from roam_core.geometry import bezier, polyline, similarity
 from roam_core.inference.contour_dp import descend
 from roam_core.motion.klt import similarity_warp
-from roam_core.params import RoamParams, scale_for
+from roam_core.params import DOUBTFUL, RoamParams, scale_for
 from roam_core.propagate.confidence import frame_confidence, node_support
 from roam_core.propagate.nodes import NodeMap
 from roam_core.propagate.result import StepResult, Termination
 
 Array = NDArray[np.float64]
-
-DOUBTFUL = 0.4
-"""Confidence below which a frame ends as LOW_CONFIDENCE."""
 
 
 @dataclass(frozen=True, eq=False)

@@ -20,7 +20,11 @@ TURN = 1.0
 """... a node whose outline runs the opposite way."""
 SPACING = 9.0
 """Pixels of a 480-line image between the nodes that are matched."""
-STARTS = 5
+STEP = 3.0
+"""Pixels of a 480-line image between the places where a node may come to lie."""
+FINER = 2
+"""Samples of the outline for each such place, for the fit of the handles."""
+STARTS = 3
 """Samples tried for the node that is surest of its place."""
 
 
@@ -39,9 +43,10 @@ def follow(points: Array, ring: Array, smooth: NDArray[np.bool_], scale: float =
     nodes = bezier.evaluate(points, segment, (np.arange(len(segment)) - first[segment]) / counts[segment])
     if polyline.signed_area(ring) * polyline.signed_area(nodes) < 0:
         ring = ring[::-1]
-    samples = polyline.resample(ring, max(2 * len(nodes), int(polyline.length(ring) / (2.0 * scale))))
-    matched = _matched(nodes, samples, (lengths / counts)[segment], scale)
-    return _laid(points, samples, matched[first], smooth)
+    places = max(2 * len(nodes), int(polyline.length(ring) / (STEP * scale)))
+    samples = polyline.resample(ring, FINER * places)
+    matched = _matched(nodes, samples[::FINER], (lengths / counts)[segment], scale)
+    return _laid(points, samples, FINER * matched[first], smooth)
 
 
 def _matched(nodes: Array, samples: Array, share: Array, scale: float) -> IntArray:

@@ -92,6 +92,7 @@ def gathered(
     flowed: Float32,
     key: KeyMemory,
     colours: GlobalModel,
+    motion: Float32,
     params: RegionParams,
 ) -> Field:
     """The smoothed log-ratio on `grid`, all terms weighted and added.
@@ -99,7 +100,7 @@ def gathered(
     Parameters
     ----------
     last : the region on `before`. carried, flowed : its coverage on `grid` after the similarity and after the flow.
-    backward : (rows, columns, 2) flow from `after` to `before` in cells.
+    backward : (rows, columns, 2) flow from `after` to `before` in cells. motion : (rows, columns) its log-ratio.
     """
     picture = grid.of(after.image)
     colour = lab(picture)
@@ -120,6 +121,8 @@ def gathered(
         )  # fmt: skip
     ratio += params.global_key_weight * key.colours.log_ratio(picture, params.clip)
     ratio += params.global_weight * colours.log_ratio(picture, params.clip)
+    # Limbs move in their own ways: motion speaks against new ground only, never against what was inside already.
+    ratio += params.motion_weight * np.where(rigid | fluid, np.float32(0.0), np.minimum(motion, np.float32(0.0)))
     ratio += params.prior_weight * signed_distance(rigid | fluid, 20.0)
     ratio += params.bias
     ratio = cv2.GaussianBlur(ratio, (0, 0), params.blur)

@@ -44,13 +44,14 @@ def test_float_pictures_follow_the_curves(space: str) -> None:
 @pytest.mark.parametrize("space", COLOUR_SPACES)
 def test_8_bit_pictures_follow_the_curves(space: str) -> None:
     expected = ref_perceived(BYTES.astype(np.float32) / 255, space)
-    np.testing.assert_allclose(to_engine(BYTES, space), expected, atol=1e-6)
+    seen = to_engine(BYTES, space)
+    np.testing.assert_allclose(seen / 255.0 if seen.dtype == np.uint8 else seen, expected, atol=1e-6)
     np.testing.assert_allclose(to_display(BYTES, space), expected * 255, atol=0.501)
 
 
-def test_8_bit_srgb_is_shown_without_a_copy() -> None:
+def test_8_bit_srgb_is_passed_on_without_a_copy() -> None:
     assert to_display(BYTES, SRGB) is BYTES
-    np.testing.assert_array_equal(np.rint(to_engine(BYTES, SRGB) * 255), BYTES)
+    assert to_engine(BYTES, SRGB) is BYTES
 
 
 @pytest.mark.parametrize("space", COLOUR_SPACES)

@@ -1,0 +1,37 @@
+"""Self-intersections are taken out of splines, and simple splines are left alone."""
+
+from __future__ import annotations
+
+import numpy as np
+import numpy.testing as npt
+
+from roam_core.geometry import bezier, polyline
+from roam_core.geometry.simple import simplified
+from tests.golden.shots import blob
+
+
+def is_simple(points: np.ndarray) -> bool:
+    return polyline.is_simple(bezier.flatten(points, True, 0.1))
+
+
+def test_a_simple_spline_is_left_alone() -> None:
+    points = blob([20.0, 24.0, 18.0, 22.0, 25.0]) + np.array([60.0, 60.0])
+    npt.assert_array_equal(simplified(points, points), points)
+
+
+def test_a_loop_of_handles_is_straightened_where_it_crosses_only() -> None:
+    points = blob([20.0, 24.0, 18.0, 22.0, 25.0, 21.0, 19.0, 23.0]) + np.array([60.0, 60.0])
+    looped = points.copy()
+    looped[2, 2], looped[3, 1] = points[3, 0] + (points[3, 0] - points[2, 0]) * 3, points[2, 0] - 40.0
+    assert not is_simple(looped)
+    result = simplified(looped, points)
+    assert is_simple(result)
+    npt.assert_array_equal(result[:, 0], looped[:, 0])
+    npt.assert_array_equal(result[5:7], looped[5:7])
+
+
+def test_what_cannot_be_straightened_goes_back_towards_the_fallback() -> None:
+    square = bezier.polygon_points([(0, 0), (40, 0), (40, 40), (0, 40)])
+    bow_tie = square[[0, 2, 1, 3]]
+    result = simplified(bow_tie, square)
+    assert is_simple(result)

@@ -1,0 +1,77 @@
+"""The kernels of the region proposals against their slow twins."""
+
+from __future__ import annotations
+
+import numpy as np
+import numpy.testing as npt
+import pytest
+
+from roam_core.kernels.alignment import align
+from roam_core.kernels.diffusion import diffuse
+from roam_core.kernels.local_match import local_match
+from tests.reference.local_match import ref_align, ref_local_match, smoothing_energy
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_local_match_is_the_plain_search_through_the_window(seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    colours, memory = rng.uniform(0, 40, (2, 9, 11, 3)).astype(np.float32)
+    labels = rng.integers(0, 3, (9, 11)).astype(np.uint8)
+    shift = rng.uniform(-3, 3, (9, 11, 2)).astype(np.float32)
+    wanted = np.ones((9, 11), dtype=bool)
+    comp = local_match(colours, memory, labels, wanted, shift, 2, 3.0, 0.3, 2.5)
+    ref = ref_local_match(colours, memory, labels, shift, 2, 3.0, 0.3, 2.5)
+    npt.assert_allclose(comp, ref, atol=1e-4)
+
+
+def test_local_match_leaves_unwanted_pixels_undecided() -> None:
+    picture = np.zeros((5, 5, 3), dtype=np.float32)
+    labels = np.ones((5, 5), dtype=np.uint8)
+    ratio = local_match(
+        picture, picture, labels, np.zeros((5, 5), bool), np.zeros((5, 5, 2), np.float32), 1, 2.0, 0.1, 3.0
+    )
+    assert not ratio.any()
+
+
+def test_every_sweep_lowers_the_smoothing_energy_towards_its_minimum() -> None:
+    rng = np.random.default_rng(3)
+    field = rng.normal(size=(8, 10)).astype(np.float32)
+    colours = rng.uniform(0, 30, (8, 10, 3)).astype(np.float32)
+    wanted = np.ones(field.shape, dtype=bool)
+    energies = [
+        smoothing_energy(diffuse(field, colours, wanted, 2.0, 12.0, sweeps), field, colours, 2.0, 12.0)
+        for sweeps in (0, 1, 2, 5, 60, 120)
+    ]
+    assert energies == sorted(energies, reverse=True)
+    assert energies[0] > 1.05 * energies[-1]
+    npt.assert_allclose(energies[-1], energies[-2], rtol=1e-5)
+
+
+def test_smoothing_holds_what_is_not_wanted() -> None:
+    rng = np.random.default_rng(4)
+    field = rng.normal(size=(6, 6)).astype(np.float32)
+    wanted = np.zeros(field.shape, dtype=bool)
+    wanted[2:4, 2:4] = True
+    result = diffuse(field, np.zeros((6, 6, 3), np.float32), wanted, 5.0, 12.0, 10)
+    npt.assert_array_equal(result[~wanted], field[~wanted])
+    assert (result[wanted] != field[wanted]).all()
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_alignment_is_the_least_of_all_ways_around(seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    count, samples = 4, 9
+    cost = rng.uniform(0, 2, (count, samples))
+    expected = rng.uniform(1.0, 3.0, count)
+    starts = [0, 4, 7]
+    indices, energy = align(cost, expected, 0.7, np.array(starts))
+    assert energy == pytest.approx(ref_align(cost, expected, 0.7, starts))
+    steps = np.diff(np.append(indices, indices[0])) % samples
+    ratios = steps / expected - 1.0
+    assert energy == pytest.approx(cost[np.arange(count), indices].sum() + 0.7 * (ratios**2).sum())
+    assert steps.sum() == samples
+
+
+def test_alignment_wants_enough_samples() -> None:
+    with pytest.raises(ValueError, match="too few"):
+        align(np.zeros((4, 7)), np.ones(4), 1.0, np.array([0]))
