@@ -84,7 +84,10 @@ def step(
     flowed = _flowed(state.region.on(grid), back)
     key = replace(state.key, to_now=moved @ state.key.to_now)
     surroundings, _ = flow_similarity(forward, state.region.on(fine) < 0.5, fine)
-    motion = _motion(back, moved, surroundings, grid, params, scale)
+    # The more of the object moves as one, the more its motion says.
+    motion = np.float32(np.clip(2.5 * agreement - 1.0, 0.0, 1.0)) * _motion(
+        back, moved, surroundings, grid, params, scale
+    )
     ratio = gathered(state.frame, frame, grid, state.region, back, carried, flowed, key, state.colours, motion, params)
     if token is not None:
         token.check()

@@ -50,7 +50,8 @@ def follow(points: Array, ring: Array, smooth: NDArray[np.bool_], scale: float =
 
 
 def _matched(nodes: Array, samples: Array, share: Array, scale: float) -> IntArray:
-    away = ((nodes[:, None] - samples[None]) ** 2).sum(axis=2) / (NEAR * scale) ** 2
+    away = (nodes[:, :1] - samples[:, 0]) ** 2 + (nodes[:, 1:] - samples[:, 1]) ** 2
+    away /= (NEAR * scale) ** 2
     facing = polyline.outward_normals(nodes) @ polyline.outward_normals(samples).T
     cost = np.minimum(away, 9.0) + TURN * 0.5 * (1.0 - facing)
     expected = np.maximum(share / share.sum() * len(samples), 1.0)
@@ -63,28 +64,39 @@ def _matched(nodes: Array, samples: Array, share: Array, scale: float) -> IntArr
 
 def _laid(points: Array, samples: Array, at: IntArray, smooth: NDArray[np.bool_]) -> Array:
     """Anchors on `samples[at]`, and the handles of each segment fitted to the samples between its anchors."""
-    count, total = len(points), len(samples)
     result = np.empty_like(points)
     result[:, ANCHOR] = samples[at]
-    for index in range(count):
-        following = (index + 1) % count
-        steps = (at[following] - at[index]) % total
-        run = samples[(at[index] + np.arange(steps + 1)) % total]
-        result[index, OUT], result[following, IN] = _handles(run)
+    leaving, arriving = _handles(samples, at)
+    result[:, OUT], result[:, IN] = leaving, np.roll(arriving, 1, axis=0)
     for part in (IN, OUT):
         corner = (points[:, part] == points[:, ANCHOR]).all(axis=1)
         result[corner, part] = result[corner, ANCHOR]
     return bezier.aligned(result, smooth)
 
 
-def _handles(run: Array) -> Array:
-    """The two handles `(2, 2)` of the cubic that best follows `run (K, 2)`, drawn a little towards a straight line."""
-    along = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(run, axis=0).T))])
-    straight = run[0] + np.array([[1.0 / 3.0], [2.0 / 3.0]]) * (run[-1] - run[0])
-    if along[-1] < 1e-9:
-        return np.asarray(straight, dtype=np.float64)
-    weights = bezier.bernstein(along / along[-1])
-    rest = run - weights @ np.vstack([run[:1], straight, run[-1:]])
-    design = weights[:, 1:3]
-    normal = design.T @ design + (0.005 + 0.002 * len(run)) * np.eye(2)
-    return np.asarray(straight + np.linalg.solve(normal, design.T @ rest), dtype=np.float64)
+def _handles(samples: Array, at: IntArray) -> tuple[Array, Array]:
+    """Out- and in-handles `(P, 2)` of the cubics that best follow the ring from `at[k]` to `at[k + 1]`.
+
+    Least squares over the two handles of each segment, by chord length, drawn a little towards a straight line; all
+    segments at once, the samples of one behind those of the other.
+    """
+    total = len(samples)
+    steps = (np.roll(at, -1) - at) % total
+    first = np.cumsum(steps + 1) - (steps + 1)
+    owner = np.repeat(np.arange(len(at)), steps + 1)
+    place = at[owner] + np.arange(len(owner)) - first[owner]
+    chords = np.hypot(*(np.roll(samples, -1, axis=0) - samples).T)
+    along = np.concatenate([[0.0], np.cumsum(np.concatenate([chords, chords]))])
+    lengths = along[at + steps] - along[at]
+    weights = bezier.bernstein((along[place] - along[at[owner]]) / np.maximum(lengths, 1e-9)[owner])
+    start, stop = samples[at], samples[np.roll(at, -1)]
+    straight = start + (stop - start) / 3.0, start + (stop - start) * (2.0 / 3.0)
+    control = np.stack([start, *straight, stop], axis=1)[owner]
+    rest = samples[place % total] - np.einsum("nk,nkc->nc", weights, control)
+    u, v = weights[:, 1:2], weights[:, 2:3]
+    uu, uv, vv = (np.add.reduceat(product, first) for product in (u * u, u * v, v * v))
+    ur, vr = (np.add.reduceat(product, first) for product in (u * rest, v * rest))
+    hold = (0.005 + 0.002 * (steps + 1))[:, None]
+    uu, vv = uu + hold, vv + hold
+    determinant = uu * vv - uv * uv
+    return straight[0] + (ur * vv - vr * uv) / determinant, straight[1] + (uu * vr - uv * ur) / determinant
