@@ -12,7 +12,7 @@ from typing import Any
 
 
 class Stopwatch:
-    """Seconds by stage. Time spent in a watched function that another one calls counts for the inner stage only."""
+    """Processor seconds of this thread by stage. What one watched function spends in another counts for that alone."""
 
     def __init__(self) -> None:
         self.seconds: dict[str, float] = defaultdict(float)
@@ -45,11 +45,11 @@ class Stopwatch:
         @functools.wraps(function)
         def call(*args: Any, **kwargs: Any) -> Any:
             self._inner.append(0.0)
-            began = time.perf_counter()
+            began = time.thread_time()
             try:
                 return function(*args, **kwargs)
             finally:
-                elapsed = time.perf_counter() - began
+                elapsed = time.thread_time() - began
                 self.seconds[stage] += elapsed - self._inner.pop()
                 self._inner[-1] += elapsed
 

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 IMAGES = Path(__file__).resolve().parent.parent / "docs" / "images"
 SIZE = (1440, 900)
-TRACKED_TO, LOOKED_AT = 1024, 1017
+TRACKED_TO, LOOKED_AT = 1024, 1012
 DRAWN_POINTS = 11
 """Points of the outline that are drawn when the picture of drawing is taken."""
 PATIENCE = 120.0
@@ -155,9 +155,7 @@ def opened(shown: MainWindow, begin: Callable[[], object]) -> None:
 
 def photograph(shown: MainWindow, name: str) -> None:
     """Write the window's picture when what it began to show is painted."""
-    from PySide6.QtTest import QTest
-
-    QTest.qWait(600)
+    live(600)
     path = IMAGES / f"{name}.png"
     picture = shown.grab()
     if not picture.save(str(path)):
@@ -167,13 +165,20 @@ def photograph(shown: MainWindow, name: str) -> None:
 
 def until(condition: Callable[[], object], what: str) -> None:
     """Let the window live until a condition holds."""
-    from PySide6.QtTest import QTest
-
     deadline = time.monotonic() + PATIENCE
     while not condition():
         if time.monotonic() > deadline:
             raise SystemExit(f"screenshots: waited in vain for {what}")
-        QTest.qWait(20)
+        live(20)
+
+
+def live(milliseconds: int) -> None:
+    """Let the window live for a while. Unlike `QTest.qWait`, a loop of Qt's lets the other threads run meanwhile."""
+    from PySide6.QtCore import QEventLoop, QTimer
+
+    loop = QEventLoop()
+    QTimer.singleShot(milliseconds, loop.quit)
+    loop.exec()
 
 
 if __name__ == "__main__":
