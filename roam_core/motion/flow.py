@@ -13,21 +13,24 @@ from roam_core.geometry import similarity
 Array = NDArray[np.float64]
 Float32 = NDArray[np.float32]
 
-LEAST_SIDE = 24
-"""Cells below which DIS's patches and pyramid have no room; such regions stand still."""
+LEAST_SIDE = 48
+"""Cells to which a narrower region is padded: under 32 OpenCV's DIS reads beyond its pyramid (opencv issue 14554)."""
 
 
 def dense_flow(before: PreparedFrame, after: PreparedFrame, grid: Grid) -> tuple[Float32, Float32]:
     """Flow `(rows, columns, 2)` from `before` to `after` and back, in cells of the grid (Kroeger et al., ECCV 2016)."""
-    if min(grid.shape) < LEAST_SIDE:
-        still = np.zeros((*grid.shape, 2), dtype=np.float32)
-        return still, still
-    old, new = grid.of(before.grey), grid.of(after.grey)
+    old, new = (_padded(grid.of(frame.grey)) for frame in (before, after))
     # A new instance a call: it keeps buffers, and results must not depend on what it saw before.
     solver = cv2.DISOpticalFlow.create(cv2.DISOPTICAL_FLOW_PRESET_ULTRAFAST)
     forward = np.asarray(solver.calc(old, new, None), dtype=np.float32)
     backward = np.asarray(solver.calc(new, old, None), dtype=np.float32)
-    return forward, backward
+    return forward[: grid.rows, : grid.columns], backward[: grid.rows, : grid.columns]
+
+
+def _padded(grey: NDArray[np.uint8]) -> NDArray[np.uint8]:
+    """The picture with its last row and column repeated up to `LEAST_SIDE`."""
+    below, right = (max(LEAST_SIDE - side, 0) for side in grey.shape)
+    return np.asarray(cv2.copyMakeBorder(grey, 0, below, 0, right, cv2.BORDER_REPLICATE), dtype=np.uint8)
 
 
 def flow_similarity(flow: Float32, inside: NDArray[np.bool_], grid: Grid, samples: int = 400) -> tuple[Array, float]:

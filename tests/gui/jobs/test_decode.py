@@ -88,6 +88,8 @@ def test_frames_ahead_of_the_playhead_are_decoded_too(qtbot: QtBot, reader: Plat
 
 def test_the_engine_sees_its_own_colours(qtbot: QtBot, reader: PlateReader) -> None:
     reader.open(Plate())
+    assert reader.engine_frame(3).dtype == np.uint8
+    reader.open(Plate("linear"))
     assert reader.engine_frame(3).dtype == np.float32
 
 

@@ -34,7 +34,7 @@ class Engine:
         self.gate.release(frames)
 
     def track(
-        self, read: Any, shapes: Any, frames: range, config: str, token: CancelToken, clip: str
+        self, read: Any, shapes: Any, frames: range, config: str, token: CancelToken, clip: str, memory: Any
     ) -> Iterator[FrameResult]:
         for frame in frames[1:]:
             while not self.gate.acquire(timeout=0.01):

@@ -1,0 +1,46 @@
+"""Dense flow on grids of every size, and the similarity that it agrees with."""
+
+from __future__ import annotations
+
+import cv2
+import numpy as np
+import pytest
+
+from roam_core.features import PreparedFrame, Region
+from roam_core.features.grid import Grid
+from roam_core.motion.flow import dense_flow, flow_similarity
+
+
+def textured(height: int, width: int) -> np.ndarray:
+    noise = np.random.default_rng(5).integers(0, 256, (height, width, 3)).astype(np.uint8)
+    return cv2.normalize(cv2.GaussianBlur(noise, (0, 0), 3), None, 0, 255, cv2.NORM_MINMAX)
+
+
+@pytest.mark.parametrize("size", [(1, 1), (7, 200), (28, 300), (300, 28), (31, 31), (33, 90), (120, 160)])
+def test_no_region_is_too_small_or_too_narrow(size: tuple[int, int]) -> None:
+    image = textured(*size)
+    grid = Grid(Region(0, 0, size[1], size[0]), *size)
+    for flow in dense_flow(PreparedFrame(image), PreparedFrame(image), grid):
+        assert flow.shape == (*size, 2)
+        assert np.abs(flow).max() < 0.1
+
+
+def test_a_shift_is_found_both_ways_and_as_a_similarity_of_the_image() -> None:
+    image = textured(150, 200)
+    moved = cv2.warpAffine(image, np.array([[1.0, 0, 5.0], [0, 1.0, -3.0]]), (200, 150), borderMode=cv2.BORDER_REFLECT)
+    grid = Grid(Region(20, 10, 180, 140), 130, 160)
+    forward, backward = dense_flow(PreparedFrame(image), PreparedFrame(moved), grid)
+    assert np.median(forward, axis=(0, 1)) == pytest.approx((5.0, -3.0), abs=0.3)
+    assert np.median(backward, axis=(0, 1)) == pytest.approx((-5.0, 3.0), abs=0.3)
+    inside = np.zeros(grid.shape, dtype=bool)
+    inside[30:100, 40:120] = True
+    transform, agreement = flow_similarity(forward, inside, grid)
+    assert (transform @ [100.0, 75.0, 1.0])[:2] == pytest.approx((105.0, 72.0), abs=0.5)
+    assert agreement > 0.9
+
+
+def test_an_empty_inside_stands_still() -> None:
+    grid = Grid(Region(0, 0, 60, 60), 60, 60)
+    transform, agreement = flow_similarity(np.ones((60, 60, 2), np.float32), np.zeros((60, 60), bool), grid)
+    np.testing.assert_array_equal(transform, np.eye(3))
+    assert agreement == 0.0
