@@ -23,7 +23,8 @@ class RegionParams:
     global_key_weight, global_weight : histograms of the key frame, and those adapted since.
     adaptation : rate of that adaptation, a frame.
     clip : bound on each cue, nats. bias : nats towards the outside where nothing is known.
-    motion_weight, motion_sigma : agreement with the object's motion against that of its surroundings; sigma in pixels
+    motion_weight, motion_sigma : ground that moves with the surroundings and not with the object is not taken in; the
+        weight counts in full where the object moves as one. sigma in pixels
         of a 480-line image.
     prior_weight : nats a cell of depth inside the region carried from the last frame.
     blur : Gaussian on the ratio. diffusion, contrast, sweeps : contrast-dependent smoothing (`kernels.diffusion`).
@@ -46,7 +47,7 @@ class RegionParams:
     adaptation: float = 0.1
     clip: float = 3.0
     bias: float = -0.2
-    motion_weight: float = 0.5
+    motion_weight: float = 1.0
     motion_sigma: float = 1.5
     prior_weight: float = 0.05
     blur: float = 0.6
