@@ -24,8 +24,7 @@ class RegionParams:
     adaptation : rate of that adaptation, a frame.
     clip : bound on each cue, nats. bias : nats towards the outside where nothing is known.
     motion_weight, motion_sigma : ground that moves with the surroundings and not with the object is not taken in; the
-        weight counts in full where the object moves as one. sigma in pixels
-        of a 480-line image.
+        weight counts in full where the object moves as one. sigma in pixels of a 480-line image.
     prior_weight : nats a cell of depth inside the region carried from the last frame.
     blur : Gaussian on the ratio. diffusion, contrast, sweeps : contrast-dependent smoothing (`kernels.diffusion`).
     overlap : share of a detached part that must lie where the object was expected.
