@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
+
 import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtCore import QLineF, Qt
@@ -28,7 +30,7 @@ TAKE_BACK_KEYS = frozenset({"Backspace", "Del", "Ctrl+Z"})
 LEAVE_KEYS = frozenset({"Esc"})
 
 
-class DrawingTool(Tool):
+class DrawingTool(Tool, ABC):
     """Places points one after the other; nothing enters the document before the shape is finished.
 
     A press on the first point, Return or a double click closes the shape; Esc, or taking another tool, leaves it open;
@@ -57,9 +59,9 @@ class DrawingTool(Tool):
     def claimed_keys(self) -> frozenset[str]:
         return CLOSE_KEYS | TAKE_BACK_KEYS | LEAVE_KEYS if len(self._points) else frozenset()
 
+    @abstractmethod
     def place(self, point: Array, pointer: Pointer) -> Array:
         """A placed point `(3, 2)` as the drag that follows its press shapes it."""
-        raise NotImplementedError
 
     def close(self, point: Array, pointer: Pointer) -> Array:
         """The first point `(3, 2)` as a drag after the press that closes the shape makes it."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from collections.abc import Callable
 
 from PySide6.QtCore import QRectF
@@ -79,7 +80,7 @@ class Gesture:
         """Paint the gesture's own marks."""
 
 
-class Edit(Gesture):
+class Edit(Gesture, ABC):
     """A drag that changes shapes: previewed in the view state, applied once at release as an undo step `text`."""
 
     def __init__(
@@ -94,9 +95,9 @@ class Edit(Gesture):
         super().__init__(document, view_state, pressed, on_click)
         self.grab, self.text = grab, text
 
+    @abstractmethod
     def edited(self) -> Project:
         """The document's project as the drag makes it."""
-        raise NotImplementedError
 
     @property
     def is_valid(self) -> bool:
