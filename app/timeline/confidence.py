@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pyqtgraph as pg
 from numpy.typing import NDArray
-from PySide6.QtCore import QRectF, Qt
+from PySide6.QtCore import QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QMouseEvent, QPainter, QPaintEvent, QResizeEvent, QWheelEvent
-from PySide6.QtWidgets import QHBoxLayout, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QSizePolicy, QWidget
 
 from app import style
 from app.document import Document
@@ -20,22 +20,33 @@ from roam_core.params import DOUBTFUL
 Pairs = NDArray[np.float64]
 Values = NDArray[np.float64]
 
-HEIGHT = 64
+LEAST_HEIGHT = 64
 LOW, HIGH = -0.12, 1.12
 """The plot's range: a little more than a confidence can be, so that lines at its ends are seen."""
 
 
 class ConfidencePlot(QWidget):
-    """The name and values of the scale, and right of them the lines, under the ruler's frames."""
+    """The name and values of the scale, and right of them the lines, under the ruler's frames.
+
+    It takes all the height that the key rows above it leave.
+    """
 
     def __init__(self, document: Document, axis: TimeAxis, marks: MarksOf, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.setFixedHeight(HEIGHT)
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
         self.setToolTip("Confidence of the tracked frames; under the dashed line a frame is worth a look")
         self.lines = ConfidenceLines(document, axis, marks)
+        self.lines.setMinimumHeight(LEAST_HEIGHT)
         row = QHBoxLayout(self)
         row.setContentsMargins(LABEL_WIDTH, 0, 0, 0)
         row.addWidget(self.lines)
+
+    def sizeHint(self) -> QSize:
+        return QSize(600, LEAST_HEIGHT)
+
+    def value_y(self, value: float) -> float:
+        """Where a confidence lies, in pixels from the top."""
+        return self.height() * (HIGH - value) / (HIGH - LOW)
 
     def paintEvent(self, event: QPaintEvent) -> None:
         painter = QPainter(self)
@@ -46,9 +57,8 @@ class ConfidencePlot(QWidget):
         painter.setPen(QColor(style.WEAK))
         middle, right = Qt.AlignmentFlag.AlignVCenter, Qt.AlignmentFlag.AlignRight
         for value, text in ((0.0, "0"), (DOUBTFUL, f"{DOUBTFUL:g}"), (1.0, "1")):
-            y = HEIGHT * (HIGH - value) / (HIGH - LOW)
-            painter.drawText(QRectF(0, y - 8, LABEL_WIDTH - 6, 16), middle | right, text)
-        painter.drawText(QRectF(style.MARGIN, 0, LABEL_WIDTH, HEIGHT), middle, "confidence")
+            painter.drawText(QRectF(0, self.value_y(value) - 8, LABEL_WIDTH - 6, 16), middle | right, text)
+        painter.drawText(QRectF(style.MARGIN, 0, LABEL_WIDTH, self.height()), middle, "confidence")
         painter.end()
 
 

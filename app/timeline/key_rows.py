@@ -29,7 +29,7 @@ class KeyRows(QAbstractScrollArea):
         self.setFrameShape(QFrame.Shape.NoFrame)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-        self.setMinimumHeight(2 * ROW)
+        self._pull_height()
         document.changed.connect(self._pull)
         document.replaced.connect(self._pull)
         axis.changed.connect(self.viewport().update)
@@ -81,7 +81,14 @@ class KeyRows(QAbstractScrollArea):
     def _offset(self) -> int:
         return self.verticalScrollBar().value()
 
+    def _pull_height(self) -> None:
+        """No taller than the rows: what is left belongs to the plot below. At least two rows stay in sight."""
+        rows = max(len(self._document.project.shapes), 1)
+        self.setMinimumHeight(min(rows, 2) * ROW)
+        self.setMaximumHeight(rows * ROW)
+
     def _pull(self) -> None:
+        self._pull_height()
         bar, height = self.verticalScrollBar(), self.viewport().height()
         bar.setPageStep(height)
         bar.setSingleStep(ROW)
@@ -130,5 +137,5 @@ class KeyRows(QAbstractScrollArea):
 
     def _paint_hint(self, painter: QPainter) -> None:
         painter.setPen(QColor(style.WEAK))
-        box = QRectF(LABEL_WIDTH + style.MARGIN, 0, self.viewport().width() - LABEL_WIDTH, 2 * ROW)
+        box = QRectF(LABEL_WIDTH + style.MARGIN, 0, self.viewport().width() - LABEL_WIDTH, ROW)
         painter.drawText(box, Qt.AlignmentFlag.AlignCenter, "The keys of your shapes appear here.")

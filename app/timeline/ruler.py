@@ -18,6 +18,8 @@ CACHE_HEIGHT = 3
 TICK_TOP = HEIGHT - 14
 LABEL_SPACE = 40.0
 """Pixels that the labels of the first and the last frame keep free around them."""
+TAB_SPACE = 4.0
+"""Pixels between the playhead's tab and the nearest label: closer, the two read as one number."""
 TICK, CACHED = "#555555", "#6e6e6e"
 
 
@@ -101,7 +103,7 @@ class Ruler(QWidget):
             width = painter.fontMetrics().horizontalAdvance(str(frame)) + 2
             left = min(max(x - width / 2, LABEL_WIDTH), self.width() - width)
             label = QRectF(left, 3, width, 14)
-            if not label.intersects(self._tab()):  # half a number beside the playhead's reads as another number
+            if not label.intersects(self._tab().adjusted(-TAB_SPACE, 0, TAB_SPACE, 0)):
                 painter.drawText(label, Qt.AlignmentFlag.AlignCenter, str(frame))
 
     def _paint_cache(self, painter: QPainter) -> None:

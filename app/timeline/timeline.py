@@ -36,6 +36,7 @@ class Timeline(QWidget):
         column.setSpacing(0)
         for part in (self.ruler, self.rows, self.confidence):
             column.addWidget(part)
+        column.setStretchFactor(self.rows, 1)  # the rows come first; the plot takes what they do not need
         self._document = document
         document.replaced.connect(self._pull_clip)
 

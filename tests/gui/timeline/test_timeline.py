@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
@@ -12,10 +13,11 @@ from PySide6.QtGui import QPainter, QWheelEvent
 from PySide6.QtWidgets import QApplication, QWidget
 from pytestqt.qtbot import QtBot
 
+from app import style
 from app.document import Document
 from app.navigation import Navigation
 from app.timeline import row_painter
-from app.timeline.confidence import _with_gaps
+from app.timeline.confidence import LEAST_HEIGHT, _with_gaps
 from app.timeline.row_painter import ROW
 from app.timeline.timeline import Timeline
 from app.view_state import ViewState
@@ -149,6 +151,43 @@ def test_the_confidence_line_has_a_hole_where_nothing_was_tracked() -> None:
     frames, values = _with_gaps(np.array([[1, 0.5], [2, 0.6], [7, 0.7]]))
     assert np.array_equal(np.isnan(frames), [False, False, True, False])
     assert np.array_equal(np.isnan(values), [False, False, True, False])
+
+
+@pytest.mark.parametrize("zoom", [1.0, 1.6, 1.75, 1.9, 2.05])
+def test_no_label_touches_the_tab_of_the_playhead(timeline: Timeline, view_state: ViewState, zoom: float) -> None:
+    ruler, axis, grounds = timeline.ruler, timeline.axis, {style.WINDOW, style.PANEL}
+    axis.set_scale(axis.scale.zoomed(zoom, x_of(timeline, 1020)))
+
+    def colours(columns: Iterable[int]) -> set[str]:
+        picture = ruler.grab().toImage()
+        return {picture.pixelColor(x, y).name() for x in columns for y in range(2, 18)}
+
+    for frame in range(1014, 1026):
+        view_state.set_frame(frame)
+        left, right = int(ruler._tab().left()), int(ruler._tab().right()) + 2
+        assert colours([*range(left - 3, left), *range(right, right + 2)]) <= grounds, frame
+    label = range(x_of(timeline, 1020) - 12, x_of(timeline, 1020) + 12)
+    assert not colours(label) <= grounds  # far from the tab the label is there
+
+
+def test_the_plot_takes_the_height_that_the_rows_leave(qtbot: QtBot, timeline: Timeline, document: Document) -> None:
+    rows, plot = timeline.rows, timeline.confidence
+
+    def heights() -> tuple[int, int]:
+        return rows.height(), plot.height()
+
+    whole = timeline.height() - timeline.ruler.height()
+    qtbot.waitUntil(lambda: heights() == (2 * ROW, whole - 2 * ROW))
+    assert plot.geometry().top() == rows.geometry().bottom() + 1
+    lines = plot.lines
+    for value in (0.0, 0.5, 1.0):  # the scale's values stand beside the lines' own
+        drawn = lines.mapFromScene(lines._box.mapViewToScene(QPointF(1001, value)))
+        assert abs(drawn.y() - plot.value_y(value)) <= 1.5
+    project = document.project
+    for _ in range(48):
+        project, _shape = edit.new_shape(project, SQUARE, 1001)
+    document.apply("Many", project)
+    qtbot.waitUntil(lambda: heights() == (whole - LEAST_HEIGHT, LEAST_HEIGHT))
 
 
 def test_only_visible_rows_and_one_mark_a_pixel_are_drawn(timeline: Timeline, document: Document) -> None:
