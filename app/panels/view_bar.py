@@ -8,7 +8,9 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QWidget
 from app.actions import Actions
 from app.canvas.view import CanvasView, ViewMode
 from app.document import Document
+from app.folders import cache_folder
 from app.panels.controls import tool_button
+from roam_core.roto import Clip
 
 
 class ViewBar(QWidget):
@@ -43,6 +45,15 @@ class ViewBar(QWidget):
             self._plate.setText("")
             return
         width, height = clip.size
-        parts = (clip.name, f"{clip.first}–{clip.last}", f"{width}×{height}", clip.colour_space)
+        parts = (_name(clip), f"{clip.first}–{clip.last}", f"{width}×{height}", clip.colour_space)
         self._plate.setText("  ·  ".join(parts))
         self._plate.setToolTip(str(clip.path))
+
+
+def _name(clip: Clip) -> str:
+    """The clip's name as the artist knows it.
+
+    A folder of the application's own cache, such as the demo's, is a name and a hash of its version; the hash says
+    nothing to an artist.
+    """
+    return clip.name.rpartition("-")[0] or clip.name if clip.path.parent == cache_folder() else clip.name
