@@ -23,13 +23,18 @@ class Backdrop:
         self._painted: tuple[object, ...] = ()
 
     def paint(
-        self, painter: QPainter, picture: Picture | None, viewport: Viewport, image: QSizeF | None, ratio: float
+        self,
+        painter: QPainter,
+        picture: Picture | QColor,
+        viewport: Viewport,
+        image: QSizeF | None,
+        ratio: float,
     ) -> None:
         """Paint over the whole widget.
 
         Parameters
         ----------
-        picture : what to show, or None for an empty plate.
+        picture : what to show, or the colour of an empty plate.
         image : the plate's size in full-resolution pixels, or None where there is no plate.
         ratio : device pixels for a widget unit.
         """
@@ -42,16 +47,17 @@ class Backdrop:
 
 
 def _rendered(
-    picture: Picture | None, viewport: Viewport, image: QSizeF | None, widget: QSize, ratio: float
+    picture: Picture | QColor, viewport: Viewport, image: QSizeF | None, widget: QSize, ratio: float
 ) -> QPixmap:
     pixmap = QPixmap(widget * ratio)
     pixmap.setDevicePixelRatio(ratio)
     pixmap.fill(marks.SURROUND)
     painter = QPainter(pixmap)
-    if image and picture:
-        picture.paint(painter, viewport, image, ratio)
-    elif image:
-        painter.fillRect(viewport.transform.mapRect(QRectF(QPointF(), image)), marks.EMPTY_PLATE)
+    if image:
+        if isinstance(picture, Picture):
+            picture.paint(painter, viewport, image, ratio)
+        else:
+            painter.fillRect(viewport.transform.mapRect(QRectF(QPointF(), image)), picture)
     painter.end()
     return pixmap
 

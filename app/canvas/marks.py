@@ -9,6 +9,7 @@ from PySide6.QtGui import QBrush, QColor, QPainter, QPainterPath, QPen
 
 SURROUND = QColor("#262626")
 EMPTY_PLATE = QColor("#2e2e2e")
+EMPTY_MATTE = QColor("#000000")
 LINE = QColor("#3a3a3a")
 TEXT = QColor("#d8d8d8")
 WEAK_TEXT = QColor("#9a9a9a")

@@ -8,9 +8,10 @@ from enum import StrEnum
 import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtCore import QEvent, QPointF, QRectF, QSizeF, Qt, Signal
-from PySide6.QtGui import QKeyEvent, QMouseEvent, QPainter, QPaintEvent
+from PySide6.QtGui import QColor, QKeyEvent, QMouseEvent, QPainter, QPaintEvent
 from PySide6.QtWidgets import QWidget
 
+from app.canvas import marks
 from app.canvas.backdrop import Backdrop, paint_label, paint_sentence
 from app.canvas.keys import NUDGES, is_modifier, key_name
 from app.canvas.matte_layer import MatteLayer
@@ -221,7 +222,7 @@ class CanvasView(ZoomableWidget):
 
     def paintEvent(self, event: QPaintEvent) -> None:
         painter = QPainter(self)
-        picture = self._matte_to_show() if self._mode is ViewMode.MATTE else self._picture
+        picture = self._matte_to_show() if self._mode is ViewMode.MATTE else self._picture or marks.EMPTY_PLATE
         self._backdrop.paint(painter, picture, self._viewport, self._image_size(), self.devicePixelRatioF())
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         if self._shows_shapes():
@@ -231,13 +232,14 @@ class CanvasView(ZoomableWidget):
         self._paint_words(painter)
         painter.end()
 
-    def _matte_to_show(self) -> Picture | None:
+    def _matte_to_show(self) -> Picture | QColor:
+        """The newest matte that is rendered; before the first one the black of a frame that nothing covers."""
         size = self._image_size()
         if size is None:
-            return None
+            return marks.EMPTY_MATTE
         height_width = round(size.height()), round(size.width())
         self._matte.request(self._project(), self._view_state.frame, height_width)
-        return self._matte_picture
+        return self._matte_picture or marks.EMPTY_MATTE
 
     def _paint_words(self, painter: QPainter) -> None:
         """What is empty, and what to do about it; what is hidden."""
@@ -245,15 +247,20 @@ class CanvasView(ZoomableWidget):
         if plate is None:
             sentence = "Opening …" if self._is_waiting else "Drop a folder of images or a movie here"
             paint_sentence(painter, QRectF(self.rect()), sentence)
-        elif self._missing is not None and self._mode is not ViewMode.MATTE:
-            area = self._viewport.transform.mapRect(QRectF(QPointF(), plate))
-            paint_sentence(painter, area, f"frame {self._missing} is missing")
+        elif sentence := self._emptiness():
+            paint_sentence(painter, self._viewport.transform.mapRect(QRectF(QPointF(), plate)), sentence)
         if self._are_shapes_hidden:
             paint_label(painter, size, "Shapes hidden", Qt.AlignmentFlag.AlignTop)
         elif self._mode is not ViewMode.OVERLAY:
             paint_label(painter, size, self._mode.capitalize(), Qt.AlignmentFlag.AlignTop)
         elif plate and not self._project().shapes and self._view_state.tool == "select":
             paint_label(painter, size, self.empty_hint, Qt.AlignmentFlag.AlignBottom)
+
+    def _emptiness(self) -> str:
+        """Why the plate's area is empty, or nothing where it is not."""
+        if self._mode is ViewMode.MATTE:
+            return "" if self._matte_picture else "Rendering the matte …"
+        return "" if self._missing is None else f"frame {self._missing} is missing"
 
     # ---- events: the view's own, then the tool's
 

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import threading
 from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
+from numpy.typing import NDArray
 from PySide6.QtCore import QEvent, QPointF, Qt
 from PySide6.QtGui import QColor, QImage, QKeyEvent
 from PySide6.QtWidgets import QApplication
@@ -281,6 +283,26 @@ def test_matte_shows_white_inside_and_black_outside(canvas: CanvasView, hand: Ha
         canvas.repaint()
     assert colour_at(canvas, 80.0, 70.0) == QColor(255, 255, 255)
     assert colour_at(canvas, 10.0, 130.0) == QColor(0, 0, 0)
+
+
+def test_until_the_first_matte_is_rendered_the_plate_is_black_and_says_so(
+    canvas: CanvasView, hand: Hand, document: Document, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    gate = threading.Event()
+
+    def late(project: Project, frame: int, size: tuple[int, int]) -> NDArray[np.float32]:
+        gate.wait(60)
+        return np.ones(size, dtype=np.float32)
+
+    monkeypatch.setattr(canvas._matte, "_render", late)
+    add_square(document)
+    hand.key("3")
+    with qtbot.waitSignal(canvas.matte_ready, timeout=60_000):
+        before = colour_at(canvas, 10.0, 130.0), canvas._emptiness()
+        gate.set()
+    assert before == (QColor(0, 0, 0), "Rendering the matte …")
+    assert colour_at(canvas, 10.0, 130.0) == QColor(255, 255, 255)
+    assert canvas._emptiness() == ""
 
 
 def test_matte_follows_an_edit(canvas: CanvasView, hand: Hand, document: Document, qtbot: QtBot) -> None:
