@@ -55,7 +55,7 @@ class StatusBar(QWidget):
 
     def show_memory(self, used: int, limit: int) -> None:
         """Tell how much of the frame cache is used, in bytes."""
-        self._memory.setText(f"memory {used / 2**30:.2f}/{limit / 2**30:.1f} GB" if limit else "")
+        self._memory.setText(f"memory {_size(used)} of {_size(limit)}" if limit else "")
 
     def _pull(self) -> None:
         for widget in (self.bar, self._hint):
@@ -64,3 +64,11 @@ class StatusBar(QWidget):
     def _say(self, text: str) -> None:
         self.sentence.setText(text)
         self.sentence.setToolTip(text)
+
+
+def _size(count: int) -> str:
+    """Bytes in the unit that shows a single frame of a small plate as well as a full cache."""
+    if count >= 2**30:
+        return f"{count / 2**30:.1f} GB"
+    megabytes = count / 2**20
+    return f"{megabytes:.1f} MB" if 0.0 < megabytes < 9.95 else f"{megabytes:.0f} MB"
