@@ -202,7 +202,7 @@ def _dress_row(row: QTreeWidgetItem, item: Layer | RotoShape) -> None:
     row.setIcon(NAME, style.swatch(item.colour) if isinstance(item, RotoShape) else _drawing("layer", style.WEAK))
     # What is usual is quiet; what keeps a shape from being seen or edited stands out.
     row.setIcon(EYE, _drawing("eye", style.WEAK) if item.visible else _drawing("eye-off", style.TEXT))
-    row.setIcon(LOCK, _drawing("lock", style.TEXT) if item.locked else _drawing("lock-open", style.DISABLED))
+    row.setIcon(LOCK, _drawing("lock", style.TEXT) if item.locked else _drawing("lock-open", style.WEAK))
     row.setToolTip(EYE, "Show or hide")
     row.setToolTip(LOCK, "Lock or unlock")
     flag = Qt.ItemFlag
