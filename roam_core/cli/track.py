@@ -41,17 +41,25 @@ def run(arguments: argparse.Namespace) -> int:
     # Everything that can be refused is refused before anything is written.
     params_for(arguments.config)
     with opened(arguments.clip) as plate:
-        frames = frame_range(plate.source.frames, arguments.start, arguments.end, backward=arguments.backward)
-        project = initial_project(Path(arguments.init), plate, frames[0])
+        given = given_project(Path(arguments.init))
+        start = first_key(given, backward=arguments.backward) if arguments.start is None else arguments.start
+        frames = frame_range(plate.source.frames, start, arguments.end, backward=arguments.backward)
+        project = initial_project(Path(arguments.init), given, plate, frames[0])
         plate.read(frames[0])
         if arguments.save is not None:
             require_target(arguments.save)
         if arguments.matte is not None:
             require_writable(arguments.matte, create=True)
         report = print_line if arguments.json else _silent
-        project = track_project(plate, project, frames, arguments.config, report=report, mattes=arguments.matte)
-    if arguments.save is not None:
-        file.save(project, arguments.save)
+
+        def save(tracked: Project) -> None:
+            if arguments.save is not None:
+                file.save(tracked, arguments.save)
+
+        project = track_project(
+            plate, project, frames, arguments.config, report=report, mattes=arguments.matte, keep=save
+        )
+        save(project)
     if not arguments.json:
         print(f"Tracked {len(project.shapes)} shape(s) from frame {frames[0]} to {frames[-1]}.", file=sys.stderr)
     return 0
@@ -65,11 +73,12 @@ def track_project(
     *,
     report: Report | None = None,
     mattes: Path | None = None,
+    keep: Callable[[Project], None] | None = None,
 ) -> Project:
     """Track all closed, unlocked shapes of a project through `frames` of its plate.
 
-    `report` is called with each frame's results; `mattes` is a folder for a PNG of each frame. What is finished is
-    written frame by frame, so an interruption keeps it.
+    `report` is called with each frame's results; `mattes` is a folder for a PNG of each frame, written as it is solved.
+    When the user interrupts, `keep` is given what is finished.
     """
     shapes = [shape for shape in project.shapes if shape.closed and not shape.locked]
     stamp = clip_stamp(project.clip)
@@ -88,10 +97,15 @@ def track_project(
     finished(frames[0], tuple(TrackResult(frames[0], s, 1.0, {}, Termination.ARTIST_KEY) for s in shapes))
     solved = track(plate.read, shapes, frames, config, clip=stamp)
     quiet = not sys.stderr.isatty()
-    for result in tqdm(solved, total=len(frames) - 1, unit="frame", disable=quiet, leave=False):
-        project = with_results(project, result)
-        finished(result.frame, result.results)
-        plate.ahead_of(result.frame, frames)
+    try:
+        for result in tqdm(solved, total=len(frames) - 1, unit="frame", disable=quiet, leave=False):
+            project = with_results(project, result)
+            finished(result.frame, result.results)
+            plate.ahead_of(result.frame, frames)
+    except KeyboardInterrupt:
+        if keep is not None:
+            keep(project)
+        raise
     return project
 
 
@@ -117,16 +131,32 @@ def frame_range(frames: tuple[int, ...], start: int | None, end: int | None, *, 
     return range(first, last - 1, -1) if backward else range(first, last + 1)
 
 
-def initial_project(init: Path, plate: Plate, start: int) -> Project:
-    """The project to track: a `.roam` file's on this clip, or one made of a mask of the start frame."""
-    clip = Clip.of(plate.source)
+def given_project(init: Path) -> Project | None:
+    """The project of a `.roam` file, or None for another file."""
     if not init.exists():
         raise RoamError(f"{init} does not exist; --init wants a mask image of the start frame or a .roam project.")
-    if init.suffix.lower() == ".roam":
-        project = file.load(init)
-        if not any(shape.closed and not shape.locked for shape in project.shapes):
-            raise RoamError(f"{init} holds no closed, unlocked shape to track.")
-        return Project(clip, project.root, project.extra)
+    if init.suffix.lower() != ".roam":
+        return None
+    project = file.load(init)
+    if not any(shape.closed and not shape.locked for shape in project.shapes):
+        raise RoamError(f"{init} holds no closed, unlocked shape to track.")
+    return project
+
+
+def first_key(project: Project | None, *, backward: bool) -> int | None:
+    """The frame from which a run passes every key of the artist's: the first one's, or backward the last one's."""
+    shapes = [] if project is None else [s for s in project.shapes if s.closed and not s.locked]
+    frames = [frame for shape in shapes for frame in shape.artist_frames or shape.frames]
+    if not frames:
+        return None
+    return max(frames) if backward else min(frames)
+
+
+def initial_project(init: Path, given: Project | None, plate: Plate, start: int) -> Project:
+    """The project to track: the given one on this clip, or one made of a mask of the start frame."""
+    clip = Clip.of(plate.source)
+    if given is not None:
+        return Project(clip, given.root, given.extra)
     width, height = plate.source.size
     shapes: list[RotoShape] = shapes_from_mask(read_mask(init, (height, width)), start)
     if not shapes:

@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Iterator
+from typing import Any
 
 import cv2
 import numpy as np
 import pytest
 
 from roam_core.params import CONFIGS
+from roam_core.propagate import FrameResult, track
 from roam_core.roto import Origin, edit, file
 from tests.golden.shots import overlap
 from tests.unit.cli.conftest import SHOT, Plate, Roam, read_matte
@@ -129,3 +132,32 @@ def test_every_region_of_the_mask_is_tracked_and_holes_stay_holes(roam: Roam, pl
     shapes = file.load(path).shapes
     assert [shape.blend.value for shape in shapes] == ["add", "subtract", "add"]
     assert all(shape.keys[-1].origin is Origin.ENGINE and len(shape.keys) == 6 for shape in shapes)
+
+
+def test_a_project_starts_on_its_first_key(roam: Roam, plate: Plate) -> None:
+    path = plate.folder.parent / "p.roam"
+    assert roam("track", plate.folder, "--init", plate.mask, "--end", 1001, "--save", path).status == 0
+    project = file.load(path)
+    (shape,) = project.shapes
+    file.save(project.with_shape(edit.delete_keys(edit.key_here(shape, 1003), [1001])), path)
+    done = roam("track", plate.folder, "--init", path, "--json")
+    assert [json.loads(line)["frame"] for line in done.out.splitlines()] == [f for f in FRAMES if f >= 1003]
+    done = roam("track", plate.folder, "--init", path, "--backward", "--json")
+    assert [json.loads(line)["frame"] for line in done.out.splitlines()] == [1003, 1002, 1001]
+
+
+def test_an_interrupted_run_keeps_its_finished_frames(
+    roam: Roam, plate: Plate, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def interrupting(*arguments: Any, **options: Any) -> Iterator[FrameResult]:
+        for result in track(*arguments, **options):
+            yield result
+            if result.frame == 1003:
+                raise KeyboardInterrupt
+
+    monkeypatch.setattr("roam_core.cli.track.track", interrupting)
+    path = plate.folder.parent / "p.roam"
+    done = roam("track", plate.folder, "--init", plate.mask, "--save", path)
+    assert done.status == 130
+    assert "Traceback" not in done.err
+    assert file.load(path).shapes[0].frames == (1001, 1002, 1003)
