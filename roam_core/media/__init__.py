@@ -1,6 +1,7 @@
 """Plates: image sequences and movies as one kind of source, their colour, and the cache of decoded frames."""
 
 from roam_core.media.cache import FrameCache
-from roam_core.media.source import MissingFrame, PlateSource, open_clip
+from roam_core.media.opening import open_clip
+from roam_core.media.source import MissingFrame, PlateSource
 
 __all__ = ["FrameCache", "MissingFrame", "PlateSource", "open_clip"]

@@ -147,7 +147,8 @@ def _open(file: Path) -> Any:
     as_stored.attribute("oiio:UnassociatedAlpha", 1)
     source = oiio.ImageInput.open(str(file), as_stored)
     if source is None:
-        raise RoamError(f"{file} is no image that can be read ({_reason(oiio)}).")
+        reason = _reason(oiio)
+        raise RoamError(f"{file} is no image that can be read ({reason}); replace it or take it out of the plate.")
     width, height = _display_size(source)
     # OpenImageIO limits the pixels that are stored; the display window around them is what is allocated here.
     if width * height * 12 > LARGEST_IMAGE_MB << 20:

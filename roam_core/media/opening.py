@@ -1,0 +1,138 @@
+"""`open_clip`: finds out what a path holds, and opens it as the right kind of plate."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from roam_core.errors import RoamError
+from roam_core.media.numbering import FileSequence, file_names, find_pattern, find_sequences, parse_pattern
+from roam_core.media.source import PlateSource
+
+if TYPE_CHECKING:
+    from roam_core.media.movie import Movie
+    from roam_core.media.sequence import ImageSequence
+
+MOVIE_EXTENSIONS = frozenset(
+    [
+        ".3gp",
+        ".avi",
+        ".flv",
+        ".m2ts",
+        ".m4v",
+        ".mkv",
+        ".mov",
+        ".mp4",
+        ".mpeg",
+        ".mpg",
+        ".mts",
+        ".mxf",
+        ".ogv",
+        ".qt",
+        ".ts",
+        ".webm",
+        ".wmv",
+    ]
+)
+MOST_LISTED = 8
+"""How many of the sequences found a message names."""
+
+
+def open_clip(path: str | Path) -> PlateSource:
+    """Open a plate.
+
+    Parameters
+    ----------
+    path : a folder of images, a pattern (`plate.%04d.exr`, `plate.####.exr`, `plate.%d.exr`), one image of a numbered
+        sequence (which opens all of it), a lone image (frame 1) or a movie. In a folder with several sequences the
+        longest wins. Only headers are read.
+
+    Raises
+    ------
+    RoamError
+        when there is nothing, nothing readable, or no single longest sequence.
+    """
+    if not str(path).strip():
+        raise RoamError("No plate was named; give a folder of images, a pattern, an image or a movie.")
+    try:
+        place = Path(path).expanduser().absolute()
+        str(place).encode()  # the decoders take UTF-8 only
+        is_folder, is_file = place.is_dir(), place.is_file()
+    except (OSError, RuntimeError, ValueError) as error:
+        raise RoamError(f"{str(path)!r} is no path that can be opened: {error}.") from error
+    if is_folder:
+        return _open_folder(place)
+    if is_file:
+        return _open_file(place)
+    return _open_pattern(place)
+
+
+def _open_folder(folder: Path) -> PlateSource:
+    found = find_sequences(folder, _image_extensions())
+    if not found:
+        return _open_movie_in(folder)
+    if len(found) == 1:
+        # The artist's own word for the plate is the folder; a pattern would only tell the same less readably.
+        return _images(found[0], folder)
+    if len(found[0].names) == len(found[1].names):
+        raise RoamError(
+            f"{folder} holds several sequences, none longer than the others: {_listed(found)}. "
+            f"Give a pattern, such as {found[0].path.name}."
+        )
+    return _images(found[0])
+
+
+def _open_movie_in(folder: Path) -> PlateSource:
+    movies = [folder / name for name in file_names(folder) if Path(name).suffix.lower() in MOVIE_EXTENSIONS]
+    if not movies:
+        raise RoamError(f"{folder} holds no image and no movie; choose the folder that holds the plate's frames.")
+    if len(movies) > 1:
+        names = ", ".join(movie.name for movie in movies[:MOST_LISTED])
+        raise RoamError(f"{folder} holds several movies ({names}); name one of them.")
+    return _movie(movies[0])
+
+
+def _open_file(file: Path) -> PlateSource:
+    if file.suffix.lower() in MOVIE_EXTENSIONS:
+        return _movie(file)
+    found = find_sequences(file.parent, {file.suffix.lower()})
+    owner = next((sequence for sequence in found if sequence.holds(file.name)), None)
+    return _images(owner or FileSequence(file.parent, {1: file.name}, None))
+
+
+def _open_pattern(place: Path) -> PlateSource:
+    pattern = parse_pattern(place.name)
+    if pattern is None:
+        raise RoamError(f"{place} does not exist; give a folder of images, a pattern, an image or a movie.")
+    sequence = find_pattern(place.parent, pattern)
+    if sequence is None:
+        others = find_sequences(place.parent, _image_extensions())
+        hint = f"the folder holds {_listed(others)}" if others else "the folder holds no image"
+        raise RoamError(f"No file in {place.parent} follows the pattern {place.name}; {hint}.")
+    return _images(sequence, place)
+
+
+def _listed(sequences: list[FileSequence]) -> str:
+    names = ", ".join(sequence.label for sequence in sequences[:MOST_LISTED])
+    return f"{names} and {len(sequences) - MOST_LISTED} more" if len(sequences) > MOST_LISTED else names
+
+
+# The decoders are large libraries: they are loaded when a clip is opened.
+
+
+def _images(sequence: FileSequence, path: Path | None = None) -> ImageSequence:
+    from roam_core.media.sequence import ImageSequence
+
+    return ImageSequence(sequence.checked(), path)
+
+
+def _movie(path: Path) -> Movie:
+    from roam_core.media.movie import Movie
+
+    return Movie(path)
+
+
+def _image_extensions() -> frozenset[str]:
+    from roam_core.media.sequence import image_extensions
+
+    return image_extensions()
