@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import os
 import shutil
-import subprocess
 import sys
 import tempfile
 import time
@@ -16,6 +15,8 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING
+
+from scripts.virtual_display import virtual_display
 
 if TYPE_CHECKING:
     from app.main_window import MainWindow
@@ -56,17 +57,9 @@ def display() -> Iterator[bool]:
     if shutil.which("Xvfb") is None:
         yield False
         return
-    reading, writing = os.pipe()
-    command = ["Xvfb", "-displayfd", str(writing), "-screen", "0", "1600x1000x24", "-nolisten", "tcp"]
-    server = subprocess.Popen(command, pass_fds=[writing], stderr=subprocess.DEVNULL)
-    os.close(writing)
-    try:
-        with os.fdopen(reading) as pipe:
-            os.environ["DISPLAY"] = f":{pipe.readline().strip()}"
+    with virtual_display(1600, 1000) as name:
+        os.environ["DISPLAY"] = name
         yield True
-    finally:
-        server.terminate()
-        server.wait(10)
 
 
 @contextmanager

@@ -58,7 +58,7 @@ class Grid:
         return np.asarray(cv2.resize(image[rows, columns], (self.columns, self.rows), interpolation=cv2.INTER_AREA))
 
     def warped(self, image: NDArray[Any], transform: Array) -> NDArray[Any]:
-        """An image carried by `transform (3, 3)` (image to image), seen in cells; black where nothing was."""
+        """A picture carried into the image by `transform (3, 3)`, seen in cells; zero where nothing was."""
         to_grid = np.linalg.inv(self.map_to_image()) @ transform
         # OpenCV counts from pixel centres, we from the corner.
         half = np.array([[1.0, 0.0, 0.5], [0.0, 1.0, 0.5], [0.0, 0.0, 1.0]])

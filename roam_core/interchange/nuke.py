@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
@@ -17,8 +16,8 @@ from numpy.typing import NDArray
 
 from roam_core.errors import RoamError
 from roam_core.geometry.bezier import ANCHOR, IN, OUT
-from roam_core.interchange.protocol import STANDARD, ExportOptions, chosen_keys
-from roam_core.roto import BlendMode, Clip, Interpolation, Keyframe, Layer, Project, RotoShape
+from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter
+from roam_core.roto import BlendMode, Interpolation, Keyframe, Layer, Project, RotoShape
 from roam_core.roto.file import write_atomically
 
 Array = NDArray[np.float64]
@@ -91,14 +90,8 @@ def roto_script(project: Project, options: ExportOptions = STANDARD) -> str:
     )
 
 
-@dataclass
-class _Writer:
-    """Turns layers and shapes into lines of nested lists; counts the shapes for the progress."""
-
-    clip: Clip
-    options: ExportOptions
-    total: int
-    done: int = 0
+class _Writer(ShapeWriter):
+    """Turns layers and shapes into lines of nested lists."""
 
     def layer(self, layer: Layer, indent: str, *, is_root: bool = False) -> list[str]:
         width, height = self.clip.size
@@ -123,9 +116,7 @@ class _Writer:
         return lines
 
     def shape(self, shape: RotoShape, indent: str) -> list[str]:
-        self.options.advance(self.done / self.total, f"Shape {shape.name}")
-        self.done += 1
-        shape = chosen_keys(shape, self.options)
+        shape = self.begun(shape)
         height = self.clip.size[1]
         times, flat, keys = _timed(shape, self.options.frame_offset)
         outline = np.stack([_outline(key, height) for key in keys])

@@ -12,7 +12,7 @@ import numpy as np
 
 from roam_core.cancel import CancelToken, Progress
 from roam_core.errors import RoamError
-from roam_core.roto import Interpolation, Keyframe, Origin, Project, RotoShape
+from roam_core.roto import Clip, Interpolation, Keyframe, Origin, Project, RotoShape
 
 FARTHEST = 1e7
 """Pixels: a coordinate beyond this is a defect of the project, and single precision would not hold it to a pixel."""
@@ -85,6 +85,22 @@ class Exporter(Protocol):
             when the project has no clip, holds a point that is not a sensible number, or the file cannot be written.
         """
         ...
+
+
+@dataclass
+class ShapeWriter:
+    """What the writers of formats share: the clip, the options, and the progress over `total` shapes."""
+
+    clip: Clip
+    options: ExportOptions
+    total: int
+    done: int = 0
+
+    def begun(self, shape: RotoShape) -> RotoShape:
+        """The next shape, reported, with the keys that are to be exported."""
+        self.options.advance(self.done / self.total, f"Shape {shape.name}")
+        self.done += 1
+        return chosen_keys(shape, self.options)
 
 
 def chosen_keys(shape: RotoShape, options: ExportOptions) -> RotoShape:

@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from roam_core.geometry.bezier import ANCHOR, IN, OUT
-from roam_core.interchange.protocol import STANDARD, ExportOptions, chosen_keys, without_smooth_keys
+from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter, without_smooth_keys
 from roam_core.roto import BlendMode, Clip, Interpolation, Keyframe, Layer, Project, RotoShape
 from roam_core.roto.file import write_atomically
 
@@ -87,13 +87,9 @@ def normalised(points: Array, clip: Clip) -> Array:
 
 
 @dataclass
-class _Writer:
+class _Writer(ShapeWriter):
     """Fills XML elements from layers and shapes; gathers what is lost on the way."""
 
-    clip: Clip
-    options: ExportOptions
-    total: int
-    done: int = 0
     notes: list[str] = field(default_factory=list)
 
     def fill_layer(self, element: ET.Element, layer: Layer, opacity: float) -> None:
@@ -118,9 +114,7 @@ class _Writer:
                 self.add_shape(objects, child, opacity)
 
     def add_shape(self, objects: ET.Element, shape: RotoShape, opacity: float) -> None:
-        self.options.advance(self.done / self.total, f"Shape {shape.name}")
-        self.done += 1
-        shape = without_smooth_keys(chosen_keys(shape, self.options))
+        shape = without_smooth_keys(self.begun(shape))
         if shape.point_count < 2:
             self.notes.append(f"Silhouette refuses shapes of a single point: {shape.name!r} was left out.")
             return

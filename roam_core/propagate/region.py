@@ -25,7 +25,7 @@ from roam_core.propagate.nodes import smooth_points
 from roam_core.propagate.result import Part, StepResult, Termination
 from roam_core.proposal import region as proposed
 from roam_core.proposal.contour import follow
-from roam_core.proposal.evidence import SURE, Field, KeyMemory, gathered
+from roam_core.proposal.evidence import SURE, Expectation, Field, KeyMemory, gathered
 from roam_core.proposal.motion_cue import motion_ratio
 
 Array = NDArray[np.float64]
@@ -69,33 +69,35 @@ def step(
 ) -> tuple[RegionState, tuple[StepResult, ...]]:
     """Carry all shapes from the state's frame to `frame`."""
     scale = scale_for(frame.size)
-    inside = state.region.grid.to_image(np.argwhere(state.region.inside)[:, ::-1].astype(np.float64) + 0.5)
-    spots = np.vstack([inside, *(part.points[:, bezier.ANCHOR] for part in state.parts)])
+    seen = state.region.grid.to_image(np.argwhere(state.region.inside)[:, ::-1].astype(np.float64) + 0.5)
+    spots = np.vstack([seen, *(part.points[:, bezier.ANCHOR] for part in state.parts)])
     grid = _grid_around(spots, frame.size, params, scale)
     if min(grid.shape) < 4:
         return _left(state, frame)
     fine = Grid.over(grid.region, 1.0 / scale)
     forward, backward = dense_flow(state.frame, frame, fine)
-    moved, agreement = flow_similarity(forward, state.region.on(fine) > 0.5, fine)
+    inside = state.region.on(fine) > 0.5
+    moved, agreement = flow_similarity(forward, inside, fine)
+    surroundings, _ = flow_similarity(forward, ~inside, fine)
     if token is not None:
         token.check()
     back = _on_grid(backward, fine, grid)
-    carried = state.region.on(grid, moved)
-    flowed = _flowed(state.region.on(grid), back)
     key = replace(state.key, to_now=moved @ state.key.to_now)
-    surroundings, _ = flow_similarity(forward, state.region.on(fine) < 0.5, fine)
+    last = state.region.on(grid)
+    expected = Expectation(
+        last, state.region.on(grid, moved) > 0.5, _flowed(last, back) > 0.5, key.region.on(grid, key.to_now)
+    )
     # The more of the object moves as one, the more its motion says.
     motion = np.float32(np.clip(2.5 * agreement - 1.0, 0.0, 1.0)) * _motion(
         back, moved, surroundings, grid, params, scale
     )
-    ratio = gathered(state.frame, frame, grid, state.region, back, carried, flowed, key, state.colours, motion, params)
+    ratio = gathered(state.frame, frame, grid, expected, back, key, state.colours, motion, params)
     if token is not None:
         token.check()
-    expected = (carried > 0.5) | (flowed > 0.5) | (key.region.on(grid, key.to_now) > 0.5)
-    found = proposed.cleaned(ratio, expected, params.overlap)
+    found = proposed.cleaned(ratio, expected.possible, params.overlap)
     parts = tuple(replace(part, points=similarity.apply(moved[:2], part.points)) for part in state.parts)
     placed = _placed(parts, state.smooth, found, scale)
-    confidence = _overlap(carried > 0.5, found.inside) * (0.5 + 0.5 * agreement)
+    confidence = _overlap(expected.rigid, found.inside) * (0.5 + 0.5 * agreement)
     results = tuple(
         _result(part, points, seen, found, confidence) for part, (points, seen) in zip(parts, placed, strict=True)
     )

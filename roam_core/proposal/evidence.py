@@ -36,11 +36,8 @@ class Field:
 
     def on(self, grid: Grid, transform: Array | None = None) -> Float32:
         """Coverage `(rows, columns)` in [0, 1] of the region on another grid, carried by `transform (3, 3)` first."""
-        carry = np.linalg.inv(grid.map_to_image()) @ (np.eye(3) if transform is None else transform)
-        half = np.array([[1.0, 0.0, 0.5], [0.0, 1.0, 0.5], [0.0, 0.0, 1.0]])
-        matrix = (np.linalg.inv(half) @ carry @ self.grid.map_to_image() @ half)[:2]
-        soft = self.inside.astype(np.float32)
-        return np.asarray(cv2.warpAffine(soft, matrix, (grid.columns, grid.rows), flags=cv2.INTER_LINEAR))
+        carry = np.eye(3) if transform is None else transform
+        return np.asarray(grid.warped(self.inside.astype(np.float32), carry @ self.grid.map_to_image()))
 
 
 @dataclass(frozen=True, eq=False)
@@ -51,6 +48,30 @@ class KeyMemory:
     region: Field
     colours: GlobalModel
     to_now: Array
+
+
+@dataclass(frozen=True, eq=False)
+class Expectation:
+    """Where the object should be on the new frame's grid, `(rows, columns)` each.
+
+    `last` is its coverage on the frame before, where it was; `rigid` and `fluid` the region carried by the similarity
+    and by the flow; `remembered` the coverage of the key's region, carried all the way.
+    """
+
+    last: Float32
+    rigid: Bools
+    fluid: Bools
+    remembered: Float32
+
+    @property
+    def possible(self) -> Bools:
+        """Where any of the three puts the object."""
+        return np.asarray(self.rigid | self.fluid | (self.remembered > 0.5))
+
+    @property
+    def certain(self) -> Bools:
+        """Where all three do."""
+        return np.asarray(self.rigid & self.fluid & (self.remembered > 0.5))
 
 
 def trimap(coverage: Float32) -> NDArray[np.uint8]:
@@ -86,10 +107,8 @@ def gathered(
     before: PreparedFrame,
     after: PreparedFrame,
     grid: Grid,
-    last: Field,
+    expected: Expectation,
     backward: Float32,
-    carried: Float32,
-    flowed: Float32,
     key: KeyMemory,
     colours: GlobalModel,
     motion: Float32,
@@ -99,33 +118,30 @@ def gathered(
 
     Parameters
     ----------
-    last : the region on `before`. carried, flowed : its coverage on `grid` after the similarity and after the flow.
     backward : (rows, columns, 2) flow from `after` to `before` in cells. motion : (rows, columns) its log-ratio.
     """
     picture = grid.of(after.image)
     colour = lab(picture)
-    rigid, fluid = carried > 0.5, flowed > 0.5
-    remembered = key.region.on(grid, key.to_now)
-    expected = remembered > 0.5
-    band = uncertain_band(rigid & fluid & expected, rigid | fluid | expected, params.band)
+    carried = expected.rigid | expected.fluid
+    band = uncertain_band(expected.certain, expected.possible, params.band)
 
     ratio = params.local_weight * local_match(
-        colour, lab(grid.of(before.image)), trimap(last.on(grid)), band, backward, params.local_radius,
+        colour, lab(grid.of(before.image)), trimap(expected.last), band, backward, params.local_radius,
         params.local_sigma, params.local_spread, params.clip,
     )  # fmt: skip
     if params.key_weight > 0:
         still = np.zeros((*grid.shape, 2), dtype=np.float32)
         ratio += params.key_weight * local_match(
-            colour, lab(grid.warped(key.frame.image, key.to_now)), trimap(remembered), band, still, params.key_radius,
-            1.5 * params.local_sigma, params.key_spread, params.clip,
+            colour, lab(grid.warped(key.frame.image, key.to_now)), trimap(expected.remembered), band, still,
+            params.key_radius, 1.5 * params.local_sigma, params.key_spread, params.clip,
         )  # fmt: skip
     ratio += params.global_key_weight * key.colours.log_ratio(picture, params.clip)
     ratio += params.global_weight * colours.log_ratio(picture, params.clip)
     # Limbs move in their own ways: motion speaks against new ground only, never against what was inside already.
-    ratio += params.motion_weight * np.where(rigid | fluid, np.float32(0.0), np.minimum(motion, np.float32(0.0)))
-    ratio += params.prior_weight * signed_distance(rigid | fluid, 20.0)
+    ratio += params.motion_weight * np.where(carried, np.float32(0.0), np.minimum(motion, np.float32(0.0)))
+    ratio += params.prior_weight * signed_distance(carried, 20.0)
     ratio += params.bias
     ratio = cv2.GaussianBlur(ratio, (0, 0), params.blur)
-    sure = np.where(rigid & fluid, np.float32(SURE), np.float32(-SURE))
+    sure = np.where(expected.rigid & expected.fluid, np.float32(SURE), np.float32(-SURE))
     ratio = np.where(band, ratio, sure).astype(np.float32)
     return Field(grid, diffuse(ratio, colour, band, params.diffusion, params.contrast, params.sweeps))

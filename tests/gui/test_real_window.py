@@ -17,6 +17,7 @@ import pytest
 
 from app.jobs import autosave
 from roam_core.roto import Origin, file
+from scripts.virtual_display import virtual_display
 from tests.gui.windows import COUNT, FIRST, SIZE, centre, write_clip
 
 NEEDED = ("Xvfb", "xdotool")
@@ -72,20 +73,10 @@ def until(condition: Callable[[], bool], what: str, program: subprocess.Popen[by
 @pytest.fixture
 def screen(tmp_path: Path) -> Iterator[Screen]:
     """An X server on a display number of its own choosing."""
-    reading, writing = os.pipe()
-    command = ["Xvfb", "-displayfd", str(writing), "-screen", "0", "1280x800x24", "-nolisten", "tcp"]
-    server = subprocess.Popen(command, pass_fds=[writing], stderr=subprocess.DEVNULL)
-    os.close(writing)
-    try:
-        with os.fdopen(reading) as pipe:
-            number = pipe.readline().strip()
-        assert number, "Xvfb did not start"
+    with virtual_display(1280, 800) as display:
         environment = {name: value for name, value in os.environ.items() if name != "QT_QPA_PLATFORM"}
         folders = {f"XDG_{kind}_HOME": str(tmp_path / kind.lower()) for kind in ("STATE", "CACHE", "CONFIG")}
-        yield Screen(environment | folders | {"DISPLAY": f":{number}", "QT_QPA_PLATFORM": "xcb"})
-    finally:
-        server.terminate()
-        server.wait(10)
+        yield Screen(environment | folders | {"DISPLAY": display, "QT_QPA_PLATFORM": "xcb"})
 
 
 @pytest.fixture

@@ -278,7 +278,10 @@ def test_the_old_file_survives_a_disk_that_fills_up(
     assert [entry.name for entry in tmp_path.iterdir()] == ["a.roam"]
 
 
-@pytest.mark.skipif(os.geteuid() == 0, reason="root may write to any folder; the full-disk test stands in")
+@pytest.mark.skipif(
+    not hasattr(os, "geteuid") or os.geteuid() == 0,
+    reason="root, and Windows, may write to any folder; the full-disk test stands in",
+)
 def test_a_read_only_folder_is_told_and_the_old_file_survives(project: Project, tmp_path: Path) -> None:
     path = tmp_path / "a.roam"
     file.save(Project(), path)
