@@ -1,4 +1,4 @@
-"""What an export format is: the protocol, its options, and the checks that all formats share."""
+"""What a format is: the protocol of its writer, the options, and the checks that all writers share."""
 
 from __future__ import annotations
 

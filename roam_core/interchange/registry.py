@@ -1,14 +1,17 @@
-"""All export formats by name. A new one is a file of this package and a line here."""
+"""All formats, to write by name and to read by suffix. A new one is a file of this package and a line here."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable
+from pathlib import Path
 
 from roam_core.errors import RoamError
 from roam_core.interchange.mattes import MatteExporter
 from roam_core.interchange.nuke import NukeExporter
 from roam_core.interchange.protocol import Exporter
+from roam_core.interchange.reading import PLAIN, Imported, Importer, ImportOptions
 from roam_core.interchange.silhouette import SilhouetteExporter
+from roam_core.roto import Clip
 
 
 class Exporters(dict[str, Exporter]):
@@ -27,3 +30,24 @@ def exporter_for(name: str) -> Exporter:
 
 
 EXPORTERS = Exporters([NukeExporter(), SilhouetteExporter(), MatteExporter()])
+
+
+IMPORTERS: tuple[Importer, ...] = ()
+"""Every format that can be read."""
+
+
+def importer_for(path: Path) -> Importer:
+    """The format that reads files of this suffix, or a `RoamError` that lists those that are read."""
+    for importer in IMPORTERS:
+        if path.suffix.lower() in importer.suffixes:
+            return importer
+    known = ", ".join(suffix for importer in IMPORTERS for suffix in importer.suffixes)
+    raise RoamError(f"{path} has no suffix that ROAM reads shapes from; it reads: {known}.")
+
+
+def read_shapes(path: Path, clip: Clip, options: ImportOptions = PLAIN) -> Imported:
+    """Read the shapes of a file, whatever its format, into pixels and frames of `clip`.
+
+    Raises `RoamError` when the suffix is not known, the file cannot be read, is none of its format, or is too large.
+    """
+    return importer_for(path).read(path, clip, options)

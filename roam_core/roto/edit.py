@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
+from itertools import count
 from typing import Any
 
 import numpy as np
@@ -51,6 +52,32 @@ def add_layer(project: Project, name: str = "", parent_id: str = "root") -> tupl
     """Add an empty layer on top of another."""
     layer = Layer(project.free_id("layer"), name or project.free_name("Layer"))
     return project.map_item(parent_id, lambda parent: replace(parent, children=(*parent.children, layer))), layer
+
+
+def add_items(
+    project: Project, items: Iterable[Layer | RotoShape], layer_id: str = "root"
+) -> tuple[Project, list[str]]:
+    """Put copies of layers and shapes, with what lies in them, on top of a layer.
+
+    Returns the project and the ids of the copies (not of what lies in them). Ids that are taken are replaced by free
+    ones; names stay.
+    """
+    taken = {project.root.id} | {item.id for item in project.root.items()}
+    numbers = {kind: count(1) for kind in ("layer", "shape")}
+
+    def copied(item: Layer | RotoShape) -> Layer | RotoShape:
+        kind = "layer" if isinstance(item, Layer) else "shape"
+        item_id = item.id
+        while item_id in taken:
+            item_id = f"{kind}-{next(numbers[kind])}"
+        taken.add(item_id)
+        if isinstance(item, Layer):
+            return replace(item, id=item_id, children=tuple(copied(child) for child in item.children))
+        return replace(item, id=item_id)
+
+    copies = tuple(copied(item) for item in items)
+    grown = project.map_item(layer_id, lambda layer: replace(layer, children=(*layer.children, *copies)))
+    return grown, [item.id for item in copies]
 
 
 def remove_items(project: Project, item_ids: Iterable[str]) -> Project:

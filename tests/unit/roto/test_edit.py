@@ -41,6 +41,16 @@ def test_new_shapes_get_the_next_id_name_and_colour() -> None:
     assert Project().shapes == ()
 
 
+def test_added_items_get_free_ids_and_keep_their_names() -> None:
+    project = edit.add_shape(Project(), shape())
+    group = Layer("layer-1", "Group", (shape(), replace(shape(), id="shape-2", name="Other")))
+    grown, ids = edit.add_items(project, [group, shape()])
+    assert ids == ["layer-1", "shape-4"]
+    assert [item.id for item in grown.root.items()] == ["shape-1", "layer-1", "shape-2", "shape-3", "shape-4"]
+    assert [each.name for each in grown.shapes] == ["Shape 1", "Shape 1", "Other", "Shape 1"]
+    assert len(project.shapes) == 1
+
+
 def test_an_id_that_is_taken_is_refused() -> None:
     project = edit.add_shape(Project(), shape())
     with pytest.raises(ValueError, match="taken"):

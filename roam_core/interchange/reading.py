@@ -1,0 +1,220 @@
+"""What a format to read is: the protocol, its options, and the limits within which all readers keep.
+
+A file that comes in is data of strangers: nothing in it runs, nothing outside it is followed, and its size, its depth
+and the number of its points are bounded before memory is spent on them.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from typing import Protocol
+
+import numpy as np
+
+from roam_core.cancel import CancelToken, Progress
+from roam_core.errors import RoamError
+from roam_core.interchange.protocol import FARTHEST
+from roam_core.roto import Clip, Keyframe, Layer, RotoShape
+
+MAX_BYTES = 256 << 20
+"""Larger files are refused before they are read."""
+
+MAX_DEPTH = 64
+"""Lists, elements or layers that lie in one another: real files need about ten."""
+
+MAX_POINTS = 4_000_000
+"""Control points over all keys of all shapes of a file: some 200 MB of them."""
+
+MAX_FRAMES = 1 << 24
+"""No frame number beyond this, either way."""
+
+
+@dataclass(frozen=True)
+class ImportOptions:
+    """What an artist may choose, and the channels to whoever waits.
+
+    Attributes
+    ----------
+    frame_offset : what was added to the plate's frame numbers when the file was written; reading takes it off again.
+    progress : called with the finished fraction and a few words.
+    token : cancels the reading at its next safe point.
+    """
+
+    frame_offset: int = 0
+    progress: Progress | None = None
+    token: CancelToken | None = None
+
+    def advance(self, fraction: float, text: str) -> None:
+        """A safe point: give up here when cancelled, otherwise tell how far the reading has come."""
+        if self.token is not None:
+            self.token.check()
+        if self.progress is not None:
+            self.progress(fraction, text)
+
+
+PLAIN = ImportOptions()
+
+
+@dataclass(frozen=True)
+class Imported:
+    """What a file gave.
+
+    Attributes
+    ----------
+    layer : its shapes and layers, bottom first, in pixels of the clip. Ids are unique in here only:
+        `roam_core.roto.edit.add_items` gives them those that are free in a project.
+    notes : one sentence for each thing that was left out or changed.
+    """
+
+    layer: Layer
+    notes: tuple[str, ...] = ()
+
+
+class Importer(Protocol):
+    """One format to read: one file of this package, one line in `registry.py`.
+
+    Attributes
+    ----------
+    name : how the command line calls it: lower case, one word.
+    title : how a menu calls it.
+    suffixes : of the files that it reads, with the dot, lower case.
+    """
+
+    @property
+    def name(self) -> str: ...
+
+    @property
+    def title(self) -> str: ...
+
+    @property
+    def suffixes(self) -> tuple[str, ...]: ...
+
+    def read(self, path: Path, clip: Clip, options: ImportOptions = ...) -> Imported:
+        """Read all shapes of a file into pixels and frames of `clip`.
+
+        What cannot be understood is named in a note and left out; the rest is kept.
+
+        Raises
+        ------
+        RoamError
+            when the file cannot be read, is none of the format, or goes beyond the limits of this module.
+        """
+        ...
+
+
+@dataclass
+class ShapeReader:
+    """What the readers of formats share: the file, the clip, limits, fresh ids, notes.
+
+    Attributes
+    ----------
+    path : of the file, for sentences.
+    clip : whose pixels and frames the shapes are to be in.
+    points : control points counted so far.
+    notes : a sentence for each loss, in the order of the file.
+    """
+
+    path: Path
+    clip: Clip
+    options: ImportOptions = PLAIN
+    notes: list[str] = field(default_factory=list)
+    points: int = 0
+    _ids: dict[str, int] = field(default_factory=dict)
+
+    def content(self) -> bytes:
+        """The whole file; one sentence when it is missing, no file, or larger than `MAX_BYTES`."""
+        return bounded_bytes(self.path)
+
+    def text(self) -> str:
+        """The whole file as UTF-8 text, with bytes that are none replaced and a byte-order mark taken off."""
+        return self.content().decode("utf-8", "replace").removeprefix("\ufeff")
+
+    def check_depth(self, depth: int) -> None:
+        """Refuse a file whose parts lie deeper in one another than `MAX_DEPTH`."""
+        if depth > MAX_DEPTH:
+            raise RoamError(f"{self.path} nests its parts more than {MAX_DEPTH} deep; no program writes such a file.")
+
+    def check_points(self, count: int, shape: str) -> None:
+        """A safe point: count `count` more control points (of one key or of many), and refuse more than `MAX_POINTS`.
+
+        Call it before the arrays are made.
+        """
+        self.points += count
+        if self.points > MAX_POINTS:
+            raise RoamError(
+                f"{self.path} holds more than {MAX_POINTS} points over all keys (at shape {brief(shape)}); "
+                "split it into several files."
+            )
+        self.options.advance(0.0, f"Shape {brief(shape)}")
+
+    def fresh_id(self, kind: str) -> str:
+        """`shape-1`, `shape-2`, ...: unique within this file."""
+        self._ids[kind] = self._ids.get(kind, 0) + 1
+        return f"{kind}-{self._ids[kind]}"
+
+    def frame(self, number: float) -> int:
+        """The plate's frame for a whole frame number of the file, the offset taken off; absurd numbers are refused."""
+        if not abs(number) <= MAX_FRAMES:
+            raise ValueError(f"{number} is no frame number")
+        return round(number) - self.options.frame_offset
+
+    def note(self, sentence: str) -> None:
+        """Remember a loss, once: a hundred shapes with one trouble make one sentence each, not a hundred alike."""
+        if sentence not in self.notes:
+            self.notes.append(sentence)
+
+    def finished(self, children: tuple[Layer | RotoShape, ...], size: tuple[float, float] | None = None) -> Imported:
+        """What was read, bottom first, as the reader's answer.
+
+        `size` (width, height) is that of the pictures which the file speaks of. Where the clip's differs, the shapes
+        are scaled to it, each axis by its own ratio, and a note says so.
+        """
+        layer = Layer("root", self.path.stem, children)
+        width, height = self.clip.size
+        if size is not None and tuple(size) != (width, height):
+            ratio = np.array([width / size[0], height / size[1]])
+            layer = _scaled(layer, ratio)
+            self.note(
+                f"The file speaks of pictures of {size[0]:g} x {size[1]:g} pixels, the clip has {width} x {height}: "
+                "the shapes were scaled."
+            )
+        return Imported(layer, tuple(self.notes))
+
+
+def bounded_bytes(path: Path) -> bytes:
+    """The content of a file of at most `MAX_BYTES`; one sentence for whatever prevents it."""
+    try:
+        with path.open("rb") as file:
+            content = file.read(MAX_BYTES + 1)
+    except FileNotFoundError:
+        raise RoamError(f"{path} does not exist.") from None
+    except IsADirectoryError:
+        raise RoamError(f"{path} is a folder, not a file of shapes.") from None
+    except (OSError, ValueError) as error:
+        raise RoamError(f"{path} cannot be read: {getattr(error, 'strerror', None) or error}.") from None
+    if len(content) > MAX_BYTES:
+        raise RoamError(f"{path} is larger than {MAX_BYTES >> 20} MiB; split it into several files.")
+    return content
+
+
+def brief(name: str) -> str:
+    """A name of a file as it may stand in a sentence: quoted, on one line, and short."""
+    return repr(name if len(name) <= 60 else name[:57] + "...")
+
+
+def sensible(keys: tuple[Keyframe, ...]) -> bool:
+    """True when every coordinate of every key is a number and lies somewhere near an image."""
+    arrays = (array for key in keys for array in (key.points, key.feather) if array is not None)
+    return all((np.abs(array) < FARTHEST).all() for array in arrays)
+
+
+def _scaled(layer: Layer, ratio: np.ndarray[tuple[int], np.dtype[np.float64]]) -> Layer:
+    mean = float(np.sqrt(ratio.prod()))
+    children = (
+        _scaled(child, ratio)
+        if isinstance(child, Layer)
+        else replace(child.map_points(lambda points: points * ratio), feather=child.feather * mean)
+        for child in layer.children
+    )
+    return replace(layer, children=tuple(children))
