@@ -20,8 +20,8 @@ from roam_core.roto import Clip, Keyframe, Layer, RotoShape
 MAX_BYTES = 256 << 20
 """Larger files are refused before they are read."""
 
-MAX_DEPTH = 64
-"""Lists, elements or layers that lie in one another: real files need about ten."""
+MAX_DEPTH = 200
+"""Lists, elements or layers that lie in one another: real files need about fifteen."""
 
 MAX_POINTS = 4_000_000
 """Control points over all keys of all shapes of a file: some 200 MB of them."""

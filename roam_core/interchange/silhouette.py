@@ -7,7 +7,6 @@ description: what stands here follows the exporters that artists use to bring sh
 
 from __future__ import annotations
 
-import re
 import xml.etree.ElementTree as ET
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -17,6 +16,7 @@ from numpy.typing import NDArray
 
 from roam_core.geometry.bezier import ANCHOR, IN, OUT
 from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter, without_smooth_keys
+from roam_core.interchange.xml import xml_text
 from roam_core.roto import BlendMode, Clip, Interpolation, Keyframe, Layer, Project, RotoShape
 from roam_core.roto.file import write_atomically
 
@@ -72,11 +72,6 @@ def silhouette_document(project: Project, options: ExportOptions = STANDARD) -> 
     ET.indent(session, " ")
     text = "<!-- Silhouette Shape File -->\n" + ET.tostring(session, encoding="unicode") + "\n"
     return text, tuple(writer.notes)
-
-
-def xml_text(text: str) -> str:
-    """`text` with every character that XML 1.0 cannot hold (controls, lone surrogates) replaced by U+FFFD."""
-    return re.sub(r"[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]", "\ufffd", text)
 
 
 def normalised(points: Array, clip: Clip) -> Array:

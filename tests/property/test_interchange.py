@@ -10,7 +10,8 @@ from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
 from roam_core.interchange.nuke import roto_script, tcl_word
-from roam_core.interchange.silhouette import silhouette_document, xml_text
+from roam_core.interchange.silhouette import silhouette_document
+from roam_core.interchange.xml import xml_text
 from roam_core.roto import BlendMode, Clip, Interpolation, Keyframe, Layer, Project, RotoShape
 from tests.unit.interchange import nuke_judge, silhouette_judge, tcl
 

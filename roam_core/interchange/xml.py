@@ -1,0 +1,64 @@
+"""XML of strangers and for strangers: parsing that follows nothing and stays within limits, text that XML can hold."""
+
+from __future__ import annotations
+
+import re
+from typing import Any
+from xml.etree.ElementTree import Element, ParseError, TreeBuilder
+
+from defusedxml.common import DefusedXmlException
+from defusedxml.ElementTree import DefusedXMLParser
+
+from roam_core.errors import RoamError
+from roam_core.interchange.reading import ShapeReader
+
+
+def xml_text(text: str) -> str:
+    """`text` with every character that XML 1.0 cannot hold (controls, lone surrogates) replaced by U+FFFD."""
+    return re.sub(r"[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]", "\ufffd", text)
+
+
+def parsed(reader: ShapeReader) -> Element:
+    """The root element of the reader's file.
+
+    Raises
+    ------
+    RoamError
+        when the file is no XML, too large or too deep, or when it declares a document type or an entity: files of
+        shapes need neither, and they are the ways to make a reader fetch other files or grow without end.
+    """
+    parser: Any = DefusedXMLParser(target=_ShallowTree(reader), forbid_dtd=True)
+    try:
+        parser.feed(reader.content())
+        root = parser.close()
+    except DefusedXmlException:
+        raise RoamError(
+            f"{reader.path} declares a document type or an entity, which files of shapes do not need; it was not read."
+        ) from None
+    except (ParseError, ValueError, LookupError) as error:  # LookupError: an encoding that does not exist
+        raise RoamError(f"{reader.path} is no valid XML ({error}).") from None
+    assert isinstance(root, Element)
+    return root
+
+
+def local_name(element: Element) -> str:
+    """The tag without its namespace."""
+    return str(element.tag).rpartition("}")[2]
+
+
+class _ShallowTree(TreeBuilder):
+    """Builds the tree and refuses one that is too deep while it grows."""
+
+    def __init__(self, reader: ShapeReader) -> None:
+        super().__init__()
+        self._reader = reader
+        self._depth = 0
+
+    def start(self, tag: Any, attrs: Any, /) -> Element:
+        self._depth += 1
+        self._reader.check_depth(self._depth)
+        return super().start(tag, attrs)
+
+    def end(self, tag: str, /) -> Element:
+        self._depth -= 1
+        return super().end(tag)
