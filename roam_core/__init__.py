@@ -13,6 +13,7 @@ if TYPE_CHECKING:
     from roam_core.errors import RoamError
     from roam_core.matte import render_matte, shapes_from_mask
     from roam_core.propagate import FrameResult, Termination, Tracker, TrackResult, track
+    from roam_core.proposal.keys import keys_from_mask
     from roam_core.roto import Keyframe, Project, RotoShape
 
 __all__ = [
@@ -24,6 +25,7 @@ __all__ = [
     "Termination",
     "TrackResult",
     "Tracker",
+    "keys_from_mask",
     "render_matte",
     "shapes_from_mask",
     "track",
@@ -33,6 +35,7 @@ _ROOMS = {
     "roam_core.errors": ("RoamError",),
     "roam_core.matte": ("render_matte", "shapes_from_mask"),
     "roam_core.propagate": ("FrameResult", "Termination", "TrackResult", "Tracker", "track"),
+    "roam_core.proposal.keys": ("keys_from_mask",),
     "roam_core.roto": ("Keyframe", "Project", "RotoShape"),
 }
 _HOME = {name: room for room, names in _ROOMS.items() for name in names}

@@ -1,0 +1,286 @@
+"""One shape fitted to one outline, however far away: its own points in correspondence, the curve on the outline."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.sparse import csr_array, vstack
+from scipy.sparse.linalg import spsolve
+
+from roam_core.geometry import bezier, polyline, similarity
+from roam_core.geometry.bezier import ANCHOR, IN, OUT
+from roam_core.geometry.simple import simplified
+from roam_core.kernels.alignment import align
+from roam_core.roto.edit import is_smooth
+
+Array = NDArray[np.float64]
+IntArray = NDArray[np.int64]
+
+SPACING = 7.0
+"""Pixels of a 480-line image between the nodes that are matched."""
+STEP = 2.0
+"""Pixels of a 480-line image between the samples of the outline."""
+NEAR = (24.0, 12.0, 8.0)
+"""Pixels of a 480-line image, a round of matching, by which a node may miss its expected place at a price of 1."""
+REACH = (60.0, 25.0)
+"""Pixels of a 480-line image along the outline over which displacements are smoothed between two rounds of matching."""
+STRETCH = 1.0
+"""Price of a piece of outline that grows to twice its share of the whole."""
+TURN = 1.5
+"""Price of a node whose outline runs the opposite way."""
+ROUNDS = 8
+"""Rounds of refinement: samples to their nearest place on the curve, curve to its samples."""
+WINDOW = 20
+"""Places to both sides in which a sample's nearest place is looked for."""
+SLIDE = 0.05
+"""Weight, against one sample of the outline, that holds an anchor to its matched place along the outline."""
+SMOOTH = 1.0
+"""Weight of a smooth point's handles leaving their common line."""
+HOLD = 0.01
+"""Weight of handles against those matched first."""
+
+
+def fitted(points: Array, ring: Array, poses: list[Array], scale: float = 1.0) -> Array:
+    """The closed spline `points (P, 3, 2)` fitted to the closed polyline `ring (K, 2)`.
+
+    `poses` are similarities `(2, 3)` that may carry the spline to where the outline is; the one that matches best is
+    taken.
+    """
+    best = None
+    for pose in poses:
+        moved = similarity.apply(pose, points)
+        match = _Match.of(moved, ring, scale)
+        if best is None or match.energy < best.energy:
+            best = match
+    assert best is not None
+    for near, reach in zip(NEAR[1:], REACH, strict=True):
+        best = best.again(near * scale, reach * scale)
+    return best.refined(scale)
+
+
+@dataclass(frozen=True, eq=False)
+class _Match:
+    """Nodes `(N, 2)` of a spline on samples `(M, 2)` of an outline, in order."""
+
+    points: Array
+    nodes: Array
+    first: NDArray[np.intp]
+    share: Array
+    samples: Array
+    at: IntArray
+    energy: float
+
+    @classmethod
+    def of(cls, points: Array, ring: Array, scale: float) -> _Match:
+        lengths = bezier.segment_lengths(points)
+        spacing = min(SPACING * scale, lengths.sum() / 16.0)
+        counts = np.maximum(1, np.round(lengths / spacing)).astype(np.intp)
+        segment = np.repeat(np.arange(len(points)), counts)
+        first = np.cumsum(counts) - counts
+        nodes = bezier.evaluate(points, segment, (np.arange(len(segment)) - first[segment]) / counts[segment])
+        if polyline.signed_area(ring) * polyline.signed_area(nodes) < 0:
+            ring = ring[::-1]
+        samples = polyline.resample(ring, max(3 * len(nodes), int(polyline.length(ring) / (STEP * scale))))
+        share = np.maximum((lengths / counts)[segment], 1e-6)
+        at, energy = _matched(nodes, samples, share, NEAR[0] * scale)
+        return cls(points, nodes, first, share, samples, at, energy)
+
+    def again(self, near: float, reach: float) -> _Match:
+        """Matched once more after the spline was bent, over `reach` pixels, to where it was matched."""
+        shift = _smoothed(self.samples[self.at] - self.nodes, self.share, reach)
+        at, energy = _matched(self.nodes + shift, self.samples, self.share, near)
+        return _Match(self.points, self.nodes, self.first, self.share, self.samples, at, energy)
+
+    def refined(self, scale: float) -> Array:
+        """The spline fitted to the samples by least squares, alternating with the places of the samples on it."""
+        at = self.at[self.first]
+        places = _places(at, self.samples)
+        prior = _carried(self.points, self.samples[at])
+        fit = _Fit(self.points, prior, self.samples)
+        points = fit.solve(places, prior)
+        for _ in range(ROUNDS):
+            places = fit.projected(points, places)
+            points = fit.solve(places, points)
+        return simplified(bezier.aligned(points, fit.smooth), prior, scale)
+
+
+def _matched(nodes: Array, samples: Array, share: Array, near: float) -> tuple[IntArray, float]:
+    away = (nodes[:, :1] - samples[:, 0]) ** 2 + (nodes[:, 1:] - samples[:, 1]) ** 2
+    away /= near**2
+    facing = polyline.outward_normals(nodes) @ polyline.outward_normals(samples).T
+    cost = np.minimum(away, 9.0) + TURN * 0.5 * (1.0 - facing)
+    expected = np.maximum(share / share.sum() * len(samples), 1.0)
+    surest = int(np.argmin(cost.min(axis=1)))
+    place = int(np.argmin(cost[surest]))
+    starts = (place + np.arange(-2, 3)) % len(samples)
+    indices, energy = align(np.roll(cost, -surest, axis=0), np.roll(expected, -surest), STRETCH, starts)
+    return np.asarray(np.roll(indices, surest), dtype=np.int64), energy / len(nodes)
+
+
+def _smoothed(shift: Array, share: Array, reach: float) -> Array:
+    """Displacements `(N, 2)` averaged along the closed outline, with a Gaussian of `reach` pixels."""
+    place = np.cumsum(share)
+    gap = np.abs(place[:, None] - place[None])
+    gap = np.minimum(gap, place[-1] - gap)
+    weight = np.exp(-0.5 * (gap / reach) ** 2) * share
+    return np.asarray(weight @ shift / weight.sum(axis=1, keepdims=True))
+
+
+def _places(at: IntArray, samples: Array) -> Array:
+    """For each sample the spline parameter `segment + t`, in [0, P), by length between the anchors' samples `at`."""
+    total = len(samples)
+    steps = (np.roll(at, -1) - at) % total
+    along = np.concatenate([[0.0], np.cumsum(np.hypot(*(np.roll(samples, -1, axis=0) - samples).T))])
+    knots = np.concatenate([[0], np.cumsum(steps)])
+    order = (at[0] + np.arange(total)) % total
+    length = np.where(order >= at[0], along[order], along[order] + along[-1])
+    stops = np.append(length, along[at[0]] + along[-1])[knots]
+    places = np.empty(total)
+    places[order] = np.interp(length, stops, np.arange(len(at) + 1))
+    return places
+
+
+def _carried(points: Array, anchors: Array) -> Array:
+    """The spline with its anchors put at `anchors (P, 2)`; each handle turns and grows with its segment's chord."""
+    result = np.empty_like(points)
+    result[:, ANCHOR] = anchors
+    for part, step in ((OUT, -1), (IN, 1)):
+        old = points[:, ANCHOR] @ [1, 1j], points[:, part] @ [1, 1j]
+        new = anchors @ [1, 1j]
+        before, after = np.roll(old[0], step) - old[0], np.roll(new, step) - new
+        usable = np.abs(before) > 1e-6
+        turn = np.where(usable, after / np.where(usable, before, 1.0), 1.0)
+        handle = new + (old[1] - old[0]) * turn
+        result[:, part] = np.stack([handle.real, handle.imag], axis=1)
+    return result
+
+
+class _Fit:
+    """Least squares for the control points of a spline, given where on it the samples of an outline lie."""
+
+    def __init__(self, points: Array, prior: Array, samples: Array) -> None:
+        self.count = len(points)
+        self.samples = samples
+        self.prior = prior
+        self.smooth = np.array([is_smooth(point, degrees=12.0) for point in points], dtype=bool)
+        self.tie = _ties(points)
+        self.tangent = _tangents(prior)
+
+    def solve(self, places: Array, points: Array) -> Array:
+        """Control points for samples at `places (M,)`, starting from `points`."""
+        segment = np.minimum(places.astype(np.intp), self.count - 1)
+        design = _design(self.count, segment, places - segment)
+        both = _both(design)
+        rows = [both, self._slide(), self._common_lines(points), self._hold()]
+        prior = self.prior.ravel()
+        wanted = [self.samples.ravel(), rows[1] @ prior, np.zeros(rows[2].shape[0]), rows[3] @ prior]
+        matrix = vstack(rows) @ self.tie
+        normal = (matrix.T @ matrix).tocsc()
+        solution = spsolve(normal, matrix.T @ np.concatenate(wanted))
+        return np.asarray((self.tie @ solution).reshape(-1, 3, 2))
+
+    def _slide(self) -> csr_array:
+        rows = np.arange(self.count)
+        weight = np.sqrt(SLIDE * len(self.samples) / self.count)
+        return _rows(self.count, [(rows, ANCHOR, weight * self.tangent)])
+
+    def _hold(self) -> csr_array:
+        rows = np.arange(self.count)
+        weight = np.sqrt(HOLD * len(self.samples) / self.count)
+        parts = []
+        for axis in (0, 1):
+            unit = np.zeros((self.count, 2))
+            unit[:, axis] = weight
+            for part in (IN, OUT):
+                parts.append(_rows(self.count, [(rows, part, unit), (rows, ANCHOR, -unit)]))
+        return vstack(parts)
+
+    def _common_lines(self, points: Array) -> csr_array:
+        rows = np.flatnonzero(self.smooth)
+        tangent = _tangents(points)[rows]
+        normal = np.sqrt(SMOOTH) * np.stack([-tangent[:, 1], tangent[:, 0]], axis=1)
+        parts = [_rows(self.count, [(rows, part, normal), (rows, ANCHOR, -normal)]) for part in (IN, OUT)]
+        return vstack(parts)
+
+    def projected(self, points: Array, places: Array) -> Array:
+        """The places of the samples moved to the nearest ones on the spline, in order."""
+        fine = 12
+        segment = np.repeat(np.arange(self.count), fine)
+        t = np.tile(np.arange(fine) / fine, self.count)
+        line = bezier.evaluate(points, segment, t)
+        total = len(line)
+        index = np.round(places * fine).astype(np.intp)[:, None] + np.arange(-WINDOW, WINDOW + 1)
+        away = ((line[index % total] - self.samples[:, None]) ** 2).sum(axis=2)
+        facing = polyline.outward_normals(line)[index % total] @ polyline.outward_normals(self.samples)[:, :, None]
+        cost = away + 9.0 * (1.0 - facing[..., 0])
+        best = np.argmin(cost, axis=1)
+        rows = np.arange(len(best))
+        nearest = index[rows, best]
+        a, b = line[nearest % total], line[(nearest + 1) % total]
+        c = line[(nearest - 1) % total]
+        ahead = _foot(a, b, self.samples) - _foot(a, c, self.samples)
+        moved = (nearest + np.clip(ahead, -1.0, 1.0)) / fine
+        start = int(np.argmin(places))
+        order = (start + np.arange(len(places))) % len(places)
+        run = np.maximum.accumulate(moved[order])
+        run = np.clip(run, run[0], run[0] + self.count)
+        result = np.empty_like(run)
+        result[order] = run % self.count
+        return result
+
+
+def _foot(a: Array, b: Array, position: Array) -> Array:
+    along = b - a
+    return np.asarray(
+        np.clip(((position - a) * along).sum(axis=1) / np.maximum((along**2).sum(axis=1), 1e-12), 0.0, 1.0)
+    )
+
+
+def _tangents(points: Array) -> Array:
+    direction = points[:, OUT] - points[:, IN]
+    chord = np.roll(points[:, ANCHOR], -1, axis=0) - np.roll(points[:, ANCHOR], 1, axis=0)
+    reach = np.hypot(*direction.T)[:, None]
+    direction = np.where(reach > 1e-6, direction, chord)
+    return np.asarray(direction / np.maximum(np.hypot(*direction.T)[:, None], 1e-12))
+
+
+def _design(count: int, segment: NDArray[np.intp], t: Array) -> csr_array:
+    following = (segment + 1) % count
+    columns = np.stack([3 * segment + ANCHOR, 3 * segment + OUT, 3 * following + IN, 3 * following + ANCHOR], axis=1)
+    rows = np.repeat(np.arange(len(segment)), 4)
+    return csr_array((bezier.bernstein(t).ravel(), (rows, columns.ravel())), shape=(len(segment), 3 * count))
+
+
+def _both(design: csr_array) -> csr_array:
+    """The same rows for x and for y, interleaved."""
+    found = design.tocoo()
+    rows = np.concatenate([2 * found.row, 2 * found.row + 1])
+    columns = np.concatenate([2 * found.col, 2 * found.col + 1])
+    shape = 2 * design.shape[0], 2 * design.shape[1]
+    return csr_array((np.tile(found.data, 2), (rows, columns)), shape=shape)
+
+
+def _rows(count: int, terms: list[tuple[NDArray[np.intp], int, Array]]) -> csr_array:
+    """One row a point: the sum over `terms` of `vector . control point (index, part)`."""
+    values, rows, columns = [], [], []
+    for index, part, vector in terms:
+        for axis in (0, 1):
+            values.append(vector[:, axis])
+            rows.append(np.arange(len(index)))
+            columns.append(2 * (3 * index + part) + axis)
+    shape = len(terms[0][0]), 6 * count
+    return csr_array((np.concatenate(values), (np.concatenate(rows), np.concatenate(columns))), shape=shape)
+
+
+def _ties(points: Array) -> csr_array:
+    """The linear map from free coordinates to all: a handle that lies on its anchor stays there."""
+    count = len(points)
+    owner = np.arange(3 * count)
+    for part in (IN, OUT):
+        corner = (points[:, part] == points[:, ANCHOR]).all(axis=1)
+        owner[3 * np.flatnonzero(corner) + part] = 3 * np.flatnonzero(corner) + ANCHOR
+    free, column = np.unique(owner, return_inverse=True)
+    single = csr_array((np.ones(3 * count), (np.arange(3 * count), column)), shape=(3 * count, len(free)))
+    return _both(single)
