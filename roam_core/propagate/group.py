@@ -13,18 +13,14 @@ from roam_core.cancel import CancelToken
 from roam_core.errors import RoamError
 from roam_core.features import PreparedFrame
 from roam_core.params import DEFAULT_CONFIG, RoamParams, params_for
-from roam_core.propagate import provenance, region
-from roam_core.propagate import step as outline
-from roam_core.propagate.region import RegionState
+from roam_core.propagate import engine, provenance
+from roam_core.propagate.engine import State
 from roam_core.propagate.result import Part, StepResult, Termination, TrackResult
-from roam_core.propagate.step import TrackerState
 from roam_core.roto import BlendMode, Keyframe, Origin, RotoShape
 from roam_core.roto.edit import set_engine_keys
 
 MIN_POINTS = 2
 """Points from which a closed spline encloses anything."""
-
-State = RegionState | tuple[TrackerState, ...]
 
 
 @dataclass(frozen=True, eq=False)
@@ -37,7 +33,7 @@ class Standing:
 
     @property
     def picture(self) -> PreparedFrame:
-        return self.state.frame if isinstance(self.state, RegionState) else self.state[0].frame
+        return engine.picture(self.state)
 
 
 class GroupTracker:
@@ -74,7 +70,9 @@ class GroupTracker:
                 raise RoamError(f"{shape.name!r} is open; close it (C) before it can be tracked.")
             if shape.point_count < MIN_POINTS:
                 raise RoamError(f"{shape.name!r} is a single point; draw an outline around the object to track it.")
-        self._standing = Standing(frame, tuple(shapes), self._begun(_prepared(image), parts_at(shapes, frame)))
+        self._standing = Standing(
+            frame, tuple(shapes), engine.begin(_prepared(image), parts_at(shapes, frame), self.params)
+        )
 
     def step(
         self, image: NDArray[Any] | PreparedFrame, frame: int, token: CancelToken | None = None
@@ -99,7 +97,7 @@ class GroupTracker:
             self.start(picture, standing.shapes, frame)
             seconds = (time.perf_counter() - began) / len(given)
             return tuple(_as_given(shape, frame, seconds) for shape in standing.shapes)
-        state, solved = self._solved(standing.state, picture, token)
+        state, solved = engine.step(standing.state, picture, self.params, token)
         shapes = tuple(
             shape if key else self._keyed(shape, standing.frame, frame, each)
             for shape, key, each in zip(standing.shapes, given, solved, strict=True)
@@ -127,20 +125,6 @@ class GroupTracker:
     def correct(self, shapes: Sequence[RotoShape]) -> None:
         """Take over the artist's edits on the current frame; the next step starts from them."""
         self.start(self.standing.picture, shapes, self.standing.frame)
-
-    def _begun(self, picture: PreparedFrame, parts: tuple[Part, ...]) -> State:
-        if self.params.region is not None:
-            return region.begin(picture, parts, self.params.region)
-        return tuple(outline.begin(picture, part.points, self.params) for part in parts)
-
-    def _solved(
-        self, state: State, picture: PreparedFrame, token: CancelToken | None
-    ) -> tuple[State, tuple[StepResult, ...]]:
-        if isinstance(state, RegionState):
-            assert self.params.region is not None
-            return region.step(state, picture, self.params.region, token)
-        pairs = [outline.step(each, picture, self.params, token) for each in state]
-        return tuple(after for after, _ in pairs), tuple(result for _, result in pairs)
 
     def _keyed(self, shape: RotoShape, before: int, frame: int, solved: StepResult) -> RotoShape:
         """The shape with an ENGINE key for what was solved; feather goes on as it was."""

@@ -17,14 +17,12 @@ from roam_core.cancel import CancelToken
 from roam_core.features import PreparedFrame, Region
 from roam_core.features.grid import Grid
 from roam_core.geometry import bezier, polyline, similarity
-from roam_core.geometry.simple import simplified
-from roam_core.kernels.coverage import coverage
 from roam_core.motion.flow import dense_flow, flow_similarity
 from roam_core.params import DOUBTFUL, RegionParams, scale_for
+from roam_core.propagate.laying import laid, spline_coverage
 from roam_core.propagate.nodes import smooth_points
 from roam_core.propagate.result import Part, StepResult, Termination
 from roam_core.proposal import region as proposed
-from roam_core.proposal.contour import follow
 from roam_core.proposal.evidence import SURE, Expectation, Field, KeyMemory, gathered
 from roam_core.proposal.motion_cue import motion_ratio
 
@@ -34,8 +32,6 @@ Bools = NDArray[np.bool_]
 
 TRUSTED = 0.3
 """Confidence below which a frame teaches the colour model nothing."""
-CLOSED = 0.02
-"""Size, of its last one, to which a hole shrinks while the region leaves no room for it."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -53,10 +49,10 @@ class RegionState:
 def begin(frame: PreparedFrame, parts: tuple[Part, ...], params: RegionParams) -> RegionState:
     """The state on a frame whose outlines are given: they enclose the region, and the models are learned from it."""
     scale = scale_for(frame.size)
-    grid = _grid_around(np.vstack([part.points.reshape(-1, 2) for part in parts]), frame.size, params, scale)
+    grid = grid_around(np.vstack([part.points.reshape(-1, 2) for part in parts]), frame.size, params, scale)
     enclosed = np.zeros(grid.shape, dtype=np.float32)
     for part in parts:
-        cover = _coverage(part.points, grid)
+        cover = spline_coverage(part.points, grid)
         enclosed = enclosed * (1.0 - cover) if part.subtracts else np.maximum(enclosed, cover)
     region = Field(grid, (2.0 * SURE * (enclosed - 0.5)).astype(np.float32))
     colours = _learned(frame, region)
@@ -71,7 +67,7 @@ def step(
     scale = scale_for(frame.size)
     seen = state.region.grid.to_image(np.argwhere(state.region.inside)[:, ::-1].astype(np.float64) + 0.5)
     spots = np.vstack([seen, *(part.points[:, bezier.ANCHOR] for part in state.parts)])
-    grid = _grid_around(spots, frame.size, params, scale)
+    grid = grid_around(spots, frame.size, params, scale)
     if min(grid.shape) < 4:
         return _left(state, frame)
     fine = Grid.over(grid.region, 1.0 / scale)
@@ -96,7 +92,7 @@ def step(
         token.check()
     found = proposed.cleaned(ratio, expected.possible, params.overlap)
     parts = tuple(replace(part, points=similarity.apply(moved[:2], part.points)) for part in state.parts)
-    placed = _placed(parts, state.smooth, found, scale)
+    placed = laid(parts, state.smooth, found, scale)
     confidence = _overlap(expected.rigid, found.inside) * (0.5 + 0.5 * agreement)
     results = tuple(
         _result(part, points, seen, found, confidence) for part, (points, seen) in zip(parts, placed, strict=True)
@@ -110,7 +106,7 @@ def step(
     return RegionState(frame, found, parts, state.smooth, key, colours), results
 
 
-def _grid_around(positions: Array, size: tuple[int, int], params: RegionParams, scale: float) -> Grid:
+def grid_around(positions: Array, size: tuple[int, int], params: RegionParams, scale: float) -> Grid:
     """The region of interest, with finer cells for a small object."""
     area = Region.around(positions, params.margin * scale, size)
     if area.is_empty:  # wholly outside: the nearest pixel stands for a picture without the object
@@ -119,10 +115,6 @@ def _grid_around(positions: Array, size: tuple[int, int], params: RegionParams, 
     extent = np.ptp(positions, axis=0)
     side = max(float(np.sqrt(extent[0] * extent[1])), 1.0)
     return Grid.over(area, float(np.clip(params.least_cells / side, params.grid_factor / scale, 1.0 / scale)))
-
-
-def _coverage(points: Array, grid: Grid) -> Float32:
-    return coverage(grid.to_grid(bezier.flatten(points)), grid.shape)
 
 
 def _learned(frame: PreparedFrame, region: Field) -> GlobalModel:
@@ -151,39 +143,6 @@ def _flowed(coverage_before: Float32, backward: Float32) -> Float32:
     return np.asarray(
         cv2.remap(coverage_before, x + backward[..., 0], y + backward[..., 1], interpolation=cv2.INTER_LINEAR)
     )
-
-
-def _placed(
-    parts: tuple[Part, ...], smooth: tuple[NDArray[np.bool_], ...], found: Field, scale: float
-) -> list[tuple[Array, bool]]:
-    """Each shape's points along the outline that it claims, and whether it found one."""
-    inside = found.inside
-    solid = [k for k, part in enumerate(parts) if not part.subtracts]
-    holes = [k for k, part in enumerate(parts) if part.subtracts]
-    placed: list[tuple[Array, bool]] = [(part.points, False) for part in parts]
-    for members, area, field in (
-        (solid, inside, found),
-        (holes, _enclosed(~inside), Field(found.grid, -found.values)),
-    ):
-        claims = [_coverage(parts[k].points, found.grid) for k in members]
-        for k, mine in zip(members, proposed.shares(area, claims), strict=True):
-            rings = proposed.outlines(field, mine) if mine.any() else []
-            if rings:
-                points = follow(parts[k].points, rings[0][0], smooth[k], scale)
-                placed[k] = simplified(points, parts[k].points, scale), True
-    for k in holes:
-        points, seen = placed[k]
-        if not seen and _coverage(points, found.grid)[inside].sum() > 0:
-            middle = points[:, bezier.ANCHOR].mean(axis=0)
-            placed[k] = middle + CLOSED * (points - middle), False
-    return placed
-
-
-def _enclosed(outside: Bools) -> Bools:
-    """The parts of the outside that do not reach the border of the grid: holes."""
-    _, labels = cv2.connectedComponents(outside.astype(np.uint8), connectivity=4)
-    border = np.unique(np.concatenate([labels[0], labels[-1], labels[:, 0], labels[:, -1]]))
-    return np.asarray(outside & ~np.isin(labels, border))
 
 
 def _result(part: Part, points: Array, seen: bool, found: Field, confidence: float) -> StepResult:

@@ -1,0 +1,65 @@
+"""The curves of an object laid along its region: who claims which part, points in correspondence, holes that close."""
+
+from __future__ import annotations
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from roam_core.features.grid import Grid
+from roam_core.geometry import bezier
+from roam_core.geometry.simple import simplified
+from roam_core.kernels.coverage import coverage
+from roam_core.propagate.result import Part
+from roam_core.proposal import region as proposed
+from roam_core.proposal.contour import follow
+from roam_core.proposal.evidence import Field
+
+Array = NDArray[np.float64]
+Float32 = NDArray[np.float32]
+Bools = NDArray[np.bool_]
+
+CLOSED = 0.02
+"""Size, of its last one, to which a hole shrinks while the region leaves no room for it."""
+
+
+def spline_coverage(points: Array, grid: Grid) -> Float32:
+    """The share of each cell `(rows, columns)` that a closed spline `(P, 3, 2)` covers."""
+    return coverage(grid.to_grid(bezier.flatten(points)), grid.shape)
+
+
+def laid(
+    parts: tuple[Part, ...], smooth: tuple[NDArray[np.bool_], ...], found: Field, scale: float
+) -> list[tuple[Array, bool]]:
+    """Each shape's points `(P, 3, 2)` along the outline that it claims, and whether it found one.
+
+    `parts` lie where they are expected; a shape that finds nothing stays there. `smooth` says which of its points keep
+    their handles on one line. A hole without room in the region closes to almost nothing.
+    """
+    inside = found.inside
+    solid = [k for k, part in enumerate(parts) if not part.subtracts]
+    holes = [k for k, part in enumerate(parts) if part.subtracts]
+    placed: list[tuple[Array, bool]] = [(part.points, False) for part in parts]
+    for members, area, field in (
+        (solid, inside, found),
+        (holes, _enclosed(~inside), Field(found.grid, -found.values)),
+    ):
+        claims = [spline_coverage(parts[k].points, found.grid) for k in members]
+        for k, mine in zip(members, proposed.shares(area, claims), strict=True):
+            rings = proposed.outlines(field, mine) if mine.any() else []
+            if rings:
+                points = follow(parts[k].points, rings[0][0], smooth[k], scale)
+                placed[k] = simplified(points, parts[k].points, scale), True
+    for k in holes:
+        points, seen = placed[k]
+        if not seen and spline_coverage(points, found.grid)[inside].sum() > 0:
+            middle = points[:, bezier.ANCHOR].mean(axis=0)
+            placed[k] = middle + CLOSED * (points - middle), False
+    return placed
+
+
+def _enclosed(outside: Bools) -> Bools:
+    """The parts of the outside that do not reach the border of the grid: holes."""
+    _, labels = cv2.connectedComponents(outside.astype(np.uint8), connectivity=4)
+    border = np.unique(np.concatenate([labels[0], labels[-1], labels[:, 0], labels[:, -1]]))
+    return np.asarray(outside & ~np.isin(labels, border))
