@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from typing import Any
+from typing import Any, Literal
 from xml.etree.ElementTree import Element, ParseError, TreeBuilder
 
 from defusedxml.common import DefusedXmlException
@@ -18,8 +18,11 @@ def xml_text(text: str) -> str:
     return re.sub(r"[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]", "\ufffd", text)
 
 
-def parsed(reader: ShapeReader) -> Element:
+def parsed(reader: ShapeReader, *, doctype: Literal["refused", "ignored"] = "refused") -> Element:
     """The root element of the reader's file.
+
+    A document type without entities, with which many drawing programs begin their SVG, may be `ignored`: it is not
+    followed either.
 
     Raises
     ------
@@ -27,7 +30,7 @@ def parsed(reader: ShapeReader) -> Element:
         when the file is no XML, too large or too deep, or when it declares a document type or an entity: files of
         shapes need neither, and they are the ways to make a reader fetch other files or grow without end.
     """
-    parser: Any = DefusedXMLParser(target=_ShallowTree(reader), forbid_dtd=True)
+    parser: Any = DefusedXMLParser(target=_ShallowTree(reader), forbid_dtd=doctype == "refused")
     try:
         parser.feed(reader.content())
         root = parser.close()

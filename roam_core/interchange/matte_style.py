@@ -1,0 +1,126 @@
+"""How mattes are written: kind of file, depth, compression, what stands in a file of its own."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import StrEnum
+
+from roam_core.errors import RoamError
+
+
+class MatteFile(StrEnum):
+    """Kinds of picture files."""
+
+    PNG = "png"
+    EXR = "exr"
+    TIFF = "tiff"
+
+
+class Depth(StrEnum):
+    """What a pixel is written as: whole numbers of 8 or 16 bits, or floating point of 16 or 32."""
+
+    BITS_8 = "8"
+    BITS_16 = "16"
+    HALF = "half"
+    FLOAT = "float"
+
+
+class Parts(StrEnum):
+    """What has a matte of its own: all shapes jointly, every layer, or every shape."""
+
+    ALL = "all"
+    LAYER = "layer"
+    SHAPE = "shape"
+
+
+class Gathering(StrEnum):
+    """Where the mattes of one frame go: each into its own file, or all into one file as channels with names."""
+
+    FILES = "files"
+    CHANNELS = "channels"
+
+
+class DataWindow(StrEnum):
+    """Which pixels an EXR file holds: all, or only the rectangle outside of which everything is black."""
+
+    FULL = "full"
+    TIGHT = "tight"
+
+
+DEPTHS = {
+    MatteFile.PNG: (Depth.BITS_8, Depth.BITS_16),
+    MatteFile.EXR: (Depth.HALF, Depth.FLOAT),
+    MatteFile.TIFF: (Depth.BITS_8, Depth.BITS_16, Depth.FLOAT),
+}
+"""Depths that a kind of file can hold; the first is taken when nothing is asked for."""
+
+COMPRESSIONS = {
+    MatteFile.PNG: ("zip",),
+    MatteFile.EXR: ("zip", "zips", "piz", "rle", "none"),
+    MatteFile.TIFF: ("zip", "lzw", "packbits", "none"),
+}
+"""Compressions by kind of file, all without loss; the first is taken when nothing is asked for."""
+
+SUFFIXES = {".png": MatteFile.PNG, ".exr": MatteFile.EXR, ".tif": MatteFile.TIFF, ".tiff": MatteFile.TIFF}
+
+
+@dataclass(frozen=True)
+class MatteStyle:
+    """How mattes are written.
+
+    Attributes
+    ----------
+    file : the kind of the pictures.
+    depth : None is the file's own: 8 bits, or half for EXR.
+    compression : None is the file's own: zip.
+    parts : what has a matte of its own.
+    gathering : whether mattes of one frame are files or channels; channels are EXR's alone.
+    window : which pixels an EXR file holds.
+    resumes : skip frames whose files are all there. Files appear under their names only when they are whole; whether
+        the shapes have changed since is not looked at.
+
+    Raises
+    ------
+    RoamError
+        when the kind of file cannot hold what is asked for.
+    """
+
+    file: MatteFile = MatteFile.PNG
+    depth: Depth | None = None
+    compression: str | None = None
+    parts: Parts = Parts.ALL
+    gathering: Gathering = Gathering.FILES
+    window: DataWindow = DataWindow.FULL
+    resumes: bool = False
+
+    def __post_init__(self) -> None:
+        name = self.file.upper()
+        if self.depth is not None and self.depth not in DEPTHS[self.file]:
+            raise RoamError(f"{name} mattes are {_choice(DEPTHS[self.file])} deep, not {self.depth}.")
+        if self.compression is not None and self.compression not in COMPRESSIONS[self.file]:
+            raise RoamError(
+                f"{name} mattes are compressed by {_choice(COMPRESSIONS[self.file])}, not {self.compression!r}."
+            )
+        if self.file is not MatteFile.EXR and self.gathering is Gathering.CHANNELS:
+            raise RoamError(f"{name} files hold no channels with names; ask for EXR.")
+        if self.file is not MatteFile.EXR and self.window is DataWindow.TIGHT:
+            raise RoamError(f"{name} files hold all pixels; ask for EXR to leave out the black around the shapes.")
+
+    @property
+    def suffix(self) -> str:
+        """Of the files, with the dot."""
+        return {MatteFile.PNG: ".png", MatteFile.EXR: ".exr", MatteFile.TIFF: ".tif"}[self.file]
+
+    @property
+    def depth_or_own(self) -> Depth:
+        """The depth that is written."""
+        return DEPTHS[self.file][0] if self.depth is None else self.depth
+
+    @property
+    def compression_or_own(self) -> str:
+        """The compression that is written."""
+        return COMPRESSIONS[self.file][0] if self.compression is None else self.compression
+
+
+def _choice(words: tuple[str, ...]) -> str:
+    return words[0] if len(words) == 1 else f"{', '.join(words[:-1])} or {words[-1]}"

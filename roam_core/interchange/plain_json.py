@@ -1,0 +1,301 @@
+"""Plain JSON of shapes for pipelines, to write and to read: everything that ROAM knows of a shape, number for number.
+
+The format is described in `docs/FORMATS.md`. Positions are pixels from the image's top-left corner, y down; handles are
+absolute; frames are the plate's own.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, TypeVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from roam_core.errors import RoamError
+from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter
+from roam_core.interchange.reading import PLAIN, Imported, ImportOptions, ShapeReader, brief, sensible
+from roam_core.roto import BlendMode, Clip, Interpolation, Keyframe, Layer, MotionBlur, Origin, Project, RotoShape
+from roam_core.roto.file import write_atomically
+
+Array = NDArray[np.float64]
+Kind = TypeVar("Kind", BlendMode, Interpolation, Origin)
+
+FORMAT, VERSION = "roam-shapes", 1
+
+
+class JsonFormat:
+    """Writes and reads all layers and shapes of a project as plain JSON."""
+
+    name = "json"
+    title = "Plain JSON"
+    suffix = ".json"
+    suffixes = (".json",)
+
+    def export(self, project: Project, path: Path, options: ExportOptions = STANDARD) -> tuple[str, ...]:
+        """Write `project` to `path`; nothing of a shape's look or motion is lost."""
+        text, notes = json_document(project, options)
+        options.advance(1.0, f"Writing {path.name}")
+        write_atomically(path, text.encode("ascii"))
+        return notes
+
+    def read(self, path: Path, clip: Clip, options: ImportOptions = PLAIN) -> Imported:
+        """Read all layers and shapes of a file; a file that is not of the format is refused with the place."""
+        return _Reader(path, clip, options).shapes()
+
+
+def json_document(project: Project, options: ExportOptions = STANDARD) -> tuple[str, tuple[str, ...]]:
+    """The text with all shapes of `project`, and a sentence for each thing that it cannot hold."""
+    clip, root = project.require_clip(), project.root
+    writer = _Writer(clip, options, len(project.shapes))
+    is_plain = root.visible and not root.locked and not root.invert and root.opacity == 1.0
+    document = {
+        "format": FORMAT,
+        "version": VERSION,
+        "width": clip.size[0],
+        "height": clip.size[1],
+        "pixel_aspect": clip.pixel_aspect,
+        "fps": clip.fps,
+        "first_frame": clip.first + options.frame_offset,
+        "last_frame": clip.last + options.frame_offset,
+        "items": writer.items(root) if is_plain else [writer.layer(root)],
+    }
+    return json.dumps(document, ensure_ascii=True, allow_nan=False, indent=1) + "\n", tuple(writer.notes)
+
+
+@dataclass
+class _Writer(ShapeWriter):
+    """Turns layers and shapes into plain values, bottom first."""
+
+    def items(self, layer: Layer) -> list[dict[str, Any]]:
+        return [self.layer(child) if isinstance(child, Layer) else self.shape(child) for child in layer.children]
+
+    def layer(self, layer: Layer) -> dict[str, Any]:
+        return {
+            "kind": "layer",
+            "name": layer.name,
+            "visible": layer.visible,
+            "locked": layer.locked,
+            "opacity": layer.opacity,
+            "invert": layer.invert,
+            "items": self.items(layer),
+        }
+
+    def shape(self, shape: RotoShape) -> dict[str, Any]:
+        shape = self.begun(shape)
+        blur, offset = shape.motion_blur, self.options.frame_offset
+        return {
+            "kind": "shape",
+            "name": shape.name,
+            "closed": shape.closed,
+            "visible": shape.visible,
+            "locked": shape.locked,
+            "colour": list(shape.colour),
+            "blend": shape.blend.value,
+            "opacity": shape.opacity,
+            "invert": shape.invert,
+            "feather": shape.feather,
+            "motion_blur": None
+            if blur is None
+            else {"shutter": blur.shutter, "phase": blur.phase, "samples": blur.samples},
+            "lifetime": None if shape.lifetime is None else [frame + offset for frame in shape.lifetime],
+            "keys": [self._key(key) for key in shape.keys],
+        }
+
+    def _key(self, key: Keyframe) -> dict[str, Any]:
+        values: dict[str, Any] = {
+            "frame": key.frame + self.options.frame_offset,
+            "interpolation": key.interpolation.value,
+            "origin": key.origin.value,
+            "points": key.points.reshape(-1, 6).tolist(),
+        }
+        if key.feather is not None:
+            values["feather"] = key.feather.reshape(-1, 6).tolist()
+        return values
+
+
+# ---- reading ---------------------------------------------------------------------------------------------------------
+
+
+class _Reader(ShapeReader):
+    """Turns plain values into layers and shapes; every refusal says where."""
+
+    def shapes(self) -> Imported:
+        try:
+            document = json.loads(self.text())
+        except (ValueError, RecursionError):
+            raise RoamError(f"{self.path} is no valid JSON.") from None
+        if not isinstance(document, dict) or document.get("format") != FORMAT:
+            raise RoamError(f'{self.path} holds no shapes: its "format" is not "{FORMAT}".')
+        if document.get("version") != VERSION:
+            raise RoamError(
+                f"{self.path} has version {brief(str(document.get('version')))} of the format; this program reads "
+                f"version {VERSION}."
+            )
+        size = tuple(self._number(document, name, "the file") for name in ("width", "height"))
+        if min(size) <= 0.0:
+            raise self._refusal("the file", "width and height must be positive")
+        return self.finished(self._items(document, "the file", 1), (size[0], size[1]))
+
+    def _items(self, values: dict[str, Any], place: str, depth: int) -> tuple[Layer | RotoShape, ...]:
+        self.check_depth(depth)
+        children: list[Layer | RotoShape] = []
+        for number, item in enumerate(self._list(values, "items", place), start=1):
+            inner = f"item {number} of {place}" if depth == 1 else f"{place}, item {number}"
+            if not isinstance(item, dict) or item.get("kind") not in ("layer", "shape"):
+                raise self._refusal(inner, '"kind" must be "layer" or "shape"')
+            if item["kind"] == "layer":
+                children.append(self._layer(item, inner, depth))
+            else:
+                children.append(self._shape(item, inner))
+        return tuple(children)
+
+    def _layer(self, values: dict[str, Any], place: str, depth: int) -> Layer:
+        return Layer(
+            self.fresh_id("layer"),
+            self._text(values, place),
+            self._items(values, place, depth + 1),
+            visible=self._truth(values, "visible", True, place),
+            locked=self._truth(values, "locked", False, place),
+            opacity=self._share(values, "opacity", 1.0, place),
+            invert=self._truth(values, "invert", False, place),
+        )
+
+    def _shape(self, values: dict[str, Any], place: str) -> RotoShape:
+        name = self._text(values, place)
+        place = f"shape {brief(name)} ({place})"
+        keys = tuple(self._key(key, name, place) for key in self._list(values, "keys", place))
+        if not sensible(keys):
+            raise self._refusal(place, "a point lies nowhere near the image")
+        blend = self._choice(BlendMode, values, "blend", BlendMode.ADD, place)
+        red, green, blue = self._colour(values, place)
+        try:
+            return RotoShape(
+                id=self.fresh_id("shape"),
+                name=name,
+                keys=keys,
+                closed=self._truth(values, "closed", True, place),
+                colour=(red, green, blue),
+                blend=blend,
+                opacity=self._share(values, "opacity", 1.0, place),
+                invert=self._truth(values, "invert", False, place),
+                feather=self._number(values, "feather", place, 0.0),
+                motion_blur=self._motion_blur(values, place),
+                lifetime=self._lifetime(values, place),
+                visible=self._truth(values, "visible", True, place),
+                locked=self._truth(values, "locked", False, place),
+            )
+        except ValueError as error:
+            raise self._refusal(place, str(error)) from None
+
+    def _key(self, values: Any, name: str, place: str) -> Keyframe:
+        if not isinstance(values, dict):
+            raise self._refusal(place, "a key must be an object")
+        frame = self._frame(self._number(values, "frame", place), place)
+        place = f"{place}, key on frame {frame}"
+        rows = self._list(values, "points", place)
+        self.check_points(len(rows), name)
+        points = self._points(rows, place)
+        feather = None
+        if values.get("feather") is not None:
+            feather = self._points(self._list(values, "feather", place), place)
+            if feather.shape != points.shape:
+                raise self._refusal(place, "the feather has other points than the outline")
+        interpolation = self._choice(Interpolation, values, "interpolation", Interpolation.LINEAR, place)
+        return Keyframe(
+            frame,
+            points,
+            feather,
+            origin=self._choice(Origin, values, "origin", Origin.ARTIST, place),
+            interpolation=interpolation,
+        )
+
+    def _points(self, rows: list[Any], place: str) -> Array:
+        if not rows or not all(isinstance(row, list) and len(row) in (2, 6) and _numbers(row) for row in rows):
+            raise self._refusal(place, "each point must be a list of two or six numbers, and there must be one")
+        return np.array([row * (6 // len(row)) for row in rows], dtype=np.float64).reshape(-1, 3, 2)
+
+    # ---- values ------------------------------------------------------------------------------------------------------
+
+    def _refusal(self, place: str, trouble: str) -> RoamError:
+        return RoamError(f"{self.path} cannot be read: in {place}, {trouble}.")
+
+    def _list(self, values: dict[str, Any], field: str, place: str) -> list[Any]:
+        value = values.get(field)
+        if not isinstance(value, list):
+            raise self._refusal(place, f'"{field}" must be a list')
+        return value
+
+    def _text(self, values: dict[str, Any], place: str) -> str:
+        value = values.get("name", "")
+        if not isinstance(value, str):
+            raise self._refusal(place, '"name" must be a text')
+        return value
+
+    def _truth(self, values: dict[str, Any], field: str, default: bool, place: str) -> bool:
+        value = values.get(field, default)
+        if not isinstance(value, bool):
+            raise self._refusal(place, f'"{field}" must be true or false')
+        return value
+
+    def _number(self, values: dict[str, Any], field: str, place: str, default: float | None = None) -> float:
+        value = values.get(field, default)
+        if not _numbers([value]):
+            raise self._refusal(place, f'"{field}" must be a number')
+        assert isinstance(value, int | float)
+        return float(value)
+
+    def _share(self, values: dict[str, Any], field: str, default: float, place: str) -> float:
+        value = self._number(values, field, place, default)
+        if not 0.0 <= value <= 1.0:
+            raise self._refusal(place, f'"{field}" must lie between 0 and 1')
+        return value
+
+    def _choice(self, kind: type[Kind], values: dict[str, Any], field: str, default: Kind, place: str) -> Kind:
+        value = values.get(field, default)
+        if value not in list(kind):
+            raise self._refusal(place, f'"{field}" must be one of {", ".join(kind)}')
+        return kind(value)
+
+    def _colour(self, values: dict[str, Any], place: str) -> list[float]:
+        value = values.get("colour", [0.90, 0.62, 0.0])
+        if not isinstance(value, list) or len(value) != 3 or not _numbers(value):
+            raise self._refusal(place, '"colour" must be a list of three numbers')
+        return [min(max(float(share), 0.0), 1.0) for share in value]
+
+    def _motion_blur(self, values: dict[str, Any], place: str) -> MotionBlur | None:
+        blur = values.get("motion_blur")
+        if blur is None:
+            return None
+        if not isinstance(blur, dict):
+            raise self._refusal(place, '"motion_blur" must be null or an object')
+        shutter, phase = (self._number(blur, field, place) for field in ("shutter", "phase"))
+        samples = self._number(blur, "samples", place, 16.0)
+        if not 1.0 <= samples <= 1024.0 or not 0.0 <= shutter <= 1000.0:
+            raise self._refusal(place, "the motion blur must have 1 to 1024 samples and a shutter of 0 to 1000 frames")
+        return MotionBlur(shutter, phase, round(samples))
+
+    def _lifetime(self, values: dict[str, Any], place: str) -> tuple[int, int] | None:
+        lifetime = values.get("lifetime")
+        if lifetime is None:
+            return None
+        if not isinstance(lifetime, list) or len(lifetime) != 2 or not _numbers(lifetime):
+            raise self._refusal(place, '"lifetime" must be null or a first frame and the frame after the last')
+        start, stop = (self._frame(frame, place) for frame in lifetime)
+        return start, stop
+
+    def _frame(self, number: float, place: str) -> int:
+        try:
+            return self.frame(number)
+        except ValueError as error:
+            raise self._refusal(place, str(error)) from None
+
+
+def _numbers(values: list[Any]) -> bool:
+    """True when all values are finite numbers that a float can hold."""
+    return all(
+        isinstance(v, int | float) and not isinstance(v, bool) and abs(v) < 1e30 and math.isfinite(v) for v in values
+    )

@@ -1,0 +1,103 @@
+"""Words of SVG that its writer and its reader share, and its small grammars: numbers, lengths, colours, transforms."""
+
+from __future__ import annotations
+
+import math
+import re
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+
+SVG = "http://www.w3.org/2000/svg"
+INKSCAPE = "http://www.inkscape.org/namespaces/inkscape"
+LABEL = f"{{{INKSCAPE}}}label"
+
+NUMBER = r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?"
+UNITS = {"": 1.0, "px": 1.0, "pt": 96 / 72, "pc": 16.0, "in": 96.0, "cm": 96 / 2.54, "mm": 96 / 25.4, "q": 96 / 101.6}
+"""Pixels of one unit, at the 96 pixels an inch that CSS lays down."""
+
+IDENTITY: Array = np.array([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]])
+
+
+def numbers(text: str | None) -> list[float]:
+    """All numbers of a list, whatever stands between them."""
+    return [float(word) for word in re.findall(NUMBER, text or "")]
+
+
+def length(text: str | None, whole: float, default: float = 0.0) -> float:
+    """A length in pixels; percentages are of `whole`. What is no length is the default."""
+    found = re.fullmatch(rf"\s*({NUMBER})\s*(%|[A-Za-z]*)\s*", text or "")
+    if found is None:
+        return default
+    value, unit = float(found.group(1)), found.group(2).lower()
+    if unit == "%":
+        return value / 100.0 * whole
+    return value * UNITS[unit] if unit in UNITS else default
+
+
+def colour(text: str | None) -> tuple[float, float, float] | None:
+    """A colour of the forms `#rgb`, `#rrggbb` and `rgb(...)`, or None."""
+    text = (text or "").strip().lower()
+    if re.fullmatch(r"#[0-9a-f]{3}", text):
+        text = "#" + "".join(2 * digit for digit in text[1:])
+    if re.fullmatch(r"#[0-9a-f]{6}", text):
+        red, green, blue = (int(text[k : k + 2], 16) / 255.0 for k in (1, 3, 5))
+        return red, green, blue
+    if text.startswith("rgb(") and len(shares := numbers(text)) == 3:
+        red, green, blue = (min(max(share / (100.0 if "%" in text else 255.0), 0.0), 1.0) for share in shares)
+        return red, green, blue
+    return None
+
+
+def transform(text: str | None) -> Array:
+    """The affine map `(2, 3)` of a list of transforms; the one that stands last is applied first.
+
+    Raises `ValueError` for a word that is no transform.
+    """
+    result = IDENTITY
+    rest = (text or "").strip()
+    while rest:
+        found = re.match(r"([A-Za-z]+)\s*\(([^()]*)\)[\s,]*", rest)
+        if found is None:
+            raise ValueError(f"no transform: {rest[:20]!r}")
+        result = composed(result, _single(found.group(1), numbers(found.group(2))))
+        rest = rest[found.end() :]
+    return result
+
+
+def composed(outer: Array, inner: Array) -> Array:
+    """The map `(2, 3)` that applies `inner`, then `outer`."""
+    result: Array = outer[:, :2] @ inner
+    result[:, 2] += outer[:, 2]
+    return result
+
+
+def moved(points: Array, by: Array) -> Array:
+    """Positions `(..., 2)` under an affine map `(2, 3)`."""
+    result: Array = points @ by[:, :2].T + by[:, 2]
+    return result
+
+
+def _single(name: str, values: list[float]) -> Array:
+    """One transform of a list."""
+    count = len(values)
+    if name == "matrix" and count == 6:
+        return np.array(values).reshape(3, 2).T
+    if name == "translate" and count in (1, 2):
+        return _matrix(1.0, 0.0, 0.0, 1.0, values[0], values[1] if count == 2 else 0.0)
+    if name == "scale" and count in (1, 2):
+        return _matrix(values[0], 0.0, 0.0, values[-1])
+    if name == "rotate" and count in (1, 3):
+        cos, sin = math.cos(math.radians(values[0])), math.sin(math.radians(values[0]))
+        x, y = values[1:] if count == 3 else (0.0, 0.0)
+        return _matrix(cos, sin, -sin, cos, x - cos * x + sin * y, y - sin * x - cos * y)
+    if name in ("skewX", "skewY") and count == 1:
+        slope = math.tan(math.radians(values[0]))
+        return _matrix(1.0, 0.0, slope, 1.0) if name == "skewX" else _matrix(1.0, slope, 0.0, 1.0)
+    raise ValueError(f"no transform: {name!r} of {count} numbers")
+
+
+def _matrix(a: float, b: float, c: float, d: float, e: float = 0.0, f: float = 0.0) -> Array:
+    return np.array([[a, c, e], [b, d, f]])
