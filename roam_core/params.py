@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import asdict, dataclass
+from typing import Literal
 
 from roam_core.errors import RoamError
 
@@ -57,6 +58,70 @@ class RegionParams:
 
 
 @dataclass(frozen=True)
+class AppearanceParams:
+    """Parameters of the local appearance models p_n (equation 3). Lengths are pixels of a 480-line image.
+
+    Attributes
+    ----------
+    term : how the models enter the energy. "ribbon", the paper's: each edge's colours on both sides, up to the ribbon's
+        depth, under its own model. "region": the same log-ratios ln p_n^f / p_n^b summed over all that the curve
+        encloses near its old place (region competition, Zhu and Yuille 1996), so that it is drawn from farther away.
+    components : Gaussians in a mixture, with diagonal covariances in Lab. density : "sum" for the mixture, "maximum"
+        for its greatest component alone. variance_floor : least variance, Lab units squared.
+    ribbon_depth : half width of the ribbon R_n. spread : edges to both sides whose ribbons an edge learns from too.
+    clip : bound on a log-ratio, nats.
+    key_share : share of the artist's key frame in every density, however long ago it was.
+    adaptation : rate of the Stauffer-Grimson update, a frame of full confidence.
+    trusted : confidence below which a frame teaches nothing.
+    """
+
+    term: Literal["ribbon", "region"] = "region"
+    components: int = 3
+    density: Literal["sum", "maximum"] = "maximum"
+    variance_floor: float = 20.0
+    ribbon_depth: float = 8.0
+    spread: int = 1
+    clip: float = 6.0
+    key_share: float = 0.3
+    adaptation: float = 0.1
+    trusted: float = 0.3
+
+
+@dataclass(frozen=True)
+class LandmarkParams:
+    """Parameters of the landmarks. Lengths are pixels of a 480-line image, as in `RoamParams`.
+
+    Attributes
+    ----------
+    count : upper bound on M, the landmarks of one object.
+    window : side of the patch that a correlation filter knows; smaller on small objects.
+    target_sigma : width of the Gaussian answer that a filter is trained for.
+    ridge : weight of the filter's own square in the regression, in units of the patch's mean power.
+    adaptation : rate at which filters learn from an accepted frame.
+    search : how far from its expected place a landmark is looked for before the pre-warp.
+    reach : how far from its pre-warped place it may still move in the alternation; S = (2 reach + 1)^2.
+    ambiguity : peak-to-sidelobe ratio below which a landmark is removed.
+    neighbours : landmarks that each node is paired with, the nearest ones (equation 8).
+    weight : of the filters' answers in equation 6, per landmark.
+    star : weight of the springs of equation 7, per landmark and squared pixel.
+    joint : weight of equation 9, per pair and squared pixel.
+    """
+
+    count: int = 40
+    window: int = 32
+    target_sigma: float = 0.8
+    ridge: float = 1.0
+    adaptation: float = 0.1
+    search: float = 20.0
+    reach: float = 6.0
+    ambiguity: float = 4.0
+    neighbours: int = 2
+    weight: float = 1.0
+    star: float = 0.02
+    joint: float = 0.01
+
+
+@dataclass(frozen=True)
 class RoamParams:
     """Parameters of the engine. Lengths are pixels of a 480-line image and grow with the image (`scale_for`).
 
@@ -71,10 +136,17 @@ class RoamParams:
     mu : weight of the l2 regulariser (equation 3), per node, of the squared edge length over the squared spacing.
     lambda_gradient : weight of the squared image gradient (equation 3), per node, of its mean along the edge.
     gradient_sigma : blur before the gradient is taken.
+    lambda_local : weight of the local appearance term (equation 3), per node and nat: of the mean over the ribbon, or,
+        for region competition, of the sum along the normal.
+    lambda_global : weight of the global appearance term (equations 4, 5), per node, of its sum along the normal.
+    appearance : parameters of the local appearance models; None leaves the curve without colour.
+    warp : where the object went between two frames, the place that inference starts from: "none", "klt" (a similarity
+        of points followed inside the outline) or "flow" (a similarity of dense flow).
     fit_rigidity : weight, per control point, that holds the fitted spline to the pre-warped one where nodes say little.
     motion_features : upper bound on the points that KLT follows for the pre-warp.
     motion_threshold : distance up to which a followed point agrees with a similarity.
     motion_size : the region is scaled down to this side before points are followed; costs follow it.
+    landmarks : parameters of the landmarks and what ties them to the curve; None leaves the curve without landmarks.
     region : parameters of region proposals on every frame; None leaves the curve to the curve's energy alone.
     """
 
@@ -88,10 +160,15 @@ class RoamParams:
     mu: float = 0.06
     lambda_gradient: float = 1.0
     gradient_sigma: float = 1.0
+    lambda_local: float = 0.0
+    lambda_global: float = 0.0
+    appearance: AppearanceParams | None = None
+    warp: Literal["none", "klt", "flow"] = "klt"
     fit_rigidity: float = 0.02
     motion_features: int = 300
     motion_threshold: float = 2.0
     motion_size: int = 512
+    landmarks: LandmarkParams | None = None
     region: RegionParams | None = None
 
     def values(self) -> dict[str, object]:
@@ -101,10 +178,12 @@ class RoamParams:
 
 CONFIGS: dict[str, RoamParams] = {
     "baseline": RoamParams(),
+    "lean": RoamParams(config="lean", appearance=AppearanceParams(), lambda_local=0.03),
     "best": RoamParams(config="best", region=RegionParams()),
 }
-"""Configurations by name. `baseline`: gradient and l2 regulariser (the paper's Baseline); `best`: all that proved
-itself, at present the region proposals."""
+"""Configurations by name. `baseline`: gradient and l2 regulariser (the paper's Baseline); `lean`: local colour models
+of the edges beside them (the paper's Lean, as region competition); `best`: all that proved itself, at present the
+region proposals."""
 
 DOUBTFUL = 0.5
 """Confidence below which a frame ends as LOW_CONFIDENCE and is offered as worth fixing."""

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from roam_core.energy import curve
+from roam_core.energy.colour_fields import ColourFields
 from roam_core.params import RoamParams
 
 Array = NDArray[np.float64]
@@ -17,34 +18,97 @@ Float32 = NDArray[np.float32]
 NO_MOVE: Array = np.zeros((1, 2))
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class CurveContext:
     """What the curve's terms look at on one frame.
 
-    `squared_gradient (rows, columns)` covers a region of the image whose top-left pixel is `origin` (x, y); `spacing`
-    is the length in pixels that the l2 term counts as one.
+    Attributes
+    ----------
+    squared_gradient : (rows, columns) over a region of the image whose top-left pixel is `origin` (x, y).
+    spacing : the length in pixels that the terms count as one: that of an edge when all are alike. A curve of another
+        number of nodes is compared at this spacing.
+    orientation : 1 for curves that run clockwise on screen, else -1.
+    colours : the colour models' say; None without appearance terms.
     """
 
     squared_gradient: Float32
     origin: tuple[int, int]
     spacing: float
+    orientation: float = 1.0
+    colours: ColourFields | None = None
 
     def local(self, nodes: Array) -> Array:
-        """Image positions as positions in the region."""
+        """Image positions as positions in the region of the gradient."""
         return nodes - np.asarray(self.origin, dtype=np.float64)
 
 
 def tables(nodes: Array, moves: Array, context: CurveContext, params: RoamParams) -> tuple[Array, Array]:
-    """Unary `(N, D)` and pairwise `(N, D, D)` energies of moving each node by each of `moves (D, 2)`."""
+    """Unary `(N, D)` and pairwise `(N, D, D)` energies of moving each of `nodes (N, 2)` by each of `moves (D, 2)`."""
     here = context.local(nodes)
     pairwise = params.lambda_gradient * curve.pairwise_gradient(here, moves, context.squared_gradient)
     pairwise += params.mu * curve.pairwise_l2(here, moves, context.spacing)
+    colours = context.colours
+    if colours is not None:
+        # Sums over regions are linear in the field: all such terms are one field, one table.
+        sums = _region_weight(params) * colours.local_sums
+        if colours.global_ratio is not None:
+            sums = sums + params.lambda_global * colours.global_sums
+        pairwise += _enclosed(nodes, moves, context, sums, curve.pairwise_global)
+        if _is_ribbon(params):
+            pairwise += params.lambda_local * _ribbon(nodes, moves, context, params)
     return np.zeros((len(nodes), len(moves))), pairwise
 
 
 def energies(nodes: Array, context: CurveContext, params: RoamParams) -> Mapping[str, float]:
-    """The oracle: each term's weighted share at `nodes (N, 2)`, evaluated directly, and their sum as "total"."""
+    """The oracle: each term's weighted share at `nodes (N, 2)`, evaluated directly, and their sum as "total".
+
+    Any closed curve may be asked for, of any number of nodes, that runs the way round that the context says; at another
+    spacing than the context's the terms that are taken at nodes count more or less.
+    """
     here = context.local(nodes)
-    gradient = params.lambda_gradient * curve.pairwise_gradient(here, NO_MOVE, context.squared_gradient).sum()
-    l2 = params.mu * curve.pairwise_l2(here, NO_MOVE, context.spacing).sum()
-    return {"gradient": float(gradient), "l2": float(l2), "total": float(gradient + l2)}
+    shares = {
+        "gradient": params.lambda_gradient * curve.pairwise_gradient(here, NO_MOVE, context.squared_gradient).sum(),
+        "l2": params.mu * curve.pairwise_l2(here, NO_MOVE, context.spacing).sum(),
+    }
+    colours = context.colours
+    if colours is not None:
+        if _is_ribbon(params):
+            shares["local"] = params.lambda_local * _ribbon(nodes, NO_MOVE, context, params).sum()
+        else:
+            local = _enclosed(nodes, NO_MOVE, context, colours.local_sums, curve.pairwise_competition)
+            shares["local"] = params.lambda_local * local.sum()
+        if colours.global_ratio is not None:
+            whole = _enclosed(nodes, NO_MOVE, context, colours.global_sums, curve.pairwise_global)
+            shares["global"] = params.lambda_global * whole.sum()
+    named = {name: float(share) for name, share in shares.items()}
+    return named | {"total": sum(named.values())}
+
+
+def _is_ribbon(params: RoamParams) -> bool:
+    return params.appearance is not None and params.appearance.term == "ribbon"
+
+
+def _region_weight(params: RoamParams) -> float:
+    return 0.0 if _is_ribbon(params) else params.lambda_local
+
+
+def _enclosed(nodes: Array, moves: Array, context: CurveContext, sums: Array, term: Callable[..., Array]) -> Array:
+    """A region term's table for the row sums of a log-ratio on the colours' grid."""
+    assert context.colours is not None
+    grid = context.colours.grid
+    cells = context.spacing * float(grid.factor.mean())
+    return term(grid.to_grid(nodes), moves * grid.factor, sums, context.orientation, cells)
+
+
+def _ribbon(nodes: Array, moves: Array, context: CurveContext, params: RoamParams) -> Array:
+    assert context.colours is not None
+    assert params.appearance is not None
+    colours = context.colours
+    grid = colours.grid
+    return curve.pairwise_ribbon(
+        grid.to_grid(nodes),
+        moves * grid.factor,
+        (colours.foreground, colours.background),
+        context.orientation,
+        params.appearance.ribbon_depth,
+    )

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -10,10 +11,16 @@ from numpy.typing import NDArray
 from roam_core.cancel import CancelToken
 from roam_core.energy import total
 from roam_core.energy.total import CurveContext
+from roam_core.geometry import polyline
 from roam_core.kernels.cyclic_viterbi import cyclic_viterbi
 from roam_core.params import RoamParams
 
 Array = NDArray[np.float64]
+Unary = Callable[[Array, Array], Array]
+"""Further unary energies `(N, D)` of `nodes (N, 2)` moved by each of `moves (D, 2)`."""
+
+UNTANGLING = 8
+"""Times that loops are looked for; a curve that still crosses itself then is put back as a whole."""
 
 
 @dataclass(frozen=True)
@@ -34,27 +41,70 @@ def square_moves(window: int, step: float) -> Array:
     return np.stack([columns.ravel(), rows.ravel()], axis=1)
 
 
-def best_moves(nodes: Array, moves: Array, context: CurveContext, params: RoamParams) -> tuple[Array, float]:
+def best_moves(
+    nodes: Array, moves: Array, context: CurveContext, params: RoamParams, unary: Unary | None = None
+) -> tuple[Array, float]:
     """Nodes after the jointly best moves, exact over all D^N combinations, and their energy."""
-    labels, energy = cyclic_viterbi(*total.tables(nodes, moves, context, params))
+    single, pairwise = total.tables(nodes, moves, context, params)
+    if unary is not None:
+        single = single + unary(nodes, moves)
+    labels, energy = cyclic_viterbi(single, pairwise)
     return nodes + moves[labels], energy
 
 
 def descend(
-    nodes: Array, context: CurveContext, params: RoamParams, scale: float, token: CancelToken | None = None
+    nodes: Array,
+    context: CurveContext,
+    params: RoamParams,
+    scale: float,
+    token: CancelToken | None = None,
+    unary: Unary | None = None,
 ) -> Solution:
-    """Rounds of exact best moves, coarse steps first; the energy never rises, for staying is one of the moves."""
+    """Rounds of exact best moves, coarse steps first; the energy never rises, for staying is one of the moves.
+
+    A round that would make a simple curve cross itself is taken back where it does (`untangled`): inside a loop that is
+    turned over, region terms mean the opposite. What then does not lower the energy is not done at all.
+    """
     trace: list[float] = []
     converged = True
+    simple = polyline.is_simple(nodes)
     for step in params.steps:
         moves = square_moves(params.window, step * scale)
         for _ in range(params.max_iterations):
             if token is not None:
                 token.check()
-            moved, energy = best_moves(nodes, moves, context, params)
+            moved, energy = best_moves(nodes, moves, context, params, unary)
+            if simple and not polyline.is_simple(moved):
+                moved = untangled(nodes, moved)
+                energy = joint_energy(moved, context, params, unary)
+                before = joint_energy(nodes, context, params, unary)
+                if energy > before:
+                    moved, energy = nodes, before
             trace.append(energy)
             converged = np.array_equal(moved, nodes)
             nodes = moved
             if converged:
                 break
     return Solution(nodes, tuple(trace), converged)
+
+
+def joint_energy(nodes: Array, context: CurveContext, params: RoamParams, unary: Unary | None = None) -> float:
+    """The oracle's energy at `nodes (N, 2)`, with the further unary terms."""
+    more = 0.0 if unary is None else float(unary(nodes, total.NO_MOVE).sum())
+    return total.energies(nodes, context, params)["total"] + more
+
+
+def untangled(before: Array, after: Array) -> Array:
+    """`after (N, 2)` with the nodes of its loops put back to where they are in `before`, a curve without crossings."""
+    result = after.copy()
+    count = len(after)
+    for _ in range(UNTANGLING):
+        pairs = polyline.crossings(result)
+        if len(pairs) == 0:
+            return result
+        for first, second in np.sort(pairs, axis=1):
+            inner = np.arange(first, second + 2)
+            outer = np.arange(second, first + count + 2)
+            loop = inner if len(inner) <= len(outer) else outer
+            result[loop % count] = before[loop % count]
+    return before.copy()

@@ -2,19 +2,22 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
+from roam_core.appearance.edge_models import EdgeModels, grid_around
 from roam_core.cancel import CancelToken
 from roam_core.energy import total
+from roam_core.energy.colour_fields import ColourFields
 from roam_core.energy.total import CurveContext
 from roam_core.features import PreparedFrame, Region
 from roam_core.geometry import bezier, polyline, similarity
+from roam_core.geometry.simple import simplified
 from roam_core.inference.contour_dp import descend
-from roam_core.motion.klt import similarity_warp
-from roam_core.params import DOUBTFUL, RoamParams, scale_for
+from roam_core.motion.warp import warp
+from roam_core.params import DOUBTFUL, AppearanceParams, RoamParams, scale_for
 from roam_core.propagate.confidence import frame_confidence, node_support
 from roam_core.propagate.nodes import NodeMap
 from roam_core.propagate.result import StepResult, Termination
@@ -24,16 +27,33 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, eq=False)
 class TrackerState:
-    """What the engine knows after a frame: cache, recomputable from the artist's keys, never saved in a project."""
+    """What the engine knows after a frame: cache, recomputable from the artist's keys, never saved in a project.
+
+    Attributes
+    ----------
+    frame, points : the picture and the outline (P, 3, 2) on it.
+    nodes : where the nodes lie on the spline; their edges keep their index through time.
+    models : the edges' local colours, as far as the configuration wants any.
+    """
 
     frame: PreparedFrame
     points: Array
     nodes: NodeMap
+    models: EdgeModels | None = None
 
 
 def begin(frame: PreparedFrame, points: Array, params: RoamParams) -> TrackerState:
-    """The state on a frame whose outline is given."""
-    return TrackerState(frame, points, NodeMap.of(points, params, scale_for(frame.size)))
+    """The state on a frame whose outline the artist gave: everything is learned from this key.
+
+    So a correction teaches every edge what it looks like there, and a run through the key goes on exactly as one that
+    was stopped and corrected at it: nothing of what was adapted before the key outlives it (path independence).
+    """
+    scale = scale_for(frame.size)
+    nodes = NodeMap.of(points, params, scale)
+    models = None
+    if params.appearance is not None:
+        models = EdgeModels.learned(frame, nodes.nodes(points), params.appearance, scale)
+    return TrackerState(frame, points, nodes, models)
 
 
 def step(
@@ -41,19 +61,19 @@ def step(
 ) -> tuple[TrackerState, StepResult]:
     """Carry the outline from the state's frame to `frame`."""
     scale = scale_for(frame.size)
-    warp = similarity_warp(state.frame, frame, bezier.flatten(state.points), params, scale)
+    moved = warp(state.frame, frame, bezier.flatten(state.points), params, scale)
     if token is not None:
         token.check()
-    prior = similarity.apply(warp.transform, state.points)
+    prior = similarity.apply(moved.transform, state.points)
     nodes = state.nodes.nodes(prior)
     if _is_outside(nodes, frame.size):
         return _left(state, frame, prior)
-    context = curve_context(frame, nodes, params, scale)
+    context = curve_context(frame, nodes, params, scale, state.models)
     solution = descend(nodes, context, params, scale, token)
-    points = state.nodes.points(solution.nodes, prior)
+    points = simplified(state.nodes.points(solution.nodes, prior), prior, scale)
     fitted = state.nodes.nodes(points)
     support = node_support(fitted, context, scale)
-    confidence = frame_confidence(support, warp)
+    confidence = frame_confidence(support, moved)
     result = StepResult(
         points=points,
         confidence=confidence,
@@ -61,16 +81,35 @@ def step(
         energies=total.energies(fitted, context, params),
         termination=_termination(confidence, solution.converged),
     )
-    return TrackerState(frame, points, state.nodes), result
+    models = state.models
+    if models is not None and params.appearance is not None and confidence >= params.appearance.trusted:
+        models = models.adapted(frame, fitted, params.appearance, scale, confidence)
+    return TrackerState(frame, points, state.nodes, models), result
 
 
-def curve_context(frame: PreparedFrame, nodes: Array, params: RoamParams, scale: float) -> CurveContext:
+def curve_context(
+    frame: PreparedFrame, nodes: Array, params: RoamParams, scale: float, models: EdgeModels | None = None
+) -> CurveContext:
     """The features around `nodes` that the curve's terms look at, wide enough for every round of moves."""
-    reach = sum(params.window // 2 * s * params.max_iterations for s in params.steps) + 12.0
-    region = Region.around(nodes, reach * scale, frame.size)
+    reach = sum(params.window // 2 * s * params.max_iterations for s in params.steps)
+    region = Region.around(nodes, (reach + 12.0) * scale, frame.size)
     field = frame.squared_gradient(region, params.gradient_sigma * scale)
     spacing = max(polyline.length(nodes) / len(nodes), 1e-6)
-    return CurveContext(field, region.origin, spacing)
+    orientation = 1.0 if polyline.signed_area(nodes) > 0 else -1.0
+    colours = None
+    if models is not None and params.appearance is not None:
+        colours = _colour_fields(frame, nodes, params.appearance, scale, reach, models)
+    return CurveContext(field, region.origin, spacing, orientation, colours)
+
+
+def _colour_fields(
+    frame: PreparedFrame, nodes: Array, params: AppearanceParams, scale: float, reach: float, models: EdgeModels
+) -> ColourFields:
+    """What the local models say of every cell that the ribbon of a moved edge may cover."""
+    band = reach + params.ribbon_depth
+    grid = grid_around(nodes, band * scale, frame.size, scale)
+    foreground, background = models.log_densities(frame, grid, nodes, band, params)
+    return ColourFields(grid, foreground, background, params.clip)
 
 
 def _termination(confidence: float, converged: bool) -> Termination:
@@ -82,7 +121,7 @@ def _termination(confidence: float, converged: bool) -> Termination:
 def _left(state: TrackerState, frame: PreparedFrame, prior: Array) -> tuple[TrackerState, StepResult]:
     """The outline has left the picture: it goes on as it moved, and says so."""
     result = StepResult(prior, 0.0, np.zeros(len(prior)), {}, Termination.LEFT_FRAME)
-    return TrackerState(frame, prior, state.nodes), result
+    return replace(state, frame=frame, points=prior), result
 
 
 def _is_outside(nodes: Array, size: tuple[int, int]) -> bool:

@@ -1,0 +1,111 @@
+"""EdgeModels: the local appearance models p_n of equation 3, one mixture inside and one outside for every edge."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from roam_core.appearance import gmm
+from roam_core.appearance.gmm import Mixtures, Samples
+from roam_core.appearance.update import adapted
+from roam_core.features import PreparedFrame, Region
+from roam_core.features.grid import Grid
+from roam_core.kernels.coverage import coverage
+from roam_core.kernels.nearest_edges import FAR, nearest_edges
+from roam_core.params import AppearanceParams
+
+Array = NDArray[np.float64]
+Float32 = NDArray[np.float32]
+
+EDGE_BLUR = 0.7
+"""Cells on both sides of the outline whose colours are mixed from both, and teach nothing."""
+
+
+@dataclass(frozen=True, eq=False)
+class EdgeModels:
+    """p_n = (p_n^f, p_n^b) of all edges, in Lab: as adapted so far, and as learned on the artist's key.
+
+    The artist's key is never forgotten: it keeps the share `AppearanceParams.key_share` of every density. The models
+    belong to the edges by their index, which the nodes' fixed places on the spline keep through time.
+    """
+
+    inside: Mixtures
+    outside: Mixtures
+    key_inside: Mixtures
+    key_outside: Mixtures
+
+    @classmethod
+    def learned(cls, frame: PreparedFrame, nodes: Array, params: AppearanceParams, scale: float) -> EdgeModels:
+        """From the ribbons R_n^in and R_n^out of a frame whose outline `nodes (N, 2)` is given."""
+        sides = ribbon_samples(frame, nodes, params, scale)
+        inside, outside = (gmm.learned(side, params.components, params.variance_floor, params.spread) for side in sides)
+        # Half a model is none: where one side cannot be seen, the other would always win.
+        unknown = (inside.weight.sum(axis=1) == 0.0) | (outside.weight.sum(axis=1) == 0.0)
+        inside, outside = inside.without(unknown), outside.without(unknown)
+        return cls(inside, outside, inside, outside)
+
+    def adapted(
+        self, frame: PreparedFrame, nodes: Array, params: AppearanceParams, scale: float, confidence: float
+    ) -> EdgeModels:
+        """After an accepted frame with the outline `nodes (N, 2)`: moved towards its ribbons, the more the surer."""
+        sides = ribbon_samples(frame, nodes, params, scale)
+        rate = params.adaptation * confidence
+        inside, outside = (
+            adapted(model, side, rate, params.variance_floor, params.spread)
+            for model, side in zip((self.inside, self.outside), sides, strict=True)
+        )
+        return replace(self, inside=inside, outside=outside)
+
+    def log_densities(
+        self, frame: PreparedFrame, grid: Grid, nodes: Array, reach: float, params: AppearanceParams
+    ) -> tuple[Float32, Float32]:
+        """ln p_n^f and ln p_n^b `(rows, columns)` of the cells within `reach` cells of the outline `nodes (N, 2)`.
+
+        Each cell is asked under the model of its nearest edge - the edge's ribbon, widened by the moves that the nodes
+        may make - so that a frame's densities are made once, for any curve in the band. Both are `gmm.FLOOR` elsewhere.
+        """
+        index, _ = nearest_edges(grid.to_grid(nodes), grid.shape, reach)
+        colours = lab(grid.of(frame.image))
+        share = params.key_share
+        inside, outside = self.inside.joined(self.key_inside, share), self.outside.joined(self.key_outside, share)
+        return (
+            inside.log_density(colours, index, params.density),
+            outside.log_density(colours, index, params.density),
+        )
+
+
+def ribbon_samples(
+    frame: PreparedFrame, nodes: Array, params: AppearanceParams, scale: float
+) -> tuple[Samples, Samples]:
+    """The colours of R_n^in and of R_n^out for every edge: pixels by their nearest edge, up to the ribbon's depth.
+
+    A pixel on the far side of a thin part belongs to the edge over there, not to the ribbon of this one.
+    """
+    grid = grid_around(nodes, params.ribbon_depth * scale + 2.0, frame.size, scale)
+    here = grid.to_grid(nodes)
+    index, distance = nearest_edges(here, grid.shape, params.ribbon_depth)
+    enclosed = coverage(here, grid.shape) > 0.5
+    usable = (index != FAR) & (distance >= EDGE_BLUR)
+    colours = lab(grid.of(frame.image))
+    inside, outside = (
+        Samples.of(colours[side].astype(np.float64), index[side], len(nodes))
+        for side in (usable & enclosed, usable & ~enclosed)
+    )
+    return inside, outside
+
+
+def grid_around(nodes: Array, margin: float, size: tuple[int, int], scale: float) -> Grid:
+    """Cells of one pixel of a 480-line image around `nodes`: what colour costs does not grow with the image."""
+    region = Region.around(nodes, margin, size)
+    if region.is_empty:  # wholly outside: the nearest pixel stands for a picture without the outline
+        x, y = min(region.x0, size[1] - 1), min(region.y0, size[0] - 1)
+        region = Region(x, y, x + 1, y + 1)
+    return Grid.over(region, 1.0 / scale)
+
+
+def lab(image: NDArray[np.uint8]) -> Float32:
+    """CIE Lab of RGB, in OpenCV's 8-bit scale, as float `(h, w, 3)`."""
+    return np.asarray(cv2.cvtColor(image, cv2.COLOR_RGB2LAB), dtype=np.float32)

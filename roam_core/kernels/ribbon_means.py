@@ -1,0 +1,61 @@
+"""Means over the two sides of every candidate edge: how well the ribbon R_n is explained."""
+
+from __future__ import annotations
+
+import numpy as np
+from numba import njit
+from numpy.typing import NDArray
+
+Float64 = NDArray[np.float64]
+Float32 = NDArray[np.float32]
+
+DEPTH_STEP = 2.0
+"""Pixels between the lines, parallel to the edge, that are sampled; along them samples lie as far apart."""
+
+
+def ribbon_means(left: Float32, right: Float32, nodes: Float64, moves: Float64, depth: float) -> Float64:
+    """Mean of `left` on the left of every candidate edge plus mean of `right` on its right, `depth` pixels deep.
+
+    Parameters
+    ----------
+    left, right : (h, w) values at pixel centres, continued beyond the border by the nearest pixel. Left and right on
+        screen, looking along the edge from `nodes[n] + moves[i]` to `nodes[n + 1] + moves[j]`.
+    nodes : (N, 2) closed polyline in the fields' pixel coordinates.
+    moves : (D, 2) offsets in pixels.
+
+    Returns
+    -------
+    (N, D, D). An edge of no length has the mean of its one point on both sides.
+    """
+    means = np.empty((len(nodes), len(moves), len(moves)))
+    lines = max(1, round(depth / DEPTH_STEP))
+    _ribbon_means(left, right, nodes, moves, depth / lines, lines, means)
+    return means
+
+
+@njit(nogil=True, cache=True)
+def _ribbon_means(left, right, nodes, moves, gap, lines, means):  # type: ignore[no-untyped-def]
+    height, width = left.shape
+    count, kinds = means.shape[0], means.shape[1]
+    for n in range(count):
+        following = (n + 1) % count
+        for i in range(kinds):
+            ax, ay = nodes[n, 0] + moves[i, 0], nodes[n, 1] + moves[i, 1]
+            for j in range(kinds):
+                dx, dy = nodes[following, 0] + moves[j, 0] - ax, nodes[following, 1] + moves[j, 1] - ay
+                length = np.hypot(dx, dy)
+                samples = max(1, int(np.ceil(length / DEPTH_STEP)))
+                # With y down, looking along (dx, dy), the left is at (dy, -dx).
+                ux, uy = 0.0, 0.0
+                if length > 0.0:
+                    ux, uy = dy / length, -dx / length
+                total = 0.0
+                for k in range(samples):
+                    x, y = ax + (k + 0.5) / samples * dx, ay + (k + 0.5) / samples * dy
+                    for line in range(lines):
+                        away = (line + 0.5) * gap
+                        column, row = int(np.floor(x + away * ux)), int(np.floor(y + away * uy))
+                        total += left[min(max(row, 0), height - 1), min(max(column, 0), width - 1)]
+                        column, row = int(np.floor(x - away * ux)), int(np.floor(y - away * uy))
+                        total += right[min(max(row, 0), height - 1), min(max(column, 0), width - 1)]
+                means[n, i, j] = total / (samples * lines)
