@@ -15,7 +15,15 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("project", type=Path, metavar="P.roam")
     parser.add_argument("out", type=Path, metavar="OUT")
     parser.add_argument("--to", required=True, metavar="FORMAT", help=" | ".join(EXPORTERS))
-    parser.add_argument("--keys", choices=[choice.value for choice in KeyChoice], default=KeyChoice.ALL.value)
+    parser.add_argument(
+        "--keys",
+        choices=[choice.value for choice in KeyChoice],
+        default=KeyChoice.EVERY.value,
+        help="every key, the artist's only, or as few as keep the outline within the tolerance",
+    )
+    parser.add_argument(
+        "--tolerance", type=float, default=0.5, metavar="E", help="pixels, for reduced keys (%(default)s)"
+    )
     parser.add_argument("--frame-offset", type=int, default=0, metavar="N", help="added to every frame number")
 
 
@@ -23,7 +31,9 @@ def run(arguments: argparse.Namespace) -> int:
     """Carry out the command."""
     exporter = exporter_for(arguments.to)
     project = file.load(arguments.project)
-    options = ExportOptions(frame_offset=arguments.frame_offset, keys=KeyChoice(arguments.keys))
+    options = ExportOptions(
+        frame_offset=arguments.frame_offset, keys=KeyChoice(arguments.keys), tolerance=arguments.tolerance
+    )
     losses = exporter.export(project, arguments.out, options)
     print(f"Wrote {len(project.shapes)} shape(s) to {arguments.out}.", file=sys.stderr)
     for loss in losses:

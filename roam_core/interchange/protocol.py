@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from enum import StrEnum
 from pathlib import Path
 from typing import Protocol
@@ -12,6 +12,8 @@ import numpy as np
 
 from roam_core.cancel import CancelToken, Progress
 from roam_core.errors import RoamError
+from roam_core.interchange.matte_style import MatteStyle
+from roam_core.interchange.reduction import Motion, Slopes, reduced
 from roam_core.roto import Clip, Interpolation, Keyframe, Origin, Project, RotoShape
 
 FARTHEST = 1e7
@@ -21,8 +23,9 @@ FARTHEST = 1e7
 class KeyChoice(StrEnum):
     """Which keys leave the program."""
 
-    ALL = "all"
+    EVERY = "every"
     ARTIST = "artist"
+    REDUCED = "reduced"
 
 
 @dataclass(frozen=True)
@@ -32,13 +35,20 @@ class ExportOptions:
     Attributes
     ----------
     frame_offset : added to the plate's own frame numbers wherever a frame is written.
-    keys : all keys, or the artist's only; a shape without any of the artist's gives all of its keys.
+    keys : every key; the artist's only (a shape without any of the artist's gives every one); or as few as keep the
+        outline within `tolerance` pixels, the artist's among them, in the format's own interpolation.
+    tolerance : pixels, for reduced keys.
+    frame : the plate's frame for formats of still pictures; None is the clip's first.
+    mattes : how pictures are written.
     progress : called with the finished fraction and a few words.
     token : cancels the export at its next safe point; no half-written file is left behind.
     """
 
     frame_offset: int = 0
-    keys: KeyChoice = KeyChoice.ALL
+    keys: KeyChoice = KeyChoice.EVERY
+    tolerance: float = 0.5
+    frame: int | None = None
+    mattes: MatteStyle = MatteStyle()
     progress: Progress | None = None
     token: CancelToken | None = None
 
@@ -89,22 +99,35 @@ class Exporter(Protocol):
 
 @dataclass
 class ShapeWriter:
-    """What the writers of formats share: the clip, the options, and the progress over `total` shapes."""
+    """What the writers of formats share: the clip, the options, the progress over `total` shapes, and what they tell.
+
+    `notes` has one sentence for each loss, and for each shape whose keys were reduced.
+    """
 
     clip: Clip
     options: ExportOptions
     total: int
     done: int = 0
+    notes: list[str] = field(default_factory=list)
 
     def begun(self, shape: RotoShape) -> RotoShape:
-        """The next shape, reported, with the keys that are to be exported."""
+        """The next shape, reported, with the keys that are to be exported to a format with linear interpolation."""
+        return self.begun_for(shape, Motion.LINEAR)[0]
+
+    def begun_for(self, shape: RotoShape, motion: Motion) -> tuple[RotoShape, tuple[Slopes | None, ...]]:
+        """As `begun`, for a format that moves points by `motion`; and the slopes of reduced cubic spans, or nothing."""
         self.options.advance(self.done / self.total, f"Shape {shape.name}")
         self.done += 1
-        return chosen_keys(shape, self.options)
+        shape = chosen_keys(shape, self.options)
+        if self.options.keys is not KeyChoice.REDUCED:
+            return shape, ()
+        reduction = reduced(shape, self.options.tolerance, motion)
+        self.notes.append(reduction.report())
+        return reduction.shape, reduction.slopes
 
 
 def chosen_keys(shape: RotoShape, options: ExportOptions) -> RotoShape:
-    """The shape with only those keys that are to be exported, on the plate's own frames.
+    """The shape with the artist's keys only where these are to be exported, on the plate's own frames.
 
     Raises `RoamError` for a point that is not finite or lies absurdly far away: no program could open it.
     """

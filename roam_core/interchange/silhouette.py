@@ -8,7 +8,6 @@ description: what stands here follows the exporters that artists use to bring sh
 from __future__ import annotations
 
 import xml.etree.ElementTree as ET
-from dataclasses import dataclass, field
 from pathlib import Path
 
 import numpy as np
@@ -81,11 +80,8 @@ def normalised(points: Array, clip: Clip) -> Array:
     return result
 
 
-@dataclass
 class _Writer(ShapeWriter):
     """Fills XML elements from layers and shapes; gathers what is lost on the way."""
-
-    notes: list[str] = field(default_factory=list)
 
     def fill_layer(self, element: ET.Element, layer: Layer, opacity: float) -> None:
         """Properties and children of a layer; `opacity` is what the layers around it leave of its shapes'."""

@@ -12,7 +12,8 @@ import pytest
 from roam_core.cancel import Cancelled, CancelToken
 from roam_core.errors import RoamError
 from roam_core.interchange import EXPORTERS, ExportOptions, KeyChoice
-from roam_core.interchange.nuke import roto_script, tcl_word
+from roam_core.interchange.nuke import roto_script
+from roam_core.interchange.nuke_text import tcl_word
 from roam_core.roto import BlendMode, Keyframe, Layer, Project, RotoShape
 from tests.unit.interchange import tcl
 from tests.unit.interchange.conftest import CLIP, animated, points

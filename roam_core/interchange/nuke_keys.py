@@ -1,0 +1,99 @@
+"""A shape's keys as Nuke's curves: y up, handles relative to their anchor, values with a slope on either side."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from itertools import zip_longest
+
+import numpy as np
+from numpy.typing import NDArray
+
+from roam_core.errors import RoamError
+from roam_core.geometry.bezier import ANCHOR, IN, OUT
+from roam_core.interchange.reduction import Slopes
+from roam_core.roto import Interpolation, Keyframe, RotoShape
+
+Array = NDArray[np.float64]
+
+UP = np.array([1.0, -1.0])
+"""Turns a difference of our positions, y down, into one of Nuke's."""
+
+LAST_EXACT_FRAME = 1 << 24
+"""Single precision counts whole frames exactly up to here."""
+
+
+@dataclass(frozen=True, eq=False)
+class KeyedCurves:
+    """Values `(K, M)` at `times (K,)` and their slopes `(K - 1, M)` per frame at both ends of each span."""
+
+    times: Array
+    values: Array
+    leaving: Array
+    reaching: Array
+
+
+@dataclass(frozen=True)
+class TimedKeys:
+    """Keys on Nuke's frames; for each span a slope of its own, True where it is flat, or None where it is straight."""
+
+    times: list[int]
+    keys: list[Keyframe]
+    spans: list[Slopes | bool | None]
+
+    def curves(self, rows: Sequence[Array], slopes_of: Callable[[Slopes], tuple[Array, Array]]) -> KeyedCurves:
+        """Curves through `rows`, one array for each key; `slopes_of` gives what a span's own slopes are for them.
+
+        A cubic with the secant's slope at both ends is the straight line; one with zero slopes is the smoothstep of a
+        SMOOTH key.
+        """
+        times, values = np.array(self.times, dtype=np.float64), np.stack([row.ravel() for row in rows])
+        leaving = np.diff(values, axis=0) / np.diff(times)[:, None]
+        reaching = leaving.copy()
+        for index, span in enumerate(self.spans):
+            if isinstance(span, Slopes):
+                leaving[index], reaching[index] = (slope.ravel() for slope in slopes_of(span))
+            elif span:
+                leaving[index] = reaching[index] = 0.0
+        return KeyedCurves(times, values, leaving, reaching)
+
+
+def timed_keys(shape: RotoShape, slopes: Sequence[Slopes | None], offset: int) -> TimedKeys:
+    """The keys of a shape on Nuke's frames; `slopes` are those of its spans, if it has any.
+
+    Nuke's list has no word for a hold, so the key of a HOLD stands once more on the last frame before the next key.
+
+    Raises `RoamError` for frames that single precision would round.
+    """
+    keys: list[Keyframe] = []
+    times: list[int] = []
+    spans: list[Slopes | bool | None] = []
+    for key, following, slope in zip_longest(shape.keys, shape.keys[1:], slopes):
+        keys.append(key)
+        times.append(key.frame + offset)
+        if following is None:
+            break
+        spans.append(slope or key.interpolation is not Interpolation.LINEAR)
+        if key.interpolation is Interpolation.HOLD and following.frame - key.frame > 1:
+            keys.append(key)
+            times.append(following.frame - 1 + offset)
+            spans.append(True)
+    if max(abs(time) for time in times) > LAST_EXACT_FRAME:
+        raise RoamError(f"The shape {shape.name!r} has keys on frames beyond {LAST_EXACT_FRAME}, which Nuke rounds.")
+    return TimedKeys(times, keys, spans)
+
+
+def outline_triples(points: Array, height: float) -> Array:
+    """Points `(P, 3, 2)` as incoming handle, anchor, outgoing handle: handles relative, y up from `height`."""
+    anchor = points[:, ANCHOR]
+    centre = np.stack([anchor[:, 0], height - anchor[:, 1]], axis=1)
+    return np.stack([(points[:, IN] - anchor) * UP, centre, (points[:, OUT] - anchor) * UP], axis=1)
+
+
+def feather_triples(points: Array, feather: Array | None) -> Array:
+    """The feather curve as `(P, 3, 2)`: its points relative to the outline's, its handles to its own points."""
+    offsets = np.zeros_like(points) if feather is None else feather
+    curve = points + offsets
+    incoming, outgoing = (curve[:, part] - curve[:, ANCHOR] for part in (IN, OUT))
+    result: Array = np.stack([incoming, offsets[:, ANCHOR], outgoing], axis=1) * UP
+    return result

@@ -1,0 +1,217 @@
+"""Fewest keys: the engine writes a curve on every frame, a compositor's artist wants as few as do the same.
+
+A span between two keys that are kept is good when, on every frame inside, every place of the new outline (and feather
+curve) lies within the tolerance of the old one, and every place of the old one within the tolerance of the new: what
+slides along the outline costs nothing. Whether a span is good depends on its two ends only: the fewest keys are a
+shortest path over the frames, and found exactly.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from enum import StrEnum
+from itertools import pairwise
+
+import numpy as np
+from numpy.typing import NDArray
+
+from roam_core.errors import RoamError
+from roam_core.geometry import bezier
+from roam_core.kernels.key_spans import RIDGE, cubic_span_errors, linear_span_errors, outline_distances
+from roam_core.roto import Interpolation, Keyframe, Origin, RotoShape
+
+Array = NDArray[np.float64]
+
+PLACES = 8
+"""Places on each segment of the outline at which it is compared; between two of them it is taken to be straight."""
+
+
+class Motion(StrEnum):
+    """How a target moves points between two keys.
+
+    LINEAR : evenly along the straight line.
+    CUBIC : by a cubic in time with a slope of our choice at either end, as Nuke does; the slopes are those that fit the
+        frames between by least squares.
+    """
+
+    LINEAR = "linear"
+    CUBIC = "cubic"
+
+
+@dataclass(frozen=True)
+class Slopes:
+    """Pixels a frame with which a span leaves its first key and reaches its last: each (P, 3, 2), feather's or None."""
+
+    leaving: Array
+    reaching: Array
+    feather_leaving: Array | None = None
+    feather_reaching: Array | None = None
+
+
+@dataclass(frozen=True)
+class Reduction:
+    """A shape with few keys, and what that costs.
+
+    Attributes
+    ----------
+    shape : its keys are some of the original outlines; between them it moves linearly or holds, or by `slopes`.
+    slopes : one entry for each span, None where it is straight or held; empty for `Motion.LINEAR`.
+    before : number of frames from the first key to the last.
+    max_error, mean_error : pixels between the original outlines and the reduced ones, over all places of all frames.
+    """
+
+    shape: RotoShape
+    slopes: tuple[Slopes | None, ...]
+    before: int
+    max_error: float
+    mean_error: float
+
+    def report(self) -> str:
+        """What was achieved, in one sentence."""
+        return (
+            f"{self.shape.name!r}: {len(self.shape.keys)} keys for {self.before} frames; the outline moves by at most "
+            f"{self.max_error:.2f} px, {self.mean_error:.2f} px on average."
+        )
+
+
+def reduced(shape: RotoShape, tolerance: float, motion: Motion = Motion.LINEAR) -> Reduction:
+    """The fewest keys that keep the outline within `tolerance` pixels on every frame from the first key to the last.
+
+    The first and last key, the artist's keys and both ends of every held span stay; of answers with equally few keys
+    the one with the smallest largest error is taken.
+
+    Raises `RoamError` when the tolerance is no positive number.
+    """
+    if not 0.0 < tolerance < np.inf:
+        raise RoamError(f"The tolerance of reduced keys must be a positive number of pixels, not {tolerance:g}.")
+    first, last = shape.frames[0], shape.frames[-1]
+    stacked = _stacked(shape)
+    samples = _samples(stacked, shape.closed)
+    keys: list[Keyframe] = []
+    slopes: list[Slopes | None] = []
+    after = samples.copy()
+    for start, stop in pairwise(_fixed_frames(shape)):
+        begun = shape.key_at(start)
+        if begun is not None and begun.interpolation is Interpolation.HOLD:
+            keys.append(begun)
+            slopes.append(None)
+            continue
+        chosen = fewest(samples[start - first : stop - first + 1], shape.closed, tolerance, motion)
+        for left, right in pairwise(start - first + index for index in chosen):
+            keys.append(_key(shape, first + left))
+            slopes.append(_slopes(stacked[left : right + 1], motion))
+            after[left : right + 1] = _interpolated(samples[left : right + 1], motion)
+    strays = [outline_distances(*pair, shape.closed) for pair in ((samples, after), (after, samples))]
+    return Reduction(
+        replace(shape, keys=(*keys, _key(shape, last))),
+        tuple(slopes) if motion is Motion.CUBIC else (),
+        len(samples),
+        float(max(stray.max() for stray in strays)),
+        float(np.mean(strays)),
+    )
+
+
+def _stacked(shape: RotoShape) -> Array:
+    """Points, and the feather's offsets where there are any, of every frame: `(F, 1 | 2, P, 3, 2)`."""
+    outlines = [shape.at(frame) for frame in range(shape.frames[0], shape.frames[-1] + 1)]
+    points = np.stack([outline.points for outline in outlines])
+    if all(outline.feather is None for outline in outlines):
+        return points[:, None]
+    still = np.zeros_like(points[0])
+    feathers = np.stack([still if outline.feather is None else outline.feather for outline in outlines])
+    return np.stack([points, feathers], axis=1)
+
+
+def fewest(samples: Array, closed: bool, tolerance: float, motion: Motion = Motion.LINEAR) -> list[int]:
+    """Indices of the fewest frames of `samples (F, C, S, 2)`, the first and last among them, with good spans between.
+
+    Dynamic programming over frames; for each the best (number of keys, largest error) that leads to it.
+    """
+    count = len(samples)
+    cost: Callable[[Array, bool, int, float], Array]
+    cost = linear_span_errors if motion is Motion.LINEAR else cubic_span_errors
+    keys = np.full(count, count + 1)
+    worst = np.full(count, np.inf)
+    before = np.zeros(count, dtype=np.intp)
+    keys[0], worst[0] = 1, 0.0
+    for start in range(count - 1):
+        errors = np.maximum(cost(samples, closed, start, tolerance), worst[start])
+        usable = np.isfinite(errors)
+        better = usable & ((keys[start] + 1 < keys) | ((keys[start] + 1 == keys) & (errors < worst)))
+        keys[better], worst[better], before[better] = keys[start] + 1, errors[better], start
+    path = [count - 1]
+    while path[-1] > 0:
+        path.append(int(before[path[-1]]))
+    return path[::-1]
+
+
+def _fixed_frames(shape: RotoShape) -> list[int]:
+    """Frames whose keys stay: the ends, the artist's, and both ends of what is held."""
+    fixed = {shape.frames[0], shape.frames[-1], *shape.artist_frames}
+    for key, following in zip(shape.keys, shape.keys[1:], strict=False):
+        if key.interpolation is Interpolation.HOLD:
+            fixed |= {key.frame, following.frame}
+    return sorted(fixed)
+
+
+def _key(shape: RotoShape, frame: int) -> Keyframe:
+    """The shape's own key on this frame, made linear, or a new one of the engine's where there was none."""
+    key = shape.key_at(frame)
+    if key is None:
+        outline = shape.at(frame)
+        return Keyframe(frame, outline.points, outline.feather, Origin.ENGINE)
+    return replace(key, interpolation=Interpolation.LINEAR)
+
+
+def _samples(stacked: Array, closed: bool) -> Array:
+    """Places `(F, C, S, 2)` of the outline, and of the feather curve where there is one; `stacked (F, C, P, 3, 2)`."""
+    frames, curves, count = stacked.shape[:3]
+    absolute = np.cumsum(stacked, axis=1).reshape(frames, curves, 3 * count, 2)
+    return np.asarray(_sampler(count, closed) @ absolute)
+
+
+def _sampler(count: int, closed: bool) -> Array:
+    """The linear map `(S, 3 P)` from control points to places."""
+    segments = bezier.segment_count(count, closed)
+    if segments == 0:
+        return np.eye(1, 3 * count)
+    segment = np.repeat(np.arange(segments), PLACES)
+    t = np.tile(np.arange(PLACES) / PLACES, segments)
+    if not closed:
+        segment, t = np.append(segment, segments - 1), np.append(t, 1.0)
+    return bezier.design_matrix(count, segment, t, closed)
+
+
+def _straight(values: Array) -> Array:
+    """The straight motion from the first of `values (F, ...)` to the last."""
+    u = np.linspace(0.0, 1.0, len(values)).reshape(-1, *[1] * (values.ndim - 1))
+    return np.asarray((1.0 - u) * values[0] + u * values[-1])
+
+
+def _fit(count: int) -> tuple[Array, Array]:
+    """The Hermite polynomials of the two slopes on `count` frames, `(F, 2)`, and the least-squares fit, `(2, F)`."""
+    u = np.linspace(0.0, 1.0, count)
+    basis = np.stack([u * (1 - u) ** 2, -u * u * (1 - u)], axis=1)
+    return basis, np.asarray(np.linalg.solve(basis.T @ basis + RIDGE * np.eye(2), basis.T))
+
+
+def _interpolated(values: Array, motion: Motion) -> Array:
+    """The frames of a span `(F, ...)` as the target will show them."""
+    straight = _straight(values)
+    if motion is Motion.LINEAR:
+        return straight
+    basis, fit = _fit(len(values))
+    return np.asarray(straight + np.tensordot(basis @ fit, values - straight, axes=1))
+
+
+def _slopes(stacked: Array, motion: Motion) -> Slopes | None:
+    """The slopes of a span `stacked (F, C, P, 3, 2)`; None where it is straight."""
+    if motion is Motion.LINEAR or len(stacked) == 2:
+        return None
+    _, fit = _fit(len(stacked))
+    bends = np.tensordot(fit, stacked - _straight(stacked), axes=1)
+    leaving, reaching = (stacked[-1] - stacked[0] + bends) / (len(stacked) - 1.0)
+    if len(leaving) == 1:
+        return Slopes(leaving[0], reaching[0])
+    return Slopes(leaving[0], reaching[0], leaving[1], reaching[1])

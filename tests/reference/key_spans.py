@@ -1,0 +1,53 @@
+"""The errors of spans between two keys, slow and obvious: fit, interpolate, measure every place both ways."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from roam_core.kernels.key_spans import REACH
+
+Array = NDArray[np.float64]
+
+
+def ref_span_error(samples: Array, closed: bool, start: int, stop: int, *, cubic: bool) -> float:
+    """Largest distance between the outlines `samples (F, C, S, 2)` inside a span and the interpolated ones."""
+    truth = samples[start + 1 : stop]
+    if len(truth) == 0:
+        return 0.0
+    between = ref_interpolated(samples[start : stop + 1], cubic=cubic)[1:-1]
+    distances = [ref_distances(truth, between, closed), ref_distances(between, truth, closed)]
+    return float(np.max(distances))
+
+
+def ref_interpolated(samples: Array, *, cubic: bool) -> Array:
+    """All frames of a span by the two at its ends, and by slopes fitted to those inside."""
+    u = np.arange(len(samples)) / (len(samples) - 1)
+    straight = (1 - u)[:, None, None, None] * samples[0] + u[:, None, None, None] * samples[-1]
+    if not cubic:
+        return straight
+    basis = np.stack([u * (1 - u) ** 2, -(u**2) * (1 - u)], axis=1)
+    strays = (samples - straight).reshape(len(samples), -1)
+    slopes = np.linalg.lstsq(basis, strays, rcond=1e-6)[0]
+    return straight + (basis @ slopes).reshape(samples.shape)
+
+
+def ref_distances(places: Array, others: Array, closed: bool) -> Array:
+    """Distance from each of `places (F, C, S, 2)` to the edges of `others` about the same place."""
+    result = np.empty(places.shape[:3])
+    count = places.shape[2]
+    reach = min(REACH, count // 2)
+    for f, c, s in np.ndindex(*result.shape):
+        line, place = others[f, c], places[f, c, s]
+        candidates = [np.hypot(*(line[s] - place))]
+        for edge in range(s - reach, s + reach):
+            if closed or 0 <= edge < count - 1:
+                candidates.append(_to_segment(place, line[edge % count], line[(edge + 1) % count]))
+        result[f, c, s] = min(candidates)
+    return result
+
+
+def _to_segment(place: Array, a: Array, b: Array) -> float:
+    along = b - a
+    t = 0.0 if not along.any() else float(np.clip((place - a) @ along / (along @ along), 0.0, 1.0))
+    return float(np.hypot(*(a + t * along - place)))
