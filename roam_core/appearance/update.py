@@ -36,7 +36,7 @@ def adapted(mixtures: Mixtures, samples: Samples, rate: float, floor: float, spr
     rho = np.clip(rate * shares[:, :-1] / np.maximum(weight, 1e-12), 0.0, 1.0)[:, :, None]
     mean = (1.0 - rho) * mixtures.mean + rho * means[:, :-1]
     variance = (1.0 - rho) * mixtures.variance + rho * (variances[:, :-1] + (means[:, :-1] - mean) ** 2)
-    edges = np.flatnonzero(known & (shares[:, -1] > REPLACED))
+    edges = np.flatnonzero(known & (rate * shares[:, -1] > rate * REPLACED))
     weakest = weight[edges].argmin(axis=1)
     weight[edges, weakest] = rate * shares[edges, -1]
     mean[edges, weakest] = means[edges, -1]

@@ -95,16 +95,17 @@ def joint_energy(nodes: Array, context: CurveContext, params: RoamParams, unary:
 
 
 def untangled(before: Array, after: Array) -> Array:
-    """`after (N, 2)` with the nodes of its loops put back to where they are in `before`, a curve without crossings."""
+    """`after (N, 2)` with the nodes at its crossings put back to where they are in `before`, a curve without crossings.
+
+    Nodes next to a crossing go first, then their neighbours, until none is left.
+    """
     result = after.copy()
     count = len(after)
-    for _ in range(UNTANGLING):
+    for width in range(UNTANGLING):
         pairs = polyline.crossings(result)
         if len(pairs) == 0:
             return result
-        for first, second in np.sort(pairs, axis=1):
-            inner = np.arange(first, second + 2)
-            outer = np.arange(second, first + count + 2)
-            loop = inner if len(inner) <= len(outer) else outer
-            result[loop % count] = before[loop % count]
+        around = np.arange(-(width // 2), width // 2 + 2)
+        guilty = np.unique((pairs.ravel()[:, None] + around) % count)
+        result[guilty] = before[guilty]
     return before.copy()

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 import pytest
 
 from roam_core.energy import curve
+from roam_core.kernels.region_sums import row_sums
 
 TRIANGLE = np.array([(4.0, 4.0), (7.0, 8.0), (4.0, 8.0)])
 """Edges of 5, 3 and 4 pixels."""
@@ -39,3 +42,48 @@ def test_a_longer_edge_is_not_better_than_a_short_one_of_the_same_pixels() -> No
     small = curve.pairwise_gradient(TRIANGLE, np.zeros((1, 2)), field).sum()
     large = curve.pairwise_gradient(3.0 * TRIANGLE, np.zeros((1, 2)), field).sum()
     assert small == pytest.approx(large)
+
+
+SQUARE = np.array([(6.0, 6.0), (18.0, 6.0), (18.0, 18.0), (6.0, 18.0)])
+"""Clockwise on screen."""
+
+
+def ln_densities(inside: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """ln p_f and ln p_b of a picture whose object is known."""
+    foreground = np.where(inside, -2.0, -8.0).astype(np.float32)
+    return foreground, (-10.0 - foreground).astype(np.float32)
+
+
+@pytest.mark.parametrize("turned", [False, True], ids=["clockwise", "counter-clockwise"])
+def test_a_ribbon_that_is_explained_on_both_sides_is_good_whichever_way_the_curve_runs(turned: bool) -> None:
+    inside = np.zeros((24, 24), dtype=bool)
+    inside[6:18, 6:18] = True
+    nodes = SQUARE[::-1].copy() if turned else SQUARE
+    orientation = -1.0 if turned else 1.0
+    stay = np.zeros((1, 2))
+    there = curve.pairwise_ribbon(nodes, stay, ln_densities(inside), orientation, 4.0)
+    assert there.ravel() == pytest.approx([4.0] * 4)
+    beside = curve.pairwise_ribbon(nodes + 3.0, stay, ln_densities(inside), orientation, 4.0)
+    assert beside.sum() > there.sum() + 4.0
+    inverted = curve.pairwise_ribbon(nodes, stay, ln_densities(~inside), orientation, 4.0)
+    assert inverted.ravel() == pytest.approx([16.0] * 4)
+
+
+@pytest.mark.parametrize("term", [curve.pairwise_competition, curve.pairwise_global])
+def test_region_terms_are_least_around_all_that_looks_like_the_object(term: Callable[..., np.ndarray]) -> None:
+    ratio = np.full((24, 24), -1.0, dtype=np.float32)
+    ratio[6:18, 6:18] = 2.0
+    sums, stay = row_sums(ratio), np.zeros((1, 2))
+    assert term(SQUARE, stay, sums, 1.0, 12.0).sum() == pytest.approx(-2.0 * 144 / 12.0)
+    assert term(SQUARE[::-1].copy(), stay, sums, -1.0, 12.0).sum() == pytest.approx(-2.0 * 144 / 12.0)
+    for grown in (12.0 + 1.2 * (SQUARE - 12.0), 12.0 + 0.8 * (SQUARE - 12.0), SQUARE + 2.0):
+        assert term(grown, stay, sums, 1.0, 12.0).sum() > -2.0 * 144 / 12.0
+
+
+def test_a_side_that_moves_sees_farther_than_a_ribbon() -> None:
+    """The object ends ten pixels inside the curve: a ribbon of four sees no difference, a swept region does."""
+    ratio = np.full((24, 40), -1.0, dtype=np.float32)
+    ratio[:, :20] = 1.0
+    nodes = np.array([(4.0, 4.0), (32.0, 4.0), (32.0, 20.0), (4.0, 20.0)])
+    table = curve.pairwise_competition(nodes, np.array([(0.0, 0.0), (-2.0, 0.0)]), row_sums(ratio), 1.0, 16.0)
+    assert table[1, 1, 1] - table[1, 0, 0] == pytest.approx(-2.0)

@@ -8,8 +8,11 @@ import numpy as np
 import pytest
 
 from roam_core.energy import total
+from roam_core.energy.colour_fields import ColourFields
 from roam_core.energy.total import CurveContext
-from roam_core.params import RoamParams
+from roam_core.features import Region
+from roam_core.features.grid import Grid
+from roam_core.params import AppearanceParams, RoamParams
 from tests.reference.cyclic_viterbi import chain_energy
 
 # No sample of any edge falls on a border between pixels, where rounding would choose the side.
@@ -53,3 +56,52 @@ def test_the_region_may_lie_anywhere(context: CurveContext) -> None:
     here = total.energies(NODES, context, RoamParams())
     there = total.energies(NODES + np.array([50.0, -20.0]), moved, RoamParams())
     assert there["total"] == pytest.approx(here["total"])
+
+
+RIBBON = RoamParams(mu=0.3, lambda_local=0.4, appearance=AppearanceParams(term="ribbon", ribbon_depth=5.0))
+COMPETITION = RoamParams(mu=0.3, lambda_local=0.05, lambda_global=0.02, appearance=AppearanceParams(term="region"))
+
+
+@pytest.fixture
+def coloured(context: CurveContext) -> CurveContext:
+    rng = np.random.default_rng(8)
+    foreground, background, whole = rng.uniform(-13.0, -6.0, (3, 14, 15)).astype(np.float32)
+    grid = Grid(Region(6, 8, 34, 38), 14, 15)  # cells of about two pixels, not quite square
+    return replace(context, colours=ColourFields(grid, foreground, background, 4.0, whole + np.float32(9.0)))
+
+
+@pytest.mark.parametrize("params", [RIBBON, COMPETITION], ids=["ribbon", "competition"])
+def test_any_labelling_of_the_tables_with_colours_has_the_oracles_energy(
+    coloured: CurveContext, params: RoamParams
+) -> None:
+    unary, pairwise = total.tables(NODES, MOVES, coloured, params)
+    for labels in np.random.default_rng(4).integers(0, len(MOVES), (20, len(NODES))):
+        direct = total.energies(NODES + MOVES[labels], coloured, params)
+        assert chain_energy(unary, pairwise, labels) == pytest.approx(direct["total"], abs=1e-9)
+
+
+@pytest.mark.parametrize(("weight", "term"), [("lambda_local", "local"), ("lambda_global", "global")])
+@pytest.mark.parametrize("params", [RIBBON, COMPETITION], ids=["ribbon", "competition"])
+def test_each_weight_of_the_colours_scales_its_own_term(
+    coloured: CurveContext, params: RoamParams, weight: str, term: str
+) -> None:
+    once = total.energies(NODES, coloured, replace(params, **{weight: 0.1}))
+    twice = total.energies(NODES, coloured, replace(params, **{weight: 0.2}))
+    assert {name for name in once if twice[name] != once[name]} == {term, "total"}
+    assert twice[term] == pytest.approx(2.0 * once[term])
+    assert once[term] != 0.0
+
+
+def test_region_terms_do_not_depend_on_the_number_of_nodes(coloured: CurveContext) -> None:
+    """So that proposals of other curves can be compared: nodes in the middle of the edges change no sum over pixels."""
+    halves = np.stack([NODES, 0.5 * (NODES + np.roll(NODES, -1, axis=0))], axis=1).reshape(-1, 2)
+    few, many = (total.energies(nodes, coloured, COMPETITION) for nodes in (NODES, halves))
+    assert many["local"] == pytest.approx(few["local"])
+    assert many["global"] == pytest.approx(few["global"])
+
+
+def test_log_ratios_are_clipped(coloured: CurveContext) -> None:
+    assert coloured.colours is not None
+    ratio = coloured.colours.log_ratio
+    assert np.abs(ratio).max() == 4.0
+    assert np.count_nonzero(np.abs(ratio) < 4.0) > ratio.size / 2

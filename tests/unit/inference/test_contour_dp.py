@@ -7,7 +7,8 @@ import pytest
 
 from roam_core.cancel import Cancelled, CancelToken
 from roam_core.energy import total
-from roam_core.inference.contour_dp import best_moves, descend, square_moves
+from roam_core.geometry import polyline
+from roam_core.inference.contour_dp import best_moves, descend, joint_energy, square_moves, untangled
 from tests.reference.cyclic_viterbi import ref_cyclic_viterbi
 from tests.unit.inference.conftest import Problem
 
@@ -49,7 +50,7 @@ def test_the_energy_falls_and_ends_at_the_oracles(real: Problem) -> None:
 
 def test_a_solved_outline_that_converged_stays_where_it_is(real: Problem) -> None:
     nodes = real.nodes
-    for _ in range(20):
+    for _ in range(40):
         solution = descend(nodes, real.context, real.params, real.scale)
         if np.array_equal(solution.nodes, nodes):
             break
@@ -63,3 +64,42 @@ def test_a_cancelled_token_stops_the_rounds(real: Problem) -> None:
     token.cancel()
     with pytest.raises(Cancelled):
         descend(real.nodes, real.context, real.params, real.scale, token)
+
+
+def test_further_unaries_take_part_in_the_minimum(real: Problem) -> None:
+    target = real.nodes + np.array([3.0, 0.0])
+
+    def pulled(nodes: np.ndarray, moves: np.ndarray) -> np.ndarray:
+        away = nodes[:, None] + moves - target[:, None]
+        return np.asarray(10.0 * (away**2).sum(axis=2))
+
+    solution = descend(real.nodes, real.context, real.params, real.scale, unary=pulled)
+    np.testing.assert_allclose(solution.nodes, target, atol=1.0)
+    energy = joint_energy(solution.nodes, real.context, real.params, pulled)
+    assert solution.trace[-1] == pytest.approx(energy, abs=1e-9)
+    assert energy > total.energies(solution.nodes, real.context, real.params)["total"] - 1e-9
+
+
+def test_no_round_ties_a_simple_curve_into_loops(real: Problem) -> None:
+    assert polyline.is_simple(real.nodes)
+    assert polyline.is_simple(descend(real.nodes, real.context, real.params, real.scale).nodes)
+
+
+RECTANGLE = polyline.resample(np.array([(0.0, 0.0), (40.0, 0.0), (40.0, 10.0), (0.0, 10.0)]), 50)
+
+
+def test_untangling_puts_loops_back_and_leaves_the_rest() -> None:
+    moved = RECTANGLE + np.array([1.0, 0.0])
+    low = np.flatnonzero((RECTANGLE[:, 1] < 0.1) & (np.abs(RECTANGLE[:, 0] - 20.0) < 3.0))
+    moved[low, 1] += 14.0  # through the opposite side
+    assert not polyline.is_simple(moved)
+    result = untangled(RECTANGLE, moved)
+    assert polyline.is_simple(result)
+    np.testing.assert_array_equal(result[low], RECTANGLE[low])
+    kept = (result == moved).all(axis=1)
+    assert np.count_nonzero(kept) > len(kept) / 2
+
+
+def test_a_curve_that_only_crosses_is_put_back_as_a_whole() -> None:
+    scattered = np.random.default_rng(1).permutation(RECTANGLE)
+    assert polyline.is_simple(untangled(RECTANGLE, scattered))
