@@ -7,10 +7,12 @@ from collections.abc import Callable, Iterable
 import numpy as np
 from numpy.typing import NDArray
 
-from roam_core.matte.rasterise import has_area, shape_matte
+from roam_core.matte.rasterise import Patch, has_area, shape_patch
 from roam_core.roto import BlendMode, Layer, Project, RotoShape
 
 Matte = NDArray[np.float32]
+Draw = Callable[[RotoShape, float, tuple[int, int]], Patch]
+"""Fills one shape at one frame in a picture of `(h, w)`: `shape_patch`, or what remembers its answers."""
 
 
 def _add(under: Matte, matte: Matte) -> Matte:
@@ -46,7 +48,9 @@ BLENDS: dict[BlendMode, Callable[[Matte, Matte], Matte]] = {
 """What a matte makes of what lies under it in its layer: `blend(under, matte) -> (h, w)` in [0, 1]."""
 
 
-def render_matte(shapes: Project | Layer | Iterable[RotoShape], frame: float, size: tuple[int, int]) -> Matte:
+def render_matte(
+    shapes: Project | Layer | Iterable[RotoShape], frame: float, size: tuple[int, int], drawn: Draw = shape_patch
+) -> Matte:
     """The joint matte of shapes at one frame.
 
     Shapes are joined bottom first. A layer is joined inside itself, then inverted, then scaled by its opacity, and
@@ -59,6 +63,7 @@ def render_matte(shapes: Project | Layer | Iterable[RotoShape], frame: float, si
     shapes : a project, a layer, or shapes in the order of compositing.
     frame : the plate's frame number.
     size : (h, w) of the image.
+    drawn : fills one shape; whoever needs shapes more than once gives a function that remembers.
 
     Returns
     -------
@@ -67,24 +72,37 @@ def render_matte(shapes: Project | Layer | Iterable[RotoShape], frame: float, si
     if isinstance(shapes, Project):
         shapes = shapes.root
     if isinstance(shapes, Layer):
-        return _layer_matte(shapes, frame, size) if shapes.visible else np.zeros(size, dtype=np.float32)
-    return _join(shapes, frame, size)
+        return _layer_matte(shapes, frame, size, drawn) if shapes.visible else np.zeros(size, dtype=np.float32)
+    return _join(shapes, frame, size, drawn)
 
 
-def _layer_matte(layer: Layer, frame: float, size: tuple[int, int]) -> Matte:
-    matte = _join(layer.children, frame, size)
+def _layer_matte(layer: Layer, frame: float, size: tuple[int, int], drawn: Draw) -> Matte:
+    matte = _join(layer.children, frame, size, drawn)
     if layer.invert:
-        matte = np.float32(1.0) - matte
-    return matte if layer.opacity == 1.0 else matte * np.float32(layer.opacity)
+        np.subtract(np.float32(1.0), matte, out=matte)
+    if layer.opacity != 1.0:
+        matte *= np.float32(layer.opacity)
+    return matte
 
 
-def _join(items: Iterable[Layer | RotoShape], frame: float, size: tuple[int, int]) -> Matte:
+def _join(items: Iterable[Layer | RotoShape], frame: float, size: tuple[int, int], drawn: Draw) -> Matte:
     matte: Matte = np.zeros(size, dtype=np.float32)
     for item in items:
         if not item.visible:
             continue
         if isinstance(item, Layer):
-            matte = _add(matte, _layer_matte(item, frame, size))
+            matte = _add(matte, _layer_matte(item, frame, size, drawn))
         elif has_area(item, frame):
-            matte = BLENDS[item.blend](matte, shape_matte(item, frame, size))
+            _put(drawn(item, frame, size), item.blend, matte)
     return matte
+
+
+def _put(patch: Patch, mode: BlendMode, matte: Matte) -> None:
+    """Blend a shape into the matte `(h, w)` under it; only where the shape reaches, unless black beside it matters."""
+    if patch.outside != 0.0:
+        matte[:] = BLENDS[mode](matte, patch.whole(matte.shape))
+        return
+    region = BLENDS[mode](matte[patch.place], patch.values)
+    if mode is BlendMode.INTERSECT:
+        matte[:] = 0.0
+    matte[patch.place] = region

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
 
 from roam_core.geometry import bezier
-from roam_core.kernels.coverage import coverage, distance
-from roam_core.roto import Outline, RotoShape
+from roam_core.kernels.coverage import coverage, distance, swept_coverage
+from roam_core.roto import Interpolation, Outline, RotoShape
 
 Array = NDArray[np.float64]
 Matte = NDArray[np.float32]
@@ -20,6 +21,31 @@ far less on average, which 8 bits hardly show."""
 
 LEAST_LEVELS, MOST_LEVELS = 8, 128
 """Bounds on the outlines that are laid between an outline and its feather curve."""
+
+
+@dataclass(frozen=True)
+class Patch:
+    """A matte of which only a rectangle is stored: `values (h, w)` float32 from row `top` and column `left`.
+
+    Every pixel beside it has the value `outside`.
+    """
+
+    top: int
+    left: int
+    values: Matte
+    outside: float = 0.0
+
+    @property
+    def place(self) -> tuple[slice, slice]:
+        """Where the values lie in the picture."""
+        height, width = self.values.shape
+        return slice(self.top, self.top + height), slice(self.left, self.left + width)
+
+    def whole(self, size: tuple[int, int]) -> Matte:
+        """The matte `(h, w)` of the whole picture."""
+        matte = np.full(size, self.outside, dtype=np.float32)
+        matte[self.place] = self.values
+        return matte
 
 
 def shape_matte(shape: RotoShape, frame: float, size: tuple[int, int]) -> Matte:
@@ -37,12 +63,25 @@ def shape_matte(shape: RotoShape, frame: float, size: tuple[int, int]) -> Matte:
     (h, w) float32 in [0, 1]: coverage with its soft edge, averaged over the open shutter, then inverted, then scaled by
     the opacity.
     """
+    return shape_patch(shape, frame, size).whole(size)
+
+
+def shape_patch(shape: RotoShape, frame: float, size: tuple[int, int]) -> Patch:
+    """What `shape_matte` gives, stored in the rectangle that the shape reaches: small shapes cost little anywhere."""
     if not has_area(shape, frame):
-        return np.zeros(size, dtype=np.float32)
-    matte = _over_shutter(shape, frame, size)
+        return Patch(0, 0, np.zeros((0, 0), dtype=np.float32))
+    moments = _moments(shape, frame)
+    outlines = [shape.at(moment) for moment in moments]
+    top, bottom, left, right = _reach(outlines, shape.feather, size)
+    values = np.zeros((bottom - top, right - left), dtype=np.float32)
+    if values.size:
+        values = _over_shutter([_moved(outline, left, top) for outline in outlines], shape, values.shape)
+    outside = 0.0
     if shape.invert:
-        matte = 1.0 - matte
-    return np.asarray(matte * np.float32(shape.opacity), dtype=np.float32)
+        values, outside = np.float32(1.0) - values, 1.0
+    if shape.opacity != 1.0:
+        values, outside = values * np.float32(shape.opacity), outside * shape.opacity
+    return Patch(top, left, values, outside)
 
 
 def has_area(shape: RotoShape, frame: float) -> bool:
@@ -56,43 +95,97 @@ def outline_matte(outline: Outline, feather: float, size: tuple[int, int]) -> Ma
     A feather curve gives the mean coverage of all outlines between the outline and the curve, each the linear blend of
     the two at one weight: the matte falls evenly from 1 to 0 across the gap, on whichever side of the outline the curve
     lies. The uniform `feather` is a ramp over the distance to the outline, in pixels, outwards where it is positive and
-    inwards where it is negative. Where a shape has both, the matte is as soft as the wider of the two outside.
+    inwards where it is negative, averaged over each pixel. Where a shape has both, the matte is as soft as the wider of
+    the two outside.
     """
     line, feathered = _lines(outline)
     if feathered is None:
         matte = coverage(line, size)
     else:
         matte = _between(line, feathered, size)
-    if feather > 0.0:
-        ramp = 1.0 - distance(line, size, feather) / np.float32(feather)
-        np.maximum(matte, ramp, out=matte)
-    elif feather < 0.0:
-        ramp = distance(line, size, -feather) / np.float32(-feather)
-        np.minimum(matte, ramp, out=matte)
+    if feather != 0.0:
+        away = distance(line, size, abs(feather) + 0.5)
+        signed = np.where(matte < np.float32(0.5), away, -away)
+        if feather > 0.0:
+            np.maximum(matte, _ramp(signed, feather), out=matte)
+        else:
+            np.minimum(matte, np.float32(1.0) - _ramp(-signed, -feather), out=matte)
     return matte
 
 
-def _over_shutter(shape: RotoShape, frame: float, size: tuple[int, int]) -> Matte:
-    """The mean of the mattes at the middles of equal parts of the open shutter."""
+def _ramp(signed: Matte, width: float) -> Matte:
+    """The mean over a pixel of the ramp that falls from 1 on the outline to 0 at `width` pixels outside of it.
+
+    `signed (h, w)` is the distance of the pixel's centre to the outline, outside positive. The mean is taken across the
+    outline: exact where it is straight and runs along the pixels.
+    """
+    share = np.float32(0.5 / width)
+
+    def integral(x: Matte) -> Matte:
+        on = np.clip(x, np.float32(0.0), np.float32(width))
+        total: Matte = np.minimum(x, np.float32(0.0)) + on - share * on * on
+        return total
+
+    half = np.float32(0.5)
+    ramp: Matte = integral(signed + half) - integral(signed - half)
+    return ramp
+
+
+def _reach(outlines: list[Outline], feather: float, size: tuple[int, int]) -> tuple[int, int, int, int]:
+    """Rows and columns (top, bottom, left, right; half open) outside of which the outlines leave the picture black.
+
+    A spline lies within the hull of its control points.
+    """
+    hulls = [outline.points.reshape(-1, 2) for outline in outlines]
+    hulls += [(o.points + o.feather).reshape(-1, 2) for o in outlines if o.feather is not None]
+    hull, margin = np.concatenate(hulls), max(feather + 1.0, 0.0)
+    bounds = np.array([size[1], size[0]], dtype=np.float64)
+    low = np.clip(np.floor(hull.min(axis=0) - margin), 0.0, bounds).astype(np.intp)
+    high = np.clip(np.ceil(hull.max(axis=0) + margin), low, bounds).astype(np.intp)
+    return int(low[1]), int(high[1]), int(low[0]), int(high[0])
+
+
+def _moved(outline: Outline, left: int, top: int) -> Outline:
+    return Outline(outline.points - np.array([left, top], dtype=np.float64), outline.feather, outline.closed)
+
+
+def _over_shutter(outlines: list[Outline], shape: RotoShape, size: tuple[int, int]) -> Matte:
+    """The mean matte over the open shutter, from its outlines at the borders of equal parts of it.
+
+    A shape with a soft edge is filled once a part, at its middle. One without is swept through each part, from border
+    to border, so that its edge leaves an even ramp however far it moves.
+    """
+    if len(outlines) == 1 or all(_same(outline, outlines[0]) for outline in outlines[1:]):
+        return outline_matte(outlines[0], shape.feather, size)
+    is_soft = shape.feather != 0.0 or any(o.feather is not None and o.feather.any() for o in outlines)
+    if not is_soft and not any(key.interpolation is Interpolation.HOLD for key in shape.keys):
+        return _swept(outlines[::2], size)
     total = np.zeros(size, dtype=np.float32)
-    moments = list(_moments(shape, frame))
-    previous: Outline | None = None
-    for moment in moments:
-        outline = shape.at(moment)
-        if previous is None or not _same(outline, previous):
-            matte = outline_matte(outline, shape.feather, size)
-        total += matte
-        previous = outline
-    return total if len(moments) == 1 else total / np.float32(len(moments))
+    middles = outlines[1::2]
+    for outline in middles:
+        total += outline_matte(outline, shape.feather, size)
+    return total / np.float32(len(middles))
 
 
-def _moments(shape: RotoShape, frame: float) -> Iterator[float]:
+def _swept(borders: list[Outline], size: tuple[int, int]) -> Matte:
+    """The mean coverage of outlines that move evenly from each of the borders to the next one."""
+    segments = np.stack([bezier.segments(outline.points) for outline in borders])
+    counts = np.max([bezier.flatten_counts(control, TOLERANCE) for control in segments], axis=0)
+    segment, weights = _places(counts)
+    lines = np.einsum("nk,mnkc->mnc", weights, segments[:, segment])
+    total = np.zeros(size, dtype=np.float32)
+    for start, end in pairwise(lines):
+        total += swept_coverage(start, end, size)
+    return total / np.float32(len(lines) - 1)
+
+
+def _moments(shape: RotoShape, frame: float) -> list[float]:
+    """The frame alone; or borders and middles of equal parts of the open shutter in turn, the borders at both ends."""
     blur = shape.motion_blur
     if blur is None or blur.shutter == 0.0 or blur.samples < 2:
-        yield frame
-        return
-    for sample in range(blur.samples):
-        yield frame + blur.phase + blur.shutter * (sample + 0.5) / blur.samples
+        return [frame]
+    halves = 2 * blur.samples
+    return [frame + blur.phase + blur.shutter * half / halves for half in range(halves + 1)]
 
 
 def _same(a: Outline, b: Outline) -> bool:
@@ -110,11 +203,16 @@ def _lines(outline: Outline) -> tuple[Array, Array | None]:
     inner = bezier.segments(outline.points)
     outer = bezier.segments(outline.points + outline.feather)
     counts = np.maximum(bezier.flatten_counts(inner, TOLERANCE), bezier.flatten_counts(outer, TOLERANCE))
-    segment = np.repeat(np.arange(len(inner)), counts)
-    first = np.cumsum(counts) - counts
-    weights = bezier.bernstein((np.arange(len(segment)) - first[segment]) / counts[segment])
+    segment, weights = _places(counts)
     line, feathered = (np.einsum("nk,nkc->nc", weights, control[segment]) for control in (inner, outer))
     return line, feathered
+
+
+def _places(counts: NDArray[np.intp]) -> tuple[NDArray[np.intp], Array]:
+    """Segments `(N,)` and weights `(N, 4)` of their control points for `counts (S,)` equal steps along each segment."""
+    segment = np.repeat(np.arange(len(counts)), counts)
+    first = np.cumsum(counts) - counts
+    return segment, bezier.bernstein((np.arange(len(segment)) - first[segment]) / counts[segment])
 
 
 def _between(line: Array, feathered: Array, size: tuple[int, int]) -> Matte:

@@ -42,6 +42,24 @@ def comp_coverage(line: Array, size: tuple[int, int]) -> Array:
     return result
 
 
+def ref_swept_coverage(start: Array, end: Array, size: tuple[int, int], steps: int) -> Array:
+    """Mean coverage `(h, w)` of the polygons at the middles of equal parts of the way from `start` to `end`."""
+    shares = (np.arange(steps) + 0.5) / steps
+    return np.mean([comp_coverage_by_rows((1 - u) * start + u * end, size) for u in shares], axis=0)
+
+
+def comp_coverage_by_rows(line: Array, size: tuple[int, int]) -> Array:
+    """Coverage `(h, w)` of a simple polygon, each pixel from the polygon clipped to its row before its column."""
+    height, width = size
+    result = np.zeros((height, width))
+    whole = [(float(x), float(y)) for x, y in line]
+    for row in range(height):
+        strip = _clip(_clip(whole, 1, row, 1), 1, row + 1, -1)
+        for column in range(width if strip else 0):
+            result[row, column] = abs(_area(_clip(_clip(strip, 0, column, 1), 0, column + 1, -1)))
+    return result
+
+
 def _clip(polygon: list[tuple[float, float]], axis: int, bound: float, keep: int) -> list[tuple[float, float]]:
     """The polygon on one side of an upright or level line (Sutherland and Hodgman)."""
     result: list[tuple[float, float]] = []

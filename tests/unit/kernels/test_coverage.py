@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from roam_core.kernels.coverage import coverage, distance
-from tests.reference.coverage import comp_coverage, ref_coverage, ref_distance
+from roam_core.kernels.coverage import coverage, distance, swept_coverage
+from tests.reference.coverage import comp_coverage, ref_coverage, ref_distance, ref_swept_coverage
 
 Array = NDArray[np.float64]
 
@@ -43,6 +43,31 @@ def test_simple_polygons_agree_with_supersampling(seed: int) -> None:
     assert np.abs(error).max() < 1 / 16
     assert np.abs(error).mean() < 1 / 256
     assert abs(error[crossed].mean()) < 1 / 256
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_simple_polygons_agree_with_256_samples_a_side_in_every_pixel(seed: int) -> None:
+    """So many points tell a pixel's area to about 1/512."""
+    line, size = star(seed, count=5, centre=(4.1, 3.2), reach=4.0), (7, 8)
+    np.testing.assert_allclose(coverage(line, size), ref_coverage(line, size, samples=256), atol=1 / 256)
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_a_sweep_is_the_mean_over_its_way(seed: int) -> None:
+    start, size = star(seed, count=5, centre=(6.0, 5.0), reach=5.0), (12, 14)
+    turned = (start - 6.0) @ np.array([[0.9, 0.2], [-0.2, 0.9]]) + np.array([8.0, 7.0])
+    expected = ref_swept_coverage(start, turned, size, steps=60)
+    np.testing.assert_allclose(swept_coverage(start, turned, size), expected, atol=2e-3)
+
+
+def test_a_sweep_that_goes_nowhere_is_the_coverage() -> None:
+    line = star(1)
+    np.testing.assert_allclose(swept_coverage(line, line, (24, 32)), coverage(line, (24, 32)), atol=1e-7)
+
+
+def test_a_sweep_keeps_its_vertices() -> None:
+    with pytest.raises(ValueError, match="9 vertices cannot move to one of 8"):
+        swept_coverage(star(0), star(0, count=8), (24, 32))
 
 
 @pytest.mark.parametrize("centre", [(0.0, 0.0), (32.0, 24.0), (-3.0, 12.0), (35.0, 12.0), (16.0, -4.0), (16.0, 28.0)])

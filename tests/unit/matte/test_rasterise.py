@@ -9,8 +9,8 @@ import pytest
 from numpy.typing import NDArray
 
 from roam_core.geometry import bezier
-from roam_core.matte import shape_matte
-from roam_core.roto import Keyframe, MotionBlur, RotoShape
+from roam_core.matte import Patch, render_matte, shape_matte, shape_patch
+from roam_core.roto import Interpolation, Keyframe, MotionBlur, RotoShape
 from tests.unit.matte.conftest import rectangle
 
 SIZE = (20, 24)
@@ -121,13 +121,36 @@ def test_a_feather_of_zeros_is_none(square: RotoShape) -> None:
 # ---- motion blur -----------------------------------------------------------------------------------------------------
 
 
-def test_motion_blur_averages_the_open_shutter() -> None:
+@pytest.mark.parametrize("samples", [2, 4, 16, 32])
+@pytest.mark.parametrize("travel", [0.75, 8.0, 13.3])
+def test_a_square_that_glides_leaves_the_analytic_ramp(samples: int, travel: float) -> None:
+    """The share of the shutter during which a column is covered, averaged over the column's width."""
     start = rectangle(4.0, 4.0, 8.0, 16.0)
+    moving = start.with_key(Keyframe(2, start.keys[0].points + np.array([travel, 0.0])))
+    blurred = replace(moving, motion_blur=MotionBlur(shutter=1.0, phase=0.0, samples=samples))
+    x = np.linspace(0.0, 24.0, 24 * 256, endpoint=False) + 1.0 / 512.0
+    earliest, latest = np.clip((x - 8.0) / travel, 0.0, 1.0), np.clip((x - 4.0) / travel, 0.0, 1.0)
+    expected = (latest - earliest).reshape(24, 256).mean(axis=1)
+    matte = shape_matte(blurred, 1, SIZE)
+    np.testing.assert_allclose(matte[5:15], np.tile(expected, (10, 1)), atol=1.0 / 512.0)
+    assert matte[:4].max() == matte[16:].max() == 0.0
+
+
+def test_a_soft_shape_is_filled_once_for_every_part_of_the_shutter() -> None:
+    start = rectangle(4.0, 4.0, 8.0, 16.0, feather=2.0)
     moving = start.with_key(Keyframe(2, start.keys[0].points + np.array([8.0, 0.0])))
     blurred = replace(moving, motion_blur=MotionBlur(shutter=1.0, phase=0.0, samples=4))
     # Sub-frames at 1/8, 3/8, 5/8, 7/8: the rectangle's left side at 5, 7, 9, 11.
-    expected = np.mean([shape_matte(rectangle(x, 4.0, x + 4.0, 16.0), 1, SIZE) for x in (5, 7, 9, 11)], axis=0)
-    np.testing.assert_allclose(shape_matte(blurred, 1, SIZE), expected, atol=1e-6)
+    still = [shape_matte(rectangle(x, 4.0, x + 4.0, 16.0, feather=2.0), 1, SIZE) for x in (5, 7, 9, 11)]
+    np.testing.assert_allclose(shape_matte(blurred, 1, SIZE), np.mean(still, axis=0), atol=1e-6)
+
+
+def test_a_jump_from_a_held_key_is_no_motion() -> None:
+    start = rectangle(4.0, 4.0, 8.0, 16.0)
+    held = replace(start.keys[0], interpolation=Interpolation.HOLD)
+    moving = replace(start, keys=(held, Keyframe(2, start.keys[0].points + np.array([8.0, 0.0]))))
+    matte = shape_matte(replace(moving, motion_blur=MotionBlur(shutter=1.0, phase=-0.5, samples=4)), 2, SIZE)
+    np.testing.assert_allclose(matte[10, :24], [0] * 4 + [0.5] * 4 + [0] * 4 + [0.5] * 4 + [0] * 8, atol=1e-6)
 
 
 def test_the_shutter_opens_at_its_phase() -> None:
@@ -146,3 +169,50 @@ def test_polygon_points_fill_like_their_polygon() -> None:
     triangle = bezier.polygon_points([(2.0, 2.0), (18.0, 2.0), (2.0, 18.0)])
     matte = shape_matte(RotoShape("a", "Triangle", (Keyframe(1, triangle),)), 1, SIZE)
     assert matte.sum() == pytest.approx(128.0, abs=1e-3)
+
+
+# ---- patches ---------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("corner", [(-30.0, 2.0), (-4.0, -6.0), (7.3, 5.1), (16.0, 14.0), (40.0, 2.0), (3.0, -40.0)])
+@pytest.mark.parametrize("invert", [False, True])
+def test_a_patch_holds_all_that_is_not_alike(corner: tuple[float, float], invert: bool) -> None:
+    """Filled in a picture with a wide border, which the patch's rectangle does not reach, everything is the same."""
+    x, y = corner
+    shape = rectangle(x, y, x + 9.0, y + 7.0, feather=2.5, invert=invert, opacity=0.75)
+    wide = replace(shape, keys=(Keyframe(1, shape.keys[0].points + 64.0),))
+    expected = shape_matte(wide, 1, (20 + 128, 24 + 128))[64:-64, 64:-64]
+    patch = shape_patch(shape, 1, SIZE)
+    np.testing.assert_allclose(patch.whole(SIZE), expected, atol=1e-6)
+    assert patch.values.size <= 18 * 16
+    assert patch.outside == (0.75 if invert else 0.0)
+
+
+def test_the_shapes_that_a_matte_joins_may_be_filled_by_who_asks(square: RotoShape) -> None:
+    asked: list[str] = []
+
+    def drawn(shape: RotoShape, frame: float, size: tuple[int, int]) -> Patch:
+        asked.append(shape.name)
+        return shape_patch(shape, frame, size)
+
+    np.testing.assert_array_equal(render_matte([square], 1, SIZE, drawn), shape_matte(square, 1, SIZE))
+    assert asked == ["Rectangle"]
+
+
+@pytest.mark.parametrize("angle", [0.0, 10.0, 45.0, 77.0])
+@pytest.mark.parametrize("shift", [0.0, 0.3, 0.5, 0.9])
+def test_a_ramp_of_one_pixel_falls_evenly(angle: float, shift: float) -> None:
+    """Along rows, columns and diagonals that leave the shape the matte never rises again."""
+    turn = np.deg2rad(angle)
+    corners = np.array([[-12.0, -9.0], [12.0, -9.0], [12.0, 9.0], [-12.0, 9.0]])
+    rotation = np.array([[np.cos(turn), np.sin(turn)], [-np.sin(turn), np.cos(turn)]])
+    points = bezier.polygon_points(corners @ rotation + 24.0 + shift)
+    matte = shape_matte(RotoShape("a", "Soft", (Keyframe(1, points),), feather=1.0), 1, (48, 48))
+    middle = 24
+    runs = [matte[middle, middle:], matte[middle, middle::-1], matte[middle:, middle], matte[middle::-1, middle]]
+    runs += [np.diagonal(part) for part in (matte[middle:, middle:], matte[middle::-1, middle::-1])]
+    for run in runs:
+        assert run[0] == 1.0
+        assert run[-1] == 0.0
+        assert (np.diff(run) <= 1e-6).all()
+    assert ((matte > 0.0) & (matte < 1.0)).any()
