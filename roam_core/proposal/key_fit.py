@@ -2,34 +2,20 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 from numpy.typing import NDArray
-from scipy.sparse import csr_array, vstack
+from scipy.sparse import csr_array, eye_array, vstack
 from scipy.sparse.linalg import spsolve
 
-from roam_core.geometry import bezier, polyline, similarity
+from roam_core.geometry import bezier, polyline
 from roam_core.geometry.bezier import ANCHOR, IN, OUT
 from roam_core.geometry.simple import simplified
-from roam_core.kernels.alignment import align
+from roam_core.proposal.outline_match import matched
 from roam_core.roto.edit import is_smooth
 
 Array = NDArray[np.float64]
 IntArray = NDArray[np.int64]
 
-SPACING = 7.0
-"""Pixels of a 480-line image between the nodes that are matched."""
-STEP = 2.0
-"""Pixels of a 480-line image between the samples of the outline."""
-NEAR = (24.0, 12.0, 8.0)
-"""Pixels of a 480-line image, a round of matching, by which a node may miss its expected place at a price of 1."""
-REACH = (60.0, 25.0)
-"""Pixels of a 480-line image along the outline over which displacements are smoothed between two rounds of matching."""
-STRETCH = 1.0
-"""Price of a piece of outline that grows to twice its share of the whole."""
-TURN = 1.5
-"""Price of a node whose outline runs the opposite way."""
 ROUNDS = 8
 """Rounds of refinement: samples to their nearest place on the curve, curve to its samples."""
 WINDOW = 20
@@ -43,89 +29,20 @@ HOLD = 0.01
 
 
 def fitted(points: Array, ring: Array, poses: list[Array], scale: float = 1.0) -> Array:
-    """The closed spline `points (P, 3, 2)` fitted to the closed polyline `ring (K, 2)`.
+    """The closed spline `points (P, 3, 2)` fitted to the closed polyline `ring (K, 2)`, its points in correspondence.
 
-    `poses` are similarities `(2, 3)` that may carry the spline to where the outline is; the one that matches best is
-    taken.
+    `poses` are similarities `(2, 3)` that may carry the spline to where the outline is. The curve is matched to the
+    outline and then fitted by least squares, alternating with the places of the outline's samples on it.
     """
-    best = None
-    for pose in poses:
-        moved = similarity.apply(pose, points)
-        match = _Match.of(moved, ring, scale)
-        if best is None or match.energy < best.energy:
-            best = match
-    assert best is not None
-    for near, reach in zip(NEAR[1:], REACH, strict=True):
-        best = best.again(near * scale, reach * scale)
-    return best.refined(scale)
-
-
-@dataclass(frozen=True, eq=False)
-class _Match:
-    """Nodes `(N, 2)` of a spline on samples `(M, 2)` of an outline, in order."""
-
-    points: Array
-    nodes: Array
-    first: NDArray[np.intp]
-    share: Array
-    samples: Array
-    at: IntArray
-    energy: float
-
-    @classmethod
-    def of(cls, points: Array, ring: Array, scale: float) -> _Match:
-        lengths = bezier.segment_lengths(points)
-        spacing = min(SPACING * scale, lengths.sum() / 16.0)
-        counts = np.maximum(1, np.round(lengths / spacing)).astype(np.intp)
-        segment = np.repeat(np.arange(len(points)), counts)
-        first = np.cumsum(counts) - counts
-        nodes = bezier.evaluate(points, segment, (np.arange(len(segment)) - first[segment]) / counts[segment])
-        if polyline.signed_area(ring) * polyline.signed_area(nodes) < 0:
-            ring = ring[::-1]
-        samples = polyline.resample(ring, max(3 * len(nodes), int(polyline.length(ring) / (STEP * scale))))
-        share = np.maximum((lengths / counts)[segment], 1e-6)
-        at, energy = _matched(nodes, samples, share, NEAR[0] * scale)
-        return cls(points, nodes, first, share, samples, at, energy)
-
-    def again(self, near: float, reach: float) -> _Match:
-        """Matched once more after the spline was bent, over `reach` pixels, to where it was matched."""
-        shift = _smoothed(self.samples[self.at] - self.nodes, self.share, reach)
-        at, energy = _matched(self.nodes + shift, self.samples, self.share, near)
-        return _Match(self.points, self.nodes, self.first, self.share, self.samples, at, energy)
-
-    def refined(self, scale: float) -> Array:
-        """The spline fitted to the samples by least squares, alternating with the places of the samples on it."""
-        at = self.at[self.first]
-        places = _places(at, self.samples)
-        prior = _carried(self.points, self.samples[at])
-        fit = _Fit(self.points, prior, self.samples)
-        points = fit.solve(places, prior)
-        for _ in range(ROUNDS):
-            places = fit.projected(points, places)
-            points = fit.solve(places, points)
-        return simplified(bezier.aligned(points, fit.smooth), prior, scale)
-
-
-def _matched(nodes: Array, samples: Array, share: Array, near: float) -> tuple[IntArray, float]:
-    away = (nodes[:, :1] - samples[:, 0]) ** 2 + (nodes[:, 1:] - samples[:, 1]) ** 2
-    away /= near**2
-    facing = polyline.outward_normals(nodes) @ polyline.outward_normals(samples).T
-    cost = np.minimum(away, 9.0) + TURN * 0.5 * (1.0 - facing)
-    expected = np.maximum(share / share.sum() * len(samples), 1.0)
-    surest = int(np.argmin(cost.min(axis=1)))
-    place = int(np.argmin(cost[surest]))
-    starts = (place + np.arange(-2, 3)) % len(samples)
-    indices, energy = align(np.roll(cost, -surest, axis=0), np.roll(expected, -surest), STRETCH, starts)
-    return np.asarray(np.roll(indices, surest), dtype=np.int64), energy / len(nodes)
-
-
-def _smoothed(shift: Array, share: Array, reach: float) -> Array:
-    """Displacements `(N, 2)` averaged along the closed outline, with a Gaussian of `reach` pixels."""
-    place = np.cumsum(share)
-    gap = np.abs(place[:, None] - place[None])
-    gap = np.minimum(gap, place[-1] - gap)
-    weight = np.exp(-0.5 * (gap / reach) ** 2) * share
-    return np.asarray(weight @ shift / weight.sum(axis=1, keepdims=True))
+    match = matched(points, ring, poses, scale)
+    prior = _carried(points, match.samples[match.anchors])
+    fit = _Fit(points, prior, match.samples)
+    places = _places(match.anchors, match.samples)
+    result = fit.solve(places, prior)
+    for _ in range(ROUNDS):
+        places = fit.projected(result, places)
+        result = fit.solve(places, result)
+    return simplified(bezier.aligned(result, fit.smooth), prior, scale)
 
 
 def _places(at: IntArray, samples: Array) -> Array:
@@ -177,7 +94,7 @@ class _Fit:
         prior = self.prior.ravel()
         wanted = [self.samples.ravel(), rows[1] @ prior, np.zeros(rows[2].shape[0]), rows[3] @ prior]
         matrix = vstack(rows) @ self.tie
-        normal = (matrix.T @ matrix).tocsc()
+        normal = (matrix.T @ matrix + 1e-6 * eye_array(matrix.shape[1])).tocsc()
         solution = spsolve(normal, matrix.T @ np.concatenate(wanted))
         return np.asarray((self.tie @ solution).reshape(-1, 3, 2))
 

@@ -1,0 +1,185 @@
+"""Which place of one outline became which place of another: poses to begin with, then matching and bending in turn."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from roam_core.geometry import bezier, polyline, similarity
+from roam_core.kernels.alignment import align
+from roam_core.kernels.coverage import coverage
+
+Array = NDArray[np.float64]
+IntArray = NDArray[np.int64]
+
+SPACING = 7.0
+"""Pixels of a 480-line image between the nodes that are matched."""
+STEP = 2.0
+"""Pixels of a 480-line image between the samples of the outline."""
+NEAR = (24.0, 12.0, 8.0)
+"""Pixels of a 480-line image, a round of matching, by which a node may miss its expected place at a price of 1."""
+REACH = (60.0, 25.0)
+"""Pixels of a 480-line image along the outline over which displacements are smoothed between two rounds of matching."""
+STRETCH = 1.0
+"""Price of a piece of outline that grows to twice its share of the whole."""
+TURN = 1.5
+"""Price of a node whose outline runs the opposite way."""
+BULGE = 12.0
+"""Price of a node that is all tip on a sample that is all bay, averaged over ..."""
+RADII = (0.04, 0.1, 0.25)
+"""... neighbourhoods of these sizes, as shares of the square root of the area."""
+TURNED = 4.0
+"""Price of a pose that turns half around, so that a round shape does not spin."""
+HARMONICS = 128
+"""Points of an outline that is turned to find how it lies best on another."""
+COARSE = 3.0
+"""How much wider nodes and samples are spaced while poses are compared."""
+SETTLE = 2
+"""Times that a pose is matched, each time the one that fits what was matched before."""
+POSES = 3
+"""Poses tried that were found by turning."""
+
+
+@dataclass(frozen=True, eq=False)
+class Match:
+    """Nodes of a spline on samples of an outline, in order.
+
+    Attributes
+    ----------
+    points : (P, 3, 2) the spline, where it was expected. nodes : (N, 2) on it, where the outline was last expected.
+    first : (P,) the nodes that are anchors. share : (N,) lengths from each node to the next.
+    samples : (M, 2) the outline at equal steps. at : (N,) the sample of each node. energy : mean price of a node.
+    """
+
+    points: Array
+    nodes: Array
+    first: NDArray[np.intp]
+    share: Array
+    samples: Array
+    unlike: Array
+    at: IntArray
+    energy: float
+
+    @property
+    def anchors(self) -> IntArray:
+        """The sample of each anchor, `(P,)`."""
+        return self.at[self.first]
+
+
+def matched(points: Array, ring: Array, poses: list[Array], scale: float = 1.0) -> Match:
+    """The closed spline `points (P, 3, 2)` matched to the closed polyline `ring (K, 2)`, wherever it went.
+
+    `poses (2, 3)` are similarities that may carry the one to the other; more are found by turning the outlines on each
+    other. From the best the spline is bent to where it was matched, and matched again, ever more closely.
+    """
+    rough = _unmatched(points, ring, COARSE, scale)
+    best = rough
+    for pose in [*poses, *_turned(rough.nodes, rough.samples)]:
+        for _ in range(SETTLE):
+            found = _posed(rough, pose, scale)
+            best = min(best, found, key=lambda match: match.energy)
+            pose = similarity.fit(rough.nodes, rough.samples[found.at], rough.share)
+    pose = similarity.fit(rough.nodes, best.nodes)
+    start = _unmatched(points, ring, 1.0, scale)
+    best = _again(start, similarity.apply(pose, start.nodes), NEAR[0] * scale)
+    for near, reach in zip(NEAR[1:], REACH, strict=True):
+        shift = _smoothed(best.samples[best.at] - best.nodes, best.share, reach * scale)
+        best = _again(best, best.nodes + shift, near * scale)
+    return best
+
+
+def _unmatched(points: Array, ring: Array, coarse: float, scale: float) -> Match:
+    nodes, first, share = _nodes(points, coarse * SPACING * scale)
+    if polyline.signed_area(ring) * polyline.signed_area(nodes) < 0:
+        ring = ring[::-1]
+    samples = polyline.resample(ring, max(3 * len(nodes), int(polyline.length(ring) / (coarse * STEP * scale))))
+    at = np.zeros(len(nodes), dtype=np.int64)
+    return Match(points, nodes, first, share, samples, _unlike(nodes, samples), at, np.inf)
+
+
+def _posed(start: Match, pose: Array, scale: float) -> Match:
+    turn = float(np.arctan2(pose[1, 0], pose[0, 0]))
+    match = _again(start, similarity.apply(pose, start.nodes), NEAR[0] * scale)
+    return replace(match, energy=match.energy + TURNED * 0.5 * (1.0 - np.cos(turn)))
+
+
+def _nodes(points: Array, spacing: float) -> tuple[Array, NDArray[np.intp], Array]:
+    """Nodes `(N, 2)`, the anchors among them, about evenly along a spline; which are anchors; lengths between them."""
+    lengths = bezier.segment_lengths(points)
+    spacing = min(spacing, lengths.sum() / 16.0)
+    counts = np.maximum(1, np.round(lengths / spacing)).astype(np.intp)
+    segment = np.repeat(np.arange(len(points)), counts)
+    first = np.cumsum(counts) - counts
+    nodes = bezier.evaluate(points, segment, (np.arange(len(segment)) - first[segment]) / counts[segment])
+    return nodes, first, np.maximum((lengths / counts)[segment], 1e-6)
+
+
+def _again(match: Match, nodes: Array, near: float) -> Match:
+    away = (nodes[:, :1] - match.samples[:, 0]) ** 2 + (nodes[:, 1:] - match.samples[:, 1]) ** 2
+    away /= near**2
+    facing = polyline.outward_normals(nodes) @ polyline.outward_normals(match.samples).T
+    cost = np.minimum(away, 9.0) + TURN * 0.5 * (1.0 - facing) + BULGE * match.unlike
+    expected = np.maximum(match.share / match.share.sum() * len(match.samples), 1.0)
+    surest = int(np.argmin(cost.min(axis=1)))
+    starts = (int(np.argmin(cost[surest])) + np.arange(-2, 3)) % len(match.samples)
+    indices, energy = align(np.roll(cost, -surest, axis=0), np.roll(expected, -surest), STRETCH, starts)
+    at = np.asarray(np.roll(indices, surest), dtype=np.int64)
+    return replace(match, nodes=nodes, at=at, energy=energy / len(nodes))
+
+
+def _turned(nodes: Array, samples: Array) -> list[Array]:
+    """Similarities that lay the one outline on the other point by point, from the best beginnings (Procrustes)."""
+    z, w = (polyline.resample(line, HARMONICS) @ np.array([1.0, 1.0j]) for line in (nodes, samples))
+    here, there = z.mean(), w.mean()
+    z, w = z - here, w - there
+    fit = np.fft.ifft(np.conj(np.fft.fft(z)) * np.fft.fft(w))
+    strength = np.abs(fit)
+    peak = (strength >= np.roll(strength, 1)) & (strength >= np.roll(strength, -1))
+    best = np.flatnonzero(peak)[np.argsort(-strength[peak], kind="stable")][:POSES]
+    spread = max(float((np.abs(z) ** 2).sum()), 1e-12)
+    grown = np.sqrt(max(float((np.abs(w) ** 2).sum()), 1e-12) / spread)
+    poses = []
+    for turn in fit[best]:
+        a = grown * turn / max(abs(turn), 1e-12)
+        b = there - a * here
+        poses.append(np.array([[a.real, -a.imag, b.real], [a.imag, a.real, b.imag]]))
+    return poses
+
+
+def _unlike(nodes: Array, samples: Array) -> Array:
+    """`(N, M)`: how little the surroundings of a node and of a sample are alike, whichever way they are turned.
+
+    The share of a neighbourhood that lies inside tells tips from bays and says nothing of direction (an integral
+    invariant: Manay et al., "Integral Invariant Signatures", 2004).
+    """
+    a, b = _inside_around(nodes), _inside_around(samples)
+    return np.asarray(((a[:, None] - b[None]) ** 2).mean(axis=2))
+
+
+def _inside_around(line: Array) -> Array:
+    """`(K, R)`: the share of a Gaussian neighbourhood of each vertex that lies inside the closed polyline."""
+    size = np.sqrt(max(abs(polyline.signed_area(line)), 1e-6))
+    cell = size / 64.0
+    margin = 3.0 * RADII[-1] * size
+    low = line.min(axis=0) - margin
+    extent = np.ceil((line.max(axis=0) + margin - low) / cell).astype(int)
+    placed = (line - low) / cell
+    inside = coverage(placed, (int(extent[1]), int(extent[0])))
+    return np.stack([_sampled(cv2.GaussianBlur(inside, (0, 0), radius * 64.0), placed) for radius in RADII], axis=1)
+
+
+def _sampled(values: NDArray[np.float32], positions: Array) -> Array:
+    x, y = (positions - 0.5).astype(np.float32).T
+    return np.asarray(cv2.remap(values, x[None], y[None], cv2.INTER_LINEAR)[0], dtype=np.float64)
+
+
+def _smoothed(shift: Array, share: Array, reach: float) -> Array:
+    """Displacements `(N, 2)` averaged along the closed outline, with a Gaussian of `reach` pixels."""
+    place = np.cumsum(share)
+    gap = np.abs(place[:, None] - place[None])
+    gap = np.minimum(gap, place[-1] - gap)
+    weight = np.exp(-0.5 * (gap / reach) ** 2) * share
+    return np.asarray(weight @ shift / weight.sum(axis=1, keepdims=True))
