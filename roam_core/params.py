@@ -73,6 +73,8 @@ class AppearanceParams:
     key_share : share of the artist's key frame in every density, however long ago it was.
     adaptation : rate of the Stauffer-Grimson update, a frame of full confidence.
     trusted : confidence below which a frame teaches nothing.
+    global_components : Gaussians in each side of the global model p_0 (equation 4); it is made where `lambda_global` is
+        above zero. global_ring : depth of the surroundings that it learns the background from.
     """
 
     term: Literal["ribbon", "region"] = "region"
@@ -81,10 +83,12 @@ class AppearanceParams:
     variance_floor: float = 20.0
     ribbon_depth: float = 8.0
     spread: int = 1
-    clip: float = 6.0
-    key_share: float = 0.3
+    clip: float = 3.0
+    key_share: float = 0.5
     adaptation: float = 0.1
     trusted: float = 0.3
+    global_components: int = 5
+    global_ring: float = 40.0
 
 
 @dataclass(frozen=True)
@@ -122,6 +126,39 @@ class LandmarkParams:
 
 
 @dataclass(frozen=True)
+class ProposalParams:
+    """Parameters of the proposals by graph cut. Lengths are pixels of a 480-line image, weights nats a cell.
+
+    Attributes
+    ----------
+    grid_factor : cells a pixel of a 480-line image. reach : how far from the pre-warped outline cells are in doubt.
+    local_weight, global_weight : of the log-ratios of the edges' models and of the global model p_0.
+    prior_weight : nats a cell of depth inside, or of distance from, the pre-warped outline; beyond the paper.
+    strength, contrast, neighbours : nats of smoothing between neighbours of one colour, the Lab distance over which it
+        falls, and 4 or 8 neighbours.
+    area, depth : cells that a difference has, and how deep it is, to be marked. most : pieces looked at on a frame.
+    overlap : share of what is added that must lie near where the object was expected.
+    node_price : what one node more costs, in units of the energy, when a proposal makes the curve longer.
+    rounds : times that a frame's curve and segmentation are compared.
+    """
+
+    grid_factor: float = 0.5
+    reach: float = 20.0
+    local_weight: float = 1.0
+    global_weight: float = 1.0
+    prior_weight: float = 0.0
+    strength: float = 2.0
+    contrast: float = 12.0
+    neighbours: int = 8
+    area: int = 12
+    depth: float = 1.5
+    most: int = 8
+    overlap: float = 0.2
+    node_price: float = 1.0
+    rounds: int = 1
+
+
+@dataclass(frozen=True)
 class RoamParams:
     """Parameters of the engine. Lengths are pixels of a 480-line image and grow with the image (`scale_for`).
 
@@ -147,6 +184,7 @@ class RoamParams:
     motion_threshold : distance up to which a followed point agrees with a similarity.
     motion_size : the region is scaled down to this side before points are followed; costs follow it.
     landmarks : parameters of the landmarks and what ties them to the curve; None leaves the curve without landmarks.
+    proposals : parameters of the proposals by graph cut; None leaves topology and parametrisation alone.
     region : parameters of region proposals on every frame; None leaves the curve to the curve's energy alone.
     """
 
@@ -169,6 +207,7 @@ class RoamParams:
     motion_threshold: float = 2.0
     motion_size: int = 512
     landmarks: LandmarkParams | None = None
+    proposals: ProposalParams | None = None
     region: RegionParams | None = None
 
     def values(self) -> dict[str, object]:

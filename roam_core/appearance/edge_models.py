@@ -4,17 +4,14 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
-import cv2
 import numpy as np
 from numpy.typing import NDArray
 
 from roam_core.appearance import gmm
+from roam_core.appearance.band import Band
 from roam_core.appearance.gmm import Mixtures, Samples
 from roam_core.appearance.update import adapted
-from roam_core.features import PreparedFrame, Region
-from roam_core.features.grid import Grid
-from roam_core.kernels.coverage import coverage
-from roam_core.kernels.nearest_edges import FAR, nearest_edges
+from roam_core.features import PreparedFrame
 from roam_core.params import AppearanceParams
 
 Array = NDArray[np.float64]
@@ -59,21 +56,17 @@ class EdgeModels:
         )
         return replace(self, inside=inside, outside=outside)
 
-    def log_densities(
-        self, frame: PreparedFrame, grid: Grid, nodes: Array, reach: float, params: AppearanceParams
-    ) -> tuple[Float32, Float32]:
-        """ln p_n^f and ln p_n^b `(rows, columns)` of the cells within `reach` cells of the outline `nodes (N, 2)`.
+    def log_densities(self, band: Band, params: AppearanceParams) -> tuple[Float32, Float32]:
+        """ln p_n^f and ln p_n^b `(rows, columns)` of the cells of a band; `gmm.FLOOR` outside it.
 
         Each cell is asked under the model of its nearest edge - the edge's ribbon, widened by the moves that the nodes
-        may make - so that a frame's densities are made once, for any curve in the band. Both are `gmm.FLOOR` elsewhere.
+        may make - so that a frame's densities are made once, for any curve in the band.
         """
-        index, _ = nearest_edges(grid.to_grid(nodes), grid.shape, reach)
-        colours = lab(grid.of(frame.image))
         share = params.key_share
         inside, outside = self.inside.joined(self.key_inside, share), self.outside.joined(self.key_outside, share)
         return (
-            inside.log_density(colours, index, params.density),
-            outside.log_density(colours, index, params.density),
+            inside.log_density(band.colours, band.edge, params.density),
+            outside.log_density(band.colours, band.edge, params.density),
         )
 
 
@@ -84,28 +77,10 @@ def ribbon_samples(
 
     A pixel on the far side of a thin part belongs to the edge over there, not to the ribbon of this one.
     """
-    grid = grid_around(nodes, params.ribbon_depth * scale + 2.0, frame.size, scale)
-    here = grid.to_grid(nodes)
-    index, distance = nearest_edges(here, grid.shape, params.ribbon_depth)
-    enclosed = coverage(here, grid.shape) > 0.5
-    usable = (index != FAR) & (distance >= EDGE_BLUR)
-    colours = lab(grid.of(frame.image))
+    band = Band.around(frame, nodes, params.ribbon_depth, scale)
+    usable = band.near & (band.distance >= EDGE_BLUR)
     inside, outside = (
-        Samples.of(colours[side].astype(np.float64), index[side], len(nodes))
-        for side in (usable & enclosed, usable & ~enclosed)
+        Samples.of(band.colours[side].astype(np.float64), band.edge[side], len(nodes))
+        for side in (usable & band.inside, usable & ~band.inside)
     )
     return inside, outside
-
-
-def grid_around(nodes: Array, margin: float, size: tuple[int, int], scale: float) -> Grid:
-    """Cells of one pixel of a 480-line image around `nodes`: what colour costs does not grow with the image."""
-    region = Region.around(nodes, margin, size)
-    if region.is_empty:  # wholly outside: the nearest pixel stands for a picture without the outline
-        x, y = min(region.x0, size[1] - 1), min(region.y0, size[0] - 1)
-        region = Region(x, y, x + 1, y + 1)
-    return Grid.over(region, 1.0 / scale)
-
-
-def lab(image: NDArray[np.uint8]) -> Float32:
-    """CIE Lab of RGB, in OpenCV's 8-bit scale, as float `(h, w, 3)`."""
-    return np.asarray(cv2.cvtColor(image, cv2.COLOR_RGB2LAB), dtype=np.float32)

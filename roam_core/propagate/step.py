@@ -7,7 +7,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from roam_core.appearance.edge_models import EdgeModels, grid_around
+from roam_core.appearance.band import Band
+from roam_core.appearance.colour_models import ColourModels
 from roam_core.cancel import CancelToken
 from roam_core.energy import total
 from roam_core.energy.colour_fields import ColourFields
@@ -33,13 +34,13 @@ class TrackerState:
     ----------
     frame, points : the picture and the outline (P, 3, 2) on it.
     nodes : where the nodes lie on the spline; their edges keep their index through time.
-    models : the edges' local colours, as far as the configuration wants any.
+    models : the curve's colours, as far as the configuration wants any.
     """
 
     frame: PreparedFrame
     points: Array
     nodes: NodeMap
-    models: EdgeModels | None = None
+    models: ColourModels | None = None
 
 
 def begin(frame: PreparedFrame, points: Array, params: RoamParams) -> TrackerState:
@@ -50,10 +51,7 @@ def begin(frame: PreparedFrame, points: Array, params: RoamParams) -> TrackerSta
     """
     scale = scale_for(frame.size)
     nodes = NodeMap.of(points, params, scale)
-    models = None
-    if params.appearance is not None:
-        models = EdgeModels.learned(frame, nodes.nodes(points), params.appearance, scale)
-    return TrackerState(frame, points, nodes, models)
+    return TrackerState(frame, points, nodes, ColourModels.learned(frame, nodes.nodes(points), params, scale))
 
 
 def step(
@@ -81,14 +79,12 @@ def step(
         energies=total.energies(fitted, context, params),
         termination=_termination(confidence, solution.converged),
     )
-    models = state.models
-    if models is not None and params.appearance is not None and confidence >= params.appearance.trusted:
-        models = models.adapted(frame, fitted, params.appearance, scale, confidence)
+    models = None if state.models is None else state.models.adapted(frame, fitted, params, scale, confidence)
     return TrackerState(frame, points, state.nodes, models), result
 
 
 def curve_context(
-    frame: PreparedFrame, nodes: Array, params: RoamParams, scale: float, models: EdgeModels | None = None
+    frame: PreparedFrame, nodes: Array, params: RoamParams, scale: float, models: ColourModels | None = None
 ) -> CurveContext:
     """The features around `nodes` that the curve's terms look at, wide enough for every round of moves."""
     reach = sum(params.window // 2 * s * params.max_iterations for s in params.steps)
@@ -103,13 +99,13 @@ def curve_context(
 
 
 def _colour_fields(
-    frame: PreparedFrame, nodes: Array, params: AppearanceParams, scale: float, reach: float, models: EdgeModels
+    frame: PreparedFrame, nodes: Array, params: AppearanceParams, scale: float, reach: float, models: ColourModels
 ) -> ColourFields:
-    """What the local models say of every cell that the ribbon of a moved edge may cover."""
-    band = reach + params.ribbon_depth
-    grid = grid_around(nodes, band * scale, frame.size, scale)
-    foreground, background = models.log_densities(frame, grid, nodes, band, params)
-    return ColourFields(grid, foreground, background, params.clip)
+    """What the colour models say of every cell that the ribbon of a moved edge may cover."""
+    band = Band.around(frame, nodes, reach + params.ribbon_depth, scale)
+    foreground, background = models.edges.log_densities(band, params)
+    whole = None if models.whole is None else models.whole.log_ratio(band, params)
+    return ColourFields(band.grid, foreground, background, params.clip, whole)
 
 
 def _termination(confidence: float, converged: bool) -> Termination:

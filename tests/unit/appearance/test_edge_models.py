@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from roam_core.appearance.edge_models import EdgeModels, grid_around, ribbon_samples
+from roam_core.appearance.band import Band
+from roam_core.appearance.edge_models import EdgeModels, ribbon_samples
 from roam_core.appearance.gmm import FLOOR
 from roam_core.features import PreparedFrame
 from roam_core.geometry import polyline
@@ -16,7 +17,7 @@ from roam_core.params import AppearanceParams
 
 Array = NDArray[np.float64]
 
-PARAMS = AppearanceParams()
+PARAMS = AppearanceParams(key_share=0.3, clip=6.0)
 NODES = polyline.resample(np.array([(20.0, 20.0), (60.0, 20.0), (60.0, 60.0), (20.0, 60.0)]), 20)
 """A square, clockwise on screen, of edges eight pixels long."""
 
@@ -31,10 +32,10 @@ def picture(above: int = 60, left: int = 200, right: int = 120, seed: int = 0) -
 
 def ratio(models: EdgeModels, image: NDArray[np.uint8], params: AppearanceParams = PARAMS) -> Array:
     frame = PreparedFrame(image)
-    grid = grid_around(NODES, 12.0, frame.size, 1.0)
-    inside, outside = models.log_densities(frame, grid, NODES, 10.0, params)
+    band = Band.around(frame, NODES, 10.0, 1.0)
+    inside, outside = models.log_densities(band, params)
     whole = np.zeros(frame.size)
-    rows, columns = grid.region.slices
+    rows, columns = band.grid.region.slices
     whole[rows, columns] = inside - outside
     return whole
 
@@ -88,8 +89,7 @@ def test_what_lies_outside_the_picture_says_nothing() -> None:
     assert not models.inside.weight[left].any()
     far = EdgeModels.learned(frame, nodes + 500.0, PARAMS, 1.0)
     assert not far.inside.weight.any()
-    grid = grid_around(nodes + 500.0, 10.0, frame.size, 1.0)
-    inside, outside = far.log_densities(frame, grid, nodes + 500.0, 10.0, PARAMS)
+    inside, outside = far.log_densities(Band.around(frame, nodes + 500.0, 10.0, 1.0), PARAMS)
     assert inside == pytest.approx(FLOOR)
     assert outside == pytest.approx(FLOOR)
 

@@ -1,0 +1,60 @@
+"""Band: the cells near a curve with their colours, each with the edge it is nearest to."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from roam_core.features import PreparedFrame, Region
+from roam_core.features.grid import Grid
+from roam_core.kernels.coverage import coverage
+from roam_core.kernels.nearest_edges import FAR, nearest_edges
+
+Array = NDArray[np.float64]
+Float32 = NDArray[np.float32]
+IntArray = NDArray[np.int32]
+Bools = NDArray[np.bool_]
+
+
+@dataclass(frozen=True, eq=False)
+class Band:
+    """Cells of one pixel of a 480-line image, so that what colour costs does not grow with the image.
+
+    Attributes
+    ----------
+    colours : (rows, columns, 3) CIE Lab in OpenCV's 8-bit scale.
+    edge : (rows, columns) index of the nearest edge; negative for cells that lie outside the band.
+    distance : (rows, columns) to that edge, in cells.
+    inside : (rows, columns) whether the curve encloses the cell.
+    """
+
+    grid: Grid
+    colours: Float32
+    edge: IntArray
+    distance: Float32
+    inside: Bools
+
+    @classmethod
+    def around(cls, frame: PreparedFrame, nodes: Array, reach: float, scale: float) -> Band:
+        """The band of `reach` pixels of a 480-line image on both sides of the closed polyline `nodes (N, 2)`."""
+        grid = _grid_around(nodes, reach * scale + 2.0, frame.size, scale)
+        here = grid.to_grid(nodes)
+        edge, distance = nearest_edges(here, grid.shape, reach)
+        colours = np.asarray(cv2.cvtColor(grid.of(frame.image), cv2.COLOR_RGB2LAB), dtype=np.float32)
+        return cls(grid, colours, edge, distance, coverage(here, grid.shape) > 0.5)
+
+    @property
+    def near(self) -> Bools:
+        """The cells of the band."""
+        return np.asarray(self.edge != FAR)
+
+
+def _grid_around(nodes: Array, margin: float, size: tuple[int, int], scale: float) -> Grid:
+    region = Region.around(nodes, margin, size)
+    if region.is_empty:  # wholly outside: the nearest pixel stands for a picture without the outline
+        x, y = min(region.x0, size[1] - 1), min(region.y0, size[0] - 1)
+        region = Region(x, y, x + 1, y + 1)
+    return Grid.over(region, 1.0 / scale)

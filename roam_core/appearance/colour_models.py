@@ -1,0 +1,42 @@
+"""ColourModels: all colour models of one curve, learned and adapted together."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from roam_core.appearance.edge_models import EdgeModels
+from roam_core.appearance.global_mixture import GlobalMixture
+from roam_core.features import PreparedFrame
+from roam_core.params import RoamParams
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class ColourModels:
+    """The local models p_n of the edges, and the global model p_0 where it has a weight."""
+
+    edges: EdgeModels
+    whole: GlobalMixture | None
+
+    @classmethod
+    def learned(cls, frame: PreparedFrame, nodes: Array, params: RoamParams, scale: float) -> ColourModels | None:
+        """From a frame whose outline `nodes (N, 2)` is given; None where the configuration knows no colour."""
+        if params.appearance is None:
+            return None
+        whole = None
+        if params.lambda_global > 0.0:
+            whole = GlobalMixture.learned(frame, nodes, params.appearance, scale)
+        return cls(EdgeModels.learned(frame, nodes, params.appearance, scale), whole)
+
+    def adapted(
+        self, frame: PreparedFrame, nodes: Array, params: RoamParams, scale: float, confidence: float
+    ) -> ColourModels:
+        """After a frame with the outline `nodes (N, 2)`; the same where the confidence is too low to teach anything."""
+        if params.appearance is None or confidence < params.appearance.trusted:
+            return self
+        whole = self.whole and self.whole.adapted(frame, nodes, params.appearance, scale, confidence)
+        return ColourModels(self.edges.adapted(frame, nodes, params.appearance, scale, confidence), whole)
