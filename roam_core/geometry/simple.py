@@ -22,18 +22,19 @@ def simplified(points: Array, fallback: Array, scale: float = 1.0) -> Array:
     """
     result = points.copy()
     for _ in range(4):
-        guilty = _crossing_segments(result, scale)
+        guilty = crossing_segments(result, scale)
         if len(guilty) == 0:
             return result
         result = _straightened(result, guilty)
     for share in (0.25, 0.5, 0.75):
         blended = (1.0 - share) * points + share * fallback
-        if len(_crossing_segments(blended, scale)) == 0:
+        if len(crossing_segments(blended, scale)) == 0:
             return np.asarray(blended)
     return fallback
 
 
-def _crossing_segments(points: Array, scale: float) -> NDArray[np.intp]:
+def crossing_segments(points: Array, scale: float = 1.0) -> NDArray[np.intp]:
+    """The segments of a closed spline that properly cross another one, in order."""
     control = bezier.segments(points)
     counts = bezier.flatten_counts(control, TOLERANCE * scale)
     owner = np.repeat(np.arange(len(control)), counts)

@@ -9,7 +9,7 @@ from scipy.sparse.linalg import spsolve
 
 from roam_core.geometry import bezier, polyline
 from roam_core.geometry.bezier import ANCHOR, IN, OUT
-from roam_core.geometry.simple import simplified
+from roam_core.geometry.simple import crossing_segments, simplified
 from roam_core.proposal.outline_match import matched
 from roam_core.roto.edit import is_smooth
 
@@ -22,6 +22,8 @@ WINDOW = 20
 """Places to both sides in which a sample's nearest place is looked for."""
 SLIDE = 0.05
 """Weight, against one sample of the outline, that holds an anchor to its matched place along the outline."""
+UNTANGLE = 6
+"""Rounds in which a curve that crosses itself is drawn back to its polygon."""
 SMOOTH = 1.0
 """Weight of a smooth point's handles leaving their common line."""
 HOLD = 0.01
@@ -42,7 +44,32 @@ def fitted(points: Array, ring: Array, poses: list[Array], scale: float = 1.0) -
     for _ in range(ROUNDS):
         places = fit.projected(result, places)
         result = fit.solve(places, result)
-    return simplified(bezier.aligned(result, fit.smooth), prior, scale)
+    return _untangled(bezier.aligned(result, fit.smooth), _straight(points, match.samples[match.anchors]), scale)
+
+
+def _untangled(points: Array, straight: Array, scale: float) -> Array:
+    """The spline without crossings: where it crosses itself it is drawn back, ever wider, to the polygon `straight`."""
+    result = points.copy()
+    for width in range(UNTANGLE):
+        guilty = crossing_segments(result, scale)
+        if len(guilty) == 0:
+            return result
+        near = (guilty[:, None] + np.arange(-width, width + 2)).ravel() % len(points)
+        result[near] = straight[near] if width else _shorter(result)[near]
+    return simplified(result, straight, scale)
+
+
+def _shorter(points: Array) -> Array:
+    """The spline with handles at half their length."""
+    return np.asarray(points[:, :1] + 0.5 * (points - points[:, :1]))
+
+
+def _straight(points: Array, anchors: Array) -> Array:
+    """The polygon through `anchors (P, 2)`, handles at thirds of its sides except those that `points` has none of."""
+    ahead = (np.roll(anchors, -1, axis=0) - anchors) / 3.0
+    result = np.stack([anchors, anchors - np.roll(ahead, 1, axis=0), anchors + ahead], axis=1)
+    corner = (points == points[:, :1]).all(axis=2)
+    return np.where(corner[..., None], result[:, :1], result)
 
 
 def _places(at: IntArray, samples: Array) -> Array:
