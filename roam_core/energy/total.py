@@ -14,6 +14,7 @@ from roam_core.params import RoamParams
 
 Array = NDArray[np.float64]
 Float32 = NDArray[np.float32]
+IntArray = NDArray[np.intp]
 
 NO_MOVE: Array = np.zeros((1, 2))
 
@@ -44,19 +45,47 @@ class CurveContext:
 
 def tables(nodes: Array, moves: Array, context: CurveContext, params: RoamParams) -> tuple[Array, Array]:
     """Unary `(N, D)` and pairwise `(N, D, D)` energies of moving each of `nodes (N, 2)` by each of `moves (D, 2)`."""
+    return np.zeros((len(nodes), len(moves))), pairwise_table(nodes, moves, context, params)
+
+
+def pairwise_table(
+    nodes: Array, moves: Array, context: CurveContext, params: RoamParams, edges: IntArray | None = None
+) -> Array:
+    """The pairwise energies `(N, D, D)`, or only those `(E, D, D)` of the edges that `edges (E,)` names."""
     here = context.local(nodes)
-    pairwise = params.lambda_gradient * curve.pairwise_gradient(here, moves, context.squared_gradient)
-    pairwise += params.mu * curve.pairwise_l2(here, moves, context.spacing)
+    pairwise = params.lambda_gradient * curve.pairwise_gradient(here, moves, context.squared_gradient, edges)
+    pairwise += params.mu * curve.pairwise_l2(here, moves, context.spacing, edges)
     colours = context.colours
-    if colours is not None:
-        # Sums over regions are linear in the field: all such terms are one field, one table.
-        sums = _region_weight(params) * colours.local_sums
-        if colours.global_ratio is not None:
-            sums = sums + params.lambda_global * colours.global_sums
-        pairwise += _enclosed(nodes, moves, context, sums, curve.pairwise_global)
-        if _is_ribbon(params):
-            pairwise += params.lambda_local * _ribbon(nodes, moves, context, params)
-    return np.zeros((len(nodes), len(moves))), pairwise
+    if colours is None:
+        return pairwise
+    # Sums over regions are linear in the field: all such terms are one field, one table.
+    sums = _region_weight(params) * colours.local_sums
+    if colours.global_ratio is not None:
+        sums = sums + params.lambda_global * colours.global_sums
+    pairwise += _enclosed(nodes, moves, context, sums, curve.pairwise_global, edges)
+    if _is_ribbon(params):
+        pairwise += params.lambda_local * _ribbon(nodes, moves, context, params, edges)
+    return pairwise
+
+
+class TableMemory:
+    """The pairwise table of the last round on one frame: edges whose ends have not moved since keep their entries."""
+
+    def __init__(self) -> None:
+        self._last: tuple[Array, Array, Array] | None = None
+
+    def pairwise(self, nodes: Array, moves: Array, context: CurveContext, params: RoamParams) -> Array:
+        """As `pairwise_table`, for the context and the parameters that every call before had. Valid until the next."""
+        if self._last is None or not np.array_equal(moves, self._last[1]):
+            table = pairwise_table(nodes, moves, context, params)
+        else:
+            before, _, table = self._last
+            moved = (nodes != before).any(axis=1)
+            edges = np.flatnonzero(moved | np.roll(moved, -1))
+            if len(edges):
+                table[edges] = pairwise_table(nodes, moves, context, params, edges)
+        self._last = nodes, moves, table
+        return table
 
 
 def energies(nodes: Array, context: CurveContext, params: RoamParams) -> Mapping[str, float]:
@@ -92,15 +121,24 @@ def _region_weight(params: RoamParams) -> float:
     return 0.0 if _is_ribbon(params) else params.lambda_local
 
 
-def _enclosed(nodes: Array, moves: Array, context: CurveContext, sums: Array, term: Callable[..., Array]) -> Array:
+def _enclosed(
+    nodes: Array,
+    moves: Array,
+    context: CurveContext,
+    sums: Array,
+    term: Callable[..., Array],
+    edges: IntArray | None = None,
+) -> Array:
     """A region term's table for the row sums of a log-ratio on the colours' grid."""
     assert context.colours is not None
     grid = context.colours.grid
     cells = context.spacing * float(grid.factor.mean())
-    return term(grid.to_grid(nodes), moves * grid.factor, sums, context.orientation, cells)
+    return term(grid.to_grid(nodes), moves * grid.factor, sums, context.orientation, cells, edges)
 
 
-def _ribbon(nodes: Array, moves: Array, context: CurveContext, params: RoamParams) -> Array:
+def _ribbon(
+    nodes: Array, moves: Array, context: CurveContext, params: RoamParams, edges: IntArray | None = None
+) -> Array:
     assert context.colours is not None
     assert params.appearance is not None
     colours = context.colours
@@ -111,4 +149,5 @@ def _ribbon(nodes: Array, moves: Array, context: CurveContext, params: RoamParam
         (colours.foreground, colours.background),
         context.orientation,
         params.appearance.ribbon_depth,
+        edges,
     )

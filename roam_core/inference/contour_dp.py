@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from roam_core.cancel import CancelToken
 from roam_core.energy import total
-from roam_core.energy.total import CurveContext
+from roam_core.energy.total import CurveContext, TableMemory
 from roam_core.geometry import polyline
 from roam_core.kernels.cyclic_viterbi import cyclic_viterbi
 from roam_core.params import RoamParams
@@ -42,12 +42,19 @@ def square_moves(window: int, step: float) -> Array:
 
 
 def best_moves(
-    nodes: Array, moves: Array, context: CurveContext, params: RoamParams, unary: Unary | None = None
+    nodes: Array,
+    moves: Array,
+    context: CurveContext,
+    params: RoamParams,
+    unary: Unary | None = None,
+    memory: TableMemory | None = None,
 ) -> tuple[Array, float]:
-    """Nodes after the jointly best moves, exact over all D^N combinations, and their energy."""
-    single, pairwise = total.tables(nodes, moves, context, params)
-    if unary is not None:
-        single = single + unary(nodes, moves)
+    """Nodes after the jointly best moves, exact over all D^N combinations, and their energy.
+
+    A `memory` that is handed from round to round of one frame spares the tables of edges that stay.
+    """
+    pairwise = (memory or TableMemory()).pairwise(nodes, moves, context, params)
+    single = np.zeros((len(nodes), len(moves))) if unary is None else unary(nodes, moves)
     labels, energy = cyclic_viterbi(single, pairwise)
     return nodes + moves[labels], energy
 
@@ -68,12 +75,13 @@ def descend(
     trace: list[float] = []
     converged = True
     simple = polyline.is_simple(nodes)
+    memory = TableMemory()
     for step in params.steps:
         moves = square_moves(params.window, step * scale)
         for _ in range(params.max_iterations):
             if token is not None:
                 token.check()
-            moved, energy = best_moves(nodes, moves, context, params, unary)
+            moved, energy = best_moves(nodes, moves, context, params, unary, memory)
             if simple and not polyline.is_simple(moved):
                 moved = untangled(nodes, moved)
                 energy = joint_energy(moved, context, params, unary)

@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 Float64 = NDArray[np.float64]
 Float32 = NDArray[np.float32]
+IntArray = NDArray[np.intp]
 
 
 def row_sums(field: Float32) -> Float64:
@@ -17,7 +18,7 @@ def row_sums(field: Float32) -> Float64:
     return sums
 
 
-def region_sums(sums: Float64, nodes: Float64, moves: Float64) -> Float64:
+def region_sums(sums: Float64, nodes: Float64, moves: Float64, edges: IntArray | None = None) -> Float64:
     """Shares of the edges in the sum of a field over the pixels whose centres the moved polygon encloses.
 
     The edge from `nodes[n] + moves[i]` to `nodes[n + 1] + moves[j]` crosses the centre lines of some rows; for each it
@@ -34,13 +35,15 @@ def region_sums(sums: Float64, nodes: Float64, moves: Float64) -> Float64:
     sums : (h, w + 1) from `row_sums`; the field is zero outside.
     nodes : (N, 2) closed polyline in the field's pixel coordinates.
     moves : (D, 2) offsets in pixels.
+    edges : (E,) indices of the edges that are asked for; all of them, if None.
 
     Returns
     -------
-    (N, D, D).
+    (N, D, D), or (E, D, D).
     """
-    shares = np.empty((len(nodes), len(moves), len(moves)))
-    _region_sums(sums, nodes, moves, np.empty((len(nodes), len(moves))), shares)
+    wanted = np.arange(len(nodes)) if edges is None else edges
+    shares = np.empty((len(wanted), len(moves), len(moves)))
+    _region_sums(sums, nodes, moves, wanted, np.empty((len(nodes), len(moves))), shares)
     return shares
 
 
@@ -64,16 +67,17 @@ def _crossed(sums, ax, ay, bx, by):  # type: ignore[no-untyped-def]
 
 
 @njit(nogil=True, cache=True)
-def _region_sums(sums, nodes, moves, swept, shares):  # type: ignore[no-untyped-def]
+def _region_sums(sums, nodes, moves, edges, swept, shares):  # type: ignore[no-untyped-def]
     count, kinds = swept.shape
     for n in range(count):
         x, y = nodes[n, 0], nodes[n, 1]
         for i in range(kinds):
             swept[n, i] = _crossed(sums, x, y, x + moves[i, 0], y + moves[i, 1])
-    for n in range(count):
+    for e in range(len(edges)):
+        n = edges[e]
         following = (n + 1) % count
         for i in range(kinds):
             ax, ay = nodes[n, 0] + moves[i, 0], nodes[n, 1] + moves[i, 1]
             for j in range(kinds):
                 bx, by = nodes[following, 0] + moves[j, 0], nodes[following, 1] + moves[j, 1]
-                shares[n, i, j] = _crossed(sums, ax, ay, bx, by) + swept[n, i] - swept[following, j]
+                shares[e, i, j] = _crossed(sums, ax, ay, bx, by) + swept[n, i] - swept[following, j]

@@ -8,12 +8,15 @@ from numpy.typing import NDArray
 
 Float64 = NDArray[np.float64]
 Float32 = NDArray[np.float32]
+IntArray = NDArray[np.intp]
 
 DEPTH_STEP = 2.0
 """Pixels between the lines, parallel to the edge, that are sampled; along them samples lie as far apart."""
 
 
-def ribbon_means(left: Float32, right: Float32, nodes: Float64, moves: Float64, depth: float) -> Float64:
+def ribbon_means(
+    left: Float32, right: Float32, nodes: Float64, moves: Float64, depth: float, edges: IntArray | None = None
+) -> Float64:
     """Mean of `left` on the left of every candidate edge plus mean of `right` on its right, `depth` pixels deep.
 
     Parameters
@@ -22,22 +25,25 @@ def ribbon_means(left: Float32, right: Float32, nodes: Float64, moves: Float64, 
         screen, looking along the edge from `nodes[n] + moves[i]` to `nodes[n + 1] + moves[j]`.
     nodes : (N, 2) closed polyline in the fields' pixel coordinates.
     moves : (D, 2) offsets in pixels.
+    edges : (E,) indices of the edges that are asked for; all of them, if None.
 
     Returns
     -------
-    (N, D, D). An edge of no length has the mean of its one point on both sides.
+    (N, D, D), or (E, D, D). An edge of no length has the mean of its one point on both sides.
     """
-    means = np.empty((len(nodes), len(moves), len(moves)))
+    wanted = np.arange(len(nodes)) if edges is None else edges
+    means = np.empty((len(wanted), len(moves), len(moves)))
     lines = max(1, round(depth / DEPTH_STEP))
-    _ribbon_means(left, right, nodes, moves, depth / lines, lines, means)
+    _ribbon_means(left, right, nodes, moves, wanted, depth / lines, lines, means)
     return means
 
 
 @njit(nogil=True, cache=True)
-def _ribbon_means(left, right, nodes, moves, gap, lines, means):  # type: ignore[no-untyped-def]
+def _ribbon_means(left, right, nodes, moves, edges, gap, lines, means):  # type: ignore[no-untyped-def]
     height, width = left.shape
-    count, kinds = means.shape[0], means.shape[1]
-    for n in range(count):
+    count, kinds = len(nodes), len(moves)
+    for e in range(len(edges)):
+        n = edges[e]
         following = (n + 1) % count
         for i in range(kinds):
             ax, ay = nodes[n, 0] + moves[i, 0], nodes[n, 1] + moves[i, 1]
@@ -58,4 +64,4 @@ def _ribbon_means(left, right, nodes, moves, gap, lines, means):  # type: ignore
                         total += left[min(max(row, 0), height - 1), min(max(column, 0), width - 1)]
                         column, row = int(np.floor(x - away * ux)), int(np.floor(y - away * uy))
                         total += right[min(max(row, 0), height - 1), min(max(column, 0), width - 1)]
-                means[n, i, j] = total / (samples * lines)
+                means[e, i, j] = total / (samples * lines)

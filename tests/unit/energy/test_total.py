@@ -9,7 +9,7 @@ import pytest
 
 from roam_core.energy import total
 from roam_core.energy.colour_fields import ColourFields
-from roam_core.energy.total import CurveContext
+from roam_core.energy.total import CurveContext, TableMemory
 from roam_core.features import Region
 from roam_core.features.grid import Grid
 from roam_core.params import AppearanceParams, RoamParams
@@ -105,3 +105,15 @@ def test_log_ratios_are_clipped(coloured: CurveContext) -> None:
     ratio = coloured.colours.log_ratio
     assert np.abs(ratio).max() == 4.0
     assert np.count_nonzero(np.abs(ratio) < 4.0) > ratio.size / 2
+
+
+@pytest.mark.parametrize("params", [RoamParams(), RIBBON, COMPETITION], ids=["no colour", "ribbon", "competition"])
+def test_remembered_tables_are_those_made_anew(coloured: CurveContext, params: RoamParams) -> None:
+    memory, nodes = TableMemory(), NODES.copy()
+    for moved in ([], [2], [], [0, 4], [1, 2, 3]):
+        nodes = nodes.copy()
+        nodes[moved] += 1.0
+        remembered = memory.pairwise(nodes, MOVES, coloured, params)
+        np.testing.assert_allclose(remembered, total.tables(nodes, MOVES, coloured, params)[1], atol=1e-12)
+    finer = memory.pairwise(nodes, 0.5 * MOVES, coloured, params)
+    np.testing.assert_allclose(finer, total.tables(nodes, 0.5 * MOVES, coloured, params)[1], atol=1e-12)
