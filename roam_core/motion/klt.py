@@ -31,27 +31,38 @@ class Warp:
 def similarity_warp(before: PreparedFrame, after: PreparedFrame, line: Array, params: RoamParams, scale: float) -> Warp:
     """How the inside of the closed polyline `line (K, 2)` moved from one frame to the next.
 
-    Points are followed on a reduced copy of the region, forwards and back again; those that do not return within half
-    a pixel are dropped. With fewer than three points left the shape is taken to stand still.
+    With fewer than three followed points the shape is taken to stand still.
     """
+    source, target, precision = followed_points(before, after, line, params, scale)
+    if len(source) < 3:
+        return Warp(similarity.IDENTITY.copy(), len(source), 0.0)
+    transform, inliers = similarity.ransac(source, target, max(params.motion_threshold * scale, precision))
+    return Warp(transform, len(source), float(inliers.mean()))
+
+
+def followed_points(
+    before: PreparedFrame, after: PreparedFrame, line: Array, params: RoamParams, scale: float
+) -> tuple[Array, Array, float]:
+    """Corners inside the closed polyline `line (K, 2)` and where they went, `(C, 2)` each, pixels.
+
+    They are followed on a reduced copy of the region, forwards and back again; those that do not return within half a
+    pixel of it are dropped. The third value is the error in pixels that an agreeing point may have for that reason.
+    """
+    none = np.empty((0, 2))
     region = Region.around(line, MAX_TRAVEL * scale, before.size)
     if region.is_empty:
-        return Warp(similarity.IDENTITY.copy(), 0, 0.0)
+        return none, none, 0.0
     rows, columns = region.slices
     reduce = min(1.0, params.motion_size / max(region.x1 - region.x0, region.y1 - region.y0))
     old, new = (_reduced(frame.grey[rows, columns], reduce) for frame in (before, after))
-    local = (line - np.asarray(region.origin)) * reduce
-    start = _corners(old, local, params.motion_features)
+    start = _corners(old, (line - np.asarray(region.origin)) * reduce, params.motion_features)
     if len(start) < 3:
-        return Warp(similarity.IDENTITY.copy(), len(start), 0.0)
+        return none, none, 0.0
     start, end = _followed(old, new, start)
     # Pixel centres lie at half-integers in our coordinates and at integers in OpenCV's.
     source = (start + 0.5) / reduce + np.asarray(region.origin)
     target = (end + 0.5) / reduce + np.asarray(region.origin)
-    if len(source) < 3:
-        return Warp(similarity.IDENTITY.copy(), len(source), 0.0)
-    transform, inliers = similarity.ransac(source, target, params.motion_threshold * max(scale, 0.5 / reduce))
-    return Warp(transform, len(source), float(inliers.mean()))
+    return source, target, params.motion_threshold * 0.5 / reduce
 
 
 def _reduced(grey: NDArray[np.uint8], factor: float) -> NDArray[np.uint8]:

@@ -1,0 +1,1 @@
+"""Distinctive landmarks inside the object: detection, correlation filters, the pool that lives on, the star."""

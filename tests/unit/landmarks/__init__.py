@@ -1,0 +1,1 @@
+"""Landmarks: filters, detection, pool, star."""
