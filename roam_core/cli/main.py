@@ -8,18 +8,22 @@ import sys
 from collections.abc import Sequence
 from importlib import import_module
 from importlib.metadata import PackageNotFoundError, version
+from keyword import iskeyword
+from types import ModuleType
 
 from roam_core.cancel import Cancelled
 from roam_core.errors import RoamError
 
 COMMANDS: dict[str, str] = {
     "track": "carry shapes through a clip",
+    "fill": "fill in shapes between their keys",
     "export": "write a project's shapes for another program",
+    "import": "read another program's shapes into a project",
     "render": "write a project's mattes",
     "info": "say what is in a project or clip",
     "demo": "track the built-in demo shot",
 }
-"""Commands and what they do; each lives in the module of its name beside this one."""
+"""Commands and what they do; each lives in the module of its name beside this one (a keyword's ends in `_`)."""
 
 FAILED, INTERRUPTED = 1, 130
 
@@ -48,10 +52,14 @@ def _run(argv: list[str]) -> int:
         command = commands.add_parser(name, help=summary, description=summary.capitalize() + ".")
         # Only the command that was asked for is loaded: `roam info` does not wait for the solver.
         if name in argv:
-            import_module(f"roam_core.cli.{name}").add_arguments(command)
+            _module(name).add_arguments(command)
     arguments = parser.parse_args(argv)
-    status: int = import_module(f"roam_core.cli.{arguments.command}").run(arguments)
+    status: int = _module(arguments.command).run(arguments)
     return status
+
+
+def _module(command: str) -> ModuleType:
+    return import_module(f"roam_core.cli.{command}{'_' if iskeyword(command) else ''}")
 
 
 def _version() -> str:

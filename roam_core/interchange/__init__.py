@@ -2,6 +2,21 @@
 
 from roam_core.interchange.mattes import write_matte, write_mattes
 from roam_core.interchange.protocol import Exporter, ExportOptions, KeyChoice
-from roam_core.interchange.registry import EXPORTERS, exporter_for
+from roam_core.interchange.reading import Imported, Importer, ImportOptions
+from roam_core.interchange.registry import EXPORTERS, IMPORTERS, exporter_for, importer_for, read_shapes
 
-__all__ = ["EXPORTERS", "ExportOptions", "Exporter", "KeyChoice", "exporter_for", "write_matte", "write_mattes"]
+__all__ = [
+    "EXPORTERS",
+    "IMPORTERS",
+    "ExportOptions",
+    "Exporter",
+    "ImportOptions",
+    "Imported",
+    "Importer",
+    "KeyChoice",
+    "exporter_for",
+    "importer_for",
+    "read_shapes",
+    "write_matte",
+    "write_mattes",
+]

@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from roam_core.geometry.bezier import ANCHOR
+from roam_core.interchange.nuke_attributes import shape_attributes
 from roam_core.interchange.nuke_keys import KeyedCurves, feather_triples, outline_triples, timed_keys
 from roam_core.interchange.nuke_text import (
     LOCKED,
@@ -27,23 +28,10 @@ from roam_core.interchange.nuke_text import (
 )
 from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter
 from roam_core.interchange.reduction import Motion, Slopes
-from roam_core.roto import BlendMode, Layer, Project, RotoShape
+from roam_core.roto import Layer, Project, RotoShape
 from roam_core.roto.file import write_atomically
 
 Array = NDArray[np.float64]
-
-BLEND_MODES = {
-    BlendMode.ADD: 0,
-    BlendMode.MAX: 4,
-    BlendMode.INTERSECT: 5,
-    BlendMode.SUBTRACT: 12,
-    BlendMode.DIFFERENCE: 13,
-}
-FRAME_RANGE_LIFETIME = 4
-CUSTOM_SHUTTER_OFFSET = 3
-BEZIER_TOOL = 4
-STANDARD_SAMPLES = 16
-"""Our motion-blur samples that correspond to Nuke's quality 1."""
 
 
 class NukeExporter:
@@ -143,35 +131,8 @@ class _Writer(ShapeWriter):
             *feather,
             f"{indent} }}",
             f"{indent} {{tx {number(timed.times[0])} {number(pivot[0])} {number(height - pivot[1])}}}",
-            f"{indent} {attribute_list(self._shape_attributes(shape))}}}",
+            f"{indent} {attribute_list(shape_attributes(shape, self.clip, self.options.frame_offset))}}}",
         ]
-
-    def _shape_attributes(self, shape: RotoShape) -> list[tuple[str, float]]:
-        """Name and value of what an artist sees in the shape's properties; `opc` is always there.
-
-        A shape without a word on its opacity is said to arrive transparent in some versions.
-        """
-        width, height = self.clip.size
-        red, green, blue = shape.colour
-        values: list[tuple[str, float]] = [
-            ("vis", float(shape.visible)),
-            ("opc", shape.opacity),
-            ("bm", BLEND_MODES[shape.blend]),
-            ("inv", float(shape.invert)),
-            *zip(("ro", "go", "bo", "ao"), (red, green, blue, 1.0), strict=True),
-        ]
-        blur = shape.motion_blur
-        values.append(("mbo", float(blur is not None)))
-        if blur is not None:
-            values += [("mb", blur.samples / STANDARD_SAMPLES), ("mbs", blur.shutter)]
-            values += [("mbsot", CUSTOM_SHUTTER_OFFSET), ("mbso", blur.phase)]
-        if shape.feather:
-            values += [("fo", 1), ("fx", shape.feather), ("fy", shape.feather)]
-        if shape.lifetime is not None:
-            start, stop = (frame + self.options.frame_offset for frame in shape.lifetime)
-            values += [("ltt", FRAME_RANGE_LIFETIME), ("ltn", start), ("ltm", stop - 1)]
-        values += [("osw", 10), ("osf", 0), ("str", 1), ("spx", width / 2), ("spy", height / 2)]
-        return [*values, ("sb", 1), ("tt", BEZIER_TOOL)]
 
 
 # ---- points and keys -------------------------------------------------------------------------------------------------

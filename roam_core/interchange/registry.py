@@ -8,9 +8,11 @@ from pathlib import Path
 from roam_core.errors import RoamError
 from roam_core.interchange.mattes import MatteExporter
 from roam_core.interchange.nuke import NukeExporter
+from roam_core.interchange.nuke_reading import NukeImporter
 from roam_core.interchange.protocol import Exporter
 from roam_core.interchange.reading import PLAIN, Imported, Importer, ImportOptions
 from roam_core.interchange.silhouette import SilhouetteExporter
+from roam_core.interchange.silhouette_reading import SilhouetteImporter
 from roam_core.roto import Clip
 
 
@@ -32,7 +34,7 @@ def exporter_for(name: str) -> Exporter:
 EXPORTERS = Exporters([NukeExporter(), SilhouetteExporter(), MatteExporter()])
 
 
-IMPORTERS: tuple[Importer, ...] = ()
+IMPORTERS: tuple[Importer, ...] = (NukeImporter(), SilhouetteImporter())
 """Every format that can be read."""
 
 

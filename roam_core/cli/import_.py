@@ -1,0 +1,41 @@
+"""`roam import FILE --into P.roam`: put the shapes of another program's file on top of those of a project."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from pathlib import Path
+
+from roam_core.cli.track import require_target
+from roam_core.errors import RoamError
+from roam_core.interchange import ImportOptions, importer_for
+from roam_core.roto import edit, file
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Declare the command's options."""
+    parser.add_argument("source", type=Path, metavar="FILE")
+    parser.add_argument("--into", type=Path, required=True, metavar="P.roam", help="the project that gets the shapes")
+    parser.add_argument("--save", type=Path, metavar="OUT.roam", help="where to write it (default: P.roam itself)")
+    parser.add_argument(
+        "--frame-offset", type=int, default=0, metavar="N", help="what was added to the frame numbers on export"
+    )
+
+
+def run(arguments: argparse.Namespace) -> int:
+    """Carry out the command."""
+    target = arguments.into if arguments.save is None else arguments.save
+    importer = importer_for(arguments.source)
+    project = file.load(arguments.into)
+    require_target(target)
+    options = ImportOptions(frame_offset=arguments.frame_offset)
+    imported = importer.read(arguments.source, project.require_clip(), options)
+    for note in imported.notes:
+        print(note, file=sys.stderr)
+    count = sum(1 for _ in imported.layer.shapes())
+    if count == 0:
+        raise RoamError(f"{arguments.source} holds no shape that ROAM can read; nothing was written.")
+    project, _ = edit.add_items(project, imported.layer.children)
+    file.save(project, target)
+    print(f"Read {count} shape(s) from {arguments.source} into {target}.", file=sys.stderr)
+    return 0

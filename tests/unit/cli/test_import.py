@@ -1,0 +1,65 @@
+"""`roam import`: shapes of other programs' files in a project, and one sentence for what cannot be."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from roam_core.roto import Clip, Keyframe, Layer, Project, RotoShape, file
+from tests.unit.cli.conftest import Roam
+from tests.unit.interchange.conftest import points
+
+
+@pytest.fixture
+def project(tmp_path: Path) -> Path:
+    """A project with one shape in a layer."""
+    shape = RotoShape("shape-1", "Arm", (Keyframe(1001, points(1)), Keyframe(1011, points(2))))
+    clip = Clip(tmp_path / "plate", 1001, 1040, (1920, 1080))
+    path = tmp_path / "p.roam"
+    file.save(Project(clip, Layer("root", "Root", (Layer("layer-1", "Body", (shape,)),))), path)
+    return path
+
+
+@pytest.mark.parametrize(("name", "suffix"), [("nuke", ".nk"), ("silhouette", ".fxs")])
+def test_shapes_that_were_exported_come_back_on_top(roam: Roam, project: Path, name: str, suffix: str) -> None:
+    middle, target = project.with_suffix(suffix), project.parent / "more.roam"
+    roam("export", project, middle, "--to", name, "--frame-offset", "-1000")
+    done = roam("import", middle, "--into", project, "--save", target, "--frame-offset", "-1000")
+    assert (done.status, done.out) == (0, "")
+    assert done.err.endswith(f"Read 1 shape(s) from {middle} into {target}.\n")
+    first, second = file.load(target).shapes
+    assert (first.name, second.name) == ("Arm", "Arm")
+    assert first.id != second.id
+    assert second.frames == (1001, 1011)
+    np.testing.assert_allclose(second.at(1006).points, first.at(1006).points, atol=0.01)
+    assert len(file.load(project).shapes) == 1
+
+
+def test_the_project_itself_grows_when_no_other_is_named(roam: Roam, project: Path) -> None:
+    roam("export", project, project.with_suffix(".nk"), "--to", "nuke")
+    assert roam("import", project.with_suffix(".nk"), "--into", project).status == 0
+    assert len(file.load(project).shapes) == 2
+
+
+@pytest.mark.parametrize(
+    ("name", "content", "message"),
+    [
+        ("a.nk", "Blur {\n size 3\n}\n", "no Roto"),
+        ("a.fxs", "<Other/>", "no Silhouette shape file"),
+        ("a.fxs", "<Silhouette/>", "no shape that ROAM can read"),
+        ("a.obj", "v 1 2 3", "no suffix that ROAM reads"),
+        ("missing.nk", None, "does not exist"),
+    ],
+)
+def test_bad_files_are_one_sentence(roam: Roam, project: Path, name: str, content: str | None, message: str) -> None:
+    source, before = project.parent / name, project.read_bytes()
+    if content is not None:
+        source.write_text(content)
+    done = roam("import", source, "--into", project)
+    assert (done.status, done.out) == (1, "")
+    assert done.err.startswith("roam: ")
+    assert message in done.err
+    assert len(done.err.splitlines()) == 1
+    assert project.read_bytes() == before
