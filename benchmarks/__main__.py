@@ -1,35 +1,41 @@
-"""The command line of the benchmarks: without a command both run, the shots only where they are."""
+"""The command line of the benchmarks: one command a benchmark; without one the stages, and the shots if present."""
 
 from __future__ import annotations
 
 import argparse
 import sys
 from collections.abc import Sequence
+from types import ModuleType
 
-from benchmarks import davis, stages
+from benchmarks import artist, davis, shots, stages
 from roam_core.errors import RoamError
-from roam_core.params import CONFIGS, params_for
+
+BENCHMARKS: dict[str, ModuleType] = {"stages": stages, "davis": davis, "artist": artist}
+"""Each module has `arguments(parser)` and `run(arguments)`; the first line of its text is its help."""
+
+USUAL = ("stages", "davis")
+"""What runs without a command: some ten minutes with the shots, one without."""
 
 
 def main(argv: Sequence[str] | None = None) -> int:
-    """Run the benchmarks that were asked for. Returns the exit code."""
+    """Run the benchmark that was asked for. Returns the exit code."""
     parser = argparse.ArgumentParser(prog="python -m benchmarks", description=__doc__)
-    parser.add_argument("--config", help=f"{' | '.join(CONFIGS)} (default: each of them)")
-    parser.add_argument("--publish", action="store_true", help="put the tables into docs/BENCHMARKS.md")
-    parser.add_argument("--frames", type=int, default=24, metavar="N", help="stages: frames of the demo that are timed")
-    parser.add_argument("--shots", metavar="A,B", help="davis: only these shots")
-    parser.add_argument("which", nargs="?", choices=["stages", "davis"], help="default: both")
-    arguments = parser.parse_args(argv)
+    parser.add_argument("--publish", action="store_true", help="without a command: renew the tables of the page")
+    commands = parser.add_subparsers(dest="which", metavar="BENCHMARK")
+    for name, module in BENCHMARKS.items():
+        purpose = (module.__doc__ or "").partition("\n")[0]
+        module.arguments(commands.add_parser(name, help=purpose, description=module.__doc__))
+    given = parser.parse_args(argv)
     try:
-        for config in [arguments.config] if arguments.config else CONFIGS:
-            params_for(config)
-            if arguments.which != "davis":
-                stages.run(config, arguments.frames, publish=arguments.publish)
-            if arguments.which == "davis" or (arguments.which is None and davis.is_present()):
-                shots = arguments.shots.split(",") if arguments.shots else None
-                davis.run(config, shots, publish=arguments.publish)
-        if arguments.which is None and not davis.is_present():
-            print(f"\n{davis.ABSENT}", file=sys.stderr)
+        if given.which is not None:
+            BENCHMARKS[given.which].run(given)
+            return 0
+        for name in USUAL:
+            if name != "stages" and not shots.is_present():
+                print(f"\n{shots.ABSENT}", file=sys.stderr)
+                continue
+            words = [name, "--publish"] if given.publish else [name]
+            BENCHMARKS[name].run(parser.parse_args(words))
     except RoamError as error:
         print(f"benchmarks: {error}", file=sys.stderr)
         return 1

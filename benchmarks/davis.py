@@ -5,119 +5,105 @@ The shots and the program that scores them lie beside the repository, in `../sha
 
 from __future__ import annotations
 
+import argparse
 import importlib.util
 import json
-import sys
 import time
 from collections.abc import Sequence
-from concurrent.futures import ProcessPoolExecutor
 from functools import cache
-from multiprocessing import get_context
 from pathlib import Path
 from types import ModuleType
 from typing import Any
 
-import cv2
 import numpy as np
-from numpy.typing import NDArray
-from tqdm import tqdm
 
-from benchmarks import report
+from benchmarks import paper_rows, processes, report, restarts, shots
 from benchmarks.contact_sheet import contact_sheet
 from roam_core import shapes_from_mask, track
-from roam_core.errors import RoamError
 from roam_core.interchange.mattes import write_matte
-from roam_core.matte.vectorise import read_mask
 from roam_core.media import open_clip
-from roam_core.media.colour import to_engine
+from roam_core.params import CONFIGS, params_for
 from roam_core.propagate import warm_up
-from roam_core.roto import Layer
-
-SHARED = report.ROOT.parent / "shared"
-SHOTS = SHARED / "data" / "davis2016-train"
-SCORE = SHARED / "bench" / "score.py"
-ABSENT = (
-    "The shots are not here: `python -m benchmarks davis` wants DAVIS 2016 in ../shared/data/davis2016-train "
-    "(JPEGImages and Annotations) and the scoring program ../shared/bench/score.py beside the repository."
-)
-PROCESSES = 2
-
-PAPER = {
-    "baseline": ("Baseline", ".385", ".358", ".937", ".930", "0.056"),
-    "best": ("Full", ".624", ".583", ".956", ".952", "5.639"),
-}
-"""The paper's configuration beside one of ours: IoU and accuracy on DAVIS's training and validation set, seconds."""
 
 COLUMNS = {"iou": "IoU", "acc": "accuracy", "f": "boundary F", "sec_per_frame": "CPU s a frame"}
+RESTARTS = "IoU of restarts"
 
 
-def is_present() -> bool:
-    """True where the shots and the scoring program are."""
-    return SHOTS.is_dir() and SCORE.is_file()
-
-
-def run(config: str, shots: Sequence[str] | None, *, publish: bool) -> None:
-    """Track and score the shots (all, if none are named) in two processes, and report."""
-    if not is_present():
-        raise RoamError(ABSENT)
-    there = sorted(folder.name for folder in (SHOTS / "JPEGImages").iterdir())
-    unknown = sorted(set(shots or ()) - set(there))
-    if unknown:
-        raise RoamError(f"There is no shot {unknown[0]!r}; choose from {', '.join(there)}.")
-    chosen = list(shots or there)
-    # Processes are begun afresh: a fork would inherit the threads of OpenCV and numba in the middle of something.
-    with ProcessPoolExecutor(PROCESSES, mp_context=get_context("spawn")) as pool:
-        work = pool.map(_scored, chosen, [config] * len(chosen))
-        scores = list(tqdm(work, total=len(chosen), unit="shot", leave=False, disable=not sys.stderr.isatty()))
-    mean = {column: float(np.mean([score[column] for score in scores])) for column in COLUMNS}
-    name = f"davis {config}" if len(chosen) == len(there) else f"davis {config} some"
-    text = _table(scores, mean, config)
-    report.write(
-        name, text, {"config": config, "mean": mean, "shots": scores}, publish=publish and name.endswith(config)
+def arguments(parser: argparse.ArgumentParser) -> None:
+    """What `davis` may be told."""
+    parser.add_argument("--config", metavar="A,B", help=f"of {', '.join(CONFIGS)} (default: each of them)")
+    parser.add_argument("--shots", metavar="A,B", help="only these shots")
+    parser.add_argument(
+        "--restarts", action="store_true", help=f"short runs from every {restarts.GAP}th frame beside the long one"
     )
+    parser.add_argument("--publish", action="store_true", help="put the tables into docs/BENCHMARKS.md")
 
 
-def _scored(shot: str, config: str) -> dict[str, Any]:
+def run(given: argparse.Namespace) -> None:
+    """Track and score the shots under each configuration, report each, and all of them in one table."""
+    configs = given.config.split(",") if given.config else list(CONFIGS)
+    for config in configs:
+        params_for(config)
+    chosen = shots.names(given.shots)
+    whole = given.shots is None
+    scores = {}
+    for config in configs:
+        scores[config] = measured(chosen, config, with_restarts=given.restarts)
+        text = _table(scores[config], config)
+        report.write(_name(config, whole), text, {"config": config, **scores[config]}, publish=given.publish and whole)
+    if len(configs) > 1:
+        text = _summary(scores)
+        means = {config: {"mean": each["mean"], "restarts": each["restarts"]} for config, each in scores.items()}
+        report.write(_name("summary", whole), text, {"configs": means}, publish=given.publish and whole)
+
+
+def measured(chosen: Sequence[str], config: str, *, with_restarts: bool) -> dict[str, Any]:
+    """Scores of every shot in their order ("shots"), their "mean", and "restarts" by shot (empty if not asked for)."""
+    scores = processes.each(_scored, [(shot, config) for shot in chosen])
+    mean = {column: float(np.mean([score[column] for score in scores])) for column in COLUMNS}
+    again: dict[str, Any] = {}
+    if with_restarts:
+        found = processes.each(restarts.of_job, [restarts.Job(shot, config) for shot in chosen])
+        again = {shot: restarts.spread(values) for shot, values in zip(chosen, found, strict=True)}
+    return {"mean": mean, "shots": scores, "restarts": again}
+
+
+def _name(what: str, whole: bool) -> str:
+    return f"davis {what}" if whole else f"davis {what} some"
+
+
+def _scored(job: tuple[str, str]) -> dict[str, Any]:
     """Track one shot and score its mattes; the mattes and a contact sheet stay in `out/`."""
-    cv2.setNumThreads(1)
+    shot, config = job
     folder = report.OUT / "davis" / config / shot
     folder.mkdir(parents=True, exist_ok=True)
     warm_up(config)
     seconds = _tracked(shot, config, folder)
     (folder / "timing.json").write_text(json.dumps({"sec_per_frame": seconds}), encoding="utf-8")
-    scored: dict[str, Any] = _score().score_seq((shot, str(folder), str(SHOTS / "Annotations" / shot), "error"))
-    contact_sheet(SHOTS / "JPEGImages" / shot, folder, folder.with_suffix(".jpg"))
+    truth = shots.FOLDER / "Annotations" / shot
+    scored: dict[str, Any] = _score().score_seq((shot, str(folder), str(truth), "error"))
+    contact_sheet(shots.FOLDER / "JPEGImages" / shot, folder, folder.with_suffix(".jpg"))
     return scored
 
 
-def _tracked(shot: str, config: str, folder: Path) -> float:
+def _tracked(name: str, config: str, folder: Path) -> float:
     """Write a matte for every frame. Gives the engine's CPU seconds a frame, for all shapes, without decoding."""
-    plate = open_clip(SHOTS / "JPEGImages" / shot)
-    first, size = plate.frames[0], (plate.size[1], plate.size[0])
-    mask = read_mask(SHOTS / "Annotations" / shot / f"{plate.frame_name(first)}.png", size)
-    layer = Layer("root", "Root", tuple(shapes_from_mask(mask, first)))
-    solving = decoding = 0.0
-
-    def read(frame: int) -> NDArray[Any]:
-        nonlocal decoding
-        began = time.process_time()
-        picture = to_engine(plate.read(frame), plate.colour_space)
-        decoding += time.process_time() - began
-        return picture
-
+    shot, plate = shots.load(name), open_clip(shots.FOLDER / "JPEGImages" / name)
+    given = shapes_from_mask(shot.mask(shot.first), shot.first)
+    solving = 0.0
     began = time.process_time()
-    for result in track(read, tuple(layer.shapes()), range(first, plate.frames[-1] + 1), config):
+    for result in track(shot.read, given, shot.frames, config):
         solving += time.process_time() - began
         shapes = tuple(each.shape for each in result.results)
-        write_matte(shapes, result.frame, folder / f"{plate.frame_name(result.frame)}.png", size)
+        write_matte(shapes, result.frame, folder / f"{plate.frame_name(result.frame)}.png", shot.size)
         began = time.process_time()
-    return (solving - decoding) / (len(plate.frames) - 1)
+    return solving / (len(shot.frames) - 1)
 
 
 @cache
 def _score() -> ModuleType:
     """The scoring program as a module."""
-    spec = importlib.util.spec_from_file_location("score", SCORE)
+    spec = importlib.util.spec_from_file_location("score", shots.SCORE)
     assert spec is not None
     assert spec.loader is not None
     module = importlib.util.module_from_spec(spec)
@@ -125,15 +111,48 @@ def _score() -> ModuleType:
     return module
 
 
-def _table(scores: Sequence[dict[str, Any]], mean: dict[str, float], config: str) -> str:
-    rows = [[score["seq"], str(score["frames"]), *(f"{score[c]:.3f}" for c in COLUMNS)] for score in scores]
+def _table(scored: dict[str, Any], config: str) -> str:
+    scores, mean, again = scored["shots"], scored["mean"], scored["restarts"]
+    rows = [
+        [score["seq"], str(score["frames"]), *(f"{score[c]:.3f}" for c in COLUMNS), *_again(again, score["seq"])]
+        for score in scores
+    ]
     frames = sum(score["frames"] for score in scores)
-    rows.append([f"**mean of {len(scores)} shots**", str(frames), *(f"**{mean[c]:.3f}**" for c in COLUMNS)])
-    if config in PAPER:
-        theirs, iou, other_iou, accuracy, other_accuracy, seconds = PAPER[config]
-        rows.append([f"paper's {theirs}, training set", "30 shots", iou, accuracy, "-", seconds])
-        rows.append([f"paper's {theirs}, validation set", "20 shots", other_iou, other_accuracy, "-", seconds])
+    overall = [f"**{_over_shots(again)}**"] if again else []
+    rows.append([f"**mean of {len(scores)} shots**", str(frames), *(f"**{mean[c]:.3f}**" for c in COLUMNS), *overall])
+    theirs, none = paper_rows.beside(config), ["-"] * len(overall)
+    accuracy, other = theirs.training_accuracy, theirs.validation_accuracy
+    name = f"paper's {theirs.name}"
+    rows.append([f"{name}, training set", "30 shots", theirs.training, accuracy, "-", theirs.seconds, *none])
+    rows.append([f"{name}, validation set", "20 shots", theirs.validation, other, "-", theirs.seconds, *none])
+    title = f"Configuration `{config}`, one keyframe, {processes.PROCESSES} processes of one thread each."
+    head = ["shot", "frames", *COLUMNS.values(), *([RESTARTS] if again else [])]
+    return f"{title} {report.circumstances()}.\n\n{report.table(head, rows)}"
+
+
+def _again(again: dict[str, Any], shot: str) -> list[str]:
+    """The cell of a shot's restarts: mean and spread over its runs."""
+    return [f"{again[shot]['mean']:.3f} ± {again[shot]['spread']:.3f}"] if again else []
+
+
+def _over_shots(again: dict[str, Any]) -> str:
+    """Mean over shots of the restarts' means, and the mean over shots of the spread within a shot."""
+    return " ± ".join(f"{np.mean([each[what] for each in again.values()]):.3f}" for what in ("mean", "spread"))
+
+
+def _summary(scores: dict[str, dict[str, Any]]) -> str:
+    """All configurations in one table, the paper's below them."""
+    rows = []
+    for config, scored in scores.items():
+        again = _over_shots(scored["restarts"]) if scored["restarts"] else "-"
+        rows.append([f"`{config}`", *(f"{scored['mean'][c]:.3f}" for c in COLUMNS), again])
+    for row in (*paper_rows.DAVIS.values(), *paper_rows.OTHERS):
+        rows.append([f"paper: {row.name}, training", row.training, row.training_accuracy, "-", row.seconds, "-"])
+    for row in (*paper_rows.DAVIS.values(), *paper_rows.OTHERS):
+        rows.append([f"paper: {row.name}, validation", row.validation, row.validation_accuracy, "-", row.seconds, "-"])
+    count = len(next(iter(scores.values()))["shots"])
     title = (
-        f"Configuration `{config}`, one keyframe, {PROCESSES} processes of one thread each. {report.circumstances()}."
+        f"One keyframe, means over {count} shots. `{RESTARTS}`: runs of {restarts.LENGTH} frames from every "
+        f"{restarts.GAP}th frame, and how far the runs of a shot spread."
     )
-    return f"{title}\n\n{report.table(['shot', 'frames', *COLUMNS.values()], rows)}"
+    return f"{title} {report.circumstances()}.\n\n{report.table(['method', *COLUMNS.values(), RESTARTS], rows)}"

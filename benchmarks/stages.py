@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import argparse
 import tempfile
 import time
 from collections.abc import Callable, Sequence
@@ -28,6 +29,7 @@ from roam_core.media import PlateSource, open_clip
 from roam_core.media.colour import to_engine
 from roam_core.motion.flow import dense_flow, flow_similarity
 from roam_core.motion.klt import similarity_warp
+from roam_core.params import CONFIGS, params_for
 from roam_core.propagate import track, warm_up
 from roam_core.propagate.confidence import frame_confidence, node_support
 from roam_core.propagate.nodes import NodeMap
@@ -63,8 +65,23 @@ SETTLING = 2
 """Frames at the beginning that are solved but not counted: memory and caches are still being filled."""
 
 
-def run(config: str, count: int, *, publish: bool) -> None:
-    """Measure both sizes and report."""
+def arguments(parser: argparse.ArgumentParser) -> None:
+    """What `stages` may be told."""
+    parser.add_argument("--config", metavar="A,B", help=f"of {', '.join(CONFIGS)} (default: each of them)")
+    parser.add_argument("--frames", type=int, default=24, metavar="N", help="frames of the demo that are timed")
+    parser.add_argument("--publish", action="store_true", help="put the tables into docs/BENCHMARKS.md")
+
+
+def run(given: argparse.Namespace) -> None:
+    """Measure both sizes under each configuration and report."""
+    configs = given.config.split(",") if given.config else list(CONFIGS)
+    for config in configs:
+        params_for(config)
+    for config in configs:
+        _run(config, given.frames, publish=given.publish)
+
+
+def _run(config: str, count: int, *, publish: bool) -> None:
     last = demo.LAST - demo.FIRST
     if not SETTLING < count <= last:
         raise RoamError(

@@ -15,6 +15,7 @@ import pytest
 
 from app import launch
 from benchmarks import report
+from benchmarks.__main__ import BENCHMARKS
 from roam_core.cli import COMMANDS, main
 from roam_core.params import CONFIGS
 from tests.conftest import ROOT
@@ -159,5 +160,5 @@ def test_published_tables_are_of_configurations_that_exist() -> None:
     page = report.PAGE.read_text(encoding="utf-8")
     names = re.findall(r"^<!-- (?!end of )(.+) -->$", page, flags=re.MULTILINE)
     assert sorted(names) == sorted(re.findall(r"^<!-- end of (.+) -->$", page, flags=re.MULTILINE))
-    assert {name.split()[0] for name in names} == {"stages", "davis"}
-    assert {name.split()[1] for name in names} <= set(CONFIGS)
+    assert {name.split()[0] for name in names} <= set(BENCHMARKS)
+    assert {name.split()[1] for name in names if name.split()[0] in ("stages", "davis")} <= {*CONFIGS, "summary"}

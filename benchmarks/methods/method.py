@@ -1,0 +1,109 @@
+"""The two doors of whatever carries outlines through a shot, and the ways of walking through them that peers share."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from itertools import pairwise
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from benchmarks import shots
+from benchmarks.shots import Mask, Shot
+from roam_core.roto import BlendMode, Keyframe, RotoShape
+
+Array = NDArray[np.float64]
+Shapes = Sequence[RotoShape]
+
+
+@dataclass(frozen=True, eq=False)
+class Carried:
+    """One frame: the matte `(h, w)`, and the shapes as they stand there, for whoever sets a key on it."""
+
+    mask: Mask
+    shapes: tuple[RotoShape, ...]
+
+
+class Method(Protocol):
+    """Something that saves an artist keys."""
+
+    @property
+    def name(self) -> str:
+        """As the tables call it."""
+        ...
+
+    def carry(self, shot: Shot, shapes: Shapes, frames: range) -> Iterator[Carried]:
+        """The frames after `frames[0]`, in their order, from the shapes as they are there; in either direction."""
+        ...
+
+    def fill(self, shot: Shot, shapes: Shapes, start: int, stop: int) -> list[Mask]:
+        """The mattes of the frames between two neighbouring keys, on `start` and on `stop`."""
+        ...
+
+
+class MovingPoints:
+    """A peer that moves control points from frame to frame and knows no more: what becomes of the points is `moved`."""
+
+    def moved(self, shot: Shot, outlines: list[Array], before: int, after: int) -> list[Array]:
+        """The closed splines `(P, 3, 2)` of frame `before` on the neighbouring frame `after`."""
+        raise NotImplementedError
+
+    def carry(self, shot: Shot, shapes: Shapes, frames: range) -> Iterator[Carried]:
+        """See `Method.carry`."""
+        there = living(shapes, frames[0])
+        for frame, outlines in zip(frames[1:], self._path(shot, there, frames), strict=True):
+            carried = [placed(shape, frame, points) for shape, points in zip(there, outlines, strict=True)]
+            running = [shape.with_key(Keyframe(frame, points)) for shape, points in zip(there, outlines, strict=True)]
+            yield Carried(shots.matte(carried, frame, shot.size), (*running, *others(shapes, there)))
+
+    def fill(self, shot: Shot, shapes: Shapes, start: int, stop: int) -> list[Mask]:
+        """See `Method.fill`: carried from both keys and blended point by point, each by its nearness.
+
+        A shape that has ended before `stop` is carried from `start` alone.
+        """
+        there = living(shapes, start)
+        back = living(there, stop)
+        ahead = list(self._path(shot, there, range(start, stop)))
+        behind = list(self._path(shot, back, range(stop, start, -1)))[::-1]
+        arriving = {shape.id: k for k, shape in enumerate(back)}
+        masks = []
+        for index, frame in enumerate(range(start + 1, stop)):
+            weight = (frame - start) / (stop - start)
+            blended = [
+                points
+                if shape.id not in arriving
+                else (1.0 - weight) * points + weight * behind[index][arriving[shape.id]]
+                for shape, points in zip(there, ahead[index], strict=True)
+            ]
+            now = [placed(shape, frame, points) for shape, points in zip(there, blended, strict=True)]
+            masks.append(shots.matte(now, frame, shot.size))
+        return masks
+
+    def _path(self, shot: Shot, shapes: Shapes, frames: range) -> Iterator[list[Array]]:
+        outlines = [shape.at(frames[0]).points for shape in shapes] if len(frames) else []
+        for before, after in pairwise(frames):
+            outlines = self.moved(shot, outlines, before, after) if outlines else []
+            yield outlines
+
+
+def living(shapes: Shapes, frame: int) -> list[RotoShape]:
+    """The shapes that exist on a frame."""
+    return [shape for shape in shapes if shape.exists_at(frame)]
+
+
+def others(shapes: Shapes, than: Shapes) -> list[RotoShape]:
+    """The shapes that are not among `than`, by their ids."""
+    known = {shape.id for shape in than}
+    return [shape for shape in shapes if shape.id not in known]
+
+
+def placed(shape: RotoShape, frame: int, points: Array) -> RotoShape:
+    """The shape, with the outline `points` for all it knows; its lifetime is kept."""
+    return replace(shape, keys=(Keyframe(frame, points),))
+
+
+def solid(shapes: Shapes) -> list[RotoShape]:
+    """The shapes that are no holes."""
+    return [shape for shape in shapes if shape.blend is not BlendMode.SUBTRACT]
