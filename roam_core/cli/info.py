@@ -57,7 +57,18 @@ def _shape_line(shape: RotoShape, clip: Clip | None) -> str:
     )
     if stale:
         line += f" ({stale} stale)"
+    if interpolated := _interpolated(shape):
+        line += f"; {len(interpolated)} frame(s) between its artist keys are not filled, the first is {interpolated[0]}"
     if rated:
         confidence, frame = min(rated)
         line += f"; least sure on {frame} ({confidence:.2f})"
     return line
+
+
+def _interpolated(shape: RotoShape) -> list[int]:
+    """The frames between a closed shape's artist keys on which it exists without a key: `roam fill` makes them."""
+    if not shape.closed or not shape.artist_frames:
+        return []
+    between = range(shape.artist_frames[0] + 1, shape.artist_frames[-1])
+    keyed = set(shape.frames)
+    return [frame for frame in between if frame not in keyed and shape.exists_at(frame)]

@@ -1,0 +1,222 @@
+"""`roam fill P.roam`: ENGINE keys on every frame between neighbouring artist keys, from both sides at once."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import signal
+import sys
+import threading
+import time
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from itertools import pairwise
+from pathlib import Path
+from typing import Any
+
+from numpy.typing import NDArray
+from tqdm import tqdm
+
+from roam_core.cancel import Cancelled, CancelToken
+from roam_core.cli.plate import Plate, opened
+from roam_core.cli.track import require_target, require_writable
+from roam_core.errors import RoamError
+from roam_core.interchange.mattes import write_matte
+from roam_core.params import CONFIGS, DEFAULT_CONFIG, DOUBTFUL, RoamParams, params_for
+from roam_core.propagate import Termination, warm_up
+from roam_core.propagate.provenance import clip_stamp, fill_stamp, is_stale
+from roam_core.propagate.span import fill_span
+from roam_core.roto import Clip, Origin, Project, RotoShape, file
+
+Gap = tuple[int, int]
+"""Two frames with artist keys and none between."""
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Declare the command's options."""
+    parser.add_argument("project", type=Path, metavar="P.roam")
+    parser.add_argument("--config", default=DEFAULT_CONFIG, help=f"{' | '.join(CONFIGS)} (default {DEFAULT_CONFIG})")
+    parser.add_argument("--matte", type=Path, metavar="DIR", help="write 8-bit PNG mattes named as the frames")
+    parser.add_argument("--save", type=Path, metavar="OUT.roam", help="write here (default: P.roam itself)")
+    parser.add_argument("--json", action="store_true", help="print one line of JSON a frame")
+
+
+def run(arguments: argparse.Namespace) -> int:
+    """Carry out the command."""
+    params = params_for(arguments.config)
+    project = file.load(arguments.project)
+    target = arguments.project if arguments.save is None else arguments.save
+    gaps = gaps_of(project, arguments.project)
+    with opened(str(project.require_clip().path)) as plate:
+        require_size(plate, project.require_clip())
+        require_target(target)
+        if arguments.matte is not None:
+            require_writable(arguments.matte, create=True)
+        wanted = [gap for gap in gaps if not is_filled(project, gap, params, plate.source.frames)]
+        project, seconds = fill_project(plate, project, wanted, params, lambda done: file.save(done, target))
+        if wanted or target != arguments.project:
+            file.save(project, target)
+        frames = range(gaps[0][0], max(last for _, last in gaps) + 1)
+        if arguments.matte is not None:
+            write_mattes(plate, project, frames, arguments.matte)
+    if arguments.json:
+        for frame in frames:
+            print(json.dumps(line_of(project, frame, seconds.get(frame, 0.0))), flush=True)
+    else:
+        rest = len(gaps) - len(wanted)
+        print(f"Filled {len(wanted)} gap(s)" + (f"; {rest} already filled." if rest else "."), file=sys.stderr)
+    return 0
+
+
+def fillable(project: Project) -> list[RotoShape]:
+    """The shapes that filling may touch: closed and unlocked."""
+    return [shape for shape in project.shapes if shape.closed and not shape.locked]
+
+
+def gaps_of(project: Project, path: Path) -> list[Gap]:
+    """Every gap between neighbouring artist keys of a shape, in order; one sentence where there is none."""
+    if not fillable(project):
+        raise RoamError(f"{path} holds no closed, unlocked shape to fill.")
+    gaps = {
+        gap
+        for shape in fillable(project)
+        for gap in pairwise(shape.artist_frames)
+        if any(shape.exists_at(frame) for frame in range(gap[0] + 1, gap[1]))
+    }
+    if not gaps:
+        raise RoamError(
+            f"{path} has no gap to fill: no shape has artist keys on two frames with others between them. "
+            "Set a key on a later frame first."
+        )
+    return sorted(gaps)
+
+
+def members(project: Project, gap: Gap) -> list[RotoShape]:
+    """The shapes that are filled in a gap: those keyed on one of its ends or both, and not between them."""
+    first, last = gap
+    return [
+        shape
+        for shape in fillable(project)
+        if {first, last} & set(shape.artist_frames) and not any(first < frame < last for frame in shape.artist_frames)
+    ]
+
+
+def is_filled(project: Project, gap: Gap, params: RoamParams, frames: Sequence[int]) -> bool:
+    """True when every frame of the plate in the gap holds a key that filling would only make again."""
+    stamp = clip_stamp(project.clip)
+    inside = [frame for frame in frames if gap[0] < frame < gap[1]]
+    for shape in members(project, gap):
+        keys = [(frame, shape.key_at(frame)) for frame in inside if shape.exists_at(frame)]
+        if set(gap) <= set(shape.artist_frames):
+            if any(key is None or key.inputs != fill_stamp(shape, frame, params, stamp) for frame, key in keys):
+                return False
+        elif any(key is not None and is_stale(shape, key, project.clip) for _, key in keys):
+            return False
+    return True
+
+
+def fill_project(
+    plate: Plate, project: Project, gaps: Sequence[Gap], params: RoamParams, keep: Callable[[Project], None]
+) -> tuple[Project, dict[int, float]]:
+    """The project with the gaps filled, and the seconds that each frame took.
+
+    When the user interrupts, `keep` is given what is finished.
+    """
+    seconds: dict[int, float] = {}
+    if gaps:
+        warm_up(params.config)
+    with interruptible() as token, _bar(sum(last - first for first, last in gaps)) as bar:
+        for gap in gaps:
+            began = time.perf_counter()
+            try:
+                filled = _filled(plate, project, gap, params, token, bar)
+            except (KeyboardInterrupt, Cancelled):
+                if seconds:
+                    keep(project)
+                raise
+            for shape in filled:
+                project = project.with_shape(shape)
+            inside = range(gap[0] + 1, gap[1])
+            share = (time.perf_counter() - began) / len(inside)
+            seconds.update({frame: seconds.get(frame, 0.0) + share for frame in inside})
+    return project, seconds
+
+
+def _filled(
+    plate: Plate, project: Project, gap: Gap, params: RoamParams, token: CancelToken, bar: Any
+) -> list[RotoShape]:
+    begun, length = bar.n, gap[1] - gap[0]
+
+    def moved(fraction: float, _: str) -> None:
+        bar.update(begun + fraction * length - bar.n)
+
+    stamp = clip_stamp(project.clip)
+    return fill_span(_Pictures(plate), members(project, gap), *gap, params, token, moved, stamp)
+
+
+class _Pictures(Mapping[int, NDArray[Any]]):
+    """The plate's pictures by frame, for the engine; a gap of the plate raises `MissingFrame`."""
+
+    def __init__(self, plate: Plate) -> None:
+        self._plate = plate
+
+    def __getitem__(self, frame: int) -> NDArray[Any]:
+        return self._plate.read(frame)
+
+    def __iter__(self) -> Iterator[int]:
+        return iter(self._plate.source.frames)
+
+    def __len__(self) -> int:
+        return len(self._plate.source.frames)
+
+
+def _bar(total: int) -> Any:
+    shape = "{l_bar}{bar}| {n:.0f}/{total} [{elapsed}<{remaining}]"
+    return tqdm(total=total, unit="frame", bar_format=shape, disable=not sys.stderr.isatty(), leave=False)
+
+
+@contextmanager
+def interruptible() -> Iterator[CancelToken]:
+    """A token that Ctrl-C cancels: the engine's threads then stop at their next safe point."""
+    token = CancelToken()
+    if threading.current_thread() is not threading.main_thread():
+        yield token
+        return
+    previous = signal.signal(signal.SIGINT, lambda *_: token.cancel())
+    try:
+        yield token
+    finally:
+        signal.signal(signal.SIGINT, previous)
+
+
+def require_size(plate: Plate, clip: Clip) -> None:
+    """Refuse a clip on disk that is not the one that the shapes were drawn on."""
+    if plate.source.size != tuple(clip.size):
+        raise RoamError(
+            f"The clip {clip.path} is {plate.source.size[0]}x{plate.source.size[1]} now; the project was made for "
+            f"{clip.size[0]}x{clip.size[1]}. Put the old clip back, or open the project and choose another."
+        )
+
+
+def write_mattes(plate: Plate, project: Project, frames: range, folder: Path) -> None:
+    """One matte for each frame of the plate in `frames`, named as the plate's frames."""
+    width, height = plate.source.size
+    for frame in frames:
+        if frame in plate.source.frames:
+            write_matte(project.root, frame, folder / f"{plate.source.frame_name(frame)}.png", (height, width))
+
+
+def line_of(project: Project, frame: int, seconds: float) -> dict[str, object]:
+    """What a line of JSON says of a frame: how long it took now, the least confidence, and what is doubted."""
+    keys = [key for shape in fillable(project) if shape.exists_at(frame) and (key := shape.key_at(frame))]
+    made = [key.confidence or 0.0 for key in keys if key.origin is Origin.ENGINE]
+    if made:
+        termination = Termination.CONVERGED if min(made) >= DOUBTFUL else Termination.LOW_CONFIDENCE
+    else:
+        termination = Termination.ARTIST_KEY if keys else Termination.MISSING_FRAME
+    return {
+        "frame": frame,
+        "seconds": round(seconds, 6),
+        "confidence": round(min(made, default=1.0 if keys else 0.0), 4),
+        "termination": termination.value,
+    }

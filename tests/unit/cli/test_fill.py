@@ -1,0 +1,125 @@
+"""`roam fill`: between the artist's keys, again only where something changed, and what it refuses."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from roam_core.media import open_clip
+from roam_core.propagate.span import fill_span
+from roam_core.roto import Clip, Origin, Project, file
+from roam_core.roto import edit as verbs
+from tests.golden.shots import overlap
+from tests.unit.cli.conftest import SHOT, Plate, Roam, read_matte
+from tests.unit.cli.test_bad_input import require_refusal
+
+FRAMES = list(SHOT.frames)
+CONFIG = ("--config", "baseline")
+
+
+@pytest.fixture
+def keyed(plate: Plate) -> Path:
+    """A project with a shape that has the true outline on frames 1001, 1004 and 1006."""
+    project, shape = verbs.new_shape(Project(Clip.of(open_clip(plate.folder))), SHOT.truth(1001), 1001)
+    for frame in (1004, 1006):
+        shape = verbs.set_key(shape, frame, SHOT.truth(frame))
+    path = plate.folder.parent / "p.roam"
+    file.save(project.with_shape(shape), path)
+    return path
+
+
+def test_every_gap_is_filled_and_the_artists_keys_stay(roam: Roam, plate: Plate, keyed: Path) -> None:
+    before, out = file.load(keyed).shapes[0], plate.folder.parent / "mattes"
+    done = roam("fill", keyed, *CONFIG, "--matte", out)
+    assert (done.status, done.out, done.err) == (0, "", "Filled 2 gap(s).\n")
+    (shape,) = file.load(keyed).shapes
+    assert shape.frames == tuple(FRAMES)
+    assert [key for key in shape.keys if key.origin is Origin.ARTIST] == list(before.keys)
+    assert sorted(path.name for path in out.iterdir()) == [f"plate.{frame}.png" for frame in FRAMES]
+    for frame in FRAMES:
+        assert overlap(read_matte(out / f"plate.{frame}.png") > 127, SHOT.matte(frame) > 0.5) > 0.9
+
+
+def test_what_is_filled_is_not_solved_again(roam: Roam, keyed: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    assert roam("fill", keyed, *CONFIG).status == 0
+    once = keyed.read_bytes()
+    asked: list[tuple[int, int]] = []
+
+    def watched(images: Any, shapes: Any, start: int, stop: int, *rest: Any) -> Any:
+        asked.append((start, stop))
+        return fill_span(images, shapes, start, stop, *rest)
+
+    monkeypatch.setattr("roam_core.cli.fill.fill_span", watched)
+    assert roam("fill", keyed, *CONFIG).err == "Filled 0 gap(s); 2 already filled.\n"
+    assert (asked, keyed.read_bytes()) == ([], once)
+    project = file.load(keyed)
+    moved = verbs.set_key(project.shapes[0], 1006, SHOT.truth(1006) + 1.0)
+    file.save(project.with_shape(moved), keyed)
+    assert roam("fill", keyed, *CONFIG).err == "Filled 1 gap(s); 1 already filled.\n"
+    assert asked == [(1004, 1006)]
+
+
+def test_it_is_saved_elsewhere_and_told_in_json(roam: Roam, plate: Plate, keyed: Path) -> None:
+    before, target = keyed.read_bytes(), plate.folder.parent / "filled.roam"
+    done = roam("fill", keyed, *CONFIG, "--save", target, "--json")
+    lines = [json.loads(line) for line in done.out.splitlines()]
+    assert [line["frame"] for line in lines] == FRAMES
+    assert all(set(line) == {"frame", "seconds", "confidence", "termination"} for line in lines)
+    artist = [line["frame"] for line in lines if line["termination"] == "artist_key"]
+    assert (artist, done.err, keyed.read_bytes()) == ([1001, 1004, 1006], "", before)
+    assert len(file.load(target).shapes[0].keys) == len(FRAMES)
+
+
+def test_an_interrupted_fill_keeps_its_finished_gaps(roam: Roam, keyed: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def interrupting(images: Any, shapes: Any, start: int, *rest: Any) -> Any:
+        if start == 1004:
+            raise KeyboardInterrupt
+        return fill_span(images, shapes, start, *rest)
+
+    monkeypatch.setattr("roam_core.cli.fill.fill_span", interrupting)
+    assert roam("fill", keyed, *CONFIG).status == 130
+    assert file.load(keyed).shapes[0].frames == (1001, 1002, 1003, 1004, 1006)
+
+
+def test_info_tells_what_is_not_filled_and_what_is_stale(roam: Roam, keyed: Path) -> None:
+    assert "3 frame(s) between its artist keys are not filled, the first is 1002" in roam("info", keyed).out
+    assert roam("fill", keyed, *CONFIG).status == 0
+    assert "not filled" not in roam("info", keyed).out
+    assert "3 artist, 3 engine;" in roam("info", keyed).out
+    project = file.load(keyed)
+    file.save(project.with_shape(verbs.set_key(project.shapes[0], 1006, SHOT.truth(1006) + 1.0)), keyed)
+    assert "3 artist, 3 engine (1 stale);" in roam("info", keyed).out
+
+
+def test_locked_shapes_stay_as_they_are(roam: Roam, keyed: Path) -> None:
+    project = file.load(keyed)
+    project, twin = verbs.new_shape(project, SHOT.truth(1001), 1001)
+    twin = verbs.set_key(twin, 1006, SHOT.truth(1006))
+    file.save(verbs.set_properties(project.with_shape(twin), twin.id, locked=True), keyed)
+    assert roam("fill", keyed, *CONFIG).status == 0
+    assert file.load(keyed).shapes[1].frames == (1001, 1006)
+
+
+def test_what_cannot_be_filled_is_refused_in_one_sentence(roam: Roam, plate: Plate, keyed: Path) -> None:
+    project = file.load(keyed)
+    whole = keyed.read_bytes()
+    one = verbs.delete_keys(project.shapes[0], [1004, 1006])
+    wrong = {
+        "no gap": project.with_shape(one),
+        "no clip": Project(None, project.root),
+        "no closed": project.with_shape(verbs.toggle_closed(project.shapes[0])),
+    }
+    for words, bad in wrong.items():
+        file.save(bad, keyed)
+        require_refusal(roam("fill", keyed), words)
+    keyed.write_bytes(whole)
+    require_refusal(roam("fill", keyed, "--config", "better"), "better")
+    require_refusal(roam("fill", keyed, "--save", plate.folder), "folder")
+    require_refusal(roam("fill", plate.folder / "none.roam"), "none.roam")
+    for entry in plate.folder.iterdir():
+        entry.unlink()
+    require_refusal(roam("fill", keyed), plate.folder)
+    assert keyed.read_bytes() == whole
