@@ -1,0 +1,48 @@
+"""A part that hangs by a thread: two shapes, one, or as it is - by the energy, and for the artist to say."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from roam_core.geometry import bezier, polyline
+from roam_core.proposal.reparametrise import Piece, energy_of
+from roam_core.proposal.topology import TopologyKind, topology_changes
+from tests.unit.proposal.scenes import GRID, PARAMS, context, drawn, spline
+
+LEFT, BRIDGE, RIGHT = (16, 30, 76, 90), (74, 52, 102, 60), (100, 44, 130, 70)
+WHOLE = drawn(LEFT, BRIDGE, RIGHT)
+THREAD = Piece(WHOLE[::2, ::2] & ~drawn(LEFT, RIGHT)[::2, ::2], added=False)
+
+
+def test_parts_that_both_look_like_the_object_make_two_shapes() -> None:
+    here, line = context(drawn(LEFT, RIGHT)), bezier.flatten(spline(WHOLE))
+    (change,) = topology_changes(line, (THREAD,), GRID, here, PARAMS)
+    assert change.kind is TopologyKind.SPLIT
+    left, right = change.rings
+    assert abs(polyline.signed_area(left)) > abs(polyline.signed_area(right)) > 500
+    assert left[:, 0].max() < right[:, 0].min()
+    after = energy_of(left, here, PARAMS) + energy_of(right, here, PARAMS)
+    assert change.gain == pytest.approx(energy_of(line, here, PARAMS) - after)
+    assert change.gain > 0
+
+
+def test_a_part_that_looks_like_the_ground_is_to_go() -> None:
+    here, line = context(drawn(LEFT)), bezier.flatten(spline(WHOLE))
+    (change,) = topology_changes(line, (THREAD,), GRID, here, PARAMS)
+    assert change.kind is TopologyKind.DROP
+    (left,) = change.rings
+    assert left[:, 0].max() < 90
+    assert change.gain == pytest.approx(energy_of(line, here, PARAMS) - energy_of(left, here, PARAMS))
+
+
+def test_what_would_raise_the_energy_is_not_proposed() -> None:
+    line = bezier.flatten(spline(WHOLE))
+    assert topology_changes(line, (THREAD,), GRID, context(WHOLE), PARAMS) == ()
+
+
+def test_a_piece_that_severs_nothing_is_no_change_of_topology() -> None:
+    corner = Piece(np.zeros(GRID.shape, dtype=bool), added=False)
+    corner.cells[15:20, 8:12] = True
+    here, line = context(drawn(LEFT)), bezier.flatten(spline(WHOLE))
+    assert topology_changes(line, (corner,), GRID, here, PARAMS) == ()
