@@ -1,0 +1,49 @@
+"""Slow twin of `roam_core.kernels.anchoring`: every choice of places tried, every piece fitted by `lstsq`."""
+
+from __future__ import annotations
+
+from itertools import product
+
+import numpy as np
+from numpy.typing import NDArray
+
+from roam_core.geometry.bezier import bernstein
+from roam_core.kernels.anchoring import HOLD, LOOKED_AT
+
+
+def ref_error(samples: NDArray[np.float64], first: int, last: int, straight: bool) -> float:
+    """Integral of the squared distance of the piece from sample `first` to `last` to the cubic that follows it best."""
+    steps = last - first
+    count = min(steps - 1, LOOKED_AT)
+    if count <= 0:
+        return 0.0
+    offset = (np.arange(1, count + 1) * steps) // (count + 1)
+    piece = samples[(first + offset) % len(samples)]
+    start, stop = samples[first % len(samples)], samples[last % len(samples)]
+    t = offset / steps
+    rest = piece - start - t[:, None] * (stop - start)
+    if not straight:
+        weights = bernstein(t)[:, 1:3]
+        held = np.vstack([weights, np.sqrt(HOLD) * np.eye(2)])
+        wanted = np.vstack([rest, np.zeros((2, 2))])
+        handles, *_ = np.linalg.lstsq(held, wanted, rcond=None)
+        rest = wanted - held @ handles
+    step = float(np.hypot(*(samples[1] - samples[0])))
+    return float((rest**2).sum()) / count * steps * step
+
+
+def ref_anchored(
+    samples: NDArray[np.float64], places: NDArray[np.int64], price: NDArray[np.float64], straight: NDArray[np.bool_]
+) -> tuple[list[int], float]:
+    """The best of all choices, the first anchor on the first of its places."""
+    best, least = [], np.inf
+    for choice in product([0], *[range(places.shape[1])] * (len(places) - 1)):
+        at = [int(places[n, c]) for n, c in enumerate(choice)]
+        ends = [*at[1:], at[0] + len(samples)]
+        if any(b <= a for a, b in zip(at, ends, strict=True)):
+            continue
+        value = sum(price[n, c] for n, c in enumerate(choice))
+        value += sum(ref_error(samples, a, b, straight[n]) for n, (a, b) in enumerate(zip(at, ends, strict=True)))
+        if value < least:
+            best, least = at, value
+    return best, float(least)
