@@ -14,7 +14,14 @@ from numpy.typing import NDArray
 
 from roam_core.geometry.bezier import ANCHOR
 from roam_core.interchange.nuke_attributes import shape_attributes
-from roam_core.interchange.nuke_keys import KeyedCurves, feather_triples, outline_triples, timed_keys
+from roam_core.interchange.nuke_keys import (
+    KeyedCurves,
+    feather_slopes,
+    feather_triples,
+    outline_slopes,
+    outline_triples,
+    timed_keys,
+)
 from roam_core.interchange.nuke_text import (
     LOCKED,
     OPEN,
@@ -27,7 +34,7 @@ from roam_core.interchange.nuke_text import (
     tcl_word,
 )
 from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter
-from roam_core.interchange.reduction import Motion, Slopes
+from roam_core.interchange.reduction import Motion
 from roam_core.roto import Layer, Project, RotoShape
 from roam_core.roto.file import write_atomically
 
@@ -117,13 +124,13 @@ class _Writer(ShapeWriter):
         shape, slopes = self.begun_for(shape, Motion.CUBIC)
         height = self.clip.size[1]
         timed = timed_keys(shape, slopes, self.options.frame_offset)
-        outline = timed.curves([outline_triples(key.points, height) for key in timed.keys], _outline_slopes)
+        outline = timed.curves([outline_triples(key.points, height) for key in timed.keys], outline_slopes)
         pivot = shape.keys[0].points[:, ANCHOR].mean(axis=0)
         flags = RELATIVE_TANGENTS | (0 if shape.closed else OPEN)
         feather = [indent + "  idem"]
         if any(key.feather is not None for key in timed.keys):
             values = [feather_triples(key.points, key.feather) for key in timed.keys]
-            feather = _control_curve(timed.curves(values, _feather_slopes), flags, indent + "  ")
+            feather = _control_curve(timed.curves(values, feather_slopes), flags, indent + "  ")
         return [
             f"{indent}{{curvegroup {tcl_word(shape.name)} {RENDERABLE | (LOCKED if shape.locked else 0)} bezier",
             f"{indent} {{",
@@ -164,14 +171,3 @@ def _key_lists(curves: KeyedCurves) -> list[str]:
         keys = (f"{{{value} {left} 1 {right} 1}}" for value, left, right in zip(words, words, words, strict=True))
         lists.append(f"{{{' '.join(keys)}}}")
     return lists
-
-
-def _outline_slopes(slopes: Slopes) -> tuple[Array, Array]:
-    return outline_triples(slopes.leaving, 0.0), outline_triples(slopes.reaching, 0.0)
-
-
-def _feather_slopes(slopes: Slopes) -> tuple[Array, Array]:
-    return (
-        feather_triples(slopes.leaving, slopes.feather_leaving),
-        feather_triples(slopes.reaching, slopes.feather_reaching),
-    )

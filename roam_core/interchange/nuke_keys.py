@@ -97,3 +97,16 @@ def feather_triples(points: Array, feather: Array | None) -> Array:
     incoming, outgoing = (curve[:, part] - curve[:, ANCHOR] for part in (IN, OUT))
     result: Array = np.stack([incoming, offsets[:, ANCHOR], outgoing], axis=1) * UP
     return result
+
+
+def outline_slopes(slopes: Slopes) -> tuple[Array, Array]:
+    """The slopes of `outline_triples` at both ends of a span."""
+    return outline_triples(slopes.leaving, 0.0), outline_triples(slopes.reaching, 0.0)
+
+
+def feather_slopes(slopes: Slopes) -> tuple[Array, Array]:
+    """The slopes of `feather_triples` at both ends of a span."""
+    return (
+        feather_triples(slopes.leaving, slopes.feather_leaving),
+        feather_triples(slopes.reaching, slopes.feather_reaching),
+    )

@@ -8,6 +8,7 @@ from pathlib import Path
 from roam_core.errors import RoamError
 from roam_core.interchange.mattes import MatteExporter
 from roam_core.interchange.nuke import NukeExporter
+from roam_core.interchange.nuke_python import NukePythonExporter
 from roam_core.interchange.nuke_reading import NukeImporter
 from roam_core.interchange.protocol import Exporter
 from roam_core.interchange.reading import PLAIN, Imported, Importer, ImportOptions
@@ -31,7 +32,7 @@ def exporter_for(name: str) -> Exporter:
     return EXPORTERS[name]
 
 
-EXPORTERS = Exporters([NukeExporter(), SilhouetteExporter(), MatteExporter()])
+EXPORTERS = Exporters([NukeExporter(), NukePythonExporter(), SilhouetteExporter(), MatteExporter()])
 
 
 IMPORTERS: tuple[Importer, ...] = (NukeImporter(), SilhouetteImporter())

@@ -1,0 +1,186 @@
+"""Nuke, by a Python script: the same shapes made through `nuke.rotopaint`, as a cross-check of the pasted text.
+
+Run it in Nuke's script editor. The part that does the work is the same in every script; what the project holds stands
+in front of it as JSON in ASCII, so that no name can be anything but a name. It runs under Python 2.7 and 3.
+"""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+from roam_core.interchange.nuke_attributes import shape_attributes
+from roam_core.interchange.nuke_keys import (
+    KeyedCurves,
+    feather_slopes,
+    feather_triples,
+    outline_slopes,
+    outline_triples,
+    timed_keys,
+)
+from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter
+from roam_core.interchange.reduction import Motion
+from roam_core.roto import Layer, Project, RotoShape
+from roam_core.roto.file import write_atomically
+
+SCRIPT = '''# Shapes from ROAM for Nuke's script editor: makes one Roto node.
+import json
+import sys
+
+import nuke
+import nuke.rotopaint as rp
+
+DOCUMENT = json.loads(
+%s
+)
+
+
+def text(name):
+    """Python 2's classes take bytes."""
+    return name.encode("utf-8") if sys.version_info[0] < 3 else name
+
+
+def attributes_of(item, values):
+    attributes = item.getAttributes()
+    for name, value in values:
+        attributes.set(str(name), value)
+
+
+def animate(point, times, columns, weight):
+    """One control point. A key's type is Nuke's InterpolationType plus one: 2 is straight, 3 cubic with these slopes."""
+    x, y = columns
+    for index, time in enumerate(times):
+        point.addPositionKey(time, rp.CVec3(x[0][index], y[0][index], weight))
+    for axis, (values, leaving, reaching) in enumerate(columns):
+        curve = point.getPositionAnimCurve(axis)
+        straight = [
+            abs(slope - (values[i + 1] - values[i]) / (times[i + 1] - times[i])) < 1e-6
+            and abs(reaching[i] - slope) < 1e-6
+            for i, slope in enumerate(leaving)
+        ]
+        for index in range(len(times)):
+            key = curve.getKey(index)
+            if all(straight[max(index - 1, 0) : index + 1]):
+                key.interpolationType = 2
+                continue
+            key.interpolationType = 3
+            key.la = key.ra = 1.0
+            key.lslope = reaching[index - 1] if index else 0.0
+            key.rslope = leaving[index] if index < len(leaving) else 0.0
+
+
+def make_shape(knob, values):
+    shape = rp.Shape(knob, type="bezier")
+    shape.name = text(values["name"])
+    curves = values["curves"]
+    for entry in range(0, len(curves[0]), 3):
+        shape.append(rp.AnimControlPoint(curves[0][entry + 1][0][0][0], curves[0][entry + 1][1][0][0]))
+    for index, point in enumerate(shape):
+        parts = [(point.leftTangent, 0.0), (point.center, 1.0), (point.rightTangent, 0.0)]
+        feathers = [(point.featherLeftTangent, 0.0), (point.featherCenter, 0.0), (point.featherRightTangent, 0.0)]
+        for group, entries in zip((parts, feathers), curves):
+            for (part, weight), columns in zip(group, entries[3 * index : 3 * index + 3]):
+                animate(part, values["times"], columns, weight)
+    attributes_of(shape, values["attributes"])
+    if values["open"]:
+        shape.setFlag(rp.FlagType.eOpenFlag, True)
+    if values["locked"]:
+        shape.locked = True
+    return shape
+
+
+def fill(knob, parent, children):
+    for values in children:
+        if "children" in values:
+            layer = rp.Layer(knob)
+            layer.name = text(values["name"])
+            attributes_of(layer, values["attributes"])
+            layer.locked = values["locked"]
+            parent.append(layer)
+            fill(knob, layer, values["children"])
+        else:
+            parent.append(make_shape(knob, values))
+
+
+def main():
+    node = nuke.nodes.Roto()
+    node["output"].setValue("alpha")
+    knob = node["curves"]
+    root = knob.rootLayer
+    attributes_of(root, DOCUMENT["attributes"])
+    fill(knob, root, DOCUMENT["children"])
+    knob.changed()
+
+
+main()
+'''
+
+
+class NukePythonExporter:
+    """Writes all layers and shapes of a project as a Python script for Nuke."""
+
+    name = "nuke-python"
+    title = "Nuke Python script"
+    suffix = ".py"
+
+    def export(self, project: Project, path: Path, options: ExportOptions = STANDARD) -> tuple[str, ...]:
+        """Write `project` to `path`."""
+        text, notes = python_document(project, options)
+        options.advance(1.0, f"Writing {path.name}")
+        write_atomically(path, text.encode("ascii"))
+        return notes
+
+
+def python_document(project: Project, options: ExportOptions = STANDARD) -> tuple[str, tuple[str, ...]]:
+    """The text of a script that makes all shapes of `project`, and a sentence for each shape that was reduced."""
+    writer = _Writer(project.require_clip(), options, len(project.shapes))
+    document = json.dumps(writer.layer(project.root), ensure_ascii=True, allow_nan=False)
+    pieces = (document[start : start + 100] for start in range(0, len(document), 100))
+    return SCRIPT % "\n".join(f"    {piece!r}" for piece in pieces), tuple(writer.notes)
+
+
+class _Writer(ShapeWriter):
+    """Turns layers and shapes into plain values."""
+
+    def layer(self, layer: Layer) -> dict[str, Any]:
+        attributes: list[tuple[str, float]] = [("vis", float(layer.visible)), ("opc", layer.opacity)]
+        attributes.append(("inv", float(layer.invert)))
+        children = (  # Nuke's topmost comes first
+            self.layer(child) if isinstance(child, Layer) else self.shape(child) for child in reversed(layer.children)
+        )
+        return {
+            "name": _sound(layer.name),
+            "attributes": attributes,
+            "locked": layer.locked,
+            "children": list(children),
+        }
+
+    def shape(self, shape: RotoShape) -> dict[str, Any]:
+        shape, slopes = self.begun_for(shape, Motion.CUBIC)
+        timed = timed_keys(shape, slopes, self.options.frame_offset)
+        height = self.clip.size[1]
+        curves = [timed.curves([outline_triples(key.points, height) for key in timed.keys], outline_slopes)]
+        if any(key.feather is not None for key in timed.keys):
+            values = [feather_triples(key.points, key.feather) for key in timed.keys]
+            curves.append(timed.curves(values, feather_slopes))
+        return {
+            "name": _sound(shape.name),
+            "open": not shape.closed,
+            "locked": shape.locked,
+            "attributes": shape_attributes(shape, self.clip, self.options.frame_offset),
+            "times": timed.times,
+            "curves": [_entries(each) for each in curves],
+        }
+
+
+def _entries(curves: KeyedCurves) -> list[list[tuple[list[float], list[float], list[float]]]]:
+    """For each entry (in, point, out of each point in turn) its x and y: values, slopes leaving and reaching."""
+    sides = (curves.values.T, curves.leaving.T, curves.reaching.T)
+    columns = list(zip(*(side.tolist() for side in sides), strict=True))
+    return [list(pair) for pair in zip(columns[::2], columns[1::2], strict=True)]
+
+
+def _sound(name: str) -> str:
+    """A name without lone surrogates, which Nuke could not encode."""
+    return name.encode("utf-16-le", "surrogatepass").decode("utf-16-le", "replace")
