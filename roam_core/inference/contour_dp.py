@@ -85,7 +85,7 @@ def descend(
             if simple and not polyline.is_simple(moved):
                 moved = untangled(nodes, moved)
                 energy = joint_energy(moved, context, params, unary)
-                before = joint_energy(nodes, context, params, unary)
+                before = trace[-1] if trace else joint_energy(nodes, context, params, unary)
                 if energy > before:
                     moved, energy = nodes, before
             trace.append(energy)
@@ -103,9 +103,9 @@ def joint_energy(nodes: Array, context: CurveContext, params: RoamParams, unary:
 
 
 def untangled(before: Array, after: Array) -> Array:
-    """`after (N, 2)` with the nodes at its crossings put back to where they are in `before`, a curve without crossings.
+    """`after (N, 2)` with the nodes of its loops put back to where they are in `before`, a curve without crossings.
 
-    Nodes next to a crossing go first, then their neighbours, until none is left.
+    Where a crossing parts the curve into halves, rather than cutting off a loop, the nodes next to it are put back.
     """
     result = after.copy()
     count = len(after)
@@ -113,7 +113,12 @@ def untangled(before: Array, after: Array) -> Array:
         pairs = polyline.crossings(result)
         if len(pairs) == 0:
             return result
-        around = np.arange(-(width // 2), width // 2 + 2)
-        guilty = np.unique((pairs.ravel()[:, None] + around) % count)
-        result[guilty] = before[guilty]
+        for first, second in np.sort(pairs, axis=1):
+            inner = np.arange(first, second + 2)
+            outer = np.arange(second, first + count + 2)
+            loop = inner if len(inner) <= len(outer) else outer
+            if len(loop) > count // 3:
+                near = np.arange(-width, width + 2)
+                loop = np.concatenate([first + near, second + near])
+            result[loop % count] = before[loop % count]
     return before.copy()
