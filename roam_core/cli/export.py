@@ -6,6 +6,7 @@ import argparse
 import sys
 from pathlib import Path
 
+from roam_core.cli.matte_options import add_matte_arguments, matte_style
 from roam_core.interchange import EXPORTERS, ExportOptions, KeyChoice, exporter_for
 from roam_core.roto import file
 
@@ -25,6 +26,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--tolerance", type=float, default=0.5, metavar="E", help="pixels, for reduced keys (%(default)s)"
     )
     parser.add_argument("--frame-offset", type=int, default=0, metavar="N", help="added to every frame number")
+    parser.add_argument("--frame", type=int, metavar="F", help="svg: the frame of the picture (the clip's first)")
+    add_matte_arguments(parser)
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -32,7 +35,11 @@ def run(arguments: argparse.Namespace) -> int:
     exporter = exporter_for(arguments.to)
     project = file.load(arguments.project)
     options = ExportOptions(
-        frame_offset=arguments.frame_offset, keys=KeyChoice(arguments.keys), tolerance=arguments.tolerance
+        frame_offset=arguments.frame_offset,
+        keys=KeyChoice(arguments.keys),
+        tolerance=arguments.tolerance,
+        frame=arguments.frame,
+        mattes=matte_style(arguments),
     )
     losses = exporter.export(project, arguments.out, options)
     print(f"Wrote {len(project.shapes)} shape(s) to {arguments.out}.", file=sys.stderr)

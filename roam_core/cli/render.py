@@ -1,16 +1,19 @@
-"""`roam render P.roam --out DIR`: write a project's mattes, one PNG a frame, named as the frames."""
+"""`roam render P.roam --out DIR`: write a project's mattes, one picture a frame, named as the frames."""
 
 from __future__ import annotations
 
 import argparse
 import sys
 from pathlib import Path
+from typing import Never
 
 from tqdm import tqdm
 
+from roam_core.cli.matte_options import add_matte_arguments, matte_style
 from roam_core.cli.track import require_writable
 from roam_core.errors import RoamError
-from roam_core.interchange.mattes import write_matte
+from roam_core.interchange.mattes import write_mattes
+from roam_core.interchange.naming import numbering
 from roam_core.media import open_clip
 from roam_core.roto import Project, file
 
@@ -21,12 +24,16 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--out", type=Path, required=True, metavar="DIR")
     parser.add_argument("--start", type=int, metavar="F", help="first frame (default: the clip's first)")
     parser.add_argument("--end", type=int, metavar="F", help="last frame (default: the clip's last)")
+    parser.add_argument(
+        "--name", metavar="PATTERN", help="of the files, such as '{name}.####.exr' (default: as the plate's frames)"
+    )
+    add_matte_arguments(parser)
 
 
 def run(arguments: argparse.Namespace) -> int:
     """Carry out the command."""
     project = file.load(arguments.project)
-    clip = project.require_clip()
+    clip, style = project.require_clip(), matte_style(arguments)
     first = clip.first if arguments.start is None else arguments.start
     last = clip.last if arguments.end is None else arguments.end
     if last < first:
@@ -35,10 +42,27 @@ def run(arguments: argparse.Namespace) -> int:
     names = frame_names(project)
     width, height = clip.size
     frames = [frame for frame in range(first, last + 1) if frame in names]
-    for frame in tqdm(frames, unit="frame", disable=not sys.stderr.isatty(), leave=False):
-        write_matte(project.root, frame, arguments.out / f"{names[frame]}.png", (height, width))
-    print(f"Wrote {len(frames)} matte(s) to {arguments.out}.", file=sys.stderr)
+    named = {frame: f"{names[frame]}{style.suffix}" for frame in frames}
+    with tqdm(total=len(frames), unit="frame", disable=not sys.stderr.isatty(), leave=False) as bar:
+        paths = write_mattes(
+            project,
+            frames,
+            arguments.out,
+            numbering(arguments.name) if arguments.name else named.__getitem__,
+            (height, width),
+            style=style,
+            pixel_aspect=clip.pixel_aspect,
+            progress=lambda share, _: show(bar, share),
+        )
+    if frames and not paths:
+        raise RoamError(f"Nothing is visible in {arguments.project} that could have a matte of its own.")
+    print(f"Wrote {len(paths)} matte(s) to {arguments.out}.", file=sys.stderr)
     return 0
+
+
+def show(bar: tqdm[Never], share: float) -> None:
+    """Move a progress bar to a share of its whole."""
+    bar.update(round(share * float(bar.total or 0)) - bar.n)
 
 
 def frame_names(project: Project) -> dict[int, str]:

@@ -1,0 +1,38 @@
+"""The options of commands that write mattes, and the style that they ask for."""
+
+from __future__ import annotations
+
+import argparse
+
+from roam_core.interchange.matte_style import COMPRESSIONS, DataWindow, Depth, Gathering, MatteFile, MatteStyle, Parts
+
+
+def add_matte_arguments(parser: argparse.ArgumentParser) -> None:
+    """Declare the options of pictures."""
+    group = parser.add_argument_group("mattes")
+    words = sorted({word for compressions in COMPRESSIONS.values() for word in compressions})
+    group.add_argument("--file", choices=list(MatteFile), help="kind of the pictures (png)")
+    group.add_argument("--depth", choices=list(Depth), help="bits, or floating point (8; half for exr)")
+    group.add_argument("--compression", choices=words, help="without loss in any case (zip)")
+    group.add_argument(
+        "--per", choices=list(Parts), default=Parts.ALL, help="what has a matte of its own (%(default)s)"
+    )
+    group.add_argument("--channels", action="store_true", help="exr: layers or shapes as channels of one file")
+    group.add_argument("--tight", action="store_true", help="exr: leave out the black around the shapes")
+    group.add_argument("--resume", action="store_true", help="skip frames whose files are there")
+
+
+def matte_style(arguments: argparse.Namespace) -> MatteStyle:
+    """The style that the options ask for; a `RoamError` when the kind of file cannot hold it."""
+    asks_for_exr = arguments.channels or arguments.tight or arguments.depth == Depth.HALF
+    file = arguments.file or (MatteFile.EXR if asks_for_exr else MatteFile.PNG)
+    parts = Parts.SHAPE if arguments.channels and arguments.per == Parts.ALL else Parts(arguments.per)
+    return MatteStyle(
+        file=MatteFile(file),
+        depth=None if arguments.depth is None else Depth(arguments.depth),
+        compression=arguments.compression,
+        parts=parts,
+        gathering=Gathering.CHANNELS if arguments.channels else Gathering.FILES,
+        window=DataWindow.TIGHT if arguments.tight else DataWindow.FULL,
+        resumes=arguments.resume,
+    )

@@ -1,0 +1,89 @@
+"""`roam render` and `roam export --to mattes`: kinds of files, parts, names, taking up again."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import OpenImageIO as oiio  # noqa: N813
+import pytest
+
+from roam_core.roto import Clip, Keyframe, Layer, Project, RotoShape, file
+from tests.unit.cli.conftest import Roam, read_matte
+from tests.unit.matte.conftest import rectangle
+
+
+@pytest.fixture
+def project(tmp_path: Path) -> Path:
+    """Two rectangles on frames 7 to 9 of a plate that is not there."""
+    left, right = rectangle(2.0, 2.0, 10.0, 10.0, frame=7), rectangle(12.0, 4.0, 20.0, 12.0, frame=7)
+    shapes = (
+        RotoShape("shape-1", "Left arm", left.keys),
+        RotoShape("shape-2", "Right", (Keyframe(8, right.keys[0].points),)),
+    )
+    path = tmp_path / "p.roam"
+    file.save(Project(Clip(Path("/plates/gone"), 7, 9, (24, 16)), Layer("root", "Root", shapes)), path)
+    return path
+
+
+def names(folder: Path) -> list[str]:
+    return sorted(path.relative_to(folder).as_posix() for path in folder.rglob("*") if path.is_file())
+
+
+def test_every_shape_is_rendered_into_a_folder_of_its_own(roam: Roam, project: Path, tmp_path: Path) -> None:
+    done = roam("render", project, "--out", tmp_path / "out", "--per", "shape", "--start", 8)
+    assert (done.status, done.err) == (0, f"Wrote 4 matte(s) to {tmp_path / 'out'}.\n")
+    assert names(tmp_path / "out") == ["Left_arm/0008.png", "Left_arm/0009.png", "Right/0008.png", "Right/0009.png"]
+    assert read_matte(tmp_path / "out" / "Right" / "0008.png")[8, 14] == 255
+    assert read_matte(tmp_path / "out" / "Right" / "0008.png")[5, 5] == 0
+
+
+@pytest.mark.parametrize("command", ["render", "export"])
+def test_shapes_become_channels_of_an_exr_file(roam: Roam, project: Path, tmp_path: Path, command: str) -> None:
+    out = tmp_path / "out"
+    words = ("--out", out, "--name", "m.####.exr") if command == "render" else ("--to", "mattes", out / "m.####.exr")
+    assert (
+        roam(command, project, *words, "--channels", "--tight", "--depth", "float", "--compression", "rle").status == 0
+    )
+    assert names(out) == ["m.0007.exr", "m.0008.exr", "m.0009.exr"]
+    spec = oiio.ImageBuf(str(out / "m.0008.exr")).spec()
+    assert sorted(spec.channelnames) == ["A", "Left_arm.A", "Right.A"]
+    assert (spec.x, spec.y, spec.width, spec.height) == (2, 2, 18, 10)
+    assert (str(spec.format), spec.get_string_attribute("compression")) == ("float", "rle")
+
+
+def test_sixteen_bit_tiffs_are_written_when_asked_for(roam: Roam, project: Path, tmp_path: Path) -> None:
+    done = roam("render", project, "--out", tmp_path, "--file", "tiff", "--depth", 16, "--end", 7)
+    assert done.status == 0
+    assert str(oiio.ImageBuf(str(tmp_path / "0007.tif")).spec().format) == "uint16"
+
+
+def test_a_run_is_taken_up_where_it_ended(roam: Roam, project: Path, tmp_path: Path) -> None:
+    (tmp_path / "0008.png").write_bytes(b"there")
+    assert roam("render", project, "--out", tmp_path, "--resume").status == 0
+    assert (tmp_path / "0008.png").read_bytes() == b"there"
+    assert read_matte(tmp_path / "0009.png")[5, 5] == 255
+
+
+@pytest.mark.parametrize(
+    ("words", "sentence"),
+    [
+        (("--file", "png", "--channels"), "PNG files hold no channels"),
+        (("--file", "exr", "--depth", "8"), "EXR mattes are half or float deep, not 8"),
+        (("--name", "sub/m.####.png"), "is no file name for the matte of frame 7"),
+    ],
+)
+def test_what_does_not_fit_is_refused_before_anything_is_written(
+    roam: Roam, project: Path, tmp_path: Path, words: tuple[str, ...], sentence: str
+) -> None:
+    done = roam("render", project, "--out", tmp_path / "out", *words)
+    assert done.status == 1
+    assert sentence in done.err
+    assert not (tmp_path / "out").exists() or names(tmp_path / "out") == []
+
+
+def test_nothing_visible_is_told(roam: Roam, project: Path, tmp_path: Path) -> None:
+    loaded = file.load(project)
+    file.save(Project(loaded.clip, Layer("root", "Root")), project)
+    done = roam("render", project, "--out", tmp_path / "out", "--per", "shape")
+    assert done.status == 1
+    assert "Nothing is visible" in done.err
