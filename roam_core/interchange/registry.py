@@ -6,14 +6,20 @@ from collections.abc import Iterable
 from pathlib import Path
 
 from roam_core.errors import RoamError
+from roam_core.interchange.after_effects import AfterEffectsExporter
+from roam_core.interchange.blender import BlenderExporter
+from roam_core.interchange.fusion import FusionExporter
 from roam_core.interchange.mattes import MatteExporter
+from roam_core.interchange.natron import NatronExporter
 from roam_core.interchange.nuke import NukeExporter
 from roam_core.interchange.nuke_python import NukePythonExporter
 from roam_core.interchange.nuke_reading import NukeImporter
+from roam_core.interchange.plain_json import JsonFormat
 from roam_core.interchange.protocol import Exporter
 from roam_core.interchange.reading import PLAIN, Imported, Importer, ImportOptions
 from roam_core.interchange.silhouette import SilhouetteExporter
 from roam_core.interchange.silhouette_reading import SilhouetteImporter
+from roam_core.interchange.svg import SvgFormat
 from roam_core.roto import Clip
 
 
@@ -32,10 +38,23 @@ def exporter_for(name: str) -> Exporter:
     return EXPORTERS[name]
 
 
-EXPORTERS = Exporters([NukeExporter(), NukePythonExporter(), SilhouetteExporter(), MatteExporter()])
+EXPORTERS = Exporters(
+    [
+        NukeExporter(),
+        NukePythonExporter(),
+        SilhouetteExporter(),
+        AfterEffectsExporter(),
+        FusionExporter(),
+        BlenderExporter(),
+        NatronExporter(),
+        SvgFormat(),
+        JsonFormat(),
+        MatteExporter(),
+    ]
+)
 
 
-IMPORTERS: tuple[Importer, ...] = (NukeImporter(), SilhouetteImporter())
+IMPORTERS: tuple[Importer, ...] = (NukeImporter(), SilhouetteImporter(), SvgFormat(), JsonFormat())
 """Every format that can be read."""
 
 
