@@ -178,7 +178,9 @@ class RoamParams:
     lambda_global : weight of the global appearance term (equations 4, 5), per node, of its sum along the normal.
     appearance : parameters of the local appearance models; None leaves the curve without colour.
     warp : where the object went between two frames, the place that inference starts from: "none", "klt" (a similarity
-        of points followed inside the outline) or "flow" (a similarity of dense flow).
+        of points followed inside the outline), "flow" (a similarity of dense flow), "landmarks" (one of the landmarks:
+        the paper's), "landmarks+klt" (one that both vote for) or "nodes" (each control point with the landmarks nearest
+        to it: the paper's node projection).
     fit_rigidity : weight, per control point, that holds the fitted spline to the pre-warped one where nodes say little.
     motion_features : upper bound on the points that KLT follows for the pre-warp.
     motion_threshold : distance up to which a followed point agrees with a similarity.
@@ -201,7 +203,7 @@ class RoamParams:
     lambda_local: float = 0.0
     lambda_global: float = 0.0
     appearance: AppearanceParams | None = None
-    warp: Literal["none", "klt", "flow"] = "klt"
+    warp: Literal["none", "klt", "flow", "landmarks", "landmarks+klt", "nodes"] = "klt"
     fit_rigidity: float = 0.02
     motion_features: int = 300
     motion_threshold: float = 2.0
@@ -218,10 +220,18 @@ class RoamParams:
 CONFIGS: dict[str, RoamParams] = {
     "baseline": RoamParams(),
     "lean": RoamParams(config="lean", appearance=AppearanceParams(), lambda_local=0.03),
+    "medium": RoamParams(
+        config="medium",
+        appearance=AppearanceParams(),
+        lambda_local=0.03,
+        warp="landmarks+klt",
+        landmarks=LandmarkParams(),
+    ),
     "best": RoamParams(config="best", region=RegionParams()),
 }
 """Configurations by name. `baseline`: gradient and l2 regulariser (the paper's Baseline); `lean`: local colour models
-of the edges beside them (the paper's Lean, as region competition); `best`: all that proved itself, at present the
+of the edges beside them (the paper's Lean, as region competition); `medium`: landmarks as well, in the pre-warp and
+tied to the curve (the paper's Medium); `best`: all that proved itself, at present the
 region proposals."""
 
 DOUBTFUL = 0.5

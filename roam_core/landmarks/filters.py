@@ -148,10 +148,14 @@ def peaks(response: Float32) -> tuple[Array, Array]:
     count, size = response.shape[0], response.shape[1]
     best = response.reshape(count, size * size).argmax(axis=1)
     row, column = best // size, best % size
-    which = np.arange(count)
-    x = column + _vertex(response[which, row], column)
-    y = row + _vertex(response[which, :, column], row)
-    return np.stack([x, y], axis=1) - size // 2, sharpness(response, row, column)
+    displacement = np.stack([column, row], axis=1) - size // 2 + between(response, row, column)
+    return displacement, sharpness(response, row, column)
+
+
+def between(response: Float32, row: NDArray[np.intp], column: NDArray[np.intp]) -> Array:
+    """How far `(M, 2)`, x and y, within half a cell, each response's top lies from its cell `[row, column]`."""
+    which = np.arange(len(response))
+    return np.stack([_vertex(response[which, row], column), _vertex(response[which, :, column], row)], axis=1)
 
 
 def sharpness(response: Float32, row: NDArray[np.intp], column: NDArray[np.intp]) -> Array:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -10,17 +11,21 @@ from numpy.typing import NDArray
 from roam_core.appearance.band import Band
 from roam_core.appearance.colour_models import ColourModels
 from roam_core.cancel import CancelToken
-from roam_core.energy import total
+from roam_core.energy import joint_total, total
 from roam_core.energy.colour_fields import ColourFields
+from roam_core.energy.joint_total import LandmarkContext, Placing
 from roam_core.energy.total import CurveContext
 from roam_core.features import PreparedFrame, Region
-from roam_core.geometry import bezier, polyline, similarity
+from roam_core.geometry import polyline
 from roam_core.geometry.simple import simplified
+from roam_core.inference.alternate import alternate
 from roam_core.inference.contour_dp import descend
-from roam_core.motion.warp import warp
 from roam_core.params import DOUBTFUL, AppearanceParams, RoamParams, scale_for
+from roam_core.propagate import landmarks
 from roam_core.propagate.confidence import frame_confidence, node_support
+from roam_core.propagate.landmarks import LandmarkState
 from roam_core.propagate.nodes import NodeMap
+from roam_core.propagate.prewarp import expected
 from roam_core.propagate.result import StepResult, Termination
 
 Array = NDArray[np.float64]
@@ -35,12 +40,23 @@ class TrackerState:
     frame, points : the picture and the outline (P, 3, 2) on it.
     nodes : where the nodes lie on the spline; their edges keep their index through time.
     models : the curve's colours, as far as the configuration wants any.
+    landmarks : those inside the outline, where the configuration wants them.
     """
 
     frame: PreparedFrame
     points: Array
     nodes: NodeMap
     models: ColourModels | None = None
+    landmarks: LandmarkState | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class Solved:
+    """What inference found on a frame: the nodes, whether it came to rest, and the landmarks if there are any."""
+
+    nodes: Array
+    converged: bool
+    placing: Placing | None = None
 
 
 def begin(frame: PreparedFrame, points: Array, params: RoamParams) -> TrackerState:
@@ -51,7 +67,9 @@ def begin(frame: PreparedFrame, points: Array, params: RoamParams) -> TrackerSta
     """
     scale = scale_for(frame.size)
     nodes = NodeMap.of(points, params, scale)
-    return TrackerState(frame, points, nodes, ColourModels.learned(frame, nodes.nodes(points), params, scale))
+    line = nodes.nodes(points)
+    models = ColourModels.learned(frame, line, params, scale)
+    return TrackerState(frame, points, nodes, models, landmarks.begin(frame, line, params.landmarks))
 
 
 def step(
@@ -59,15 +77,15 @@ def step(
 ) -> tuple[TrackerState, StepResult]:
     """Carry the outline from the state's frame to `frame`."""
     scale = scale_for(frame.size)
-    moved = warp(state.frame, frame, bezier.flatten(state.points), params, scale)
+    moved, prior = expected(state.frame, frame, state.points, state.landmarks, params)
     if token is not None:
         token.check()
-    prior = similarity.apply(moved.transform, state.points)
     nodes = state.nodes.nodes(prior)
     if _is_outside(nodes, frame.size):
         return _left(state, frame, prior)
     context = curve_context(frame, nodes, params, scale, state.models)
-    solution = descend(nodes, context, params, scale, token)
+    seen = None if state.landmarks is None else landmarks.context(state.landmarks, frame, moved)
+    solution = _solved(nodes, context, seen, params, scale, token)
     points = simplified(state.nodes.points(solution.nodes, prior), prior, scale)
     fitted = state.nodes.nodes(points)
     support = node_support(fitted, context, scale)
@@ -76,11 +94,50 @@ def step(
         points=points,
         confidence=confidence,
         vertex_confidence=_per_point(support, state.nodes, len(points)),
-        energies=total.energies(fitted, context, params),
+        energies=_energies(fitted, solution.placing, context, seen, params),
         termination=_termination(confidence, solution.converged),
     )
     models = None if state.models is None else state.models.adapted(frame, fitted, params, scale, confidence)
-    return TrackerState(frame, points, state.nodes, models), result
+    known = _marked(state.landmarks, frame, seen, solution.placing, fitted, confidence)
+    return TrackerState(frame, points, state.nodes, models, known), result
+
+
+def _solved(
+    nodes: Array,
+    context: CurveContext,
+    seen: LandmarkContext | None,
+    params: RoamParams,
+    scale: float,
+    token: CancelToken | None,
+) -> Solved:
+    """The curve alone, or the curve and the landmarks in turn."""
+    if seen is None:
+        alone = descend(nodes, context, params, scale, token)
+        return Solved(alone.nodes, alone.converged)
+    both = alternate(nodes, context, seen, params, token)
+    return Solved(both.nodes, both.converged, both.placing)
+
+
+def _energies(
+    nodes: Array, placing: Placing | None, context: CurveContext, seen: LandmarkContext | None, params: RoamParams
+) -> Mapping[str, float]:
+    if seen is None or placing is None:
+        return total.energies(nodes, context, params)
+    return joint_total.energies(nodes, placing, context, seen, params)
+
+
+def _marked(
+    state: LandmarkState | None,
+    frame: PreparedFrame,
+    seen: LandmarkContext | None,
+    placing: Placing | None,
+    nodes: Array,
+    confidence: float,
+) -> LandmarkState | None:
+    """The landmarks after the frame; they learn from it as far as it is trusted."""
+    if state is None or seen is None or placing is None:
+        return state
+    return landmarks.adapted(state, frame, seen, placing, nodes, confidence)
 
 
 def curve_context(

@@ -14,6 +14,7 @@ from roam_core.energy.joint import paired
 from roam_core.energy.joint_total import LandmarkContext, Placing
 from roam_core.energy.total import CurveContext
 from roam_core.inference.alternate import alternate, best_landmarks
+from roam_core.inference.contour_dp import descend
 from roam_core.landmarks.star import Star
 from roam_core.params import LandmarkParams, RoamParams
 
@@ -67,8 +68,6 @@ def test_no_place_of_landmarks_or_root_is_better_than_the_landmarks_step() -> No
 
 
 def test_without_ties_the_curve_goes_its_own_way() -> None:
-    from roam_core.inference.contour_dp import descend
-
     nodes, curve, landmarks, params = scene(11, params=LandmarkParams(joint=0.0))
     together = alternate(nodes, curve, landmarks, params)
     alone = descend(nodes, curve, params, 1.0)
