@@ -48,7 +48,7 @@ def attributes_of(item, values):
 
 
 def animate(point, times, columns, weight):
-    """One control point. A key's type is Nuke's InterpolationType plus one: 2 is straight, 3 cubic with these slopes."""
+    """One control point. A key's type is InterpolationType plus one: 2 is straight, 3 cubic with these slopes."""
     x, y = columns
     for index, time in enumerate(times):
         point.addPositionKey(time, rp.CVec3(x[0][index], y[0][index], weight))

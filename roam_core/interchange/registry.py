@@ -14,6 +14,7 @@ from roam_core.interchange.natron import NatronExporter
 from roam_core.interchange.nuke import NukeExporter
 from roam_core.interchange.nuke_python import NukePythonExporter
 from roam_core.interchange.nuke_reading import NukeImporter
+from roam_core.interchange.nuke_tracks import NukeTracksExporter
 from roam_core.interchange.plain_json import JsonFormat
 from roam_core.interchange.protocol import Exporter
 from roam_core.interchange.reading import PLAIN, Imported, Importer, ImportOptions
@@ -42,6 +43,7 @@ EXPORTERS = Exporters(
     [
         NukeExporter(),
         NukePythonExporter(),
+        NukeTracksExporter(),
         SilhouetteExporter(),
         AfterEffectsExporter(),
         FusionExporter(),

@@ -1,0 +1,192 @@
+"""Nuke's Tracker4 and CornerPin2D: how points and shapes move, as nodes that stabilise, match-move or pin.
+
+`.nk` holds no motion of a shape but its points; a compositor's artist also wants the motion itself. Each shape gives a
+corner pin, the similarity that carries its outline from its first artist's key, and a tracker with one track for each
+corner of the box around it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from roam_core.errors import RoamError
+from roam_core.geometry import similarity
+from roam_core.interchange.nuke_keys import LAST_EXACT_FRAME
+from roam_core.interchange.nuke_text import tcl_word
+from roam_core.interchange.protocol import FARTHEST, STANDARD, ExportOptions, ShapeWriter, chosen_keys
+from roam_core.roto import Clip, Project, RotoShape
+from roam_core.roto.file import write_atomically
+
+Array = NDArray[np.float64]
+
+BOTTOM_LEFT, BOTTOM_RIGHT, TOP_RIGHT, TOP_LEFT = range(4)
+"""Order of a corner pin's corners."""
+
+COLUMNS = (
+    ("5 1 20", "enable", "e"),
+    ("3 1 75", "name", "name"),
+    *(("2 1 58", name, name) for name in ("track_x", "track_y")),
+    *(("2 1 63", name, name) for name in ("offset_x", "offset_y")),
+    *(("4 1 27", name, name) for name in "TRS"),
+    ("2 0 45", "error", "error"),
+    *(("1 1 0", name, name) for name in ("error_min", "error_max")),
+    *(("1 1 0", f"{box}_{side}", f"{box}_{side}") for box in ("pattern", "search") for side in "xyrt"),
+    ("2 1 0", "key_track", "key_track"),
+    *(("2 1 0", f"key_{box}_{side}", f"key_{box}_{side}") for box in ("search", "track") for side in "xyrt"),
+    *(("2 1 0", f"key_centre_offset_{axis}", f"key_centre_offset_{axis}") for axis in "xy"),
+)
+"""The 31 columns of a tracker's table: type, whether saved and width; name; heading."""
+
+
+@dataclass(frozen=True)
+class Track:
+    """A point through time: `frames`, strictly rising, and `positions (F, 2)` in our pixels; it may have gaps."""
+
+    name: str
+    frames: Sequence[int]
+    positions: Array
+
+    def __post_init__(self) -> None:
+        if len(self.frames) == 0 or np.shape(self.positions) != (len(self.frames), 2):
+            raise ValueError(f"track {self.name!r} has {len(self.frames)} frames, positions {np.shape(self.positions)}")
+        if (np.diff(self.frames) <= 0).any():
+            raise ValueError(f"the frames of track {self.name!r} do not rise")
+        if max(abs(frame) for frame in self.frames) > LAST_EXACT_FRAME or not (np.abs(self.positions) < FARTHEST).all():
+            raise RoamError(f"The track {self.name!r} goes where no image is; it cannot be exported.")
+
+
+class NukeTracksExporter:
+    """Writes how each shape moves, as one Tracker4 and one CornerPin2D node for each."""
+
+    name = "nuke-tracks"
+    title = "Nuke Tracker and CornerPin nodes"
+    suffix = ".nk"
+
+    def export(self, project: Project, path: Path, options: ExportOptions = STANDARD) -> tuple[str, ...]:
+        """Write `project` to `path`; a shape with one key does not move and is left out, with a note."""
+        clip = project.require_clip()
+        writer = ShapeWriter(clip, options, len(project.shapes))
+        nodes = []
+        for shape in project.shapes:
+            options.advance(writer.done / writer.total, f"Shape {shape.name}")
+            writer.done += 1
+            shape = chosen_keys(shape, options)
+            if len(shape.keys) < 2:
+                writer.notes.append(f"{shape.name!r} has one key and no motion; it was left out.")
+                continue
+            corners, frames = box_motion(shape)
+            names = ("bottom left", "bottom right", "top right", "top left")
+            tracks = [Track(f"{shape.name} {name}", frames, corners[:, index]) for index, name in enumerate(names)]
+            reference = frames.index(reference_frame(shape))
+            nodes.append(tracker_node(tracks, clip, frames[reference], options.frame_offset))
+            nodes.append(corner_pin_node(shape.name, frames, corners, reference, clip, options.frame_offset))
+        options.advance(1.0, f"Writing {path.name}")
+        write_atomically(path, ("version 9.0 v1\n" + "".join(nodes)).encode("utf-8"))
+        return tuple(writer.notes)
+
+
+def reference_frame(shape: RotoShape) -> int:
+    """The frame from which a shape's motion is measured: its first artist's key, or its first one."""
+    return (shape.artist_frames or shape.frames)[0]
+
+
+def box_motion(shape: RotoShape) -> tuple[Array, list[int]]:
+    """The corners `(F, 4, 2)` of the box around a shape, carried by the similarity that fits its outline best.
+
+    The box is that of the reference frame; F are all frames from the first key to the last. Corners in the order of a
+    corner pin: bottom left, bottom right, top right, top left, in our pixels, y down.
+    """
+    frames = list(range(shape.frames[0], shape.frames[-1] + 1))
+    origin = shape.at(reference_frame(shape))
+    left, top = origin.flatten().min(axis=0)
+    right, bottom = origin.flatten().max(axis=0)
+    box = np.array([[left, bottom], [right, bottom], [right, top], [left, top]])
+    source = origin.points.reshape(-1, 2)
+    corners = [similarity.apply(similarity.fit(source, shape.at(f).points.reshape(-1, 2)), box) for f in frames]
+    return np.stack(corners), frames
+
+
+def tracker_node(tracks: Sequence[Track], clip: Clip, reference: int, frame_offset: int = 0) -> str:
+    """The text of a Tracker4 node.
+
+    Parameters
+    ----------
+    tracks : at least one; names are any text.
+    clip : whose height turns y over.
+    reference : the plate's frame at which the tracker's transform is none.
+    frame_offset : added to all frames.
+    """
+    if not tracks:
+        raise RoamError("There is no track to export.")
+    columns = "\n".join(f"{{ {kind} {name} {heading} 1 }}" for kind, name, heading in COLUMNS)
+    rows = "\n".join(_row(track, clip.size[1], frame_offset) for track in tracks)
+    first = np.mean([np.asarray(track.positions)[0] for track in tracks], axis=0)
+    knobs = {
+        "tracks": f"{{ {{ 1 {len(COLUMNS)} {len(tracks)} }}\n{{ {columns}\n}}\n{{\n{rows}\n}}\n}}",
+        "reference_frame": str(reference + frame_offset),
+        "center": f"{{{first[0]:.6f} {clip.size[1] - first[1]:.6f}}}",
+        "name": "Tracker1",
+    }
+    return _node("Tracker4", knobs)
+
+
+def corner_pin_node(
+    name: str, frames: Sequence[int], corners: Array, reference: int, clip: Clip, frame_offset: int = 0
+) -> str:
+    """The text of a CornerPin2D node.
+
+    Parameters
+    ----------
+    name : of what is pinned, for the node's label.
+    frames : F of them.
+    corners : (F, 4, 2) bottom left, bottom right, top right, top left; our pixels, y down.
+    reference : index of the frame whose corners are those that are pinned.
+    clip : whose height turns y over.
+    frame_offset : added to all frames.
+    """
+    height = clip.size[1]
+    knobs = {}
+    for index in range(4):
+        track = Track(name, frames, corners[:, index])
+        x, y = (_curve(track.frames, values, frame_offset) for values in _up(track.positions, height).T)
+        knobs[f"to{index + 1}"] = f"{{{x} {y}}}"
+    for index, (x, y) in enumerate(_up(corners[reference], height).tolist()):
+        knobs[f"from{index + 1}"] = f"{{{x:.6f} {y:.6f}}}"
+    knobs |= {"name": "CornerPin2D1", "label": tcl_word(_label(name))}
+    return _node("CornerPin2D", knobs)
+
+
+def _node(species: str, knobs: Mapping[str, str]) -> str:
+    lines = "\n".join(f" {name} {value}" for name, value in knobs.items())
+    return f"{species} {{\n inputs 0\n{lines}\n}}\n"
+
+
+def _label(name: str) -> str:
+    """A label as it may stand on a node: Nuke runs what stands in brackets there, so that these become round ones."""
+    return name.translate({ord("["): "(", ord("]"): ")"})
+
+
+def _row(track: Track, height: int, frame_offset: int) -> str:
+    """One row of the tracker's table, one entry for each of its columns."""
+    first = track.frames[0] + frame_offset
+    x, y = (_curve(track.frames, values, frame_offset) for values in _up(np.asarray(track.positions), height).T)
+    still = f"{{curve K x{first} 0}}"
+    boxes = "-15 -15 15 15 -25 -25 25 25"
+    empty = " ".join(["{}"] * 11)
+    start = f"{{curve K x{first} 1}} {tcl_word(track.name)}"
+    return f"{{ {start} {x} {y} {still} {still} 1 1 1 {{curve x{first} 0}} 0 0 {boxes} {empty} }}"
+
+
+def _up(positions: Array, height: int) -> Array:
+    return positions * [1.0, -1.0] + [0.0, float(height)]
+
+
+def _curve(frames: Sequence[int], values: Array, frame_offset: int) -> str:
+    """A knob's animation: straight from key to key."""
+    keys = (f"x{frame + frame_offset} {value:.6f}" for frame, value in zip(frames, values.tolist(), strict=True))
+    return f"{{curve L {' L '.join(keys)}}}"
