@@ -9,6 +9,7 @@ from roam_core.errors import RoamError
 from roam_core.interchange.after_effects import AfterEffectsExporter
 from roam_core.interchange.blender import BlenderExporter
 from roam_core.interchange.fusion import FusionExporter
+from roam_core.interchange.masks import MaskImporter
 from roam_core.interchange.mattes import MatteExporter
 from roam_core.interchange.natron import NatronExporter
 from roam_core.interchange.nuke import NukeExporter
@@ -56,17 +57,18 @@ EXPORTERS = Exporters(
 )
 
 
-IMPORTERS: tuple[Importer, ...] = (NukeImporter(), SilhouetteImporter(), SvgFormat(), JsonFormat())
+IMPORTERS: tuple[Importer, ...] = (NukeImporter(), SilhouetteImporter(), SvgFormat(), JsonFormat(), MaskImporter())
 """Every format that can be read."""
 
 
 def importer_for(path: Path) -> Importer:
-    """The format that reads files of this suffix, or a `RoamError` that lists those that are read."""
+    """The format that reads files of this suffix, or folders; a `RoamError` lists those that are read."""
+    suffix = "" if path.is_dir() else path.suffix.lower() or "none"
     for importer in IMPORTERS:
-        if path.suffix.lower() in importer.suffixes:
+        if suffix in importer.suffixes:
             return importer
-    known = ", ".join(suffix for importer in IMPORTERS for suffix in importer.suffixes)
-    raise RoamError(f"{path} has no suffix that ROAM reads shapes from; it reads: {known}.")
+    known = ", ".join(suffix for importer in IMPORTERS for suffix in importer.suffixes if suffix)
+    raise RoamError(f"{path} has no suffix that ROAM reads shapes from; it reads: {known}, and folders of masks.")
 
 
 def read_shapes(path: Path, clip: Clip, options: ImportOptions = PLAIN) -> Imported:

@@ -1,0 +1,77 @@
+"""Shapes fitted to sequences of masks: parts, points that stay the same ones, what comes and what goes."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import cv2
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from roam_core.errors import RoamError
+from roam_core.interchange import ImportOptions, read_shapes
+from roam_core.matte import render_matte
+from roam_core.roto import Clip
+
+CLIP = Clip(Path("plate"), 1001, 1003, (160, 120))
+
+
+def discs(*centres: tuple[int, int]) -> NDArray[np.uint8]:
+    mask = np.zeros((120, 160), dtype=np.uint8)
+    for centre in centres:
+        cv2.circle(mask, centre, 22, 255, -1, cv2.LINE_AA)
+    return mask
+
+
+def write(folder: Path, *masks: NDArray[np.uint8], first: int = 1001) -> Path:
+    folder.mkdir()
+    for number, mask in enumerate(masks, start=first):
+        cv2.imwrite(str(folder / f"mask.{number:04d}.png"), mask)
+    return folder
+
+
+def overlap(a: NDArray[np.bool_], b: NDArray[np.bool_]) -> float:
+    return np.count_nonzero(a & b) / np.count_nonzero(a | b)
+
+
+@pytest.mark.parametrize("name", ["", "mask.1002.png", "mask.%04d.png", "mask.####.png"])
+def test_a_moving_part_is_one_shape_with_a_key_on_every_frame(tmp_path: Path, name: str) -> None:
+    masks = [discs((60 + 3 * f, 50)) for f in range(3)]
+    imported = read_shapes(write(tmp_path / "masks", *masks) / name, CLIP)
+    (shape,) = imported.layer.shapes()
+    assert (shape.frames, shape.artist_frames, imported.notes) == ((1001, 1002, 1003), (1001, 1002, 1003), ())
+    for frame, mask in zip(shape.frames, masks, strict=True):
+        assert overlap(render_matte([shape], frame, (120, 160)) > 0.5, mask > 127) > 0.97
+
+
+def test_a_part_that_comes_later_is_a_shape_of_its_own(tmp_path: Path) -> None:
+    folder = write(tmp_path / "masks", discs(), discs((40, 60)), discs((40, 60), (115, 60)))
+    first, second = read_shapes(folder, CLIP).layer.shapes()
+    assert (first.frames, second.frames) == ((1002, 1003), (1003,))
+    assert not second.exists_at(1002)
+
+
+def test_masks_of_another_size_are_scaled_and_the_offset_is_taken_off(tmp_path: Path) -> None:
+    folder = write(tmp_path / "masks", discs((60, 50)), first=1)
+    imported = read_shapes(folder, Clip(Path("plate"), 1001, 1003, (320, 240)), ImportOptions(frame_offset=-1000))
+    (shape,) = imported.layer.shapes()
+    assert shape.frames == (1001,)
+    np.testing.assert_allclose(shape.at(1001).flatten().mean(axis=0), [121, 101], atol=1.5)
+    assert "scaled" in imported.notes[0]
+
+
+def test_black_masks_are_one_sentence(tmp_path: Path) -> None:
+    with pytest.raises(RoamError, match="Nothing is white"):
+        read_shapes(write(tmp_path / "masks", discs()), CLIP)
+
+
+def test_a_folder_without_pictures_is_one_sentence(tmp_path: Path) -> None:
+    with pytest.raises(RoamError):
+        read_shapes(tmp_path, CLIP)
+
+
+def test_a_file_without_a_suffix_is_no_folder(tmp_path: Path) -> None:
+    (tmp_path / "thing").write_text("x")
+    with pytest.raises(RoamError, match="no suffix"):
+        read_shapes(tmp_path / "thing", CLIP)

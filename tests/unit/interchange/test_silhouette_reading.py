@@ -1,0 +1,239 @@
+"""The `.fxs` reader: keys, units, layers and their transforms, B-splines, and what it refuses."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+import pytest
+from scipy.interpolate import BSpline
+
+from roam_core.errors import RoamError
+from roam_core.geometry import bezier
+from roam_core.interchange import Imported, ImportOptions, read_shapes
+from roam_core.interchange.reading import MAX_DEPTH
+from roam_core.roto import BlendMode, Clip, Interpolation, Layer, RotoShape
+
+CLIP = Clip(Path("plate"), 1001, 1040, (200, 100))
+HEAD = '<Silhouette width="200" height="100" pixelAspect="1" sessionStartFrame="1001">'
+POINTS = (
+    "<Point>(0,0),(0,0),(0,0)</Point><Point>(0.5,0),(0.4,-0.1),(0.6,0.1)</Point>"
+    "<Point>(0.5,0.25),(0.5,0.25),(0.5,0.25)</Point>"
+)
+"""(100, 50), (150, 50) with handles, (150, 75)."""
+
+Read = Callable[..., Imported]
+
+
+@pytest.fixture
+def read(tmp_path: Path) -> Read:
+    """`read(xml)` reads what stands inside the session's element."""
+
+    def run(body: str, options: ImportOptions | None = None, *, head: str = HEAD, clip: Clip = CLIP) -> Imported:
+        path = tmp_path / "a.fxs"
+        path.write_text(f"<!-- Silhouette Shape File -->\n{head}{body}</Silhouette>", encoding="utf-8")
+        return read_shapes(path, clip, options) if options else read_shapes(path, clip)
+
+    return run
+
+
+def path_key(
+    frame: int, points: str = POINTS, *, interp: str = "linear", closed: str = "True", kind: str = "Bezier"
+) -> str:
+    return f'<Key frame="{frame}" interp="{interp}"><Path closed="{closed}" type="{kind}">{points}</Path></Key>'
+
+
+def shape_xml(*keys: str, label: str = "A", properties: str = "", attributes: str = "") -> str:
+    path = f'<Property id="path">{"".join(keys or (path_key(0),))}</Property>'
+    return (
+        f'<Shape type="Shape" label="{label}" shape_type="Bezier" {attributes}>'
+        f"<Properties>{properties}{path}</Properties></Shape>"
+    )
+
+
+def layer_xml(body: str, properties: str = "", attributes: str = "", label: str = "L") -> str:
+    objects = f'<Property id="objects" constant="True">{body}</Property>'
+    return f'<Layer type="Layer" label="{label}" {attributes}><Properties>{properties}{objects}</Properties></Layer>'
+
+
+def constant(name: str, value: str) -> str:
+    return f'<Property id="{name}" constant="True"><Value>{value}</Value></Property>'
+
+
+def keyed(name: str, *keys: tuple[int, str], interp: str = "linear") -> str:
+    entries = "".join(f'<Key frame="{frame}" interp="{interp}">{value}</Key>' for frame, value in keys)
+    return f'<Property id="{name}">{entries}</Property>'
+
+
+def only(imported: Imported) -> RotoShape:
+    (shape,) = imported.layer.shapes()
+    return shape
+
+
+def shifted(x: float) -> str:
+    """The points, `x` image heights to the right."""
+    return POINTS.replace("(0,0),(0,0),(0,0)", ",".join([f"({x},0)"] * 3))
+
+
+# ---- paths -----------------------------------------------------------------------------------------------------------
+
+
+def test_points_and_handles_in_pixels(read: Read) -> None:
+    imported = read(shape_xml())
+    shape = only(imported)
+    assert imported.notes == ()
+    assert (shape.name, shape.closed, shape.frames) == ("A", True, (1001,))
+    np.testing.assert_allclose(shape.at(1001).anchors, [[100, 50], [150, 50], [150, 75]])
+    np.testing.assert_allclose(shape.keys[0].points[1], [[150, 50], [140, 40], [160, 60]])
+
+
+def test_keys_are_numbered_from_the_session_and_may_hold(read: Read) -> None:
+    body = shape_xml(path_key(10, shifted(0.5)), path_key(0, interp="hold"), path_key(30, shifted(1.0), closed="False"))
+    shape = only(read(body, ImportOptions(frame_offset=1)))
+    assert shape.frames == (1000, 1010, 1030)
+    assert [key.interpolation for key in shape.keys[:2]] == [Interpolation.HOLD, Interpolation.LINEAR]
+    np.testing.assert_allclose(shape.at(1020).anchors[0], [175, 50])
+
+
+def test_wide_pixels_are_narrowed(read: Read) -> None:
+    head = HEAD.replace('pixelAspect="1"', 'pixelAspect="2"')
+    np.testing.assert_allclose(only(read(shape_xml(), head=head)).at(1001).anchors[1], [125, 50])
+
+
+def test_a_session_of_another_size_is_scaled(read: Read) -> None:
+    head = HEAD.replace('width="200" height="100"', 'width="400" height="200"')
+    imported = read(shape_xml(), head=head)
+    np.testing.assert_allclose(only(imported).at(1001).anchors[1], [150, 50])
+    assert "scaled" in imported.notes[0]
+
+
+@pytest.mark.parametrize("closed", [True, False])
+def test_a_b_spline_becomes_the_same_curve(read: Read, closed: bool) -> None:
+    controls = np.array([[0, 0], [0.4, -0.2], [0.6, 0.3], [0.1, 0.4], [-0.3, 0.1]])
+    points = "".join(f"<Point>({x},{y})</Point>" for x, y in controls)
+    shape = only(read(shape_xml(path_key(0, points, closed=str(closed), kind="Bspline"))))
+    pixels = controls * 100 + [100, 50]
+    if closed:
+        pixels = np.vstack([pixels[-1:], pixels, pixels[:2]])
+    else:
+        pixels = np.vstack([2 * pixels[0] - pixels[1], pixels, 2 * pixels[-1] - pixels[-2]])
+    spline = BSpline(np.arange(len(pixels) + 4), pixels, 3)
+    segments = 5 if closed else 4
+    u = np.linspace(0, segments, 60, endpoint=False)
+    curve = bezier.evaluate(shape.keys[0].points, u.astype(int), u % 1, closed)
+    np.testing.assert_allclose(curve, spline(3 + u), atol=1e-9)
+    assert shape.closed is closed
+
+
+# ---- properties ------------------------------------------------------------------------------------------------------
+
+
+def test_properties_of_a_shape(read: Read) -> None:
+    properties = (
+        constant("opacity", "25.0") + constant("mode", "Subtract") + constant("invert", "true")
+        + constant("outlineColor", "(1.0,0.5,0.0)") + constant("motionBlur", "true")
+    )  # fmt: skip
+    imported = read(shape_xml(properties=properties, attributes='hidden="True" locked="True"'))
+    shape = only(imported)
+    assert (shape.opacity, shape.blend, shape.invert, shape.colour) == (0.25, BlendMode.SUBTRACT, True, (1.0, 0.5, 0.0))
+    assert (shape.visible, shape.locked, shape.motion_blur is None) == (False, True, False)
+    assert "shutter" in imported.notes[0]
+
+
+def test_an_opacity_that_rises_from_and_falls_to_zero_is_a_lifetime(read: Read) -> None:
+    shape = only(read(shape_xml(properties=keyed("opacity", (3, "0"), (4, "50"), (9, "0"), interp="hold"))))
+    assert (shape.opacity, shape.lifetime) == (0.5, (1005, 1010))
+
+
+@pytest.mark.parametrize(
+    ("properties", "note"),
+    [
+        (keyed("opacity", (0, "10"), (9, "90")), "animated"),
+        (constant("mode", "Screen"), "'Screen'"),
+        (constant("feather", "3"), "feather was left out"),
+    ],
+)
+def test_what_is_lost_is_named(read: Read, properties: str, note: str) -> None:
+    imported = read(shape_xml(properties=properties))
+    assert len(list(imported.layer.shapes())) == 1
+    assert [note in sentence for sentence in imported.notes] == [True]
+
+
+# ---- layers ----------------------------------------------------------------------------------------------------------
+
+
+def test_layers_nest_and_the_outermost_plain_one_is_taken_off(read: Read) -> None:
+    objects = shape_xml(label="B").replace("Shape type", "Object type").replace("/Shape", "/Object")
+    inner = layer_xml(objects, constant("invert", "true"), 'hidden="True"', "Inner")
+    bottom, top = read(layer_xml(inner + shape_xml())).layer.children
+    assert isinstance(bottom, Layer)
+    assert (bottom.name, bottom.invert, bottom.visible) == ("Inner", True, False)
+    assert ([shape.name for shape in bottom.shapes()], top.name) == (["B"], "A")
+
+
+def test_a_transform_scales_turns_clockwise_and_moves(read: Read) -> None:
+    transform = (
+        constant("transform.anchor", "(0.5,0)") + constant("transform.scale", "(2,2)")
+        + constant("transform.rotate", "90") + constant("transform.position", "(0.1,0.2)")
+    )  # fmt: skip
+    shape = only(read(layer_xml(shape_xml(), transform)))
+    # (0.5, 0.25) about (0.5, 0): (0, 0.25) -> (0, 0.5) -> clockwise, y down: (-0.5, 0) -> moved
+    np.testing.assert_allclose(shape.at(1001).anchors[2], [100 + 100 * (0.5 - 0.5 + 0.1), 50 + 20])
+
+
+def test_an_animated_layer_gives_keys_where_it_needs_them(read: Read) -> None:
+    moving = keyed("transform.position", (0, "(0,0)"), (10, "(0.5,0)"))
+    shape = only(read(layer_xml(shape_xml(path_key(4)), moving)))
+    assert shape.frames == (1001, 1005, 1011)
+    np.testing.assert_allclose(shape.at(1006).anchors[0], [125, 50])
+    turning = keyed("transform.rotate", (0, "0"), (10, "90"))
+    shape = only(read(layer_xml(shape_xml(), turning)))
+    assert shape.frames == tuple(range(1001, 1012))
+    np.testing.assert_allclose(shape.at(1011).anchors[1], [100, 100], atol=1e-9)
+
+
+def test_a_matrix_is_named(read: Read) -> None:
+    imported = read(layer_xml(shape_xml(), constant("transform.matrix", "(1,0,0,0)")))
+    assert imported.notes == ("The layer 'L': its matrix was left out.",)
+
+
+# ---- refusals --------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    "keys",
+    [
+        [path_key(0, "<Point>(0,0)</Point><Point>(1,1)</Point>")],
+        [path_key(0, "<Point>(0,0),(0,0),(0,0)</Point>")],
+        [path_key(0), path_key(1, "<Point>(0,0),(0,0),(0,0)</Point>" * 2)],
+        [path_key(0), path_key(0)],
+        [path_key(0, POINTS.replace("0.5", "nan"))],
+        [path_key(0, POINTS.replace("0.5", "1e9"))],
+        [path_key(0, POINTS.replace("0.5", "half"))],
+        [path_key(10**12)],
+        ["<Key frame='x'/>"],
+    ],
+)
+def test_a_shape_that_cannot_be_read_is_named_and_the_others_are_kept(read: Read, keys: list[str]) -> None:
+    imported = read(shape_xml(*keys, label="Bad") + shape_xml(label="Good"))
+    assert only(imported).name == "Good"
+    assert ["'Bad'" in note for note in imported.notes] == [True]
+
+
+@pytest.mark.parametrize(
+    ("content", "message"),
+    [
+        ("<Other/>", "no Silhouette shape file"),
+        ('<Silhouette width="x"/>', "what pictures"),
+        ('<Silhouette width="0"/>', "that cannot be"),
+        ("not xml", "no valid XML"),
+        ('<!DOCTYPE a [<!ENTITY x "y">]><Silhouette>&x;</Silhouette>', "document type"),
+        ("<Silhouette>" + "<Layer>" * MAX_DEPTH, "deep"),
+    ],
+)
+def test_files_of_another_kind_are_one_sentence(tmp_path: Path, content: str, message: str) -> None:
+    path = tmp_path / "a.fxs"
+    path.write_text(content)
+    with pytest.raises(RoamError, match=message):
+        read_shapes(path, CLIP)
