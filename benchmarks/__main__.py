@@ -7,10 +7,17 @@ import sys
 from collections.abc import Sequence
 from types import ModuleType
 
-from benchmarks import artist, davis, shots, stages
+from benchmarks import artist, davis, drift, shots, speed, stages, tune
 from roam_core.errors import RoamError
 
-BENCHMARKS: dict[str, ModuleType] = {"stages": stages, "davis": davis, "artist": artist}
+BENCHMARKS: dict[str, ModuleType] = {
+    "stages": stages,
+    "speed": speed,
+    "davis": davis,
+    "artist": artist,
+    "drift": drift,
+    "tune": tune,
+}
 """Each module has `arguments(parser)` and `run(arguments)`; the first line of its text is its help."""
 
 USUAL = ("stages", "davis")

@@ -6,7 +6,6 @@ import argparse
 import tempfile
 import time
 from collections.abc import Callable, Sequence
-from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
@@ -14,8 +13,9 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from benchmarks import report
+from benchmarks import demo_shot, report
 from benchmarks.stopwatch import Stopwatch
+from benchmarks.yardstick import flow_seconds
 from resources import demo
 from roam_core.energy import total
 from roam_core.errors import RoamError
@@ -37,12 +37,9 @@ from roam_core.propagate.step import curve_context
 from roam_core.proposal.contour import follow
 from roam_core.proposal.evidence import gathered
 from roam_core.proposal.region import cleaned, outlines, shares
-from roam_core.roto import Keyframe, RotoShape
+from roam_core.roto import RotoShape
 
 Image = NDArray[np.uint8]
-
-SIZES = {"480p": (854, 480), "1080p": (1920, 1080)}
-"""Width and height of the pictures that the demo is resized to."""
 
 STAGES: dict[str, Sequence[Callable[..., Any]]] = {
     "preparing the picture": (PreparedFrame.__init__, curve_context),
@@ -82,7 +79,7 @@ def run(given: argparse.Namespace) -> None:
 
 
 def _run(config: str, count: int, *, publish: bool) -> None:
-    last = demo.LAST - demo.FIRST
+    last = demo_shot.LONGEST - 1
     if not SETTLING < count <= last:
         raise RoamError(
             f"--frames {count} is not between {SETTLING + 1} and {last}, the frames that the demo can give."
@@ -92,32 +89,23 @@ def _run(config: str, count: int, *, publish: bool) -> None:
     cv2.setNumThreads(1)
     try:
         warm_up(config)
-        pictures = [demo.render_frame(demo.FIRST + k) for k in range(count + 1)]
-        measured = {name: _medians(pictures, size, config) for name, size in SIZES.items()}
+        measured = {name: _medians(size, config, count) for name, size in demo_shot.SIZES.items()}
     finally:
         cv2.setNumThreads(threads)
     report.write(f"stages {config}", _table(measured, config, count), {"seconds": measured}, publish=publish)
 
 
-def _medians(pictures: Sequence[Image], size: tuple[int, int], config: str) -> dict[str, float]:
+def _medians(size: tuple[int, int], config: str, count: int) -> dict[str, float]:
     """The median seconds a frame of every stage, of decoding and of the flow, on pictures resized to `size`."""
-    resized = [
-        cv2.resize(p, size, interpolation=cv2.INTER_AREA if size < demo.SIZE else cv2.INTER_CUBIC) for p in pictures
-    ]
+    shot = demo_shot.load(size, count + 1)
     with tempfile.TemporaryDirectory() as folder:
-        laps = _solved(_written(resized, Path(folder)), _shape(size), config)
-    for lap, seconds in zip(laps, _flow(resized), strict=True):
+        laps = _solved(_written(shot.pictures, Path(folder)), demo_shot.true_shape(demo.FIRST, size), config)
+    for lap, seconds in zip(laps, flow_seconds(shot.pictures), strict=True):
         lap[FLOW] = seconds
     return {
         stage: float(np.median([lap.get(stage, 0.0) for lap in laps[SETTLING:]]))
         for stage in {s for lap in laps for s in lap}
     }
-
-
-def _shape(size: tuple[int, int]) -> RotoShape:
-    """The true outline of the first frame, scaled as the picture is."""
-    points = demo.true_points(demo.FIRST) * np.divide(size, demo.SIZE)
-    return RotoShape("shape-1", "Demo", (Keyframe(demo.FIRST, points),))
 
 
 def _written(pictures: Sequence[Image], folder: Path) -> PlateSource:
@@ -156,20 +144,8 @@ def _matte_seconds(shape: RotoShape, frame: int, size: tuple[int, int]) -> float
     return time.thread_time() - began
 
 
-def _flow(pictures: Sequence[Image]) -> list[float]:
-    """Seconds of OpenCV's fastest DIS flow from each picture to the next: the yardstick of the same run."""
-    flow = cv2.DISOpticalFlow.create(cv2.DISOPTICAL_FLOW_PRESET_ULTRAFAST)
-    greys = [cv2.cvtColor(picture, cv2.COLOR_RGB2GRAY) for picture in pictures]
-    seconds = []
-    for before, after in pairwise(greys):
-        began = time.thread_time()
-        flow.calc(before, after, None)
-        seconds.append(time.thread_time() - began)
-    return seconds
-
-
 def _table(measured: dict[str, dict[str, float]], config: str, count: int) -> str:
-    head = ["stage", *(f"{name}, {what}" for name in SIZES for what in ("ms", "times DIS"))]
+    head = ["stage", *(f"{name}, {what}" for name in demo_shot.SIZES for what in ("ms", "times DIS"))]
     rows = []
     entered = [stage for stage in STAGES if all(stage in medians for medians in measured.values())]
     for stage in (*entered, REST, SUM, MATTE, DECODING, FLOW):
