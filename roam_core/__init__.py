@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from roam_core.errors import RoamError
     from roam_core.matte import render_matte, shapes_from_mask
-    from roam_core.propagate import FrameResult, Termination, Tracker, TrackResult, track
+    from roam_core.propagate import FrameResult, Termination, Tracker, TrackResult, fill_span, track
     from roam_core.proposal.keys import keys_from_mask
     from roam_core.roto import Keyframe, Project, RotoShape
 
@@ -25,6 +25,7 @@ __all__ = [
     "Termination",
     "TrackResult",
     "Tracker",
+    "fill_span",
     "keys_from_mask",
     "render_matte",
     "shapes_from_mask",
@@ -34,7 +35,7 @@ __all__ = [
 _ROOMS = {
     "roam_core.errors": ("RoamError",),
     "roam_core.matte": ("render_matte", "shapes_from_mask"),
-    "roam_core.propagate": ("FrameResult", "Termination", "TrackResult", "Tracker", "track"),
+    "roam_core.propagate": ("FrameResult", "Termination", "TrackResult", "Tracker", "fill_span", "track"),
     "roam_core.proposal.keys": ("keys_from_mask",),
     "roam_core.roto": ("Keyframe", "Project", "RotoShape"),
 }

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import cv2
 import numpy as np
 from numpy.typing import NDArray
@@ -26,6 +28,15 @@ CLOSED = 0.02
 def spline_coverage(points: Array, grid: Grid) -> Float32:
     """The share of each cell `(rows, columns)` that a closed spline `(P, 3, 2)` covers."""
     return coverage(grid.to_grid(bezier.flatten(points)), grid.shape)
+
+
+def enclosed(parts: Sequence[Part], grid: Grid) -> Float32:
+    """The share of each cell `(rows, columns)` that the outlines enclose together: holes cut what comes before them."""
+    share = np.zeros(grid.shape, dtype=np.float32)
+    for part in parts:
+        cover = spline_coverage(part.points, grid)
+        share = share * (1.0 - cover) if part.subtracts else np.maximum(share, cover)
+    return share
 
 
 def laid(

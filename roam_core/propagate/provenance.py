@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import json
+from collections.abc import Sequence
 from pathlib import Path
 
 from roam_core.params import CONFIGS, RoamParams
@@ -19,9 +20,21 @@ def clip_stamp(clip: Clip | None) -> str:
 
 def stamp(source: Keyframe, closed: bool, params: RoamParams, clip: str, forward: bool) -> str:
     """A stamp `direction:configuration:hash` over the artist's key, the parameters and the clip."""
-    content = json.dumps(params.values(), sort_keys=True) + clip + str(closed) + str(source.frame)
-    digest = hashlib.sha256(content.encode() + source.points.tobytes()).hexdigest()[:16]
-    return f"{'forward' if forward else 'backward'}:{params.config}:{digest}"
+    return f"{'forward' if forward else 'backward'}:{params.config}:{_digest([source], closed, params, clip)}"
+
+
+def fill_stamp(shape: RotoShape, frame: int, params: RoamParams, clip: str) -> str:
+    """The stamp `fill:configuration:hash` of a frame between artist keys: over the keys on both sides of it."""
+    around = [governing_key(shape, frame, forward) for forward in (True, False)]
+    sources = [key for key in around if key is not None]
+    return f"fill:{params.config}:{_digest(sources, shape.closed, params, clip)}"
+
+
+def _digest(sources: Sequence[Keyframe], closed: bool, params: RoamParams, clip: str) -> str:
+    frames = ",".join(str(key.frame) for key in sources)
+    content = json.dumps(params.values(), sort_keys=True) + clip + str(closed) + frames
+    points = b"".join(key.points.tobytes() for key in sources)
+    return hashlib.sha256(content.encode() + points).hexdigest()[:16]
 
 
 def governing_key(shape: RotoShape, frame: int, forward: bool) -> Keyframe | None:
@@ -40,6 +53,8 @@ def is_stale(shape: RotoShape, key: Keyframe, clip: Clip | None) -> bool:
     config = rest.partition(":")[0]
     if config not in CONFIGS:
         return True
+    if direction == "fill":
+        return fill_stamp(shape, key.frame, CONFIGS[config], clip_stamp(clip)) != key.inputs
     forward = direction == "forward"
     source = governing_key(shape, key.frame, forward)
     if source is None:

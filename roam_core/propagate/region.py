@@ -19,7 +19,7 @@ from roam_core.features.grid import Grid
 from roam_core.geometry import bezier, polyline, similarity
 from roam_core.motion.flow import dense_flow, flow_similarity
 from roam_core.params import DOUBTFUL, RegionParams, scale_for
-from roam_core.propagate.laying import laid, spline_coverage
+from roam_core.propagate.laying import enclosed, laid
 from roam_core.propagate.nodes import smooth_points
 from roam_core.propagate.result import Part, StepResult, Termination
 from roam_core.proposal import region as proposed
@@ -50,11 +50,7 @@ def begin(frame: PreparedFrame, parts: tuple[Part, ...], params: RegionParams) -
     """The state on a frame whose outlines are given: they enclose the region, and the models are learned from it."""
     scale = scale_for(frame.size)
     grid = grid_around(np.vstack([part.points.reshape(-1, 2) for part in parts]), frame.size, params, scale)
-    enclosed = np.zeros(grid.shape, dtype=np.float32)
-    for part in parts:
-        cover = spline_coverage(part.points, grid)
-        enclosed = enclosed * (1.0 - cover) if part.subtracts else np.maximum(enclosed, cover)
-    region = Field(grid, (2.0 * SURE * (enclosed - 0.5)).astype(np.float32))
+    region = Field(grid, (2.0 * SURE * (enclosed(parts, grid) - 0.5)).astype(np.float32))
     colours = _learned(frame, region)
     key = KeyMemory(frame, region, colours, np.eye(3))
     return RegionState(frame, region, parts, tuple(smooth_points(part.points) for part in parts), key, colours)

@@ -39,6 +39,11 @@ class Field:
         carry = np.eye(3) if transform is None else transform
         return np.asarray(grid.warped(self.inside.astype(np.float32), carry @ self.grid.map_to_image()))
 
+    def nats_on(self, grid: Grid) -> Float32:
+        """The field itself `(rows, columns)` on another grid, clipped to +-SURE; surely outside beyond its own."""
+        clipped = np.clip(self.values, -SURE, SURE) + np.float32(SURE)
+        return np.asarray(grid.warped(clipped, self.grid.map_to_image()) - np.float32(SURE), dtype=np.float32)
+
 
 @dataclass(frozen=True, eq=False)
 class KeyMemory:

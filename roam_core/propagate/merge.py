@@ -1,0 +1,214 @@
+"""Two passages made one: the outlines of a span on one frame between its keys."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from roam_core.features import Region
+from roam_core.features.grid import Grid
+from roam_core.geometry import bezier, similarity
+from roam_core.geometry.simple import simplified
+from roam_core.propagate.laying import enclosed, laid
+from roam_core.propagate.nodes import smooth_points
+from roam_core.propagate.passage import Stop
+from roam_core.propagate.result import Part
+from roam_core.propagate.witness import Span, carried, grid_over, stop_at
+from roam_core.proposal import region as proposed
+from roam_core.proposal.evidence import SURE, Field, signed_distance
+
+Array = NDArray[np.float64]
+Float32 = NDArray[np.float32]
+
+SURE_OF = 0.5
+"""Pixels of a 480-line image by which even a witness that met the other key may be wrong between."""
+PLANAR = 1.0
+"""Weight of planar motion in the middle of a span, against one passage."""
+SLOPE = 2.0
+"""Nats that planar motion gives a pixel of depth inside its region."""
+DEPTH = 40.0
+"""Pixels of a 480-line image beyond which depth counts no more."""
+APART = 4.0
+"""Pixels of a 480-line image between the witnesses of a point at which half the trust in it is gone."""
+
+
+@dataclass(frozen=True, eq=False)
+class Merged:
+    """One outline on one frame: its points `(P, 3, 2)`, confidence in [0, 1], and the same for each point `(P,)`."""
+
+    points: Array
+    confidence: float
+    vertex_confidence: Array
+
+
+@dataclass(frozen=True, eq=False)
+class _Moment:
+    """A frame of a span: how far along it lies, in (0, 1), where both passages stand, and their points by outline."""
+
+    span: Span
+    u: float
+    onwards: Stop | None
+    back: Stop | None
+    there: dict[int, Array]
+    here: dict[int, Array]
+
+    @classmethod
+    def of(cls, span: Span, frame: int) -> _Moment:
+        onwards, back = stop_at(span.onwards, frame), stop_at(span.back, frame)
+        there = {} if onwards is None else dict(zip(span.first.members, onwards.points, strict=True))
+        here = {} if back is None else dict(zip(span.last.members, back.points, strict=True))
+        u = (frame - span.first.frame) / (span.last.frame - span.first.frame)
+        return cls(span, u, onwards, back, there, here)
+
+    def weights(self, onwards: Any, back: Any, planar_there: Any, planar_here: Any) -> list[Any]:
+        """How much each witness counts where it missed by so many pixels: the passages from both ends, planar motion.
+
+        An error is taken to grow evenly on the way from a key to the other; that of planar motion, which meets both
+        keys, to be the greatest in the middle. On a key only what starts there counts.
+        """
+        bulge = 2.0 * float(np.sqrt(self.u * (1.0 - self.u)))
+        return [
+            (1.0 - self.u) / (SURE_OF + onwards * self.u),
+            self.u / (SURE_OF + back * (1.0 - self.u)),
+            PLANAR * bulge / (SURE_OF + 0.5 * (planar_there + planar_here) * bulge),
+        ]
+
+
+def merged(span: Span, frame: int) -> list[Merged | None]:
+    """Every outline of the span on a frame between the keys; None for one that neither passage brought there."""
+    moment = _Moment.of(span, frame)
+    known = [k for k in range(len(span.first.parts)) if k in moment.there or k in moment.here]
+    result: list[Merged | None] = [None] * len(span.first.parts)
+    if not known:
+        return result
+    parts = tuple(Part(_expected(moment, k), span.subtracts(k)) for k in known)
+    points = [part.points for part in parts]
+    region = None if span.is_planar else _region(moment, parts)
+    if region is not None:
+        smooth = tuple(smooth_points(span.drawn(k)) for k in known)
+        points = [each for each, _ in laid(parts, smooth, region, span.scale)]
+    confidence = _agreement(moment, known)
+    for k, each, part in zip(known, points, parts, strict=True):
+        simple = simplified(each, part.points, span.scale)
+        result[k] = Merged(simple, confidence, _support(moment, k, simple))
+    return result
+
+
+def _planar(moment: _Moment, k: int) -> Array:
+    """The two keys of an outline, each carried as one piece, and what is left of their difference in proportion."""
+    assert moment.onwards is not None
+    assert moment.back is not None
+    first, last = moment.span.first.parts[k], moment.span.last.parts[k]
+    assert first is not None
+    assert last is not None
+    ahead = similarity.apply(moment.onwards.carried[:2], first.points)
+    behind = similarity.apply(moment.back.carried[:2], last.points)
+    return (1.0 - moment.u) * ahead + moment.u * behind
+
+
+def _mean(weights: Sequence[Any], values: Sequence[Any]) -> Array:
+    return np.asarray(sum(w * v for w, v in zip(weights, values, strict=True)) / sum(weights))
+
+
+def _expected(moment: _Moment, k: int) -> Array:
+    """The points of an outline by all witnesses, each weighted by how near it came to the other key."""
+    there, here = moment.there.get(k), moment.here.get(k)
+    if there is None or here is None or moment.span.misses is None:
+        only = here if there is None else there
+        assert only is not None
+        return only
+    planar = _planar(moment, k)
+    if moment.span.is_planar:
+        return planar
+    weights = moment.weights(*(miss.of(k) for miss in moment.span.misses))
+    return _mean([weight[:, None, None] for weight in weights], [there, here, planar])
+
+
+def _region(moment: _Moment, parts: tuple[Part, ...]) -> Field | None:
+    """The region that the witnesses agree on; None where the engine works without regions."""
+    span = moment.span
+    fields = [stop.region for stop in (moment.onwards, moment.back) if stop is not None and stop.region is not None]
+    if not fields:
+        return None
+    grid = _common([field.grid for field in fields])
+    if len(fields) == 1 or span.misses is None:
+        nats = np.mean([field.nats_on(grid) for field in fields], axis=0)
+        return Field(grid, nats.astype(np.float32))
+    assert moment.onwards is not None
+    assert moment.back is not None
+    to_first, to_last = moment.onwards.carried, moment.back.carried
+    onwards, back, planar_there, planar_here = span.misses
+    weights = moment.weights(
+        onwards.on(grid, to_last),
+        back.on(grid, to_first),
+        planar_there.on(grid, to_last),
+        planar_here.on(grid, to_first),
+    )
+    values = _mean(weights, [*(field.nats_on(grid) for field in fields), _depth(moment, grid)]).astype(np.float32)
+    witnessed = np.any([field.on(grid) > 0.5 for field in fields], axis=0) | (enclosed(parts, grid) > 0.5)
+    return proposed.cleaned(Field(grid, values), witnessed, 0.0)
+
+
+def _depth(moment: _Moment, grid: Grid) -> Float32:
+    """Nats of planar motion: the depth inside both keys' regions, each carried as one piece."""
+    cells = float(grid.factor.mean()) * moment.span.scale
+    depths = []
+    for key, stop in ((moment.span.first, moment.onwards), (moment.span.last, moment.back)):
+        assert stop is not None
+        there = zip(key.members, carried(key, stop.carried), strict=True)
+        inside = enclosed([Part(points, moment.span.subtracts(k)) for k, points in there], grid) > 0.5
+        depths.append(signed_distance(inside, DEPTH * cells) / np.float32(cells))
+    depth = (1.0 - moment.u) * depths[0] + moment.u * depths[1]
+    return np.asarray(np.clip(SLOPE * depth, -SURE, SURE), dtype=np.float32)
+
+
+def _common(grids: list[Grid]) -> Grid:
+    """A grid over all of these, as fine as the finest."""
+    areas = [grid.region for grid in grids]
+    region = Region(
+        min(area.x0 for area in areas),
+        min(area.y0 for area in areas),
+        max(area.x1 for area in areas),
+        max(area.y1 for area in areas),
+    )
+    return Grid.over(region, max(float(grid.factor.max()) for grid in grids))
+
+
+def _agreement(moment: _Moment, known: list[int]) -> float:
+    """Overlap of what the two witnesses that were believed say: the passages, or the two keys carried."""
+    span = moment.span
+    if moment.onwards is None or moment.back is None:
+        stop = moment.onwards or moment.back
+        assert stop is not None
+        return float(np.mean(stop.confidence))
+    both = [k for k in known if k in moment.there and k in moment.here]
+    if not both:
+        return 0.0
+    if span.is_planar:
+        sides = [
+            [
+                Part(similarity.apply(stop.carried[:2], part.points), part.subtracts)
+                for k in both
+                if (part := key.parts[k])
+            ]
+            for key, stop in ((span.first, moment.onwards), (span.last, moment.back))
+        ]
+    else:
+        sides = [[Part(points[k], span.subtracts(k)) for k in both] for points in (moment.there, moment.here)]
+    grid = grid_over([part.points for side in sides for part in side], span.size, span.scale)
+    a, b = (enclosed(side, grid) > 0.5 for side in sides)
+    union = int(np.count_nonzero(a | b))
+    return int(np.count_nonzero(a & b)) / union if union else 0.0
+
+
+def _support(moment: _Moment, k: int, points: Array) -> Array:
+    """Trust in each point: how near the two passages' points are to each other."""
+    there, here = moment.there.get(k), moment.here.get(k)
+    if there is None or here is None:
+        return np.full(len(points), 0.5)
+    apart = np.hypot(*(there - here)[:, bezier.ANCHOR].T) / moment.span.scale
+    return np.asarray(1.0 / (1.0 + apart / APART))

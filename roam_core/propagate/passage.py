@@ -1,0 +1,103 @@
+"""One direction of a span: an object carried from one artist's key through all frames, on to the other key."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from roam_core.cancel import CancelToken
+from roam_core.features import PreparedFrame
+from roam_core.geometry import bezier
+from roam_core.media.source import MissingFrame
+from roam_core.motion.klt import similarity_warp
+from roam_core.params import RoamParams, scale_for
+from roam_core.propagate import engine
+from roam_core.propagate.engine import State
+from roam_core.propagate.region import RegionState
+from roam_core.propagate.result import Part
+from roam_core.proposal.evidence import Field
+
+Array = NDArray[np.float64]
+ReadPicture = Callable[[int], PreparedFrame]
+
+
+@dataclass(frozen=True, eq=False)
+class Stop:
+    """An object on one frame of a passage.
+
+    Attributes
+    ----------
+    points : for each outline its control points `(P, 3, 2)`.
+    confidence : for each outline, in [0, 1].
+    carried : `(3, 3)` the similarity, image to image, of the object since the key.
+    region : the object's region, where the engine works with regions.
+    """
+
+    points: tuple[Array, ...]
+    confidence: tuple[float, ...]
+    carried: Array
+    region: Field | None
+
+
+@dataclass(frozen=True, eq=False)
+class Passage:
+    """All stops of one direction: `stops[frame]`, the key's own among them; frames without a picture are left out."""
+
+    stops: dict[int, Stop]
+
+    def at(self, frame: int) -> Stop | None:
+        """The stop on a frame, or None where the picture is missing."""
+        return self.stops.get(frame)
+
+
+def passage(
+    read: ReadPicture,
+    parts: Sequence[Part],
+    frames: Sequence[int],
+    params: RoamParams,
+    token: CancelToken | None = None,
+    passed: Callable[[], None] | None = None,
+) -> Passage:
+    """Carry `parts` from `frames[0]`, where they are given, through the other frames in their order.
+
+    `passed` is called after each frame.
+    """
+    picture = read(frames[0])
+    state = engine.begin(picture, tuple(parts), params)
+    carried = np.eye(3)
+    stops = {frames[0]: Stop(tuple(part.points for part in parts), (1.0,) * len(parts), carried, _region(state))}
+    for frame in frames[1:]:
+        if token is not None:
+            token.check()
+        try:
+            following = read(frame)
+        except MissingFrame:
+            continue
+        before, standing = picture, tuple(stops.values())[-1].points
+        state, results = engine.step(state, following, params, token)
+        if isinstance(state, RegionState):
+            carried = state.key.to_now
+        else:
+            carried = _moved(before, following, standing, params) @ carried
+        picture = following
+        points = tuple(result.points for result in results)
+        confidence = tuple(result.confidence for result in results)
+        stops[frame] = Stop(points, confidence, carried, _region(state))
+        if passed is not None:
+            passed()
+    return Passage(stops)
+
+
+def _region(state: State) -> Field | None:
+    return state.region if isinstance(state, RegionState) else None
+
+
+def _moved(before: PreparedFrame, after: PreparedFrame, points: tuple[Array, ...], params: RoamParams) -> Array:
+    """The similarity `(3, 3)` of the largest outline from one frame to the next."""
+    lines = [bezier.flatten(each) for each in points]
+    largest = max(lines, key=lambda line: float(np.prod(np.ptp(line, axis=0))))
+    warp = similarity_warp(before, after, largest, params, scale_for(before.size))
+    return np.vstack([warp.transform, [0.0, 0.0, 1.0]])
