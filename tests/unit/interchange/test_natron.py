@@ -1,0 +1,57 @@
+"""The script for Natron, run against objects that remember: layers, operators, feather, lifetimes, what it lost."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from roam_core.interchange.natron import natron_script
+from roam_core.roto import BlendMode, Layer, Project
+from tests.unit.interchange.conftest import CLIP, animated
+from tests.unit.interchange.natron_judge import judge
+
+
+def test_layers_are_nested_as_in_the_project_the_topmost_first(project: Project) -> None:
+    base = judge(natron_script(project)[0], 1080)[1]
+    assert [item.label for item in base.children] == ["Smooth", "Open", "Body", "Still"]
+    body = base.children[2]
+    assert [item.label for item in body.children] == ["Soft", "Deep", "Arm"]
+    assert (body.visible, body.locked, body.children[1].locked) == (False, False, True)
+    items = [*base.children, *body.children, *body.children[1].children]
+    assert len({item.script_name for item in items}) == len(items) == 8
+
+
+def test_the_properties_of_a_shape(project: Project) -> None:
+    masks, _ = judge(natron_script(project)[0], 1080)
+    soft = next(mask for mask in masks if mask.name == "Soft")
+    item = soft.values["item"]
+    assert (item.operator, item.params["inverted"].value, item.opacity.value) == ("Stencil", True, 0.25)
+    assert item.distance.value == 12.5
+    assert item.activated == {1004: False, 1005: True, 1015: False}
+    assert item.params["lifeTime"].value == 4
+    blur = [item.params[f"motionBlur{name}"].value for name in ("", "Shutter", "ShutterOffset", "CustomShutterOffset")]
+    assert blur == [32, 0.75, 3, -0.375]
+    still = next(mask for mask in masks if mask.name == "Still").values["item"]
+    assert (still.overlay, still.locked, still.distance.value) == ((0.25, 0.5, 0.75), True, 0.0)
+
+
+def test_feather_points_are_those_of_the_feather_curve(project: Project) -> None:
+    masks, _ = judge(natron_script(project)[0], 1080)
+    for shape, mask in zip(project.shapes, masks, strict=True):
+        for key in shape.keys:
+            curve = key.points if key.feather is None else key.points + key.feather
+            np.testing.assert_allclose(mask.values["feather"][key.frame], curve, atol=1e-4)
+
+
+def test_operators_are_those_of_the_modes() -> None:
+    shapes = tuple(replace(animated("x"), id=f"shape-{k}", blend=mode) for k, mode in enumerate(BlendMode))
+    masks, _ = judge(natron_script(Project(CLIP, Layer("root", "Root", shapes)))[0], 1080)
+    operators = ["Over", "Stencil", "Mask", "Difference", "Max"]
+    assert [mask.values["item"].operator for mask in masks] == operators
+
+
+def test_what_is_lost_is_told(project: Project) -> None:
+    notes = natron_script(project)[1]
+    assert any("'Soft' has a feather curve and a uniform feather" in note for note in notes)
+    assert any("'Body' is not inverted" in note for note in notes)
