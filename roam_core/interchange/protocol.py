@@ -121,7 +121,7 @@ class ShapeWriter:
         shape = chosen_keys(shape, self.options)
         if self.options.keys is not KeyChoice.REDUCED:
             return shape, ()
-        reduction = reduced(shape, self.options.tolerance, motion)
+        reduction = reduced(shape, self.options.tolerance, motion, self.options.token)
         self.notes.append(reduction.report())
         return reduction.shape, reduction.slopes
 

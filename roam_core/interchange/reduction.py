@@ -16,6 +16,7 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
+from roam_core.cancel import CancelToken
 from roam_core.errors import RoamError
 from roam_core.geometry import bezier
 from roam_core.kernels.key_spans import RIDGE, cubic_span_errors, linear_span_errors, outline_distances
@@ -75,7 +76,9 @@ class Reduction:
         )
 
 
-def reduced(shape: RotoShape, tolerance: float, motion: Motion = Motion.LINEAR) -> Reduction:
+def reduced(
+    shape: RotoShape, tolerance: float, motion: Motion = Motion.LINEAR, token: CancelToken | None = None
+) -> Reduction:
     """The fewest keys that keep the outline within `tolerance` pixels on every frame from the first key to the last.
 
     The first and last key, the artist's keys and both ends of every held span stay; of answers with equally few keys
@@ -97,7 +100,7 @@ def reduced(shape: RotoShape, tolerance: float, motion: Motion = Motion.LINEAR) 
             keys.append(begun)
             slopes.append(None)
             continue
-        chosen = fewest(samples[start - first : stop - first + 1], shape.closed, tolerance, motion)
+        chosen = fewest(samples[start - first : stop - first + 1], shape.closed, tolerance, motion, token)
         for left, right in pairwise(start - first + index for index in chosen):
             keys.append(_key(shape, first + left))
             slopes.append(_slopes(stacked[left : right + 1], motion))
@@ -123,7 +126,13 @@ def _stacked(shape: RotoShape) -> Array:
     return np.stack([points, feathers], axis=1)
 
 
-def fewest(samples: Array, closed: bool, tolerance: float, motion: Motion = Motion.LINEAR) -> list[int]:
+def fewest(
+    samples: Array,
+    closed: bool,
+    tolerance: float,
+    motion: Motion = Motion.LINEAR,
+    token: CancelToken | None = None,
+) -> list[int]:
     """Indices of the fewest frames of `samples (F, C, S, 2)`, the first and last among them, with good spans between.
 
     Dynamic programming over frames; for each the best (number of keys, largest error) that leads to it.
@@ -136,6 +145,8 @@ def fewest(samples: Array, closed: bool, tolerance: float, motion: Motion = Moti
     before = np.zeros(count, dtype=np.intp)
     keys[0], worst[0] = 1, 0.0
     for start in range(count - 1):
+        if token is not None:
+            token.check()
         errors = np.maximum(cost(samples, closed, start, tolerance), worst[start])
         usable = np.isfinite(errors)
         better = usable & ((keys[start] + 1 < keys) | ((keys[start] + 1 == keys) & (errors < worst)))

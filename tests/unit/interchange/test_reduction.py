@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
+from roam_core.cancel import Cancelled, CancelToken
 from roam_core.errors import RoamError
 from roam_core.interchange import ExportOptions, KeyChoice
 from roam_core.interchange.nuke import roto_document
@@ -122,6 +123,13 @@ def test_one_key_stays_one_key() -> None:
 def test_a_senseless_tolerance_is_refused(tolerance: float) -> None:
     with pytest.raises(RoamError, match="tolerance"):
         reduced(tracked(3), tolerance)
+
+
+def test_a_reduction_can_be_cancelled() -> None:
+    token = CancelToken()
+    token.cancel()
+    with pytest.raises(Cancelled):
+        reduced(tracked(3), 0.5, token=token)
 
 
 def test_nuke_gets_the_slopes_and_moves_as_promised() -> None:
