@@ -1,7 +1,8 @@
 """Blender `.py`: a script for Blender's text editor that builds a mask, one mask layer for each shape.
 
-Mask space puts the image's centre at (0.5, 0.5), y up, and its longer side has the length 1; handles are absolute and
-the feather of a point is a weight in the same unit. All of it was measured by rendering with Blender itself.
+Mask space puts the image's centre at (0.5, 0.5), y up, and the longer side of the image as it is shown (its pixels may
+be wide) has the length 1; handles are absolute and the feather of a point is a weight in the same unit. All of it was
+measured by rendering with Blender itself.
 """
 
 from __future__ import annotations
@@ -63,9 +64,10 @@ def blender_script(project: Project, options: ExportOptions = STANDARD) -> tuple
 
 
 def mask_space(points: Array, clip: Clip) -> Array:
-    """Positions `(..., 2)` in pixels as Blender measures them: the longer side of the image is 1, y up."""
-    size = np.array(clip.size, dtype=np.float64)
-    result: Array = 0.5 + (points - size / 2.0) / size.max() * np.array([1.0, -1.0])
+    """Positions `(..., 2)` in pixels as Blender measures them: the longer side of the shown image is 1, y up."""
+    shown = np.array([clip.pixel_aspect, 1.0])
+    size = np.array(clip.size) * shown
+    result: Array = 0.5 + (points * shown - size / 2.0) / size.max() * np.array([1.0, -1.0])
     return result
 
 
@@ -92,7 +94,8 @@ class _Writer(ShapeWriter):
         """Each point as x, y, left x, left y, right x, right y and weight."""
         places = mask_space(key.points[:, [ANCHOR, IN, OUT]], self.clip).reshape(-1, 6)
         widths = np.maximum(np.maximum(feather_radii(key, shape.closed), shape.feather), 0.0)
-        weights = np.minimum(widths / max(self.clip.size), 1.0)
+        width, height = self.clip.size
+        weights = np.minimum(widths / max(width * self.clip.pixel_aspect, height), 1.0)
         rows: list[list[float]] = np.round(np.column_stack([places, weights]), DECIMALS).tolist()
         return rows
 
@@ -107,6 +110,8 @@ class _Writer(ShapeWriter):
             )
         if shape.feather < 0.0 or any((feather_radii(key, shape.closed) < 0.0).any() for key in shape.keys):
             self.notes.append(f"Blender feathers outwards only: the inner feather of {shape.name!r} was left out.")
+        if shape.invert and shape.opacity != 1.0:
+            self.notes.append(f"Blender inverts after the opacity: {shape.name!r} is white outside there, not grey.")
         if shape.motion_blur is not None:
             self.notes.append(f"Blender blurs masks in its compositor: the shutter of {shape.name!r} was left out.")
         if shape.lifetime is not None and shape.blend is BlendMode.INTERSECT:

@@ -1,0 +1,123 @@
+"""The script for Blender: numbers by our own arithmetic, and pixels rendered by Blender where it is installed."""
+
+from __future__ import annotations
+
+import ast
+import json
+import re
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from roam_core.geometry import bezier
+from roam_core.interchange.blender import blender_script, mask_space
+from roam_core.interchange.literals import whole
+from roam_core.matte import render_matte
+from roam_core.roto import BlendMode, Clip, Keyframe, Layer, Project, RotoShape
+from tests.unit.interchange.blender_judge import rendered
+from tests.unit.interchange.conftest import CLIP, animated
+from tests.unit.interchange.test_other_programs import NAMES, bent_leaf
+
+
+def data(text: str) -> list[dict[str, Any]]:
+    """The layers that a script holds, taken out of its syntax tree."""
+    for node in ast.walk(ast.parse(text)):
+        if isinstance(node, ast.Assign) and isinstance(node.targets[0], ast.Name) and node.targets[0].id == "LAYERS":
+            assert isinstance(node.value, ast.Call)
+            layers: list[dict[str, Any]] = json.loads(ast.literal_eval(node.value.args[0]))
+            return layers
+    raise AssertionError("the script holds no layers")
+
+
+def only(*shapes: RotoShape, clip: Clip = CLIP) -> Project:
+    return Project(clip, Layer("root", "Root", shapes))
+
+
+@pytest.mark.parametrize(("size", "aspect"), [((1920, 1080), 1.0), ((480, 854), 1.0), ((256, 256), 2.0)])
+def test_positions_are_right_on_every_key(size: tuple[int, int], aspect: float) -> None:
+    """Back from mask space: the longer side of the shown picture is 1, the centre (0.5, 0.5), y up."""
+    shape = animated("Arm")
+    (layer,) = data(blender_script(only(shape, clip=replace(CLIP, size=size, pixel_aspect=aspect)))[0])
+    unit = max(size[0] * aspect, size[1]) / np.array([aspect, -1.0])
+    for frame, rows in layer["keys"]:
+        pixels = (np.array(rows)[:, :6].reshape(-1, 3, 2) - 0.5) * unit + np.array(size) / 2.0
+        np.testing.assert_allclose(pixels, shape.at(frame).points, atol=0.001)
+
+
+def test_the_corners_of_a_wide_picture_in_mask_space() -> None:
+    clip = replace(CLIP, size=(200, 100))
+    corners = np.array([[0.0, 0.0], [200.0, 100.0]])
+    np.testing.assert_allclose(mask_space(corners, clip), [[0.0, 0.75], [1.0, 0.25]])
+
+
+@settings(deadline=None, max_examples=60)
+@given(st.lists(st.text(max_size=12) | st.text("{}\"'\\\n\r\0@LAYERS", max_size=12), min_size=1, max_size=4))
+def test_any_names_come_back_from_the_script(names: list[str]) -> None:
+    shapes = [replace(animated("x"), id=f"shape-{k}", name=name) for k, name in enumerate(names)]
+    text = blender_script(only(*shapes))[0]
+    assert [layer["name"] for layer in data(text)] == [whole(name) for name in names]
+    assert text.isascii()
+    assert len(re.findall(r"^LAYERS = ", text, flags=re.MULTILINE)) == 1
+
+
+def test_what_is_lost_is_told(project: Project) -> None:
+    notes = " ".join(blender_script(project)[1])
+    for words in (
+        "feather curve of 'Soft' keeps",
+        "inner feather of 'Soft'",
+        "shutter of 'Soft'",
+        "'Body' is not inverted",
+    ):
+        assert words in notes
+    assert "cuts names" in blender_script(only(replace(animated("x"), name="x" * 64)))[1][0]
+
+
+# ---- Blender's own pixels --------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(("size", "aspect"), [((1920, 1080), 1.0), ((1080, 1920), 1.0), ((1440, 1080), 4 / 3)])
+def test_blender_renders_the_pixels_of_our_matte(tmp_path: Path, size: tuple[int, int], aspect: float) -> None:
+    """A leaf with uneven handles, on a key and between two. Blender's own edges lie about half a pixel outside."""
+    leaf = bent_leaf(size)
+    project = only(leaf, clip=Clip(Path("plate"), 1, 21, size, pixel_aspect=aspect))
+    made = rendered(blender_script(project)[0], tmp_path, size, aspect, [1, 14])
+    for frame, theirs in made.mattes.items():
+        ours = render_matte(project, frame, (size[1], size[0]))
+        inside, expected = theirs > 0.5, ours > 0.5
+        assert (inside & expected).sum() / (inside | expected).sum() > 0.995
+
+
+def test_blender_joins_and_feathers_as_we_do(tmp_path: Path) -> None:
+    """Every mode, opacity, inversion, a feather, a lifetime, and names that are nothing but data."""
+    size = (320, 200)
+
+    def block(number: int, left: float, top: float, **values: Any) -> RotoShape:
+        corners = [(left, top), (left + 120.0, top), (left + 120.0, top + 80.0), (left, top + 80.0)]
+        key = Keyframe(1, bezier.polygon_points(corners))
+        return RotoShape(f"shape-{number}", NAMES[number % len(NAMES)], (key,), feather=12.0, **values)
+
+    shapes = (
+        block(0, 40.0, 30.0, lifetime=(1, 4)),
+        block(1, 120.0, 60.0, opacity=0.6),
+        block(2, 90.0, 50.0, blend=BlendMode.SUBTRACT, opacity=0.5),
+        block(3, 150.0, 90.0, blend=BlendMode.DIFFERENCE),
+        block(4, 30.0, 90.0, blend=BlendMode.MAX, opacity=0.3, lifetime=(1, 3)),
+        block(5, 20.0, 10.0, blend=BlendMode.INTERSECT, invert=True),
+        block(6, 0.0, 0.0, visible=False, locked=True),
+    )
+    project = only(*shapes, clip=Clip(Path("plate"), 1, 4, size))
+    made = rendered(blender_script(project)[0], tmp_path, size, 1.0, [1, 3])
+    for frame, theirs in made.mattes.items():
+        error = np.abs(theirs - render_matte(project, frame, (size[1], size[0])))
+        assert error.mean() < 0.001
+        assert np.quantile(error, 0.99) < 0.03  # corners of feathers are cut differently
+    assert [layer["hidden"] for layer in made.layers] == [False] * 6 + [True]
+    assert made.layers[6]["locked"]
+    for shape, layer in zip(shapes, made.layers, strict=True):
+        held = whole(shape.name).partition("\0")[0][:20]
+        assert layer["name"].startswith(held)
