@@ -46,6 +46,8 @@ SPECS: tuple[ActionSpec, ...] = (
     ActionSpec("file.open_project", "Open project…"),
     ActionSpec("file.save", "Save"),
     ActionSpec("file.save_as", "Save as…"),
+    ActionSpec("file.import_shapes", "Import shapes…", tip="Shapes of Nuke, Silhouette and others; or drop the file"),
+    ActionSpec("file.import_masks", "Import masks…", tip="Fit shapes to a folder of mask pictures"),
     ActionSpec("file.export_nuke", "Export to Nuke…"),
     ActionSpec("file.export_silhouette", "Export to Silhouette…"),
     ActionSpec("file.export_mattes", "Export mattes…"),

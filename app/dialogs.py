@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from enum import Enum
 from pathlib import Path
 
@@ -90,6 +91,11 @@ def choose_save(parent: QWidget, start: Path) -> Path | None:
 def choose_export(parent: QWidget, title: str, start: Path, suffix: str) -> Path | None:
     path = _path(QFileDialog.getSaveFileName(parent, title, str(start), f"*{suffix}")[0])
     return path if path is None or path.suffix else path.with_suffix(suffix)
+
+
+def choose_shapes(parent: QWidget, start: Path, suffixes: Sequence[str]) -> Path | None:
+    kinds = " ".join(f"*{suffix}" for suffix in suffixes)
+    return _path(QFileDialog.getOpenFileName(parent, "Import shapes", str(start), f"Shapes ({kinds})")[0])
 
 
 def choose_folder(parent: QWidget, title: str, start: Path) -> Path | None:

@@ -14,14 +14,16 @@ from app.document import Document
 from app.files import PROJECT_SUFFIX, Files
 from app.folders import cache_folder
 from app.jobs.export import Export
+from app.jobs.importing import SHAPE_FILES, Import
 
 
 class FileActions(QObject):
-    """Each method asks what must be asked and hands the rest to `Files` and `Export`."""
+    """Each method asks what must be asked and hands the rest to `Files`, `Export` and `Import`."""
 
-    def __init__(self, window: QWidget, document: Document, files: Files, export: Export) -> None:
+    def __init__(self, window: QWidget, document: Document, files: Files, export: Export, importing: Import) -> None:
         super().__init__(window)
-        self._window, self._document, self._files, self._export = window, document, files, export
+        self._window, self._document, self._files = window, document, files
+        self._export, self._import = export, importing
         self._after_saving: Callable[[], object] | None = None
         files.saved.connect(self._saved)
 
@@ -55,8 +57,11 @@ class FileActions(QObject):
         self._open(dialogs.choose_project(self._window, self._start_folder()))
 
     def open_dropped(self, path: Path) -> None:
-        """Open what was dropped on the window."""
-        self._open(path)
+        """Open what was dropped on the window; shapes of another program join the project's."""
+        if path.suffix.lower() in SHAPE_FILES:
+            self._import.start(path)
+        else:
+            self._open(path)
 
     def save(self) -> None:
         """Save to the project's file; ask for one if it has none."""
@@ -72,6 +77,16 @@ class FileActions(QObject):
             self._after_saving = None
         else:
             self._files.save(path)
+
+    def import_shapes(self) -> None:
+        path = dialogs.choose_shapes(self._window, self._start_folder(), SHAPE_FILES)
+        if path is not None:
+            self._import.start(path)
+
+    def import_masks(self) -> None:
+        folder = dialogs.choose_folder(self._window, "Import the masks of a folder", self._start_folder())
+        if folder is not None:
+            self._import.start(folder)
 
     def export_nuke(self) -> None:
         self._export_file("nuke", "Export to Nuke")

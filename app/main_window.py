@@ -22,6 +22,7 @@ from app.history import History
 from app.jobs.autosave import Autosave
 from app.jobs.decode import PlateReader
 from app.jobs.export import Export
+from app.jobs.importing import Import
 from app.jobs.propagation import Propagation
 from app.jobs.runner import Runner
 from app.jobs.under_way import UnderWay
@@ -72,14 +73,15 @@ class MainWindow(QMainWindow):
         self.reader = PlateReader(self)
         self.files = Files(self.document, self.view_state, self.reader, self.writer, self)
         self.export = Export(self.document, self.writer, self)
+        self.importing = Import(self.document, self.writer, self)
         self.autosave = Autosave(self.document, self.writer, autosave_root, self)
         self.propagation = Propagation(self.document, self.view_state, self.solver, self.reader.engine_frame, self)
-        self.under_way = UnderWay(self.files, self.export, self.propagation, parent=self)
+        self.under_way = UnderWay(self.files, self.export, self.importing, self.propagation, parent=self)
         self.playback = Playback(self.view_state, self)
         self.navigation = Navigation(self.document, self.view_state)
         self.tracking = Tracking(self.document, self.view_state, self.propagation)
         self.shape_verbs = ShapeVerbs(self.document, self.view_state)
-        self.file_actions = FileActions(self, self.document, self.files, self.export)
+        self.file_actions = FileActions(self, self.document, self.files, self.export, self.importing)
 
     def _build_parts(self) -> None:
         document, view_state = self.document, self.view_state
@@ -192,6 +194,8 @@ class MainWindow(QMainWindow):
             "file.open_project": files.open_project,
             "file.save": files.save,
             "file.save_as": files.save_as,
+            "file.import_shapes": files.import_shapes,
+            "file.import_masks": files.import_masks,
             "file.export_nuke": files.export_nuke,
             "file.export_silhouette": files.export_silhouette,
             "file.export_mattes": files.export_mattes,

@@ -152,6 +152,36 @@ def test_a_clip_dropped_on_the_window_is_opened(qtbot: QtBot, window: MainWindow
     assert window.document.project.require_clip().last == FIRST + 2
 
 
+def test_shapes_dropped_on_the_window_join_the_project_as_one_step(
+    qtbot: QtBot, window: MainWindow, tmp_path: Path
+) -> None:
+    draw(window)
+    with qtbot.waitSignal(window.export.finished, timeout=WAIT):
+        window.export.start("nuke", tmp_path / "a.nk")
+    with qtbot.waitSignal(window.importing.finished, timeout=WAIT):
+        window.file_actions.open_dropped(tmp_path / "a.nk")
+    assert len(window.document.project.shapes) == 2
+    assert "Read 1 shape(s) from a.nk" in window.status.sentence.text()
+    assert window.document.undo_stack.undoText() == "Import shapes"
+    window.document.undo_stack.undo()
+    assert len(window.document.project.shapes) == 1
+
+
+def test_the_menu_imports_files_and_folders_of_masks(
+    qtbot: QtBot, window: MainWindow, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (tmp_path / "a.fxs").write_text("<Other/>")
+    monkeypatch.setattr(dialogs, "choose_shapes", lambda parent, start, suffixes: tmp_path / "a.fxs")
+    with qtbot.waitSignal(window.importing.finished, timeout=WAIT):
+        window.actions_by_id["file.import_shapes"].trigger()
+    assert "no Silhouette shape file" in window.status.sentence.text()
+    masks = write_clip(tmp_path / "masks", 2)
+    monkeypatch.setattr(dialogs, "choose_folder", lambda parent, title, start: masks)
+    with qtbot.waitSignal(window.importing.finished, timeout=WAIT) as finished:
+        window.actions_by_id["file.import_masks"].trigger()
+    assert "masks" in finished.args[1]
+
+
 def test_a_plate_that_is_gone_is_told_and_the_shapes_are_still_there(
     qtbot: QtBot, window: MainWindow, tmp_path: Path
 ) -> None:

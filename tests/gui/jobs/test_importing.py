@@ -1,0 +1,75 @@
+"""Imports as jobs: shapes arrive as one undo step, what is lost is told, a dropped job brings nothing."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from pytestqt.qtbot import QtBot
+
+from app.document import Document
+from app.jobs.importing import SHAPE_FILES, Import
+from app.jobs.runner import Ending, Runner
+from roam_core.geometry.bezier import polygon_points
+from roam_core.interchange import IMPORTERS
+from roam_core.interchange.nuke import roto_script
+from roam_core.roto import Clip, Project, edit
+
+WAIT = 30_000
+CLIP = Clip(Path("/plates/shot"), 1001, 1003, (64, 48))
+SQUARE = polygon_points([(10, 10), (30, 10), (30, 30), (10, 30)])
+
+
+@pytest.fixture
+def runner(qtbot: QtBot) -> Iterator[Runner]:
+    runner = Runner("writer")
+    yield runner
+    assert runner.close()
+
+
+@pytest.fixture
+def script(tmp_path: Path) -> Path:
+    """A Nuke script with one shape."""
+    path = tmp_path / "a.nk"
+    path.write_text(roto_script(edit.new_shape(Project(CLIP), SQUARE, 1002, name="Arm")[0]))
+    return path
+
+
+def test_shapes_arrive_as_one_undo_step(qtbot: QtBot, document: Document, runner: Runner, script: Path) -> None:
+    document.open(Project(CLIP), None)
+    importing = Import(document, runner)
+    with qtbot.waitSignal(importing.finished, timeout=WAIT) as finished:
+        importing.start(script)
+    assert finished.args == [Ending.DONE, "Read 1 shape(s) from a.nk."]
+    (shape,) = document.project.shapes
+    assert (shape.name, shape.frames) == ("Arm", (1002,))
+    assert document.undo_stack.count() == 1
+
+
+def test_without_a_clip_it_is_refused_in_a_sentence(
+    qtbot: QtBot, document: Document, runner: Runner, script: Path
+) -> None:
+    importing = Import(document, runner)
+    with qtbot.waitSignal(importing.finished, timeout=WAIT) as finished:
+        importing.start(script)
+    assert finished.args[0] is Ending.FAILED
+    assert "clip" in finished.args[1]
+
+
+def test_a_project_that_is_replaced_gets_nothing_of_it(
+    qtbot: QtBot, document: Document, runner: Runner, script: Path
+) -> None:
+    document.open(Project(CLIP), None)
+    importing = Import(document, runner)
+    with qtbot.waitSignal(importing.finished, timeout=WAIT) as finished:
+        importing.start(script)
+        document.open(Project(CLIP), None)
+    assert finished.args[0] is Ending.CANCELLED
+    qtbot.waitUntil(lambda: runner.is_idle, timeout=WAIT)
+    assert document.project.shapes == ()
+
+
+def test_the_suffixes_are_those_that_can_be_read() -> None:
+    known = {suffix for importer in IMPORTERS for suffix in importer.suffixes if importer.name != "masks"}
+    assert set(SHAPE_FILES) == known
