@@ -7,7 +7,7 @@ import sys
 from collections.abc import Sequence
 from types import ModuleType
 
-from benchmarks import artist, davis, drift, shots, speed, stages, tune
+from benchmarks import artist, davis, drift, paper, shots, speed, stages, tune
 from roam_core.errors import RoamError
 
 BENCHMARKS: dict[str, ModuleType] = {
@@ -17,6 +17,7 @@ BENCHMARKS: dict[str, ModuleType] = {
     "artist": artist,
     "drift": drift,
     "tune": tune,
+    "paper": paper,
 }
 """Each module has `arguments(parser)` and `run(arguments)`; the first line of its text is its help."""
 

@@ -17,12 +17,12 @@ from typing import Any
 
 import numpy as np
 
-from benchmarks import paper_rows, processes, report, restarts, shots
+from benchmarks import paper_rows, processes, report, restarts, shots, variants
 from benchmarks.contact_sheet import contact_sheet
 from roam_core import shapes_from_mask, track
 from roam_core.interchange.mattes import write_matte
 from roam_core.media import open_clip
-from roam_core.params import CONFIGS, params_for
+from roam_core.params import CONFIGS
 from roam_core.propagate import warm_up
 
 COLUMNS = {"iou": "IoU", "acc": "accuracy", "f": "boundary F", "sec_per_frame": "CPU s a frame"}
@@ -41,9 +41,7 @@ def arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(given: argparse.Namespace) -> None:
     """Track and score the shots under each configuration, report each, and all of them in one table."""
-    configs = given.config.split(",") if given.config else list(CONFIGS)
-    for config in configs:
-        params_for(config)
+    configs = variants.chosen(given.config)
     chosen = shots.names(given.shots)
     whole = given.shots is None
     scores = {}

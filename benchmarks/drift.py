@@ -7,18 +7,20 @@ outline that place lies from the true point is its offset. Its change from frame
 from __future__ import annotations
 
 import argparse
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from benchmarks import demo_shot, processes, report, shots
+from benchmarks import demo_shot, processes, report, shots, variants
 from benchmarks.placement import first_shapes
 from resources import demo
 from roam_core import track
 from roam_core.geometry import bezier, polyline
-from roam_core.params import CONFIGS, DEFAULT_CONFIG, params_for
+from roam_core.params import CONFIGS, DEFAULT_CONFIG
+from roam_core.roto import RotoShape
 
 Array = NDArray[np.float64]
 
@@ -62,14 +64,12 @@ def arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(given: argparse.Namespace) -> None:
     """Measure both, and report."""
-    configs = given.config.split(",")
-    for config in configs:
-        params_for(config)
+    configs = variants.chosen(given.config)
     chosen = [] if given.shots == "" or not shots.is_present() else shots.names(given.shots)
     shot = demo_shot.load(count=min(given.frames + 1, demo_shot.LONGEST))
     rows, result = [], dict[str, Any]()
     for config in configs:
-        drift = on_demo(shot, config)
+        drift = tracked(shot, demo_shot.true_shape(shot.first), demo.true_points, config)
         found = processes.each(crossings, [(name, config) for name in chosen])
         crossed, outlines = (sum(each[k] for each in found) for k in (0, 1))
         cells = [f"{value:.2f}" for value in (drift.a_frame, drift.over_the_shot, drift.worst_point)]
@@ -85,18 +85,16 @@ def run(given: argparse.Namespace) -> None:
     report.write("drift" if whole else "drift some", text, result, publish=given.publish and whole)
 
 
-def on_demo(shot: shots.Shot, config: str) -> Drift:
-    """Track the demo from its true outline and compare its points with the true ones."""
-    given = demo_shot.true_shape(shot.first)
+def tracked(shot: shots.Shot, given: RotoShape, truth: Callable[[int], Array], config: str) -> Drift:
+    """Track a shape whose first key is its true outline, and compare its points with the true ones of every frame."""
     rows = []
     for result in track(shot.read, [given], shot.frames, config):
-        tracked = result.results[0].shape.at(result.frame).points
-        rows.append(offsets(tracked, demo.true_points(result.frame)))
+        rows.append(offsets(result.results[0].shape.at(result.frame).points, truth(result.frame)))
     return Drift(np.array(rows))
 
 
-def offsets(tracked: Array, true: Array) -> Array:
-    """Pixels `(P,)` along the closed spline `true (P, 3, 2)` from its points to where the points of `tracked` lie.
+def offsets(found: Array, true: Array) -> Array:
+    """Pixels `(P,)` along the closed spline `true (P, 3, 2)` from its points to where the points of `found` lie.
 
     A place is that of the true outline nearest to the tracked point; positive in the direction of the outline.
     """
@@ -104,7 +102,7 @@ def offsets(tracked: Array, true: Array) -> Array:
     total = polyline.length(line)
     count = max(int(total / DENSITY), 8)
     places = polyline.resample(line, count)
-    own, theirs = (_nearest(places, points[:, bezier.ANCHOR]) for points in (true, tracked))
+    own, theirs = (_nearest(places, points[:, bezier.ANCHOR]) for points in (true, found))
     apart = (theirs - own) * (total / count)
     return np.asarray((apart + total / 2.0) % total - total / 2.0)
 

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
 from benchmarks import shots
-from benchmarks.shots import Shot
+from benchmarks.shots import Mask, Shot
 from roam_core import shapes_from_mask, track
 from roam_core.params import RoamParams
 
@@ -35,21 +35,30 @@ def runs(frames: range, length: int = LENGTH, gap: int = GAP) -> list[range]:
     return [range(start, min(start + length, frames[-1]) + 1) for start in starts]
 
 
-def overlaps(shot: Shot, run: range, config: str | RoamParams) -> list[float]:
-    """IoU of every predicted frame of a run that starts from the true mask of its first frame."""
+def predicted(shot: Shot, run: range, config: str | RoamParams) -> Iterator[tuple[Mask, Mask]]:
+    """The matte and the true mask of every predicted frame of a run from the true mask of its first frame."""
     given = shapes_from_mask(shot.mask(run[0]), run[0])
-    found = []
     for result in track(shot.read, given, run, config):
         shapes = [each.shape for each in result.results]
-        found.append(shots.overlap(shots.matte(shapes, result.frame, shot.size), shot.mask(result.frame)))
-    return found
+        yield shots.matte(shapes, result.frame, shot.size), shot.mask(result.frame)
 
 
 def measured(shot: Shot, config: str | RoamParams, length: int = LENGTH, gap: int = GAP) -> list[float]:
     """The mean IoU of every run of a shot; starts on which the object is out of the picture are passed over."""
-    return [
-        float(np.mean(overlaps(shot, run, config))) for run in runs(shot.frames, length, gap) if shot.mask(run[0]).any()
-    ]
+    return [iou for iou, _ in scored(shot, config, length, gap)]
+
+
+def scored(shot: Shot, config: str | RoamParams, length: int = LENGTH, gap: int = GAP) -> list[tuple[float, float]]:
+    """The mean IoU and accuracy of every run of a shot, as `measured`."""
+    found = []
+    for run in runs(shot.frames, length, gap):
+        if shot.mask(run[0]).any():
+            pairs = [
+                (shots.overlap(ours, true), float(np.mean(ours == true))) for ours, true in predicted(shot, run, config)
+            ]
+            iou, accuracy = np.mean(pairs, axis=0)
+            found.append((float(iou), float(accuracy)))
+    return found
 
 
 def of_job(job: Job) -> list[float]:

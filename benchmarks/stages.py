@@ -13,7 +13,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from benchmarks import demo_shot, report
+from benchmarks import demo_shot, report, variants
 from benchmarks.stopwatch import Stopwatch
 from benchmarks.yardstick import flow_seconds
 from resources import demo
@@ -29,7 +29,7 @@ from roam_core.media import PlateSource, open_clip
 from roam_core.media.colour import to_engine
 from roam_core.motion.flow import dense_flow, flow_similarity
 from roam_core.motion.klt import similarity_warp
-from roam_core.params import CONFIGS, params_for
+from roam_core.params import CONFIGS
 from roam_core.propagate import track, warm_up
 from roam_core.propagate.confidence import frame_confidence, node_support
 from roam_core.propagate.nodes import NodeMap
@@ -71,9 +71,7 @@ def arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(given: argparse.Namespace) -> None:
     """Measure both sizes under each configuration and report."""
-    configs = given.config.split(",") if given.config else list(CONFIGS)
-    for config in configs:
-        params_for(config)
+    configs = variants.chosen(given.config)
     for config in configs:
         _run(config, given.frames, publish=given.publish)
 

@@ -6,7 +6,7 @@ import functools
 import sys
 import time
 from collections import defaultdict
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from typing import Any
 
@@ -19,6 +19,11 @@ class Stopwatch:
         self._inner = [0.0]
         """Seconds of watched calls that ended inside each watched call that is under way."""
 
+    @staticmethod
+    def now() -> float:
+        """Processor seconds of this thread."""
+        return time.thread_time()
+
     def lap(self) -> dict[str, float]:
         """The seconds since the last lap; the clock starts anew."""
         seconds, self.seconds = dict(self.seconds), defaultdict(float)
@@ -27,19 +32,11 @@ class Stopwatch:
     @contextmanager
     def watching(self, stages: dict[str, Sequence[Callable[..., Any]]]) -> Iterator[None]:
         """Time these functions, wherever in the engine they are known by name, for the length of the block."""
-        places = [
-            (owner, name, function, self._timed(stage, function))
-            for stage, functions in stages.items()
-            for function in functions
-            for owner, name in _names_of(function)
-        ]
-        for owner, name, _, timed in places:
-            setattr(owner, name, timed)
-        try:
+        timed = {
+            function: self._timed(stage, function) for stage, functions in stages.items() for function in functions
+        }
+        with replaced(timed):
             yield
-        finally:
-            for owner, name, function, _ in places:
-                setattr(owner, name, function)
 
     def _timed(self, stage: str, function: Callable[..., Any]) -> Callable[..., Any]:
         @functools.wraps(function)
@@ -54,6 +51,19 @@ class Stopwatch:
                 self._inner[-1] += elapsed
 
         return call
+
+
+@contextmanager
+def replaced(functions: Mapping[Callable[..., Any], Callable[..., Any]]) -> Iterator[None]:
+    """Put others in the place of these functions, wherever in the engine they are known by name, for a block."""
+    places = [(owner, name, function) for function in functions for owner, name in _names_of(function)]
+    for owner, name, function in places:
+        setattr(owner, name, functions[function])
+    try:
+        yield
+    finally:
+        for owner, name, function in places:
+            setattr(owner, name, function)
 
 
 def _names_of(function: Callable[..., Any]) -> list[tuple[Any, str]]:

@@ -9,7 +9,7 @@ from __future__ import annotations
 import argparse
 import itertools
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import reduce
 from typing import Any
 
@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from benchmarks import processes, report, restarts, shots
+from benchmarks.variants import field_of, with_field
 from roam_core.errors import RoamError
 from roam_core.params import CONFIGS, DEFAULT_CONFIG, RoamParams, params_for
 
@@ -82,30 +83,6 @@ def combinations(fields: Mapping[str, Sequence[Any]], params: RoamParams, draws:
         picked = np.random.default_rng(0).permutation(len(every))[:draws]
         every = [every[k] for k in sorted(picked)]
     return [present, *every]
-
-
-def field_of(params: RoamParams, name: str) -> Any:
-    """The value of a field by its name, `mu` or `region.bias`.
-
-    Raises
-    ------
-    RoamError
-        when there is none of that name in this configuration.
-    """
-    value: Any = params
-    for part in name.split("."):
-        if not hasattr(value, part):
-            raise RoamError(f"The configuration {params.config!r} has no field {name!r}.")
-        value = getattr(value, part)
-    return value
-
-
-def with_field(params: RoamParams, name: str, value: Any) -> RoamParams:
-    """The parameters with one field changed."""
-    room, dot, rest = name.partition(".")
-    if not dot:
-        return replace(params, **{name: value})
-    return replace(params, **{room: replace(getattr(params, room), **{rest: value})})
 
 
 def _field(params: RoamParams, text: str) -> tuple[str, list[Any]]:

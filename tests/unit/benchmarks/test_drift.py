@@ -5,8 +5,10 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from benchmarks import demo_shot, drift
+from benchmarks import drift
+from benchmarks.shots import Shot
 from roam_core.geometry import bezier
+from tests.golden import shots as drawn
 
 SQUARE = bezier.polygon_points([(10.0, 10.0), (50.0, 10.0), (50.0, 50.0), (10.0, 50.0)])
 
@@ -38,7 +40,10 @@ def test_a_steady_slide_is_told_from_an_offset() -> None:
     assert standing.worst_point == pytest.approx(3.0)
 
 
-def test_the_demo_is_measured_against_its_own_truth() -> None:
-    found = drift.on_demo(demo_shot.load(count=3), "best")
-    assert found.offsets.shape == (2, len(demo_shot.true_points(1001)))
-    assert 0.0 < found.a_frame < 10.0
+def test_what_is_tracked_is_measured_against_the_truth(gliding: Shot) -> None:
+    true = drawn.gliding(drawn.blob([30.0, 24.0, 20.0, 26.0, 32.0, 22.0]), 8, (55.0, 50.0), (3.3, 1.7))
+    found = drift.tracked(gliding, true.shape(), true.truth, "best")
+    assert found.offsets.shape == (7, 6)
+    assert 0.0 < found.a_frame < 1.0
+    aside = drift.tracked(gliding, true.shape(), lambda frame: true.truth(frame) + np.array([0.0, 8.0]), "best")
+    assert aside.over_the_shot > 3.0

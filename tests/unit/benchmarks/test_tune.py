@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from benchmarks import tune
+from benchmarks import tune, variants
 from roam_core.errors import RoamError
 from roam_core.params import params_for
 
@@ -44,7 +44,7 @@ def test_draws_are_the_same_each_time() -> None:
 
 
 def test_fields_are_changed_by_name() -> None:
-    params = tune.with_field(tune.with_field(params_for("best"), "region.bias", -0.7), "window", 7)
-    assert tune.field_of(params, "region.bias") == -0.7
+    params = variants.with_field(variants.with_field(params_for("best"), "region.bias", -0.7), "window", 7)
+    assert variants.field_of(params, "region.bias") == -0.7
     assert params.window == 7
     assert params.config == "best"

@@ -1,0 +1,101 @@
+"""Configurations with one thing changed, by name: the rows of the ablation and of the warping table."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from functools import reduce
+from typing import Any
+
+from roam_core.errors import RoamError
+from roam_core.params import CONFIGS, RoamParams, params_for
+
+
+@dataclass(frozen=True)
+class Variant:
+    """A configuration and the fields that differ from it, by name: `mu`, `region.bias`."""
+
+    name: str
+    config: str
+    changes: Mapping[str, Any] = field(default_factory=dict)
+
+    @property
+    def params(self) -> RoamParams:
+        """The parameters, under the variant's own name."""
+        changed = reduce(lambda params, item: with_field(params, *item), self.changes.items(), params_for(self.config))
+        return replace(changed, config=self.name)
+
+
+ABLATION = (
+    Variant("baseline, no pre-warp", "baseline", {"warp": "none"}),
+    Variant("baseline", "baseline"),
+    Variant("lean, the paper's ribbon", "lean", {"appearance.term": "ribbon", "lambda_local": 0.3}),
+    Variant("lean", "lean"),
+    Variant("medium, the paper's pre-warp", "medium", {"warp": "landmarks"}),
+    Variant("medium, no star, no ties to the curve", "medium", {"landmarks.star": 0.0, "landmarks.joint": 0.0}),
+    Variant("medium", "medium"),
+    Variant("full without the global model", "full", {"lambda_global": 0.0, "proposals.global_weight": 0.0}),
+    Variant("full without proposals", "full", {"proposals": None}),
+    Variant("full", "full"),
+    Variant("best without the last frame's colours", "best", {"region.local_weight": 0.0}),
+    Variant("best without the key frame's colours", "best", {"region.key_weight": 0.0}),
+    Variant("best without the global model", "best", {"region.global_key_weight": 0.0, "region.global_weight": 0.0}),
+    Variant("best without motion", "best", {"region.motion_weight": 0.0}),
+    Variant("best without the last region as prior", "best", {"region.prior_weight": 0.0}),
+    Variant("best without smoothing by contrast", "best", {"region.diffusion": 0.0}),
+    Variant("best without adaptation", "best", {"region.adaptation": 0.0}),
+    Variant("best", "best"),
+)
+"""The paper's configurations with their steps taken apart, and `best` with one of its cues taken away at a time."""
+
+WARPS = tuple(
+    Variant(name, "medium", {"warp": warp})
+    for name, warp in (
+        ("none", "none"),
+        ("similarity of dense flow (the paper: optical flow)", "flow"),
+        ("node projection from landmarks (the paper's)", "nodes"),
+        ("similarity of landmarks (the paper's choice)", "landmarks"),
+        ("similarity of followed points", "klt"),
+        ("similarity of landmarks and followed points", "landmarks+klt"),
+    )
+)
+"""Ways of carrying the curve to the next frame, all under `medium`."""
+
+
+def field_of(params: RoamParams, name: str) -> Any:
+    """The value of a field by its name, `mu` or `region.bias`.
+
+    Raises
+    ------
+    RoamError
+        when there is none of that name in this configuration.
+    """
+    value: Any = params
+    for part in name.split("."):
+        if not hasattr(value, part):
+            raise RoamError(f"The configuration {params.config!r} has no field {name!r}.")
+        value = getattr(value, part)
+    return value
+
+
+def with_field(params: RoamParams, name: str, value: Any) -> RoamParams:
+    """The parameters with one field changed; a name that they do not have is refused as by `field_of`."""
+    field_of(params, name)
+    room, dot, rest = name.partition(".")
+    if not dot:
+        return replace(params, **{name: value})
+    return replace(params, **{room: replace(getattr(params, room), **{rest: value})})
+
+
+def chosen(text: str | None) -> list[str]:
+    """The configurations named in `text` ("a,b"), or all of them.
+
+    Raises
+    ------
+    RoamError
+        when there is none of that name.
+    """
+    names = text.split(",") if text else list(CONFIGS)
+    for name in names:
+        params_for(name)
+    return names
