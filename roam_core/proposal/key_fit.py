@@ -17,13 +17,13 @@ from roam_core.roto.edit import is_smooth
 Array = NDArray[np.float64]
 IntArray = NDArray[np.int64]
 
-CHOICES = np.concatenate([-np.arange(1, 9), np.arange(1, 9)])
+CHOICES = np.array([s * n for n in (1, 2, 3, 4, 6, 8, 11, 15, 20, 27, 36) for s in (-1, 1)])
 """Samples by which an anchor may move along the outline in one round."""
-SPREADS = 4
+SPREADS = 6
 """Rounds in which anchors move."""
 FREE = 6.0
 """Pixels of a 480-line image that an anchor may move for the price of ..."""
-PRICE = 10.0
+PRICE = 2.0
 """... this much error, square pixels times pixels; it grows with the square, up to ..."""
 MOST = 20.0
 """... this many times."""
@@ -33,11 +33,11 @@ WINDOW = 20
 """Places to both sides in which a sample's nearest place is looked for."""
 SLIDE = 0.05
 """Weight, against one sample of the outline, that holds an anchor to its matched place along the outline."""
-UNTANGLE = 6
+UNTANGLE = 14
 """Rounds in which a curve that crosses itself is drawn back to its polygon."""
 SMOOTH = 1.0
 """Weight of a smooth point's handles leaving their common line."""
-HOLD = 0.01
+HOLD = 0.002
 """Weight of handles against those matched first."""
 
 
@@ -87,12 +87,13 @@ def _spread(points: Array, match: Match, scale: float) -> IntArray:
 def _untangled(points: Array, straight: Array, scale: float) -> Array:
     """The spline without crossings: where it crosses itself it is drawn back, ever wider, to the polygon `straight`."""
     result = points.copy()
-    for width in range(UNTANGLE):
+    for turn in range(UNTANGLE):
         guilty = crossing_segments(result, scale)
         if len(guilty) == 0:
             return result
+        width = max(turn // 2 - 1, 0)
         near = (guilty[:, None] + np.arange(-width, width + 2)).ravel() % len(points)
-        result[near] = straight[near] if width else _shorter(result)[near]
+        result[near] = _shorter(result)[near] if turn < 2 else straight[near]
     return simplified(result, straight, scale)
 
 
@@ -144,6 +145,7 @@ class _Fit:
     def __init__(self, points: Array, prior: Array, samples: Array) -> None:
         self.count = len(points)
         self.samples = samples
+        self.step = polyline.length(samples) / len(samples)
         self.prior = prior
         self.smooth = np.array([is_smooth(point, degrees=12.0) for point in points], dtype=bool)
         self.tie = _ties(points)
@@ -160,7 +162,18 @@ class _Fit:
         matrix = vstack(rows) @ self.tie
         normal = (matrix.T @ matrix + 1e-6 * eye_array(matrix.shape[1])).tocsc()
         solution = spsolve(normal, matrix.T @ np.concatenate(wanted))
-        return np.asarray((self.tie @ solution).reshape(-1, 3, 2))
+        return self._bounded(np.asarray((self.tie @ solution).reshape(-1, 3, 2)), places)
+
+    def _bounded(self, points: Array, places: Array) -> Array:
+        """No handle longer than the piece of outline beside it: where samples are few a cubic could loop."""
+        spans = np.bincount(np.minimum(places.astype(np.intp), self.count - 1), minlength=self.count) + 1.0
+        longest = spans * self.step
+        result = points.copy()
+        for part, most in ((OUT, longest), (IN, np.roll(longest, 1))):
+            handle = points[:, part] - points[:, ANCHOR]
+            reach = np.maximum(np.hypot(*handle.T), 1e-12)
+            result[:, part] = points[:, ANCHOR] + handle * np.minimum(1.0, most / reach)[:, None]
+        return result
 
     def _slide(self) -> csr_array:
         rows = np.arange(self.count)

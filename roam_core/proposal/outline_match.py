@@ -19,11 +19,11 @@ SPACING = 7.0
 """Pixels of a 480-line image between the nodes that are matched."""
 STEP = 2.0
 """Pixels of a 480-line image between the samples of the outline."""
-NEAR = (24.0, 12.0, 8.0)
+NEAR = (24.0, 16.0, 8.0)
 """Pixels of a 480-line image, a round of matching, by which a node may miss its expected place at a price of 1."""
 REACH = (60.0, 25.0)
 """Pixels of a 480-line image along the outline over which displacements are smoothed between two rounds of matching."""
-STRETCH = 1.0
+STRETCH = 2.0
 """Price of a piece of outline that grows to twice its share of the whole."""
 TURN = 1.5
 """Price of a node whose outline runs the opposite way."""
@@ -31,8 +31,10 @@ BULGE = 12.0
 """Price of a node that is all tip on a sample that is all bay, averaged over ..."""
 RADII = (0.04, 0.1, 0.25)
 """... neighbourhoods of these sizes, as shares of the square root of the area."""
+DOUBT = 0.01
+"""Price a node that says nothing for or against a pose."""
 TURNED = 4.0
-"""Price of a pose that turns half around, so that a round shape does not spin."""
+"""A pose that turns by a right angle has to match better by this factor plus one: round shapes do not spin."""
 HARMONICS = 128
 """Points of an outline that is turned to find how it lies best on another."""
 COARSE = 3.0
@@ -103,7 +105,7 @@ def _unmatched(points: Array, ring: Array, coarse: float, scale: float) -> Match
 def _posed(start: Match, pose: Array, scale: float) -> Match:
     turn = float(np.arctan2(pose[1, 0], pose[0, 0]))
     match = _again(start, similarity.apply(pose, start.nodes), NEAR[0] * scale)
-    return replace(match, energy=match.energy + TURNED * 0.5 * (1.0 - np.cos(turn)))
+    return replace(match, energy=(match.energy + DOUBT) * (1.0 + TURNED * (1.0 - np.cos(turn))))
 
 
 def _nodes(points: Array, spacing: float) -> tuple[Array, NDArray[np.intp], Array]:
