@@ -105,7 +105,8 @@ class SvgReader(ShapeReader):
         ends = numbers(element.get("data-roam-ends"))
         if not spline.closed and len(ends) == 4:
             points[0, IN], points[-1, OUT] = ends[:2], ends[2:]
-        key = Keyframe(self.clip.first, moved(points, to_pixels))
+        with np.errstate(all="ignore"):  # what overflows is found in the next line
+            key = Keyframe(self.clip.first, moved(points, to_pixels))
         if not sensible((key,)):
             raise ValueError("it lies nowhere near the picture")
         blend = element.get("data-roam-blend", "add")

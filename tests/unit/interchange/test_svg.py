@@ -1,0 +1,218 @@
+"""SVG out and in: what we write is painted by Qt's renderer, what we read is compared with what it paints."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from roam_core.errors import RoamError
+from roam_core.interchange import EXPORTERS, ExportOptions, Imported, read_shapes
+from roam_core.interchange.svg import svg_document
+from roam_core.matte import render_matte
+from roam_core.roto import BlendMode, Clip, Layer, Project, RotoShape
+from tests.unit.interchange import qt_judge
+from tests.unit.interchange.conftest import animated, points
+from tests.unit.interchange.test_other_programs import NAMES, bent_leaf
+
+SIZE = (320, 200)
+CLIP = Clip(Path("plate"), 1, 21, SIZE)
+
+
+def read(text: str, folder: Path, clip: Clip = CLIP) -> Imported:
+    path = folder / "drawing.svg"
+    path.write_text(text, encoding="utf-8", newline="")
+    return read_shapes(path, clip)
+
+
+def drawing(body: str, head: str = 'width="320" height="200"') -> str:
+    return f'<svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink" {head}>{body}</svg>'
+
+
+# ---- writing ---------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("frame", [1, 6, 11, 14])
+def test_qt_paints_the_pixels_of_our_matte(frame: int) -> None:
+    project = Project(CLIP, Layer("root", "Root", (bent_leaf(SIZE),)))
+    theirs = qt_judge.painted(svg_document(project, frame)[0], SIZE)
+    error = np.abs(theirs - render_matte(project, frame, SIZE[::-1]))
+    assert error.max() < 0.2  # Qt's polygons are coarser than ours
+    assert error.mean() < 0.001
+
+
+def test_one_frame_is_written_or_every_frame_where_the_name_says_so(tmp_path: Path) -> None:
+    project = Project(CLIP, Layer("root", "Root", (bent_leaf(SIZE),)))
+    EXPORTERS["svg"].export(project, tmp_path / "one.svg", ExportOptions(frame=11))
+    assert (tmp_path / "one.svg").read_text() == svg_document(project, 11)[0]
+    told: list[float] = []
+    options = ExportOptions(frame_offset=1000, progress=lambda share, _: told.append(share))
+    EXPORTERS["svg"].export(project, tmp_path / "s.%05d.svg", options)
+    names = sorted(path.name for path in tmp_path.glob("s.*"))
+    assert names == [f"s.{frame:05d}.svg" for frame in range(1001, 1022)]
+    assert told == sorted(told)
+
+
+def test_layers_values_and_names_come_back(project: Project, tmp_path: Path) -> None:
+    """What SVG has words for, in its words; the rest in attributes that other programs pass over."""
+    back = read(svg_document(project, 1010)[0], tmp_path, project.require_clip()).layer
+    for item, mine in zip(back.items(), project.root.items(), strict=True):
+        assert (item.name, item.visible, item.locked, item.invert) == (
+            mine.name,
+            mine.visible,
+            mine.locked,
+            mine.invert,
+        )
+        assert item.opacity == pytest.approx(mine.opacity)
+        if isinstance(mine, RotoShape):
+            assert isinstance(item, RotoShape)
+            assert (item.blend, item.closed) == (mine.blend, mine.closed)
+            assert item.feather == pytest.approx(mine.feather)
+            np.testing.assert_allclose(item.colour, mine.colour, atol=0.5 / 255)
+            np.testing.assert_allclose(item.keys[0].points, mine.at(1010).points, atol=1e-5)
+
+
+def test_names_come_back_but_for_what_xml_cannot_hold(tmp_path: Path) -> None:
+    shapes = tuple(replace(animated("x"), id=f"shape-{k}", name=name) for k, name in enumerate(NAMES))
+    text = svg_document(Project(CLIP, Layer("root", "Root", shapes)), 1001)[0]
+    names = [shape.name for shape in read(text, tmp_path).layer.shapes()]
+    assert names == [name.replace("\x00", "\ufffd").replace("\x1b", "\ufffd") for name in NAMES]
+
+
+def test_what_is_lost_is_told(project: Project) -> None:
+    notes = " ".join(svg_document(project, 1010)[1])
+    for words in ("no feather curves: that of 'Soft'", "no shutter: that of 'Soft'"):
+        assert words in notes
+    assert svg_document(project, 1020)[1] == ("'Soft' does not exist on frame 1020: it was left out.",)
+
+
+# ---- reading ---------------------------------------------------------------------------------------------------------
+
+DRAWINGS = {
+    "absolute": '<path d="M20 20 L 100,30 H150 V90 C 140 140 80 160 60,120 S 20 100 20 60 Z"/>',
+    "relative": '<path d="m20 20 80 10h50v60c-10 50-70 70-90 30s-40-20-40-60z"/>',
+    "quadratic": '<path d="M30,100 Q 60,20 100,100 T 170,100 t 60,10 L 200 170 q-60 20-100-10z"/>',
+    "arcs": '<path d="M60 60 A 50 30 20 1 1 150 100 a30 60-15 0140 20 A 10 10 0 0 0 60 150 z"/>',
+    "an arc too small to reach": '<path d="M40 100 A 5 9 30 0 1 200 120 L 100 180 Z"/>',
+    "shapes": '<rect x="10" y="10" width="90" height="60"/><circle cx="200" cy="60" r="40"/>'
+    '<ellipse cx="80" cy="140" rx="60" ry="30"/><polygon points="200,120 300,130 250,190"/>',
+    "rounded": '<rect x="20" y="20" width="200" height="120" rx="40" ry="25"/>'
+    '<rect x="240" y="20" width="60" height="120" rx="90"/>',
+    "transforms": '<g transform="translate(40 10) rotate(12) scale(.8 1.1)"><g transform="skewX(10) skewY(-5)">'
+    '<rect x="30" y="20" width="120" height="80" transform="rotate(30 90 60) matrix(1 .1 -.2 1 5 3)"/></g></g>',
+    "a hole": '<path d="M20 20 H200 V180 H20 Z M60 60 V140 H160 V60 Z"/>',
+    "even and odd": '<path fill-rule="evenodd" d="M20 20 H200 V180 H20 Z M60 60 H240 V140 H60 Z"/>',
+    "two outlines": '<path d="M20 20 H100 V100 H20 Z m150 20 h80 v80 h-80 z"/>',
+    "hidden": '<g style="display:none"><rect width="99" height="99"/></g><rect x="150" y="50" width="40" height="30"/>',
+    "nested groups": '<a><switch><g><path d="M10,10h100v100h-100z"/></g></switch></a>',
+}
+
+
+@pytest.mark.parametrize("name", DRAWINGS)
+def test_what_is_read_is_what_qt_paints(tmp_path: Path, name: str) -> None:
+    text = drawing(DRAWINGS[name])
+    read_back = read(text, tmp_path)
+    theirs, ours = qt_judge.painted(text, SIZE), render_matte(read_back.layer, 1, SIZE[::-1])
+    assert theirs.sum() > 500
+    assert np.abs(theirs - ours).max() < 0.2
+    assert np.abs(theirs - ours).mean() < 0.002
+    assert read_back.notes == ()
+
+
+@pytest.mark.parametrize(
+    ("head", "corner", "scale"),
+    [
+        ('viewBox="0 0 160 100"', (0, 0), (2, 2)),
+        ('viewBox="-10 -20 320 200"', (10, 20), (1, 1)),
+        ('viewBox="0 0 100 100" preserveAspectRatio="none"', (0, 0), (3.2, 2)),
+        ('viewBox="0 0 200 200"', (60, 0), (1, 1)),
+        ('viewBox="0 0 200 200" preserveAspectRatio="xMinYMid meet"', (0, 0), (1, 1)),
+        ('viewBox="0 0 320 100" preserveAspectRatio="xMidYMax"', (0, 100), (1, 1)),
+        ('viewBox="0 0 200 200" preserveAspectRatio="xMaxYMid slice"', (0, -60), (1.6, 1.6)),
+    ],
+)
+def test_the_view_box_is_fitted_into_the_picture(
+    tmp_path: Path, head: str, corner: tuple[float, float], scale: tuple[float, float]
+) -> None:
+    text = drawing('<rect width="10" height="20"/>', f'width="320" height="200" {head}')
+    (shape,) = read(text, tmp_path).layer.shapes()
+    np.testing.assert_allclose(shape.keys[0].points[0, 0], corner)
+    np.testing.assert_allclose(shape.keys[0].points[2, 0], np.array(corner) + np.array(scale) * (10, 20))
+
+
+def test_drawings_of_another_size_are_scaled_to_the_clip(tmp_path: Path) -> None:
+    made = read(drawing('<rect x="10" y="10" width="20" height="30"/>', 'width="160" height="100"'), tmp_path)
+    (shape,) = made.layer.shapes()
+    np.testing.assert_allclose(shape.keys[0].points[:, 0], [(20, 20), (60, 20), (60, 80), (20, 80)])
+    assert "were scaled" in made.notes[0]
+
+
+@pytest.mark.parametrize(("width", "pixels"), [("1in", 96), ("2.54cm", 96), ("25.4mm", 96), ("72pt", 96), ("6pc", 96)])
+def test_units_are_those_of_css(tmp_path: Path, width: str, pixels: float) -> None:
+    (shape,) = read(drawing(f'<rect width="{width}" height="10%"/>'), tmp_path).layer.shapes()
+    np.testing.assert_allclose(shape.keys[0].points[2, 0], (pixels, 20.0))
+
+
+def test_names_colours_and_modes_are_found(tmp_path: Path) -> None:
+    body = (
+        '<g id="layer1"><title>Body</title><path id="p1" d="M0 0H9V9Z" style="fill:#336699;opacity:.5"/>'
+        '<path id="p2" d="M0 0H9V9Z" fill="rgb(100%,0%,50%)" data-roam-blend="subtract" data-roam-invert="true"/></g>'
+    )
+    (layer,) = read(drawing(body), tmp_path).layer.children
+    assert isinstance(layer, Layer)
+    first, second = layer.shapes()
+    assert (layer.name, first.name, second.name) == ("Body", "p1", "p2")
+    np.testing.assert_allclose(first.colour, (0.2, 0.4, 0.6))
+    np.testing.assert_allclose(second.colour, (1.0, 0.0, 0.5))
+    assert (first.opacity, second.blend, second.invert) == (0.5, BlendMode.SUBTRACT, True)
+
+
+def test_what_is_no_outline_is_named_and_the_rest_is_kept(tmp_path: Path) -> None:
+    body = (
+        '<use xlink:href="other.svg#x"/><text>Hello</text><image href="http://example.invalid/x.png"/>'
+        '<defs><path d="M0 0H9V9Z"/></defs><path id="bad" d="M1 1 L 5 5 9 1 Z oops"/><path id="empty" d=""/>'
+        '<path id="turned" transform="spin(3)" d="M0 0H9V9Z"/><path id="good" d="M0 0H9V9Z"/>'
+    )
+    made = read(drawing(body), tmp_path)
+    assert [shape.name for shape in made.layer.shapes()] == ["bad", "good"]
+    notes = " ".join(made.notes)
+    for words in ("'use'", "'text'", "'image'", "'bad' is damaged", "'turned' was left out"):
+        assert words in notes
+
+
+def test_a_document_type_is_not_followed_and_entities_are_refused(tmp_path: Path) -> None:
+    doctype = '<!DOCTYPE svg PUBLIC "-//W3C//DTD SVG 1.1//EN" "file:///etc/passwd">'
+    made = read(doctype + drawing('<rect width="9" height="9"/>'), tmp_path)
+    assert len(list(made.layer.shapes())) == 1
+    bomb = '<!DOCTYPE svg [<!ENTITY a "aaaa"><!ENTITY b "&a;&a;&a;">]>'
+    with pytest.raises(RoamError, match="declares a document type or an entity"):
+        read(bomb + drawing("<title>&b;</title>"), tmp_path)
+
+
+@pytest.mark.parametrize(
+    ("text", "sentence"),
+    [
+        ("", "no valid XML"),
+        ("<svg", "no valid XML"),
+        ("<html/>", r"no SVG picture \(its root element is 'html'\)"),
+        (drawing("<g>" * 300 + "</g>" * 300), "more than 200 deep"),
+    ],
+)
+def test_what_is_no_drawing_is_refused_in_a_sentence(tmp_path: Path, text: str, sentence: str) -> None:
+    with pytest.raises(RoamError, match=sentence):
+        read(text, tmp_path)
+
+
+def test_absurd_numbers_leave_a_shape_out(tmp_path: Path) -> None:
+    made = read(drawing('<path id="far" d="M0 0 H1e300 V1e308 Z"/><rect width="1e9999" height="9"/>'), tmp_path)
+    assert list(made.layer.shapes()) == []
+    assert "'far' was left out" in made.notes[0]
+
+
+def test_open_shapes_keep_the_handles_of_their_ends(tmp_path: Path) -> None:
+    shape = RotoShape("shape-1", "Open", (replace(animated("x").keys[0], points=points(7, 4)),), closed=False)
+    text = svg_document(Project(CLIP, Layer("root", "Root", (shape,))), 1001)[0]
+    (back,) = read(text, tmp_path).layer.shapes()
+    np.testing.assert_allclose(back.keys[0].points, shape.keys[0].points, atol=1e-5)
