@@ -1,0 +1,171 @@
+"""Plain JSON out and in: number for number, and a sentence with the place for whatever is not of the format."""
+
+from __future__ import annotations
+
+import copy
+import json
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from roam_core.errors import RoamError
+from roam_core.interchange import EXPORTERS, ExportOptions, Imported, ImportOptions, read_shapes
+from roam_core.interchange import reading as limits
+from roam_core.interchange.plain_json import json_document
+from roam_core.roto import Clip, Interpolation, Layer, Origin, Project, RotoShape
+from tests.unit.interchange.test_other_programs import NAMES
+
+CLIP = Clip(Path("plate"), 1001, 1040, (1920, 1080))
+
+
+def read(text: str, folder: Path, clip: Clip = CLIP, options: ImportOptions | None = None) -> Imported:
+    path = folder / "shapes.json"
+    path.write_text(text, encoding="utf-8")
+    return read_shapes(path, clip, options) if options else read_shapes(path, clip)
+
+
+def plain(item: Layer | RotoShape) -> Layer | RotoShape:
+    """An item without what a file of another program never says: ids, trust, stamps."""
+    if isinstance(item, Layer):
+        return replace(item, id="", children=tuple(plain(child) for child in item.children), extra={})
+    keys = (replace(k, confidence=None, vertex_confidence=None, inputs="", extra={}) for k in item.keys)
+    return replace(item, id="", keys=tuple(keys), extra={})
+
+
+def test_everything_comes_back_number_for_number(project: Project, tmp_path: Path) -> None:
+    EXPORTERS["json"].export(project, tmp_path / "p.json")
+    back = read_shapes(tmp_path / "p.json", project.require_clip())
+    assert back.notes == ()
+    assert [plain(item) for item in back.layer.children] == [plain(item) for item in project.root.children]
+
+
+def test_the_root_becomes_a_layer_where_it_is_not_plain(project: Project, tmp_path: Path) -> None:
+    dimmed = replace(project, root=replace(project.root, opacity=0.5, name="Everything"))
+    (layer,) = read(json_document(dimmed)[0], tmp_path).layer.children
+    assert plain(layer) == plain(dimmed.root)
+
+
+def test_frames_are_shifted_out_and_in(project: Project, tmp_path: Path) -> None:
+    text = json_document(project, ExportOptions(frame_offset=-1000))[0]
+    document = json.loads(text)
+    assert (document["first_frame"], document["last_frame"]) == (1, 40)
+    assert document["items"][0]["keys"][0]["frame"] == 1
+    back = read(text, tmp_path, options=ImportOptions(frame_offset=-1000))
+    assert [plain(item) for item in back.layer.children] == [plain(item) for item in project.root.children]
+
+
+def test_names_come_back_whatever_they_hold(project: Project, tmp_path: Path) -> None:
+    names = [*NAMES, "lone \ud800 surrogate"]
+    shapes = tuple(replace(project.shapes[0], id=f"shape-{k}", name=name) for k, name in enumerate(names))
+    text = json_document(Project(CLIP, Layer("root", "Root", shapes)))[0]
+    assert text.isascii()
+    assert [shape.name for shape in read(text, tmp_path).layer.shapes()] == names
+
+
+def test_little_is_enough(tmp_path: Path) -> None:
+    """What a script writes by hand: a polygon of two numbers a point, everything else left to its default."""
+    text = json.dumps(
+        {
+            "format": "roam-shapes",
+            "version": 1,
+            "width": 960,
+            "height": 540,
+            "items": [{"kind": "shape", "keys": [{"frame": 1003, "points": [[0, 0], [480, 0], [480, 270]]}]}],
+            "made_by": "a script",
+        }
+    )
+    made = read(text, tmp_path)
+    (shape,) = made.layer.shapes()
+    assert "were scaled" in made.notes[0]
+    np.testing.assert_array_equal(shape.keys[0].points[1], [[960, 0]] * 3)
+    assert (shape.closed, shape.keys[0].origin, shape.keys[0].interpolation, shape.opacity) == (
+        True,
+        Origin.ARTIST,
+        Interpolation.LINEAR,
+        1.0,
+    )
+
+
+GOOD: dict[str, Any] = {
+    "format": "roam-shapes",
+    "version": 1,
+    "width": 1920,
+    "height": 1080,
+    "items": [
+        {
+            "kind": "layer",
+            "name": "Body",
+            "items": [
+                {
+                    "kind": "shape",
+                    "name": "Arm",
+                    "keys": [{"frame": 1001, "points": [[0, 0], [9, 0], [9, 9]]}],
+                }
+            ],
+        }
+    ],
+}
+SHAPE, KEY = ("items", 0, "items", 0), ("items", 0, "items", 0, "keys", 0)
+
+
+@pytest.mark.parametrize(
+    ("place", "value", "sentence"),
+    [
+        (("format",), "other", 'its "format" is not "roam-shapes"'),
+        (("version",), 2, "has version '2' of the format; this program reads version 1"),
+        (("width",), "wide", 'in the file, "width" must be a number'),
+        (("height",), 0, "in the file, width and height must be positive"),
+        (("items",), {}, 'in the file, "items" must be a list'),
+        (("items", 0), 5, 'in item 1 of the file, "kind" must be "layer" or "shape"'),
+        ((*SHAPE, "name"), 5, '"name" must be a text'),
+        ((*SHAPE, "closed"), 1, "in shape 'Arm' (item 1 of the file, item 1), \"closed\" must be true or false"),
+        ((*SHAPE, "opacity"), 1.5, '"opacity" must lie between 0 and 1'),
+        ((*SHAPE, "blend"), "glow", '"blend" must be one of add, subtract, intersect, difference, max'),
+        ((*SHAPE, "blend"), ["add"], '"blend" must be one of'),
+        ((*SHAPE, "colour"), [1, 2], '"colour" must be a list of three numbers'),
+        ((*SHAPE, "lifetime"), [5], '"lifetime" must be null or a first frame'),
+        ((*SHAPE, "motion_blur"), {"shutter": -1, "phase": 0}, "must have 1 to 1024 samples"),
+        ((*SHAPE, "keys"), [], "has no key"),
+        ((*KEY, "frame"), 1e12, "is no frame number"),
+        ((*KEY, "points"), [], "each point must be a list of two or six numbers"),
+        ((*KEY, "points"), [[1, 2, 3]], "key on frame 1001, each point must be a list of two or six numbers"),
+        ((*KEY, "points"), [[1e20, 0]], "a point lies nowhere near the image"),
+        ((*KEY, "points"), [[float("nan"), 0]], "each point must be a list of two or six numbers"),
+        ((*KEY, "feather"), [[1, 2]], "the feather has other points than the outline"),
+        ((*KEY, "interpolation"), "cubic", '"interpolation" must be one of linear, smooth, hold'),
+        ((*SHAPE, "keys"), [{"frame": 1, "points": [[0, 0]]}, {"frame": 2, "points": [[0, 0], [1, 1]]}], "differ in"),
+        ((*SHAPE, "keys"), [{"frame": 1, "points": [[0, 0]]}] * 2, "two keys on one frame"),
+    ],
+)
+def test_what_is_not_of_the_format_is_refused_with_its_place(
+    tmp_path: Path, place: tuple[Any, ...], value: Any, sentence: str
+) -> None:
+    document = copy.deepcopy(GOOD)
+    read(json.dumps(document), tmp_path)
+    inner: Any = document
+    for step in place[:-1]:
+        inner = inner[step]
+    inner[place[-1]] = value
+    with pytest.raises(RoamError) as refused:
+        read(json.dumps(document), tmp_path)
+    assert sentence in str(refused.value)
+
+
+@pytest.mark.parametrize("text", ["", "{", "[" * 100_000, "[]", "5", '{"format": 1}'])
+def test_other_files_are_refused(tmp_path: Path, text: str) -> None:
+    with pytest.raises(RoamError, match=r"is no valid JSON|holds no shapes"):
+        read(text, tmp_path)
+
+
+def test_files_beyond_the_limits_are_refused(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    deep: dict[str, Any] = {"kind": "layer", "items": []}
+    for _ in range(250):
+        deep = {"kind": "layer", "items": [deep]}
+    with pytest.raises(RoamError, match="more than 200 deep"):
+        read(json.dumps(GOOD | {"items": [deep]}), tmp_path)
+    monkeypatch.setattr(limits, "MAX_POINTS", 2)
+    with pytest.raises(RoamError, match="more than 2 points"):
+        read(json.dumps(GOOD), tmp_path)
