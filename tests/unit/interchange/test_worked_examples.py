@@ -7,10 +7,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from roam_core.interchange.after_effects import mask_script
+from roam_core.interchange.fusion import fusion_setting
+from roam_core.interchange.natron import natron_script
 from roam_core.interchange.nuke import roto_script
 from roam_core.interchange.silhouette import silhouette_document
 from roam_core.roto import Clip, Keyframe, Layer, Project, RotoShape
-from tests.unit.interchange import nuke_judge, silhouette_judge
+from tests.unit.interchange import lua_judge, natron_judge, node_judge, nuke_judge, silhouette_judge
 
 EXAMPLES = Path(__file__).parents[3].parent / "shared" / "formats" / "examples"
 
@@ -46,3 +49,35 @@ def test_the_silhouette_example(example: Project) -> None:
     assert (ours.interps, ours.closed) == (theirs.interps, theirs.closed)
     for frame, points in theirs.keys.items():
         np.testing.assert_array_equal(ours.keys[frame], points)
+
+
+def test_the_fusion_example(example: Project) -> None:
+    (theirs,) = lua_judge.judge((EXAMPLES / "example.setting").read_text().replace("Inputs = {", COMMENTS, 1))
+    (ours,) = lua_judge.judge(fusion_setting(example)[0])
+    assert ours.closed is theirs.closed
+    assert list(ours.keys) == list(theirs.keys)
+    for frame, points in theirs.keys.items():
+        np.testing.assert_allclose(ours.keys[frame], points, atol=1e-5)
+
+
+COMMENTS = 'Inputs = { Comments = Input { Value = "" },'
+"""The example has no comments, which our masks keep their names in."""
+
+
+def test_the_after_effects_example(example: Project, tmp_path: Path) -> None:
+    """It sets masks on a layer of the size of the composition that begins with it."""
+    theirs = node_judge.ran((EXAMPLES / "example.jsx").read_text(), tmp_path, (1920, 1080))["masks"][0]["properties"]
+    ours = node_judge.ran(mask_script(example)[0], tmp_path, (1920, 1080))["masks"][0]["properties"]
+    for mine, yours in zip(ours["ADBE Mask Shape"]["keys"], theirs["ADBE Mask Shape"]["keys"], strict=True):
+        assert mine["time"] - 2.0 == pytest.approx(yours["time"])  # the stub's layer begins at two seconds
+        for part in ("vertices", "inTangents", "outTangents", "closed"):
+            assert mine["value"][part] == yours["value"][part]
+
+
+def test_the_natron_example(example: Project) -> None:
+    text = (EXAMPLES / "example_natron.py").read_text()
+    (theirs,), (ours,) = (natron_judge.judge(script, 1080)[0] for script in (text, natron_script(example)[0]))
+    assert ours.closed is theirs.closed
+    for frame, points in theirs.keys.items():
+        np.testing.assert_array_equal(ours.keys[frame], points)
+        np.testing.assert_array_equal(ours.values["feather"][frame], theirs.values["feather"][frame])
