@@ -48,7 +48,7 @@ class ExportOptions:
     keys: KeyChoice = KeyChoice.EVERY
     tolerance: float = 0.5
     frame: int | None = None
-    mattes: MatteStyle = MatteStyle()
+    mattes: MatteStyle = field(default_factory=MatteStyle)
     progress: Progress | None = None
     token: CancelToken | None = None
 
