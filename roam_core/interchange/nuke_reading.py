@@ -103,7 +103,7 @@ class _NodeReader:
         items = documents[-1].words() if documents else []
         for item in items:
             parts = item.words() if item.is_braced else []
-            if len(parts) > 1 and parts[0].raw == "n":
+            if len(parts) > 1 and parts[0].raw == "n" and parts[1].is_braced:
                 if not curves.is_whole:
                     self.reader.note(f"The file ends within the node {brief(self.node)}: what is whole was read.")
                 layer = self._layer(parts[1], [])
@@ -114,8 +114,8 @@ class _NodeReader:
         )
 
     def _layer(self, word: Word, outer: Sequence[Transform]) -> Layer:
-        _, name_word, *items = word.words()
-        name = name_word.value
+        items = word.words()[1:]
+        name = items.pop(0).value if items else "?"
         flags, form, attributes = 0, Transform({}), Attributes([], self._teller("layer", name))
         children: list[Layer | RotoShape] = []
         for item in items:

@@ -356,6 +356,7 @@ def test_a_file_that_is_cut_off_gives_what_is_whole(read: Read) -> None:
         ("", "no Roto"),
         ("Blur {\n size 4\n}\n", "no Roto"),
         ('Roto {\n curves {AnimTree: "" {\n Version: 1.2}}\n}\n', "Nuke 7"),
+        ("Roto {\n curves {{{v 1} {f 0} {n oops}}}\n}\n", "Nuke 7"),
         ("Roto " + "{" * (MAX_DEPTH + 5), "deep"),
         ("\0\1\2\xff", "no Roto"),
     ],
