@@ -73,8 +73,9 @@ class AppearanceParams:
     key_share : share of the artist's key frame in every density, however long ago it was.
     adaptation : rate of the Stauffer-Grimson update, a frame of full confidence.
     trusted : confidence below which a frame teaches nothing.
-    global_components : Gaussians in each side of the global model p_0 (equation 4); it is made where `lambda_global` is
-        above zero. global_ring : depth of the surroundings that it learns the background from.
+    global_kind : the global model p_0 (equation 4), made where `lambda_global` is above zero: "mixture", the paper's,
+        of `global_components` Gaussians a side, or "histogram", beyond the paper. global_ring : depth of the
+        surroundings that it learns the background from.
     """
 
     term: Literal["ribbon", "region"] = "region"
@@ -84,9 +85,10 @@ class AppearanceParams:
     ribbon_depth: float = 8.0
     spread: int = 1
     clip: float = 3.0
-    key_share: float = 0.5
+    key_share: float = 0.3
     adaptation: float = 0.1
     trusted: float = 0.3
+    global_kind: Literal["mixture", "histogram"] = "mixture"
     global_components: int = 5
     global_ring: float = 40.0
 
@@ -147,7 +149,7 @@ class ProposalParams:
     local_weight: float = 1.0
     global_weight: float = 1.0
     prior_weight: float = 0.0
-    strength: float = 2.0
+    strength: float = 0.7
     contrast: float = 12.0
     neighbours: int = 8
     area: int = 12
@@ -227,12 +229,21 @@ CONFIGS: dict[str, RoamParams] = {
         warp="landmarks+klt",
         landmarks=LandmarkParams(),
     ),
+    "full": RoamParams(
+        config="full",
+        appearance=AppearanceParams(global_kind="histogram"),
+        lambda_local=0.03,
+        lambda_global=0.03,
+        warp="landmarks+klt",
+        landmarks=LandmarkParams(),
+        proposals=ProposalParams(),
+    ),
     "best": RoamParams(config="best", region=RegionParams()),
 }
 """Configurations by name. `baseline`: gradient and l2 regulariser (the paper's Baseline); `lean`: local colour models
 of the edges beside them (the paper's Lean, as region competition); `medium`: landmarks as well, in the pre-warp and
-tied to the curve (the paper's Medium); `best`: all that proved itself, at present the
-region proposals."""
+tied to the curve (the paper's Medium); `full`: the global colour model as well, and proposals by graph cut (the paper's
+Full; p_0 as histograms); `best`: all that proved itself, at present the region proposals."""
 
 DOUBTFUL = 0.5
 """Confidence below which a frame ends as LOW_CONFIDENCE and is offered as worth fixing."""

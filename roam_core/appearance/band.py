@@ -17,6 +17,7 @@ Array = NDArray[np.float64]
 Float32 = NDArray[np.float32]
 IntArray = NDArray[np.int32]
 Bools = NDArray[np.bool_]
+UInt8 = NDArray[np.uint8]
 
 
 @dataclass(frozen=True, eq=False)
@@ -25,13 +26,14 @@ class Band:
 
     Attributes
     ----------
-    colours : (rows, columns, 3) CIE Lab in OpenCV's 8-bit scale.
+    picture : (rows, columns, 3) RGB. colours : the same as CIE Lab in OpenCV's 8-bit scale.
     edge : (rows, columns) index of the nearest edge; negative for cells that lie outside the band.
     distance : (rows, columns) to that edge, in cells.
     inside : (rows, columns) whether the curve encloses the cell.
     """
 
     grid: Grid
+    picture: UInt8
     colours: Float32
     edge: IntArray
     distance: Float32
@@ -43,8 +45,9 @@ class Band:
         grid = _grid_around(nodes, reach * scale + 2.0, frame.size, scale)
         here = grid.to_grid(nodes)
         edge, distance = nearest_edges(here, grid.shape, reach)
-        colours = np.asarray(cv2.cvtColor(grid.of(frame.image), cv2.COLOR_RGB2LAB), dtype=np.float32)
-        return cls(grid, colours, edge, distance, coverage(here, grid.shape) > 0.5)
+        picture = grid.of(frame.image)
+        colours = np.asarray(cv2.cvtColor(picture, cv2.COLOR_RGB2LAB), dtype=np.float32)
+        return cls(grid, picture, colours, edge, distance, coverage(here, grid.shape) > 0.5)
 
     @property
     def near(self) -> Bools:

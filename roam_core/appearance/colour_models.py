@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from roam_core.appearance.edge_models import EdgeModels
+from roam_core.appearance.global_histogram import GlobalHistogram
 from roam_core.appearance.global_mixture import GlobalMixture
 from roam_core.features import PreparedFrame
 from roam_core.params import RoamParams
@@ -20,16 +21,17 @@ class ColourModels:
     """The local models p_n of the edges, and the global model p_0 where it has a weight."""
 
     edges: EdgeModels
-    whole: GlobalMixture | None
+    whole: GlobalMixture | GlobalHistogram | None
 
     @classmethod
     def learned(cls, frame: PreparedFrame, nodes: Array, params: RoamParams, scale: float) -> ColourModels | None:
         """From a frame whose outline `nodes (N, 2)` is given; None where the configuration knows no colour."""
         if params.appearance is None:
             return None
-        whole = None
+        whole: GlobalMixture | GlobalHistogram | None = None
         if params.lambda_global > 0.0:
-            whole = GlobalMixture.learned(frame, nodes, params.appearance, scale)
+            kind = GlobalMixture if params.appearance.global_kind == "mixture" else GlobalHistogram
+            whole = kind.learned(frame, nodes, params.appearance, scale)
         return cls(EdgeModels.learned(frame, nodes, params.appearance, scale), whole)
 
     def adapted(

@@ -12,9 +12,10 @@ from numpy.typing import NDArray
 from roam_core.cancel import CancelToken
 from roam_core.errors import RoamError
 from roam_core.features import PreparedFrame
-from roam_core.params import DEFAULT_CONFIG, RoamParams, params_for
+from roam_core.params import DEFAULT_CONFIG, RoamParams, params_for, scale_for
 from roam_core.propagate import engine, provenance
 from roam_core.propagate.engine import State
+from roam_core.propagate.offers import proposal
 from roam_core.propagate.result import Part, StepResult, Termination, TrackResult
 from roam_core.roto import BlendMode, Keyframe, Origin, RotoShape
 from roam_core.roto.edit import set_engine_keys
@@ -110,7 +111,15 @@ class GroupTracker:
         return tuple(
             _as_given(shape, frame, seconds)
             if key
-            else TrackResult(frame, shape, each.confidence, each.energies, each.termination, seconds)
+            else TrackResult(
+                frame,
+                shape,
+                each.confidence,
+                each.energies,
+                each.termination,
+                seconds,
+                tuple(proposal(change, shape, frame, scale_for(picture.size)) for change in each.proposals),
+            )
             for shape, key, each in zip(shapes, given, solved, strict=True)
         )
 

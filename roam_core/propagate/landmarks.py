@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -64,6 +64,13 @@ def adapted(
     survivors = np.searchsorted(state.pool.ids, pool.ids[pool.ids < state.pool.next_id])
     pairs = seen.pairs.between(survivors)
     return LandmarkState(pool, completed(pairs, nodes, pool.positions, pool.params.neighbours))
+
+
+def renewed(state: LandmarkState, nodes: Array, fresh: NDArray[np.bool_]) -> LandmarkState:
+    """The landmarks with the `fresh (N,)` ones of `nodes (N, 2)` paired anew, their shifts as they are now."""
+    keep = ~fresh[state.pairs.node]
+    kept = Pairs(state.pairs.node[keep], state.pairs.leaf[keep], state.pairs.shift[keep])
+    return replace(state, pairs=completed(kept, nodes, state.pool.positions, state.pool.params.neighbours))
 
 
 def _covered(nodes: Array, size: tuple[int, int]) -> NDArray[np.bool_]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -25,11 +25,21 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, eq=False)
 class Reshaping:
-    """The outline `points (P, 3, 2)` after the stage, whether it changed, and what only the artist may change."""
+    """The outline after the stage.
+
+    Attributes
+    ----------
+    points : (P, 3, 2). fresh : (N,) the nodes that were exchanged; those of stretches that stayed are the old ones.
+    topology : what would lower the energy and only the artist may change.
+    """
 
     points: Array
-    changed: bool
+    fresh: NDArray[np.bool_]
     topology: tuple[TopologyChange, ...] = ()
+
+    @property
+    def changed(self) -> bool:
+        return bool(self.fresh.any())
 
 
 def reshape(
@@ -48,23 +58,29 @@ def reshape(
     lower E^C. The artist's points are then laid along the new outline, the same in number and order; those on
     stretches that did not change stay where they are. What comes of it is taken if the joint energy - E^C with the
     landmarks' pull `unary` on the nodes - has fallen. It never crosses itself where `points` did not.
+
+    A node that is exchanged is a new one: no landmark has learned where it belongs, so none pulls it, neither here nor
+    the one that it replaces; it is paired anew afterwards (`propagate.landmarks.renewed`).
     """
+    old = nodes.nodes(points)
+    as_before = Reshaping(points, np.zeros(len(old), dtype=bool))
     if params.proposals is None or context.colours is None:
-        return Reshaping(points, False)
+        return as_before
     found = segmented(frame, prior, context.colours, params.proposals, scale)
     new = reshaped(bezier.flatten(points), found, context, params)
     topology = topology_changes(new.ring, new.severed, found.grid, context, params) if new.severed else ()
     if not new.is_new:
-        return Reshaping(points, False, topology)
+        return replace(as_before, topology=topology)
     laid = _laid(points, new, found, nodes, scale)
+    fresh = np.hypot(*(nodes.nodes(laid) - old).T) > context.spacing / 2.0
 
     def joint(candidate: Array) -> float:
-        pull = 0.0 if unary is None else float(unary(nodes.nodes(candidate), total.NO_MOVE).sum())
+        pull = 0.0 if unary is None else float(unary(nodes.nodes(candidate), total.NO_MOVE)[~fresh].sum())
         return energy_of(bezier.flatten(candidate), context, params) + pull
 
-    if joint(laid) >= joint(points):
-        return Reshaping(points, False, topology)
-    return Reshaping(laid, True, topology)
+    if not fresh.any() or joint(laid) >= joint(points):
+        return replace(as_before, topology=topology)
+    return Reshaping(laid, fresh, topology)
 
 
 def _laid(points: Array, new: Reshaped, found: Segmentation, nodes: NodeMap, scale: float) -> Array:

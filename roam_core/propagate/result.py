@@ -9,6 +9,8 @@ from enum import StrEnum
 import numpy as np
 from numpy.typing import NDArray
 
+from roam_core.propagate.offers import Proposal
+from roam_core.proposal.topology import TopologyChange
 from roam_core.roto import Keyframe, RotoShape
 
 Array = NDArray[np.float64]
@@ -36,13 +38,17 @@ class Part:
 
 @dataclass(frozen=True, eq=False)
 class StepResult:
-    """One solved outline: control points `(P, 3, 2)`, confidence of the frame and of each point `(P,)`, energies."""
+    """One solved outline: control points `(P, 3, 2)`, confidence of the frame and of each point `(P,)`, energies.
+
+    `proposals` are changes of topology that would lower the energy and that only the artist may make.
+    """
 
     points: Array
     confidence: float
     vertex_confidence: Array
     energies: Mapping[str, float]
     termination: Termination
+    proposals: tuple[TopologyChange, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -57,6 +63,7 @@ class TrackResult:
     energies : the joint energy by term, and their sum under "total"; empty where nothing was solved.
     termination : why the engine stopped or what it doubts.
     seconds : the engine's time for this shape and frame, without decoding.
+    proposals : changes of topology that are offered, the greatest gain first; none of them was made.
     """
 
     frame: int
@@ -65,6 +72,7 @@ class TrackResult:
     energies: Mapping[str, float]
     termination: Termination
     seconds: float = 0.0
+    proposals: tuple[Proposal, ...] = ()
 
     @property
     def key(self) -> Keyframe | None:

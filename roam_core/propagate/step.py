@@ -19,13 +19,14 @@ from roam_core.features import PreparedFrame, Region
 from roam_core.geometry import polyline
 from roam_core.geometry.simple import simplified
 from roam_core.inference.alternate import alternate
-from roam_core.inference.contour_dp import descend
+from roam_core.inference.contour_dp import Unary, descend
 from roam_core.params import DOUBTFUL, AppearanceParams, RoamParams, scale_for
 from roam_core.propagate import landmarks
 from roam_core.propagate.confidence import frame_confidence, node_support
 from roam_core.propagate.landmarks import LandmarkState
 from roam_core.propagate.nodes import NodeMap
 from roam_core.propagate.prewarp import expected
+from roam_core.propagate.reshaping import reshape
 from roam_core.propagate.result import StepResult, Termination
 
 Array = NDArray[np.float64]
@@ -87,6 +88,8 @@ def step(
     seen = None if state.landmarks is None else landmarks.context(state.landmarks, frame, moved)
     solution = _solved(nodes, context, seen, params, scale, token)
     points = simplified(state.nodes.points(solution.nodes, prior), prior, scale)
+    new = reshape(frame, points, prior, state.nodes, context, params, scale, _pull(solution.placing, seen, params))
+    points = new.points
     fitted = state.nodes.nodes(points)
     support = node_support(fitted, context, scale)
     confidence = frame_confidence(support, moved)
@@ -96,9 +99,12 @@ def step(
         vertex_confidence=_per_point(support, state.nodes, len(points)),
         energies=_energies(fitted, solution.placing, context, seen, params),
         termination=_termination(confidence, solution.converged),
+        proposals=new.topology,
     )
     models = None if state.models is None else state.models.adapted(frame, fitted, params, scale, confidence)
     known = _marked(state.landmarks, frame, seen, solution.placing, fitted, confidence)
+    if known is not None and new.changed:
+        known = landmarks.renewed(known, fitted, new.fresh)
     return TrackerState(frame, points, state.nodes, models, known), result
 
 
@@ -116,6 +122,15 @@ def _solved(
         return Solved(alone.nodes, alone.converged)
     both = alternate(nodes, context, seen, params, token)
     return Solved(both.nodes, both.converged, both.placing)
+
+
+def _pull(placing: Placing | None, seen: LandmarkContext | None, params: RoamParams) -> Unary | None:
+    """E^J on the nodes with the landmarks where they were found."""
+    weights = params.landmarks
+    if placing is None or seen is None or weights is None:
+        return None
+    star = placing.star(seen)
+    return lambda nodes, moves: joint_total.node_table(nodes, moves, star, seen, weights)
 
 
 def _energies(

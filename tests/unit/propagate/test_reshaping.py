@@ -57,15 +57,22 @@ def test_a_curve_that_sits_right_is_left_alone_bit_by_bit() -> None:
     assert new.topology == ()
 
 
-def test_landmarks_that_hold_the_nodes_are_heard() -> None:
+def test_landmarks_hold_the_nodes_that_stay_and_not_those_that_are_exchanged() -> None:
     points = supple(drawn(BODY))
     home = NodeMap.of(points, PARAMS, 1.0).nodes(points)
+    free = around(points, WHOLE)
+    assert free.changed
+    moved = np.hypot(*(NodeMap.of(points, PARAMS, 1.0).nodes(free.points) - home).T)
+    npt.assert_array_equal(free.fresh, moved > 4.0)
 
-    def pull(nodes: Array, moves: Array) -> Array:
-        return 100.0 * (((nodes - home)[:, None] + moves[None]) ** 2).sum(axis=2)
+    def pull(nodes: Array, moves: Array, strength: Array) -> Array:
+        return strength[:, None] * (((nodes - home)[:, None] + moves[None]) ** 2).sum(axis=2)
 
-    assert around(points, WHOLE).changed
-    assert not around(points, WHOLE, unary=pull).changed
+    exchanged = around(points, WHOLE, unary=lambda nodes, moves: pull(nodes, moves, np.where(free.fresh, 1e6, 0.0)))
+    npt.assert_array_equal(exchanged.points, free.points)
+    staying = (moved > 0.01) & ~free.fresh
+    assert staying.any()
+    assert not around(points, WHOLE, unary=lambda nodes, moves: pull(nodes, moves, np.where(staying, 1e6, 0.0))).changed
 
 
 def test_a_split_is_told_and_not_made() -> None:

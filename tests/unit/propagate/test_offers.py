@@ -1,0 +1,53 @@
+"""What the artist is offered: shapes as they would be, the old one keeping its points, and nothing done meanwhile."""
+
+from __future__ import annotations
+
+import numpy as np
+import numpy.testing as npt
+import pytest
+
+from roam_core.geometry import bezier, polyline
+from roam_core.propagate.offers import proposal
+from roam_core.proposal.topology import TopologyChange, TopologyKind
+from roam_core.roto import BlendMode, Keyframe, Origin, RotoShape
+from tests.unit.proposal.scenes import drawn, spline
+
+LEFT, RIGHT = (16, 30, 76, 90), (100, 44, 130, 70)
+POINTS = spline(drawn(LEFT, (74, 52, 102, 60), RIGHT))
+SHAPE = RotoShape(
+    id="s", name="Wing", keys=(Keyframe(1001, POINTS), Keyframe(1002, POINTS, origin=Origin.ENGINE)), colour="#ff8800"
+)
+RINGS = tuple(bezier.flatten(spline(drawn(box))) for box in (LEFT, RIGHT))
+
+
+@pytest.mark.parametrize("kind", list(TopologyKind))
+def test_the_old_shape_keeps_its_points_and_gets_the_larger_part(kind: TopologyKind) -> None:
+    rings = RINGS if kind is TopologyKind.SPLIT else RINGS[:1]
+    offer = proposal(TopologyChange(kind, rings, 3.0), SHAPE, 1002, 1.0)
+    assert (offer.kind, offer.frame, offer.gain, offer.before) == (kind, 1002, 3.0, (SHAPE,))
+    assert len(offer.after) == len(rings)
+    stays = offer.after[0]
+    assert (stays.id, stays.name, stays.point_count) == (SHAPE.id, SHAPE.name, SHAPE.point_count)
+    npt.assert_array_equal(stays.at(1001).points, POINTS)
+    key = stays.key_at(1002)
+    assert key is not None
+    assert key.origin is Origin.ENGINE
+    area = abs(polyline.signed_area(bezier.flatten(key.points)))
+    assert area == pytest.approx(abs(polyline.signed_area(RINGS[0])), rel=0.1)
+
+
+def test_a_part_becomes_a_shape_that_begins_there() -> None:
+    offer = proposal(TopologyChange(TopologyKind.SPLIT, RINGS, 3.0), SHAPE, 1002, 1.0)
+    part = offer.after[1]
+    assert part.id != SHAPE.id
+    assert [(key.frame, key.origin) for key in part.keys] == [(1002, Origin.ENGINE)]
+    assert (part.colour, part.blend) == (SHAPE.colour, BlendMode.ADD)
+    outline = bezier.flatten(part.keys[0].points)
+    assert abs(polyline.signed_area(outline)) == pytest.approx(abs(polyline.signed_area(RINGS[1])), rel=0.03)
+    assert outline[:, 0].min() > 95
+
+
+def test_taking_nothing_changes_nothing() -> None:
+    before = [key.points.copy() for key in SHAPE.keys]
+    proposal(TopologyChange(TopologyKind.SPLIT, RINGS, 3.0), SHAPE, 1002, 1.0)
+    assert all(np.array_equal(key.points, points) for key, points in zip(SHAPE.keys, before, strict=True))
