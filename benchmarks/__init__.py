@@ -1,1 +1,1 @@
-"""How fast and how good the engine is: `python -m benchmarks [stages | davis]`. Nothing here is a test."""
+"""How fast and how good the engine is: `python -m benchmarks [BENCHMARK]`. Nothing here is a test."""

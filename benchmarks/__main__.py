@@ -7,7 +7,7 @@ import sys
 from collections.abc import Sequence
 from types import ModuleType
 
-from benchmarks import artist, davis, drift, paper, shots, speed, stages, tune
+from benchmarks import artist, davis, drift, kernels, mattes, paper, scaling, shots, speed, stages, tune
 from roam_core.errors import RoamError
 
 BENCHMARKS: dict[str, ModuleType] = {
@@ -18,6 +18,9 @@ BENCHMARKS: dict[str, ModuleType] = {
     "drift": drift,
     "tune": tune,
     "paper": paper,
+    "scaling": scaling,
+    "kernels": kernels,
+    "mattes": mattes,
 }
 """Each module has `arguments(parser)` and `run(arguments)`; the first line of its text is its help."""
 

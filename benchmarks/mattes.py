@@ -5,6 +5,7 @@ Processor time of all threads: how many of the machine's cores happened to be fr
 
 from __future__ import annotations
 
+import argparse
 import tempfile
 import time
 from pathlib import Path
@@ -34,7 +35,12 @@ FIRST_SECONDS = {
 written by OpenImageIO in the plainest way. Measured beside the first figures of the present one, on the same machine."""
 
 
-def run(*, publish: bool) -> None:
+def arguments(parser: argparse.ArgumentParser) -> None:
+    """What `mattes` may be told."""
+    parser.add_argument("--publish", action="store_true", help="put the table into docs/BENCHMARKS.md")
+
+
+def run(given: argparse.Namespace) -> None:
     """Measure each kind of file and report."""
     measured = {name: _seconds(layer, style) for name, (layer, style) in _cases().items()}
     measured |= {f"{name}, rendered only": _rendering(layer) for name, layer in _layers().items()}
@@ -46,7 +52,7 @@ def run(*, publish: bool) -> None:
         f"{SHAPES} shapes, {SIZE[0]}x{SIZE[1]}, processor time, medians of {FRAMES} frames. {report.circumstances()}."
     )
     head = ["mattes", "s a frame", "times faster than at first"]
-    report.write("mattes", f"{title}\n\n{report.table(head, rows)}", {"seconds": measured}, publish=publish)
+    report.write("mattes", f"{title}\n\n{report.table(head, rows)}", {"seconds": measured}, publish=given.publish)
 
 
 def _layers() -> dict[str, Layer]:

@@ -17,13 +17,16 @@ from benchmarks import demo_shot, report, variants
 from benchmarks.stopwatch import Stopwatch
 from benchmarks.yardstick import flow_seconds
 from resources import demo
-from roam_core.energy import total
+from roam_core.appearance.edge_models import EdgeModels
+from roam_core.energy import joint_total, total
 from roam_core.errors import RoamError
 from roam_core.features import PreparedFrame
 from roam_core.geometry.simple import simplified
+from roam_core.inference.landmark_dp import best_star
 from roam_core.kernels.cyclic_viterbi import cyclic_viterbi
 from roam_core.kernels.diffusion import diffuse
 from roam_core.kernels.local_match import local_match
+from roam_core.landmarks.pool import Pool
 from roam_core.matte import render_matte
 from roam_core.media import PlateSource, open_clip
 from roam_core.media.colour import to_engine
@@ -33,6 +36,7 @@ from roam_core.params import CONFIGS
 from roam_core.propagate import track, warm_up
 from roam_core.propagate.confidence import frame_confidence, node_support
 from roam_core.propagate.nodes import NodeMap
+from roam_core.propagate.reshaping import reshape
 from roam_core.propagate.step import curve_context
 from roam_core.proposal.contour import follow
 from roam_core.proposal.evidence import gathered
@@ -44,8 +48,11 @@ Image = NDArray[np.uint8]
 STAGES: dict[str, Sequence[Callable[..., Any]]] = {
     "preparing the picture": (PreparedFrame.__init__, curve_context),
     "pre-warp": (similarity_warp, dense_flow, flow_similarity),
-    "edge tables": (total.tables,),
+    "colour models": (EdgeModels.log_densities,),
+    "edge tables": (total.pairwise_table,),
     "dynamic programming": (cyclic_viterbi,),
+    "landmarks": (Pool.located, Pool.adapted, joint_total.leaf_table, joint_total.node_table, best_star),
+    "reparametrisation": (reshape,),
     "fit back to the control points": (NodeMap.points,),
     "local colours": (local_match,),
     "smoothing of the evidence": (diffuse,),

@@ -1,0 +1,165 @@
+"""A case for each kernel, of the size that a picture of 480 lines gives it: `python -m benchmarks kernels`."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+import pytest
+
+from roam_core.kernels.alignment import align
+from roam_core.kernels.anchoring import anchored
+from roam_core.kernels.coverage import coverage, distance, swept_coverage
+from roam_core.kernels.crossing import crossing_edges
+from roam_core.kernels.cyclic_viterbi import cyclic_viterbi
+from roam_core.kernels.diffusion import diffuse
+from roam_core.kernels.distance_transform import distance_transform
+from roam_core.kernels.edge_sums import edge_means
+from roam_core.kernels.gmm_density import em_steps, log_densities, matches
+from roam_core.kernels.key_spans import cubic_span_errors, linear_span_errors, outline_distances
+from roam_core.kernels.local_match import INSIDE, OUTSIDE, local_match
+from roam_core.kernels.nearest_edges import nearest_edges
+from roam_core.kernels.region_sums import region_sums, row_sums
+from roam_core.kernels.ribbon_means import ribbon_means
+
+Case = tuple[Callable[..., Any], tuple[Any, ...], dict[str, Any]]
+
+SIZE = (480, 854)
+GRID = (120, 160)
+"""Cells of the evidence grid around an object."""
+NODES, WINDOW, COMPONENTS = 100, 5, 3
+
+
+def _call(function: Callable[..., Any], *args: Any, **kwargs: Any) -> Case:
+    return function, args, kwargs
+
+
+def _rng() -> np.random.Generator:
+    return np.random.default_rng(0)
+
+
+def _outline(count: int = NODES, radius: float = 90.0, centre: tuple[float, float] = (427.0, 240.0)) -> Any:
+    """A wavy closed polyline `(count, 2)`."""
+    angle = np.arange(count) * 2.0 * np.pi / count
+    reach = radius * (1.0 + 0.2 * np.cos(5.0 * angle))[:, None]
+    return np.asarray(centre) + reach * np.stack([np.cos(angle), np.sin(angle)], axis=1)
+
+
+def _moves() -> Any:
+    ticks = np.arange(WINDOW) - WINDOW // 2
+    columns, rows = np.meshgrid(ticks, ticks)
+    return np.stack([columns.ravel(), rows.ravel()], axis=1).astype(np.float64)
+
+
+def _field(size: tuple[int, int] = SIZE) -> Any:
+    return _rng().random(size, dtype=np.float32)
+
+
+def _mixtures() -> tuple[Any, Any, Any]:
+    rng = _rng()
+    shape = NODES, COMPONENTS
+    return np.full(shape, 1.0 / COMPONENTS), rng.uniform(0.0, 255.0, (*shape, 3)), np.full((*shape, 3), 400.0)
+
+
+def _samples() -> tuple[Any, Any]:
+    """Colours sorted by their edge, and where each edge's begin."""
+    each = 80
+    return _rng().uniform(0.0, 255.0, (NODES * each, 3)), np.arange(NODES + 1) * each
+
+
+def _packed() -> Any:
+    weight, mean, variance = _mixtures()
+    constant = np.log(weight) - 0.5 * np.log(2.0 * np.pi * variance).sum(axis=2)
+    return np.concatenate([mean, 0.5 / variance, constant[..., None]], axis=2).astype(np.float32)
+
+
+def _moving(frames: int = 40, places: int = 120) -> Any:
+    """An outline that swings to and fro `(frames, 1, places, 2)`."""
+    swing = np.sin(np.arange(frames) / 6.0)[:, None, None] * np.array([20.0, 8.0])
+    return (_outline(places) + swing)[:, None]
+
+
+def _alignment() -> Case:
+    line, samples = _outline(60), _outline(240, 93.0)
+    apart = np.square(line[:, None] - samples).sum(axis=2) / 144.0
+    return _call(align, apart, np.full(60, 4.0), 6.0, np.arange(3))
+
+
+def _anchoring() -> Case:
+    anchors, choices = 24, 9
+    places = np.arange(anchors)[:, None] * (480 // anchors) + np.arange(choices)
+    return _call(anchored, _outline(480), places, np.zeros((anchors, choices)), np.zeros(anchors, bool))
+
+
+def _viterbi() -> Case:
+    moves = len(_moves())
+    rng = _rng()
+    return _call(cyclic_viterbi, rng.random((NODES, moves)), rng.random((NODES, moves, moves)))
+
+
+def _diffusion() -> Case:
+    colours = 100.0 * _rng().random((*GRID, 3), dtype=np.float32)
+    return _call(diffuse, _field(GRID), colours, np.ones(GRID, bool), 2.0, 12.0, 20)
+
+
+def _matching() -> Case:
+    rng = _rng()
+    now, then = (100.0 * rng.random((*GRID, 3), dtype=np.float32) for _ in range(2))
+    labels = np.full(GRID, OUTSIDE, dtype=np.uint8)
+    labels[30:90, 40:120] = INSIDE
+    wanted = np.zeros(GRID, bool)
+    wanted[20:100, 30:130] = True
+    shift = np.zeros((*GRID, 2), dtype=np.float32)
+    return _call(local_match, now, then, labels, wanted, shift, 5, 2.0, 0.3, 3.0)
+
+
+def _densities() -> Case:
+    count = GRID[0] * GRID[1]
+    rng = _rng()
+    colours = 255.0 * rng.random((count, 3), dtype=np.float32)
+    index = rng.integers(0, NODES, count).astype(np.int32)
+    return _call(log_densities, colours, index, _packed(), -20.0, summed=False)
+
+
+def _em() -> Case:
+    colours, starts = _samples()
+    return _call(em_steps, colours, starts, 1, _mixtures(), 20.0, 1)
+
+
+def _matches() -> Case:
+    colours, starts = _samples()
+    return _call(matches, colours, starts, 1, _mixtures(), 2.5)
+
+
+CASES: dict[str, Callable[[], Case]] = {
+    "align": _alignment,
+    "anchored": _anchoring,
+    "coverage": lambda: _call(coverage, _outline(), SIZE),
+    "crossing_edges": lambda: _call(crossing_edges, _outline(400), True),
+    "cubic_span_errors": lambda: _call(cubic_span_errors, _moving(), True, 0, 50.0),
+    "cyclic_viterbi": _viterbi,
+    "diffuse": _diffusion,
+    "distance": lambda: _call(distance, _outline(), SIZE, 10.0),
+    "distance_transform": lambda: _call(distance_transform, _rng().random((40, 13, 13)), 0.01),
+    "edge_means": lambda: _call(edge_means, _field(), _outline(), _moves()),
+    "em_steps": _em,
+    "linear_span_errors": lambda: _call(linear_span_errors, _moving(), True, 0, 50.0),
+    "local_match": _matching,
+    "log_densities": _densities,
+    "matches": _matches,
+    "nearest_edges": lambda: _call(nearest_edges, _outline(centre=(80.0, 60.0), radius=45.0), GRID, 20.0),
+    "outline_distances": lambda: _call(outline_distances, _moving(), _moving() + 1.5, True),
+    "region_sums": lambda: _call(region_sums, row_sums(_field()), _outline(), _moves()),
+    "ribbon_means": lambda: _call(ribbon_means, _field(), _field(), _outline(), _moves(), 8.0),
+    "row_sums": lambda: _call(row_sums, _field()),
+    "swept_coverage": lambda: _call(swept_coverage, _outline(), _outline() + 8.0, SIZE),
+}
+"""By the kernel's name: what makes its case."""
+
+
+@pytest.mark.parametrize("name", list(CASES))
+def test_kernel(name: str, benchmark: Any) -> None:
+    function, args, kwargs = CASES[name]()
+    function(*args, **kwargs)  # compiled, or read from the cache, before it is timed
+    benchmark(function, *args, **kwargs)
