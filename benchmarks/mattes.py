@@ -32,7 +32,7 @@ FIRST_SECONDS = {
     "blurred, 16 samples, rendered only": 2.575,
 }
 """Processor seconds a frame of the first version (0.1.0), which filled whole pictures for every shape; its mattes
-written by OpenImageIO in the plainest way. Measured beside the first figures of the present one, on the same machine."""
+written by OpenImageIO in the plainest way. Measured beside the first figures of the present one, on one machine."""
 
 
 def arguments(parser: argparse.ArgumentParser) -> None:
