@@ -111,6 +111,7 @@ class LandmarkParams:
     weight : of the filters' answers in equation 6, per landmark.
     star : weight of the springs of equation 7, per landmark and squared pixel.
     joint : weight of equation 9, per pair and squared pixel.
+    shift_rate : share by which the shifts mu_nm follow the curve on every frame; 0 is the paper's.
     """
 
     count: int = 40
@@ -125,6 +126,7 @@ class LandmarkParams:
     weight: float = 1.0
     star: float = 0.02
     joint: float = 0.01
+    shift_rate: float = 0.0
 
 
 @dataclass(frozen=True)

@@ -27,6 +27,20 @@ class Pairs:
         """
         return replace(self, shift=self.shift @ transform[:, :2].T)
 
+    def followed(self, nodes: Array, leaves: Array, rate: float) -> Pairs:
+        """The pairs with shifts that have gone by `rate` in [0, 1] of the way to those of a solved frame.
+
+        At 0 they stay those of the first image, as in the paper: the outline is held to the key's form. An object that
+        deforms takes on other forms for good; with a small rate only what is sudden is held back: beyond the paper.
+        """
+        now = nodes[self.node] - leaves[self.leaf]
+        return replace(self, shift=self.shift + rate * (now - self.shift))
+
+    def of(self, wanted: NDArray[np.bool_]) -> Pairs:
+        """The pairs of the leaves that are `wanted (M,)`; numbers stay as they are."""
+        keep = wanted[self.leaf]
+        return Pairs(self.node[keep], self.leaf[keep], self.shift[keep])
+
     def between(self, leaves: IntArray) -> Pairs:
         """The pairs of some of the leaves, which are numbered as they stand in `leaves (K,)`; the others fall away."""
         place = np.full(int(max(self.leaf.max(initial=-1), leaves.max(initial=-1))) + 1, -1, dtype=np.intp)

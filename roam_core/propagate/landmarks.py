@@ -43,11 +43,15 @@ def search(state: LandmarkState, frame: PreparedFrame) -> Sighting:
 
 
 def context(state: LandmarkState, frame: PreparedFrame, warp: Warp) -> LandmarkContext:
-    """The star and the shifts as the pre-warp expects them, and what the filters say around there."""
-    scale = scale_for(frame.size)
+    """The star and the shifts as the pre-warp expects them, and what the filters say around there.
+
+    Landmarks that are ambiguous on this frame, and so removed after it, have no say in where the curve goes.
+    """
+    scale, params = scale_for(frame.size), state.pool.params
     rest = Star.of(state.pool.positions).carried(warp.transform)
-    sighting = state.pool.located(frame, rest.leaves, state.pool.params.reach * scale)
-    return LandmarkContext(rest, sighting.response, sighting.cell, state.pairs.turned(warp.transform), scale)
+    sighting = state.pool.located(frame, rest.leaves, params.reach * scale)
+    pairs = state.pairs.turned(warp.transform).of(sighting.sharpness >= params.ambiguity)
+    return LandmarkContext(rest, sighting.response, sighting.cell, pairs, scale)
 
 
 def adapted(
@@ -62,7 +66,8 @@ def adapted(
     sharpness = peaks(seen.response)[1]
     pool = state.pool.adapted(frame, leaves, sharpness, _covered(nodes, frame.size), trust)
     survivors = np.searchsorted(state.pool.ids, pool.ids[pool.ids < state.pool.next_id])
-    pairs = seen.pairs.between(survivors)
+    solved = seen.pairs.followed(nodes, leaves, state.pool.params.shift_rate)
+    pairs = solved.between(survivors)
     return LandmarkState(pool, completed(pairs, nodes, pool.positions, pool.params.neighbours))
 
 

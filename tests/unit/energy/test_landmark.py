@@ -83,3 +83,19 @@ def test_nodes_without_their_landmarks_take_new_ones_and_the_others_keep_their_s
     assert np.bincount(twice.node).tolist() == [2, 2, 2, 2]
     assert len(set(zip(twice.node.tolist(), twice.leaf.tolist(), strict=True))) == 8
     assert len(completed(paired(SQUARE, LEAVES, 3), SQUARE, LEAVES, 5).node) == 12
+
+
+def test_only_pairs_of_wanted_landmarks_are_left() -> None:
+    pairs = Pairs(np.array([0, 1, 2]), np.array([0, 1, 2]), np.arange(6.0).reshape(3, 2))
+    left = pairs.of(np.array([True, False, True]))
+    assert left.leaf.tolist() == [0, 2]
+    np.testing.assert_array_equal(left.shift, [[0.0, 1.0], [4.0, 5.0]])
+
+
+def test_shifts_stay_or_follow_the_curve() -> None:
+    pairs = paired(SQUARE, LEAVES, 2)
+    grown = 1.5 * SQUARE
+    np.testing.assert_array_equal(pairs.followed(grown, LEAVES, 0.0).shift, pairs.shift)
+    assert joint.joint_energy(grown, LEAVES, pairs.followed(grown, LEAVES, 1.0)) == pytest.approx(0.0)
+    half = joint.joint_energy(grown, LEAVES, pairs.followed(grown, LEAVES, 0.5))
+    assert half == pytest.approx(0.25 * joint.joint_energy(grown, LEAVES, pairs))

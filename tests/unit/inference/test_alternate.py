@@ -44,7 +44,8 @@ def scene(
     st.integers(0, 4),
 )
 def test_the_joint_energy_never_rises(seed: int, weight: float, star: float, joint: float, leaves: int) -> None:
-    nodes, curve, landmarks, params = scene(seed, leaves, 2, LandmarkParams(weight=weight, star=star, joint=joint))
+    weights = LandmarkParams(weight=weight, star=star, joint=joint)
+    nodes, curve, landmarks, params = scene(seed, leaves, 2, weights)
     solution = alternate(nodes, curve, landmarks, params)
     assert (np.diff(solution.trace) <= 0.0).all()
     at_the_end = joint_total.energies(solution.nodes, solution.placing, curve, landmarks, params)["total"]
