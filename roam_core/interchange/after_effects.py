@@ -33,6 +33,9 @@ HIDDEN = "NONE"
 """The mode of a mask that takes no part: After Effects knows no other way to hide one."""
 
 DECIMALS = 6
+MOST_MASKS = 127
+"""On one layer."""
+
 OUTER, INNER = 0, 1
 """Directions of After Effects' feather points."""
 
@@ -73,6 +76,10 @@ def mask_script(project: Project, options: ExportOptions = STANDARD) -> tuple[st
     text = PROGRAM.replace("@CLIP@", javascript_literal(frame)).replace(
         "@MASKS@", f"[\n{lines}\n  ]" if masks else "[]"
     )
+    if len(masks) > MOST_MASKS:
+        writer.notes.append(
+            f"After Effects takes {MOST_MASKS} masks on a layer: export fewer shapes than {len(masks)}."
+        )
     return text, (*flat.notes, *writer.notes)
 
 

@@ -27,24 +27,16 @@ class Flattening:
     shapes: list[RotoShape] = field(default_factory=list)
     notes: list[str] = field(default_factory=list)
 
-    def add(self, layer: Layer, opacity: float = 1.0, *, is_shown: bool = True, is_locked: bool = False) -> None:
+    def add(self, layer: Layer) -> None:
         """Append the shapes of a layer and of the layers in it."""
-        is_shown, is_locked = is_shown and layer.visible, is_locked or layer.locked
         self._note_losses(layer)
-        opacity *= layer.opacity
         for child in layer.children:
+            visible, locked = child.visible and layer.visible, child.locked or layer.locked
             if isinstance(child, Layer):
-                self.add(child, opacity, is_shown=is_shown, is_locked=is_locked)
+                self.add(replace(child, visible=visible, locked=locked, opacity=child.opacity * layer.opacity))
                 continue
-            share = opacity if child.blend in SCALED_BY_OPACITY else 1.0
-            self.shapes.append(
-                replace(
-                    child,
-                    opacity=child.opacity * share,
-                    visible=child.visible and is_shown,
-                    locked=child.locked or is_locked,
-                )
-            )
+            share = layer.opacity if child.blend in SCALED_BY_OPACITY else 1.0
+            self.shapes.append(replace(child, visible=visible, locked=locked, opacity=child.opacity * share))
 
     def _note_losses(self, layer: Layer) -> None:
         """A layer joins its shapes first and is added then: alike only above nothing, or where all are added anyway."""
@@ -53,7 +45,7 @@ class Flattening:
             self.notes.append(f"{self.program} has no layers of masks: {layer.name!r} is not inverted there.")
         is_plain = all(shape.blend is BlendMode.ADD for shape in shown)
         lies_lowest = not any(shape.visible for shape in self.shapes)
-        if layer.visible and len(shown) > 1 and ((layer.opacity != 1.0) or not (is_plain or lies_lowest)):
+        if layer.visible and len(shown) > 1 and (layer.opacity != 1.0 or not (is_plain or lies_lowest)):
             self.notes.append(
                 f"{self.program} has no layers of masks: the shapes of {layer.name!r} join what lies under them one by "
                 "one there, so their joint matte may differ."

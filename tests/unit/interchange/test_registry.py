@@ -2,14 +2,21 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
 import pytest
 
+from roam_core.cancel import Cancelled, CancelToken
 from roam_core.errors import RoamError
-from roam_core.interchange import EXPORTERS, exporter_for
+from roam_core.interchange import EXPORTERS, ExportOptions, KeyChoice, exporter_for
+from roam_core.roto import Project
 
 
 def test_every_format_is_known_by_its_own_name() -> None:
-    assert {"nuke", "silhouette", "mattes"} <= set(EXPORTERS)
+    named = {"nuke", "silhouette", "after-effects", "fusion", "blender", "natron", "svg", "json", "mattes"}
+    assert named <= set(EXPORTERS)
     assert all(exporter.name == name for name, exporter in EXPORTERS.items())
     assert all(exporter.suffix.startswith(".") and exporter.title for exporter in EXPORTERS.values())
 
@@ -18,3 +25,42 @@ def test_an_unknown_format_is_answered_with_the_known_ones() -> None:
     with pytest.raises(RoamError, match=r"no export format 'flame'; there are: .*mattes.*nuke.*silhouette"):
         exporter_for("flame")
     assert "flame" not in EXPORTERS
+
+
+@pytest.mark.parametrize("name", [name for name in EXPORTERS if name != "mattes"])
+def test_a_file_appears_whole_or_not_at_all(project: Project, tmp_path: Path, name: str) -> None:
+    """A cancelled export leaves what was there; progress rises; nothing but the file is in the folder."""
+    path = tmp_path / f"p{EXPORTERS[name].suffix}"
+    path.write_text("before")
+    token = CancelToken()
+    token.cancel()
+    with pytest.raises(Cancelled):
+        EXPORTERS[name].export(project, path, ExportOptions(token=token))
+    assert path.read_text() == "before"
+    told: list[float] = []
+    losses = EXPORTERS[name].export(project, path, ExportOptions(progress=lambda share, _: told.append(share)))
+    assert path.stat().st_size > 1000
+    assert told == sorted(told)
+    assert told[-1] == 1.0
+    assert [found.name for found in tmp_path.iterdir()] == [path.name]
+    assert all(loss.endswith((".", "one.")) and "\n" not in loss for loss in losses)
+
+
+@pytest.mark.parametrize("name", [name for name in EXPORTERS if name != "mattes"])
+def test_what_no_program_could_open_is_refused(project: Project, tmp_path: Path, name: str) -> None:
+    path = tmp_path / f"p{EXPORTERS[name].suffix}"
+    with pytest.raises(RoamError, match="has no clip yet"):
+        EXPORTERS[name].export(replace(project, clip=None), path)
+    still = project.shapes[0]
+    lost = replace(still, keys=(replace(still.keys[0], points=still.keys[0].points * np.nan),))
+    with pytest.raises(RoamError, match="'Still' has a point on frame 1001 that lies nowhere near the image"):
+        EXPORTERS[name].export(project.with_shape(lost), path)
+    assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize("choice", KeyChoice)
+@pytest.mark.parametrize("name", [name for name in EXPORTERS if name != "mattes"])
+def test_every_choice_of_keys_can_be_written(project: Project, tmp_path: Path, name: str, choice: KeyChoice) -> None:
+    path = tmp_path / f"p{EXPORTERS[name].suffix}"
+    EXPORTERS[name].export(project, path, ExportOptions(keys=choice, tolerance=2.0))
+    assert path.stat().st_size > 1000
