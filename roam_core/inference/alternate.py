@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from roam_core.cancel import CancelToken
 from roam_core.energy import joint_total
 from roam_core.energy.joint_total import LandmarkContext, Placing
-from roam_core.energy.total import CurveContext
+from roam_core.energy.total import CurveContext, TableMemory
 from roam_core.geometry import polyline
 from roam_core.inference.contour_dp import best_moves, square_moves, untangled
 from roam_core.inference.landmark_dp import best_star
@@ -52,7 +52,7 @@ def alternate(
 
     placing, converged = Placing.expected(landmarks), True
     energy = energy_of(nodes, placing)
-    trace = [energy]
+    trace, memory = [energy], TableMemory()
     for step in params.steps:
         moves = square_moves(params.window, step * landmarks.scale)
         for _ in range(params.max_iterations):
@@ -63,7 +63,7 @@ def alternate(
             if (reached := energy_of(nodes, placed)) < energy:
                 placing, energy = placed, reached
             trace.append(energy)
-            moved = _best_curve(nodes, placing, moves, curve, landmarks, params)
+            moved = _best_curve(nodes, placing, moves, curve, landmarks, params, memory)
             if (reached := energy_of(moved, placing)) < energy:
                 nodes, energy = moved, reached
             trace.append(energy)
@@ -81,7 +81,13 @@ def best_landmarks(nodes: Array, context: LandmarkContext, params: LandmarkParam
 
 
 def _best_curve(
-    nodes: Array, placing: Placing, moves: Array, curve: CurveContext, landmarks: LandmarkContext, params: RoamParams
+    nodes: Array,
+    placing: Placing,
+    moves: Array,
+    curve: CurveContext,
+    landmarks: LandmarkContext,
+    params: RoamParams,
+    memory: TableMemory,
 ) -> Array:
     """The curve's step: the exact best moves of all nodes with the landmarks fixed, its loops taken back."""
     star, weights = placing.star(landmarks), params.landmarks
@@ -90,7 +96,7 @@ def _best_curve(
     def pull(nodes: Array, moves: Array) -> Array:
         return joint_total.node_table(nodes, moves, star, landmarks, weights)
 
-    moved, _ = best_moves(nodes, moves, curve, params, pull)
+    moved, _ = best_moves(nodes, moves, curve, params, pull, memory)
     if polyline.is_simple(moved) or not polyline.is_simple(nodes):
         return moved
     return untangled(nodes, moved)
