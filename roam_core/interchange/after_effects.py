@@ -189,7 +189,8 @@ PROGRAM = """\
   }
 
   function target(comp) {
-    if (comp.selectedLayers.length === 1) { return comp.selectedLayers[0]; }
+    var picked = comp.selectedLayers;
+    if (picked.length === 1 && picked[0].property("ADBE Mask Parade")) { return picked[0]; }
     return comp.layers.addSolid([1, 1, 1], "ROAM", clip.width, clip.height, clip.aspect, comp.duration);
   }
 

@@ -1,0 +1,69 @@
+"""Exporting to the other programs, and importing what is open, on the command line."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from roam_core.roto import Clip, Keyframe, Layer, Project, RotoShape, file
+from tests.unit.cli.conftest import Roam
+from tests.unit.matte.conftest import rectangle
+
+
+@pytest.fixture
+def project(tmp_path: Path) -> Path:
+    """A rectangle that moves by ten pixels from frame 7 to frame 9."""
+    shape = rectangle(2.0, 2.0, 10.0, 10.0, frame=7)
+    moved = RotoShape("shape-1", "Arm", (*shape.keys, Keyframe(9, shape.keys[0].points + 10.0)))
+    path = tmp_path / "p.roam"
+    file.save(Project(Clip(Path("/plates/gone"), 7, 9, (64, 48)), Layer("root", "Root", (moved,))), path)
+    return path
+
+
+@pytest.mark.parametrize(
+    ("kind", "name", "word"),
+    [
+        ("after-effects", "p.jsx", "addProperty"),
+        ("fusion", "p.setting", "Arm = PolylineMask {"),
+        ("blender", "p.py", "bpy.data.masks.new"),
+        ("natron", "p.py", "roto.createBezier"),
+        ("svg", "p.svg", "<path "),
+        ("json", "p.json", '"roam-shapes"'),
+    ],
+)
+def test_shapes_are_exported(roam: Roam, project: Path, kind: str, name: str, word: str) -> None:
+    out = project.parent / name
+    done = roam("export", project, "--to", kind, out, "--keys", "artist")
+    assert (done.status, done.err) == (0, f"Wrote 1 shape(s) to {out}.\n")
+    assert word in out.read_text(encoding="utf-8")
+
+
+def test_what_a_format_cannot_hold_is_told(roam: Roam, project: Path) -> None:
+    loaded = file.load(project)
+    (shape,) = loaded.shapes
+    soft = rectangle(2.0, 2.0, 9.0, 9.0, frame=7, feather=4.0)
+    file.save(loaded.with_shape(RotoShape(shape.id, "Soft", soft.keys, feather=4.0)), project)
+    done = roam("export", project, "--to", "fusion", project.parent / "p.setting")
+    assert done.status == 0
+    assert "Fusion softens on both sides of an outline: 'Soft' may look a little different." in done.err
+
+
+@pytest.mark.parametrize("frame", [7, 8])
+def test_a_frame_goes_out_as_svg_and_comes_back(roam: Roam, project: Path, frame: int) -> None:
+    drawing = project.parent / "p.svg"
+    assert roam("export", project, "--to", "svg", drawing, "--frame", frame).status == 0
+    done = roam("import", drawing, "--into", project)
+    assert done.status == 0
+    ours, read = file.load(project).shapes
+    np.testing.assert_allclose(read.at(7).points, ours.at(frame).points, atol=1e-5)
+
+
+def test_json_goes_out_and_comes_back_with_its_frames_moved(roam: Roam, project: Path) -> None:
+    exported = project.parent / "p.json"
+    assert roam("export", project, "--to", "json", exported, "--frame-offset", 1000).status == 0
+    assert roam("import", exported, "--into", project, "--frame-offset", 1000).status == 0
+    ours, read = file.load(project).shapes
+    assert read.frames == ours.frames == (7, 9)
+    np.testing.assert_array_equal(read.keys[1].points, ours.keys[1].points)
