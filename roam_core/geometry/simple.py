@@ -12,6 +12,8 @@ Array = NDArray[np.float64]
 
 TOLERANCE = 0.1
 """Pixels of a 480-line image by which the polyline that is looked at may stray from the spline."""
+STRAIGHTENINGS = 4
+"""Times that crossing segments are straightened before more is done about them."""
 
 
 def simplified(points: Array, fallback: Array, scale: float = 1.0) -> Array:
@@ -21,7 +23,7 @@ def simplified(points: Array, fallback: Array, scale: float = 1.0) -> Array:
     (a spline of as many points), and is `fallback` in the end.
     """
     result = points.copy()
-    for _ in range(4):
+    for _ in range(STRAIGHTENINGS):
         guilty = crossing_segments(result, scale)
         if len(guilty) == 0:
             return result
@@ -31,6 +33,28 @@ def simplified(points: Array, fallback: Array, scale: float = 1.0) -> Array:
         if len(crossing_segments(blended, scale)) == 0:
             return np.asarray(blended)
     return fallback
+
+
+def untied(points: Array, before: Array, scale: float = 1.0) -> Array:
+    """A closed spline `(P, 3, 2)` like `points` that does not cross itself; elsewhere it keeps its place.
+
+    Segments that cross are straightened; where that is not enough, their control points, then the neighbours of those
+    too, go back to where they are in `before`. A curve that crossed itself before may go on doing so.
+    """
+    if len(crossing_segments(points, scale)) == 0 or len(crossing_segments(before, scale)) > 0:
+        return points
+    result, count = points.copy(), len(points)
+    for attempt in range(STRAIGHTENINGS + count):
+        guilty = crossing_segments(result, scale)
+        if len(guilty) == 0:
+            return result
+        if attempt < STRAIGHTENINGS:
+            result = _straightened(result, guilty)
+        else:
+            width = attempt - STRAIGHTENINGS
+            near = (guilty[:, None] + np.arange(-width, width + 2)) % count
+            result[near] = before[near]
+    return before.copy()
 
 
 def crossing_segments(points: Array, scale: float = 1.0) -> NDArray[np.intp]:

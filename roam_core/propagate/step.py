@@ -17,7 +17,7 @@ from roam_core.energy.joint_total import LandmarkContext, Placing
 from roam_core.energy.total import CurveContext
 from roam_core.features import PreparedFrame, Region
 from roam_core.geometry import polyline
-from roam_core.geometry.simple import simplified
+from roam_core.geometry.simple import untied
 from roam_core.inference.alternate import alternate
 from roam_core.inference.contour_dp import Unary, descend
 from roam_core.params import DOUBTFUL, AppearanceParams, RoamParams, scale_for
@@ -87,7 +87,7 @@ def step(
     context = curve_context(frame, nodes, params, scale, state.models)
     seen = None if state.landmarks is None else landmarks.context(state.landmarks, frame, moved)
     solution = _solved(nodes, context, seen, params, scale, token)
-    points = simplified(state.nodes.points(solution.nodes, prior), prior, scale)
+    points = untied(state.nodes.points(solution.nodes, prior), prior, scale)
     new = reshape(frame, points, prior, state.nodes, context, params, scale, _pull(solution.placing, seen, params))
     points = new.points
     fitted = state.nodes.nodes(points)
