@@ -17,8 +17,14 @@ Key = tuple[int, Interpolation, Array]
 CLOSE = 0.005
 """Pixels (and whatever else is keyed) by which our interpolation may differ from the other program's."""
 
-PROBES = 33
-"""Moments at which a span is compared, its ends among them; enough for a cubic that is turned by a cubic."""
+PROBES = np.linspace(0.0, 1.0, 33)
+"""Shares of a span at which it is compared, its ends among them; enough for a cubic that is turned by a cubic."""
+
+ADJACENT = np.array([0.0, 0.25, 0.75, 1.0])
+"""The same for a span of one frame."""
+
+SPANS = 64
+"""Spans that are evaluated at once."""
 
 
 def keys_of(values: Callable[[Array], Array], times: Iterable[float], count: Callable[[int], None]) -> list[Key]:
@@ -38,26 +44,38 @@ def keys_of(values: Callable[[Array], Array], times: Iterable[float], count: Cal
     stamps = list(times)
     frames = sorted({math.floor(time) for time in stamps} | {math.ceil(time) for time in stamps})
     count(len(frames))
-    keys: list[Key] = []
-    for start, stop in pairwise(frames):
-        interpolation = _interpolation(values, start, stop)
-        if interpolation is not None:
-            keys.append((start, interpolation, values(np.array([start], dtype=np.float64))[0]))
-            continue
-        count(stop - start - 1)
-        inside = values(np.arange(start, stop, dtype=np.float64))
-        keys += [(start + index, Interpolation.LINEAR, value) for index, value in enumerate(inside)]
-    keys.append((frames[-1], Interpolation.LINEAR, values(np.array([frames[-1]], dtype=np.float64))[0]))
-    return _with_holds(keys)
+    modes = _interpolations(values, frames)
+    wanted = list(frames)
+    for (start, stop), mode in zip(pairwise(frames), modes, strict=True):
+        if mode is None:
+            count(stop - start - 1)
+            wanted += range(start + 1, stop)
+    wanted.sort()
+    mode_at = {start: mode or Interpolation.LINEAR for start, mode in zip(frames, modes, strict=False)}
+    at_frames = values(np.array(wanted, dtype=np.float64))
+    return _with_holds(
+        [(f, mode_at.get(f, Interpolation.LINEAR), value) for f, value in zip(wanted, at_frames, strict=True)]
+    )
 
 
-def _interpolation(values: Callable[[Array], Array], start: int, stop: int) -> Interpolation | None:
-    """How we must move from one frame to another to show the same, or None where we cannot in one go."""
-    if stop - start == 1:
-        probes = np.array([0.0, 0.25, 0.75, 1.0])
-    else:
-        probes = np.linspace(0.0, 1.0, PROBES)
-    truth = values(start + probes * (stop - start))
+def _interpolations(values: Callable[[Array], Array], frames: list[int]) -> list[Interpolation | None]:
+    """How we must move from each frame to the next to show the same, or None where we cannot in one go."""
+    spans = list(pairwise(frames))
+    modes: list[Interpolation | None] = []
+    for first in range(0, len(spans), SPANS):
+        some = spans[first : first + SPANS]
+        shares = [ADJACENT if stop - start == 1 else PROBES for start, stop in some]
+        moments = np.concatenate(
+            [start + share * (stop - start) for (start, stop), share in zip(some, shares, strict=True)]
+        )
+        ends = np.cumsum([len(share) for share in shares])
+        pieces = np.split(values(moments), ends[:-1])
+        modes += [_interpolation(piece, share) for piece, share in zip(pieces, shares, strict=True)]
+    return modes
+
+
+def _interpolation(truth: Array, probes: Array) -> Interpolation | None:
+    """Which of our motions is `truth (K, ...)` at the shares `probes (K,)` of a span."""
     for interpolation, share in (
         (Interpolation.LINEAR, probes),
         (Interpolation.SMOOTH, probes * probes * (3.0 - 2.0 * probes)),
@@ -66,7 +84,7 @@ def _interpolation(values: Callable[[Array], Array], start: int, stop: int) -> I
         if np.abs((1.0 - u) * truth[0] + u * truth[-1] - truth).max(initial=0.0) <= CLOSE:
             return interpolation
     # Frames that follow each other need no more: what lies between them shows in motion blur only.
-    return Interpolation.LINEAR if stop - start == 1 else None
+    return Interpolation.LINEAR if probes is ADJACENT else None
 
 
 def _with_holds(keys: list[Key]) -> list[Key]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -12,8 +12,8 @@ from roam_core.interchange.nuke_script import Nested, decoded
 
 Array = NDArray[np.float64]
 
-STEP, STRAIGHT = 0, 1
-"""Interpolation numbers of a key; all others are cubics."""
+STEP, STRAIGHT, CUBIC = range(3)
+"""Interpolation numbers of a key; all that are not the first two are cubics."""
 
 PIVOT, TRANSLATE, ROTATE, SCALE, SKEW, EXTRA, LENGTH = 0, 3, 6, 9, 12, 19, 35
 """Where the parts of a transform begin in its list of numbers."""
@@ -46,26 +46,45 @@ class Curve:
 
     def at(self, moments: Array) -> Array:
         """Values `(T,)`; before the first and after the last key it stands still."""
-        last = len(self.times) - 1
-        if last == 0:
-            return np.full(len(moments), self.values[0])
-        inside = np.clip(moments, self.times[0], self.times[-1])
-        k = np.clip(np.searchsorted(self.times, inside, side="right") - 1, 0, last - 1)
-        a, b, span = self.values[k], self.values[k + 1], self.times[k + 1] - self.times[k]
-        share = (inside - self.times[k]) / span
-        (slope_out, reach_out), (slope_in, reach_in) = self.right[k].T, self.left[k + 1].T
-        u = _parameter(share, reach_out / 3.0, 1.0 - reach_in / 3.0)
-        cubic = _bezier(u, a, a + slope_out * reach_out * span / 3.0, b - slope_in * reach_in * span / 3.0, b)
-        straight = (1.0 - share) * a + share * b
-        stepped = np.where(share < 1.0, a, b)
-        kinds = self.kinds[k]
-        return np.where(kinds == STEP, stepped, np.where(kinds == STRAIGHT, straight, cubic))
+        return values_at([self], moments)[:, 0]
 
     @property
     def is_constant(self) -> bool:
         """True when it has one value at all times."""
         slopes = np.concatenate([self.left[1:, 0], self.right[:-1, 0]])
         return bool((self.values == self.values[0]).all() and not slopes.any())
+
+
+def values_at(curves: Sequence[Curve], moments: Array) -> Array:
+    """Values `(T, M)` of M curves; those whose keys have the same times are evaluated at once."""
+    groups: dict[bytes, list[int]] = {}
+    for index, part in enumerate(curves):
+        groups.setdefault(part.times.tobytes() if len(part.times) > 1 else b"", []).append(index)
+    result = np.empty((len(moments), len(curves)))
+    for stamp, members in groups.items():
+        if stamp:
+            result[:, members] = _keyed([curves[index] for index in members], moments)
+        else:
+            result[:, members] = [curves[index].values[0] for index in members]
+    return result
+
+
+def _keyed(curves: Sequence[Curve], moments: Array) -> Array:
+    """Values `(T, M)` of curves with several keys at the same times."""
+    times = curves[0].times
+    inside = np.clip(moments, times[0], times[-1])
+    k = np.clip(np.searchsorted(times, inside, side="right") - 1, 0, len(times) - 2)
+    span = (times[k + 1] - times[k])[:, None]
+    share = (inside - times[k])[:, None] / span
+    values = np.stack([part.values for part in curves], axis=1)
+    slope_out, reach_out = np.moveaxis(np.stack([part.right for part in curves], axis=1)[k], 2, 0)
+    slope_in, reach_in = np.moveaxis(np.stack([part.left for part in curves], axis=1)[k + 1], 2, 0)
+    kinds = np.stack([part.kinds for part in curves], axis=1)[k]
+    a, b = values[k], values[k + 1]
+    u = _parameter(np.broadcast_to(share, a.shape), reach_out / 3.0, 1.0 - reach_in / 3.0)
+    cubic = _bezier(u, a, a + slope_out * reach_out * span / 3.0, b - slope_in * reach_in * span / 3.0, b)
+    straight = (1.0 - share) * a + share * b
+    return np.where(kinds == STEP, np.where(share < 1.0, a, b), np.where(kinds == STRAIGHT, straight, cubic))
 
 
 def _bezier(u: Array, a: Array, b: Array, c: Array, d: Array) -> Array:
@@ -75,7 +94,7 @@ def _bezier(u: Array, a: Array, b: Array, c: Array, d: Array) -> Array:
 
 def _parameter(share: Array, first: Array, second: Array) -> Array:
     """The cubic's parameter at a share of the span's time, whose handles end at the shares `first` and `second`."""
-    if np.allclose(first, 1.0 / 3.0) and np.allclose(second, 2.0 / 3.0):
+    if (first == 1.0 / 3.0).all() and (second == 1.0 - 1.0 / 3.0).all():
         return share
     low, high = np.zeros_like(share), np.ones_like(share)
     first, second = np.clip(first, 0.0, 1.0), np.clip(second, 0.0, 1.0)
@@ -99,19 +118,42 @@ def curve(item: str | Nested, times: list[float] | None) -> Curve:
     if isinstance(item, str):
         return _constant(decoded(item))
     refuse_expression(item)
-    keys = [_key(key, times is None) for key in _repeated(item, None if times is None else len(times))]
-    if not keys:
-        raise FormError("a list of keys is empty")
-    if times is None:
-        stamps = [key[0] for key in keys]
-    elif len(keys) in (1, len(times)):
-        stamps = times[: len(keys)]
-    else:
-        raise FormError(f"{len(keys)} keys stand for {len(times)} times")
-    table = np.array([key[1:] for key in keys])
+    table = _plain_table(item) if times is not None and len(item) == len(times) else None
+    if table is None:
+        keys = [_key(key, times is None) for key in _repeated(item, None if times is None else len(times))]
+        if not keys:
+            raise FormError("a list of keys is empty")
+        table = np.array(keys)
+    if times is not None and len(table) not in (1, len(times)):
+        raise FormError(f"{len(table)} keys stand for {len(times)} times")
+    stamps = table[:, 0] if times is None else np.array(times[: len(table)])
     if (np.diff(stamps) <= 0.0).any():
         raise FormError("keys are not in the order of time")
-    return Curve(np.array(stamps), table[:, 0], table[:, 1:3], table[:, 3:5], table[:, 5].astype(np.intp))
+    return Curve(stamps, table[:, 1], table[:, 2:4], table[:, 4:6], table[:, 6].astype(np.intp))
+
+
+def _plain_table(items: Nested) -> Array | None:
+    """As rows of `_key`, at once, keys without a time of which each is a value and two slopes; None for any others.
+
+    Almost all keys of a long file are of this form.
+    """
+    words = [word for item in items for word in item]
+    digits = [_DIGITS.get(word) or word[1:] for word in words if isinstance(word, str)]
+    if len(digits) != 5 * len(items) or any(len(item) != 5 for item in items) or {len(d) for d in digits} != {8}:
+        return None
+    if any(word[:1] != "x" and word not in _DIGITS for word in words):
+        return None
+    try:
+        numbers = np.frombuffer(bytes.fromhex("".join(digits)), ">f4").astype(np.float64).reshape(-1, 5)
+    except ValueError:
+        return None
+    if not np.isfinite(numbers).all():
+        return None
+    rest = np.tile([0.0, CUBIC], (len(numbers), 1))
+    return np.concatenate([rest[:, :1], numbers, rest[:, 1:]], axis=1)
+
+
+_DIGITS = {"0": "00000000", "1": "3f800000"}
 
 
 def refuse_expression(item: Nested) -> None:
@@ -130,7 +172,7 @@ def shared_times(item: str | Nested) -> list[float]:
 
 def _constant(value: float) -> Curve:
     still = np.array([[0.0, 1.0]])
-    return Curve(np.zeros(1), np.array([value]), still, still, np.array([2], dtype=np.intp))
+    return Curve(np.zeros(1), np.array([value]), still, still, np.array([CUBIC], dtype=np.intp))
 
 
 def _repeated(items: Nested, limit: int | None) -> Iterator[Nested]:
@@ -159,7 +201,7 @@ def _key(item: Nested, is_timed: bool) -> tuple[float, ...]:
     tail = words[head:]
     if len(words) < head or len(tail) > 5:
         raise FormError(f"a key has {len(words)} parts")
-    kind = 2
+    kind = CUBIC
     if tail and tail[-1] != "-" and len(tail) in (1, 3, 5):
         kind = int(decoded(tail.pop())) & 255
     numbers = [decoded(word) for word in words[:head]]

@@ -21,6 +21,7 @@ from roam_core.interchange.nuke_curves import (
     refuse_expression,
     shared_times,
     transform,
+    values_at,
 )
 from roam_core.interchange.nuke_keys import UP
 from roam_core.interchange.nuke_script import Nested, Script, Word
@@ -265,7 +266,7 @@ class _Points:
 
     def triples(self, moments: Array) -> Array:
         """`(T, P, 3, 2)` in the order of the file."""
-        return np.stack([part.at(moments) for part in self.curves], axis=1).reshape(len(moments), -1, 3, 2)
+        return values_at(self.curves, moments).reshape(len(moments), -1, 3, 2)
 
 
 @dataclass(frozen=True)

@@ -97,6 +97,17 @@ def test_several_keys_share_their_times_and_one_key_is_a_constant(read: Read) ->
     assert anchors(shape, 6) == [[10, 97], [5, 94], [7, 92]]
 
 
+def test_keys_read_at_once_and_one_by_one_are_the_same(read: Read) -> None:
+    at_once = "{{0 0 1 x40000000 1} {x41a00000 x40000000 1 0 1}}"
+    one_by_one = "{{0.0 0 1 2 1} {20 2 1 0 1}}"
+    shapes = [
+        only(read(node(group(f"{{px {{1 11}} {{}} {{{keys} 3}} {{}} {{}} {{8 9}} {{}}}}"))))
+        for keys in (at_once, one_by_one)
+    ]
+    assert shapes[0].keys == shapes[1].keys
+    assert anchors(shapes[0], 6)[0] == [10, 97]
+
+
 def test_run_lengths_stand_for_copies_of_a_key(read: Read) -> None:
     curve = "{{x 3 {4 -}} {9 -}}"
     shape = only(read(node(group(f"{{px {{1 2 3 4}} {{}} {{{curve} 0}} {{}} {{}} {{8 9}} {{}}}}"))))
