@@ -9,7 +9,7 @@ from scipy.sparse.linalg import spsolve
 
 from roam_core.geometry import bezier, polyline
 from roam_core.geometry.bezier import ANCHOR, IN, OUT
-from roam_core.geometry.simple import crossing_segments, simplified
+from roam_core.geometry.simple import crossing_segments
 from roam_core.kernels.anchoring import anchored
 from roam_core.proposal.outline_match import Match, matched
 from roam_core.roto.edit import is_smooth
@@ -23,7 +23,7 @@ SPREADS = 6
 """Rounds in which anchors move."""
 FREE = 6.0
 """Pixels of a 480-line image that an anchor may move for the price of ..."""
-PRICE = 2.0
+PRICE = 25.0
 """... this much error, square pixels times pixels; it grows with the square, up to ..."""
 MOST = 20.0
 """... this many times."""
@@ -33,8 +33,6 @@ WINDOW = 20
 """Places to both sides in which a sample's nearest place is looked for."""
 SLIDE = 0.05
 """Weight, against one sample of the outline, that holds an anchor to its matched place along the outline."""
-UNTANGLE = 14
-"""Rounds in which a curve that crosses itself is drawn back to its polygon."""
 SMOOTH = 1.0
 """Weight of a smooth point's handles leaving their common line."""
 HOLD = 0.002
@@ -56,7 +54,7 @@ def fitted(points: Array, ring: Array, poses: list[Array], scale: float = 1.0) -
     for _ in range(ROUNDS):
         places = fit.projected(result, places)
         result = fit.solve(places, result)
-    return _untangled(bezier.aligned(result, fit.smooth), _straight(points, match.samples[anchors]), scale)
+    return _untangled(bezier.aligned(result, fit.smooth), match.samples[anchors], scale)
 
 
 def _spread(points: Array, match: Match, scale: float) -> IntArray:
@@ -84,17 +82,34 @@ def _spread(points: Array, match: Match, scale: float) -> IntArray:
     return np.asarray(at % total)
 
 
-def _untangled(points: Array, straight: Array, scale: float) -> Array:
-    """The spline without crossings: where it crosses itself it is drawn back, ever wider, to the polygon `straight`."""
+def _untangled(points: Array, anchors: Array, scale: float) -> Array:
+    """The spline without crossings, where little has to change for it.
+
+    Segments that cross get shorter handles, then straight ones, then their ends go back to `anchors (P, 2)` on the
+    outline, and at last their neighbours with them. A crossing that outlives this stays: a curve that follows its
+    outline and crosses itself somewhere is nearer to what the artist wants than one that does neither.
+    """
     result = points.copy()
-    for turn in range(UNTANGLE):
+    for mend in (_shorter, _shorter, _straight, _straight):
         guilty = crossing_segments(result, scale)
         if len(guilty) == 0:
             return result
-        width = max(turn // 2 - 1, 0)
+        result = _mended(result, mend(result), guilty)
+    for width in (0, 0, 1, 1):
+        guilty = crossing_segments(result, scale)
+        if len(guilty) == 0:
+            return result
         near = (guilty[:, None] + np.arange(-width, width + 2)).ravel() % len(points)
-        result[near] = _shorter(result)[near] if turn < 2 else straight[near]
-    return simplified(result, straight, scale)
+        result[near] += (anchors - result[:, ANCHOR])[near, None]
+        result = _mended(result, _straight(result), np.unique((near[:, None] - np.arange(2)).ravel() % len(points)))
+    return result if len(crossing_segments(result, scale)) == 0 else points
+
+
+def _mended(points: Array, other: Array, segments: NDArray[np.intp]) -> Array:
+    """The spline with the handles of some segments as `other` has them."""
+    result, following = points.copy(), (segments + 1) % len(points)
+    result[segments, OUT], result[following, IN] = other[segments, OUT], other[following, IN]
+    return result
 
 
 def _shorter(points: Array) -> Array:
@@ -102,8 +117,9 @@ def _shorter(points: Array) -> Array:
     return np.asarray(points[:, :1] + 0.5 * (points - points[:, :1]))
 
 
-def _straight(points: Array, anchors: Array) -> Array:
-    """The polygon through `anchors (P, 2)`, handles at thirds of its sides except those that `points` has none of."""
+def _straight(points: Array) -> Array:
+    """The polygon through the anchors, handles at thirds of its sides except those that lie on their anchors."""
+    anchors = points[:, ANCHOR]
     ahead = (np.roll(anchors, -1, axis=0) - anchors) / 3.0
     result = np.stack([anchors, anchors - np.roll(ahead, 1, axis=0), anchors + ahead], axis=1)
     corner = (points == points[:, :1]).all(axis=2)
