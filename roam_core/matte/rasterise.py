@@ -15,9 +15,9 @@ from roam_core.roto import Interpolation, Outline, RotoShape
 Array = NDArray[np.float64]
 Matte = NDArray[np.float32]
 
-TOLERANCE = 0.02
-"""Pixels by which the polyline that is filled may stray from the spline: 0.02 of a pixel's area at the very most, and
-far less on average, which 8 bits hardly show."""
+TOLERANCE = 1.0 / 512.0
+"""Pixels by which the polyline that is filled may stray from the spline: that much of a pixel's area at the very most,
+and far less on average."""
 
 LEAST_LEVELS, MOST_LEVELS = 8, 128
 """Bounds on the outlines that are laid between an outline and its feather curve."""
@@ -104,7 +104,9 @@ def outline_matte(outline: Outline, feather: float, size: tuple[int, int]) -> Ma
     else:
         matte = _between(line, feathered, size)
     if feather != 0.0:
-        away = distance(line, size, abs(feather) + 0.5)
+        # A wide ramp hides what a narrow one shows: by a 512th of its width the line may stray.
+        coarse = outline.flatten(float(np.clip(abs(feather) / 512.0, TOLERANCE, 0.05)))
+        away = distance(coarse, size, abs(feather) + 0.5)
         signed = np.where(matte < np.float32(0.5), away, -away)
         if feather > 0.0:
             np.maximum(matte, _ramp(signed, feather), out=matte)
