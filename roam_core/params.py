@@ -141,6 +141,7 @@ class ProposalParams:
     strength, contrast, neighbours : nats of smoothing between neighbours of one colour, the Lab distance over which it
         falls, and 4 or 8 neighbours.
     area, depth : cells that a difference has, and how deep it is, to be marked. most : pieces looked at on a frame.
+    part : cells that a part has at least to be offered as a shape of its own.
     overlap : share of what is added that must lie near where the object was expected.
     node_price : what one node more costs, in units of the energy, when a proposal makes the curve longer.
     rounds : times that a frame's curve and segmentation are compared.
@@ -157,6 +158,7 @@ class ProposalParams:
     area: int = 12
     depth: float = 1.5
     most: int = 8
+    part: int = 60
     overlap: float = 0.2
     node_price: float = 1.0
     rounds: int = 1

@@ -15,7 +15,7 @@ from roam_core.features import PreparedFrame
 from roam_core.params import DEFAULT_CONFIG, RoamParams, params_for, scale_for
 from roam_core.propagate import engine, provenance
 from roam_core.propagate.engine import State
-from roam_core.propagate.offers import proposal
+from roam_core.propagate.offers import Proposal
 from roam_core.propagate.result import Part, StepResult, Termination, TrackResult
 from roam_core.roto import BlendMode, Keyframe, Origin, RotoShape
 from roam_core.roto.edit import set_engine_keys
@@ -118,7 +118,7 @@ class GroupTracker:
                 each.energies,
                 each.termination,
                 seconds,
-                tuple(proposal(change, shape, frame, scale_for(picture.size)) for change in each.proposals),
+                tuple(Proposal.of(change, shape, frame, scale_for(picture.size)) for change in each.proposals),
             )
             for shape, key, each in zip(shapes, given, solved, strict=True)
         )

@@ -3,6 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
 
 from roam_core.geometry import fit
 from roam_core.geometry.simple import simplified
@@ -12,11 +16,13 @@ from roam_core.proposal.topology import TopologyChange, TopologyKind
 from roam_core.roto import Keyframe, Origin, RotoShape
 from roam_core.roto.edit import set_engine_keys
 
+Array = NDArray[np.float64]
+
 TOLERANCE = 1.0
 """Pixels of a 480-line image by which the outline of a new shape may stray from its part."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Proposal:
     """A change of topology on one frame, for the artist to take or leave.
 
@@ -24,35 +30,46 @@ class Proposal:
     ----------
     kind : SPLIT: `after` are two shapes or more; DROP: it is the shape without the part.
     frame : the plate's frame number.
-    before, after : the shapes as they were tracked, and as they would be. The first of `after` is the old shape with
-        its points laid along the larger part; the others are new and begin on this frame.
+    before : the shape as it was tracked, with its key on the frame.
+    rings : outlines `(K, 2)` of the parts that stay, in pixels, the largest first.
     gain : by how much the energy would fall.
+    scale : `scale_for` of the picture.
     """
 
     kind: TopologyKind
     frame: int
     before: tuple[RotoShape, ...]
-    after: tuple[RotoShape, ...]
+    rings: tuple[Array, ...]
     gain: float
+    scale: float
 
+    @classmethod
+    def of(cls, change: TopologyChange, shape: RotoShape, frame: int, scale: float) -> Proposal:
+        """The change offered for `shape`, which holds the key that was solved on `frame`."""
+        return cls(change.kind, frame, (shape,), change.rings, change.gain, scale)
 
-def proposal(change: TopologyChange, shape: RotoShape, frame: int, scale: float) -> Proposal:
-    """The change as shapes: `shape` holds the key that was solved on `frame`."""
-    key = shape.key_at(frame)
-    points = shape.at(frame).points if key is None else key.points
-    laid = simplified(follow(points, change.rings[0], smooth_points(points), scale), points, scale)
-    stays = replace(key, points=laid) if key is not None else Keyframe(frame, laid, origin=Origin.ENGINE)
-    after = [set_engine_keys(shape, [stays])]
-    for number, ring in enumerate(change.rings[1:], start=2):
-        fitted = fit.fit_closed(ring, TOLERANCE * scale)
-        begun = Keyframe(frame, simplified(fitted, fitted, scale), origin=Origin.ENGINE)
-        after.append(
-            RotoShape(
-                id=f"{shape.id}-{frame}-{number}",
-                name=f"{shape.name} part {number}",
-                keys=(begun,),
-                colour=shape.colour,
-                blend=shape.blend,
-            )
+    @cached_property
+    def after(self) -> tuple[RotoShape, ...]:
+        """The shapes as they would be, made when they are first asked for: most offers are never looked at.
+
+        The first is the old shape with its own points laid along the largest part; the others are new and begin on the
+        frame.
+        """
+        (shape,) = self.before
+        outline = shape.at(self.frame)
+        laid = follow(outline.points, self.rings[0], smooth_points(outline.points), self.scale)
+        key = shape.key_at(self.frame) or Keyframe(self.frame, outline.points, feather=outline.feather)
+        stays = replace(key, points=simplified(laid, outline.points, self.scale), origin=Origin.ENGINE)
+        parts = [self._part(shape, number, ring) for number, ring in enumerate(self.rings[1:], start=2)]
+        return (set_engine_keys(shape, [stays]), *parts)
+
+    def _part(self, shape: RotoShape, number: int, ring: Array) -> RotoShape:
+        fitted = fit.fit_closed(ring, TOLERANCE * self.scale)
+        key = Keyframe(self.frame, simplified(fitted, fitted, self.scale), origin=Origin.ENGINE)
+        return RotoShape(
+            id=f"{shape.id}-{self.frame}-{number}",
+            name=f"{shape.name} part {number}",
+            keys=(key,),
+            colour=shape.colour,
+            blend=shape.blend,
         )
-    return Proposal(change.kind, frame, (shape,), tuple(after), change.gain)

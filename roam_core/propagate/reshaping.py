@@ -68,7 +68,7 @@ def reshape(
         return as_before
     found = segmented(frame, prior, context.colours, params.proposals, scale)
     new = reshaped(bezier.flatten(points), found, context, params)
-    topology = topology_changes(new.ring, new.severed, found.grid, context, params) if new.severed else ()
+    topology = topology_changes(new.ring, found, context, params)
     if not new.is_new:
         return replace(as_before, topology=topology)
     laid = _laid(points, new, found, nodes, scale)

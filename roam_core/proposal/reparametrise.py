@@ -42,14 +42,12 @@ class Reshaped:
     ----------
     ring : (K, 2) pixels, running as the curve did. changed : (rows, columns) the cells that changed sides.
     energy_before, energy : of the curve and of the ring, by `energy_of`.
-    severed : pieces whose removal would cut the region in two; they were left alone.
     """
 
     ring: Array
     changed: Bools
     energy_before: float
     energy: float
-    severed: tuple[Piece, ...]
 
     @property
     def is_new(self) -> bool:
@@ -98,19 +96,18 @@ def reshaped(line: Array, proposed: Segmentation, context: CurveContext, params:
     """The closed polyline `line (K, 2)` with each marked difference carried out that lowers the energy.
 
     Piece by piece, the largest first: the stretch of the curve that runs around the piece is replaced by the
-    proposal's. A piece that would cut the region in two is left alone and named.
+    proposal's. A piece that would cut the region in two is left alone: that is for the artist (`proposal.topology`).
     """
     assert params.proposals is not None
     grid = proposed.grid
     covered = coverage(grid.to_grid(line), grid.shape)
     before = energy = energy_of(line, context, params)
-    ring, changed, severed = line, np.zeros(grid.shape, dtype=bool), []
+    ring, changed = line, np.zeros(grid.shape, dtype=bool)
     for piece in differences(covered > 0.5, proposed, params.proposals):
         parts = outlines(toggled(covered, piece, grid))
         if not parts:
             continue
         if not piece.added and len(parts) > 1 and cells_in(parts[1][0], grid) >= params.proposals.area:
-            severed.append(piece)
             continue
         reached = energy_of(parts[0][0], context, params)
         if reached < energy:
@@ -119,7 +116,7 @@ def reshaped(line: Array, proposed: Segmentation, context: CurveContext, params:
             covered = coverage(grid.to_grid(ring), grid.shape)
     if polyline.signed_area(ring) * polyline.signed_area(line) < 0:
         ring = ring[::-1]
-    return Reshaped(ring, changed, before, energy, tuple(severed))
+    return Reshaped(ring, changed, before, energy)
 
 
 def toggled(covered: Float32, piece: Piece, grid: Grid) -> Field:

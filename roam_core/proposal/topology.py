@@ -9,11 +9,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from roam_core.energy.total import CurveContext
-from roam_core.features.grid import Grid
 from roam_core.kernels.coverage import coverage
 from roam_core.params import RoamParams
 from roam_core.proposal.region import outlines
 from roam_core.proposal.reparametrise import Piece, cells_in, energy_of, toggled
+from roam_core.proposal.segmentation import Segmentation
 
 Array = NDArray[np.float64]
 
@@ -35,27 +35,26 @@ class TopologyChange:
 
 
 def topology_changes(
-    line: Array, severed: tuple[Piece, ...], grid: Grid, context: CurveContext, params: RoamParams
+    line: Array, proposed: Segmentation, context: CurveContext, params: RoamParams
 ) -> tuple[TopologyChange, ...]:
-    """For each piece whose removal cuts the region of `line (K, 2)` in two, the better of two answers, if it lowers E.
+    """What to offer where the curve `line (K, 2)` holds together what the segmentation has in parts; mostly nothing.
 
-    Either both parts stay, as two shapes, or the smaller one goes. Parts smaller than a marked difference are dust.
+    The parts are what both agree on, however thin the thread between them has become: a curve cannot let go of it by
+    itself. The largest part stays; another stays, as a shape of its own, if that lowers E, and goes otherwise. Parts
+    of fewer than `ProposalParams.part` cells are dust. Nothing is offered that does not lower E as a whole.
     """
     assert params.proposals is not None
+    grid = proposed.grid
     covered = coverage(grid.to_grid(line), grid.shape)
-    before = energy_of(line, context, params)
-    changes = []
-    for piece in severed:
-        parts = [rings[0] for rings in outlines(toggled(covered, piece, grid))]
-        parts = [ring for ring in parts if cells_in(ring, grid) >= params.proposals.area]
-        if len(parts) < 2:
-            continue
-        energies = [energy_of(ring, context, params) for ring in parts]
-        split, drop = before - sum(energies), before - energies[0]
-        if max(split, drop) <= 0.0:
-            continue
-        if split >= drop:
-            changes.append(TopologyChange(TopologyKind.SPLIT, tuple(parts), split))
-        else:
-            changes.append(TopologyChange(TopologyKind.DROP, (parts[0],), drop))
-    return tuple(sorted(changes, key=lambda change: -change.gain))
+    surplus = Piece((covered > 0.5) & ~proposed.inside, added=False)
+    parts = [rings[0] for rings in outlines(toggled(covered, surplus, grid))]
+    parts = [ring for ring in parts if cells_in(ring, grid) >= params.proposals.part]
+    if len(parts) < 2:
+        return ()
+    energies = [energy_of(ring, context, params) for ring in parts]
+    kept = [0, *(k for k in range(1, len(parts)) if energies[k] < 0.0)]
+    gain = energy_of(line, context, params) - sum(energies[k] for k in kept)
+    if gain <= 0.0:
+        return ()
+    kind = TopologyKind.SPLIT if len(kept) > 1 else TopologyKind.DROP
+    return (TopologyChange(kind, tuple(parts[k] for k in kept), gain),)

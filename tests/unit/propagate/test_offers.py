@@ -7,7 +7,7 @@ import numpy.testing as npt
 import pytest
 
 from roam_core.geometry import bezier, polyline
-from roam_core.propagate.offers import proposal
+from roam_core.propagate.offers import Proposal
 from roam_core.proposal.topology import TopologyChange, TopologyKind
 from roam_core.roto import BlendMode, Keyframe, Origin, RotoShape
 from tests.unit.proposal.scenes import drawn, spline
@@ -23,7 +23,7 @@ RINGS = tuple(bezier.flatten(spline(drawn(box))) for box in (LEFT, RIGHT))
 @pytest.mark.parametrize("kind", list(TopologyKind))
 def test_the_old_shape_keeps_its_points_and_gets_the_larger_part(kind: TopologyKind) -> None:
     rings = RINGS if kind is TopologyKind.SPLIT else RINGS[:1]
-    offer = proposal(TopologyChange(kind, rings, 3.0), SHAPE, 1002, 1.0)
+    offer = Proposal.of(TopologyChange(kind, rings, 3.0), SHAPE, 1002, 1.0)
     assert (offer.kind, offer.frame, offer.gain, offer.before) == (kind, 1002, 3.0, (SHAPE,))
     assert len(offer.after) == len(rings)
     stays = offer.after[0]
@@ -37,7 +37,7 @@ def test_the_old_shape_keeps_its_points_and_gets_the_larger_part(kind: TopologyK
 
 
 def test_a_part_becomes_a_shape_that_begins_there() -> None:
-    offer = proposal(TopologyChange(TopologyKind.SPLIT, RINGS, 3.0), SHAPE, 1002, 1.0)
+    offer = Proposal.of(TopologyChange(TopologyKind.SPLIT, RINGS, 3.0), SHAPE, 1002, 1.0)
     part = offer.after[1]
     assert part.id != SHAPE.id
     assert [(key.frame, key.origin) for key in part.keys] == [(1002, Origin.ENGINE)]
@@ -49,5 +49,5 @@ def test_a_part_becomes_a_shape_that_begins_there() -> None:
 
 def test_taking_nothing_changes_nothing() -> None:
     before = [key.points.copy() for key in SHAPE.keys]
-    proposal(TopologyChange(TopologyKind.SPLIT, RINGS, 3.0), SHAPE, 1002, 1.0)
+    assert len(Proposal.of(TopologyChange(TopologyKind.SPLIT, RINGS, 3.0), SHAPE, 1002, 1.0).after) == 2
     assert all(np.array_equal(key.points, points) for key, points in zip(SHAPE.keys, before, strict=True))

@@ -2,22 +2,22 @@
 
 from __future__ import annotations
 
-import numpy as np
 import pytest
 
 from roam_core.geometry import bezier, polyline
-from roam_core.proposal.reparametrise import Piece, energy_of
+from roam_core.proposal.reparametrise import energy_of
+from roam_core.proposal.segmentation import Segmentation
 from roam_core.proposal.topology import TopologyKind, topology_changes
 from tests.unit.proposal.scenes import GRID, PARAMS, context, drawn, spline
 
 LEFT, BRIDGE, RIGHT = (16, 30, 76, 90), (74, 52, 102, 60), (100, 44, 130, 70)
 WHOLE = drawn(LEFT, BRIDGE, RIGHT)
-THREAD = Piece(WHOLE[::2, ::2] & ~drawn(LEFT, RIGHT)[::2, ::2], added=False)
+APART = Segmentation(GRID, drawn(LEFT, RIGHT)[::2, ::2], WHOLE[::2, ::2])
 
 
 def test_parts_that_both_look_like_the_object_make_two_shapes() -> None:
     here, line = context(drawn(LEFT, RIGHT)), bezier.flatten(spline(WHOLE))
-    (change,) = topology_changes(line, (THREAD,), GRID, here, PARAMS)
+    (change,) = topology_changes(line, APART, here, PARAMS)
     assert change.kind is TopologyKind.SPLIT
     left, right = change.rings
     assert abs(polyline.signed_area(left)) > abs(polyline.signed_area(right)) > 500
@@ -29,7 +29,7 @@ def test_parts_that_both_look_like_the_object_make_two_shapes() -> None:
 
 def test_a_part_that_looks_like_the_ground_is_to_go() -> None:
     here, line = context(drawn(LEFT)), bezier.flatten(spline(WHOLE))
-    (change,) = topology_changes(line, (THREAD,), GRID, here, PARAMS)
+    (change,) = topology_changes(line, APART, here, PARAMS)
     assert change.kind is TopologyKind.DROP
     (left,) = change.rings
     assert left[:, 0].max() < 90
@@ -38,11 +38,19 @@ def test_a_part_that_looks_like_the_ground_is_to_go() -> None:
 
 def test_what_would_raise_the_energy_is_not_proposed() -> None:
     line = bezier.flatten(spline(WHOLE))
-    assert topology_changes(line, (THREAD,), GRID, context(WHOLE), PARAMS) == ()
+    assert topology_changes(line, APART, context(WHOLE), PARAMS) == ()
 
 
-def test_a_piece_that_severs_nothing_is_no_change_of_topology() -> None:
-    corner = Piece(np.zeros(GRID.shape, dtype=bool), added=False)
-    corner.cells[15:20, 8:12] = True
-    here, line = context(drawn(LEFT)), bezier.flatten(spline(WHOLE))
-    assert topology_changes(line, (corner,), GRID, here, PARAMS) == ()
+@pytest.mark.parametrize("width", [3, 6])
+def test_a_thread_however_thin_is_seen(width: int) -> None:
+    line = bezier.flatten(spline(drawn(LEFT, (74, 55, 102, 55 + width), RIGHT)))
+    assert line[:, 0].max() > 120
+    (change,) = topology_changes(line, APART, context(drawn(LEFT, RIGHT)), PARAMS)
+    assert change.kind is TopologyKind.SPLIT
+
+
+def test_one_part_with_its_dust_is_no_change_of_topology() -> None:
+    dusty = drawn(LEFT, BRIDGE, (100, 52, 108, 60))
+    line = bezier.flatten(spline(dusty))
+    proposed = Segmentation(GRID, (dusty & ~drawn((80, 40, 98, 70)))[::2, ::2], dusty[::2, ::2])
+    assert topology_changes(line, proposed, context(drawn(LEFT)), PARAMS) == ()
