@@ -9,6 +9,7 @@ from types import ModuleType
 
 from benchmarks import artist, davis, drift, kernels, mattes, paper, scaling, shots, speed, stages, tune
 from roam_core.errors import RoamError
+from roam_core.params import DEFAULT_CONFIG
 
 BENCHMARKS: dict[str, ModuleType] = {
     "stages": stages,
@@ -24,8 +25,8 @@ BENCHMARKS: dict[str, ModuleType] = {
 }
 """Each module has `arguments(parser)` and `run(arguments)`; the first line of its text is its help."""
 
-USUAL = ("stages", "davis")
-"""What runs without a command: some ten minutes with the shots, one without."""
+USUAL = (("stages",), ("davis", "--config", DEFAULT_CONFIG))
+"""What runs without a command: some five minutes with the shots."""
 
 
 def main(argv: Sequence[str] | None = None) -> int:
@@ -41,12 +42,11 @@ def main(argv: Sequence[str] | None = None) -> int:
         if given.which is not None:
             BENCHMARKS[given.which].run(given)
             return 0
-        for name in USUAL:
-            if name != "stages" and not shots.is_present():
+        for words in USUAL:
+            if words[0] != "stages" and not shots.is_present():
                 print(f"\n{shots.ABSENT}", file=sys.stderr)
                 continue
-            words = [name, "--publish"] if given.publish else [name]
-            BENCHMARKS[name].run(parser.parse_args(words))
+            BENCHMARKS[words[0]].run(parser.parse_args([*words, *(["--publish"] if given.publish else [])]))
     except RoamError as error:
         print(f"benchmarks: {error}", file=sys.stderr)
         return 1
