@@ -74,5 +74,5 @@ def _cut(picture: NDArray[np.uint8], guess: Mask, box: tuple[float, float, float
     labels[rows, columns] = np.where(inside, cv2.GC_PR_FGD, cv2.GC_PR_BGD)
     labels[rows, columns][depth > CORE * depth.max()] = cv2.GC_PR_FGD
     cv2.setRNGSeed(0)  # its first mixtures come from k-means
-    cv2.grabCut(np.ascontiguousarray(picture), labels, None, None, None, ROUNDS, cv2.GC_INIT_WITH_MASK)  # type: ignore[call-overload]
+    cv2.grabCut(np.ascontiguousarray(picture), labels, None, None, None, ROUNDS, cv2.GC_INIT_WITH_MASK)
     return np.asarray((labels == cv2.GC_FGD) | (labels == cv2.GC_PR_FGD))

@@ -59,7 +59,7 @@ def _followed(old: NDArray[Any], new: NDArray[Any], inside: NDArray[np.uint8]) -
     near = np.hypot(*(back - corners).reshape(-1, 2).T) < RETURN
     keep = (found.ravel() == 1) & (returned.ravel() == 1) & near
     # Pixel centres lie at half-integers in our coordinates and at integers in OpenCV's.
-    return tuple(points.reshape(-1, 2)[keep].astype(np.float64) + 0.5 for points in (corners, there))  # type: ignore[return-value]
+    return tuple(points.reshape(-1, 2)[keep].astype(np.float64) + 0.5 for points in (corners, there))
 
 
 def _motion(source: Array, target: Array, kind: str) -> Array:
