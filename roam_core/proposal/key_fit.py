@@ -10,23 +10,15 @@ from scipy.sparse.linalg import spsolve
 from roam_core.geometry import bezier, polyline
 from roam_core.geometry.bezier import ANCHOR, IN, OUT
 from roam_core.geometry.simple import crossing_segments
-from roam_core.kernels.anchoring import anchored
-from roam_core.proposal.outline_match import Match, matched
+from roam_core.proposal.anchors import spread
+from roam_core.proposal.outline_match import matched
 from roam_core.roto.edit import is_smooth
 
 Array = NDArray[np.float64]
 IntArray = NDArray[np.int64]
 
-CHOICES = np.array([s * n for n in (1, 2, 3, 4, 6, 8, 11, 15, 20, 27, 36) for s in (-1, 1)])
-"""Samples by which an anchor may move along the outline in one round."""
 SPREADS = 6
-"""Rounds in which anchors move."""
-FREE = 6.0
-"""Pixels of a 480-line image that an anchor may move for the price of ..."""
-PRICE = 25.0
-"""... this much error, square pixels times pixels; it grows with the square, up to ..."""
-MOST = 20.0
-"""... this many times."""
+"""Rounds in which anchors move along the outline."""
 ROUNDS = 8
 """Rounds of refinement: samples to their nearest place on the curve, curve to its samples."""
 WINDOW = 20
@@ -46,7 +38,7 @@ def fitted(points: Array, ring: Array, poses: list[Array], scale: float = 1.0) -
     outline and then fitted by least squares, alternating with the places of the outline's samples on it.
     """
     match = matched(points, ring, poses, scale)
-    anchors = _spread(points, match, scale)
+    anchors = spread(points, match.samples, match.anchors, SPREADS, scale)
     prior = _carried(points, match.samples[anchors])
     fit = _Fit(points, prior, match.samples)
     places = _places(anchors, match.samples)
@@ -55,31 +47,6 @@ def fitted(points: Array, ring: Array, poses: list[Array], scale: float = 1.0) -
         places = fit.projected(result, places)
         result = fit.solve(places, result)
     return _untangled(bezier.aligned(result, fit.smooth), match.samples[anchors], scale)
-
-
-def _spread(points: Array, match: Match, scale: float) -> IntArray:
-    """The sample of each anchor, moved from where it was matched so far as the curve follows the outline better."""
-    total, count = len(match.samples), len(points)
-    if count < 3:
-        return match.anchors
-    matched_at = np.maximum.accumulate(match.anchors[0] + (match.anchors - match.anchors[0]) % total)
-    step = polyline.length(match.samples) / total
-    control = bezier.segments(points)
-    straight = (control[:, 0] == control[:, 1]).all(axis=1) & (control[:, 2] == control[:, 3]).all(axis=1)
-    at = matched_at
-    for turn in range(SPREADS):
-        first = turn * count // SPREADS
-        here, home = (np.roll(places, -first) for places in (at, matched_at))
-        here[count - first :] += total
-        home[count - first :] += total
-        choices = here[:, None] + np.append(0, CHOICES)
-        away = (choices - home[:, None]) * (step / (FREE * scale))
-        price = PRICE * scale**3 * np.minimum(away**2, MOST)
-        places, least = anchored(match.samples, choices, price, np.roll(straight, -first))
-        if np.isfinite(least):
-            at = np.roll(places, first)
-            at[:first] -= total
-    return np.asarray(at % total)
 
 
 def _untangled(points: Array, anchors: Array, scale: float) -> Array:

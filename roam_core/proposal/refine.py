@@ -1,0 +1,114 @@
+"""A spline that lies near an outline drawn closer to it: least squares and nearest places in turn."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.linalg import solveh_banded
+
+from roam_core.geometry import bezier, polyline
+from roam_core.geometry.bezier import ANCHOR, IN, OUT
+from roam_core.kernels.spline_fit import nearest_places, normal_band
+
+Array = NDArray[np.float64]
+IntArray = NDArray[np.int64]
+
+FINE = 12
+"""Vertices a segment at which a sample's nearest place is looked for."""
+WINDOW = 20
+"""Vertices to both sides that are looked at."""
+TURN = 9.0
+"""Price, in squared pixels, of a place whose outline runs at a right angle."""
+STAY = 0.3
+"""Weight, against the samples of one segment, that holds an anchor to its matched place along the outline."""
+HOLD = 0.002
+"""Weight, against the samples of one segment, that holds handles to their anchors as they were."""
+LINE = 1.0
+"""Weight, against one sample, of a smooth point's handle off the common line."""
+
+
+def refined(
+    points: Array, samples: Array, at: IntArray, smooth: NDArray[np.bool_], rounds: int, normals: Array | None = None
+) -> Array:
+    """The closed spline `points (P, 3, 2)` with all control points fitted to the ring `samples (M, 2)`.
+
+    Its anchors lie on `samples[at]`, in order, to begin with; they may leave them as far as the curve gains by it.
+    Handles that lie on their anchor stay there; points marked `smooth (P,)` keep theirs on one line.
+    """
+    facing = polyline.outward_normals(samples) if normals is None else normals
+    owner = _owners(points)
+    places, result = _between(at, samples), points
+    for turn in range(rounds):
+        if turn > 0:
+            places = _nearest(result, places, samples, facing)
+        share = len(samples) / len(points)
+        band, right = normal_band(
+            samples, places, points.reshape(-1, 2), owner, _tangents(result), smooth, (STAY * share, HOLD * share, LINE)
+        )
+        free = solveh_banded(band, right, lower=True, check_finite=False).reshape(-1, 2)
+        result = _bounded(free[owner].reshape(-1, 3, 2), places, samples)
+    return bezier.aligned(result, smooth)
+
+
+def _owners(points: Array) -> IntArray:
+    """Which free position each control point `(3 P,)` is: corners have one for all three.
+
+    The points are numbered from both ends of the spline in turn, so that neighbours lie close on a closed one, too.
+    """
+    count = len(points)
+    order = np.arange(count)
+    turn = np.where(order < (count + 1) // 2, 2 * order, 2 * (count - 1 - order) + 1)
+    owner = 3 * turn[:, None] + np.arange(3)
+    for part in (IN, OUT):
+        corner = (points[:, part] == points[:, ANCHOR]).all(axis=1)
+        owner[corner, part] = owner[corner, ANCHOR]
+    return np.unique(owner.ravel(), return_inverse=True)[1].astype(np.int64)
+
+
+def _tangents(points: Array) -> Array:
+    """The unit direction `(P, 2)` of the outline at each anchor."""
+    between = points[:, OUT] - points[:, IN]
+    chord = np.roll(points[:, ANCHOR], -1, axis=0) - np.roll(points[:, ANCHOR], 1, axis=0)
+    direction = np.where((np.hypot(*between.T) > 1e-6)[:, None], between, chord)
+    return np.asarray(direction / np.maximum(np.hypot(*direction.T), 1e-12)[:, None])
+
+
+def _between(at: IntArray, samples: Array) -> Array:
+    """For each sample its place `segment + t` by length between the anchors' samples."""
+    total = len(samples)
+    along = np.concatenate([[0.0], np.cumsum(np.hypot(*(np.roll(samples, -1, axis=0) - samples).T))])
+    knots = np.append(at[0] + (at - at[0]) % total, at[0] + total)
+    order = at[0] + np.arange(total)
+    reach = along[order % total] + along[-1] * (order >= total)
+    stops = along[knots % total] + along[-1] * (knots >= total)
+    places = np.empty(total)
+    places[order % total] = np.interp(reach, stops, np.arange(len(at) + 1))
+    return places
+
+
+def _nearest(points: Array, places: Array, samples: Array, normals: Array) -> Array:
+    """The samples' places on a spline that has moved: the nearest, in order."""
+    count = len(points)
+    segment, t = np.repeat(np.arange(count), FINE), np.tile(np.arange(FINE) / FINE, count)
+    line = bezier.evaluate(points, segment, t)
+    start = np.round(places * FINE).astype(np.int64) % len(line)
+    found = nearest_places(line, polyline.outward_normals(line), samples, normals, start, WINDOW, TURN) / FINE
+    first = int(np.argmin(places))
+    order = (first + np.arange(len(places))) % len(places)
+    run = np.maximum.accumulate(found[order])
+    result = np.empty_like(found)
+    result[order] = np.clip(run, run[0], run[0] + count) % count
+    return result
+
+
+def _bounded(points: Array, places: Array, samples: Array) -> Array:
+    """No handle longer than the piece of outline beside it: where samples are few a cubic could loop."""
+    step = polyline.length(samples) / len(samples)
+    pieces = np.bincount(np.minimum(places.astype(np.intp), len(points) - 1), minlength=len(points))
+    longest = (pieces + 1.0) * step
+    result = points.copy()
+    for part, most in ((OUT, longest), (IN, np.roll(longest, 1))):
+        handle = points[:, part] - points[:, ANCHOR]
+        reach = np.maximum(np.hypot(*handle.T), 1e-12)
+        result[:, part] = points[:, ANCHOR] + handle * np.minimum(1.0, most / reach)[:, None]
+    return result
