@@ -87,6 +87,9 @@ SPECS: tuple[ActionSpec, ...] = (
     ActionSpec("track.forward", "Track forward", icon="track-forward"),
     ActionSpec("track.to_next_key", "Track to the next key"),
     ActionSpec(
+        "track.fill", "Fill between keys", icon="track-fill", tip="Track the frames between two keys from both at once"
+    ),
+    ActionSpec(
         "track.next_doubtful", "Next doubtful frame", icon="doubtful-next", tip="Go to the next frame worth fixing"
     ),
     ActionSpec("track.previous_doubtful", "Previous doubtful frame"),

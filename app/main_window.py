@@ -218,6 +218,7 @@ class MainWindow(QMainWindow):
             "track.forward_one": tracking.forward_one,
             "track.backward_one": tracking.backward_one,
             "track.to_next_key": tracking.to_next_key,
+            "track.fill": tracking.fill,
             "track.stop": self.under_way.stop,
             "track.next_doubtful": tracking.next_doubtful,
             "track.previous_doubtful": tracking.previous_doubtful,

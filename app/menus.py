@@ -29,7 +29,8 @@ MENUS: dict[str, tuple[str, ...]] = {
         "shape.lock", "shape.hide", "shape.show_all",
     ),
     "Track": (
-        "track.forward", "track.backward", "track.forward_one", "track.backward_one", "track.to_next_key", SEPARATOR,
+        "track.forward", "track.backward", "track.forward_one", "track.backward_one", "track.to_next_key",
+        "track.fill", SEPARATOR,
         "track.stop", SEPARATOR,
         "track.next_doubtful", "track.previous_doubtful", SEPARATOR,
         "track.delete_engine_keys",

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from app.document import Document
+from app.jobs.filling import Gap, gaps_of
 from app.jobs.propagation import Propagation
 from app.navigation import clip_frames
 from app.view_state import ViewState, shapes_in_hand
@@ -10,6 +11,7 @@ from roam_core.params import DEFAULT_CONFIG, DOUBTFUL
 from roam_core.roto import RotoShape
 
 NO_CLIP = "Open a clip first: drop a folder of images or a movie on the window."
+NO_GAP = "There is no gap to fill here: set a key (S) on two frames, with others between them."
 NO_SHAPE = "Draw a shape first: press B in the viewer."
 
 
@@ -40,10 +42,22 @@ class Tracking:
         """Track up to the next artist key of the shapes, or to the end where there is none."""
         frame = self._view.frame
         later = [key for shape in self._shapes() for key in shape.artist_frames if key > frame]
-        if later:
-            self._run(1, min(later))
-        else:
+        if not later:
             self.forward()
+        elif min(later) == frame + 1:
+            self._view.say("The next frame is a key already: there is nothing to track before it.")
+        else:
+            self._run(1, min(later))
+
+    def fill(self) -> None:
+        """Fill the frames between artist keys: of the gaps inside in and out, or of the one at the playhead."""
+        if self._document.project.clip is None:
+            self._view.say(NO_CLIP)
+        elif shapes := self._trackable():
+            if gaps := self._gaps_meant(gaps_of(shapes)):
+                self._propagation.fill([shape.id for shape in shapes], gaps, self.config)
+            else:
+                self._view.say(NO_GAP)
 
     def next_doubtful(self) -> None:
         self._go_to_doubtful(1)
@@ -64,6 +78,18 @@ class Tracking:
             self._view.say(f"The clip {'ends' if step > 0 else 'begins'} here: there is no frame to track to.")
         elif shapes := self._trackable():
             self._propagation.start([shape.id for shape in shapes], frames, self.config)
+
+    def _gaps_meant(self, gaps: list[Gap]) -> list[Gap]:
+        """In and out mean the gaps between them, where they are set around the playhead; otherwise it lies in a gap.
+
+        On a key that is the gap after it; on the last key the one before.
+        """
+        frame, (first, stop) = self._view.frame, self._view.play_range
+        clip = self._clip()
+        if (first, stop) != (clip.start, clip.stop) and first <= frame < stop:
+            return [gap for gap in gaps if first <= gap[0] and gap[1] < stop]
+        around = [gap for gap in gaps if gap[0] <= frame < gap[1]]
+        return around or [gap for gap in gaps if gap[1] == frame]
 
     def _shapes(self) -> list[RotoShape]:
         """The selected shapes, or all when none is selected."""

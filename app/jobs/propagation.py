@@ -1,22 +1,23 @@
-"""Tracking as a job: the engine solves frames on the worker, the window applies each one as it comes."""
+"""Tracking and filling as jobs: the engine solves frames on the worker, the window applies them as they come."""
 
 from __future__ import annotations
 
 import itertools
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 from PySide6.QtCore import QObject, Signal
 
 from app.document import Document
+from app.jobs.filling import Filled, FillRequest, Gap, fill
 from app.jobs.runner import Ending, Job, Report, Runner
 from app.view_state import ViewState
 from roam_core.params import DEFAULT_CONFIG, DOUBTFUL
 from roam_core.propagate.memory import TrackMemory
 from roam_core.propagate.provenance import clip_stamp
 from roam_core.propagate.result import FrameResult
-from roam_core.roto import Keyframe, Origin, Project, RotoShape, edit
+from roam_core.roto import Keyframe, Origin, RotoShape, edit
 
 ReadFrame = Callable[[int], Any]
 _run_numbers = itertools.count(1)
@@ -59,12 +60,18 @@ class Propagation(QObject):
         shapes = tuple(project.shape(shape_id) for shape_id in shape_ids)
         request = _Request(self._read, shapes, frames, config, clip_stamp(project.clip), self._memory)
         job = self._runner.start("track", lambda report: _track(report, request))
-        self._run = _Run(job, frames, {shape.id: shape for shape in shapes}, self._view.frame)
         job.partial.connect(self._apply)
-        job.progress.connect(self.progress)
-        job.ended.connect(self._end)
-        self.progress.emit(0.0, f"Starting to track {_names(shapes)} …")
-        self.running_changed.emit()
+        self._begin(_Run(job, "Track", shapes, self._view.frame), f"Starting to track {_names(shapes)} …")
+
+    def fill(self, shape_ids: Sequence[str], gaps: Sequence[Gap], config: str = DEFAULT_CONFIG) -> None:
+        """Fill gaps between artist keys of the shapes from both ends; each gap arrives when it is finished."""
+        self.drop()
+        project = self._document.project
+        shapes = tuple(project.shape(shape_id) for shape_id in shape_ids)
+        request = FillRequest(self._read, shapes, tuple(gaps), config, clip_stamp(project.clip))
+        job = self._runner.start("track", lambda report: fill(report, request))
+        job.partial.connect(self._put_in)
+        self._begin(_Run(job, "Fill", shapes, self._view.frame), f"Starting to fill {_names(shapes)} …")
 
     def stop(self) -> None:
         """Stop soon; the frames that are finished stay."""
@@ -83,16 +90,37 @@ class Propagation(QObject):
         self.drop()
         self._memory = TrackMemory()
 
+    def _begin(self, run: _Run, sentence: str) -> None:
+        self._run = run
+        run.job.progress.connect(self.progress)
+        run.job.ended.connect(self._end)
+        self.progress.emit(0.0, sentence)
+        self.running_changed.emit()
+
     def _apply(self, result: FrameResult) -> None:
-        run, project = self._run, self._document.project
-        if run is None:
-            return
-        for track_result in result.results:
-            project = _with_engine_key(project, track_result.shape.id, track_result.key)
+        """A tracked frame has arrived."""
+        run = self._run
+        if run is not None:
+            self._write(run, {each.shape.id: [each.key] for each in result.results if each.key is not None})
+            run.reached = result.frame
+            self._follow(run, result.frame)
+
+    def _put_in(self, filled: Filled) -> None:
+        """A filled gap has arrived."""
+        run = self._run
+        if run is not None:
+            self._write(run, filled.keys)
+            run.reached = filled.gap[1]
+
+    def _write(self, run: _Run, keys: Mapping[str, Sequence[Keyframe]]) -> None:
+        """Put the engine's keys into the document, as part of the run's one undo step."""
+        project = self._document.project
+        for shape_id, found in keys.items():
+            made = [key for key in found if key.origin is Origin.ENGINE]
+            project = project.with_shape(edit.set_engine_keys(project.shape(shape_id), made))
+            run.note(made)
         run.expected = {shape_id: project.shape(shape_id) for shape_id in run.expected}
-        run.solved.append(result)
-        self._document.apply("Track", project, merge_key=run.merge_key)
-        self._follow(run, result.frame)
+        self._document.apply(run.verb, project, merge_key=run.merge_key)
 
     def _follow(self, run: _Run, frame: int) -> None:
         """Take the playhead along, unless the artist went to look at another frame or drags something on this one."""
@@ -125,18 +153,26 @@ class Propagation(QObject):
 class _Run:
     """What is known of the run under way. `expected` are the shapes as the run left them in the document."""
 
-    def __init__(self, job: Job, frames: range, shapes: dict[str, RotoShape], shown_frame: int) -> None:
-        self.job, self.frames, self.expected, self.shown_frame = job, frames, shapes, shown_frame
+    def __init__(self, job: Job, verb: str, shapes: Sequence[RotoShape], shown_frame: int) -> None:
+        self.job, self.verb, self.shown_frame = job, verb, shown_frame
+        self.expected = {shape.id: shape for shape in shapes}
         self.merge_key = f"track-{next(_run_numbers)}"
-        self.solved: list[FrameResult] = []
+        self.reached: int | None = None
+        self._doubtful: set[int] = set()
+
+    def note(self, keys: Iterable[Keyframe]) -> None:
+        """Remember the frames that the engine doubts."""
+        self._doubtful |= {key.frame for key in keys if key.confidence is not None and key.confidence < DOUBTFUL}
 
     def stopped_sentence(self) -> str:
-        if not self.solved:
-            return "Tracking stopped before a frame was finished."
-        return f"Tracking stopped at frame {self.solved[-1].frame}; the finished frames stay."
+        word, part = ("Tracking", "a frame") if self.verb == "Track" else ("Filling", "a gap")
+        if self.reached is None:
+            return f"{word} stopped before {part} was finished."
+        place = f"at frame {self.reached}" if self.verb == "Track" else f"after the gap up to frame {self.reached}"
+        return f"{word} stopped {place}; the finished frames stay."
 
     def doubt_sentence(self) -> str:
-        doubtful = sum(any(r.key is not None and r.confidence < DOUBTFUL for r in f.results) for f in self.solved)
+        doubtful = len(self._doubtful)
         if not doubtful:
             return ""
         return f"{doubtful} doubtful frame{'s' * (doubtful > 1)}: N goes to the next one."
@@ -181,12 +217,6 @@ def _track(report: Report, request: _Request) -> str:
 
 def _names(shapes: Sequence[RotoShape]) -> str:
     return shapes[0].name if len(shapes) == 1 else f"{len(shapes)} shapes"
-
-
-def _with_engine_key(project: Project, shape_id: str, key: Keyframe | None) -> Project:
-    if key is None or key.origin is not Origin.ENGINE:
-        return project
-    return project.with_shape(edit.set_engine_keys(project.shape(shape_id), [key]))
 
 
 def _same_curves(a: RotoShape, b: RotoShape) -> bool:

@@ -1,4 +1,4 @@
-"""The tracker panel: the five track buttons, the engine's configuration, the confidence at the playhead."""
+"""The tracker panel: the track buttons, the engine's configuration, the confidence at the playhead."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from app.tracking import Tracking
 from app.view_state import ViewState, shapes_in_hand
 from roam_core.params import CONFIGS, DOUBTFUL
 
-BUTTONS = ("track.backward", "track.backward_one", "track.stop", "track.forward_one", "track.forward")
+BUTTONS = ("track.backward", "track.backward_one", "track.stop", "track.forward_one", "track.forward", "track.fill")
 
 
 class TrackerPanel(QWidget):
@@ -81,6 +81,6 @@ def _button_row(actions: Actions) -> QHBoxLayout:
     row.setSpacing(4)
     for action_id in BUTTONS:
         button = tool_button(actions, action_id, name="raised")
-        button.setMinimumWidth(36)
+        button.setMinimumWidth(30)
         row.addWidget(button, 1)
     return row

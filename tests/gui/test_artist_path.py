@@ -13,7 +13,7 @@ from pytestqt.qtbot import QtBot
 
 from app import dialogs
 from app.main_window import MainWindow
-from roam_core.roto import Origin, file
+from roam_core.roto import Origin, edit, file
 from tests.gui.windows import (
     COUNT,
     FIRST,
@@ -130,6 +130,26 @@ def test_two_shapes_are_tracked_in_one_run_and_one_step(qtbot: QtBot, tmp_path: 
         for expected in (both, before):
             qtbot.keyClick(window.canvas, Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
             assert window.document.project is expected
+
+
+def test_backslash_fills_between_two_keys(qtbot: QtBot, tmp_path: Path) -> None:
+    with opened_window(qtbot, write_clip(tmp_path / "plate"), tmp_path / "autosave") as window:
+        draw_disc(qtbot, window)
+        view, document = window.view_state, window.document
+        view.set_frame(LAST)
+        moved = shape(document.project).at(LAST).points + np.subtract(centre(LAST), centre(FIRST))
+        document.apply("Move", document.project.with_shape(edit.set_key(shape(document.project), LAST, moved)))
+        keyed = document.project
+        view.set_frame(FIRST + 3)
+        assert "Filled the frames" in track(qtbot, window, Qt.Key.Key_Backslash)
+        assert engine_frames(window) == list(range(FIRST + 1, LAST))
+        assert view.frame == FIRST + 3
+        for frame in range(FIRST, LAST + 1):
+            found = shape(document.project).at(frame).anchors.mean(axis=0)
+            assert np.hypot(*(found - centre(frame))) < 2.0
+        assert "Filled already" in track(qtbot, window, Qt.Key.Key_F6)
+        qtbot.keyClick(window.canvas, Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
+        assert document.project is keyed
 
 
 def test_escape_stops_the_run_and_keeps_what_is_finished(

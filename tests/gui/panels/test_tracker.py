@@ -12,7 +12,7 @@ from pytestqt.qtbot import QtBot
 from app.actions import Actions, load_keymap
 from app.document import Document
 from app.panels.tracker import TrackerPanel
-from app.tracking import NO_CLIP, NO_SHAPE, Tracking
+from app.tracking import NO_CLIP, NO_GAP, NO_SHAPE, Tracking
 from app.view_state import ViewState
 from roam_core.geometry.bezier import polygon_points
 from roam_core.params import CONFIGS, DEFAULT_CONFIG
@@ -27,9 +27,13 @@ class Propagation:
 
     def __init__(self) -> None:
         self.asked: list[tuple[list[str], range, str]] = []
+        self.filled: list[list[tuple[int, int]]] = []
 
     def start(self, shape_ids: Sequence[str], frames: range, config: str) -> None:
         self.asked.append((list(shape_ids), frames, config))
+
+    def fill(self, shape_ids: Sequence[str], gaps: Sequence[tuple[int, int]], config: str) -> None:
+        self.filled.append(list(gaps))
 
 
 @pytest.fixture
@@ -78,6 +82,49 @@ def test_in_and_out_bound_a_run_that_begins_between_them(
         range(1010, 1004, -1),
         range(1030, 1049),
     ]
+
+
+def test_before_a_key_there_is_nothing_to_track_up_to_it(
+    tracking: Tracking, propagation: Propagation, view_state: ViewState
+) -> None:
+    view_state.set_frame(1019)
+    tracking.to_next_key()
+    assert propagation.asked == []
+    assert view_state.message == "The next frame is a key already: there is nothing to track before it."
+
+
+@pytest.mark.parametrize(
+    ("frame", "play_range", "gaps"),
+    [
+        (1010, (1001, 1049), [(1001, 1020)]),  # in a gap
+        (1020, (1001, 1049), [(1020, 1030)]),  # on a key: the gap after it
+        (1030, (1001, 1049), [(1020, 1030)]),  # on the last key: the gap before it
+        (1010, (1001, 1031), [(1001, 1020), (1020, 1030)]),  # in and out around the playhead
+        (1025, (1001, 1021), [(1020, 1030)]),  # in and out elsewhere
+    ],
+)
+def test_fill_means_these_gaps(
+    tracking: Tracking,
+    propagation: Propagation,
+    document: Document,
+    view_state: ViewState,
+    frame: int,
+    play_range: tuple[int, int],
+    gaps: list[tuple[int, int]],
+) -> None:
+    shape = document.project.shape("shape-1")
+    document.apply("Key", document.project.with_shape(edit.key_here(shape, 1030)))
+    view_state.set_play_range(*play_range)
+    view_state.set_frame(frame)
+    tracking.fill()
+    assert propagation.filled == [gaps]
+
+
+def test_where_there_is_no_gap_it_is_said(tracking: Tracking, propagation: Propagation, view_state: ViewState) -> None:
+    view_state.set_frame(1040)
+    tracking.fill()
+    assert propagation.filled == []
+    assert view_state.message == NO_GAP
 
 
 def test_at_the_clips_end_there_is_nothing_to_track(

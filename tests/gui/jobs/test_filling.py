@@ -1,0 +1,165 @@
+"""Filling as a job: gap by gap, one undo step, artist keys untouched, an edit ends it, what is filled is not redone."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Iterator, Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+import pytest
+from pytestqt.qtbot import QtBot
+
+from app.document import Document
+from app.jobs.filling import gaps_of
+from app.jobs.propagation import Propagation
+from app.jobs.runner import Ending, Runner
+from app.view_state import ViewState
+from roam_core.cancel import CancelToken
+from roam_core.geometry.bezier import polygon_points
+from roam_core.propagate import span
+from roam_core.propagate.provenance import fill_stamp
+from roam_core.roto import Clip, Keyframe, Origin, Project, RotoShape, edit
+
+WAIT = 5000
+SQUARE = polygon_points([(0, 0), (10, 0), (10, 10), (0, 10)])
+CLIP = Clip(Path("shot"), 1, 12, (64, 48))
+GAPS = [(1, 4), (4, 7)]
+
+
+class Engine:
+    """Stands in for `fill_span`: one gap for each `allow`, and a look at a picture of every gap."""
+
+    def __init__(self) -> None:
+        self.gate = threading.Semaphore(0)
+        self.asked: list[tuple[int, int, tuple[str, ...]]] = []
+
+    def allow(self, gaps: int) -> None:
+        self.gate.release(gaps)
+
+    def fill_span(
+        self, images: Mapping[int, Any], shapes: Sequence[RotoShape], start: int, stop: int, *rest: Any
+    ) -> list[RotoShape]:
+        params, token, progress, clip = rest
+        assert isinstance(token, CancelToken)
+        progress(0.5, "Half way")
+        while not self.gate.acquire(timeout=0.01):
+            token.check()
+        assert images[start] == f"picture {start}"
+        self.asked.append((start, stop, tuple(shape.id for shape in shapes)))
+        filled = []
+        for shape in shapes:
+            keys = [
+                Keyframe(f, SQUARE + f, origin=Origin.ENGINE, confidence=0.3, inputs=fill_stamp(shape, f, params, clip))
+                for f in range(start + 1, stop)
+            ]
+            filled.append(edit.set_engine_keys(shape, keys))
+        return filled
+
+
+@pytest.fixture
+def engine(monkeypatch: pytest.MonkeyPatch) -> Engine:
+    engine = Engine()
+    monkeypatch.setattr(span, "fill_span", engine.fill_span)
+    return engine
+
+
+@pytest.fixture
+def runner(qtbot: QtBot) -> Iterator[Runner]:
+    runner = Runner("solver")
+    yield runner
+    assert runner.close()
+
+
+@pytest.fixture
+def propagation(document: Document, view_state: ViewState, runner: Runner, engine: Engine) -> Propagation:
+    """A square with artist keys on 1, 4 and 7, and one with keys on 1 and 7."""
+    project, first = edit.new_shape(Project(CLIP), SQUARE, 1)
+    project, second = edit.new_shape(project, SQUARE, 1)
+    project = project.with_shape(edit.key_here(edit.key_here(first, 4), 7)).with_shape(edit.key_here(second, 7))
+    document.open(project, None)
+    return Propagation(document, view_state, runner, lambda frame: f"picture {frame}")
+
+
+def engine_frames(document: Document, shape_id: str = "shape-1") -> list[int]:
+    return [key.frame for key in document.project.shape(shape_id).keys if key.origin is Origin.ENGINE]
+
+
+def test_gaps_are_told_by_their_keys_and_not_twice(propagation: Propagation, document: Document) -> None:
+    assert gaps_of(document.project.shapes) == [(1, 4), (1, 7), (4, 7)]
+    assert gaps_of([edit.key_here(document.project.shape("shape-2"), 2)]) == [(2, 7)]
+
+
+def test_a_fill_is_one_undo_step_and_the_playhead_stays(
+    qtbot: QtBot, propagation: Propagation, document: Document, view_state: ViewState, engine: Engine
+) -> None:
+    before = document.project
+    told: list[tuple[float, str]] = []
+    propagation.progress.connect(lambda fraction, text: told.append((fraction, text)))
+    engine.allow(2)
+    with qtbot.waitSignal(propagation.finished, timeout=WAIT) as finished:
+        propagation.fill(["shape-1"], GAPS)
+    assert engine_frames(document) == [2, 3, 5, 6]
+    assert document.project.shape("shape-1").artist_frames == (1, 4, 7)
+    assert document.project.shape("shape-1").key_at(4) is before.shape("shape-1").key_at(4)
+    assert view_state.frame == 1
+    assert finished.args == [
+        Ending.DONE, "Filled 2 gaps between frames 1 and 7. 4 doubtful frames: N goes to the next one."
+    ]  # fmt: skip
+    assert (0.25, "Filling frames 2 to 3") in told
+    assert document.undo_stack.count() == 1
+    assert document.undo_stack.undoText() == "Fill"
+    document.undo_stack.undo()
+    assert document.project is before
+
+
+def test_what_is_filled_already_is_not_solved_again(
+    qtbot: QtBot, propagation: Propagation, document: Document, engine: Engine
+) -> None:
+    sentences = []
+    propagation.finished.connect(lambda _, sentence: sentences.append(sentence))
+    engine.allow(4)
+    for act in (None, None, "move a key"):
+        if act:
+            moved = edit.set_key(document.project.shape("shape-1"), 7, SQUARE + 3)
+            document.apply("Move", document.project.with_shape(moved))
+        with qtbot.waitSignal(propagation.finished, timeout=WAIT):
+            propagation.fill(["shape-1"], GAPS)
+    assert [asked[:2] for asked in engine.asked] == [*GAPS, (4, 7)]
+    assert sentences[1] == "Filled already: nothing that it depends on has changed."
+
+
+def test_shapes_keyed_inside_a_gap_are_left_out_of_it(
+    qtbot: QtBot, propagation: Propagation, document: Document, engine: Engine
+) -> None:
+    engine.allow(3)
+    with qtbot.waitSignal(propagation.finished, timeout=WAIT):
+        propagation.fill(["shape-1", "shape-2"], [*GAPS, (1, 7)])
+    assert (1, 7, ("shape-2",)) in engine.asked
+    assert engine_frames(document, "shape-2") == [2, 3, 4, 5, 6]
+
+
+def test_stop_keeps_the_gaps_that_are_finished(
+    qtbot: QtBot, propagation: Propagation, document: Document, engine: Engine
+) -> None:
+    engine.allow(1)
+    propagation.fill(["shape-1"], GAPS)
+    qtbot.waitUntil(lambda: engine_frames(document) == [2, 3], timeout=WAIT)
+    with qtbot.waitSignal(propagation.finished, timeout=WAIT) as finished:
+        propagation.stop()
+    assert finished.args == [
+        Ending.CANCELLED, "Filling stopped after the gap up to frame 4; the finished frames stay."
+    ]  # fmt: skip
+    assert engine_frames(document) == [2, 3]
+
+
+def test_an_edit_of_a_shape_under_work_ends_the_fill_at_once(
+    qtbot: QtBot, propagation: Propagation, document: Document, engine: Engine
+) -> None:
+    propagation.fill(["shape-1"], GAPS)
+    moved = edit.set_key(document.project.shape("shape-1"), 4, SQUARE + 1.5)
+    document.apply("Move", document.project.with_shape(moved))
+    assert not propagation.is_running
+    engine.allow(2)
+    qtbot.wait(50)
+    assert engine_frames(document) == []
