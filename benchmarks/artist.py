@@ -1,9 +1,10 @@
 """A simulated artist on real shots: edits when tracking forward, keys when filling, keys at regular distances.
 
 Edits: track from the first frame; at the first frame whose matte is under the threshold its true outline is set as the
-artist's edit (`roam_core.keys_from_mask`), and tracking goes on from there. Keys: placed greedily, from each the
+artist's edit, and tracking goes on from there. Keys: placed greedily, from each the
 farthest next one such that every filled frame between meets the threshold (`benchmarks.placement.farthest` states the
-search). Both are given per 100 frames; the key that is given on the first frame is no edit, but it is a key.
+search). Both are given per 100 frames; the key that is given on the first frame is no edit, but it is a key. The keys
+themselves are the same for every method (`benchmarks.true_keys`).
 """
 
 from __future__ import annotations
@@ -141,10 +142,10 @@ def _needed(method: Method, shot: Shot, job: Job) -> dict[str, Any]:
             found[f"keys {threshold:g}"] = per_hundred(len(keys), len(shot.frames))
             found[f"keyed frames {threshold:g}"] = keys
     if "gap" in job.parts:
-        frames, shapes = placement.every(shot, GAP)
-        found["fill"] = placement.filled(method, shot, frames, shapes)
-        found["forward"] = placement.carried(method, shot, frames, shapes, 1)
-        found["backward"] = placement.carried(method, shot, frames, shapes, -1)
+        frames = placement.every(shot, GAP)
+        found["fill"] = placement.filled(method, shot, frames)
+        found["forward"] = placement.carried(method, shot, frames, 1)
+        found["backward"] = placement.carried(method, shot, frames, -1)
     return found | {"seconds": time.process_time() - began}
 
 

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from benchmarks import demo_shot, processes, report, shots, variants
-from benchmarks.placement import first_shapes
+from benchmarks.shots import first_shapes
 from resources import demo
 from roam_core import track
 from roam_core.geometry import bezier, polyline

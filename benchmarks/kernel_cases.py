@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from roam_core.geometry.polyline import outward_normals
 from roam_core.kernels.alignment import align
 from roam_core.kernels.anchoring import anchored
 from roam_core.kernels.coverage import coverage, distance, swept_coverage
@@ -22,6 +23,7 @@ from roam_core.kernels.local_match import INSIDE, OUTSIDE, local_match
 from roam_core.kernels.nearest_edges import nearest_edges
 from roam_core.kernels.region_sums import region_sums, row_sums
 from roam_core.kernels.ribbon_means import ribbon_means
+from roam_core.kernels.spline_fit import nearest_places, normal_band
 
 Case = tuple[Callable[..., Any], tuple[Any, ...], dict[str, Any]]
 
@@ -132,6 +134,34 @@ def _matches() -> Case:
     return _call(matches, colours, starts, 1, _mixtures(), 2.5)
 
 
+def _spline(count: int = 24) -> Any:
+    """The wavy outline as a spline `(count, 3, 2)`."""
+    anchors = _outline(count)
+    tangent = (np.roll(anchors, -1, axis=0) - np.roll(anchors, 1, axis=0)) / 6.0
+    return np.stack([anchors, anchors - tangent, anchors + tangent], axis=1)
+
+
+def _places(samples: int, count: int = 24) -> Any:
+    return np.arange(samples) * (count / samples)
+
+
+def _nearest() -> Case:
+    line, samples = _outline(400), _outline(480, 93.0)
+    places = (np.arange(480) * 400) // 480
+    return _call(nearest_places, line, outward_normals(line), samples, outward_normals(samples), places, 20, 9.0)
+
+
+def _band() -> Case:
+    prior = _spline()
+    tangents = prior[:, 2] - prior[:, 1]
+    tangents /= np.hypot(*tangents.T)[:, None]
+    owner, smooth = np.arange(3 * len(prior)), np.ones(len(prior), bool)
+    places = _places(480)
+    return _call(
+        normal_band, _outline(480, 93.0), places, prior.reshape(-1, 2), owner, tangents, smooth, (0.1, 0.1, 1.0)
+    )
+
+
 CASES: dict[str, Callable[[], Case]] = {
     "align": _alignment,
     "anchored": _anchoring,
@@ -149,6 +179,8 @@ CASES: dict[str, Callable[[], Case]] = {
     "log_densities": _densities,
     "matches": _matches,
     "nearest_edges": lambda: _call(nearest_edges, _outline(centre=(80.0, 60.0), radius=45.0), GRID, 20.0),
+    "nearest_places": _nearest,
+    "normal_band": _band,
     "outline_distances": lambda: _call(outline_distances, _moving(), _moving() + 1.5, True),
     "region_sums": lambda: _call(region_sums, row_sums(_field()), _outline(), _moves()),
     "ribbon_means": lambda: _call(ribbon_means, _field(), _field(), _outline(), _moves(), 8.0),

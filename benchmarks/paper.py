@@ -14,8 +14,8 @@ from typing import Any
 import numpy as np
 
 from benchmarks import paper_plots, paper_rows, processes, report, restarts, shots
-from benchmarks.placement import first_shapes
 from benchmarks.restarts import Job
+from benchmarks.shots import first_shapes
 from benchmarks.stopwatch import Stopwatch
 from benchmarks.variants import ABLATION, WARPS, Variant
 from roam_core import track

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from benchmarks import chart, processes, report, shots
-from benchmarks.placement import first_shapes
+from benchmarks.shots import first_shapes
 from benchmarks.stopwatch import replaced
 from roam_core import track
 from roam_core.inference.alternate import alternate

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from benchmarks import report
-from roam_core import render_matte
+from roam_core import render_matte, shapes_from_mask
 from roam_core.errors import RoamError
 from roam_core.matte.vectorise import coverage_of, read_mask
 from roam_core.media import open_clip
@@ -96,6 +96,11 @@ def load(name: str) -> Shot:
         path = FOLDER / "Annotations" / name / f"{plate.frame_name(frame)}.png"
         masks.append(coverage_of(read_mask(path, size)) > 0.5)
     return Shot(name, plate.frames[0], pictures, masks)
+
+
+def first_shapes(shot: Shot) -> list[RotoShape]:
+    """The shapes of the first frame, from its true mask."""
+    return shapes_from_mask(shot.mask(shot.first), shot.first)
 
 
 def overlap(ours: Mask, true: Mask) -> float:

@@ -16,8 +16,7 @@ import cv2
 import numpy as np
 
 from benchmarks import demo_shot, report, shots
-from benchmarks.placement import first_shapes
-from benchmarks.shots import Shot
+from benchmarks.shots import Shot, first_shapes
 from benchmarks.yardstick import flow_seconds
 from roam_core import track
 from roam_core.params import CONFIGS, DEFAULT_CONFIG, params_for

@@ -3,7 +3,7 @@
 from benchmarks.methods.engine import Engine
 from benchmarks.methods.flow import ContourFlow
 from benchmarks.methods.grabcut import GrabCut
-from benchmarks.methods.method import Carried, Method
+from benchmarks.methods.method import Method
 from benchmarks.methods.planar import Planar
 from benchmarks.methods.still import Hold, Linear
 
@@ -18,4 +18,4 @@ PEERS: tuple[Method, ...] = (
 )
 """Simpler tools, as an artist would use them."""
 
-__all__ = ["PEERS", "Carried", "ContourFlow", "Engine", "GrabCut", "Hold", "Linear", "Method", "Planar"]
+__all__ = ["PEERS", "ContourFlow", "Engine", "GrabCut", "Hold", "Linear", "Method", "Planar"]

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 import roam_core
 from benchmarks import shots
-from benchmarks.methods.method import Carried, Shapes, living, others
+from benchmarks.methods.method import Shapes, living
 from benchmarks.shots import Mask, Shot
 from roam_core.params import RoamParams, params_for
 
@@ -18,24 +18,22 @@ class Engine:
         self.params = params_for(config)
         self.name = f"`{self.params.config}`"
 
-    def carry(self, shot: Shot, shapes: Shapes, frames: range) -> Iterator[Carried]:
+    def carry(self, shot: Shot, shapes: Shapes, frames: range) -> Iterator[Mask]:
         """See `Method.carry`. A shape keeps its earlier keys: the engine may learn from all of them."""
         there = living(shapes, frames[0])
         if not there:
             for frame in frames[1:]:
-                yield Carried(shots.matte([], frame, shot.size), tuple(shapes))
+                yield shots.matte([], frame, shot.size)
             return
         for result in roam_core.track(shot.read, there, frames, self.params):
-            running = [each.shape for each in result.results]
-            seen = shots.matte(running, result.frame, shot.size)
-            yield Carried(seen, (*running, *others(shapes, running)))
+            yield shots.matte([each.shape for each in result.results], result.frame, shot.size)
 
     def fill(self, shot: Shot, shapes: Shapes, start: int, stop: int) -> list[Mask]:
         """See `Method.fill`."""
         there = living(shapes, start)
         if not any(shape.key_at(stop) and shape.exists_at(stop) for shape in there):
             # Nothing arrives: all that can be done is to carry what sets out.
-            return [each.mask for each in self.carry(shot, there, range(start, stop))]
+            return list(self.carry(shot, there, range(start, stop)))
         if stop - start < 2:
             return []
         images = {frame: shot.read(frame) for frame in range(start, stop + 1)}

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from benchmarks.methods.correlation import BoxTracker
-from benchmarks.methods.method import Carried, Shapes, living
+from benchmarks.methods.method import Shapes, living
 from benchmarks.shots import Mask, Shot, matte
 
 MARGIN = 0.1
@@ -25,12 +25,12 @@ class GrabCut:
 
     name = "GrabCut and box tracker"
 
-    def carry(self, shot: Shot, shapes: Shapes, frames: range) -> Iterator[Carried]:
+    def carry(self, shot: Shot, shapes: Shapes, frames: range) -> Iterator[Mask]:
         """See `Method.carry`."""
         key = matte(living(shapes, frames[0]), frames[0], shot.size)
         if not key.any():
             for _ in frames[1:]:
-                yield Carried(key, tuple(shapes))
+                yield key
             return
         rows, columns = np.flatnonzero(key.any(axis=1)), np.flatnonzero(key.any(axis=0))
         box = float(columns[0]), float(rows[0]), float(columns[-1] + 1), float(rows[-1] + 1)
@@ -39,13 +39,13 @@ class GrabCut:
         for frame in frames[1:]:
             shift = tracker.step(_grey(shot, frame))
             mask = _cut(shot.read(frame), _shifted(mask, shift), tracker.box)
-            yield Carried(mask, tuple(shapes))
+            yield mask
 
     def fill(self, shot: Shot, shapes: Shapes, start: int, stop: int) -> list[Mask]:
         """See `Method.fill`: each half from its own key."""
         middle = (start + stop) // 2
-        ahead = [each.mask for each in self.carry(shot, shapes, range(start, middle + 1))]
-        behind = [each.mask for each in self.carry(shot, shapes, range(stop, middle, -1))]
+        ahead = list(self.carry(shot, shapes, range(start, middle + 1)))
+        behind = list(self.carry(shot, shapes, range(stop, middle, -1)))
         return ahead + behind[::-1]
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from itertools import pairwise
 from typing import Protocol
 
@@ -12,18 +12,10 @@ from numpy.typing import NDArray
 
 from benchmarks import shots
 from benchmarks.shots import Mask, Shot
-from roam_core.roto import BlendMode, Keyframe, RotoShape
+from roam_core.roto import Keyframe, RotoShape
 
 Array = NDArray[np.float64]
 Shapes = Sequence[RotoShape]
-
-
-@dataclass(frozen=True, eq=False)
-class Carried:
-    """One frame: the matte `(h, w)`, and the shapes as they stand there, for whoever sets a key on it."""
-
-    mask: Mask
-    shapes: tuple[RotoShape, ...]
 
 
 class Method(Protocol):
@@ -34,8 +26,8 @@ class Method(Protocol):
         """As the tables call it."""
         ...
 
-    def carry(self, shot: Shot, shapes: Shapes, frames: range) -> Iterator[Carried]:
-        """The frames after `frames[0]`, in their order, from the shapes as they are there; in either direction."""
+    def carry(self, shot: Shot, shapes: Shapes, frames: range) -> Iterator[Mask]:
+        """The mattes of the frames after `frames[0]`, from the shapes as they are there; in either direction."""
         ...
 
     def fill(self, shot: Shot, shapes: Shapes, start: int, stop: int) -> list[Mask]:
@@ -50,13 +42,12 @@ class MovingPoints:
         """The closed splines `(P, 3, 2)` of frame `before` on the neighbouring frame `after`."""
         raise NotImplementedError
 
-    def carry(self, shot: Shot, shapes: Shapes, frames: range) -> Iterator[Carried]:
+    def carry(self, shot: Shot, shapes: Shapes, frames: range) -> Iterator[Mask]:
         """See `Method.carry`."""
         there = living(shapes, frames[0])
         for frame, outlines in zip(frames[1:], self._path(shot, there, frames), strict=True):
-            carried = [placed(shape, frame, points) for shape, points in zip(there, outlines, strict=True)]
-            running = [shape.with_key(Keyframe(frame, points)) for shape, points in zip(there, outlines, strict=True)]
-            yield Carried(shots.matte(carried, frame, shot.size), (*running, *others(shapes, there)))
+            now = [placed(shape, frame, points) for shape, points in zip(there, outlines, strict=True)]
+            yield shots.matte(now, frame, shot.size)
 
     def fill(self, shot: Shot, shapes: Shapes, start: int, stop: int) -> list[Mask]:
         """See `Method.fill`: carried from both keys and blended point by point, each by its nearness.
@@ -93,17 +84,6 @@ def living(shapes: Shapes, frame: int) -> list[RotoShape]:
     return [shape for shape in shapes if shape.exists_at(frame)]
 
 
-def others(shapes: Shapes, than: Shapes) -> list[RotoShape]:
-    """The shapes that are not among `than`, by their ids."""
-    known = {shape.id for shape in than}
-    return [shape for shape in shapes if shape.id not in known]
-
-
 def placed(shape: RotoShape, frame: int, points: Array) -> RotoShape:
     """The shape, with the outline `points` for all it knows; its lifetime is kept."""
     return replace(shape, keys=(Keyframe(frame, points),))
-
-
-def solid(shapes: Shapes) -> list[RotoShape]:
-    """The shapes that are no holes."""
-    return [shape for shape in shapes if shape.blend is not BlendMode.SUBTRACT]

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from benchmarks import shots
-from benchmarks.methods.method import Carried, Shapes, living, placed
+from benchmarks.methods.method import Shapes, living, placed
 from benchmarks.shots import Mask, Shot
 
 
@@ -14,15 +14,15 @@ class Hold:
 
     name = "hold"
 
-    def carry(self, shot: Shot, shapes: Shapes, frames: range) -> Iterator[Carried]:
+    def carry(self, shot: Shot, shapes: Shapes, frames: range) -> Iterator[Mask]:
         """See `Method.carry`."""
         here = [placed(shape, frames[0], shape.at(frames[0]).points) for shape in living(shapes, frames[0])]
         for frame in frames[1:]:
-            yield Carried(shots.matte(here, frame, shot.size), tuple(shapes))
+            yield shots.matte(here, frame, shot.size)
 
     def fill(self, shot: Shot, shapes: Shapes, start: int, stop: int) -> list[Mask]:
         """See `Method.fill`."""
-        return [each.mask for each in self.carry(shot, shapes, range(start, stop))]
+        return list(self.carry(shot, shapes, range(start, stop)))
 
 
 class Linear(Hold):

@@ -8,12 +8,11 @@ import cv2
 import numpy as np
 import pytest
 
-from benchmarks import placement, shots
+from benchmarks import placement, shots, true_keys
 from benchmarks.artist import method_of
 from benchmarks.methods import PEERS, ContourFlow, Engine, GrabCut, Hold, Method, Planar
 from benchmarks.methods.correlation import BoxTracker
 from benchmarks.shots import Shot
-from roam_core.roto import RotoShape
 
 MOVING: tuple[Method, ...] = (
     Planar("similarity"),
@@ -29,58 +28,46 @@ def name_of(method: Method) -> str:
     return method.name
 
 
-def overlaps(method: Method, shot: Shot, shapes: list[RotoShape], frames: range) -> list[float]:
-    carried = zip(frames[1:], method.carry(shot, shapes, frames), strict=True)
-    return [shots.overlap(each.mask, shot.mask(frame)) for frame, each in carried]
+def overlaps(method: Method, shot: Shot, frames: range) -> list[float]:
+    carried = method.carry(shot, true_keys.of(shot).on(frames[0]), frames)
+    return [shots.overlap(mask, shot.mask(frame)) for frame, mask in zip(frames[1:], carried, strict=True)]
 
 
 @pytest.mark.parametrize("method", MOVING, ids=name_of)
 def test_a_pure_translation_is_followed_both_ways(method: Method, gliding: Shot) -> None:
-    keys, shapes = placement.every(gliding, 7)
-    ahead, back = gliding.frames, gliding.frames[::-1]
     # Flow on the very border is half the ground's: points fall behind, and blending both ways makes up for it.
     least = 0.75 if isinstance(method, ContourFlow) else 0.9
-    for frames in (ahead, back):
-        assert min(overlaps(method, gliding, placement.alone(shapes, frames[0]), frames)) > least
-    filled = placement.between(method, gliding, shapes, *keys)
+    for frames in (gliding.frames, gliding.frames[::-1]):
+        assert min(overlaps(method, gliding, frames)) > least
+    filled = placement.between(method, gliding, gliding.first, gliding.last)
     assert len(filled) == len(gliding.frames) - 2
     assert min(filled) > 0.9
 
 
 def test_holding_falls_behind(gliding: Shot) -> None:
-    shapes = placement.first_shapes(gliding)
-    assert overlaps(Hold(), gliding, shapes, gliding.frames)[-1] < 0.6
-
-
-@pytest.mark.parametrize("method", [*PEERS, Engine("baseline")], ids=name_of)
-def test_an_edit_starts_from_where_the_method_left_the_shape(method: Method, gliding: Shot) -> None:
-    shapes = placement.first_shapes(gliding)
-    for frame, each in zip(gliding.frames[1:3], method.carry(gliding, shapes, gliding.frames[:3]), strict=True):
-        assert [shape.id for shape in each.shapes] == [shape.id for shape in shapes]
-        edited = placement.keyed(each.shapes, gliding, frame)
-        assert shots.overlap(shots.matte(edited, frame, gliding.size), gliding.mask(frame)) > 0.95
+    assert overlaps(Hold(), gliding, gliding.frames)[-1] < 0.6
 
 
 @pytest.mark.parametrize("method", MOVING, ids=name_of)
 def test_a_shape_that_has_ended_is_not_carried(method: Method, gliding: Shot) -> None:
-    ended = [replace(shape, lifetime=(0, gliding.first)) for shape in placement.first_shapes(gliding)]
-    for each in method.carry(gliding, ended, gliding.frames[:3]):
-        assert not each.mask.any()
+    ended = [replace(shape, lifetime=(0, gliding.first)) for shape in true_keys.of(gliding).on(gliding.first)]
+    for mask in method.carry(gliding, ended, gliding.frames[:3]):
+        assert not mask.any()
 
 
 @pytest.mark.parametrize("method", [*PEERS, *MOVING], ids=name_of)
 def test_a_shape_without_a_key_at_the_far_end_is_filled_from_the_near_one(method: Method, gliding: Shot) -> None:
     stop = gliding.first + 3
-    lone = [replace(shape, lifetime=(gliding.first, stop)) for shape in placement.first_shapes(gliding)]
+    lone = [replace(shape, lifetime=(0, stop)) for shape in true_keys.of(gliding).on(gliding.first)]
     masks = method.fill(gliding, lone, gliding.first, stop)
     assert len(masks) == 2
     if not isinstance(method, GrabCut):  # it knows masks alone, and the far one is empty
         assert all(mask.any() for mask in masks)
 
 
-@pytest.mark.parametrize("method", PEERS, ids=name_of)
+@pytest.mark.parametrize("method", [*PEERS, Engine("baseline")], ids=name_of)
 def test_neighbouring_keys_leave_nothing_to_fill(method: Method, gliding: Shot) -> None:
-    shapes = placement.keyed(placement.first_shapes(gliding), gliding, gliding.first + 1)
+    shapes = true_keys.of(gliding).over([gliding.first, gliding.first + 1])
     assert method.fill(gliding, shapes, gliding.first, gliding.first + 1) == []
 
 

@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from benchmarks import placement, shots
+from benchmarks import placement
 from benchmarks.methods import Hold, Linear
 from benchmarks.shots import Shot
 
@@ -60,30 +60,13 @@ def test_keys_themselves_reach_the_mask(sliding: Shot) -> None:
 
 
 def test_regular_keys_reach_as_far_as_whole_gaps_do(sliding: Shot) -> None:
-    keys, shapes = placement.every(sliding, 5)
-    assert keys == [101, 106, 111]
-    assert [shape.artist_frames for shape in shapes] == [(101, 106, 111)]
-    assert placement.filled(Linear(), sliding, keys, shapes) > 0.95
-    ahead, behind = (placement.carried(Hold(), sliding, keys, shapes, direction) for direction in (1, -1))
+    assert placement.every(sliding, 5) == [101, 106, 111]
+    assert placement.every(sliding, 50) == [101, 113]
+    assert placement.filled(Linear(), sliding, [101, 106, 111]) > 0.95
+    ahead, behind = (placement.carried(Hold(), sliding, [101, 106, 111], direction) for direction in (1, -1))
     expected = np.mean([(20 - d) / (20 + d) for d in range(1, 5)])
     assert ahead == pytest.approx(expected, abs=0.02)
     assert behind == pytest.approx(expected, abs=0.02)
-
-
-def test_a_method_that_is_given_one_key_sees_no_other(sliding: Shot) -> None:
-    keys, shapes = placement.every(sliding, 5)
-    (shape,) = placement.alone(shapes, keys[1])
-    assert shape.frames == (keys[1],)
-    there = shots.matte([shape], keys[2], sliding.size)
-    assert shots.overlap(there, sliding.mask(keys[1])) > 0.97
-
-
-def test_keys_are_fitted_once_for_all_methods(sliding: Shot, monkeypatch: pytest.MonkeyPatch) -> None:
-    given = placement.first_shapes(sliding)
-    first = placement.keyed(given, sliding, 103)
-    monkeypatch.setattr("roam_core.keys_from_mask", None)
-    again = placement.keyed(given, sliding, 103)
-    assert all(a is b for a, b in zip(first, again, strict=True))
 
 
 def test_every_frame_of_a_shot_belongs_to_one_span(sliding: Shot) -> None:

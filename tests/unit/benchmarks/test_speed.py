@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from benchmarks import placement, speed
+from benchmarks import shots, speed
 from benchmarks.shots import Shot
 
 
 def test_every_frame_is_timed_and_the_first_apart(gliding: Shot) -> None:
-    found = speed.timed(gliding, placement.first_shapes(gliding), "baseline")
+    found = speed.timed(gliding, shots.first_shapes(gliding), "baseline")
     assert len(found.clock) == len(found.processor) == len(gliding.frames) - 2
     assert len(found.flow) == len(gliding.frames) - 1
     assert min((*found.clock, *found.flow, found.first)) > 0.0
