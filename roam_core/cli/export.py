@@ -25,6 +25,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--tolerance", type=float, default=0.5, metavar="E", help="pixels, for reduced keys (%(default)s)"
     )
+    parser.add_argument(
+        "--frames", type=int, nargs=2, metavar=("FIRST", "LAST"), help="keys and pictures of these frames only (all)"
+    )
     parser.add_argument("--frame-offset", type=int, default=0, metavar="N", help="added to every frame number")
     parser.add_argument("--frame", type=int, metavar="F", help="svg: the frame of the picture (the clip's first)")
     add_matte_arguments(parser)
@@ -38,6 +41,7 @@ def run(arguments: argparse.Namespace) -> int:
         frame_offset=arguments.frame_offset,
         keys=KeyChoice(arguments.keys),
         tolerance=arguments.tolerance,
+        frames=None if arguments.frames is None else range(arguments.frames[0], arguments.frames[1] + 1),
         frame=arguments.frame,
         mattes=matte_style(arguments),
     )

@@ -24,7 +24,7 @@ PNG = MatteStyle()
 
 
 class MatteExporter:
-    """Writes mattes of the visible shapes for every frame of the clip."""
+    """Writes mattes of the visible shapes for every frame of the clip, or for those that are asked for."""
 
     name = "mattes"
     title = "Mattes (PNG, EXR, TIFF)"
@@ -47,7 +47,7 @@ class MatteExporter:
         shown = replace(project, root=_chosen(project.root, options))
         write_mattes(
             shown,
-            clip.frame_range,
+            options.frames_of(clip),
             folder,
             numbering(pattern, options.frame_offset),
             (clip.size[1], clip.size[0]),

@@ -18,7 +18,7 @@ from roam_core.errors import RoamError
 from roam_core.geometry import similarity
 from roam_core.interchange.nuke_keys import LAST_EXACT_FRAME
 from roam_core.interchange.nuke_text import tcl_word
-from roam_core.interchange.protocol import FARTHEST, STANDARD, ExportOptions, ShapeWriter, chosen_keys
+from roam_core.interchange.protocol import FARTHEST, STANDARD, ExportOptions, ShapeWriter, exported_keys
 from roam_core.roto import Clip, Project, RotoShape
 from roam_core.roto.file import write_atomically
 
@@ -75,7 +75,7 @@ class NukeTracksExporter:
         for shape in project.shapes:
             options.advance(writer.done / writer.total, f"Shape {shape.name}")
             writer.done += 1
-            shape = chosen_keys(shape, options)
+            shape = exported_keys(shape, options)
             if len(shape.keys) < 2:
                 writer.notes.append(f"{shape.name!r} has one key and no motion; it was left out.")
                 continue

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 from enum import StrEnum
+from itertools import pairwise
 from pathlib import Path
 from typing import Protocol
 
@@ -38,7 +39,9 @@ class ExportOptions:
     keys : every key; the artist's only (a shape without any of the artist's gives every one); or as few as keep the
         outline within `tolerance` pixels, the artist's among them, in the format's own interpolation.
     tolerance : pixels, for reduced keys.
-    frame : the plate's frame for formats of still pictures; None is the clip's first.
+    frames : the plate's frames that are written, or None for all: pictures of no others, keys on no others, with the
+        motion on these frames as it is.
+    frame : the plate's frame for formats of still pictures; None is the first that is written.
     mattes : how pictures are written.
     progress : called with the finished fraction and a few words.
     token : cancels the export at its next safe point; no half-written file is left behind.
@@ -47,10 +50,19 @@ class ExportOptions:
     frame_offset: int = 0
     keys: KeyChoice = KeyChoice.EVERY
     tolerance: float = 0.5
+    frames: range | None = None
     frame: int | None = None
     mattes: MatteStyle = field(default_factory=MatteStyle)
     progress: Progress | None = None
     token: CancelToken | None = None
+
+    def frames_of(self, clip: Clip) -> range:
+        """The frames that are written; a `RoamError` where they are none of the clip's."""
+        if self.frames is None:
+            return clip.frame_range
+        if not self.frames or self.frames[0] < clip.first or self.frames[-1] > clip.last:
+            raise RoamError(f"The frames to export must lie between {clip.first} and {clip.last}, the clip's own.")
+        return self.frames
 
     def advance(self, fraction: float, text: str) -> None:
         """A safe point: give up here when cancelled, otherwise tell how far the export has come."""
@@ -110,6 +122,9 @@ class ShapeWriter:
     done: int = 0
     notes: list[str] = field(default_factory=list)
 
+    def __post_init__(self) -> None:
+        self.options.frames_of(self.clip)
+
     def begun(self, shape: RotoShape) -> RotoShape:
         """The next shape, reported, with the keys that are to be exported to a format with linear interpolation."""
         return self.begun_for(shape, Motion.LINEAR)[0]
@@ -118,12 +133,18 @@ class ShapeWriter:
         """As `begun`, for a format that moves points by `motion`; and the slopes of reduced cubic spans, or nothing."""
         self.options.advance(self.done / self.total, f"Shape {shape.name}")
         self.done += 1
-        shape = chosen_keys(shape, self.options)
+        shape = exported_keys(shape, self.options)
         if self.options.keys is not KeyChoice.REDUCED:
             return shape, ()
         reduction = reduced(shape, self.options.tolerance, motion, self.options.token)
         self.notes.append(reduction.report())
         return reduction.shape, reduction.slopes
+
+
+def exported_keys(shape: RotoShape, options: ExportOptions) -> RotoShape:
+    """The shape with the keys that are to be exported: those that were chosen, on the chosen frames."""
+    chosen = chosen_keys(shape, options)
+    return chosen if options.frames is None else within(chosen, options.frames)
 
 
 def chosen_keys(shape: RotoShape, options: ExportOptions) -> RotoShape:
@@ -141,6 +162,25 @@ def chosen_keys(shape: RotoShape, options: ExportOptions) -> RotoShape:
                     "correct or delete it, then export again."
                 )
     return shape
+
+
+def within(shape: RotoShape, frames: range) -> RotoShape:
+    """The shape with keys on these frames only, which moves on them as it did: the ends of a cut span become keys."""
+    first, last = frames[0], frames[-1]
+    spans = pairwise(shape.keys)
+    if any(
+        start.interpolation is Interpolation.SMOOTH and start.frame < cut < stop.frame
+        for start, stop in spans
+        for cut in (first, last)
+    ):
+        shape = without_smooth_keys(shape)
+    keys = {key.frame: key for key in shape.keys if first <= key.frame <= last}
+    for frame in (first, last):
+        if frame not in keys and (shape.frames[0] < frame < shape.frames[-1] or not keys):
+            outline = shape.at(frame)
+            before = next((key for key in reversed(shape.keys) if key.frame < frame), shape.keys[0])
+            keys[frame] = replace(before, frame=frame, points=outline.points, feather=outline.feather)
+    return replace(shape, keys=tuple(keys[frame] for frame in sorted(keys)))
 
 
 def without_smooth_keys(shape: RotoShape) -> RotoShape:

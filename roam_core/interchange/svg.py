@@ -35,20 +35,22 @@ class SvgFormat:
     suffixes = (".svg",)
 
     def export(self, project: Project, path: Path, options: ExportOptions = STANDARD) -> tuple[str, ...]:
-        """Write one picture: of the options' frame, or of the clip's first one.
+        """Write one picture: of the options' frame, or of the first that is written.
 
         Where the name of `path` says where a frame's number goes (`####` or `%04d`), one picture for every frame.
         """
         clip = project.require_clip()
-        frame = clip.first if options.frame is None else options.frame
+        frames = options.frames_of(clip)
+        frame = frames[0] if options.frame is None else options.frame
+        options = replace(options, frames=None)  # a picture shows one moment: there is no motion to be cut
         if not is_numbered(path.name):
             text, notes = svg_document(project, frame, options)
             options.advance(1.0, f"Writing {path.name}")
             write_atomically(path, text.encode("utf-8"))
             return notes
         name_for, told = numbering(path.name, options.frame_offset), dict[str, None]()
-        for done, frame in enumerate(clip.frame_range):
-            options.advance(done / len(clip.frame_range), f"Frame {frame}")
+        for done, frame in enumerate(frames):
+            options.advance(done / len(frames), f"Frame {frame}")
             text, notes = svg_document(project, frame, replace(options, progress=None))
             write_atomically(path.with_name(name_for(frame)), text.encode("utf-8"))
             told |= dict.fromkeys(notes)

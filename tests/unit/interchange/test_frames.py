@@ -1,0 +1,82 @@
+"""A part of the frames: pictures of no others, keys on no others, and the motion on them as it was."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import numpy.testing as npt
+import pytest
+
+from roam_core.errors import RoamError
+from roam_core.interchange import EXPORTERS, ExportOptions, KeyChoice
+from roam_core.interchange.protocol import exported_keys, within
+from roam_core.roto import Interpolation, Origin, Project
+from tests.unit.interchange.conftest import animated
+
+
+@pytest.mark.parametrize("interpolation", Interpolation)
+@pytest.mark.parametrize("frames", [range(1003, 1021), range(1011, 1013), range(1002, 1003), range(990, 1050)])
+def test_the_shape_moves_as_it_did_on_the_frames_that_are_written(interpolation: Interpolation, frames: range) -> None:
+    shape = animated("Arm", interpolation)
+    cut = within(shape, frames)
+    assert set(cut.frames) <= set(frames)
+    for frame in frames:
+        npt.assert_allclose(cut.at(frame).points, shape.at(frame).points, rtol=0, atol=1e-9)
+
+
+def test_frames_that_hold_all_keys_change_nothing() -> None:
+    shape = animated("Arm", Interpolation.SMOOTH)
+    assert within(shape, range(1001, 1041)) == shape
+
+
+def test_beyond_the_keys_the_shape_stands_still() -> None:
+    shape = animated("Arm")
+    (key,) = within(shape, range(1035, 1041)).keys
+    assert key.frame == 1035
+    npt.assert_array_equal(key.points, shape.keys[-1].points)
+
+
+def test_the_artists_keys_are_cut_where_the_artist_saw_them_move() -> None:
+    shape = animated("Arm")
+    cut = exported_keys(shape, ExportOptions(keys=KeyChoice.ARTIST, frames=range(1005, 1013)))
+    assert [(key.frame, key.origin) for key in cut.keys] == [(1005, Origin.ARTIST), (1012, Origin.ARTIST)]
+    start, stop = shape.at(1001).points, shape.at(1012).points
+    npt.assert_allclose(cut.keys[0].points, start + (stop - start) * 4 / 11, rtol=0, atol=1e-9)
+
+
+@pytest.mark.parametrize("name", [name for name in EXPORTERS if name not in ("mattes", "svg")])
+@pytest.mark.parametrize("choice", KeyChoice)
+def test_every_format_writes_them(project: Project, tmp_path: Path, name: str, choice: KeyChoice) -> None:
+    whole, part = tmp_path / "whole", tmp_path / "part"
+    EXPORTERS[name].export(project, whole, ExportOptions(keys=choice))
+    EXPORTERS[name].export(project, part, ExportOptions(keys=choice, frames=range(1002, 1010)))
+    assert part.read_text() != whole.read_text()
+
+
+def test_json_holds_no_key_beyond_them(project: Project, tmp_path: Path) -> None:
+    EXPORTERS["json"].export(project, tmp_path / "p.json", ExportOptions(frames=range(1005, 1013)))
+    text = (tmp_path / "p.json").read_text()
+    frames = {int(word.split(":")[1].strip(" ,")) for word in text.splitlines() if '"frame":' in word}
+    assert frames
+    assert frames <= set(range(1005, 1013))
+    assert json.loads(text)["first_frame"] == 1001
+
+
+def test_pictures_are_of_these_frames(project: Project, tmp_path: Path) -> None:
+    options = ExportOptions(frames=range(1005, 1008))
+    small = Project(project.require_clip(), project.root)
+    EXPORTERS["svg"].export(small, tmp_path / "s.####.svg", options)
+    assert sorted(path.name for path in tmp_path.iterdir()) == [f"s.{frame}.svg" for frame in (1005, 1006, 1007)]
+    EXPORTERS["svg"].export(small, tmp_path / "one.svg", options)
+    assert 'data-roam-frame="1005"' in (tmp_path / "one.svg").read_text()
+    EXPORTERS["mattes"].export(small, tmp_path / "mattes", ExportOptions(frames=range(1005, 1006)))
+    assert [path.name for path in (tmp_path / "mattes").iterdir()] == ["matte.1005.png"]
+
+
+@pytest.mark.parametrize("name", EXPORTERS)
+def test_frames_that_the_clip_has_not_are_refused(project: Project, tmp_path: Path, name: str) -> None:
+    for frames in (range(1000, 1005), range(1039, 1042), range(1005, 1005)):
+        with pytest.raises(RoamError, match="must lie between 1001 and 1040"):
+            EXPORTERS[name].export(project, tmp_path / "p", ExportOptions(frames=frames))
+    assert list(tmp_path.iterdir()) == []
