@@ -64,16 +64,23 @@ def take_up(
     if known is not None:
         tracker.resume(known, shapes)
         return
-    tracker.start(read(origin), shapes, origin)
-    for between in range(origin + frames.step, frame + frames.step, frames.step):
+    solve_again(tracker, read, shapes, range(origin, frame + frames.step, frames.step), token)
+    tracker.resume(tracker.standing, shapes)
+
+
+def solve_again(
+    tracker: GroupTracker, read: ReadPicture, shapes: Sequence[RotoShape], frames: range, token: CancelToken | None
+) -> None:
+    """Carry `shapes` from the artist's keys on `frames[0]` to the last of `frames` that has a picture."""
+    tracker.start(read(frames[0]), shapes, frames[0])
+    for frame in frames[1:]:
         if token is not None:
             token.check()
         try:
-            picture = read(between)
+            picture = read(frame)
         except MissingFrame:
             continue
-        tracker.step(picture, between, token)
-    tracker.resume(tracker.standing, shapes)
+        tracker.step(picture, frame, token)
 
 
 def _origin(shapes: Sequence[RotoShape], frame: int, forward: bool, params: RoamParams, clip: str) -> int:

@@ -23,7 +23,7 @@ from roam_core.propagate.laying import enclosed, laid
 from roam_core.propagate.nodes import smooth_points
 from roam_core.propagate.result import Part, StepResult, Termination
 from roam_core.proposal import region as proposed
-from roam_core.proposal.evidence import SURE, Expectation, Field, KeyMemory, gathered
+from roam_core.proposal.evidence import SURE, Expectation, Field, KeyMemory, Sources, gathered
 from roam_core.proposal.motion_cue import motion_ratio
 
 Array = NDArray[np.float64]
@@ -56,16 +56,58 @@ def begin(frame: PreparedFrame, parts: tuple[Part, ...], params: RegionParams) -
     return RegionState(frame, region, parts, tuple(smooth_points(part.points) for part in parts), key, colours)
 
 
+@dataclass(frozen=True, eq=False)
+class Sight:
+    """What is seen on a frame before anything is decided on it.
+
+    Attributes
+    ----------
+    sources : what the cues are drawn from; they know the key, carried on to the frame.
+    moved : (3, 3) similarity by which the object went as a whole. agreement : how much of it did, in [0, 1].
+    """
+
+    sources: Sources
+    moved: Array
+    agreement: float
+
+
 def step(
     state: RegionState, frame: PreparedFrame, params: RegionParams, token: CancelToken | None = None
 ) -> tuple[RegionState, tuple[StepResult, ...]]:
     """Carry all shapes from the state's frame to `frame`."""
+    sight = sighted(state, frame, params, token)
+    if sight is None:
+        return _left(state, frame)
+    expected = sight.sources.expected
+    ratio = gathered(sight.sources, params)
+    if token is not None:
+        token.check()
+    found = proposed.cleaned(ratio, expected.possible, params.overlap)
+    parts = tuple(replace(part, points=similarity.apply(sight.moved[:2], part.points)) for part in state.parts)
+    placed = laid(parts, state.smooth, found, scale_for(frame.size))
+    confidence = _overlap(expected.rigid, found.inside) * (0.5 + 0.5 * sight.agreement)
+    results = tuple(
+        _result(part, points, seen, found, confidence) for part, (points, seen) in zip(parts, placed, strict=True)
+    )
+    colours = state.colours
+    if confidence > TRUSTED and found.inside.any():
+        colours = colours.adapted(_learned(frame, found), params.adaptation)
+    parts = tuple(
+        replace(part, points=points) if seen else part for part, (points, seen) in zip(parts, placed, strict=True)
+    )
+    return RegionState(frame, found, parts, state.smooth, sight.sources.key, colours), results
+
+
+def sighted(
+    state: RegionState, frame: PreparedFrame, params: RegionParams, token: CancelToken | None = None
+) -> Sight | None:
+    """Where the object should be on `frame`, and what may be asked about it; None where it has left the picture."""
     scale = scale_for(frame.size)
     seen = state.region.grid.to_image(np.argwhere(state.region.inside)[:, ::-1].astype(np.float64) + 0.5)
     spots = np.vstack([seen, *(part.points[:, bezier.ANCHOR] for part in state.parts)])
     grid = grid_around(spots, frame.size, params, scale)
     if min(grid.shape) < 4:
-        return _left(state, frame)
+        return None
     fine = Grid.over(grid.region, 1.0 / scale)
     forward, backward = dense_flow(state.frame, frame, fine)
     inside = state.region.on(fine) > 0.5
@@ -83,23 +125,8 @@ def step(
     motion = np.float32(np.clip(2.5 * agreement - 1.0, 0.0, 1.0)) * _motion(
         back, moved, surroundings, grid, params, scale
     )
-    ratio = gathered(state.frame, frame, grid, expected, back, key, state.colours, motion, params)
-    if token is not None:
-        token.check()
-    found = proposed.cleaned(ratio, expected.possible, params.overlap)
-    parts = tuple(replace(part, points=similarity.apply(moved[:2], part.points)) for part in state.parts)
-    placed = laid(parts, state.smooth, found, scale)
-    confidence = _overlap(expected.rigid, found.inside) * (0.5 + 0.5 * agreement)
-    results = tuple(
-        _result(part, points, seen, found, confidence) for part, (points, seen) in zip(parts, placed, strict=True)
-    )
-    colours = state.colours
-    if confidence > TRUSTED and found.inside.any():
-        colours = colours.adapted(_learned(frame, found), params.adaptation)
-    parts = tuple(
-        replace(part, points=points) if seen else part for part, (points, seen) in zip(parts, placed, strict=True)
-    )
-    return RegionState(frame, found, parts, state.smooth, key, colours), results
+    sources = Sources(state.frame, frame, grid, expected, back, key, state.colours, motion, params.band)
+    return Sight(sources, moved, agreement)
 
 
 def grid_around(positions: Array, size: tuple[int, int], params: RegionParams, scale: float) -> Grid:

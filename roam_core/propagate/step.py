@@ -20,6 +20,7 @@ from roam_core.geometry import polyline
 from roam_core.geometry.simple import untied
 from roam_core.inference.alternate import alternate
 from roam_core.inference.contour_dp import Unary, descend
+from roam_core.motion.klt import Warp
 from roam_core.params import DOUBTFUL, AppearanceParams, RoamParams, scale_for
 from roam_core.propagate import landmarks
 from roam_core.propagate.confidence import frame_confidence, node_support
@@ -73,6 +74,15 @@ def begin(frame: PreparedFrame, points: Array, params: RoamParams) -> TrackerSta
     return TrackerState(frame, points, nodes, models, landmarks.begin(frame, line, params.landmarks))
 
 
+@dataclass(frozen=True, eq=False)
+class Sight:
+    """What is seen on a frame before inference: the pre-warped `nodes (N, 2)`, and what the terms look at."""
+
+    nodes: Array
+    curve: CurveContext
+    landmarks: LandmarkContext | None
+
+
 def step(
     state: TrackerState, frame: PreparedFrame, params: RoamParams, token: CancelToken | None = None
 ) -> tuple[TrackerState, StepResult]:
@@ -81,12 +91,11 @@ def step(
     moved, prior = expected(state.frame, frame, state.points, state.landmarks, params)
     if token is not None:
         token.check()
-    nodes = state.nodes.nodes(prior)
-    if _is_outside(nodes, frame.size):
+    sight = sighted(state, frame, moved, prior, params)
+    if sight is None:
         return _left(state, frame, prior)
-    context = curve_context(frame, nodes, params, scale, state.models)
-    seen = None if state.landmarks is None else landmarks.context(state.landmarks, frame, moved)
-    solution = _solved(nodes, context, seen, params, scale, token)
+    context, seen = sight.curve, sight.landmarks
+    solution = solved(sight, params, scale, token)
     points = untied(state.nodes.points(solution.nodes, prior), prior, scale)
     new = reshape(frame, points, prior, state.nodes, context, params, scale, _pull(solution.placing, seen, params))
     points = new.points
@@ -108,19 +117,22 @@ def step(
     return TrackerState(frame, points, state.nodes, models, known), result
 
 
-def _solved(
-    nodes: Array,
-    context: CurveContext,
-    seen: LandmarkContext | None,
-    params: RoamParams,
-    scale: float,
-    token: CancelToken | None,
-) -> Solved:
+def sighted(state: TrackerState, frame: PreparedFrame, moved: Warp, prior: Array, params: RoamParams) -> Sight | None:
+    """What the terms see around the pre-warped outline `prior (P, 3, 2)`; None where it has left the picture."""
+    nodes = state.nodes.nodes(prior)
+    if _is_outside(nodes, frame.size):
+        return None
+    curve = curve_context(frame, nodes, params, scale_for(frame.size), state.models)
+    seen = None if state.landmarks is None else landmarks.context(state.landmarks, frame, moved)
+    return Sight(nodes, curve, seen)
+
+
+def solved(sight: Sight, params: RoamParams, scale: float, token: CancelToken | None = None) -> Solved:
     """The curve alone, or the curve and the landmarks in turn."""
-    if seen is None:
-        alone = descend(nodes, context, params, scale, token)
+    if sight.landmarks is None:
+        alone = descend(sight.nodes, sight.curve, params, scale, token)
         return Solved(alone.nodes, alone.converged)
-    both = alternate(nodes, context, seen, params, token)
+    both = alternate(sight.nodes, sight.curve, sight.landmarks, params, token)
     return Solved(both.nodes, both.converged, both.placing)
 
 

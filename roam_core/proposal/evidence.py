@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import cached_property
 
 import cv2
 import numpy as np
@@ -108,45 +110,86 @@ def signed_distance(inside: Bools, reach: float) -> Float32:
     return np.asarray(np.clip(inner - outer, -reach, reach), dtype=np.float32)
 
 
-def gathered(
-    before: PreparedFrame,
-    after: PreparedFrame,
-    grid: Grid,
-    expected: Expectation,
-    backward: Float32,
-    key: KeyMemory,
-    colours: GlobalModel,
-    motion: Float32,
-    params: RegionParams,
-) -> Field:
-    """The smoothed log-ratio on `grid`, all terms weighted and added.
+@dataclass(frozen=True, eq=False)
+class Sources:
+    """What the cues of one frame are drawn from.
 
-    Parameters
+    Attributes
     ----------
+    before, after : the pictures of the last and of the new frame. grid : cells of the new one that are looked at.
     backward : (rows, columns, 2) flow from `after` to `before` in cells. motion : (rows, columns) its log-ratio.
+    key, colours : the artist's key, and the global colours as they have become since.
+    band_reach : cells to both sides of the expected outline in which pixels are in doubt.
     """
-    picture = grid.of(after.image)
-    colour = lab(picture)
-    carried = expected.rigid | expected.fluid
-    band = uncertain_band(expected.certain, expected.possible, params.band)
 
-    ratio = params.local_weight * local_match(
-        colour, lab(grid.of(before.image)), trimap(expected.last), band, backward, params.local_radius,
-        params.local_sigma, params.local_spread, params.clip,
+    before: PreparedFrame
+    after: PreparedFrame
+    grid: Grid
+    expected: Expectation
+    backward: Float32
+    key: KeyMemory
+    colours: GlobalModel
+    motion: Float32
+    band_reach: int
+
+    @cached_property
+    def picture(self) -> NDArray[np.uint8]:
+        """The new frame in cells, `(rows, columns, 3)` RGB."""
+        return self.grid.of(self.after.image)
+
+    @cached_property
+    def lab(self) -> Float32:
+        """The same in CIE Lab."""
+        return lab(self.picture)
+
+    @cached_property
+    def carried(self) -> Bools:
+        """Where the similarity or the flow takes the last region."""
+        return np.asarray(self.expected.rigid | self.expected.fluid)
+
+    @cached_property
+    def band(self) -> Bools:
+        """The cells in doubt; all others are taken as expected."""
+        return uncertain_band(self.expected.certain, self.expected.possible, self.band_reach)
+
+
+def cues(sources: Sources, params: RegionParams) -> Iterator[tuple[str, Float32]]:
+    """Each cue by name with its weighted log-ratio `(rows, columns)`, nats, one after the other.
+
+    "local" and "key": nearest colours of the last and of the key frame; "global key" and "global": the histograms;
+    "motion", "prior" and "bias". Only their sum in the band means anything to the region.
+    """
+    expected, grid = sources.expected, sources.grid
+    local = local_match(
+        sources.lab, lab(grid.of(sources.before.image)), trimap(expected.last), sources.band, sources.backward,
+        params.local_radius, params.local_sigma, params.local_spread, params.clip,
     )  # fmt: skip
+    yield "local", params.local_weight * local
     if params.key_weight > 0:
-        still = np.zeros((*grid.shape, 2), dtype=np.float32)
-        ratio += params.key_weight * local_match(
-            colour, lab(grid.warped(key.frame.image, key.to_now)), trimap(expected.remembered), band, still,
-            params.key_radius, 1.5 * params.local_sigma, params.key_spread, params.clip,
+        key, still = sources.key, np.zeros((*grid.shape, 2), dtype=np.float32)
+        remembered = local_match(
+            sources.lab, lab(grid.warped(key.frame.image, key.to_now)), trimap(expected.remembered), sources.band,
+            still, params.key_radius, 1.5 * params.local_sigma, params.key_spread, params.clip,
         )  # fmt: skip
-    ratio += params.global_key_weight * key.colours.log_ratio(picture, params.clip)
-    ratio += params.global_weight * colours.log_ratio(picture, params.clip)
+        yield "key", params.key_weight * remembered
+    yield "global key", params.global_key_weight * sources.key.colours.log_ratio(sources.picture, params.clip)
+    yield "global", params.global_weight * sources.colours.log_ratio(sources.picture, params.clip)
     # Limbs move in their own ways: motion speaks against new ground only, never against what was inside already.
-    ratio += params.motion_weight * np.where(carried, np.float32(0.0), np.minimum(motion, np.float32(0.0)))
-    ratio += params.prior_weight * signed_distance(carried, 20.0)
-    ratio += params.bias
+    against = np.minimum(np.where(sources.carried, np.float32(0.0), sources.motion), np.float32(0.0))
+    yield "motion", np.asarray(params.motion_weight * against, dtype=np.float32)
+    yield "prior", params.prior_weight * signed_distance(sources.carried, 20.0)
+    yield "bias", np.full(grid.shape, params.bias, dtype=np.float32)
+
+
+def gathered(sources: Sources, params: RegionParams) -> Field:
+    """The smoothed log-ratio on the sources' grid, all cues added; surely in or out beyond the band."""
+    each = cues(sources, params)
+    _, ratio = next(each)
+    for _, cue in each:
+        ratio += cue
     ratio = cv2.GaussianBlur(ratio, (0, 0), params.blur)
+    expected, band = sources.expected, sources.band
     sure = np.where(expected.rigid & expected.fluid, np.float32(SURE), np.float32(-SURE))
     ratio = np.where(band, ratio, sure).astype(np.float32)
-    return Field(grid, diffuse(ratio, colour, band, params.diffusion, params.contrast, params.sweeps))
+    smoothed = diffuse(ratio, sources.lab, band, params.diffusion, params.contrast, params.sweeps)
+    return Field(sources.grid, smoothed)
