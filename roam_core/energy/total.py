@@ -63,7 +63,7 @@ def pairwise_table(
     if colours.global_ratio is not None:
         sums = sums + params.lambda_global * colours.global_sums
     pairwise += _enclosed(nodes, moves, context, sums, curve.pairwise_global, edges)
-    if _is_ribbon(params):
+    if is_ribbon(params):
         pairwise += params.lambda_local * _ribbon(nodes, moves, context, params, edges)
     return pairwise
 
@@ -94,31 +94,40 @@ def energies(nodes: Array, context: CurveContext, params: RoamParams) -> Mapping
     Any closed curve may be asked for, of any number of nodes, that runs the way round that the context says; at another
     spacing than the context's the terms that are taken at nodes count more or less.
     """
-    here = context.local(nodes)
-    shares = {
-        "gradient": params.lambda_gradient * curve.pairwise_gradient(here, NO_MOVE, context.squared_gradient).sum(),
-        "l2": params.mu * curve.pairwise_l2(here, NO_MOVE, context.spacing).sum(),
-    }
-    colours = context.colours
-    if colours is not None:
-        if _is_ribbon(params):
-            shares["local"] = params.lambda_local * _ribbon(nodes, NO_MOVE, context, params).sum()
-        else:
-            local = _enclosed(nodes, NO_MOVE, context, colours.local_sums, curve.pairwise_competition)
-            shares["local"] = params.lambda_local * local.sum()
-        if colours.global_ratio is not None:
-            whole = _enclosed(nodes, NO_MOVE, context, colours.global_sums, curve.pairwise_global)
-            shares["global"] = params.lambda_global * whole.sum()
-    named = {name: float(share) for name, share in shares.items()}
+    named = {name: float(weight * term.sum()) for name, (weight, term) in edge_terms(nodes, context, params).items()}
     return named | {"total": sum(named.values())}
 
 
-def _is_ribbon(params: RoamParams) -> bool:
+def edge_terms(nodes: Array, context: CurveContext, params: RoamParams) -> Mapping[str, tuple[float, Array]]:
+    """Each term's weight, and its edges' pieces `(N, 1, 1)` at `nodes (N, 2)`, which around the curve sum to the term.
+
+    Of terms over the enclosed region only the sum means anything: `energy.shares` gives pieces of those that do.
+    """
+    here = context.local(nodes)
+    terms = {
+        "gradient": (params.lambda_gradient, curve.pairwise_gradient(here, NO_MOVE, context.squared_gradient)),
+        "l2": (params.mu, curve.pairwise_l2(here, NO_MOVE, context.spacing)),
+    }
+    colours = context.colours
+    if colours is not None:
+        if is_ribbon(params):
+            local = _ribbon(nodes, NO_MOVE, context, params)
+        else:
+            local = _enclosed(nodes, NO_MOVE, context, colours.local_sums, curve.pairwise_competition)
+        terms["local"] = (params.lambda_local, local)
+        if colours.global_ratio is not None:
+            whole = _enclosed(nodes, NO_MOVE, context, colours.global_sums, curve.pairwise_global)
+            terms["global"] = (params.lambda_global, whole)
+    return terms
+
+
+def is_ribbon(params: RoamParams) -> bool:
+    """True where the local models are asked over the ribbon, and not by region competition."""
     return params.appearance is not None and params.appearance.term == "ribbon"
 
 
 def _region_weight(params: RoamParams) -> float:
-    return 0.0 if _is_ribbon(params) else params.lambda_local
+    return 0.0 if is_ribbon(params) else params.lambda_local
 
 
 def _enclosed(
@@ -132,8 +141,14 @@ def _enclosed(
     """A region term's table for the row sums of a log-ratio on the colours' grid."""
     assert context.colours is not None
     grid = context.colours.grid
-    cells = context.spacing * float(grid.factor.mean())
+    cells = spacing_in_cells(context)
     return term(grid.to_grid(nodes), moves * grid.factor, sums, context.orientation, cells, edges)
+
+
+def spacing_in_cells(context: CurveContext) -> float:
+    """The context's spacing in cells of the colours' grid: what sums over a region are divided by."""
+    assert context.colours is not None
+    return context.spacing * float(context.colours.grid.factor.mean())
 
 
 def _ribbon(
