@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject
 from PySide6.QtWidgets import QWidget
@@ -15,16 +16,29 @@ from app.files import PROJECT_SUFFIX, Files
 from app.folders import cache_folder
 from app.jobs.export import Export
 from app.jobs.importing import SHAPE_FILES, Import
+from app.view_state import ViewState
+
+if TYPE_CHECKING:
+    from app.export_dialog import ExportDialog
 
 
 class FileActions(QObject):
     """Each method asks what must be asked and hands the rest to `Files`, `Export` and `Import`."""
 
-    def __init__(self, window: QWidget, document: Document, files: Files, export: Export, importing: Import) -> None:
+    def __init__(
+        self,
+        window: QWidget,
+        document: Document,
+        view_state: ViewState,
+        files: Files,
+        export: Export,
+        importing: Import,
+    ) -> None:
         super().__init__(window)
-        self._window, self._document, self._files = window, document, files
+        self._window, self._document, self._view, self._files = window, document, view_state, files
         self._export, self._import = export, importing
         self._after_saving: Callable[[], object] | None = None
+        self._export_dialog: ExportDialog | None = None
         files.saved.connect(self._saved)
 
     def leave_project(self, then: Callable[[], object]) -> None:
@@ -88,11 +102,20 @@ class FileActions(QObject):
         if folder is not None:
             self._import.start(folder)
 
+    def export(self) -> None:
+        """Show the export dialog; it stays as it was left."""
+        # Formats load what the window can begin without.
+        from app.export_dialog import ExportDialog
+
+        if self._export_dialog is None:
+            self._export_dialog = ExportDialog(
+                self._document, self._view, self._export, self._suggested, parent=self._window
+            )
+        self._export_dialog.show()
+        self._export_dialog.activateWindow()
+
     def export_nuke(self) -> None:
         self._export_file("nuke", "Export to Nuke")
-
-    def export_silhouette(self) -> None:
-        self._export_file("silhouette", "Export to Silhouette")
 
     def export_mattes(self) -> None:
         folder = dialogs.choose_folder(self._window, "Export mattes to a folder", self._start_folder())

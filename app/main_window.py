@@ -81,7 +81,7 @@ class MainWindow(QMainWindow):
         self.navigation = Navigation(self.document, self.view_state)
         self.tracking = Tracking(self.document, self.view_state, self.propagation)
         self.shape_verbs = ShapeVerbs(self.document, self.view_state)
-        self.file_actions = FileActions(self, self.document, self.files, self.export, self.importing)
+        self.file_actions = FileActions(self, self.document, self.view_state, self.files, self.export, self.importing)
 
     def _build_parts(self) -> None:
         document, view_state = self.document, self.view_state
@@ -196,8 +196,8 @@ class MainWindow(QMainWindow):
             "file.save_as": files.save_as,
             "file.import_shapes": files.import_shapes,
             "file.import_masks": files.import_masks,
+            "file.export": files.export,
             "file.export_nuke": files.export_nuke,
-            "file.export_silhouette": files.export_silhouette,
             "file.export_mattes": files.export_mattes,
             "file.quit": self.close,
             "edit.undo": history.undo,

@@ -13,7 +13,7 @@ MENUS: dict[str, tuple[str, ...]] = {
         "file.new", "file.open_clip", "file.open_movie", "file.open_project", SEPARATOR,
         "file.save", "file.save_as", SEPARATOR,
         "file.import_shapes", "file.import_masks", SEPARATOR,
-        "file.export_nuke", "file.export_silhouette", "file.export_mattes", SEPARATOR,
+        "file.export", "file.export_nuke", "file.export_mattes", SEPARATOR,
         "file.quit",
     ),
     "Edit": (

@@ -1,0 +1,296 @@
+"""The export dialog: every format, which keys, which frames, how mattes are written, and what a format cannot hold."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import (
+    QComboBox,
+    QDialog,
+    QDoubleSpinBox,
+    QFormLayout,
+    QHBoxLayout,
+    QHeaderView,
+    QLabel,
+    QLineEdit,
+    QPlainTextEdit,
+    QProgressBar,
+    QPushButton,
+    QTreeWidget,
+    QTreeWidgetItem,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app import dialogs, style
+from app.document import Document
+from app.jobs.export import Export
+from app.jobs.runner import Ending
+from app.matte_form import MatteForm
+from app.panels.controls import dense_form, form_label, number_field, weak_label
+from app.view_state import ViewState
+from roam_core.interchange import EXPORTERS, Exporter, ExportOptions, KeyChoice
+
+KEYS = {
+    KeyChoice.EVERY: "Every key",
+    KeyChoice.ARTIST: "My keys only",
+    KeyChoice.REDUCED: "As few as hold the outline",
+}
+MATTES = "mattes"
+"""The name of the format whose files are pictures: it is written to a folder, and knows nothing of fewer keys."""
+
+
+class ExportDialog(QDialog):
+    """Stays open beside the work: an export runs on the writer's thread and tells here what it noted.
+
+    `suggested(suffix)` gives the file that is proposed.
+    """
+
+    def __init__(
+        self,
+        document: Document,
+        view_state: ViewState,
+        export: Export,
+        suggested: Callable[[str], Path],
+        parent: QWidget | None = None,
+    ) -> None:
+        super().__init__(parent)
+        self._document, self._view, self._export, self._suggested = document, view_state, export, suggested
+        self._is_ours, self._written = False, Path()
+        self.setWindowTitle("Export")
+        self.resize(760, 560)
+        self._build()
+        self._lay_out()
+        self._connect()
+        self._pull_project()
+
+    # ---- building
+
+    def _build(self) -> None:
+        self.formats = QTreeWidget()
+        self.formats.setColumnCount(2)
+        self.formats.setHeaderHidden(True)
+        self.formats.setRootIsDecorated(False)
+        for exporter in EXPORTERS.values():
+            item = QTreeWidgetItem(self.formats, [exporter.title, exporter.suffix])
+            item.setData(0, Qt.ItemDataRole.UserRole, exporter.name)
+            item.setTextAlignment(1, Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+        mode = QHeaderView.ResizeMode
+        self.formats.header().setSectionResizeMode(0, mode.Stretch)
+        self.formats.header().setSectionResizeMode(1, mode.ResizeToContents)
+        self.formats.header().setStretchLastSection(False)
+        self.keys = QComboBox()
+        self.tolerance = QDoubleSpinBox()
+        self.tolerance.setRange(0.01, 100.0)
+        self.tolerance.setSingleStep(0.1)
+        self.tolerance.setValue(0.5)
+        self.tolerance.setSuffix(" px")
+        self.tolerance.setToolTip("How far the outline may stray from the tracked one when keys are left out")
+        self.first, self.last = number_field("The first frame to export"), number_field("The last frame to export")
+        self.all_frames, self.in_out = QPushButton("All"), QPushButton("In to out")
+        self.mattes = MatteForm()
+        self.target, self.browse = QLineEdit(), QPushButton("Browse…")
+        self.hint = weak_label("")
+        self.notes = QPlainTextEdit()
+        self.notes.setReadOnly(True)
+        self.notes.setPlaceholderText("What a format cannot hold is told here after the export.")
+        self.bar = QProgressBar()
+        self.bar.setRange(0, 1000)
+        self.bar.setTextVisible(False)
+        self.start, self.stop, self.leave = QPushButton("Export"), QPushButton("Stop"), QPushButton("Close")
+        self.start.setDefault(True)
+        self.stop.setEnabled(False)
+
+    def _lay_out(self) -> None:
+        form = dense_form()
+        form.addRow(form_label("Keys"), self.keys)
+        self._tolerance_label = form_label("Within")
+        form.addRow(self._tolerance_label, self.tolerance)
+        form.addRow(form_label("Frames"), _row(self.first, QLabel("to"), self.last, self.all_frames, self.in_out, None))
+        right = QVBoxLayout()
+        right.setSpacing(6)
+        right.addLayout(form)
+        right.addWidget(self.mattes)
+        right.addStretch(1)
+        upper = QHBoxLayout()
+        upper.setSpacing(2 * style.MARGIN)
+        upper.addWidget(self.formats, 1)
+        upper.addLayout(right, 1)
+        column = QVBoxLayout(self)
+        column.setSpacing(style.MARGIN)
+        column.addLayout(upper, 1)
+        where: QFormLayout = dense_form()
+        where.addRow(form_label("To"), _row(self.target, self.browse))
+        where.addRow(form_label(""), self.hint)
+        column.addLayout(where)
+        self.notes.setFixedHeight(110)
+        column.addWidget(self.notes)
+        column.addLayout(_row(self.bar, self.stop, self.start, self.leave))
+
+    def _connect(self) -> None:
+        self.formats.currentItemChanged.connect(lambda *_: self._pull_format())
+        self.keys.currentIndexChanged.connect(lambda _: self._pull_tolerance())
+        self.target.textChanged.connect(lambda _: self._pull_hint())
+        self.mattes.file.currentIndexChanged.connect(lambda _: self._pull_hint())
+        self.first.valueChanged.connect(lambda _: self._pull_hint())
+        self.all_frames.clicked.connect(self._take_all_frames)
+        self.in_out.clicked.connect(self._take_range)
+        self.browse.clicked.connect(self._browse)
+        self.start.clicked.connect(self._start)
+        self.stop.clicked.connect(self._export.stop)
+        self.leave.clicked.connect(self.close)
+        self._document.replaced.connect(self._pull_project)
+        self._export.progress.connect(self._show_progress)
+        self._export.noted.connect(self._show_notes)
+        self._export.finished.connect(self._show_end)
+
+    # ---- what is chosen
+
+    @property
+    def exporter(self) -> Exporter:
+        """The format that is selected."""
+        item = self.formats.currentItem()
+        assert item is not None  # one is selected from the beginning
+        return EXPORTERS[item.data(0, Qt.ItemDataRole.UserRole)]
+
+    def choose(self, name: str) -> None:
+        """Select a format."""
+        for row in range(self.formats.topLevelItemCount()):
+            item = self.formats.topLevelItem(row)
+            if item is not None and item.data(0, Qt.ItemDataRole.UserRole) == name:
+                self.formats.setCurrentItem(item)
+
+    @property
+    def options(self) -> ExportOptions:
+        """The options as they stand in the fields."""
+        clip, frames = self._document.project.clip, range(self.first.value(), self.last.value() + 1)
+        return ExportOptions(
+            keys=KeyChoice(self.keys.currentData()),
+            tolerance=self.tolerance.value(),
+            frames=None if clip is None or frames == clip.frame_range else frames,
+            mattes=self.mattes.chosen,
+        )
+
+    @property
+    def path(self) -> Path:
+        """Where the export goes; a name alone lies beside the suggested file, a missing suffix is added."""
+        path = self._suggested("").parent / Path(self.target.text().strip()).expanduser()
+        return path if self._is_folder or path.suffix else path.with_suffix(self.exporter.suffix)
+
+    @property
+    def _is_folder(self) -> bool:
+        return self.exporter.name == MATTES
+
+    # ---- pulling
+
+    def _pull_project(self) -> None:
+        """Another project: its frames, and a name for what is written of it."""
+        clip = self._document.project.clip
+        for field, value in ((self.first, clip.first if clip else 1), (self.last, clip.last if clip else 1)):
+            if clip is not None:
+                field.setRange(clip.first, clip.last)
+            field.setValue(value)
+        self.target.clear()
+        if self.formats.currentItem() is None:
+            self.choose(next(iter(EXPORTERS)))
+        self._pull_format()
+
+    def _pull_format(self) -> None:
+        chosen, kinds = (
+            self.keys.currentData(),
+            [kind for kind in KEYS if kind != KeyChoice.REDUCED or not self._is_folder],
+        )
+        self.keys.clear()
+        for kind in kinds:
+            self.keys.addItem(KEYS[kind], kind.value)
+        self.keys.setCurrentIndex(max(self.keys.findData(chosen), 0))
+        self.mattes.setVisible(self._is_folder)
+        self.target.setText(str(self._renamed()))
+        self._pull_tolerance()
+
+    def _renamed(self) -> Path:
+        """The target for the format that is selected now: the artist's own name with another suffix."""
+        if self._is_folder:
+            suggested = self._suggested("")
+            return suggested.with_name(f"{suggested.name}_mattes")
+        own = self.target.text().strip()
+        suffix = self.exporter.suffix
+        return Path(own).with_suffix(suffix) if Path(own).suffix else self._suggested(suffix)
+
+    def _pull_tolerance(self) -> None:
+        is_used = self.keys.currentData() == KeyChoice.REDUCED
+        for widget in (self._tolerance_label, self.tolerance):
+            widget.setEnabled(is_used)
+
+    def _pull_hint(self) -> None:
+        is_named = bool(self.target.text().strip())
+        self.start.setEnabled(is_named and not self._is_ours)
+        if not is_named:
+            self.hint.setText("Say where to write it.")
+        elif self._is_folder:
+            first = f"matte.{self.first.value()}{self.mattes.chosen.suffix}"
+            self.hint.setText(f"A folder; its pictures are {first} and so on.")
+        else:
+            self.hint.setText("Replaces the file that is there." if self.path.is_file() else "")
+
+    def _take_all_frames(self) -> None:
+        if (clip := self._document.project.clip) is not None:
+            self.first.setValue(clip.first)
+            self.last.setValue(clip.last)
+
+    def _take_range(self) -> None:
+        first, stop = self._view.play_range
+        self.first.setValue(first)
+        self.last.setValue(stop - 1)
+
+    # ---- the export
+
+    def _browse(self) -> None:
+        if self._is_folder:
+            chosen = dialogs.choose_folder(self, "Export mattes to a folder", self.path)
+        else:
+            chosen = dialogs.choose_export(self, f"Export: {self.exporter.title}", self.path, self.exporter.suffix)
+        if chosen is not None:
+            self.target.setText(str(chosen))
+
+    def _start(self) -> None:
+        self.notes.clear()
+        self._written = self.path
+        self._export.start(self.exporter.name, self._written, self.options)
+        self._is_ours = True
+        self._pull_running()
+
+    def _pull_running(self) -> None:
+        self.stop.setEnabled(self._is_ours)
+        self.bar.setValue(0)
+        self._pull_hint()
+
+    def _show_progress(self, fraction: float, _text: str) -> None:
+        if self._is_ours:
+            self.bar.setValue(round(1000 * fraction))
+
+    def _show_notes(self, notes: tuple[str, ...]) -> None:
+        if self._is_ours:
+            self.notes.setPlainText("\n".join([f"Exported to {self._written}.", *notes]))
+
+    def _show_end(self, ending: Ending, sentence: str) -> None:
+        if not self._is_ours:
+            return
+        if ending is not Ending.DONE:
+            self.notes.setPlainText(sentence)
+        self._is_ours = False
+        self._pull_running()
+
+
+def _row(*parts: QWidget | None) -> QHBoxLayout:
+    """Widgets side by side; None is a stretch."""
+    row = QHBoxLayout()
+    row.setSpacing(6)
+    for part in parts:
+        if part is None:
+            row.addStretch(1)
+        else:
+            row.addWidget(part, 1 if isinstance(part, QLineEdit | QProgressBar) else 0)
+    return row

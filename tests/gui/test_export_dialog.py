@@ -1,0 +1,199 @@
+"""The export dialog under the hand: every format, what may be chosen, what the export noted, that it can be stopped."""
+
+from __future__ import annotations
+
+import json
+import threading
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QComboBox
+from pytestqt.qtbot import QtBot
+
+from app import dialogs
+from app.document import Document
+from app.export_dialog import ExportDialog
+from app.jobs.export import Export
+from app.jobs.runner import Runner
+from app.view_state import ViewState
+from roam_core.geometry.bezier import polygon_points
+from roam_core.interchange import EXPORTERS, KeyChoice
+from roam_core.interchange.matte_style import DataWindow, Depth, Gathering, MatteFile, Parts
+from roam_core.interchange.mattes import MatteExporter
+from roam_core.roto import Clip, Keyframe, Origin, Project, edit
+from tests.gui.windows import opened_window, write_clip
+
+WAIT = 30_000
+CLIP = Clip(Path("/plates/shot"), 1001, 1010, (64, 48))
+SQUARE = polygon_points([(10, 10), (30, 10), (30, 30), (10, 30)])
+LEFT = Qt.MouseButton.LeftButton
+
+
+@pytest.fixture
+def runner(qtbot: QtBot) -> Iterator[Runner]:
+    runner = Runner("writer")
+    yield runner
+    assert runner.close()
+
+
+@pytest.fixture
+def dialog(qtbot: QtBot, document: Document, view_state: ViewState, runner: Runner, tmp_path: Path) -> ExportDialog:
+    """The dialog on a tracked square of ten frames, inverted, which Nuke does not hold."""
+    project, shape = edit.new_shape(Project(CLIP), SQUARE, 1001)
+    keys = [Keyframe(f, SQUARE + (f - 1001), origin=Origin.ENGINE) for f in range(1002, 1011)]
+    document.open(project.with_shape(edit.set_engine_keys(shape, keys)), None)
+    view_state.set_play_range(1003, 1006)
+    dialog = ExportDialog(document, view_state, Export(document, runner), lambda suffix: tmp_path / f"shot{suffix}")
+    qtbot.addWidget(dialog)
+    with qtbot.waitExposed(dialog):
+        dialog.show()
+    return dialog
+
+
+def pick(field: QComboBox, value: str) -> None:
+    field.setCurrentIndex(field.findData(str(value)))
+    assert field.currentData() == str(value)
+
+
+def export(qtbot: QtBot, dialog: ExportDialog) -> str:
+    """Press Export, wait for the end; gives what the dialog tells."""
+    with qtbot.waitSignal(dialog._export.finished, timeout=WAIT):
+        qtbot.mouseClick(dialog.start, LEFT)
+    return dialog.notes.toPlainText()
+
+
+def test_it_lists_every_format_there_is(dialog: ExportDialog) -> None:
+    rows = [dialog.formats.topLevelItem(row) for row in range(dialog.formats.topLevelItemCount())]
+    assert [(row.text(0), row.text(1)) for row in rows if row] == [(e.title, e.suffix) for e in EXPORTERS.values()]
+
+
+def test_a_click_on_a_format_shows_what_it_can_be_asked(qtbot: QtBot, dialog: ExportDialog, tmp_path: Path) -> None:
+    seen = {}
+    for row, name in enumerate(EXPORTERS):
+        item = dialog.formats.topLevelItem(row)
+        assert item is not None
+        place = dialog.formats.visualItemRect(item).center()
+        qtbot.mouseClick(dialog.formats.viewport(), LEFT, pos=place)
+        assert dialog.exporter.name == name
+        seen[name] = dialog.keys.count(), dialog.mattes.isVisible(), dialog.path.name
+    assert seen["nuke"] == (3, False, "shot.nk")
+    assert seen["silhouette"] == (3, False, "shot.fxs")
+    assert seen["mattes"] == (2, True, "shot_mattes")
+
+
+def test_keys_tolerance_and_frames_reach_the_file(qtbot: QtBot, dialog: ExportDialog, tmp_path: Path) -> None:
+    dialog.choose("json")
+    assert not dialog.tolerance.isEnabled()
+    export(qtbot, dialog)
+    assert frames_in(tmp_path / "shot.json") == list(range(1001, 1011))
+    pick(dialog.keys, KeyChoice.ARTIST)
+    export(qtbot, dialog)
+    assert frames_in(tmp_path / "shot.json") == [1001]
+    pick(dialog.keys, KeyChoice.REDUCED)
+    assert dialog.tolerance.isEnabled()
+    qtbot.mouseClick(dialog.in_out, LEFT)
+    assert (dialog.first.value(), dialog.last.value()) == (1003, 1005)
+    told = export(qtbot, dialog)
+    assert frames_in(tmp_path / "shot.json") == [1003, 1005]
+    assert told.splitlines()[0] == f"Exported to {tmp_path / 'shot.json'}."
+    assert len(told.splitlines()) == 2
+    assert dialog.hint.text() == "Replaces the file that is there."
+    qtbot.mouseClick(dialog.all_frames, LEFT)
+    assert dialog.options.frames is None
+
+
+def test_the_artists_name_stays_when_the_format_changes(qtbot: QtBot, dialog: ExportDialog, tmp_path: Path) -> None:
+    dialog.choose("nuke")
+    dialog.target.selectAll()
+    qtbot.keyClicks(dialog.target, "hero")
+    export(qtbot, dialog)
+    assert (tmp_path / "hero.nk").is_file()
+    dialog.target.setText(str(tmp_path / "hero.nk"))
+    dialog.choose("silhouette")
+    assert dialog.path == tmp_path / "hero.fxs"
+    dialog.target.clear()
+    assert not dialog.start.isEnabled()
+
+
+def test_mattes_are_written_as_chosen(qtbot: QtBot, dialog: ExportDialog, tmp_path: Path) -> None:
+    dialog.choose("mattes")
+    form = dialog.mattes
+    assert [form.depths.itemData(row) for row in range(form.depths.count())] == ["8", "16"]
+    assert not form.gathering.isEnabled()
+    pick(form.file, MatteFile.EXR)
+    pick(form.depths, Depth.FLOAT)
+    pick(form.parts, Parts.SHAPE)
+    pick(form.gathering, Gathering.CHANNELS)
+    pick(form.pixels, DataWindow.TIGHT)
+    dialog.last.setValue(1002)
+    export(qtbot, dialog)
+    assert sorted(path.name for path in (tmp_path / "shot_mattes").iterdir()) == ["matte.1001.exr", "matte.1002.exr"]
+    pick(form.file, MatteFile.PNG)
+    assert (form.chosen.gathering, form.chosen.window) == (Gathering.FILES, DataWindow.FULL)
+
+
+def test_an_export_can_be_stopped_and_the_window_lives_meanwhile(
+    qtbot: QtBot, dialog: ExportDialog, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    begun, token = threading.Event(), []
+
+    def wait(self: MatteExporter, project: Project, path: Path, options: object) -> tuple[str, ...]:
+        assert threading.current_thread() is not threading.main_thread()
+        token.append(options.token)  # type: ignore[attr-defined]
+        begun.set()
+        while True:
+            token[0].check()
+
+    monkeypatch.setattr(MatteExporter, "export", wait)
+    dialog.choose("mattes")
+    qtbot.mouseClick(dialog.start, LEFT)
+    qtbot.waitUntil(begun.is_set, timeout=WAIT)
+    assert not dialog.start.isEnabled()
+    with qtbot.waitSignal(dialog._export.finished, timeout=WAIT):
+        qtbot.mouseClick(dialog.stop, LEFT)
+    assert dialog.notes.toPlainText() == "Export stopped; the files that are finished stay."
+    assert dialog.start.isEnabled()
+    assert not dialog.stop.isEnabled()
+
+
+def test_what_cannot_be_written_is_one_sentence(qtbot: QtBot, dialog: ExportDialog, tmp_path: Path) -> None:
+    (tmp_path / "file").write_text("no folder")
+    dialog.choose("nuke")
+    dialog.target.setText(str(tmp_path / "file" / "a.nk"))
+    told = export(qtbot, dialog)
+    assert told
+    assert "\n" not in told
+    assert "Exported" not in told
+
+
+def test_browse_asks_for_a_file_or_a_folder(
+    qtbot: QtBot, dialog: ExportDialog, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(dialogs, "choose_export", lambda parent, title, start, suffix: tmp_path / f"chosen{suffix}")
+    monkeypatch.setattr(dialogs, "choose_folder", lambda parent, title, start: tmp_path / "folder")
+    chosen = []
+    for name in ("fusion", "mattes"):
+        dialog.choose(name)
+        qtbot.mouseClick(dialog.browse, LEFT)
+        chosen.append(dialog.path.name)
+    assert chosen == ["chosen.setting", "folder"]
+
+
+def test_ctrl_e_opens_it_beside_the_work(qtbot: QtBot, tmp_path: Path) -> None:
+    with opened_window(qtbot, write_clip(tmp_path / "plate", 3), tmp_path / "autosave") as window:
+        qtbot.keyClick(window.canvas, Qt.Key.Key_E, Qt.KeyboardModifier.ControlModifier)
+        dialog = window.findChild(ExportDialog)
+        assert dialog is not None
+        assert dialog.isVisible()
+        assert not dialog.isModal()
+        assert (dialog.first.value(), dialog.last.value()) == (1001, 1003)
+        qtbot.mouseClick(dialog.leave, LEFT)
+        assert not dialog.isVisible()
+
+
+def frames_in(path: Path) -> list[int]:
+    """The frames of the keys of the only shape."""
+    (shape,) = json.loads(path.read_text())["items"]
+    return [key["frame"] for key in shape["keys"]]
