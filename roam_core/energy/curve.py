@@ -30,9 +30,17 @@ def pairwise_gradient(nodes: Array, moves: Array, squared_gradient: Float32, edg
     return -edge_means(squared_gradient, nodes, moves, edges)
 
 
-def pairwise_l2(nodes: Array, moves: Array, spacing: float, edges: IntArray | None = None) -> Array:
-    """|x_(n+1) - x_n|^2 / spacing^2 (second term of equation 3), `(N, D, D)`."""
+def pairwise_l2(
+    nodes: Array, moves: Array, spacing: float, edges: IntArray | None = None, rest: Array | None = None
+) -> Array:
+    """|x_(n+1) - x_n - r_n|^2 / spacing^2 (second term of equation 3, where r_n = 0), `(N, D, D)`.
+
+    `rest (N, 2)`, in pixels as `nodes`, are the edges r_n at which the term is least; None, the paper's, draws every
+    edge to length zero. Other rest edges are beyond the paper.
+    """
     vectors = np.roll(nodes, -1, axis=0) - nodes
+    if rest is not None:
+        vectors = vectors - rest
     if edges is not None:
         vectors = vectors[edges]
     # |e + b - a|^2 multiplied out: no array of vectors (N, D, D, 2) is needed.

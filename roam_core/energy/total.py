@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -30,6 +30,8 @@ class CurveContext:
         number of nodes is compared at this spacing.
     orientation : 1 for curves that run clockwise on screen, else -1.
     colours : the colour models' say; None without appearance terms.
+    rest : (N, 2) the edges x^_(n+1) - x^_n of the pre-warped curve, pixels: where the l2 term may rest
+        (`RoamParams.l2_rest`). None draws every edge to length zero.
     """
 
     squared_gradient: Float32
@@ -37,6 +39,17 @@ class CurveContext:
     spacing: float
     orientation: float = 1.0
     colours: ColourFields | None = None
+    rest: Array | None = None
+
+    def for_any_curve(self) -> CurveContext:
+        """The same without rest edges: other curves have other nodes, whose edges the pre-warp carried from nowhere."""
+        return replace(self, rest=None)
+
+    def rest_edges(self, params: RoamParams) -> Array | None:
+        """The edges `(N, 2)` at which the l2 term is least, pixels; None where all are drawn to length zero."""
+        if self.rest is None or params.l2_rest == 0.0:
+            return None
+        return params.l2_rest * self.rest
 
     def local(self, nodes: Array) -> Array:
         """Image positions as positions in the region of the gradient."""
@@ -54,7 +67,7 @@ def pairwise_table(
     """The pairwise energies `(N, D, D)`, or only those `(E, D, D)` of the edges that `edges (E,)` names."""
     here = context.local(nodes)
     pairwise = params.lambda_gradient * curve.pairwise_gradient(here, moves, context.squared_gradient, edges)
-    pairwise += params.mu * curve.pairwise_l2(here, moves, context.spacing, edges)
+    pairwise += params.mu * curve.pairwise_l2(here, moves, context.spacing, edges, context.rest_edges(params))
     colours = context.colours
     if colours is None:
         return pairwise
@@ -92,7 +105,8 @@ def energies(nodes: Array, context: CurveContext, params: RoamParams) -> Mapping
     """The oracle: each term's weighted share at `nodes (N, 2)`, evaluated directly, and their sum as "total".
 
     Any closed curve may be asked for, of any number of nodes, that runs the way round that the context says; at another
-    spacing than the context's the terms that are taken at nodes count more or less.
+    spacing than the context's the terms that are taken at nodes count more or less. Curves of other nodes than those
+    that the context was made around are compared by `CurveContext.for_any_curve`.
     """
     named = {name: float(weight * term.sum()) for name, (weight, term) in edge_terms(nodes, context, params).items()}
     return named | {"total": sum(named.values())}
@@ -106,7 +120,7 @@ def edge_terms(nodes: Array, context: CurveContext, params: RoamParams) -> Mappi
     here = context.local(nodes)
     terms = {
         "gradient": (params.lambda_gradient, curve.pairwise_gradient(here, NO_MOVE, context.squared_gradient)),
-        "l2": (params.mu, curve.pairwise_l2(here, NO_MOVE, context.spacing)),
+        "l2": (params.mu, curve.pairwise_l2(here, NO_MOVE, context.spacing, rest=context.rest_edges(params))),
     }
     colours = context.colours
     if colours is not None:

@@ -97,7 +97,8 @@ def step(
     context, seen = sight.curve, sight.landmarks
     solution = solved(sight, params, scale, token)
     points = untied(state.nodes.points(solution.nodes, prior), prior, scale)
-    new = reshape(frame, points, prior, state.nodes, context, params, scale, _pull(solution.placing, seen, params))
+    pull = _pull(solution.placing, seen, params)
+    new = reshape(frame, points, prior, state.nodes, context.for_any_curve(), params, scale, pull)
     points = new.points
     fitted = state.nodes.nodes(points)
     support = node_support(fitted, context, scale)
@@ -179,7 +180,7 @@ def curve_context(
     colours = None
     if models is not None and params.appearance is not None:
         colours = _colour_fields(frame, nodes, params.appearance, scale, reach, models)
-    return CurveContext(field, region.origin, spacing, orientation, colours)
+    return CurveContext(field, region.origin, spacing, orientation, colours, np.roll(nodes, -1, axis=0) - nodes)
 
 
 def _colour_fields(

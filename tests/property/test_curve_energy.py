@@ -24,6 +24,8 @@ WEIGHTS = {
     "gradient and l2": RoamParams(mu=0.4, lambda_gradient=1.3),
     "ribbon": RoamParams(mu=0.4, lambda_local=0.3, appearance=AppearanceParams(term="ribbon", ribbon_depth=4.0)),
     "competition and global": RoamParams(mu=0.4, lambda_local=0.1, lambda_global=0.07, appearance=AppearanceParams()),
+    "rest at the pre-warp": RoamParams(mu=0.4, l2_rest=1.0, lambda_local=0.1, appearance=AppearanceParams()),
+    "rest between": RoamParams(mu=0.4, l2_rest=0.7, lambda_gradient=1.3),
 }
 
 
@@ -37,7 +39,9 @@ def tiny(seed: int) -> tuple[Array, Array, CurveContext]:
     foreground, background, whole = rng.uniform(-12.0, -6.0, (3, 22, 24)).astype(np.float32)
     colours = ColourFields(Grid(Region(0, 0, 24, 22), 22, 24), foreground, background, 3.0, whole + np.float32(9.0))
     gradient = rng.random((24, 24)).astype(np.float32)
-    return nodes, moves, CurveContext(gradient, (0, 0), 8.0, float(rng.choice([-1.0, 1.0])), colours)
+    orientation = float(rng.choice([-1.0, 1.0]))
+    rest = np.roll(nodes, -1, axis=0) - nodes + rng.uniform(-3.0, 3.0, nodes.shape)
+    return nodes, moves, CurveContext(gradient, (0, 0), 8.0, orientation, colours, rest)
 
 
 @pytest.mark.parametrize("name", list(WEIGHTS))

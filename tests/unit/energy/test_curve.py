@@ -28,6 +28,34 @@ def test_l2_of_moved_ends() -> None:
     assert table[0, 1, 1] == table[0, 0, 0]
 
 
+def test_l2_is_least_at_the_rest_edges() -> None:
+    moves = np.array([(0.0, 0.0), (1.0, -2.0)])
+    rest = np.roll(TRIANGLE, -1, axis=0) - TRIANGLE
+    table = curve.pairwise_l2(TRIANGLE, moves, spacing=2.0, rest=rest)
+    # Edges that keep their vector cost nothing, wherever they lie; any other costs by how its ends parted.
+    assert table[:, 0, 0] == pytest.approx(0.0)
+    assert table[:, 1, 1] == pytest.approx(0.0)
+    assert table[:, 0, 1] == pytest.approx((1.0**2 + 2.0**2) / 4.0)
+    assert table[:, 1, 0] == pytest.approx((1.0**2 + 2.0**2) / 4.0)
+
+
+@pytest.mark.parametrize("share", [0.0, 0.4, 1.0])
+def test_a_share_of_the_rest_edges_is_a_mixture_of_both_rests(share: float) -> None:
+    moves = np.random.default_rng(3).uniform(-3.0, 3.0, (4, 2))
+    rest = np.array([(2.0, 5.0), (-4.0, 1.0), (1.0, -3.0)])
+    mixed = curve.pairwise_l2(TRIANGLE, moves, 2.0, rest=share * rest)
+    apart = (1.0 - share) * curve.pairwise_l2(TRIANGLE, moves, 2.0)
+    apart += share * curve.pairwise_l2(TRIANGLE, moves, 2.0, rest=rest)
+    offset = apart - mixed
+    np.testing.assert_allclose(offset, offset[:, :1, :1] * np.ones((1, 4, 4)), atol=1e-9)
+
+
+def test_rest_edges_are_those_of_the_edges_asked_for() -> None:
+    moves, rest = np.array([(0.0, 0.0), (1.0, -2.0)]), np.array([(2.0, 5.0), (-4.0, 1.0), (1.0, -3.0)])
+    every = curve.pairwise_l2(TRIANGLE, moves, 2.0, rest=rest)
+    np.testing.assert_array_equal(curve.pairwise_l2(TRIANGLE, moves, 2.0, np.array([2, 0]), rest), every[[2, 0]])
+
+
 def test_a_strong_gradient_under_an_edge_is_good() -> None:
     field = np.zeros((12, 12), dtype=np.float32)
     field[8] = 1.0

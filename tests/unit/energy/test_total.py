@@ -62,6 +62,41 @@ RIBBON = RoamParams(mu=0.3, lambda_local=0.4, appearance=AppearanceParams(term="
 COMPETITION = RoamParams(mu=0.3, lambda_local=0.05, lambda_global=0.02, appearance=AppearanceParams(term="region"))
 
 
+CARRIED = (
+    np.roll(NODES, -1, axis=0) - NODES + np.array([(1.0, 2.0), (-2.0, 0.5), (0.0, -1.0), (3.0, 1.0), (-2.0, -2.5)])
+)
+WARPED = RoamParams(mu=0.3, l2_rest=0.8)
+
+
+def test_any_labelling_of_the_tables_with_rest_edges_has_the_oracles_energy(context: CurveContext) -> None:
+    at_rest = replace(context, rest=CARRIED)
+    unary, pairwise = total.tables(NODES, MOVES, at_rest, WARPED)
+    for labels in np.random.default_rng(4).integers(0, len(MOVES), (20, len(NODES))):
+        direct = total.energies(NODES + MOVES[labels], at_rest, WARPED)
+        assert chain_energy(unary, pairwise, labels) == pytest.approx(direct["total"], abs=1e-12)
+
+
+def test_the_papers_l2_is_the_same_bit_by_bit_whatever_the_prewarp_carried(context: CurveContext) -> None:
+    at_rest = replace(context, rest=CARRIED)
+    tables = [total.tables(NODES, MOVES, each, RoamParams())[1] for each in (context, at_rest)]
+    np.testing.assert_array_equal(*tables)
+
+
+def test_an_outline_that_keeps_its_carried_edges_pays_no_l2(context: CurveContext) -> None:
+    closed = np.roll(NODES, -1, axis=0) - NODES
+    context = replace(context, rest=closed)
+    params = replace(WARPED, l2_rest=1.0)
+    assert total.energies(NODES + 2.5, context, params)["l2"] == pytest.approx(0.0, abs=1e-12)
+    assert total.energies(1.1 * NODES, context, params)["l2"] == pytest.approx(0.3 * 0.01 * (closed**2).sum() / 144.0)
+
+
+def test_other_curves_rest_at_length_zero(context: CurveContext) -> None:
+    at_rest = replace(context, rest=CARRIED)
+    halves = np.stack([NODES, 0.5 * (NODES + np.roll(NODES, -1, axis=0))], axis=1).reshape(-1, 2)
+    ours = total.energies(halves, at_rest.for_any_curve(), WARPED)
+    assert ours == total.energies(halves, context, replace(WARPED, l2_rest=0.0))
+
+
 @pytest.fixture
 def coloured(context: CurveContext) -> CurveContext:
     rng = np.random.default_rng(8)
@@ -107,8 +142,12 @@ def test_log_ratios_are_clipped(coloured: CurveContext) -> None:
     assert np.count_nonzero(np.abs(ratio) < 4.0) > ratio.size / 2
 
 
-@pytest.mark.parametrize("params", [RoamParams(), RIBBON, COMPETITION], ids=["no colour", "ribbon", "competition"])
+REMEMBERED = {"no colour": RoamParams(), "ribbon": RIBBON, "competition": COMPETITION, "rest edges": WARPED}
+
+
+@pytest.mark.parametrize("params", list(REMEMBERED.values()), ids=list(REMEMBERED))
 def test_remembered_tables_are_those_made_anew(coloured: CurveContext, params: RoamParams) -> None:
+    coloured = replace(coloured, rest=CARRIED)
     memory, nodes = TableMemory(), NODES.copy()
     for moved in ([], [2], [], [0, 4], [1, 2, 3]):
         nodes = nodes.copy()

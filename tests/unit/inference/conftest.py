@@ -44,6 +44,7 @@ def problem(image: NDArray[np.uint8], points: Array, params: RoamParams) -> Prob
 CHOICES = {
     "drawn": ("drawn", RoamParams()),
     "drawn, competition": ("drawn", CONFIGS["lean"]),
+    "drawn, rest at the pre-warp": ("drawn", replace(CONFIGS["lean"], mu=0.6, l2_rest=1.0)),
     "drawn, ribbon": (
         "drawn",
         replace(CONFIGS["lean"], lambda_local=0.2, window=3, appearance=AppearanceParams(term="ribbon")),
