@@ -93,6 +93,12 @@ SPECS: tuple[ActionSpec, ...] = (
         "track.next_doubtful", "Next doubtful frame", icon="doubtful-next", tip="Go to the next frame worth fixing"
     ),
     ActionSpec("track.previous_doubtful", "Previous doubtful frame"),
+    ActionSpec("proposal.next", "Next proposal", tip="Go to the next frame on which the engine proposes a change"),
+    ActionSpec("proposal.keep", "Keep", _VIEWER, tip="Make the change that the engine proposes here"),
+    ActionSpec("proposal.refuse", "Refuse", _VIEWER, tip="Leave the shape as it is"),
+    ActionSpec("proposal.keep_always", "Always", tip="Make this change, and every one proposed for this shape"),
+    ActionSpec("proposal.refuse_always", "Never", tip="Refuse, and propose nothing more for this shape"),
+    ActionSpec("proposal.ask_again", "Ask again", tip="Propose changes for the selected shapes again"),
     ActionSpec("track.delete_engine_keys", "Delete tracked frames", tip="Delete every tracked frame; artist keys stay"),
     ActionSpec("view.source", "Source", _VIEWER, "view-source", "The plate alone", True),
     ActionSpec("view.overlay", "Overlay", _VIEWER, "view-overlay", "The plate with its shapes", True),

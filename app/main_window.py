@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QFrame, QHBoxLayout, QMainWindow, QScrollArea, QSp
 
 from app import menus, style
 from app.actions import Actions, Keymap, load_keymap
+from app.canvas.proposal_bar import ProposalBar
 from app.canvas.view import CanvasView
 from app.clipboard import ShapeClipboard
 from app.dialogs import KeysDialog
@@ -36,6 +37,7 @@ from app.panels.tool_column import ToolColumn
 from app.panels.tracker import TrackerPanel
 from app.panels.view_bar import ViewBar
 from app.playback import Playback
+from app.proposals import Proposals
 from app.shape_verbs import ShapeVerbs
 from app.timeline.timeline import Timeline
 from app.timeline.transport import Transport
@@ -76,6 +78,7 @@ class MainWindow(QMainWindow):
         self.importing = Import(self.document, self.writer, self)
         self.autosave = Autosave(self.document, self.writer, autosave_root, self)
         self.propagation = Propagation(self.document, self.view_state, self.solver, self.reader.engine_frame, self)
+        self.proposals = Proposals(self.document, self.view_state, self.propagation, self)
         self.under_way = UnderWay(self.files, self.export, self.importing, self.propagation, parent=self)
         self.playback = Playback(self.view_state, self)
         self.navigation = Navigation(self.document, self.view_state)
@@ -88,6 +91,8 @@ class MainWindow(QMainWindow):
         self.canvas = CanvasView(document, view_state)
         FocusFollowsPointer(self.canvas)
         self.actions_by_id = actions = Actions(self, self.canvas, self.keymap)
+        self.canvas.proposed = lambda: self.proposals.current
+        self.proposal_bar = ProposalBar(self.proposals, actions, self.canvas)
         self.tool_column = ToolColumn(view_state, actions, tuple(TOOLS))
         self.view_bar = ViewBar(document, self.canvas, actions)
         self.shapes = ShapesPanel(document, view_state)
@@ -157,6 +162,7 @@ class MainWindow(QMainWindow):
         reader.cache_changed.connect(self.timeline.ruler.update)
         reader.cache_changed.connect(lambda: status.show_memory(*reader.memory()))
         self.propagation.finished.connect(lambda *_: self.autosave.save())
+        self.propagation.finished.connect(lambda _, sentence: view.say(self.proposals.told(sentence)))
         self.under_way.changed.connect(self._pull_running)
         self.document.replaced.connect(self._pull_clip)
         self.document.path_changed.connect(self._pull_title)
@@ -223,6 +229,12 @@ class MainWindow(QMainWindow):
             "track.next_doubtful": tracking.next_doubtful,
             "track.previous_doubtful": tracking.previous_doubtful,
             "track.delete_engine_keys": verbs.delete_engine_keys,
+            "proposal.next": self.proposals.next,
+            "proposal.keep": self.proposals.keep,
+            "proposal.refuse": self.proposals.refuse,
+            "proposal.keep_always": self.proposals.keep_always,
+            "proposal.refuse_always": self.proposals.refuse_always,
+            "proposal.ask_again": self.proposals.ask_again,
             "view.fit_time": self.timeline.axis.fit,
             "time.previous": lambda: time.step(-1),
             "time.next": lambda: time.step(1),

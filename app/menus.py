@@ -35,6 +35,11 @@ MENUS: dict[str, tuple[str, ...]] = {
         "track.next_doubtful", "track.previous_doubtful", SEPARATOR,
         "track.delete_engine_keys",
     ),
+    "Proposal": (
+        "proposal.next", SEPARATOR,
+        "proposal.keep", "proposal.refuse", SEPARATOR,
+        "proposal.keep_always", "proposal.refuse_always", "proposal.ask_again",
+    ),
     "View": (
         "view.source", "view.overlay", "view.matte", "view.hide_overlays", SEPARATOR,
         "view.fit", "view.fit_selection", "view.actual_size", SEPARATOR,

@@ -1,7 +1,8 @@
-"""The last used settings: the window's place and layout, the tracker's mode, the loop. Kept beside the log."""
+"""The last used settings: the window's place and layout, the tracker's mode, answers given for good; beside the log."""
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -27,6 +28,7 @@ def restore(window: MainWindow, path: Path) -> None:
     mode = window.tracker.mode
     if (index := mode.findData(settings.value("mode"))) >= 0:
         mode.setCurrentIndex(index)
+    window.proposals.answers.update(_answers(settings.value("proposals")))
 
 
 def keep(window: MainWindow, path: Path) -> None:
@@ -38,4 +40,18 @@ def keep(window: MainWindow, path: Path) -> None:
     for name in SWITCHES:
         settings.setValue(name, "true" if window.actions_by_id[name].isChecked() else "false")
     settings.setValue("mode", window.tracker.mode.currentData())
+    settings.setValue(
+        "proposals", json.dumps({name: own for name, own in window.proposals.answers.items() if name and own})
+    )
     settings.sync()
+
+
+def _answers(text: object) -> dict[str, dict[str, str]]:
+    """What was answered for good, by project and shape; nothing where the text is not what `keep` writes."""
+    try:
+        found = json.loads(str(text))
+    except ValueError:
+        return {}
+    if not isinstance(found, dict):
+        return {}
+    return {name: own for name, own in found.items() if isinstance(own, dict)}

@@ -16,6 +16,7 @@ from app.canvas.backdrop import Backdrop, paint_label, paint_sentence
 from app.canvas.keys import NUDGES, is_modifier, key_name
 from app.canvas.matte_layer import MatteLayer
 from app.canvas.picture import Picture
+from app.canvas.proposal_item import ProposalPainter
 from app.canvas.shape_item import ShapePainter
 from app.canvas.shown import selection_bounds
 from app.canvas.viewport import Viewport
@@ -24,6 +25,7 @@ from app.document import Document
 from app.tools import TOOLS, PointActions, Pointer, Tool
 from app.tools.reshape import pruned
 from app.view_state import ViewState
+from roam_core.propagate.offers import Proposal
 from roam_core.roto import Project
 
 
@@ -63,7 +65,9 @@ class CanvasView(ZoomableWidget):
         self._missing: int | None = None
         self._matte = MatteLayer()
         self._matte_picture: Picture | None = None
-        self._backdrop, self._shapes = Backdrop(), ShapePainter()
+        self._backdrop, self._shapes, self._proposed = Backdrop(), ShapePainter(), ProposalPainter()
+        self.proposed: Callable[[], Proposal | None] = lambda: None
+        """Gives what the engine proposes for the present frame."""
         self._is_pressed = self._is_waiting = False
         self._pointer: QPointF | None = None
         self._key_presses = 0
@@ -228,6 +232,8 @@ class CanvasView(ZoomableWidget):
         if self._shows_shapes():
             view = self._view_state
             self._shapes.paint(painter, self._viewport, self._project(), view.frame, view.selection, view.hovered)
+            if (proposal := self.proposed()) is not None:
+                self._proposed.paint(painter, self._viewport, proposal)
             self._tool.paint(painter, self._viewport)
         self._paint_words(painter)
         painter.end()

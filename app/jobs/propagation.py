@@ -17,7 +17,7 @@ from roam_core.params import DEFAULT_CONFIG, DOUBTFUL
 from roam_core.propagate.memory import TrackMemory
 from roam_core.propagate.provenance import clip_stamp
 from roam_core.propagate.result import FrameResult
-from roam_core.roto import Keyframe, Origin, RotoShape, edit
+from roam_core.roto import Keyframe, Origin, Project, RotoShape, edit
 
 ReadFrame = Callable[[int], Any]
 _run_numbers = itertools.count(1)
@@ -31,11 +31,13 @@ class Propagation(QObject):
     Signals
     -------
     running_changed() : a run began or ended.
+    solved(result, step) : a tracked frame was put into the document; the direction of the run.
     progress(fraction, text) : how far, how fast.
     finished(ending, sentence) : the run's last word.
     """
 
     running_changed = Signal()
+    solved = Signal(object, int)
     progress = Signal(float, str)
     finished = Signal(object, str)
 
@@ -56,12 +58,20 @@ class Propagation(QObject):
     def start(self, shape_ids: Sequence[str], frames: range, config: str = DEFAULT_CONFIG) -> None:
         """Track shapes along `frames`: the first is where they start from, the step +1 or -1 the direction."""
         self.drop()
+        self._start_tracking(shape_ids, frames, config, f"track-{next(_run_numbers)}")
+
+    def _start_tracking(
+        self, shape_ids: Sequence[str], frames: range, config: str, merge_key: str, before: _Run | None = None
+    ) -> None:
         project = self._document.project
         shapes = tuple(project.shape(shape_id) for shape_id in shape_ids)
         request = _Request(self._read, shapes, frames, config, clip_stamp(project.clip), self._memory)
         job = self._runner.start("track", lambda report: _track(report, request))
         job.partial.connect(self._apply)
-        self._begin(_Run(job, "Track", shapes, self._view.frame), f"Starting to track {_names(shapes)} …")
+        run = _Run(job, "Track", shapes, self._view.frame, merge_key, frames, config)
+        if before is not None:
+            run.take_over(before)
+        self._begin(run, f"Starting to track {_names(shapes)} …")
 
     def fill(self, shape_ids: Sequence[str], gaps: Sequence[Gap], config: str = DEFAULT_CONFIG) -> None:
         """Fill gaps between artist keys of the shapes from both ends; each gap arrives when it is finished."""
@@ -71,7 +81,26 @@ class Propagation(QObject):
         request = FillRequest(self._read, shapes, tuple(gaps), config, clip_stamp(project.clip))
         job = self._runner.start("track", lambda report: fill(report, request))
         job.partial.connect(self._put_in)
-        self._begin(_Run(job, "Fill", shapes, self._view.frame), f"Starting to fill {_names(shapes)} …")
+        run = _Run(job, "Fill", shapes, self._view.frame, f"track-{next(_run_numbers)}")
+        self._begin(run, f"Starting to fill {_names(shapes)} …")
+
+    def go_on_from(self, project: Project, frame: int, more: Sequence[str]) -> None:
+        """Take a change on a frame just solved into the run and its undo step, and track on from there.
+
+        `more` are shapes that join the run.
+        """
+        run, self._run = self._run, None
+        if run is None:
+            self._document.apply("Track", project)
+            return
+        ids, rest = [*run.expected, *more], range(frame, run.frames.stop, run.frames.step)
+        self._document.apply(run.verb, project, merge_key=run.merge_key)
+        if len(rest) < 2:
+            run.expected = {shape_id: self._document.project.shape(shape_id) for shape_id in ids}
+            self._run = run
+        else:
+            run.job.drop()
+            self._start_tracking(ids, rest, run.config, run.merge_key, run)
 
     def stop(self) -> None:
         """Stop soon; the frames that are finished stay."""
@@ -104,6 +133,7 @@ class Propagation(QObject):
             self._write(run, {each.shape.id: [each.key] for each in result.results if each.key is not None})
             run.reached = result.frame
             self._follow(run, result.frame)
+            self.solved.emit(result, run.frames.step)
 
     def _put_in(self, filled: Filled) -> None:
         """A filled gap has arrived."""
@@ -153,12 +183,25 @@ class Propagation(QObject):
 class _Run:
     """What is known of the run under way. `expected` are the shapes as the run left them in the document."""
 
-    def __init__(self, job: Job, verb: str, shapes: Sequence[RotoShape], shown_frame: int) -> None:
+    def __init__(
+        self,
+        job: Job,
+        verb: str,
+        shapes: Sequence[RotoShape],
+        shown_frame: int,
+        merge_key: str,
+        frames: range = range(0),
+        config: str = "",
+    ) -> None:
         self.job, self.verb, self.shown_frame = job, verb, shown_frame
         self.expected = {shape.id: shape for shape in shapes}
-        self.merge_key = f"track-{next(_run_numbers)}"
+        self.merge_key, self.frames, self.config = merge_key, frames, config
         self.reached: int | None = None
         self._doubtful: set[int] = set()
+
+    def take_over(self, before: _Run) -> None:
+        """Go on as the run before this one: what it reached and doubts, and the frame that it showed."""
+        self.shown_frame, self.reached, self._doubtful = before.shown_frame, before.reached, before._doubtful
 
     def note(self, keys: Iterable[Keyframe]) -> None:
         """Remember the frames that the engine doubts."""
@@ -202,6 +245,7 @@ def _track(report: Report, request: _Request) -> str:
         request.read, request.shapes, frames, request.config, report.token, request.clip, request.memory
     ):
         report.token.check()
+        _make_ready(result)
         report.partial(result)
         done += 1
         seconds += sum(r.seconds for r in result.results)
@@ -213,6 +257,13 @@ def _track(report: Report, request: _Request) -> str:
     each = f"{1000 * seconds / done:.0f} ms"
     paced = f"{done} frames, {each} each" if done > 1 else f"1 frame, {each}"
     return f"Tracked {names} to frame {frames[-1]}: {paced}."
+
+
+def _make_ready(result: FrameResult) -> None:
+    """Lay the outlines of the proposals that will be shown, here, so that the window need not wait for them."""
+    for each in result.results:
+        for proposal in each.proposals[:1]:
+            _ = proposal.after
 
 
 def _names(shapes: Sequence[RotoShape]) -> str:

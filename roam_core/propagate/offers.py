@@ -13,8 +13,8 @@ from roam_core.geometry.simple import simplified
 from roam_core.propagate.nodes import smooth_points
 from roam_core.proposal.contour import follow
 from roam_core.proposal.topology import TopologyChange, TopologyKind
-from roam_core.roto import Keyframe, Origin, RotoShape
-from roam_core.roto.edit import set_engine_keys
+from roam_core.roto import Clip, Keyframe, Layer, Origin, Project, RotoShape
+from roam_core.roto.edit import set_engine_keys, set_key
 
 Array = NDArray[np.float64]
 
@@ -63,6 +63,31 @@ class Proposal:
         parts = [self._part(shape, number, ring) for number, ring in enumerate(self.rings[1:], start=2)]
         return (set_engine_keys(shape, [stays]), *parts)
 
+    def accepted(self, project: Project, step: int) -> tuple[Project, tuple[str, ...]]:
+        """The project with the change made, and the ids of the shapes that the object goes on as.
+
+        The artist's word makes the new outlines ARTIST keys: no run overwrites them, and what was tracked beyond the
+        frame is stale. The new shapes lie right above the old one and exist from the frame on, in the direction
+        `step` (1 or -1) in which it was tracked.
+        """
+        stays, *parts = self.after
+        shape, key = project.shape(stays.id), stays.key_at(self.frame)
+        assert key is not None
+        project = project.with_shape(set_key(shape, self.frame, key.points, key.feather))
+        ids = [shape.id]
+        for part in parts:
+            (begun,) = part.keys
+            new = replace(
+                shape,
+                id=project.free_id("shape"),
+                name=project.free_name(f"{shape.name} part"),
+                keys=(Keyframe(self.frame, begun.points),),
+                lifetime=_lifetime(shape, project.clip, self.frame, step),
+            )
+            project = _put_above(project, ids[-1], new)
+            ids.append(new.id)
+        return project, tuple(ids)
+
     def _part(self, shape: RotoShape, number: int, ring: Array) -> RotoShape:
         fitted = fit.fit_closed(ring, TOLERANCE * self.scale)
         key = Keyframe(self.frame, simplified(fitted, fitted, self.scale), origin=Origin.ENGINE)
@@ -73,3 +98,26 @@ class Proposal:
             colour=shape.colour,
             blend=shape.blend,
         )
+
+
+def _lifetime(shape: RotoShape, clip: Clip | None, frame: int, step: int) -> tuple[int, int] | None:
+    """From the frame to the end of the old shape, whichever way that is; for ever where there is no end to it."""
+    whole = (clip.first, clip.last + 1) if clip is not None else None
+    alive = shape.lifetime or whole
+    if alive is None:
+        return None
+    return (frame, max(alive[1], frame + 1)) if step > 0 else (min(alive[0], frame), frame + 1)
+
+
+def _put_above(project: Project, below_id: str, shape: RotoShape) -> Project:
+    """The project with `shape` right above another one, in the same layer."""
+
+    def grown(layer: Layer) -> Layer:
+        children: list[Layer | RotoShape] = []
+        for child in layer.children:
+            children.append(grown(child) if isinstance(child, Layer) else child)
+            if child.id == below_id:
+                children.append(shape)
+        return replace(layer, children=tuple(children))
+
+    return replace(project, root=grown(project.root))

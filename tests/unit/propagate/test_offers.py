@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+from pathlib import Path
+
 import numpy as np
 import numpy.testing as npt
 import pytest
@@ -9,7 +12,7 @@ import pytest
 from roam_core.geometry import bezier, polyline
 from roam_core.propagate.offers import Proposal
 from roam_core.proposal.topology import TopologyChange, TopologyKind
-from roam_core.roto import BlendMode, Keyframe, Origin, RotoShape
+from roam_core.roto import BlendMode, Clip, Keyframe, Layer, Origin, Project, RotoShape
 from tests.unit.proposal.scenes import drawn, spline
 
 LEFT, RIGHT = (16, 30, 76, 90), (100, 44, 130, 70)
@@ -51,3 +54,27 @@ def test_taking_nothing_changes_nothing() -> None:
     before = [key.points.copy() for key in SHAPE.keys]
     assert len(Proposal.of(TopologyChange(TopologyKind.SPLIT, RINGS, 3.0), SHAPE, 1002, 1.0).after) == 2
     assert all(np.array_equal(key.points, points) for key, points in zip(SHAPE.keys, before, strict=True))
+
+
+@pytest.mark.parametrize(("step", "lifetime"), [(1, (1002, 1011)), (-1, (1001, 1003))])
+def test_what_the_artist_takes_is_the_artists(step: int, lifetime: tuple[int, int]) -> None:
+    below, above = replace(SHAPE, id="below"), replace(SHAPE, id="above")
+    layer = Layer("layer", "Layer", (below, SHAPE, above))
+    project = Project(Clip(Path("shot"), 1001, 1010, (160, 120)), Layer("root", "Root", (layer,)))
+    offer = Proposal.of(TopologyChange(TopologyKind.SPLIT, RINGS, 3.0), SHAPE, 1002, 1.0)
+    after, ids = offer.accepted(project, step)
+    assert [shape.id for shape in after.shapes] == ["below", *ids, "above"]
+    stays, part = (after.shape(shape_id) for shape_id in ids)
+    assert stays.artist_frames == (1001, 1002)
+    assert part.artist_frames == part.frames == (1002,)
+    assert (stays.lifetime, part.lifetime) == (None, lifetime)
+    npt.assert_array_equal(stays.at(1002).points, offer.after[0].at(1002).points)
+    assert project.shape("s") is SHAPE
+
+
+def test_a_dropped_part_leaves_one_shape() -> None:
+    project = Project(None, Layer("root", "Root", (SHAPE,)))
+    offer = Proposal.of(TopologyChange(TopologyKind.DROP, RINGS[:1], 3.0), SHAPE, 1002, 1.0)
+    after, ids = offer.accepted(project, 1)
+    assert ids == ("s",)
+    assert [shape.artist_frames for shape in after.shapes] == [(1001, 1002)]

@@ -1,0 +1,50 @@
+"""Paints a proposal over its shape: the outlines as they would be, and hatched what would change."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QBrush, QPainter, QPainterPath, QPen
+
+from app.canvas import marks
+from app.canvas.shape_item import outline_path
+from app.canvas.viewport import Viewport
+from roam_core.propagate.offers import Proposal
+
+DASHES = [5.0, 4.0]
+WIDTH = 2.0
+
+
+class ProposalPainter:
+    """Remembers the paths of the proposal that it painted last."""
+
+    def __init__(self) -> None:
+        self._paths: tuple[Proposal, QPainterPath, QPainterPath] | None = None
+
+    def paint(self, painter: QPainter, viewport: Viewport, proposal: Proposal) -> None:
+        """Paint the outlines after the change, dashed, over those before it, which the canvas has painted."""
+        if self._paths is None or self._paths[0] is not proposal:
+            self._paths = proposal, *_paths(proposal)
+        _, after, differing = self._paths
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(QBrush(marks.faded(marks.ACCENT, 0.55), Qt.BrushStyle.BDiagPattern))
+        painter.drawPath(viewport.transform.map(differing))
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        path = viewport.transform.map(after)
+        painter.setPen(QPen(marks.EDGE, WIDTH + 2 * marks.EDGE_WIDTH))
+        painter.drawPath(path)
+        pen = QPen(marks.ACCENT, WIDTH)
+        pen.setDashPattern(DASHES)
+        painter.setPen(pen)
+        painter.drawPath(path)
+
+
+def _paths(proposal: Proposal) -> tuple[QPainterPath, QPainterPath]:
+    """The outlines after, and the area in which before and after differ, in image coordinates."""
+    after, differing = QPainterPath(), QPainterPath()
+    differing.setFillRule(Qt.FillRule.OddEvenFill)
+    for shape in proposal.after:
+        after.addPath(outline_path(shape.at(proposal.frame).points, shape.closed))
+    for shape in proposal.before:
+        differing.addPath(outline_path(shape.at(proposal.frame).points, shape.closed))
+    differing.addPath(after)
+    return after, differing
