@@ -20,6 +20,7 @@ COMMANDS: dict[str, str] = {
     "export": "write a project's shapes for another program",
     "import": "read another program's shapes into a project",
     "render": "write a project's mattes",
+    "explain": "say what each term contributes to a tracked key",
     "info": "say what is in a project or clip",
     "demo": "track the built-in demo shot",
 }

@@ -67,12 +67,16 @@ def joint_shares(
     springs = landmark.pairwise_star(star.leaves, star.root, context.rest.leaves, context.rest.root)
     miss = nodes[pairs.node] - star.leaves[pairs.leaf] - pairs.shift
     half = 0.5 * params.joint / square * 0.5 * (miss**2).sum(axis=1)
-    at_landmarks = {
+    at_landmarks: Shares = {
         "landmark": params.weight * seen,
         "star": params.star / square * springs,
-        "joint": np.bincount(pairs.leaf, half, len(star.leaves)),
+        "joint": _gathered(pairs.leaf, half, len(star.leaves)),
     }
-    return {"joint": np.bincount(pairs.node, half, len(nodes))}, at_landmarks
+    return {"joint": _gathered(pairs.node, half, len(nodes))}, at_landmarks
+
+
+def _gathered(owner: NDArray[np.intp], pieces: Array, count: int) -> Array:
+    return np.asarray(np.bincount(owner, pieces, count), dtype=np.float64)
 
 
 def _at_nodes(edges: Array) -> Array:

@@ -1,0 +1,229 @@
+"""`roam explain P.roam --frame F`: what each term says at every node and landmark, as a table, JSON or a picture."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import sys
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from roam_core.cli.explain_picture import TOTAL, choices, drawn
+from roam_core.cli.fill import interruptible, require_size
+from roam_core.cli.plate import Plate, opened
+from roam_core.cli.track import require_target
+from roam_core.errors import RoamError
+from roam_core.features import PreparedFrame
+from roam_core.propagate.explain import REGION, Explanation, explain
+from roam_core.propagate.provenance import is_stale
+from roam_core.roto import Clip, Origin, Project, RotoShape, file
+from roam_core.roto.file import write_atomically
+
+Row = Mapping[str, object]
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Declare the command's options."""
+    parser.add_argument("project", type=Path, metavar="P.roam")
+    parser.add_argument("--frame", type=int, required=True, metavar="F", help="frame to explain")
+    parser.add_argument("--shape", metavar="NAME", help="only this shape (default: all that hold a key there)")
+    parser.add_argument("--json", action="store_true", help="print one line of JSON a shape")
+    parser.add_argument("--picture", type=Path, metavar="OUT.png", help="draw the terms over the frame")
+    parser.add_argument(
+        "--term",
+        default=TOTAL,
+        metavar="TERM",
+        help="what the picture shows: local, gradient, l2, global, joint, landmark, star, region, a cue by its name, "
+        "or total (default total)",
+    )
+
+
+def run(arguments: argparse.Namespace) -> int:
+    """Carry out the command."""
+    project = file.load(arguments.project)
+    wanted = keyed_shapes(project, arguments.project, arguments.frame, arguments.shape)
+    if arguments.picture is not None:
+        require_target(arguments.picture)
+    with opened(str(project.require_clip().path)) as plate:
+        require_size(plate, project.require_clip())
+        if arguments.frame not in plate.source.frames:
+            raise RoamError(f"Frame {arguments.frame} is missing from the clip {plate.source.path}; choose another.")
+        explanations = explained(plate, project, arguments.frame, wanted)
+        if arguments.picture is not None:
+            require_term(explanations, arguments.term)
+            image = PreparedFrame(plate.read(arguments.frame)).image
+            write_atomically(arguments.picture, encoded(drawn(image, explanations, arguments.term)))
+    for each in explanations:
+        print(json.dumps(line_of(each)) if arguments.json else "\n".join(text_of(each)), flush=True)
+    if arguments.picture is not None:
+        print(f"Drew {arguments.term} of {len(explanations)} shape(s) to {arguments.picture}.", file=sys.stderr)
+    return 0
+
+
+def keyed_shapes(project: Project, path: Path, frame: int, name: str | None) -> list[RotoShape]:
+    """The closed shapes that hold a key on the frame, or the one that was asked for; one sentence if there is none."""
+    clip = project.require_clip()
+    if not clip.first <= frame <= clip.last:
+        raise RoamError(f"--frame {frame} lies outside the clip's frames {clip.first}-{clip.last}.")
+    shapes = [shape for shape in project.shapes if shape.closed]
+    if name is not None:
+        shapes = [shape for shape in shapes if name in (shape.name, shape.id)]
+        if not shapes:
+            names = ", ".join(repr(shape.name) for shape in project.shapes if shape.closed) or "none"
+            raise RoamError(f"{path} holds no closed shape {name!r}; its closed shapes: {names}.")
+    keyed = [shape for shape in shapes if shape.key_at(frame) is not None]
+    if not keyed:
+        raise RoamError(f"No closed shape of {path} holds a key on frame {frame}; track or fill up to there first.")
+    return keyed
+
+
+def explained(plate: Plate, project: Project, frame: int, wanted: Sequence[RotoShape]) -> list[Explanation]:
+    """The wanted shapes' keys taken apart; shapes that were tracked with them are carried along."""
+    clip, names = project.clip, {shape.id for shape in wanted}
+    shapes = [shape for shape in project.shapes if shape.id in names or _keeps_company(shape, wanted, frame, clip)]
+    with interruptible() as token:
+        found = explain(lambda number: PreparedFrame(plate.read(number)), shapes, frame, clip, token)
+    return [each for each in found if each.shape.id in names]
+
+
+def _keeps_company(shape: RotoShape, wanted: Sequence[RotoShape], frame: int, clip: Clip | None) -> bool:
+    """True for a closed shape with a key of the same kind of run as one of the wanted: it may be of their object."""
+    key = shape.key_at(frame)
+    if key is None or not shape.closed or key.origin is not Origin.ENGINE or is_stale(shape, key, clip):
+        return False
+    kinds = [other.inputs.rpartition(":")[0] for each in wanted if (other := each.key_at(frame)) is not None]
+    return key.inputs.rpartition(":")[0] in kinds
+
+
+def encoded(picture: NDArray[np.uint8]) -> bytes:
+    """An RGB picture as PNG."""
+    return cv2.imencode(".png", np.ascontiguousarray(picture[..., ::-1]))[1].tobytes()
+
+
+def require_term(explanations: Sequence[Explanation], term: str) -> None:
+    """Refuse a term that none of the shapes has, naming those that there are."""
+    known = choices(explanations)
+    if term not in known:
+        raise RoamError(f"There is no term {term!r} here; choose from {', '.join(known)}.")
+
+
+def line_of(each: Explanation) -> dict[str, object]:
+    """The explanation of one shape for a line of JSON."""
+    return {
+        "shape": each.shape.name,
+        "frame": each.key.frame,
+        "origin": each.key.origin.value,
+        "config": each.config,
+        "unit": "nats for the outline" if each.more_is_better else "energy",
+        "apart": round(each.apart, 6),
+        "sums": {name: round(value, 6) for name, value in each.sums.items()},
+        "nodes": node_rows(each),
+        "landmarks": landmark_rows(each),
+    }
+
+
+def node_rows(each: Explanation) -> list[Row]:
+    """One row a node: where it lies on the spline and in the picture, and what the terms say there."""
+    total = each.total
+    return [
+        {
+            "node": n,
+            "point": round(int(each.segment[n]) + float(each.t[n]), 3),
+            "x": round(float(x), 3),
+            "y": round(float(y), 3),
+            **{name: round(float(values[n]), 6) for name, values in each.terms.items()},
+            "total": round(float(total[n]), 6),
+        }
+        | (
+            {
+                "inside": {name: round(float(inside[n]), 6) for name, (inside, _) in each.sides.items()},
+                "outside": {name: round(float(outside[n]), 6) for name, (_, outside) in each.sides.items()},
+            }
+            if each.sides
+            else {}
+        )
+        for n, (x, y) in enumerate(each.nodes)
+    ]
+
+
+def landmark_rows(each: Explanation) -> list[Row]:
+    """One row a landmark: who it is, where it was found, and what the terms say there."""
+    found, total = each.landmarks, each.landmark_total
+    if found is None:
+        return []
+    return [
+        {
+            "id": int(found.ids[m]),
+            "x": round(float(x), 3),
+            "y": round(float(y), 3),
+            **{name: round(float(values[m]), 6) for name, values in found.terms.items()},
+            "total": round(float(total[m]), 6),
+        }
+        for m, (x, y) in enumerate(found.positions)
+    ]
+
+
+def text_of(each: Explanation) -> list[str]:
+    """The explanation of one shape as lines of text."""
+    head = f"{each.shape.name!r}, frame {each.key.frame}: "
+    if each.key.origin is Origin.ARTIST:
+        return [f"{head}the artist made this key; nothing was solved."]
+    head += f"{each.config}, {len(each.nodes)} nodes on {each.shape.point_count} points"
+    if not each.terms:
+        return [f"{head}. The shape had left the picture: it was carried on as it moved."]
+    if each.landmarks is not None:
+        head += f", {len(each.landmarks.ids)} landmarks"
+    lines = [head, *_apart_lines(each), "", *_sum_lines(each), ""]
+    if each.more_is_better:
+        lines.append("Nats for the object just inside / just outside of the outline at each node; their difference:")
+        lines += table([_beside(row) for row in node_rows(each)])
+    else:
+        lines.append("Energy of each node; less is better:")
+        lines += table(node_rows(each))
+    if each.landmarks is not None and len(each.landmarks.ids):
+        lines += ["", "Energy of each landmark; less is better:", *table(landmark_rows(each))]
+    return [*lines, ""]
+
+
+def _apart_lines(each: Explanation) -> list[str]:
+    if each.apart < 0.01:
+        return []
+    way = "was filled from both sides" if each.key.inputs.startswith("fill:") else "was made in another company"
+    return [f"The key {way}: it lies up to {each.apart:.1f} px from what a run from the artist's key finds here."]
+
+
+def _sum_lines(each: Explanation) -> list[str]:
+    """Each term's sum and its share of what all terms weigh."""
+    sums = {name: value for name, value in each.sums.items() if name != REGION}
+    weight = sum(abs(value) for value in sums.values()) or 1.0
+    rows: list[Row] = [
+        {"term": name, "sum": value, "share": f"{100.0 * abs(value) / weight:.0f} %"} for name, value in sums.items()
+    ]
+    return table([*rows, {"term": "total", "sum": sum(sums.values()), "share": ""}])
+
+
+def _beside(row: Row) -> Row:
+    """A node's row with both sides of each cue in one column."""
+    inside, outside = row["inside"], row["outside"]
+    assert isinstance(inside, Mapping)
+    assert isinstance(outside, Mapping)
+    place = {name: row[name] for name in ("node", "point", "x", "y")}
+    both = {name: f"{inside[name]:+.1f}/{outside[name]:+.1f}" for name in inside}
+    return place | both | {"difference": row["total"]}
+
+
+def table(rows: Sequence[Row]) -> list[str]:
+    """Rows under one heading, columns aligned to the right; numbers with as many places as there is room for."""
+    cells = [[str(name) for name in rows[0]], *([_cell(name, value) for name, value in row.items()] for row in rows)]
+    widths = [max(len(line[k]) for line in cells) for k in range(len(cells[0]))]
+    return ["  ".join(text.rjust(width) for text, width in zip(line, widths, strict=True)) for line in cells]
+
+
+def _cell(name: str, value: object) -> str:
+    if isinstance(value, float):
+        return f"{value:.1f}" if name in ("x", "y") else f"{value:.2f}" if name == "point" else f"{value:+.3f}"
+    return str(value)

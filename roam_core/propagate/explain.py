@@ -1,0 +1,261 @@
+"""Why a curve lies where it lies on a frame: what each term or cue says at its nodes and landmarks."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from roam_core.cancel import CancelToken
+from roam_core.energy.shares import curve_shares, joint_shares
+from roam_core.errors import RoamError
+from roam_core.features import PreparedFrame
+from roam_core.features.grid import Grid
+from roam_core.geometry import polyline
+from roam_core.params import CONFIGS, RoamParams, scale_for
+from roam_core.propagate import engine, provenance, region
+from roam_core.propagate import step as outline
+from roam_core.propagate.engine import State
+from roam_core.propagate.group import GroupTracker, parts_at
+from roam_core.propagate.memory import ReadPicture, solve_again
+from roam_core.propagate.nodes import NodeMap
+from roam_core.propagate.objects import objects
+from roam_core.propagate.prewarp import expected
+from roam_core.propagate.region import RegionState
+from roam_core.propagate.run import NEAR
+from roam_core.propagate.step import TrackerState
+from roam_core.proposal.evidence import cues, gathered
+from roam_core.proposal.region import cleaned
+from roam_core.roto import BlendMode, Clip, Keyframe, Origin, RotoShape
+
+Array = NDArray[np.float64]
+Float32 = NDArray[np.float32]
+Terms = Mapping[str, Array]
+
+REGION = "region"
+"""The cues together, smoothed and cleaned: what the curves of `best` were laid along. No cue, and not in any sum."""
+
+BESIDE = 2.0
+"""Cells from the outline to the places inside and outside of it where the cues are asked."""
+
+
+@dataclass(frozen=True, eq=False)
+class LandmarkPieces:
+    """What landmarks have of the energy: `ids (M,)`, `positions (M, 2)` in pixels, weighted `terms` of `(M,)` each."""
+
+    ids: NDArray[np.intp]
+    positions: Array
+    terms: Terms
+
+
+@dataclass(frozen=True, eq=False)
+class Explanation:
+    """One shape's key on one frame, taken apart.
+
+    Attributes
+    ----------
+    shape, key : the shape, and its key on the frame.
+    config : the configuration that made the key; "" for the artist's.
+    nodes : (N, 2) on the outline, pixels; `segment`, `t` : (N,) where on the spline.
+    terms : (N,) each. Energies by term, of which less is better; of the regions' cues how much more they speak, in
+        nats, for the object on its side of the outline than on the other, of which more is better. Empty for an
+        artist's key and where the shape has left the picture.
+    sides : the cues just inside and just outside the outline, nats for the object, `(N,)` each; empty for energies.
+    landmarks : the landmarks' pieces, where the configuration has any.
+    apart : how far, in pixels, the key's control points lie from those that the run to this frame finds; 0 unless the
+        key was filled from both sides or the shapes were tracked in other company.
+    """
+
+    shape: RotoShape
+    key: Keyframe
+    config: str
+    nodes: Array
+    segment: NDArray[np.intp]
+    t: Array
+    terms: Terms = field(default_factory=dict)
+    sides: Mapping[str, tuple[Array, Array]] = field(default_factory=dict)
+    landmarks: LandmarkPieces | None = None
+    apart: float = 0.0
+
+    @property
+    def more_is_better(self) -> bool:
+        """True for the cues of regions, False for energies."""
+        return REGION in self.terms
+
+    @property
+    def total(self) -> Array:
+        """The sum over the terms at each node, `(N,)`."""
+        return _total(self.terms, len(self.nodes))
+
+    @property
+    def landmark_total(self) -> Array:
+        """The sum over the terms at each landmark, `(M,)`."""
+        return np.empty(0) if self.landmarks is None else _total(self.landmarks.terms, len(self.landmarks.ids))
+
+    @property
+    def sums(self) -> dict[str, float]:
+        """Each term over all nodes and landmarks; for energies, what tracking reported."""
+        parts = [self.terms, {} if self.landmarks is None else self.landmarks.terms]
+        names = dict.fromkeys(name for part in parts for name in part)
+        return {name: float(sum(part[name].sum() for part in parts if name in part)) for name in names}
+
+
+@dataclass(frozen=True)
+class _Run:
+    """The run that a key came from: under which configuration, and from which side."""
+
+    config: str
+    forward: bool
+
+
+def explain(
+    read: ReadPicture, shapes: Sequence[RotoShape], frame: int, clip: Clip | None, token: CancelToken | None = None
+) -> list[Explanation]:
+    """Take apart the keys that closed `shapes` hold on `frame`; in their order, those without a key left out.
+
+    What the engine knew when it came to the frame is worked out anew from the artist's key, as in
+    `propagate.memory.take_up`, for all shapes together that it carried together. A frame that was filled from both
+    sides is explained by the run from the nearer of its artist keys.
+
+    Raises
+    ------
+    RoamError
+        for a key that is out of date, and for one that no configuration of this program made.
+    Cancelled
+        at a safe point after `token` was cancelled.
+    """
+    found: dict[int, Explanation] = {}
+    runs: dict[_Run, list[int]] = {}
+    for index, shape in enumerate(shapes):
+        key = shape.key_at(frame)
+        if key is None or not shape.closed:
+            continue
+        if key.origin is Origin.ARTIST:
+            found[index] = _bare(shape, key, RoamParams(), "", 1.0)
+        else:
+            runs.setdefault(_run_of(shape, key, clip), []).append(index)
+    for run, members in runs.items():
+        taken = _explained(read, [shapes[k] for k in members], frame, run, provenance.clip_stamp(clip), token)
+        found.update(zip(members, taken, strict=True))
+    return [found[index] for index in sorted(found)]
+
+
+def _run_of(shape: RotoShape, key: Keyframe, clip: Clip | None) -> _Run:
+    way, _, rest = key.inputs.partition(":")
+    config = rest.partition(":")[0]
+    if config not in CONFIGS:
+        raise RoamError(
+            f"The key of {shape.name!r} on frame {key.frame} does not say which configuration made it; track it again."
+        )
+    if provenance.is_stale(shape, key, clip):
+        raise RoamError(
+            f"The key of {shape.name!r} on frame {key.frame} is out of date: the artist's key, the clip or the "
+            "parameters have changed since. Track it again first."
+        )
+    if way != "fill":
+        return _Run(config, way == "forward")
+    before, after = (provenance.governing_key(shape, key.frame, forward) for forward in (True, False))
+    return _Run(config, after is None or (before is not None and key.frame - before.frame <= after.frame - key.frame))
+
+
+def _explained(
+    read: ReadPicture, shapes: list[RotoShape], frame: int, run: _Run, clip: str, token: CancelToken | None
+) -> list[Explanation]:
+    """The keys of one run, object by object."""
+    picture = read(frame)
+    sources = [provenance.governing_key(shape, frame, run.forward) for shape in shapes]
+    starts = [source.frame for source in sources if source is not None]
+    start = max(starts) if run.forward else min(starts)
+    result: dict[int, Explanation] = {}
+    for members in objects(parts_at(shapes, start), NEAR * scale_for(picture.size)):
+        tracker, together = GroupTracker(run.config, clip), [shapes[k] for k in members]
+        solve_again(tracker, read, together, range(start, frame, 1 if run.forward else -1), token)
+        taken = _taken_apart(tracker.standing.state, picture, together, frame, tracker.params, token)
+        result.update(zip(members, taken, strict=True))
+    return [result[k] for k in range(len(shapes))]
+
+
+def _taken_apart(
+    state: State,
+    picture: PreparedFrame,
+    shapes: list[RotoShape],
+    frame: int,
+    params: RoamParams,
+    token: CancelToken | None,
+) -> list[Explanation]:
+    """Every shape of an object on `frame`, seen from the `state` on the frame before."""
+    _, solved = engine.step(state, picture, params, token)
+    scale = scale_for(picture.size)
+    result = []
+    for index, (shape, now) in enumerate(zip(shapes, solved, strict=True)):
+        key = shape.key_at(frame)
+        assert key is not None
+        bare = replace(
+            _bare(shape, key, params, params.config, scale), apart=float(np.hypot(*(key.points - now.points).T).max())
+        )
+        if isinstance(state, RegionState):
+            result.append(_by_cues(bare, state, picture, params))
+        else:
+            result.append(_by_energy(bare, state[index], picture, params))
+    return result
+
+
+def _bare(shape: RotoShape, key: Keyframe, params: RoamParams, config: str, scale: float) -> Explanation:
+    nodes = NodeMap.of(key.points, params, scale)
+    return Explanation(shape, key, config, nodes.nodes(key.points), nodes.segment, nodes.t)
+
+
+def _by_energy(bare: Explanation, state: TrackerState, picture: PreparedFrame, params: RoamParams) -> Explanation:
+    """The pieces of the joint energy at the nodes that inference moved."""
+    nodes = state.nodes.nodes(bare.key.points)
+    bare = replace(bare, nodes=nodes, segment=state.nodes.segment, t=state.nodes.t)
+    moved, prior = expected(state.frame, picture, state.points, state.landmarks, params)
+    sight = outline.sighted(state, picture, moved, prior, params)
+    if sight is None:
+        return bare
+    terms = dict(curve_shares(nodes, sight.curve, params))
+    placing = outline.solved(sight, params, scale_for(picture.size)).placing
+    if sight.landmarks is None or placing is None or params.landmarks is None or state.landmarks is None:
+        return replace(bare, terms=terms)
+    at_nodes, at_landmarks = joint_shares(nodes, placing, sight.landmarks, params.landmarks)
+    found = LandmarkPieces(state.landmarks.pool.ids, placing.star(sight.landmarks).leaves, at_landmarks)
+    return replace(bare, terms=terms | dict(at_nodes), landmarks=found)
+
+
+def _by_cues(bare: Explanation, state: RegionState, picture: PreparedFrame, params: RoamParams) -> Explanation:
+    """What each cue says on the two sides of the outline."""
+    assert params.region is not None
+    sight = region.sighted(state, picture, params.region)
+    if sight is None:
+        return bare
+    sources = sight.sources
+    beside = _both_sides(bare.nodes, sources.grid)
+    sides = {name: beside(values) for name, values in cues(sources, params.region)}
+    smoothed = cleaned(gathered(sources, params.region), sources.expected.possible, params.region.overlap)
+    sides[REGION] = beside(smoothed.values)
+    # Inside a hole there is no object.
+    sign = -1.0 if bare.shape.blend is BlendMode.SUBTRACT else 1.0
+    terms = {name: sign * (inside - outside) for name, (inside, outside) in sides.items()}
+    return replace(bare, terms=terms, sides=sides)
+
+
+def _both_sides(nodes: Array, grid: Grid) -> Callable[[Float32], tuple[Array, Array]]:
+    """Reads a field `(rows, columns)` on the grid at each node, `BESIDE` cells inside the outline and outside."""
+    here = grid.to_grid(nodes)
+    normals = polyline.outward_normals(here)
+    cells = [
+        np.clip(np.floor(here + offset * normals).astype(np.intp), 0, [grid.columns - 1, grid.rows - 1])
+        for offset in (-BESIDE, BESIDE)
+    ]
+
+    def read(values: Float32) -> tuple[Array, Array]:
+        inside, outside = (values[cell[:, 1], cell[:, 0]].astype(np.float64) for cell in cells)
+        return inside, outside
+
+    return read
+
+
+def _total(terms: Terms, count: int) -> Array:
+    return np.asarray(sum((values for name, values in terms.items() if name != REGION), np.zeros(count)))

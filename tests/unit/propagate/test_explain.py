@@ -1,0 +1,124 @@
+"""Explaining a key: the pieces are the energies that tracking reported, and the cues the ones that were added."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import numpy.testing as npt
+import pytest
+
+from roam_core.errors import RoamError
+from roam_core.features import PreparedFrame
+from roam_core.propagate import FrameResult, track
+from roam_core.propagate.explain import REGION, Explanation, explain
+from roam_core.propagate.span import fill_span
+from roam_core.roto import BlendMode, Keyframe, Origin, RotoShape
+from tests.golden.shots import Shot
+
+LAST = 1004
+NAMES = {"landmarks": "landmark"}
+"""What a term of the oracle is called where it is told by piece."""
+
+
+def solved(shot: Shot, shapes: list[RotoShape], config: str, frames: range = range(1001, LAST + 1)) -> FrameResult:
+    """The last frame of a run."""
+    *_, last = track(shot.read, shapes, frames, config)
+    return last
+
+
+def explained(shot: Shot, shapes: list[RotoShape], frame: int = LAST) -> list[Explanation]:
+    return explain(lambda number: PreparedFrame(shot.read(number)), shapes, frame, None)
+
+
+@pytest.mark.parametrize("config", ["baseline", "lean", "medium", "full"])
+def test_the_pieces_sum_to_the_energies_that_tracking_reported(blob_shot: Shot, config: str) -> None:
+    (result,) = solved(blob_shot, [blob_shot.shape()], config).results
+    (told,) = explained(blob_shot, [result.shape])
+    assert (told.config, told.apart) == (config, 0.0)
+    reported = {NAMES.get(name, name): value for name, value in result.energies.items()}
+    assert told.sums == pytest.approx({k: v for k, v in reported.items() if k != "total"}, abs=1e-6)
+    assert told.total.sum() + told.landmark_total.sum() == pytest.approx(reported["total"], abs=1e-6)
+    assert told.terms["gradient"].shape == told.t.shape == (len(told.nodes),)
+    if config in ("medium", "full"):
+        assert told.landmarks is not None
+        assert len(told.landmarks.ids) == len(told.landmarks.positions) > 0
+        assert len(set(told.landmarks.ids)) == len(told.landmarks.ids)
+    else:
+        assert told.landmarks is None
+
+
+def test_the_cues_speak_for_the_object_inside_and_against_it_outside(blob_shot: Shot) -> None:
+    (result,) = solved(blob_shot, [blob_shot.shape()], "best").results
+    (told,) = explained(blob_shot, [result.shape])
+    assert told.apart == 0.0
+    assert told.more_is_better
+    assert set(told.sides) == {"local", "key", "global key", "global", "motion", "prior", "bias", REGION}
+    inside, outside = told.sides[REGION]
+    assert (inside > 0).mean() > 0.95
+    assert (outside < 0).mean() > 0.95
+    npt.assert_array_equal(told.terms["key"], told.sides["key"][0] - told.sides["key"][1])
+    npt.assert_allclose(told.total, sum(v for name, v in told.terms.items() if name != REGION))
+    npt.assert_array_equal(told.terms["bias"], 0.0)
+
+
+def test_at_a_hole_the_object_lies_outside(blob_shot: Shot) -> None:
+    def small(points: np.ndarray) -> np.ndarray:
+        return points.mean(axis=(0, 1)) + 0.3 * (points - points.mean(axis=(0, 1)))
+
+    hole = replace(blob_shot.shape(shape_id="hole"), blend=BlendMode.SUBTRACT).map_points(small)
+    last = solved(blob_shot, [blob_shot.shape(), hole], "best")
+    body, cut = explained(blob_shot, [result.shape for result in last.results])
+    assert (body.apart, cut.apart) == (0.0, 0.0)
+    inside, outside = cut.sides["prior"]
+    npt.assert_array_equal(cut.terms["prior"], outside - inside)
+    assert np.abs(cut.terms["prior"]).max() > 0
+    assert body.terms["prior"].mean() > 0
+
+
+def test_an_artists_key_is_the_artists(blob_shot: Shot) -> None:
+    (told,) = explained(blob_shot, [blob_shot.shape()], 1001)
+    assert told.key.origin is Origin.ARTIST
+    assert (told.config, told.terms, told.sides, told.landmarks) == ("", {}, {}, None)
+    assert len(told.nodes) > told.shape.point_count
+
+
+def test_a_run_backward_and_over_a_correction_is_explained_from_its_own_key(blob_shot: Shot) -> None:
+    shape = blob_shot.shape(1006).with_key(Keyframe(1004, blob_shot.truth(1004)))
+    (result,) = solved(blob_shot, [shape], "lean", range(1006, 1001, -1)).results
+    (told,) = explained(blob_shot, [result.shape], 1002)
+    assert told.apart == 0.0
+    assert told.sums == pytest.approx({k: v for k, v in result.energies.items() if k != "total"}, abs=1e-6)
+
+
+def test_a_filled_key_tells_how_far_the_run_from_the_nearer_key_is(blob_shot: Shot) -> None:
+    shape = blob_shot.shape().with_key(Keyframe(1005, blob_shot.truth(1005)))
+    (filled,) = fill_span({n: blob_shot.read(n) for n in blob_shot.frames}, [shape], 1001, 1005)
+    (told,) = explained(blob_shot, [filled], 1002)
+    assert told.config == "best"
+    assert 0.0 < told.apart < 6.0
+    assert REGION in told.terms
+
+
+def test_a_shape_that_left_the_picture_has_no_terms(blob_shot: Shot) -> None:
+    away = blob_shot.shape().map_points(lambda points: points - 400.0)
+    (result,) = solved(blob_shot, [away], "lean").results
+    (told,) = explained(blob_shot, [result.shape])
+    assert (told.config, told.terms) == ("lean", {})
+
+
+def test_shapes_without_a_key_there_are_left_out(blob_shot: Shot) -> None:
+    assert explained(blob_shot, [blob_shot.shape(1002)], 1001) == []
+
+
+def test_a_key_that_is_out_of_date_is_refused(blob_shot: Shot) -> None:
+    (result,) = solved(blob_shot, [blob_shot.shape()], "baseline").results
+    changed = result.shape.with_key(Keyframe(1001, blob_shot.truth(1001) + 1.0))
+    with pytest.raises(RoamError, match="on frame 1004 is out of date"):
+        explained(blob_shot, [changed])
+
+
+def test_a_key_of_an_unknown_configuration_is_refused(blob_shot: Shot) -> None:
+    alien = Keyframe(LAST, blob_shot.truth(LAST), origin=Origin.ENGINE, inputs="forward:superb:0123")
+    with pytest.raises(RoamError, match="does not say which configuration"):
+        explained(blob_shot, [blob_shot.shape().with_key(alien)])
