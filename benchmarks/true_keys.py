@@ -55,8 +55,13 @@ class TrueKeys:
     def _at(self, frame: int) -> list[RotoShape]:
         if frame not in self._fitted:
             passed = frame - self._shot.first
-            before = frame - (passed % GAP or GAP)
-            self._fitted[frame] = roam_core.keys_from_mask(self._at(before), self._shot.mask(frame), frame)
+            before = self._at(frame - (passed % GAP or GAP))
+            known = {shape.id for shape in before}
+            # What begins on a frame is nobody that began on another one, though it may be given the same id.
+            self._fitted[frame] = [
+                shape if shape.id in known else replace(shape, id=f"{shape.id}@{frame}")
+                for shape in roam_core.keys_from_mask(before, self._shot.mask(frame), frame)
+            ]
         return self._fitted[frame]
 
 

@@ -64,6 +64,12 @@ def test_a_shape_that_comes_begins_on_its_key(visited: Shot) -> None:
     assert [small.exists_at(frame) for frame in (1, 4, 5)] == [False, False, True]
 
 
+def test_parts_that_begin_on_different_frames_are_different_shapes(visited: Shot) -> None:
+    keys = TrueKeys(visited)
+    assert len({ids(keys, frame)[1] for frame in (3, 5)}) == 2
+    assert sorted(shape.artist_frames for shape in keys.over([3, 5])) == [(3,), (3, 5), (5,)]
+
+
 def test_a_frame_is_fitted_once(sliding: Shot, monkeypatch: pytest.MonkeyPatch) -> None:
     keys = true_keys.of(sliding)
     first = keys.on(103)
