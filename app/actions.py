@@ -93,6 +93,7 @@ SPECS: tuple[ActionSpec, ...] = (
         "track.next_doubtful", "Next doubtful frame", icon="doubtful-next", tip="Go to the next frame worth fixing"
     ),
     ActionSpec("track.previous_doubtful", "Previous doubtful frame"),
+    ActionSpec("track.most_doubtful", "Most doubtful frame", tip="Go to the frame that the engine trusts least"),
     ActionSpec("proposal.next", "Next proposal", tip="Go to the next frame on which the engine proposes a change"),
     ActionSpec("proposal.keep", "Keep", _VIEWER, tip="Make the change that the engine proposes here"),
     ActionSpec("proposal.refuse", "Refuse", _VIEWER, tip="Leave the shape as it is"),
@@ -103,6 +104,9 @@ SPECS: tuple[ActionSpec, ...] = (
     ActionSpec("view.source", "Source", _VIEWER, "view-source", "The plate alone", True),
     ActionSpec("view.overlay", "Overlay", _VIEWER, "view-overlay", "The plate with its shapes", True),
     ActionSpec("view.matte", "Matte", _VIEWER, "view-matte", "The matte of all visible shapes", True),
+    ActionSpec(
+        "view.confidence", "Confidence", _VIEWER, "view-confidence", "Where the engine trusts the outline", True
+    ),
     ActionSpec("view.hide_overlays", "Hide shapes", _VIEWER, tip="Hide the shapes while you look", checkable=True),
     ActionSpec("view.fit", "Fit", _VIEWER, "view-fit"),
     ActionSpec("view.fit_selection", "Frame selection", _VIEWER),

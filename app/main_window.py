@@ -228,6 +228,7 @@ class MainWindow(QMainWindow):
             "track.stop": self.under_way.stop,
             "track.next_doubtful": tracking.next_doubtful,
             "track.previous_doubtful": tracking.previous_doubtful,
+            "track.most_doubtful": tracking.most_doubtful,
             "track.delete_engine_keys": verbs.delete_engine_keys,
             "proposal.next": self.proposals.next,
             "proposal.keep": self.proposals.keep,

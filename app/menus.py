@@ -32,7 +32,7 @@ MENUS: dict[str, tuple[str, ...]] = {
         "track.forward", "track.backward", "track.forward_one", "track.backward_one", "track.to_next_key",
         "track.fill", SEPARATOR,
         "track.stop", SEPARATOR,
-        "track.next_doubtful", "track.previous_doubtful", SEPARATOR,
+        "track.next_doubtful", "track.previous_doubtful", "track.most_doubtful", SEPARATOR,
         "track.delete_engine_keys",
     ),
     "Proposal": (
@@ -41,7 +41,7 @@ MENUS: dict[str, tuple[str, ...]] = {
         "proposal.keep_always", "proposal.refuse_always", "proposal.ask_again",
     ),
     "View": (
-        "view.source", "view.overlay", "view.matte", "view.hide_overlays", SEPARATOR,
+        "view.source", "view.overlay", "view.matte", "view.confidence", "view.hide_overlays", SEPARATOR,
         "view.fit", "view.fit_selection", "view.actual_size", SEPARATOR,
         "time.previous", "time.next", "time.previous_key", "time.next_key", "time.first", "time.last", SEPARATOR,
         "time.toggle_play", "time.play", "time.play_back", "time.pause", "time.loop", SEPARATOR,

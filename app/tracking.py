@@ -65,6 +65,21 @@ class Tracking:
     def previous_doubtful(self) -> None:
         self._go_to_doubtful(-1)
 
+    def most_doubtful(self) -> None:
+        """Go to the frame that the engine trusts least, the first where several are alike, and tell what it doubts."""
+        tracked = [
+            (key.confidence, key.frame, shape)
+            for shape in self._shapes()
+            for key in shape.keys
+            if key.confidence is not None
+        ]
+        if not tracked:
+            self._view.say("No frame is tracked yet.")
+            return
+        _, frame, shape = min(tracked, key=lambda each: each[:2])
+        self._view.set_frame(frame)
+        self._view.say(doubt_sentence(shape, frame))
+
     # ---- the rest is private
 
     def _clip(self) -> range:
@@ -119,3 +134,14 @@ class Tracking:
             self._view.set_frame(min(doubtful) if step > 0 else max(doubtful))
         else:
             self._view.say(f"No doubtful frame {'after' if step > 0 else 'before'} frame {here}.")
+
+
+def doubt_sentence(shape: RotoShape, frame: int) -> str:
+    """How far the engine trusts a shape on a frame, and how many vertices are ringed; empty where it said nothing."""
+    key = shape.key_at(frame)
+    if key is None or key.confidence is None:
+        return ""
+    each = () if key.vertex_confidence is None else key.vertex_confidence.tolist()
+    doubted = sum(confidence < DOUBTFUL for confidence in each)
+    rings = f" {doubted} of its {len(each)} vertices are doubtful and ringed." if doubted else ""
+    return f"Frame {frame}: the confidence of {shape.name} is {key.confidence:.2f}.{rings}"

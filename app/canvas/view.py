@@ -13,6 +13,7 @@ from PySide6.QtWidgets import QWidget
 
 from app.canvas import marks
 from app.canvas.backdrop import Backdrop, paint_label, paint_sentence
+from app.canvas.confidence_item import LEGEND, paint_confidence
 from app.canvas.keys import NUDGES, is_modifier, key_name
 from app.canvas.matte_layer import MatteLayer
 from app.canvas.picture import Picture
@@ -35,6 +36,7 @@ class ViewMode(StrEnum):
     SOURCE = "source"
     OVERLAY = "overlay"
     MATTE = "matte"
+    CONFIDENCE = "confidence"
 
 
 class CanvasView(ZoomableWidget):
@@ -112,7 +114,7 @@ class CanvasView(ZoomableWidget):
         return self._mode
 
     def set_mode(self, mode: ViewMode) -> None:
-        """Show the source alone, the source with its shapes, or the matte."""
+        """Show the source alone, the source with its shapes, the matte, or where the engine trusts the shapes."""
         self._mode, self._are_shapes_hidden = ViewMode(mode), False
         self._announce()
 
@@ -157,6 +159,7 @@ class CanvasView(ZoomableWidget):
             "view.source": lambda: self.set_mode(ViewMode.SOURCE),
             "view.overlay": lambda: self.set_mode(ViewMode.OVERLAY),
             "view.matte": lambda: self.set_mode(ViewMode.MATTE),
+            "view.confidence": lambda: self.set_mode(ViewMode.CONFIDENCE),
             "view.hide_overlays": lambda: self.hide_shapes(not self._are_shapes_hidden),
         }
 
@@ -231,6 +234,8 @@ class CanvasView(ZoomableWidget):
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         if self._shows_shapes():
             view = self._view_state
+            if self._mode is ViewMode.CONFIDENCE:
+                paint_confidence(painter, self._viewport, self._project(), view.frame)
             self._shapes.paint(painter, self._viewport, self._project(), view.frame, view.selection, view.hovered)
             if (proposal := self.proposed()) is not None:
                 self._proposed.paint(painter, self._viewport, proposal)
@@ -258,7 +263,8 @@ class CanvasView(ZoomableWidget):
         if self._are_shapes_hidden:
             paint_label(painter, size, "Shapes hidden", Qt.AlignmentFlag.AlignTop)
         elif self._mode is not ViewMode.OVERLAY:
-            paint_label(painter, size, self._mode.capitalize(), Qt.AlignmentFlag.AlignTop)
+            label = LEGEND if self._mode is ViewMode.CONFIDENCE else self._mode.capitalize()
+            paint_label(painter, size, label, Qt.AlignmentFlag.AlignTop)
         elif plate and not self._project().shapes and self._view_state.tool == "select":
             paint_label(painter, size, self.empty_hint, Qt.AlignmentFlag.AlignBottom)
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pyqtgraph as pg
 from numpy.typing import NDArray
-from PySide6.QtCore import QRectF, QSize, Qt
+from PySide6.QtCore import QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QMouseEvent, QPainter, QPaintEvent, QResizeEvent, QWheelEvent
 from PySide6.QtWidgets import QHBoxLayout, QSizePolicy, QWidget
 
@@ -14,6 +14,7 @@ from app.document import Document
 from app.timeline.axis import TimeAxis
 from app.timeline.marks import MarksOf
 from app.timeline.scale import LABEL_WIDTH
+from app.tracking import doubt_sentence
 from app.view_state import shapes_in_hand
 from roam_core.params import DOUBTFUL
 
@@ -21,6 +22,9 @@ Pairs = NDArray[np.float64]
 Values = NDArray[np.float64]
 
 LEAST_HEIGHT = 64
+CLICK = 3
+"""Pixels that the pointer may move between press and release of a click."""
+
 LOW, HIGH = -0.12, 1.12
 """The plot's range: a little more than a confidence can be, so that lines at its ends are seen."""
 
@@ -34,7 +38,9 @@ class ConfidencePlot(QWidget):
     def __init__(self, document: Document, axis: TimeAxis, marks: MarksOf, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
-        self.setToolTip("Confidence of the tracked frames; under the dashed line a frame is worth a look")
+        self.setToolTip(
+            "Confidence of the tracked frames; under the dashed line a frame is worth a look. Click to go there"
+        )
         self.lines = ConfidenceLines(document, axis, marks)
         self.lines.setMinimumHeight(LEAST_HEIGHT)
         row = QHBoxLayout(self)
@@ -68,6 +74,7 @@ class ConfidenceLines(pg.GraphicsView):  # type: ignore[misc]
     def __init__(self, document: Document, axis: TimeAxis, marks: MarksOf) -> None:
         super().__init__(background=style.PANEL)
         self._document, self._axis, self._marks = document, axis, marks
+        self._pressed = QPointF()
         self._curves: dict[str, pg.PlotCurveItem] = {}
         self._box = pg.ViewBox(enableMouse=False, enableMenu=False, defaultPadding=0)
         self.setCentralItem(self._box)
@@ -118,6 +125,7 @@ class ConfidenceLines(pg.GraphicsView):  # type: ignore[misc]
             self._pull_time()
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
+        self._pressed = event.position()
         self._axis.scrub(event.position().x() + LABEL_WIDTH)
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
@@ -125,7 +133,27 @@ class ConfidenceLines(pg.GraphicsView):  # type: ignore[misc]
             self._axis.scrub(event.position().x() + LABEL_WIDTH)
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
-        """The gesture ends; pyqtgraph's own handling is not wanted."""
+        """A click, other than a drag, takes the line under it into the hand, and tells what the engine doubts there.
+
+        pyqtgraph's own handling is not wanted.
+        """
+        if (event.position() - self._pressed).manhattanLength() <= CLICK:
+            self._take(event.position().y())
+
+    def _take(self, y: float) -> None:
+        """Select the shape whose line is nearest to the height `y` on the present frame; its doubts are ringed."""
+        view, project = self._axis.view_state, self._document.project
+        value = HIGH - y / max(self.height(), 1) * (HIGH - LOW)
+        distances = [
+            (abs(key.confidence - value), shape_id)
+            for shape_id in self._shown()
+            if (key := project.shape(shape_id).key_at(view.frame)) is not None and key.confidence is not None
+        ]
+        if distances:
+            _, shape_id = min(distances)
+            if shape_id not in view.selection.shapes:
+                view.select(frozenset([shape_id]))
+            view.say(doubt_sentence(project.shape(shape_id), view.frame))
 
     def wheelEvent(self, event: QWheelEvent) -> None:
         self._axis.wheel(event, event.position().x() + LABEL_WIDTH)

@@ -163,6 +163,18 @@ def test_n_goes_from_one_doubt_to_the_next(tracking: Tracking, view_state: ViewS
     assert view_state.message == "No doubtful frame after frame 1010."
 
 
+def test_the_most_doubtful_frame_is_the_one_that_is_trusted_least(
+    tracking: Tracking, document: Document, view_state: ViewState
+) -> None:
+    view_state.set_frame(1001)
+    tracking.most_doubtful()
+    assert view_state.frame == 1010
+    assert view_state.message == "Frame 1010: the confidence of Shape 1 is 0.20."
+    document.open(Project(CLIP), None)
+    tracking.most_doubtful()
+    assert view_state.message == "No frame is tracked yet."
+
+
 def test_the_panel_shows_the_confidence_and_sets_the_mode(
     qtbot: QtBot, tracking: Tracking, document: Document, view_state: ViewState
 ) -> None:
