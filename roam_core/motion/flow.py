@@ -46,3 +46,18 @@ def flow_similarity(flow: Float32, inside: NDArray[np.bool_], grid: Grid, sample
     fitted, inliers = similarity.ransac(source.astype(np.float64), target.astype(np.float64), 2.0)
     to_image = grid.map_to_image()
     return to_image @ np.vstack([fitted, [0.0, 0.0, 1.0]]) @ np.linalg.inv(to_image), float(inliers.mean())
+
+
+def on_grid(flow: Float32, grid: Grid, coarse: Grid) -> Float32:
+    """Flow in cells of `grid` as flow in those of a coarser one over the same region, `(rows, columns, 2)`."""
+    smaller = cv2.resize(flow, (coarse.columns, coarse.rows), interpolation=cv2.INTER_AREA)
+    return np.asarray(smaller * (coarse.factor / grid.factor), dtype=np.float32)
+
+
+def carried_by_flow(coverage_before: Float32, backward: Float32) -> Float32:
+    """Coverage `(rows, columns)` of the frame before where `backward (rows, columns, 2)` takes it, on one grid."""
+    rows, columns = coverage_before.shape
+    x, y = np.meshgrid(np.arange(columns, dtype=np.float32), np.arange(rows, dtype=np.float32))
+    return np.asarray(
+        cv2.remap(coverage_before, x + backward[..., 0], y + backward[..., 1], interpolation=cv2.INTER_LINEAR)
+    )

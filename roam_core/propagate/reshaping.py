@@ -51,13 +51,15 @@ def reshape(
     params: RoamParams,
     scale: float,
     unary: Unary | None = None,
+    least_area: float = 0.0,
 ) -> Reshaping:
     """The solved outline `points (P, 3, 2)` against a segmentation made around the pre-warped `prior (P, 3, 2)`.
 
     The paper's "Allowing topology changes": where the two differ markedly, pieces of the outline are exchanged that
     lower E^C. The artist's points are then laid along the new outline, the same in number and order; those on
     stretches that did not change stay where they are. What comes of it is taken if the joint energy - E^C with the
-    landmarks' pull `unary` on the nodes - has fallen. It never crosses itself where `points` did not.
+    landmarks' pull `unary` on the nodes - has fallen. It never crosses itself where `points` did not. Proposals
+    take nothing away that would leave less than `least_area` square pixels.
 
     A node that is exchanged is a new one: no landmark has learned where it belongs, so none pulls it, neither here nor
     the one that it replaces; it is paired anew afterwards (`propagate.landmarks.renewed`).
@@ -67,7 +69,7 @@ def reshape(
     if params.proposals is None or context.colours is None:
         return as_before
     found = segmented(frame, prior, context.colours, params.proposals, scale)
-    new = reshaped(bezier.flatten(points), found, context, params)
+    new = reshaped(bezier.flatten(points), found, context, params, least_area)
     topology = topology_changes(new.ring, found, context, params)
     if not new.is_new:
         return replace(as_before, topology=topology)

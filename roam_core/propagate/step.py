@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -16,6 +16,7 @@ from roam_core.energy.colour_fields import ColourFields
 from roam_core.energy.joint_total import LandmarkContext, Placing
 from roam_core.energy.total import CurveContext
 from roam_core.features import PreparedFrame, Region
+from roam_core.features.grid import Grid
 from roam_core.geometry import polyline
 from roam_core.geometry.simple import untied
 from roam_core.inference.alternate import alternate
@@ -29,8 +30,14 @@ from roam_core.propagate.nodes import NodeMap
 from roam_core.propagate.prewarp import expected
 from roam_core.propagate.reshaping import reshape
 from roam_core.propagate.result import StepResult, Termination
+from roam_core.proposal.nearest_colours import NearestColours
 
 Array = NDArray[np.float64]
+Float32 = NDArray[np.float32]
+
+
+LocalRatio = Callable[[Grid], Float32]
+"""Something that gives ln p_f / p_b of each cell of a grid."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -43,6 +50,7 @@ class TrackerState:
     nodes : where the nodes lie on the spline; their edges keep their index through time.
     models : the curve's colours, as far as the configuration wants any.
     landmarks : those inside the outline, where the configuration wants them.
+    nearest : the pictures whose colours stand for the local models, where the configuration has it so.
     """
 
     frame: PreparedFrame
@@ -50,6 +58,7 @@ class TrackerState:
     nodes: NodeMap
     models: ColourModels | None = None
     landmarks: LandmarkState | None = None
+    nearest: NearestColours | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -71,7 +80,10 @@ def begin(frame: PreparedFrame, points: Array, params: RoamParams) -> TrackerSta
     nodes = NodeMap.of(points, params, scale)
     line = nodes.nodes(points)
     models = ColourModels.learned(frame, line, params, scale)
-    return TrackerState(frame, points, nodes, models, landmarks.begin(frame, line, params.landmarks))
+    colour, nearest = params.appearance, None
+    if colour is not None and colour.local_kind == "nearest":
+        nearest = NearestColours.learned(frame, line, colour.cues)
+    return TrackerState(frame, points, nodes, models, landmarks.begin(frame, line, params.landmarks), nearest)
 
 
 @dataclass(frozen=True, eq=False)
@@ -93,12 +105,13 @@ def step(
         token.check()
     sight = sighted(state, frame, moved, prior, params)
     if sight is None:
-        return _left(state, frame, prior)
+        return _left(state, frame, prior, moved)
     context, seen = sight.curve, sight.landmarks
     solution = solved(sight, params, scale, token)
     points = untied(state.nodes.points(solution.nodes, prior), prior, scale)
     pull = _pull(solution.placing, seen, params)
-    new = reshape(frame, points, prior, state.nodes, context.for_any_curve(), params, scale, pull)
+    least = _least_area(state, moved, params)
+    new = reshape(frame, points, prior, state.nodes, context.for_any_curve(), params, scale, pull, least)
     points = new.points
     fitted = state.nodes.nodes(points)
     support = node_support(fitted, context, scale)
@@ -115,7 +128,8 @@ def step(
     known = _marked(state.landmarks, frame, seen, solution.placing, fitted, confidence)
     if known is not None and new.changed:
         known = landmarks.renewed(known, fitted, new.fresh)
-    return TrackerState(frame, points, state.nodes, models, known), result
+    nearest = state.nearest and state.nearest.adapted(frame, fitted, moved.transform)
+    return TrackerState(frame, points, state.nodes, models, known, nearest), result
 
 
 def sighted(state: TrackerState, frame: PreparedFrame, moved: Warp, prior: Array, params: RoamParams) -> Sight | None:
@@ -123,7 +137,9 @@ def sighted(state: TrackerState, frame: PreparedFrame, moved: Warp, prior: Array
     nodes = state.nodes.nodes(prior)
     if _is_outside(nodes, frame.size):
         return None
-    curve = curve_context(frame, nodes, params, scale_for(frame.size), state.models)
+    nearest = state.nearest
+    local = None if nearest is None else lambda grid: nearest.log_ratio(frame, grid, moved.transform)
+    curve = curve_context(frame, nodes, params, scale_for(frame.size), state.models, local)
     seen = None if state.landmarks is None else landmarks.context(state.landmarks, frame, moved)
     return Sight(nodes, curve, seen)
 
@@ -135,6 +151,13 @@ def solved(sight: Sight, params: RoamParams, scale: float, token: CancelToken | 
         return Solved(alone.nodes, alone.converged)
     both = alternate(sight.nodes, sight.curve, sight.landmarks, params, token)
     return Solved(both.nodes, both.converged, both.placing)
+
+
+def _least_area(state: TrackerState, moved: Warp, params: RoamParams) -> float:
+    """What proposals have to leave of the object on the frame that `moved` leads to, square pixels."""
+    if state.nearest is None or params.proposals is None:
+        return 0.0
+    return params.proposals.least_share * state.nearest.remembered_area(moved.transform)
 
 
 def _pull(placing: Placing | None, seen: LandmarkContext | None, params: RoamParams) -> Unary | None:
@@ -169,9 +192,17 @@ def _marked(
 
 
 def curve_context(
-    frame: PreparedFrame, nodes: Array, params: RoamParams, scale: float, models: ColourModels | None = None
+    frame: PreparedFrame,
+    nodes: Array,
+    params: RoamParams,
+    scale: float,
+    models: ColourModels | None = None,
+    local: LocalRatio | None = None,
 ) -> CurveContext:
-    """The features around `nodes` that the curve's terms look at, wide enough for every round of moves."""
+    """The features around `nodes` that the curve's terms look at, wide enough for every round of moves.
+
+    `local`, where it is given, speaks in place of the edges' models.
+    """
     reach = sum(params.window // 2 * s * params.max_iterations for s in params.steps)
     region = Region.around(nodes, (reach + 12.0) * scale, frame.size)
     field = frame.squared_gradient(region, params.gradient_sigma * scale)
@@ -179,16 +210,26 @@ def curve_context(
     orientation = 1.0 if polyline.signed_area(nodes) > 0 else -1.0
     colours = None
     if models is not None and params.appearance is not None:
-        colours = _colour_fields(frame, nodes, params.appearance, scale, reach, models)
+        colours = _colour_fields(frame, nodes, params.appearance, scale, reach, models, local)
     return CurveContext(field, region.origin, spacing, orientation, colours, np.roll(nodes, -1, axis=0) - nodes)
 
 
 def _colour_fields(
-    frame: PreparedFrame, nodes: Array, params: AppearanceParams, scale: float, reach: float, models: ColourModels
+    frame: PreparedFrame,
+    nodes: Array,
+    params: AppearanceParams,
+    scale: float,
+    reach: float,
+    models: ColourModels,
+    local: LocalRatio | None,
 ) -> ColourFields:
     """What the colour models say of every cell that the ribbon of a moved edge may cover."""
     band = Band.around(frame, nodes, reach + params.ribbon_depth, scale)
-    foreground, background = models.edges.log_densities(band, params)
+    if local is None:
+        foreground, background = models.edges.log_densities(band, params)
+    else:
+        foreground = 0.5 * local(band.grid)
+        background = -foreground
     whole = None if models.whole is None else models.whole.log_ratio(band, params)
     return ColourFields(band.grid, foreground, background, params.clip, whole)
 
@@ -199,10 +240,11 @@ def _termination(confidence: float, converged: bool) -> Termination:
     return Termination.CONVERGED if converged else Termination.MAX_ITERATIONS
 
 
-def _left(state: TrackerState, frame: PreparedFrame, prior: Array) -> tuple[TrackerState, StepResult]:
+def _left(state: TrackerState, frame: PreparedFrame, prior: Array, moved: Warp) -> tuple[TrackerState, StepResult]:
     """The outline has left the picture: it goes on as it moved, and says so."""
     result = StepResult(prior, 0.0, np.zeros(len(prior)), {}, Termination.LEFT_FRAME)
-    return replace(state, frame=frame, points=prior), result
+    nearest = state.nearest and state.nearest.adapted(frame, state.nodes.nodes(prior), moved.transform)
+    return replace(state, frame=frame, points=prior, nearest=nearest), result
 
 
 def _is_outside(nodes: Array, size: tuple[int, int]) -> bool:

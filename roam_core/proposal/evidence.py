@@ -153,11 +153,10 @@ class Sources:
         return uncertain_band(self.expected.certain, self.expected.possible, self.band_reach)
 
 
-def cues(sources: Sources, params: RegionParams) -> Iterator[tuple[str, Float32]]:
-    """Each cue by name with its weighted log-ratio `(rows, columns)`, nats, one after the other.
+def local_cues(sources: Sources, params: RegionParams) -> Iterator[tuple[str, Float32]]:
+    """The cues by nearest colours, by name with their weighted log-ratios `(rows, columns)`, nats.
 
-    "local" and "key": nearest colours of the last and of the key frame; "global key" and "global": the histograms;
-    "motion", "prior" and "bias". Only their sum in the band means anything to the region.
+    "local": nearest colours of the last frame along the flow; "key": those of the key frame, carried by the similarity.
     """
     expected, grid = sources.expected, sources.grid
     local = local_match(
@@ -172,13 +171,22 @@ def cues(sources: Sources, params: RegionParams) -> Iterator[tuple[str, Float32]
             still, params.key_radius, 1.5 * params.local_sigma, params.key_spread, params.clip,
         )  # fmt: skip
         yield "key", params.key_weight * remembered
+
+
+def cues(sources: Sources, params: RegionParams) -> Iterator[tuple[str, Float32]]:
+    """Each cue by name with its weighted log-ratio `(rows, columns)`, nats, one after the other.
+
+    "local" and "key": nearest colours of the last and of the key frame; "global key" and "global": the histograms;
+    "motion", "prior" and "bias". Only their sum in the band means anything to the region.
+    """
+    yield from local_cues(sources, params)
     yield "global key", params.global_key_weight * sources.key.colours.log_ratio(sources.picture, params.clip)
     yield "global", params.global_weight * sources.colours.log_ratio(sources.picture, params.clip)
     # Limbs move in their own ways: motion speaks against new ground only, never against what was inside already.
     against = np.minimum(np.where(sources.carried, np.float32(0.0), sources.motion), np.float32(0.0))
     yield "motion", np.asarray(params.motion_weight * against, dtype=np.float32)
     yield "prior", params.prior_weight * signed_distance(sources.carried, 20.0)
-    yield "bias", np.full(grid.shape, params.bias, dtype=np.float32)
+    yield "bias", np.full(sources.grid.shape, params.bias, dtype=np.float32)
 
 
 def gathered(sources: Sources, params: RegionParams) -> Field:

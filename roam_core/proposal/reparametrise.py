@@ -92,11 +92,14 @@ def differences(current: Bools, proposed: Segmentation, params: ProposalParams) 
     return [piece for _, piece in found[: params.most]]
 
 
-def reshaped(line: Array, proposed: Segmentation, context: CurveContext, params: RoamParams) -> Reshaped:
+def reshaped(
+    line: Array, proposed: Segmentation, context: CurveContext, params: RoamParams, least_area: float = 0.0
+) -> Reshaped:
     """The closed polyline `line (K, 2)` with each marked difference carried out that lowers the energy.
 
     Piece by piece, the largest first: the stretch of the curve that runs around the piece is replaced by the
     proposal's. A piece that would cut the region in two is left alone: that is for the artist (`proposal.topology`).
+    Nothing is taken away that would leave less than `least_area` square pixels.
     """
     assert params.proposals is not None
     grid = proposed.grid
@@ -108,6 +111,8 @@ def reshaped(line: Array, proposed: Segmentation, context: CurveContext, params:
         if not parts:
             continue
         if not piece.added and len(parts) > 1 and cells_in(parts[1][0], grid) >= params.proposals.area:
+            continue
+        if not piece.added and abs(polyline.signed_area(parts[0][0])) < least_area:
             continue
         reached = energy_of(parts[0][0], context, params)
         if reached < energy:

@@ -8,7 +8,7 @@ import pytest
 
 from roam_core.features import PreparedFrame, Region
 from roam_core.features.grid import Grid
-from roam_core.motion.flow import dense_flow, flow_similarity
+from roam_core.motion.flow import carried_by_flow, dense_flow, flow_similarity, on_grid
 
 
 def textured(height: int, width: int) -> np.ndarray:
@@ -44,3 +44,13 @@ def test_an_empty_inside_stands_still() -> None:
     transform, agreement = flow_similarity(np.ones((60, 60, 2), np.float32), np.zeros((60, 60), bool), grid)
     np.testing.assert_array_equal(transform, np.eye(3))
     assert agreement == 0.0
+
+
+def test_flow_on_a_coarser_grid_is_in_its_cells_and_carries_a_coverage() -> None:
+    region = Region(0, 0, 80, 40)
+    fine, coarse = Grid.over(region, 1.0), Grid.over(region, 0.5)
+    back = on_grid(np.full((*fine.shape, 2), (-6.0, 2.0), dtype=np.float32), fine, coarse)
+    np.testing.assert_allclose(back, np.broadcast_to((-3.0, 1.0), (*coarse.shape, 2)))
+    before = np.zeros(coarse.shape, dtype=np.float32)
+    before[8:12, 10:20] = 1.0
+    np.testing.assert_allclose(carried_by_flow(before, back), np.roll(before, (-1, 3), axis=(0, 1)), atol=1e-6)

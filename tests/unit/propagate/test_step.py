@@ -64,6 +64,22 @@ def test_the_global_term_takes_part_where_it_has_a_weight() -> None:
     assert outline_distance(after.points, SHOT.truth(SHOT.frames[1])) < 1.0
 
 
+def test_the_nearest_colours_speak_in_place_of_the_mixtures() -> None:
+    assert LEAN.appearance is not None
+    nearest = replace(LEAN, appearance=replace(LEAN.appearance, local_kind="nearest"))
+    state = begin(prepared(SHOT, SHOT.first), SHOT.truth(SHOT.first), nearest)
+    assert begin(prepared(SHOT, SHOT.first), SHOT.truth(SHOT.first), LEAN).nearest is None
+    assert state.nearest is not None
+    after, result = step(state, prepared(SHOT, SHOT.frames[1]), nearest)
+    assert after.nearest is not None
+    assert after.nearest.frame is after.frame
+    assert after.nearest.key.frame is state.frame
+    assert result.energies["local"] < 0.0
+    assert outline_distance(after.points, SHOT.truth(SHOT.frames[1])) < 1.0
+    _, by_mixtures = step(replace(state, nearest=None), prepared(SHOT, SHOT.frames[1]), nearest)
+    assert by_mixtures.energies["local"] != result.energies["local"]
+
+
 def soft_disc(x: float) -> PreparedFrame:
     """A disc around (x, 60) that differs little from the ground."""
     image = np.full((120, 140, 3), 90.0)

@@ -97,6 +97,17 @@ def test_a_piece_that_the_energy_does_not_want_is_left() -> None:
     assert new.energy == new.energy_before
 
 
+@pytest.mark.parametrize("least", [0.0, 3100.0, 3300.0])
+def test_what_would_leave_too_little_is_held(least: float) -> None:
+    body, whole = drawn(BODY), drawn(BODY, LIMB)
+    line = bezier.flatten(spline(whole))
+    assert 3200.0 < abs(polyline.signed_area(line)) < 3400.0
+    shrunk = reshaped(line, proposal(body, whole), context(body), PARAMS, least)
+    assert shrunk.is_new == (least < 3000.0)
+    grown = reshaped(bezier.flatten(spline(body)), proposal(whole, whole), context(whole), PARAMS, least)
+    assert grown.is_new
+
+
 def test_away_from_the_piece_the_outline_stays() -> None:
     body, whole = drawn(BODY), drawn(BODY, LIMB)
     line = bezier.flatten(spline(body))
