@@ -192,8 +192,8 @@ def text_of(each: Explanation) -> list[str]:
 def _apart_lines(each: Explanation) -> list[str]:
     if each.apart < 0.01:
         return []
-    way = "was filled from both sides" if each.key.inputs.startswith("fill:") else "was made in another company"
-    return [f"The key {way}: it lies up to {each.apart:.1f} px from what a run from the artist's key finds here."]
+    way = ", for it was filled from both sides" if each.key.inputs.startswith("fill:") else ""
+    return [f"The key lies up to {each.apart:.1f} px from what a run from the artist's key finds here and now{way}."]
 
 
 def _sum_lines(each: Explanation) -> list[str]:

@@ -65,7 +65,7 @@ class Explanation:
     sides : the cues just inside and just outside the outline, nats for the object, `(N,)` each; empty for energies.
     landmarks : the landmarks' pieces, where the configuration has any.
     apart : how far, in pixels, the key's control points lie from those that the run to this frame finds; 0 unless the
-        key was filled from both sides or the shapes were tracked in other company.
+        key was filled from both sides, its shapes were tracked in other company, or on a machine that rounds otherwise.
     """
 
     shape: RotoShape
