@@ -8,15 +8,14 @@ from numpy.typing import NDArray
 from roam_core.geometry import bezier, polyline
 from roam_core.geometry.bezier import ANCHOR, IN, OUT
 from roam_core.kernels.alignment import align
-from roam_core.proposal.anchors import spread
 from roam_core.proposal.refine import refined
 
 Array = NDArray[np.float64]
 IntArray = NDArray[np.int64]
 
-STRETCH = 6.0
+STRETCH = 1.0
 """Price of a piece of outline that grows to twice its share of the whole, against ..."""
-NEAR = 12.0
+NEAR = 3.0
 """... a node that lies this many pixels (of a 480-line image) from where it was expected, and against ..."""
 TURN = 1.0
 """... a node whose outline runs the opposite way."""
@@ -26,8 +25,6 @@ STEP = 3.0
 """Pixels of a 480-line image between the places where a node may come to lie."""
 FINER = 2
 """Samples of the outline for each such place, for the fit of the handles."""
-SPREADS = 3
-"""Rounds in which anchors move along the outline."""
 ROUNDS = 2
 """Rounds of least squares over the whole spline."""
 STARTS = 3
@@ -38,10 +35,9 @@ def follow(points: Array, ring: Array, smooth: NDArray[np.bool_], scale: float =
     """The closed spline `points (P, 3, 2)` laid along the closed polyline `ring (K, 2)`, its points in correspondence.
 
     Nodes of the spline, the anchors among them, are matched to the outline in order (`kernels.alignment`): near where
-    they are expected, with the outline running the same way, every piece keeping its share of the length. Anchors then
-    move a little along the outline where the curve follows it better for that (`proposal.anchors`), each segment is
-    fitted to its piece of the outline, and all of them together (`proposal.refine`). Points marked `smooth (P,)` keep
-    their handles on one line; handles that lie on their anchor stay there.
+    they are expected, with the outline running the same way, every piece keeping its share of the length. Each segment
+    is then fitted to its piece of the outline, and all of them together (`proposal.refine`). Points marked
+    `smooth (P,)` keep their handles on one line; handles that lie on their anchor stay there.
     """
     lengths = bezier.segment_lengths(points)
     counts = np.maximum(1, np.round(lengths / (SPACING * scale))).astype(np.intp)
@@ -53,7 +49,7 @@ def follow(points: Array, ring: Array, smooth: NDArray[np.bool_], scale: float =
     places = max(2 * len(nodes), int(polyline.length(ring) / (STEP * scale)))
     samples = polyline.resample(ring, FINER * places)
     matched = _matched(nodes, samples[::FINER], (lengths / counts)[segment], scale)
-    anchors = spread(points, samples, FINER * matched[first], SPREADS, scale)
+    anchors = FINER * matched[first]
     return refined(_laid(points, samples, anchors, smooth), samples, anchors, smooth, ROUNDS)
 
 
