@@ -66,7 +66,7 @@ class AppearanceParams:
     local_kind : what says ln p_n^f / p_n^b. "mixture", the paper's: one model an edge. "nearest", beyond the paper: the
         nearest colours of the last frame along the flow and of the artist's key, with the parameters `cues`, of which
         those named local and key, band, bias, blur, clip, margin and grid_factor are read
-        (`proposal.nearest_colours`).
+        (`proposal.nearest_colours`). "both": the mean of the two log-ratios; what one loses the other mostly holds.
     term : how the models enter the energy. "ribbon", the paper's: each edge's colours on both sides, up to the ribbon's
         depth, under its own model. "region": the same log-ratios ln p_n^f / p_n^b summed over all that the curve
         encloses near its old place (region competition, Zhu and Yuille 1996), so that it is drawn from farther away.
@@ -82,7 +82,7 @@ class AppearanceParams:
         surroundings that it learns the background from.
     """
 
-    local_kind: Literal["mixture", "nearest"] = "mixture"
+    local_kind: Literal["mixture", "nearest", "both"] = "mixture"
     cues: RegionParams = field(default_factory=RegionParams)
     term: Literal["ribbon", "region"] = "region"
     components: int = 3
@@ -152,7 +152,7 @@ class ProposalParams:
     node_price : what one node more costs, in units of the energy, when a proposal makes the curve longer.
     least_share : a proposal takes nothing away that leaves less than this share of the area that the key's region has
         by now: what passes behind a post is held, not given up. 0 lets everything go; beyond the paper, and only where
-        the key is remembered (`AppearanceParams.local_kind` "nearest").
+        the key is remembered (`AppearanceParams.local_kind` "nearest" or "both").
     rounds : times that a frame's curve and segmentation are compared.
     """
 
@@ -250,7 +250,7 @@ CONFIGS: dict[str, RoamParams] = {
     ),
     "full": RoamParams(
         config="full",
-        appearance=AppearanceParams(local_kind="nearest", global_kind="histogram"),
+        appearance=AppearanceParams(local_kind="both", global_kind="histogram"),
         lambda_local=0.03,
         lambda_global=0.03,
         warp="landmarks+klt",
@@ -262,8 +262,8 @@ CONFIGS: dict[str, RoamParams] = {
 """Configurations by name. `baseline`: gradient and l2 regulariser (the paper's Baseline); `lean`: local colour models
 of the edges beside them (the paper's Lean, as region competition); `medium`: landmarks as well, in the pre-warp and
 tied to the curve (the paper's Medium); `full`: the global colour model as well, and proposals by graph cut (the paper's
-Full; p_0 as histograms, the local models as nearest colours); `best`: all that proved itself, at present the region
-proposals."""
+Full; p_0 as histograms, the local models with the nearest colours); `best`: all that proved itself, at present the
+region proposals."""
 
 DOUBTFUL = 0.75
 """Confidence below which a frame ends as LOW_CONFIDENCE and is offered as worth fixing.

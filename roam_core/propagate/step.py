@@ -81,7 +81,7 @@ def begin(frame: PreparedFrame, points: Array, params: RoamParams) -> TrackerSta
     line = nodes.nodes(points)
     models = ColourModels.learned(frame, line, params, scale)
     colour, nearest = params.appearance, None
-    if colour is not None and colour.local_kind == "nearest":
+    if colour is not None and colour.local_kind != "mixture":
         nearest = NearestColours.learned(frame, line, colour.cues)
     return TrackerState(frame, points, nodes, models, landmarks.begin(frame, line, params.landmarks), nearest)
 
@@ -201,7 +201,7 @@ def curve_context(
 ) -> CurveContext:
     """The features around `nodes` that the curve's terms look at, wide enough for every round of moves.
 
-    `local`, where it is given, speaks in place of the edges' models.
+    `local`, where it is given, speaks in place of the edges' models, or with them (`AppearanceParams.local_kind`).
     """
     reach = sum(params.window // 2 * s * params.max_iterations for s in params.steps)
     region = Region.around(nodes, (reach + 12.0) * scale, frame.size)
@@ -225,13 +225,23 @@ def _colour_fields(
 ) -> ColourFields:
     """What the colour models say of every cell that the ribbon of a moved edge may cover."""
     band = Band.around(frame, nodes, reach + params.ribbon_depth, scale)
-    if local is None:
-        foreground, background = models.edges.log_densities(band, params)
-    else:
-        foreground = 0.5 * local(band.grid)
-        background = -foreground
+    foreground, background = _local_densities(band, params, models, local)
     whole = None if models.whole is None else models.whole.log_ratio(band, params)
     return ColourFields(band.grid, foreground, background, params.clip, whole)
+
+
+def _local_densities(
+    band: Band, params: AppearanceParams, models: ColourModels, local: LocalRatio | None
+) -> tuple[Float32, Float32]:
+    """ln p_n^f and ln p_n^b by whatever `AppearanceParams.local_kind` names; only their difference is known of some."""
+    if local is None:
+        return models.edges.log_densities(band, params)
+    ratio = np.clip(local(band.grid), -params.clip, params.clip)
+    if params.local_kind == "both":
+        foreground, background = models.edges.log_densities(band, params)
+        ratio = np.float32(0.5) * (ratio + np.clip(foreground - background, -params.clip, params.clip))
+    half = np.asarray(np.float32(0.5) * ratio, dtype=np.float32)
+    return half, -half
 
 
 def _termination(confidence: float, converged: bool) -> Termination:

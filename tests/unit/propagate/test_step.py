@@ -8,8 +8,10 @@ import numpy as np
 
 from roam_core.features import PreparedFrame
 from roam_core.geometry import bezier
+from roam_core.geometry.similarity import IDENTITY
+from roam_core.motion.klt import Warp
 from roam_core.params import CONFIGS, RoamParams
-from roam_core.propagate.step import TrackerState, begin, step
+from roam_core.propagate.step import TrackerState, begin, sighted, step
 from tests.golden.shots import Shot, blob, gliding, outline_distance
 
 LEAN = CONFIGS["lean"]
@@ -76,8 +78,20 @@ def test_the_nearest_colours_speak_in_place_of_the_mixtures() -> None:
     assert after.nearest.key.frame is state.frame
     assert result.energies["local"] < 0.0
     assert outline_distance(after.points, SHOT.truth(SHOT.frames[1])) < 1.0
-    _, by_mixtures = step(replace(state, nearest=None), prepared(SHOT, SHOT.frames[1]), nearest)
-    assert by_mixtures.energies["local"] != result.energies["local"]
+
+
+def test_each_kind_of_local_colour_says_its_own_and_both_the_mean() -> None:
+    assert LEAN.appearance is not None
+    ratios = {}
+    for kind in ("mixture", "nearest", "both"):
+        params = replace(LEAN, appearance=replace(LEAN.appearance, local_kind=kind))
+        state = begin(prepared(SHOT, SHOT.first), SHOT.truth(SHOT.first), params)
+        sight = sighted(state, prepared(SHOT, SHOT.frames[1]), Warp(IDENTITY, 0, 1.0), state.points, params)
+        assert sight is not None
+        assert sight.curve.colours is not None
+        ratios[kind] = sight.curve.colours.log_ratio
+    assert np.abs(ratios["nearest"] - ratios["mixture"]).max() > 0.5
+    np.testing.assert_allclose(ratios["both"], 0.5 * (ratios["nearest"] + ratios["mixture"]), atol=1e-5)
 
 
 def soft_disc(x: float) -> PreparedFrame:
