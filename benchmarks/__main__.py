@@ -7,7 +7,7 @@ import sys
 from collections.abc import Sequence
 from types import ModuleType
 
-from benchmarks import artist, davis, drift, kernels, mattes, paper, scaling, shots, speed, stages, tune
+from benchmarks import artist, confidence, davis, drift, kernels, mattes, paper, scaling, shots, speed, stages, tune
 from roam_core.errors import RoamError
 from roam_core.params import DEFAULT_CONFIG
 
@@ -17,6 +17,7 @@ BENCHMARKS: dict[str, ModuleType] = {
     "davis": davis,
     "artist": artist,
     "drift": drift,
+    "confidence": confidence,
     "tune": tune,
     "paper": paper,
     "scaling": scaling,

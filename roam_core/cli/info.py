@@ -7,6 +7,7 @@ from pathlib import Path
 
 from roam_core.media import open_clip
 from roam_core.propagate.provenance import is_stale
+from roam_core.propagate.worth import most_worth_fixing
 from roam_core.roto import Clip, Origin, RotoShape, file
 
 
@@ -62,6 +63,8 @@ def _shape_line(shape: RotoShape, clip: Clip | None) -> str:
     if rated:
         confidence, frame = min(rated)
         line += f"; least sure on {frame} ({confidence:.2f})"
+    if (worst := most_worth_fixing(shape)) is not None:
+        line += f"; most worth fixing is {worst}"
     return line
 
 

@@ -1,18 +1,148 @@
-"""How far a solved frame can be trusted."""
+"""How far a solved frame can be trusted: the overlap with what the artist wants that its signs let one expect.
+
+Confidence is an expected IoU: of the frames that are given 0.8, the outlines overlap the true ones by 0.8 in the mean.
+It is a logistic model of a few signs, none of which can speak for a frame, with weights fitted to the shared shots and
+tried on each with that shot left out (`benchmarks/confidence.py` does both, and prints the weights).
+"""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from dataclasses import astuple, dataclass
+
+import cv2
 import numpy as np
 from numpy.typing import NDArray
 
 from roam_core.energy.total import CurveContext
 from roam_core.geometry import polyline
 from roam_core.motion.klt import Warp
+from roam_core.propagate.laying import enclosed
+from roam_core.propagate.result import Part
+from roam_core.proposal.evidence import SURE, Expectation, Field
 
 Array = NDArray[np.float64]
+Bools = NDArray[np.bool_]
 
 REACH = 8
 """Pixels to both sides of the outline that are searched for a stronger edge than the one it lies on."""
+AROUND = 9
+"""Cells across the neighbourhood of an anchor."""
+LEAST = 0.02
+"""Overlap below which all is lost."""
+
+
+@dataclass(frozen=True)
+class Signs:
+    """What speaks against one frame of an object carried by regions; zero where all is well.
+
+    Attributes
+    ----------
+    unenclosed : -ln of the overlap of what the curves enclose with the region that they were laid along.
+    flat : how little the log-ratio rises beside the border of the region: 1 where it says nothing, 0 where it is sure.
+    undecided : cells under one nat to either side, per cell of the region; at most 3.
+    new : the share of the region that lies outside the key's, carried all the way.
+    age : ln of the frames since the key. Errors add up, and what was lost seldom comes back.
+    """
+
+    unenclosed: float
+    flat: float
+    undecided: float
+    new: float
+    age: float
+
+    @classmethod
+    def of(cls, parts: Sequence[Part], found: Field, expected: Expectation, frames: int) -> Signs:
+        """Of the outlines laid along the region `found`, so many frames after the key."""
+        inside = found.inside
+        nats = np.abs(np.clip(found.values, -SURE, SURE))
+        cells = max(int(np.count_nonzero(inside)), 1)
+        square = np.ones((3, 3), np.uint8)
+        rim = cv2.morphologyEx(inside.astype(np.uint8), cv2.MORPH_GRADIENT, square)
+        near = cv2.dilate(rim, np.ones((5, 5), np.uint8)) > 0
+        return cls(
+            unenclosed=-float(np.log(max(overlap(enclosed(parts, found.grid) > 0.5, inside), LEAST))),
+            flat=1.0 - float(nats[near].mean()) / SURE if near.any() else 1.0,
+            undecided=min(int(np.count_nonzero(nats < 1.0)) / cells, 3.0),
+            new=int(np.count_nonzero(inside & (expected.remembered <= 0.5))) / cells,
+            age=float(np.log(frames)),
+        )
+
+
+SIGNS = (3.42, 2.20, 5.71, 0.29, 0.75, 0.139)
+"""The constant of the logistic model, and the weight of each of the `Signs` in their order."""
+
+
+def expected_overlap(signs: Signs | SpanSigns, weights: Sequence[float] | None = None) -> float:
+    """The IoU with the artist's wish, in [0, 1], to be expected on a frame with these signs.
+
+    A logistic function of the weighted signs. All weights are at least zero, so that no sign can speak for a frame.
+    """
+    constant, *slopes = weights or (SIGNS if isinstance(signs, Signs) else SPAN_SIGNS)
+    return float(1.0 / (1.0 + np.exp(np.dot(slopes, astuple(signs)) - constant)))
+
+
+@dataclass(frozen=True)
+class SpanSigns:
+    """What speaks against one filled frame between two keys; zero where all is well.
+
+    Attributes
+    ----------
+    missed : share of both regions in which the object, carried from one key all the way, differs from the other key.
+    apart : -ln of the overlap of the outlines with the nearer of what the two keys, each carried, say on this frame.
+    middle : 0 beside a key, 1 half way between them.
+    length : ln of the frames from key to key.
+    """
+
+    missed: float
+    apart: float
+    middle: float
+    length: float
+
+    @classmethod
+    def of(cls, missed: float, nearer: float, u: float, frames: int) -> SpanSigns:
+        """From the miss at the keys, the overlap with the `nearer` passage, and the place in a span of `frames`."""
+        middle = 2.0 * float(np.sqrt(u * (1.0 - u)))
+        return cls(missed, -float(np.log(max(nearer, LEAST))), middle, float(np.log(frames)))
+
+
+SPAN_SIGNS = (4.42, 2.63, 1.32, 0.72, 0.44)
+"""As `SIGNS`, of the `SpanSigns`."""
+
+
+def vertex_confidence(support: Array, confidence: float) -> Array:
+    """For each anchor, the probability that the outline runs within 4 px (of a 480-line image) of the true one there.
+
+    Parameters
+    ----------
+    support : (P,) `edge_support` of the anchors. confidence : that of the frame.
+    """
+    constant, own, whole = VERTEX
+    logit = np.log(max(confidence, LEAST) / max(1.0 - confidence, LEAST))
+    return np.asarray(1.0 / (1.0 + np.exp(-(constant + own * support + whole * logit))))
+
+
+VERTEX = (-1.33, 1.72, 0.79)
+"""Constant of the logistic model of anchors, weight of their support, weight of the frame's log-odds."""
+
+
+def edge_support(anchors: Array, found: Field) -> Array:
+    """For each anchor, in [0, 1]: how steeply the log-ratio falls from two cells inside to two cells outside."""
+    here = found.grid.to_grid(anchors)
+    normals = polyline.outward_normals(here)
+    rows, columns = found.grid.shape
+    sides = []
+    for offset in (-2.0, 2.0):
+        cell = np.floor(here + offset * normals).astype(np.intp)
+        x, y = np.clip(cell[:, 0], 0, columns - 1), np.clip(cell[:, 1], 0, rows - 1)
+        sides.append(found.values[y, x].astype(np.float64))
+    return np.asarray(np.clip((sides[0] - sides[1]) / (1.2 * SURE), 0.0, 1.0))
+
+
+def overlap(a: Bools, b: Bools) -> float:
+    """Intersection over union of two regions `(rows, columns)`; 0 for two empty ones."""
+    union = int(np.count_nonzero(a | b))
+    return int(np.count_nonzero(a & b)) / union if union else 0.0
 
 
 def node_support(nodes: Array, context: CurveContext, scale: float) -> Array:
@@ -32,7 +162,10 @@ def node_support(nodes: Array, context: CurveContext, scale: float) -> Array:
 
 
 def frame_confidence(support: Array, warp: Warp) -> float:
-    """Trust in a frame, in [0, 1]: mean support of the nodes, less where the followed points disagree."""
+    """Trust of the paper's engine in a frame, in [0, 1], as it gates what its models learn: it is not calibrated.
+
+    The mean support of the nodes, less where the followed points disagree.
+    """
     motion = 0.5 + 0.5 * warp.agreement if warp.points >= 3 else 0.5
     return float(np.clip(support.mean() * motion, 0.0, 1.0))
 

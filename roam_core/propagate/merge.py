@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -13,6 +13,7 @@ from roam_core.features import Region
 from roam_core.features.grid import Grid
 from roam_core.geometry import bezier, similarity
 from roam_core.geometry.simple import simplified
+from roam_core.propagate.confidence import SpanSigns, expected_overlap, overlap, vertex_confidence
 from roam_core.propagate.laying import enclosed, laid
 from roam_core.propagate.nodes import smooth_points
 from roam_core.propagate.passage import Stop
@@ -38,11 +39,15 @@ APART = 4.0
 
 @dataclass(frozen=True, eq=False)
 class Merged:
-    """One outline on one frame: its points `(P, 3, 2)`, confidence in [0, 1], and the same for each point `(P,)`."""
+    """One outline on one frame: its points `(P, 3, 2)`, confidence in [0, 1], and the same for each point `(P,)`.
+
+    `signs` is what speaks against the frame; None where a single passage knows of it.
+    """
 
     points: Array
     confidence: float
     vertex_confidence: Array
+    signs: SpanSigns | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -91,10 +96,15 @@ def merged(span: Span, frame: int) -> list[Merged | None]:
     if region is not None:
         smooth = tuple(smooth_points(span.drawn(k)) for k in known)
         points = [each for each, _ in laid(parts, smooth, region, span.scale)]
-    confidence = _agreement(moment, known)
-    for k, each, part in zip(known, points, parts, strict=True):
-        simple = simplified(each, part.points, span.scale)
-        result[k] = Merged(simple, confidence, _support(moment, k, simple))
+    outlines = [
+        replace(part, points=simplified(each, part.points, span.scale))
+        for each, part in zip(points, parts, strict=True)
+    ]
+    signs = _span_signs(moment, known, outlines)
+    confidence = _alone(moment) if signs is None else expected_overlap(signs)
+    for k, part in zip(known, outlines, strict=True):
+        vertices = vertex_confidence(_support(moment, k, len(part.points)), confidence)
+        result[k] = Merged(part.points, confidence, vertices, signs)
     return result
 
 
@@ -178,37 +188,32 @@ def _common(grids: list[Grid]) -> Grid:
     return Grid.over(region, max(float(grid.factor.max()) for grid in grids))
 
 
-def _agreement(moment: _Moment, known: list[int]) -> float:
-    """Overlap of what the two witnesses that were believed say: the passages, or the two keys carried."""
+def _span_signs(moment: _Moment, known: list[int], outlines: list[Part]) -> SpanSigns | None:
+    """What speaks against the merged outlines; None where a passage did not arrive, and nothing can be compared."""
     span = moment.span
-    if moment.onwards is None or moment.back is None:
-        stop = moment.onwards or moment.back
-        assert stop is not None
-        return float(np.mean(stop.confidence))
-    both = [k for k in known if k in moment.there and k in moment.here]
-    if not both:
-        return 0.0
-    if span.is_planar:
-        sides = [
-            [
-                Part(similarity.apply(stop.carried[:2], part.points), part.subtracts)
-                for k in both
-                if (part := key.parts[k])
-            ]
-            for key, stop in ((span.first, moment.onwards), (span.last, moment.back))
-        ]
-    else:
-        sides = [[Part(points[k], span.subtracts(k)) for k in both] for points in (moment.there, moment.here)]
-    grid = grid_over([part.points for side in sides for part in side], span.size, span.scale)
-    a, b = (enclosed(side, grid) > 0.5 for side in sides)
-    union = int(np.count_nonzero(a | b))
-    return int(np.count_nonzero(a & b)) / union if union else 0.0
+    if span.misses is None or moment.onwards is None or moment.back is None:
+        return None
+    sides = [
+        [Part(points[k], span.subtracts(k)) for k in known if k in points] for points in (moment.there, moment.here)
+    ]
+    splines = [part.points for side in (outlines, *sides) for part in side]
+    grid = grid_over(splines, span.size, span.scale)
+    ours, *theirs = (enclosed(side, grid) > 0.5 for side in (outlines, *sides))
+    onwards, back, _, _ = span.misses
+    missed, nearer = 0.5 * (onwards.loss + back.loss), max(overlap(ours, each) for each in theirs)
+    return SpanSigns.of(missed, nearer, moment.u, span.last.frame - span.first.frame)
 
 
-def _support(moment: _Moment, k: int, points: Array) -> Array:
-    """Trust in each point: how near the two passages' points are to each other."""
+def _alone(moment: _Moment) -> float:
+    """Where one passage only speaks: what it was trusted there."""
+    stops = [stop.confidence for stop in (moment.onwards, moment.back) if stop is not None]
+    return float(np.mean(np.concatenate(stops))) if stops else 0.0
+
+
+def _support(moment: _Moment, k: int, count: int) -> Array:
+    """For each point of an outline, in [0, 1]: how near the points of the two passages are to each other."""
     there, here = moment.there.get(k), moment.here.get(k)
     if there is None or here is None:
-        return np.full(len(points), 0.5)
+        return np.full(count, 0.5)
     apart = np.hypot(*(there - here)[:, bezier.ANCHOR].T) / moment.span.scale
     return np.asarray(1.0 / (1.0 + apart / APART))

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
-import cv2
 import numpy as np
 from numpy.typing import NDArray
 
@@ -16,9 +15,10 @@ from roam_core.appearance.global_model import GlobalModel
 from roam_core.cancel import CancelToken
 from roam_core.features import PreparedFrame, Region
 from roam_core.features.grid import Grid
-from roam_core.geometry import bezier, polyline, similarity
-from roam_core.motion.flow import dense_flow, flow_similarity
+from roam_core.geometry import bezier, similarity
+from roam_core.motion.flow import carried_by_flow, dense_flow, flow_similarity, on_grid
 from roam_core.params import DOUBTFUL, RegionParams, scale_for
+from roam_core.propagate.confidence import Signs, edge_support, expected_overlap, overlap, vertex_confidence
 from roam_core.propagate.laying import enclosed, laid
 from roam_core.propagate.nodes import smooth_points
 from roam_core.propagate.result import Part, StepResult, Termination
@@ -28,15 +28,17 @@ from roam_core.proposal.motion_cue import motion_ratio
 
 Array = NDArray[np.float64]
 Float32 = NDArray[np.float32]
-Bools = NDArray[np.bool_]
 
 TRUSTED = 0.3
-"""Confidence below which a frame teaches the colour model nothing."""
+"""Steadiness below which a frame teaches the colour model nothing."""
 
 
 @dataclass(frozen=True, eq=False)
 class RegionState:
-    """After a frame: its picture, the region, each shape where it was last seen, and what is known of the object."""
+    """After a frame: its picture, the region, each shape where it was last seen, and what is known of the object.
+
+    `steps` counts the frames since the key; `signs` tell how well the last of them went.
+    """
 
     frame: PreparedFrame
     region: Field
@@ -44,6 +46,8 @@ class RegionState:
     smooth: tuple[NDArray[np.bool_], ...]
     key: KeyMemory
     colours: GlobalModel
+    steps: int = 0
+    signs: Signs | None = None
 
 
 def begin(frame: PreparedFrame, parts: tuple[Part, ...], params: RegionParams) -> RegionState:
@@ -85,17 +89,19 @@ def step(
     found = proposed.cleaned(ratio, expected.possible, params.overlap)
     parts = tuple(replace(part, points=similarity.apply(sight.moved[:2], part.points)) for part in state.parts)
     placed = laid(parts, state.smooth, found, scale_for(frame.size))
-    confidence = _overlap(expected.rigid, found.inside) * (0.5 + 0.5 * sight.agreement)
-    results = tuple(
-        _result(part, points, seen, found, confidence) for part, (points, seen) in zip(parts, placed, strict=True)
-    )
+    outlines = [replace(part, points=points) for part, (points, _) in zip(parts, placed, strict=True)]
+    signs = Signs.of(outlines, found, expected, state.steps + 1)
+    confidence = expected_overlap(signs)
+    results = tuple(_result(part, seen, found, confidence) for part, (_, seen) in zip(outlines, placed, strict=True))
     colours = state.colours
-    if confidence > TRUSTED and found.inside.any():
+    steadiness = overlap(expected.rigid, found.inside) * (0.5 + 0.5 * sight.agreement)
+    if steadiness > TRUSTED and found.inside.any():
         colours = colours.adapted(_learned(frame, found), params.adaptation)
     parts = tuple(
         replace(part, points=points) if seen else part for part, (points, seen) in zip(parts, placed, strict=True)
     )
-    return RegionState(frame, found, parts, state.smooth, sight.sources.key, colours), results
+    key = sight.sources.key
+    return RegionState(frame, found, parts, state.smooth, key, colours, state.steps + 1, signs), results
 
 
 def sighted(
@@ -115,11 +121,11 @@ def sighted(
     surroundings, _ = flow_similarity(forward, ~inside, fine)
     if token is not None:
         token.check()
-    back = _on_grid(backward, fine, grid)
+    back = on_grid(backward, fine, grid)
     key = replace(state.key, to_now=moved @ state.key.to_now)
     last = state.region.on(grid)
     expected = Expectation(
-        last, state.region.on(grid, moved) > 0.5, _flowed(last, back) > 0.5, key.region.on(grid, key.to_now)
+        last, state.region.on(grid, moved) > 0.5, carried_by_flow(last, back) > 0.5, key.region.on(grid, key.to_now)
     )
     # The more of the object moves as one, the more its motion says.
     motion = np.float32(np.clip(2.5 * agreement - 1.0, 0.0, 1.0)) * _motion(
@@ -144,11 +150,6 @@ def _learned(frame: PreparedFrame, region: Field) -> GlobalModel:
     return GlobalModel.learned(region.grid.of(frame.image), region.inside, ~region.inside)
 
 
-def _on_grid(flow: Float32, fine: Grid, grid: Grid) -> Float32:
-    smaller = cv2.resize(flow, (grid.columns, grid.rows), interpolation=cv2.INTER_AREA)
-    return np.asarray(smaller * (grid.factor / fine.factor), dtype=np.float32)
-
-
 def _motion(
     back: Float32, moved: Array, surroundings: Array, grid: Grid, params: RegionParams, scale: float
 ) -> Float32:
@@ -160,46 +161,19 @@ def _motion(
     return motion_ratio(back, inside_back, outside_back, sigma, params.clip)
 
 
-def _flowed(coverage_before: Float32, backward: Float32) -> Float32:
-    rows, columns = coverage_before.shape
-    x, y = np.meshgrid(np.arange(columns, dtype=np.float32), np.arange(rows, dtype=np.float32))
-    return np.asarray(
-        cv2.remap(coverage_before, x + backward[..., 0], y + backward[..., 1], interpolation=cv2.INTER_LINEAR)
-    )
-
-
-def _result(part: Part, points: Array, seen: bool, found: Field, confidence: float) -> StepResult:
-    anchors = points[:, bezier.ANCHOR]
-    support = _edge_support(anchors, found) if seen else np.zeros(len(points))
-    trust = float(np.clip(confidence * (0.5 + 0.5 * support.mean()), 0.0, 1.0)) if seen else 0.0
-    if part.subtracts and not seen:
-        trust = confidence  # a hole that closed is no reason to doubt the object
+def _result(part: Part, seen: bool, found: Field, confidence: float) -> StepResult:
+    # A hole that closed is no reason to doubt the object; a shape that finds no place of its own is lost.
+    trust = confidence if seen or part.subtracts else 0.0
+    anchors = part.points[:, bezier.ANCHOR]
+    vertices = vertex_confidence(edge_support(anchors, found), trust) if seen else np.zeros(len(anchors))
     energy = -float(np.abs(np.clip(found.values, -SURE, SURE)).mean())
     return StepResult(
-        points=points,
+        points=part.points,
         confidence=trust,
-        vertex_confidence=support,
+        vertex_confidence=vertices,
         energies={"region": energy, "total": energy},
         termination=Termination.CONVERGED if trust >= DOUBTFUL else Termination.LOW_CONFIDENCE,
     )
-
-
-def _edge_support(anchors: Array, found: Field) -> Array:
-    """For each anchor, in [0, 1]: how steeply the log-ratio falls from two cells inside to two cells outside."""
-    here = found.grid.to_grid(anchors)
-    normals = polyline.outward_normals(here)
-    rows, columns = found.grid.shape
-    sides = []
-    for offset in (-2.0, 2.0):
-        cell = np.floor(here + offset * normals).astype(np.intp)
-        x, y = np.clip(cell[:, 0], 0, columns - 1), np.clip(cell[:, 1], 0, rows - 1)
-        sides.append(found.values[y, x].astype(np.float64))
-    return np.asarray(np.clip((sides[0] - sides[1]) / (1.2 * SURE), 0.0, 1.0))
-
-
-def _overlap(a: Bools, b: Bools) -> float:
-    union = int(np.count_nonzero(a | b))
-    return int(np.count_nonzero(a & b)) / union if union else 0.0
 
 
 def _left(state: RegionState, frame: PreparedFrame) -> tuple[RegionState, tuple[StepResult, ...]]:
@@ -207,4 +181,4 @@ def _left(state: RegionState, frame: PreparedFrame) -> tuple[RegionState, tuple[
     results = tuple(
         StepResult(part.points, 0.0, np.zeros(len(part.points)), {}, Termination.LEFT_FRAME) for part in state.parts
     )
-    return replace(state, frame=frame), results
+    return replace(state, frame=frame, steps=state.steps + 1, signs=None), results

@@ -15,6 +15,7 @@ from app.canvas.shape_item import ShapePainter, outline_path
 from app.canvas.viewport import Viewport
 from app.view_state import Selection
 from roam_core.geometry.bezier import IN, OUT, polygon_points
+from roam_core.params import DOUBTFUL
 from roam_core.roto import Keyframe, Origin, Project, RotoShape
 
 CORNERS = [(20.0, 20.0), (80.0, 20.0), (80.0, 80.0), (20.0, 80.0)]
@@ -151,8 +152,9 @@ def test_doubtful_vertices_get_rings_that_grow_with_doubt() -> None:
         return int(np.ptp(columns) + 1) if len(columns) else 0
 
     smallest, largest = marks.RING_SIZES
-    assert ring_width(0.6) == 0
-    assert smallest <= ring_width(0.45) < ring_width(0.2) < ring_width(0.0) <= largest + 4
+    assert ring_width(DOUBTFUL + 0.05) == 0
+    doubts = [ring_width(share * DOUBTFUL) for share in (0.9, 0.4, 0.0)]
+    assert smallest <= doubts[0] < doubts[1] < doubts[2] <= largest + 4
 
 
 def test_locked_shape_is_dimmer_and_shows_no_points() -> None:

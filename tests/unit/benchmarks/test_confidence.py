@@ -1,0 +1,80 @@
+"""What is fitted is found again, a shot has no say in its own confidence, and the worst fifth is counted right."""
+
+from __future__ import annotations
+
+from dataclasses import astuple
+
+import numpy as np
+import pytest
+
+from benchmarks import confidence, logistic, rated
+from benchmarks.rated import Rated
+from benchmarks.shots import Shot
+from roam_core.propagate.confidence import Signs, SpanSigns, expected_overlap
+
+
+def made(weights: np.ndarray, seed: int, count: int = 60) -> list[Rated]:
+    """Frames whose IoU is just what the model of these weights says."""
+    signs = np.random.default_rng(seed).uniform(0.0, 1.0, (count, len(weights) - 1))
+    return [
+        Rated(float(share), ((1.0, tuple(row)),))
+        for share, row in zip(logistic.expected(signs, weights), signs, strict=True)
+    ]
+
+
+def test_the_weights_of_a_model_are_found_again() -> None:
+    weights = np.array([3.0, 2.0, 0.5])
+    found = confidence.weights_of({("a", "whole"): made(weights, 1), ("b", "whole"): made(weights, 2)})
+    np.testing.assert_allclose(found, weights, rtol=0.25)
+
+
+def test_no_weight_is_negative() -> None:
+    found = confidence.weights_of({("a", "whole"): made(np.array([1.0, 2.0, -3.0]), 3)})
+    assert found[2] == 0.0
+    assert found[1] > 0.0
+
+
+def test_the_model_is_that_of_the_engine() -> None:
+    signs = Signs(0.1, 0.2, 0.05, 0.1, 1.5)
+    weights = np.array([3.0, 2.0, 5.0, 0.3, 0.7, 0.1])
+    assert logistic.expected(np.array(astuple(signs)), weights) == pytest.approx(
+        expected_overlap(signs, weights.tolist())
+    )
+
+
+def test_a_shot_has_no_say_in_its_own_confidence() -> None:
+    common, odd = np.array([3.0, 2.0]), np.array([-1.0, 0.0])
+    frames = {("a", "w"): made(common, 1), ("b", "w"): made(common, 2), ("odd", "w"): made(odd, 3)}
+    found, weights = confidence.left_out(frames)
+    assert found["odd", "w"].mean() > 0.8  # by the others' model; its own frames are all at .27
+    assert weights[0] < 2.9
+
+
+def test_the_worst_fifth_and_what_is_possible() -> None:
+    ious = np.array([0.5, 0.95, 0.6, 0.95, 0.7, 0.95, 0.95, 0.95, 0.95, 0.95])
+    assert confidence.worst_fifth(ious, ious) == pytest.approx((2 / 3, 2 / 3))
+    assert confidence.worst_fifth(ious, -ious) == pytest.approx((0.0, 2 / 3))
+
+
+def test_objects_count_by_their_area_and_what_is_lost_for_nothing() -> None:
+    weights = np.array([0.0, 1.0])
+    frame = Rated(0.5, ((0.5, (0.0,)), (0.25, (0.0,))))
+    assert confidence.confidences([frame, Rated(0.0, ())], weights) == pytest.approx([0.375, 0.0])
+
+
+def test_calibration_of_a_rating_that_tells_the_truth() -> None:
+    said, meant = confidence.calibration({"a": (np.linspace(0, 1, 50), np.linspace(0, 1, 50))})
+    np.testing.assert_allclose(said, meant)
+
+
+def test_frames_of_a_shot_are_rated_in_both_ways(gliding: Shot) -> None:
+    carried = list(rated.carried(gliding, gliding.frames))
+    assert len(carried) == 7
+    filled = list(rated.filled(gliding, 7))
+    assert len(filled) == 6
+    for frames, kind in ((carried, Signs), (filled, SpanSigns)):
+        assert min(frame.iou for frame in frames) > 0.9
+        for frame in frames:
+            ((share, signs),) = frame.known
+            assert share == pytest.approx(1.0)
+            assert expected_overlap(kind(*signs)) > 0.8

@@ -1,0 +1,137 @@
+"""Confidence: no sign speaks for a frame, what goes wrong is seen, and a filled frame is judged by both keys."""
+
+from __future__ import annotations
+
+from dataclasses import astuple, fields, replace
+
+import numpy as np
+import pytest
+
+from roam_core.features import Region
+from roam_core.features.grid import Grid
+from roam_core.geometry import bezier
+from roam_core.propagate.confidence import (
+    SIGNS,
+    SPAN_SIGNS,
+    Signs,
+    SpanSigns,
+    expected_overlap,
+    vertex_confidence,
+)
+from roam_core.propagate.group import GroupTracker
+from roam_core.propagate.region import RegionState
+from roam_core.propagate.result import Part
+from roam_core.proposal.evidence import SURE, Expectation, Field
+from tests.golden.shots import Shot
+
+WELL = Signs(0.0, 0.0, 0.0, 0.0, 0.0)
+HALF_WAY = SpanSigns(0.05, 0.05, 1.0, 2.3)
+GRID = Grid(Region(0, 0, 60, 40), 40, 60)
+
+
+def square(x0: float, y0: float, x1: float, y1: float) -> Part:
+    return Part(bezier.polygon_points([(x0, y0), (x1, y0), (x1, y1), (x0, y1)]))
+
+
+def box(nats: float) -> Field:
+    """A region of 20 by 20 cells that is so sure of itself inside and outside."""
+    values = np.full(GRID.shape, -nats, dtype=np.float32)
+    values[10:30, 20:40] = nats
+    return Field(GRID, values)
+
+
+def everywhere(field: Field) -> Expectation:
+    return Expectation(field.inside.astype(np.float32), field.inside, field.inside, field.inside.astype(np.float32))
+
+
+@pytest.mark.parametrize("weights", [SIGNS, SPAN_SIGNS])
+def test_no_sign_speaks_for_a_frame(weights: tuple[float, ...]) -> None:
+    assert min(weights[1:]) > 0.0
+
+
+@pytest.mark.parametrize("signs", [WELL, HALF_WAY], ids=["carried", "filled"])
+def test_every_sign_costs_confidence(signs: Signs | SpanSigns) -> None:
+    before = expected_overlap(signs)
+    for field in fields(signs):
+        worse = replace(signs, **{field.name: getattr(signs, field.name) + 0.3})
+        assert 0.0 < expected_overlap(worse) < before < 1.0
+
+
+def test_a_frame_without_a_flaw_is_given_nearly_one() -> None:
+    assert expected_overlap(WELL) > 0.95
+
+
+def test_the_model_is_logistic() -> None:
+    assert expected_overlap(Signs(0.0, 0.0, 0.0, 1.0, 0.0), (1.0, 0.0, 0.0, 0.0, 1.0, 0.0)) == pytest.approx(0.5)
+
+
+def test_signs_of_a_region_that_is_found_as_expected() -> None:
+    sure = box(SURE)
+    signs = Signs.of([square(20, 10, 40, 30)], sure, everywhere(sure), 1)
+    np.testing.assert_allclose(astuple(signs), 0.0, atol=1e-9)
+
+
+def test_curves_that_enclose_half_the_region() -> None:
+    sure = box(SURE)
+    signs = Signs.of([square(20, 10, 30, 30)], sure, everywhere(sure), 1)
+    assert signs.unenclosed == pytest.approx(np.log(2.0))
+
+
+def test_faint_evidence_is_flat_and_undecided() -> None:
+    faint, signs = box(0.5), []
+    for field in (faint, box(2.0)):
+        signs.append(Signs.of([square(20, 10, 40, 30)], field, everywhere(field), 1))
+    assert signs[0].flat == pytest.approx(1.0 - 0.5 / SURE)
+    assert signs[1].flat == pytest.approx(0.5)
+    assert signs[0].undecided == 3.0  # of 2400 cells, for 400 inside, capped
+    assert signs[1].undecided == 0.0
+
+
+def test_what_the_key_did_not_have_is_new() -> None:
+    found = box(SURE)
+    known = found.inside.astype(np.float32)
+    known[:, 30:] = 0.0
+    expected = replace(everywhere(found), remembered=known)
+    assert Signs.of([square(20, 10, 40, 30)], found, expected, 1).new == pytest.approx(0.5)
+
+
+def test_nothing_found_leaves_no_confidence() -> None:
+    nothing = Field(GRID, np.full(GRID.shape, -SURE, dtype=np.float32))
+    signs = Signs.of([square(20, 10, 40, 30)], nothing, everywhere(nothing), 1)
+    assert np.isfinite(astuple(signs)).all()
+    assert expected_overlap(signs) < 0.05
+
+
+def test_a_filled_frame_is_surest_beside_a_key_and_in_a_short_span() -> None:
+    beside, middle = (expected_overlap(SpanSigns.of(0.1, 0.9, u, 10)) for u in (0.1, 0.5))
+    assert beside > middle > expected_overlap(SpanSigns.of(0.1, 0.9, 0.5, 20))
+    assert middle > expected_overlap(SpanSigns.of(0.3, 0.9, 0.5, 10))
+    assert middle > expected_overlap(SpanSigns.of(0.1, 0.6, 0.5, 10))
+    assert SpanSigns.of(0.1, 0.9, 0.2, 10).middle == pytest.approx(SpanSigns.of(0.1, 0.9, 0.8, 10).middle)
+
+
+def test_a_vertex_is_trusted_by_its_edge_and_by_its_frame() -> None:
+    support = np.array([0.0, 0.5, 1.0])
+    good, bad = vertex_confidence(support, 0.9), vertex_confidence(support, 0.5)
+    assert (np.diff(good) > 0).all()
+    assert (good > bad).all()
+    for extreme in (0.0, 1.0):
+        assert ((vertex_confidence(support, extreme) > 0) & (vertex_confidence(support, extreme) < 1)).all()
+
+
+def test_a_run_counts_its_frames_from_the_key(box_shot: Shot) -> None:
+    def signs() -> Signs:
+        state = tracker.standing.state
+        assert isinstance(state, RegionState)
+        assert state.signs is not None
+        return state.signs
+
+    tracker = GroupTracker("best")
+    tracker.start(box_shot.read(1001), [box_shot.shape()], 1001)
+    for count, frame in enumerate(box_shot.frames[1:5], 1):
+        [result] = tracker.step(box_shot.read(frame), frame)
+        assert signs().age == pytest.approx(np.log(count))
+        assert result.confidence == expected_overlap(signs()) > 0.8
+    tracker.correct([result.shape])
+    tracker.step(box_shot.read(1006), 1006)
+    assert signs().age == 0.0
