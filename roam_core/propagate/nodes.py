@@ -6,6 +6,8 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.sparse import csc_array
+from scipy.sparse.linalg import splu
 
 from roam_core.geometry import bezier
 from roam_core.geometry.bezier import ANCHOR, IN, OUT
@@ -102,8 +104,10 @@ def _way_back(points: Array, sample: Array, rigidity: float) -> Array:
     design = sample @ tie
     # Per control point: a spline of many nodes is not held less than one of few.
     weight = rigidity * len(sample) / count
-    normal = design.T @ design + weight * hold.T @ hold
-    return np.asarray(tie @ np.linalg.solve(normal, design.T))
+    # Sparse, because dense LAPACK rounds otherwise with another number of threads.
+    rows, held = csc_array(design), csc_array(hold)
+    normal = (rows.T @ rows + weight * (held.T @ held)).tocsc()
+    return np.asarray(csc_array(tie) @ splu(normal).solve(np.ascontiguousarray(design.T)))
 
 
 def smooth_points(points: Array) -> NDArray[np.bool_]:
