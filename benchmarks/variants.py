@@ -32,7 +32,7 @@ ABLATION = (
     Variant("lean, the paper's ribbon", "lean", {"appearance.term": "ribbon", "lambda_local": 0.3}),
     Variant("lean", "lean"),
     Variant("medium, the paper's pre-warp", "medium", {"warp": "landmarks"}),
-    Variant("medium, no star, no ties to the curve", "medium", {"landmarks.star": 0.0, "landmarks.joint": 0.0}),
+    Variant("medium, landmarks not tied to the curve", "medium", {"landmarks.joint": 0.0}),
     Variant("medium", "medium"),
     Variant("full without the global model", "full", {"lambda_global": 0.0, "proposals.global_weight": 0.0}),
     Variant("full without proposals", "full", {"proposals": None}),

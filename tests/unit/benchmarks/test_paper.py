@@ -9,7 +9,8 @@ import cv2
 import numpy as np
 import pytest
 
-from benchmarks import chart, paper_plots, variants
+from benchmarks import chart, paper_plots, restarts, shots, variants
+from benchmarks.shots import Shot
 from benchmarks.stopwatch import Stopwatch, replaced
 from benchmarks.variants import ABLATION, WARPS, Variant
 from roam_core.errors import RoamError
@@ -25,6 +26,13 @@ def test_a_variant_differs_from_its_configuration_as_it_says(variant: Variant) -
         assert variants.field_of(params, name) == value
     changed = {name: value for name, value in variant.changes.items() if variants.field_of(whole, name) != value}
     assert bool(changed) == bool(variant.changes) or variant in WARPS
+
+
+@pytest.mark.parametrize("variant", [*ABLATION, *WARPS], ids=lambda variant: variant.name)
+def test_a_variant_can_track(variant: Variant, gliding: Shot) -> None:
+    found = [shots.overlap(*pair) for pair in restarts.predicted(gliding, gliding.frames[:3], variant.params)]
+    assert len(found) == 2
+    assert min(found) > 0.6
 
 
 def test_every_configuration_is_a_row_of_the_ablation() -> None:
