@@ -143,5 +143,6 @@ def doubt_sentence(shape: RotoShape, frame: int) -> str:
         return ""
     each = () if key.vertex_confidence is None else key.vertex_confidence.tolist()
     doubted = sum(confidence < DOUBTFUL for confidence in each)
-    rings = f" {doubted} of its {len(each)} vertices are doubtful and ringed." if doubted else ""
+    verb = "is" if doubted == 1 else "are"
+    rings = f" {doubted} of its {len(each)} vertices {verb} doubtful and ringed." if doubted else ""
     return f"Frame {frame}: the confidence of {shape.name} is {key.confidence:.2f}.{rings}"

@@ -19,6 +19,8 @@ from typing import TYPE_CHECKING
 from scripts.virtual_display import virtual_display
 
 if TYPE_CHECKING:
+    from PySide6.QtWidgets import QWidget
+
     from app.main_window import MainWindow
 
 IMAGES = Path(__file__).resolve().parent.parent / "docs" / "images"
@@ -43,6 +45,8 @@ def main() -> int:
         with window(Path(state)) as shown:
             photograph_drawing(shown)
             photograph_tracking(shown)
+            photograph_doubt(shown)
+            photograph_export(shown)
     return 0
 
 
@@ -138,6 +142,30 @@ def photograph_tracking(shown: MainWindow) -> None:
     photograph(shown, "matte")
 
 
+def photograph_doubt(shown: MainWindow) -> None:
+    """The frame of the tracked demo that the engine trusts least, in the confidence view."""
+    shown.actions_by_id["view.confidence"].trigger()
+    shown.actions_by_id["track.most_doubtful"].trigger()
+    frame = shown.view_state.frame
+    until(lambda: frame in shown.reader.cached_frames(), "the most doubtful frame")
+    photograph(shown, "confidence")
+    shown.actions_by_id["view.overlay"].trigger()
+
+
+def photograph_export(shown: MainWindow) -> None:
+    """The export dialog on the tracked demo, with the options of mattes."""
+    from app.export_dialog import MATTES, ExportDialog
+
+    shown.actions_by_id["file.export"].trigger()
+    dialog = shown.findChild(ExportDialog)
+    assert dialog is not None
+    dialog.target.setText("shots/demo/demo.nk")
+    dialog.choose(MATTES)
+    dialog.target.setText("shots/demo/mattes")
+    photograph(dialog, "export")
+    dialog.close()
+
+
 def opened(shown: MainWindow, begin: Callable[[], object]) -> None:
     """Open something and wait until its first frame is there."""
     before = shown.document.project
@@ -146,7 +174,7 @@ def opened(shown: MainWindow, begin: Callable[[], object]) -> None:
     until(lambda: shown.view_state.frame in shown.reader.cached_frames(), "the first frame")
 
 
-def photograph(shown: MainWindow, name: str) -> None:
+def photograph(shown: QWidget, name: str) -> None:
     """Write the window's picture when what it began to show is painted."""
     live(600)
     path = IMAGES / f"{name}.png"

@@ -16,10 +16,10 @@ from roam_core.roto import Project, RotoShape
 SURE, DOUBT, NO_WORD = QColor("#4aa8ff"), QColor("#ff8c1a"), QColor("#9a9a9a")
 """Blue and orange, which all eyes tell apart; grey where the engine has said nothing: keys by hand, between keys."""
 
-WIDTHS = (5.0, 13.0)
+WIDTHS = (8.0, 20.0)
 """Of the glow where the engine is sure, and where it has no confidence at all."""
 
-OPACITY = 0.75
+OPACITY = 0.85
 LEGEND = "Confidence: thin and blue is sure, broad and orange is doubtful, grey is not the engine's"
 
 
@@ -47,8 +47,12 @@ def _pen(confidence: float | None) -> QPen:
     if confidence is not None:
         doubt = min(max(1.0 - confidence, 0.0), 1.0)
         width = float(np.interp(doubt, (0.0, 1.0), WIDTHS))
-        channels = zip(SURE.getRgb()[:3], DOUBT.getRgb()[:3], strict=True)
+        channels = zip(_channels(SURE), _channels(DOUBT), strict=True)
         colour = QColor(*(round(sure + doubt * (unsure - sure)) for sure, unsure in channels))
     pen = QPen(marks.faded(colour, OPACITY), width)
     pen.setCapStyle(Qt.PenCapStyle.FlatCap)
     return pen
+
+
+def _channels(colour: QColor) -> tuple[int, int, int]:
+    return colour.red(), colour.green(), colour.blue()

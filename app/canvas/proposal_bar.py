@@ -27,7 +27,7 @@ class ProposalBar(QWidget):
         row.setContentsMargins(style.MARGIN, 4, style.MARGIN, 4)
         row.setSpacing(6)
         row.addWidget(self.sentence)
-        row.addWidget(weak_label("dashed: after"))
+        row.addWidget(weak_label("white dashes: after"))
         row.addSpacing(style.MARGIN)
         for name in ANSWERS:
             row.addWidget(_button(actions, name))

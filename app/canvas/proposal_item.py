@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QBrush, QPainter, QPainterPath, QPen
+from PySide6.QtGui import QBrush, QColor, QPainter, QPainterPath, QPen
 
 from app.canvas import marks
 from app.canvas.shape_item import outline_path
@@ -12,6 +12,8 @@ from roam_core.propagate.offers import Proposal
 
 DASHES = [5.0, 4.0]
 WIDTH = 2.0
+SHADE = QColor(0, 0, 0, 110)
+"""Under the hatching, so that it reads on a bright plate too. White, because a shape may have any colour."""
 
 
 class ProposalPainter:
@@ -26,13 +28,15 @@ class ProposalPainter:
             self._paths = proposal, *_paths(proposal)
         _, after, differing = self._paths
         painter.setPen(Qt.PenStyle.NoPen)
-        painter.setBrush(QBrush(marks.faded(marks.ACCENT, 0.55), Qt.BrushStyle.BDiagPattern))
-        painter.drawPath(viewport.transform.map(differing))
+        area = viewport.transform.map(differing)
+        for brush in (QBrush(SHADE), QBrush(marks.faded(marks.BRIGHT, 0.7), Qt.BrushStyle.BDiagPattern)):
+            painter.setBrush(brush)
+            painter.drawPath(area)
         painter.setBrush(Qt.BrushStyle.NoBrush)
         path = viewport.transform.map(after)
         painter.setPen(QPen(marks.EDGE, WIDTH + 2 * marks.EDGE_WIDTH))
         painter.drawPath(path)
-        pen = QPen(marks.ACCENT, WIDTH)
+        pen = QPen(marks.BRIGHT, WIDTH)
         pen.setDashPattern(DASHES)
         painter.setPen(pen)
         painter.drawPath(path)

@@ -121,12 +121,16 @@ def test_the_viewer_shows_before_and_after_with_the_gain(qtbot: QtBot, window: M
     assert window.proposal_bar.sentence.text() == "Split Bell into 2 shapes?  The energy falls by 12.3."
     assert window.canvas.rect().contains(window.proposal_bar.geometry())
     window.proposal_bar.hide()
-    shown, reddest = window.canvas.grab().toImage(), 0
-    for x in range(65, 86):
-        spot = window.canvas.image_to_widget(x, 45).toPoint()
-        here, there = shown.pixelColor(spot), plain.pixelColor(spot)
-        reddest = max(reddest, here.red() - here.blue() - (there.red() - there.blue()))
-    assert reddest > 60  # the thread that would go is hatched in the accent's colour
+    shown = window.canvas.grab().toImage()
+
+    def change(x: float, y: float) -> int:
+        """By how much a row of ten pixels was changed by the proposal."""
+        spot = window.canvas.image_to_widget(x, y).toPoint()
+        row = [(spot.x() + step, spot.y()) for step in range(10)]
+        return sum(abs(shown.pixelColor(*at).red() - plain.pixelColor(*at).red()) for at in row)
+
+    assert change(72, 45) > 200  # the thread that would go is hatched
+    assert change(40, 35) < 100  # what stays is as it was; the plate itself has moved by a frame
 
 
 def test_enter_keeps_it_as_the_artists_and_undo_asks_again(qtbot: QtBot, window: MainWindow) -> None:
