@@ -33,6 +33,8 @@ SLOPE = 2.0
 """Nats that planar motion gives a pixel of depth inside its region."""
 DEPTH = 40.0
 """Pixels of a 480-line image beyond which depth counts no more."""
+APART_BY = 0.5
+"""Distance of the two passages of an outline, in its own size, from which their mean is a place of neither."""
 APART = 4.0
 """Pixels of a 480-line image between the witnesses of a point at which half the trust in it is gone."""
 
@@ -134,8 +136,17 @@ def _expected(moment: _Moment, k: int) -> Array:
     planar = _planar(moment, k)
     if moment.span.is_planar:
         return planar
+    if _are_apart(there, here):
+        return there if moment.u < 0.5 else here
     weights = moment.weights(*(miss.of(k) for miss in moment.span.misses))
     return _mean([weight[:, None, None] for weight in weights], [there, here, planar])
+
+
+def _are_apart(there: Array, here: Array) -> bool:
+    """True where the passages followed different pieces of an object that is in pieces: between them lies nothing."""
+    middles = [points[:, bezier.ANCHOR].mean(axis=0) for points in (there, here)]
+    size = np.sqrt(min(float(np.prod(np.ptp(points[:, bezier.ANCHOR], axis=0))) for points in (there, here)))
+    return bool(np.hypot(*(middles[0] - middles[1])) > APART_BY * size)
 
 
 def _region(moment: _Moment, parts: tuple[Part, ...]) -> Field | None:
