@@ -11,6 +11,7 @@ from app.canvas import marks
 from app.canvas.shown import shown_shapes
 from app.canvas.viewport import Viewport
 from roam_core.geometry import bezier
+from roam_core.params import DOUBTFUL
 from roam_core.roto import Project, RotoShape
 
 SURE, DOUBT, NO_WORD = QColor("#4aa8ff"), QColor("#ff8c1a"), QColor("#9a9a9a")
@@ -45,7 +46,7 @@ def _pen(confidence: float | None) -> QPen:
     """What a piece of an outline is drawn with."""
     width, colour = WIDTHS[0], NO_WORD
     if confidence is not None:
-        doubt = min(max(1.0 - confidence, 0.0), 1.0)
+        doubt = float(np.interp(confidence, (0.0, DOUBTFUL, 1.0), (1.0, 0.5, 0.0)))
         width = float(np.interp(doubt, (0.0, 1.0), WIDTHS))
         channels = zip(_channels(SURE), _channels(DOUBT), strict=True)
         colour = QColor(*(round(sure + doubt * (unsure - sure)) for sure, unsure in channels))
