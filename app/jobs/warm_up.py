@@ -1,6 +1,8 @@
-"""Compiling the engine's kernels when the window opens, so that the first track need not wait for the compiler."""
+"""Compiling kernels and loading formats when the window opens, so that the first track and export need not wait."""
 
 from __future__ import annotations
+
+from importlib import import_module
 
 from app.jobs.runner import Job, Report, Runner
 
@@ -12,6 +14,8 @@ def start(runner: Runner, config: str) -> Job:
         from roam_core.propagate.warm_up import warm_up
 
         warm_up(config)
+        # The formats take a good part of a second to load: here, so that the export dialog opens at once.
+        import_module("roam_core.interchange")
         return ""
 
     return runner.start("warm-up", work)
