@@ -111,6 +111,15 @@ def test_stale_keys_are_counted(roam: Roam, tracked: Path) -> None:
     assert "(5 stale)" in roam("info", tracked).out
 
 
+def test_the_frame_most_worth_fixing_is_offered(roam: Roam, tracked: Path) -> None:
+    assert "most worth fixing" not in roam("info", tracked).out
+    document = json.loads(tracked.read_text())
+    for key, confidence in zip(document["root"]["children"][0]["keys"][3:], (0.4, 0.4, 0.3), strict=True):
+        key["confidence"] = confidence
+    tracked.write_text(json.dumps(document))
+    assert "least sure on 1006 (0.30); most worth fixing is 1004" in roam("info", tracked).out
+
+
 def test_what_a_clip_is(roam: Roam, plate: Plate) -> None:
     (plate.folder / "plate.1004.png").unlink()
     done = roam("info", plate.folder)
