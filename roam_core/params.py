@@ -240,11 +240,13 @@ class RoamParams:
 
 CONFIGS: dict[str, RoamParams] = {
     "baseline": RoamParams(),
-    "lean": RoamParams(config="lean", appearance=AppearanceParams(), lambda_local=0.03),
+    "lean": RoamParams(config="lean", appearance=AppearanceParams(), lambda_local=0.03, mu=0.6, l2_rest=0.7),
     "medium": RoamParams(
         config="medium",
         appearance=AppearanceParams(),
         lambda_local=0.03,
+        mu=0.6,
+        l2_rest=0.7,
         warp="landmarks+klt",
         landmarks=LandmarkParams(),
     ),
