@@ -24,7 +24,7 @@ from roam_core.propagate.nodes import smooth_points
 from roam_core.propagate.result import Part, StepResult, Termination
 from roam_core.proposal import region as proposed
 from roam_core.proposal.evidence import SURE, Expectation, Field, KeyMemory, Sources, gathered
-from roam_core.proposal.motion_cue import motion_ratio
+from roam_core.proposal.motion_cue import motion_on
 
 Array = NDArray[np.float64]
 Float32 = NDArray[np.float32]
@@ -127,10 +127,7 @@ def sighted(
     expected = Expectation(
         last, state.region.on(grid, moved) > 0.5, carried_by_flow(last, back) > 0.5, key.region.on(grid, key.to_now)
     )
-    # The more of the object moves as one, the more its motion says.
-    motion = np.float32(np.clip(2.5 * agreement - 1.0, 0.0, 1.0)) * _motion(
-        back, moved, surroundings, grid, params, scale
-    )
+    motion = motion_on(grid, back, moved, surroundings, agreement, params.motion_sigma * scale, params.clip)
     sources = Sources(state.frame, frame, grid, expected, back, key, state.colours, motion, params.band)
     return Sight(sources, moved, agreement)
 
@@ -148,17 +145,6 @@ def grid_around(positions: Array, size: tuple[int, int], params: RegionParams, s
 
 def _learned(frame: PreparedFrame, region: Field) -> GlobalModel:
     return GlobalModel.learned(region.grid.of(frame.image), region.inside, ~region.inside)
-
-
-def _motion(
-    back: Float32, moved: Array, surroundings: Array, grid: Grid, params: RegionParams, scale: float
-) -> Float32:
-    """The motion cue on the grid, from the image-to-image similarities of the object and of its surroundings."""
-    to_image = grid.map_to_image()
-    to_grid = np.linalg.inv(to_image)
-    inside_back, outside_back = (to_grid @ np.linalg.inv(t) @ to_image for t in (moved, surroundings))
-    sigma = params.motion_sigma * scale * float(grid.factor.mean())
-    return motion_ratio(back, inside_back, outside_back, sigma, params.clip)
 
 
 def _result(part: Part, seen: bool, found: Field, confidence: float) -> StepResult:

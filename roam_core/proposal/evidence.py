@@ -182,11 +182,18 @@ def cues(sources: Sources, params: RegionParams) -> Iterator[tuple[str, Float32]
     yield from local_cues(sources, params)
     yield "global key", params.global_key_weight * sources.key.colours.log_ratio(sources.picture, params.clip)
     yield "global", params.global_weight * sources.colours.log_ratio(sources.picture, params.clip)
-    # Limbs move in their own ways: motion speaks against new ground only, never against what was inside already.
-    against = np.minimum(np.where(sources.carried, np.float32(0.0), sources.motion), np.float32(0.0))
-    yield "motion", np.asarray(params.motion_weight * against, dtype=np.float32)
+    yield "motion", motion_cue(sources, params)
     yield "prior", params.prior_weight * signed_distance(sources.carried, 20.0)
     yield "bias", np.full(sources.grid.shape, params.bias, dtype=np.float32)
+
+
+def motion_cue(sources: Sources, params: RegionParams) -> Float32:
+    """The weighted motion ratio `(rows, columns)`, nats, as far as it speaks against new ground.
+
+    Limbs move in their own ways: never does it speak against what was inside already.
+    """
+    against = np.minimum(np.where(sources.carried, np.float32(0.0), sources.motion), np.float32(0.0))
+    return np.asarray(params.motion_weight * against, dtype=np.float32)
 
 
 def gathered(sources: Sources, params: RegionParams) -> Field:

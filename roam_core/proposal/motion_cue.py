@@ -5,6 +5,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from roam_core.features.grid import Grid
+
 Array = NDArray[np.float64]
 Float32 = NDArray[np.float32]
 
@@ -26,3 +28,18 @@ def motion_ratio(backward: Float32, inside_back: Array, outside_back: Array, sig
         v = transform[1, 0] * x + transform[1, 1] * y + transform[1, 2] - y
         misfits.append((backward[..., 0] - u) ** 2 + (backward[..., 1] - v) ** 2)
     return np.asarray(np.clip((misfits[0] - misfits[1]) / (2.0 * sigma * sigma), -clip, clip), dtype=np.float32)
+
+
+def motion_on(
+    grid: Grid, backward: Float32, moved: Array, surroundings: Array, agreement: float, sigma: float, clip: float
+) -> Float32:
+    """`motion_ratio` on a grid `(rows, columns)`: the more of the object moves as one, the more its motion says.
+
+    `moved` and `surroundings (3, 3)` are similarities of the image, `agreement` in [0, 1] the share of the object that
+    follows `moved`, `sigma` in pixels; `backward (rows, columns, 2)` in cells.
+    """
+    to_image = grid.map_to_image()
+    to_grid = np.linalg.inv(to_image)
+    inside_back, outside_back = (to_grid @ np.linalg.inv(t) @ to_image for t in (moved, surroundings))
+    ratio = motion_ratio(backward, inside_back, outside_back, sigma * float(grid.factor.mean()), clip)
+    return np.asarray(np.float32(np.clip(2.5 * agreement - 1.0, 0.0, 1.0)) * ratio)

@@ -17,9 +17,10 @@ from roam_core.appearance.global_model import GlobalModel
 from roam_core.features import PreparedFrame, Region
 from roam_core.features.grid import Grid
 from roam_core.kernels.coverage import coverage
-from roam_core.motion.flow import carried_by_flow, dense_flow, on_grid
+from roam_core.motion.flow import carried_by_flow, dense_flow, flow_similarity, on_grid
 from roam_core.params import RegionParams, scale_for
-from roam_core.proposal.evidence import SURE, Expectation, Field, KeyMemory, Sources, local_cues
+from roam_core.proposal.evidence import SURE, Expectation, Field, KeyMemory, Sources, local_cues, motion_cue
+from roam_core.proposal.motion_cue import motion_on
 
 Array = NDArray[np.float64]
 Float32 = NDArray[np.float32]
@@ -60,11 +61,12 @@ class NearestColours:
         """
         params = self.params
         cells = Grid.over(grid.region, params.grid_factor / scale_for(frame.size))
-        _, backward = dense_flow(self.frame, frame, grid)
-        sources = self._sources(frame, cells, on_grid(backward, grid, cells), transform)
+        flow, backward = dense_flow(self.frame, frame, grid)
+        sources = self._sources(frame, cells, flow, on_grid(backward, grid, cells), grid, transform)
         ratio = np.full(cells.shape, params.bias, dtype=np.float32)
         for _, cue in local_cues(sources, params):
             ratio += cue
+        ratio += motion_cue(sources, params)
         ratio = np.asarray(cv2.GaussianBlur(ratio, (0, 0), params.blur), dtype=np.float32)
         certain = sources.expected.rigid & sources.expected.fluid
         ratio = np.where(sources.band, ratio, np.where(certain, np.float32(SURE), np.float32(-SURE)))
@@ -77,14 +79,24 @@ class NearestColours:
         growth = abs(float(np.linalg.det(key.to_now[:2, :2])))
         return growth * np.count_nonzero(key.region.inside) / cell
 
-    def _sources(self, frame: PreparedFrame, cells: Grid, backward: Float32, transform: Array) -> Sources:
+    def _sources(
+        self, frame: PreparedFrame, cells: Grid, flow: Float32, backward: Float32, fine: Grid, transform: Array
+    ) -> Sources:
         key = self._key_after(transform)
         last = self.region.on(cells)
         rigid = self.region.on(cells, _square(transform)) > 0.5
         fluid = carried_by_flow(last, backward) > 0.5
         expected = Expectation(last, rigid, fluid, key.region.on(cells, key.to_now))
-        still = np.zeros(cells.shape, dtype=np.float32)  # whether parts move with the object is not asked here
-        return Sources(self.frame, frame, cells, expected, backward, key, key.colours, still, self.params.band)
+        motion = self._motion(cells, flow, backward, fine, scale_for(frame.size))
+        return Sources(self.frame, frame, cells, expected, backward, key, key.colours, motion, self.params.band)
+
+    def _motion(self, cells: Grid, flow: Float32, backward: Float32, fine: Grid, scale: float) -> Float32:
+        """What moves with the object: hurdles as white as the horse are told from it by nothing else."""
+        inside = self.region.on(fine) > 0.5
+        moved, agreement = flow_similarity(flow, inside, fine)
+        around, _ = flow_similarity(flow, ~inside, fine)
+        sigma = self.params.motion_sigma * scale
+        return motion_on(cells, backward, moved, around, agreement, sigma, self.params.clip)
 
     def _key_after(self, transform: Array) -> KeyMemory:
         return replace(self.key, to_now=_square(transform) @ self.key.to_now)
