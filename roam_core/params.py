@@ -65,7 +65,7 @@ class AppearanceParams:
     ----------
     local_kind : what says ln p_n^f / p_n^b. "mixture", the paper's: one model an edge. "nearest", beyond the paper: the
         nearest colours of the last frame along the flow and of the artist's key, with the parameters `cues`, of which
-        those named local and key, band, bias, blur, clip, margin and grid_factor are read
+        those named local, key and motion, band, bias, blur, clip, margin and grid_factor are read
         (`proposal.nearest_colours`). "both": the mean of the two log-ratios; what one loses the other mostly holds.
     term : how the models enter the energy. "ribbon", the paper's: each edge's colours on both sides, up to the ribbon's
         depth, under its own model. "region": the same log-ratios ln p_n^f / p_n^b summed over all that the curve
