@@ -252,7 +252,7 @@ CONFIGS: dict[str, RoamParams] = {
     ),
     "full": RoamParams(
         config="full",
-        appearance=AppearanceParams(local_kind="both", global_kind="histogram"),
+        appearance=AppearanceParams(local_kind="both", cues=RegionParams(motion_weight=0.0), global_kind="histogram"),
         lambda_local=0.03,
         lambda_global=0.03,
         warp="landmarks+klt",
