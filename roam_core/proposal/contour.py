@@ -13,9 +13,9 @@ from roam_core.proposal.refine import refined
 Array = NDArray[np.float64]
 IntArray = NDArray[np.int64]
 
-STRETCH = 1.0
+STRETCH = 6.0
 """Price of a piece of outline that grows to twice its share of the whole, against ..."""
-NEAR = 3.0
+NEAR = 12.0
 """... a node that lies this many pixels (of a 480-line image) from where it was expected, and against ..."""
 TURN = 1.0
 """... a node whose outline runs the opposite way."""
