@@ -170,6 +170,14 @@ def frame_confidence(support: Array, warp: Warp) -> float:
     return float(np.clip(support.mean() * motion, 0.0, 1.0))
 
 
+def wholeness(line: Array, extent: float) -> float:
+    """How much of an object a closed polyline `(N, 2)` holds, in [0, 1]: 1 from half of `extent` (square pixels) on.
+
+    A curve that has shrunk to a sliver may lie on a strong edge and rest there: its edges alone do not tell.
+    """
+    return float(np.clip(abs(polyline.signed_area(line)) / max(0.5 * extent, 1e-9), 0.0, 1.0))
+
+
 def _lookup(field: NDArray[np.float32], positions: Array) -> Array:
     """Values of `field` under `positions (..., 2)`; zero outside."""
     height, width = field.shape

@@ -24,7 +24,7 @@ from roam_core.inference.contour_dp import Unary, descend
 from roam_core.motion.klt import Warp
 from roam_core.params import DOUBTFUL, AppearanceParams, RoamParams, scale_for
 from roam_core.propagate import landmarks
-from roam_core.propagate.confidence import frame_confidence, node_support
+from roam_core.propagate.confidence import frame_confidence, node_support, wholeness
 from roam_core.propagate.landmarks import LandmarkState
 from roam_core.propagate.nodes import NodeMap
 from roam_core.propagate.prewarp import expected
@@ -51,6 +51,7 @@ class TrackerState:
     models : the curve's colours, as far as the configuration wants any.
     landmarks : those inside the outline, where the configuration wants them.
     nearest : the pictures whose colours stand for the local models, where the configuration has it so.
+    extent : the area of the artist's outline as the pre-warps have carried it since, square pixels.
     """
 
     frame: PreparedFrame
@@ -59,6 +60,7 @@ class TrackerState:
     models: ColourModels | None = None
     landmarks: LandmarkState | None = None
     nearest: NearestColours | None = None
+    extent: float = 0.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -83,7 +85,8 @@ def begin(frame: PreparedFrame, points: Array, params: RoamParams) -> TrackerSta
     colour, nearest = params.appearance, None
     if colour is not None and colour.local_kind != "mixture":
         nearest = NearestColours.learned(frame, line, colour.cues)
-    return TrackerState(frame, points, nodes, models, landmarks.begin(frame, line, params.landmarks), nearest)
+    known = landmarks.begin(frame, line, params.landmarks)
+    return TrackerState(frame, points, nodes, models, known, nearest, abs(polyline.signed_area(line)))
 
 
 @dataclass(frozen=True, eq=False)
@@ -116,12 +119,14 @@ def step(
     fitted = state.nodes.nodes(points)
     support = node_support(fitted, context, scale)
     confidence = frame_confidence(support, moved)
+    extent = state.extent * abs(float(np.linalg.det(moved.transform[:, :2])))
+    trust = confidence * wholeness(fitted, extent)
     result = StepResult(
         points=points,
-        confidence=confidence,
+        confidence=trust,
         vertex_confidence=_per_point(support, state.nodes, len(points)),
         energies=_energies(fitted, solution.placing, context, seen, params),
-        termination=_termination(confidence, solution.converged),
+        termination=_termination(trust, solution.converged),
         proposals=new.topology,
     )
     models = None if state.models is None else state.models.adapted(frame, fitted, params, scale, confidence)
@@ -129,7 +134,7 @@ def step(
     if known is not None and new.changed:
         known = landmarks.renewed(known, fitted, new.fresh)
     nearest = state.nearest and state.nearest.adapted(frame, fitted, moved.transform)
-    return TrackerState(frame, points, state.nodes, models, known, nearest), result
+    return TrackerState(frame, points, state.nodes, models, known, nearest, extent), result
 
 
 def sighted(state: TrackerState, frame: PreparedFrame, moved: Warp, prior: Array, params: RoamParams) -> Sight | None:
