@@ -5,6 +5,7 @@ from __future__ import annotations
 import hashlib
 import json
 from collections.abc import Sequence
+from functools import lru_cache
 from pathlib import Path
 
 from roam_core.params import CONFIGS, RoamParams
@@ -32,9 +33,15 @@ def fill_stamp(shape: RotoShape, frame: int, params: RoamParams, clip: str) -> s
 
 def _digest(sources: Sequence[Keyframe], closed: bool, params: RoamParams, clip: str) -> str:
     frames = ",".join(str(key.frame) for key in sources)
-    content = json.dumps(params.values(), sort_keys=True) + clip + str(closed) + frames
+    content = _written(params) + clip + str(closed) + frames
     points = b"".join(key.points.tobytes() for key in sources)
     return hashlib.sha256(content.encode() + points).hexdigest()[:16]
+
+
+@lru_cache(maxsize=16)
+def _written(params: RoamParams) -> str:
+    """All parameters as text: the same for every key of a run."""
+    return json.dumps(params.values(), sort_keys=True)
 
 
 def governing_key(shape: RotoShape, frame: int, forward: bool) -> Keyframe | None:
