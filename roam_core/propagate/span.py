@@ -96,7 +96,7 @@ def _passes_into(shape: RotoShape, gap: tuple[int, int]) -> bool:
 
 
 class _Reader:
-    """Pictures made ready, read by one thread at a time; the last few are kept."""
+    """Pictures made ready, asked for by one thread at a time; none is kept, for a span may be long and its plate 4K."""
 
     def __init__(self, images: Mapping[int, NDArray[Any]]) -> None:
         self._images = images

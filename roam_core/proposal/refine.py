@@ -20,7 +20,8 @@ WINDOW = 20
 TURN = 9.0
 """Price, in squared pixels, of a place whose outline runs at a right angle."""
 STAY = 0.3
-"""Weight, against the samples of one segment, that holds an anchor to its matched place along the outline."""
+"""Weight, against the samples of one segment, that holds an anchor to its matched place along the outline from frame
+to frame."""
 HOLD = 0.002
 """Weight, against the samples of one segment, that holds handles to their anchors as they were."""
 LINE = 1.0
@@ -28,14 +29,15 @@ LINE = 1.0
 
 
 def refined(
-    points: Array, samples: Array, at: IntArray, smooth: NDArray[np.bool_], rounds: int, normals: Array | None = None
+    points: Array, samples: Array, at: IntArray, smooth: NDArray[np.bool_], rounds: int, stay: float = STAY
 ) -> Array:
     """The closed spline `points (P, 3, 2)` with all control points fitted to the ring `samples (M, 2)`.
 
     Its anchors lie on `samples[at]`, in order, to begin with; they may leave them as far as the curve gains by it.
-    Handles that lie on their anchor stay there; points marked `smooth (P,)` keep theirs on one line.
+    `stay` is the price of that, against the samples of one segment. Handles that lie on their anchor stay there;
+    points marked `smooth (P,)` keep theirs on one line.
     """
-    facing = polyline.outward_normals(samples) if normals is None else normals
+    facing = polyline.outward_normals(samples)
     owner = _owners(points)
     places, result = _between(at, samples), points
     for turn in range(rounds):
@@ -43,7 +45,7 @@ def refined(
             places = _nearest(result, places, samples, facing)
         share = len(samples) / len(points)
         band, right = normal_band(
-            samples, places, points.reshape(-1, 2), owner, _tangents(result), smooth, (STAY * share, HOLD * share, LINE)
+            samples, places, points.reshape(-1, 2), owner, _tangents(result), smooth, (stay * share, HOLD * share, LINE)
         )
         free = solveh_banded(band, right, lower=True, check_finite=False).reshape(-1, 2)
         result = _bounded(free[owner].reshape(-1, 3, 2), places, samples)

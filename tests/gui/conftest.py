@@ -21,6 +21,7 @@ from shiboken6 import isValid
 from app.actions import Actions, load_keymap
 from app.canvas.view import CanvasView
 from app.document import Document
+from app.jobs.runner import Runner
 from app.view_state import ViewState
 from roam_core.roto import Clip, Project
 from tests.gui.hand import Hand
@@ -40,6 +41,14 @@ def nothing_survives(qapp: QApplication) -> Iterator[None]:
     new_threads = [thread for thread in threading.enumerate() if thread not in threads and not _is_foreign(thread)]
     assert not new_threads, f"threads survive the test: {new_threads}"
     assert not running, f"threads or timers run on after the test: {running}"
+
+
+@pytest.fixture
+def runner(qtbot: QtBot) -> Iterator[Runner]:
+    """One worker thread, ended with the test."""
+    runner = Runner("worker")
+    yield runner
+    assert runner.close()
 
 
 @pytest.fixture

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import threading
-from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -29,13 +28,6 @@ WAIT = 30_000
 CLIP = Clip(Path("/plates/shot"), 1001, 1010, (64, 48))
 SQUARE = polygon_points([(10, 10), (30, 10), (30, 30), (10, 30)])
 LEFT = Qt.MouseButton.LeftButton
-
-
-@pytest.fixture
-def runner(qtbot: QtBot) -> Iterator[Runner]:
-    runner = Runner("writer")
-    yield runner
-    assert runner.close()
 
 
 @pytest.fixture

@@ -21,13 +21,6 @@ SQUARE = polygon_points([(0, 0), (10, 0), (10, 10), (0, 10)])
 
 
 @pytest.fixture
-def runner(qtbot: QtBot) -> Iterator[Runner]:
-    runner = Runner("writer")
-    yield runner
-    assert runner.close()
-
-
-@pytest.fixture
 def keeper(document: Document, runner: Runner, tmp_path: Path) -> Iterator[Autosave]:
     keeper = Autosave(document, runner, tmp_path / "autosave")
     yield keeper

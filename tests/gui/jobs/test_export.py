@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -16,13 +15,6 @@ from roam_core.roto import Clip, Project, edit
 
 WAIT = 30_000
 CLIP = Clip(Path("/plates/shot"), 1001, 1003, (64, 48))
-
-
-@pytest.fixture
-def runner(qtbot: QtBot) -> Iterator[Runner]:
-    runner = Runner("writer")
-    yield runner
-    assert runner.close()
 
 
 @pytest.fixture

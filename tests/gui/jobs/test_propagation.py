@@ -56,13 +56,6 @@ def engine(monkeypatch: pytest.MonkeyPatch) -> Engine:
 
 
 @pytest.fixture
-def runner(qtbot: QtBot) -> Iterator[Runner]:
-    runner = Runner("solver")
-    yield runner
-    assert runner.close()
-
-
-@pytest.fixture
 def propagation(document: Document, view_state: ViewState, runner: Runner, engine: Engine) -> Propagation:
     project, _ = edit.new_shape(Project(), SQUARE, 1)
     project, _ = edit.new_shape(project, SQUARE, 1)
