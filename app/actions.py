@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass
-from enum import StrEnum
 from importlib.resources import files
 
 from PySide6.QtCore import QObject, Qt
@@ -13,125 +11,10 @@ from PySide6.QtGui import QAction, QKeySequence
 from PySide6.QtWidgets import QWidget
 
 from app import style
+from app.action_specs import SPECS, ActionSpec, Reach
 from roam_core.errors import RoamError
 
 Keymap = Mapping[str, tuple[str, ...]]
-
-
-class Reach(StrEnum):
-    """Where an action's keys work: transport and files in the whole window, edits in the viewer only."""
-
-    WINDOW = "window"
-    VIEWER = "viewer"
-
-
-@dataclass(frozen=True)
-class ActionSpec:
-    """What an action is called and where its keys work; `tip` is a sentence for the tooltip, if the title needs one."""
-
-    id: str
-    title: str
-    reach: Reach = Reach.WINDOW
-    icon: str = ""
-    tip: str = ""
-    checkable: bool = False
-
-
-_VIEWER = Reach.VIEWER
-
-SPECS: tuple[ActionSpec, ...] = (
-    ActionSpec("file.new", "New"),
-    ActionSpec("file.open_clip", "Open clip…"),
-    ActionSpec("file.open_movie", "Open movie…"),
-    ActionSpec("file.open_project", "Open project…"),
-    ActionSpec("file.save", "Save"),
-    ActionSpec("file.save_as", "Save as…"),
-    ActionSpec("file.import_shapes", "Import shapes…", tip="Shapes of Nuke, Silhouette and others; or drop the file"),
-    ActionSpec("file.import_masks", "Import masks…", tip="Fit shapes to a folder of mask pictures"),
-    ActionSpec("file.export", "Export…", tip="Shapes for other programs, and mattes: every format, keys and frames"),
-    ActionSpec("file.export_nuke", "Export to Nuke…"),
-    ActionSpec("file.export_mattes", "Export mattes…"),
-    ActionSpec("file.quit", "Quit"),
-    ActionSpec("edit.undo", "Undo"),
-    ActionSpec("edit.redo", "Redo"),
-    ActionSpec("edit.history", "History", tip="Show every step and go back to any", checkable=True),
-    ActionSpec("edit.copy", "Copy", _VIEWER, tip="Copy the selected shapes"),
-    ActionSpec("edit.cut", "Cut", _VIEWER, tip="Cut the selected shapes"),
-    ActionSpec("edit.paste", "Paste", _VIEWER, tip="Paste the copied shapes"),
-    ActionSpec("tool.select", "Select", _VIEWER, "tool-select", "Select and drag shapes, points and handles", True),
-    ActionSpec(
-        "tool.bezier", "Bezier", _VIEWER, "tool-bezier", "Draw a Bezier shape: click corners, drag curves", True
-    ),
-    ActionSpec("tool.polygon", "Polygon", _VIEWER, "tool-polygon", "Draw a polygon", True),
-    ActionSpec("points.delete", "Delete", _VIEWER, tip="Delete the selected points or shapes"),
-    ActionSpec("points.select_all", "Select all points", _VIEWER),
-    ActionSpec("points.next", "Next point", _VIEWER),
-    ActionSpec("points.previous", "Previous point", _VIEWER),
-    ActionSpec("points.smooth", "Smooth points", _VIEWER),
-    ActionSpec("points.cusp", "Cusp points", _VIEWER),
-    ActionSpec("points.toggle_closed", "Open or close", _VIEWER),
-    ActionSpec("shape.duplicate", "Duplicate", _VIEWER, "duplicate"),
-    ActionSpec("shape.group", "Group into a layer", _VIEWER, "layer-add"),
-    ActionSpec("shape.delete", "Delete shape", icon="delete", tip="Delete the selected shapes and layers"),
-    ActionSpec("shape.lock", "Lock or unlock", icon="lock"),
-    ActionSpec("shape.hide", "Hide", _VIEWER, "eye-off"),
-    ActionSpec("shape.show_all", "Show all", _VIEWER, "eye"),
-    ActionSpec("key.set", "Set key", _VIEWER, "key-set", "Make the selected shapes, as they are here, artist keys"),
-    ActionSpec(
-        "key.delete", "Delete key", _VIEWER, "key-delete", "Delete the keys of the selected shapes on this frame"
-    ),
-    ActionSpec("track.backward", "Track backward", icon="track-backward"),
-    ActionSpec("track.backward_one", "Track one frame backward", icon="track-backward-one"),
-    ActionSpec("track.stop", "Stop", icon="track-stop", tip="Stop; the frames that are finished stay"),
-    ActionSpec("track.forward_one", "Track one frame forward", icon="track-forward-one"),
-    ActionSpec("track.forward", "Track forward", icon="track-forward"),
-    ActionSpec("track.to_next_key", "Track to the next key"),
-    ActionSpec(
-        "track.fill", "Fill between keys", icon="track-fill", tip="Track the frames between two keys from both at once"
-    ),
-    ActionSpec(
-        "track.next_doubtful", "Next doubtful frame", icon="doubtful-next", tip="Go to the next frame worth fixing"
-    ),
-    ActionSpec("track.previous_doubtful", "Previous doubtful frame"),
-    ActionSpec("track.most_doubtful", "Most doubtful frame", tip="Go to the frame that the engine trusts least"),
-    ActionSpec("proposal.next", "Next proposal", tip="Go to the next frame on which the engine proposes a change"),
-    ActionSpec("proposal.keep", "Keep", _VIEWER, tip="Make the change that the engine proposes here"),
-    ActionSpec("proposal.refuse", "Refuse", _VIEWER, tip="Leave the shape as it is"),
-    ActionSpec("proposal.keep_always", "Always", tip="Make this change, and every one proposed for this shape"),
-    ActionSpec("proposal.refuse_always", "Never", tip="Refuse, and propose nothing more for this shape"),
-    ActionSpec("proposal.ask_again", "Ask again", tip="Propose changes for the selected shapes again"),
-    ActionSpec("track.delete_engine_keys", "Delete tracked frames", tip="Delete every tracked frame; artist keys stay"),
-    ActionSpec("view.source", "Source", _VIEWER, "view-source", "The plate alone", True),
-    ActionSpec("view.overlay", "Overlay", _VIEWER, "view-overlay", "The plate with its shapes", True),
-    ActionSpec("view.matte", "Matte", _VIEWER, "view-matte", "The matte of all visible shapes", True),
-    ActionSpec(
-        "view.confidence", "Confidence", _VIEWER, "view-confidence", "Where the engine trusts the outline", True
-    ),
-    ActionSpec("view.hide_overlays", "Hide shapes", _VIEWER, tip="Hide the shapes while you look", checkable=True),
-    ActionSpec("view.fit", "Fit", _VIEWER, "view-fit"),
-    ActionSpec("view.fit_selection", "Frame selection", _VIEWER),
-    ActionSpec("view.actual_size", "100 %", _VIEWER),
-    ActionSpec("view.fit_time", "Fit time", tip="Show the whole clip in the timeline"),
-    ActionSpec("view.tall_timeline", "Tall timeline", tip="Give the timeline half of the window", checkable=True),
-    ActionSpec("view.panels", "Panels", tip="Show or hide the panels on the right", checkable=True),
-    ActionSpec("time.previous", "Previous frame"),
-    ActionSpec("time.next", "Next frame"),
-    ActionSpec("time.back_ten", "Ten frames back"),
-    ActionSpec("time.on_ten", "Ten frames on"),
-    ActionSpec("time.previous_key", "Previous key", icon="time-previous-key"),
-    ActionSpec("time.next_key", "Next key", icon="time-next-key"),
-    ActionSpec("time.first", "First frame", icon="time-first"),
-    ActionSpec("time.last", "Last frame", icon="time-last"),
-    ActionSpec("time.toggle_play", "Play or pause"),
-    ActionSpec("time.play_back", "Play backward", icon="time-play-back", tip="Play backward; again: faster"),
-    ActionSpec("time.pause", "Pause", icon="time-pause"),
-    ActionSpec("time.play", "Play forward", icon="time-play", tip="Play forward; again: faster"),
-    ActionSpec("time.loop", "Loop", icon="time-loop", checkable=True),
-    ActionSpec("time.set_in", "Set in"),
-    ActionSpec("time.set_out", "Set out"),
-    ActionSpec("time.clear_range", "Clear in and out"),
-    ActionSpec("help.keys", "Keys…"),
-)
 
 
 def load_keymap(name: str = "default") -> Keymap:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from pathlib import Path
 
@@ -19,6 +19,14 @@ class ShapeClipboard:
 
     def __init__(self, document: Document, view_state: ViewState) -> None:
         self._document, self._view = document, view_state
+
+    def handlers(self) -> dict[str, Callable[[], object]]:
+        """What the actions of this part call, by id."""
+        return {
+            "edit.copy": self.copy,
+            "edit.cut": self.cut,
+            "edit.paste": self.paste,
+        }
 
     def copy(self) -> None:
         """Copy the selected shapes with all their keys."""

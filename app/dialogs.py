@@ -20,7 +20,8 @@ from PySide6.QtWidgets import (
 )
 
 from app import style
-from app.actions import SPECS, Keymap, keys_text
+from app.action_specs import SPECS
+from app.actions import Keymap, keys_text
 from app.files import PROJECT_SUFFIX
 
 GESTURES = (

@@ -41,6 +41,22 @@ class FileActions(QObject):
         self._export_dialog: ExportDialog | None = None
         files.saved.connect(self._saved)
 
+    def handlers(self) -> dict[str, Callable[[], object]]:
+        """What the actions of this part call, by id."""
+        return {
+            "file.new": self.new,
+            "file.open_clip": self.open_clip,
+            "file.open_movie": self.open_movie,
+            "file.open_project": self.open_project,
+            "file.save": self.save,
+            "file.save_as": self.save_as,
+            "file.import_shapes": self.import_shapes,
+            "file.import_masks": self.import_masks,
+            "file.export": self.export,
+            "file.export_nuke": self.export_nuke,
+            "file.export_mattes": self.export_mattes,
+        }
+
     def leave_project(self, then: Callable[[], object]) -> None:
         """Do `then` once nothing is lost by it: at once, after saving, or never."""
         if not self._document.is_modified:

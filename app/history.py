@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from app.document import Document
 from app.view_state import ViewState
 
@@ -11,6 +13,13 @@ class History:
 
     def __init__(self, document: Document, view_state: ViewState) -> None:
         self._stack, self._view = document.undo_stack, view_state
+
+    def handlers(self) -> dict[str, Callable[[], object]]:
+        """What the actions of this part call, by id."""
+        return {
+            "edit.undo": self.undo,
+            "edit.redo": self.redo,
+        }
 
     def undo(self) -> None:
         """Take the last step back."""

@@ -189,71 +189,29 @@ class MainWindow(QMainWindow):
 
     def _handlers(self) -> dict[str, Callable[[], object]]:
         """What each action calls; tools and switches are connected by their own widgets."""
-        files, verbs = self.file_actions, self.shape_verbs
         clipboard = ShapeClipboard(self.document, self.view_state)
         history = History(self.document, self.view_state)
-        tracking, time, playback = self.tracking, self.navigation, self.playback
-        return self.canvas.handlers() | {
-            "file.new": files.new,
-            "file.open_clip": files.open_clip,
-            "file.open_movie": files.open_movie,
-            "file.open_project": files.open_project,
-            "file.save": files.save,
-            "file.save_as": files.save_as,
-            "file.import_shapes": files.import_shapes,
-            "file.import_masks": files.import_masks,
-            "file.export": files.export,
-            "file.export_nuke": files.export_nuke,
-            "file.export_mattes": files.export_mattes,
+        files, tracking, time, playback = self.file_actions, self.tracking, self.navigation, self.playback
+        handlers: dict[str, Callable[[], object]] = {
             "file.quit": self.close,
-            "edit.undo": history.undo,
-            "edit.redo": history.redo,
-            "edit.copy": clipboard.copy,
-            "edit.cut": clipboard.cut,
-            "edit.paste": clipboard.paste,
-            "shape.duplicate": verbs.duplicate,
-            "shape.group": verbs.group,
             "shape.delete": self._delete_in_list,
-            "shape.lock": verbs.toggle_lock,
-            "shape.hide": verbs.hide,
-            "shape.show_all": verbs.show_all,
-            "key.set": verbs.set_key,
-            "key.delete": verbs.delete_key,
-            "track.forward": tracking.forward,
-            "track.backward": tracking.backward,
-            "track.forward_one": tracking.forward_one,
-            "track.backward_one": tracking.backward_one,
-            "track.to_next_key": tracking.to_next_key,
-            "track.fill": tracking.fill,
             "track.stop": self.under_way.stop,
-            "track.next_doubtful": tracking.next_doubtful,
-            "track.previous_doubtful": tracking.previous_doubtful,
-            "track.most_doubtful": tracking.most_doubtful,
-            "track.delete_engine_keys": verbs.delete_engine_keys,
-            "proposal.next": self.proposals.next,
-            "proposal.keep": self.proposals.keep,
-            "proposal.refuse": self.proposals.refuse,
-            "proposal.keep_always": self.proposals.keep_always,
-            "proposal.refuse_always": self.proposals.refuse_always,
-            "proposal.ask_again": self.proposals.ask_again,
             "view.fit_time": self.timeline.axis.fit,
-            "time.previous": lambda: time.step(-1),
-            "time.next": lambda: time.step(1),
-            "time.back_ten": lambda: time.step(-10),
-            "time.on_ten": lambda: time.step(10),
-            "time.previous_key": time.previous_key,
-            "time.next_key": time.next_key,
-            "time.first": time.first,
-            "time.last": time.last,
-            "time.toggle_play": playback.toggle,
-            "time.play_back": playback.play_back,
-            "time.pause": playback.pause,
-            "time.play": playback.play,
-            "time.set_in": time.set_in,
-            "time.set_out": time.set_out,
-            "time.clear_range": time.clear_range,
             "help.keys": lambda: KeysDialog(self.keymap, self).show(),
         }
+        for part in (
+            self.canvas,
+            files,
+            history,
+            clipboard,
+            self.shape_verbs,
+            tracking,
+            self.proposals,
+            time,
+            playback,
+        ):
+            handlers |= part.handlers()
+        return handlers
 
     # ---- pulling
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from app.document import Document
 from app.view_state import ViewState, shapes_in_hand
 from roam_core.roto import Project
@@ -13,6 +15,22 @@ class Navigation:
     def __init__(self, document: Document, view_state: ViewState) -> None:
         self._document, self._view = document, view_state
         document.replaced.connect(self._begin)
+
+    def handlers(self) -> dict[str, Callable[[], object]]:
+        """What the actions of this part call, by id."""
+        return {
+            "time.previous": lambda: self.step(-1),
+            "time.next": lambda: self.step(1),
+            "time.back_ten": lambda: self.step(-10),
+            "time.on_ten": lambda: self.step(10),
+            "time.previous_key": self.previous_key,
+            "time.next_key": self.next_key,
+            "time.first": self.first,
+            "time.last": self.last,
+            "time.set_in": self.set_in,
+            "time.set_out": self.set_out,
+            "time.clear_range": self.clear_range,
+        }
 
     @property
     def clip_range(self) -> tuple[int, int]:

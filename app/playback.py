@@ -37,6 +37,15 @@ class Playback(QObject):
         self._timer = QTimer(self, timerType=Qt.TimerType.PreciseTimer)
         self._timer.timeout.connect(self.tick)
 
+    def handlers(self) -> dict[str, Callable[[], object]]:
+        """What the actions of this part call, by id."""
+        return {
+            "time.toggle_play": self.toggle,
+            "time.play_back": self.play_back,
+            "time.pause": self.pause,
+            "time.play": self.play,
+        }
+
     @property
     def speed(self) -> float:
         """1 is the clip's own speed, negative is backward, 0 stands still."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from enum import StrEnum
 
@@ -67,6 +68,17 @@ class Proposals(QObject):
         view_state.frame_changed.connect(self.changed)
 
     # ---- what stands
+
+    def handlers(self) -> dict[str, Callable[[], object]]:
+        """What the actions of this part call, by id."""
+        return {
+            "proposal.next": self.next,
+            "proposal.keep": self.keep,
+            "proposal.refuse": self.refuse,
+            "proposal.keep_always": self.keep_always,
+            "proposal.refuse_always": self.refuse_always,
+            "proposal.ask_again": self.ask_again,
+        }
 
     @property
     def current(self) -> Proposal | None:

@@ -19,6 +19,19 @@ class ShapeVerbs:
     def __init__(self, document: Document, view_state: ViewState) -> None:
         self._document, self._view = document, view_state
 
+    def handlers(self) -> dict[str, Callable[[], object]]:
+        """What the actions of this part call, by id."""
+        return {
+            "shape.duplicate": self.duplicate,
+            "shape.group": self.group,
+            "shape.lock": self.toggle_lock,
+            "shape.hide": self.hide,
+            "shape.show_all": self.show_all,
+            "key.set": self.set_key,
+            "key.delete": self.delete_key,
+            "track.delete_engine_keys": self.delete_engine_keys,
+        }
+
     def set_key(self) -> None:
         """Make the selected shapes, as they are on this frame, artist keys."""
         frame = self._view.frame

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from app.document import Document
 from app.jobs.filling import Gap, gaps_of
 from app.jobs.propagation import Propagation
@@ -21,6 +23,20 @@ class Tracking:
     def __init__(self, document: Document, view_state: ViewState, propagation: Propagation) -> None:
         self._document, self._view, self._propagation = document, view_state, propagation
         self.config = DEFAULT_CONFIG
+
+    def handlers(self) -> dict[str, Callable[[], object]]:
+        """What the actions of this part call, by id."""
+        return {
+            "track.forward": self.forward,
+            "track.backward": self.backward,
+            "track.forward_one": self.forward_one,
+            "track.backward_one": self.backward_one,
+            "track.to_next_key": self.to_next_key,
+            "track.fill": self.fill,
+            "track.next_doubtful": self.next_doubtful,
+            "track.previous_doubtful": self.previous_doubtful,
+            "track.most_doubtful": self.most_doubtful,
+        }
 
     def forward(self) -> None:
         """Track to the end of the play range, or of the clip when the playhead lies behind it."""

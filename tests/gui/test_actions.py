@@ -12,7 +12,8 @@ from PySide6.QtWidgets import QWidget
 from pytestqt.qtbot import QtBot
 
 from app import menus
-from app.actions import SPECS, Actions, keys_text, load_keymap
+from app.action_specs import SPECS
+from app.actions import Actions, keys_text, load_keymap
 from roam_core.errors import RoamError
 
 PRESETS = [path.name.removesuffix(".json") for path in (files("resources") / "keymaps").iterdir()]

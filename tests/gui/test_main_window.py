@@ -11,7 +11,7 @@ from PySide6.QtGui import QDropEvent, QGuiApplication
 from pytestqt.qtbot import QtBot
 
 from app import dialogs, settings
-from app.actions import SPECS
+from app.action_specs import SPECS
 from app.dialogs import Unsaved
 from app.main_window import MainWindow
 from roam_core.geometry.bezier import polygon_points
