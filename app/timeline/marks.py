@@ -82,22 +82,24 @@ class _Stamps:
         self._shape, self._clip = shape, provenance.clip_stamp(clip)
         self._artist = [key for key in shape.keys if key.origin is Origin.ARTIST]
         self._frames = [key.frame for key in self._artist]
-        self._made: dict[tuple[int, bool, str], str] = {}
+        self._made: dict[tuple[int, str, str], str] = {}
 
     def is_stale(self, key: Keyframe) -> bool:
         direction, _, rest = key.inputs.partition(":")
-        config, forward = rest.partition(":")[0], direction == "forward"
-        source = (
-            bisect.bisect_right(self._frames, key.frame) - 1 if forward else bisect.bisect_left(self._frames, key.frame)
-        )
-        if config not in CONFIGS or not 0 <= source < len(self._artist):
+        config, span = rest.partition(":")[0], bisect.bisect_left(self._frames, key.frame)
+        source = span - 1 if direction == "forward" else span
+        if config not in CONFIGS or (direction != "fill" and not 0 <= source < len(self._artist)):
             return True
-        return self._stamp(source, forward, config) != key.inputs
-
-    def _stamp(self, source: int, forward: bool, config: str) -> str:
-        made = self._made.get((source, forward, config))
+        made = self._made.get((span, direction, config))
         if made is None:
-            key, params = self._artist[source], CONFIGS[config]
-            made = provenance.stamp(key, self._shape.closed, params, self._clip, forward)
-            self._made[source, forward, config] = made
-        return made
+            made = self._made[span, direction, config] = self._stamp(key.frame, source, direction, config)
+        return made != key.inputs
+
+    def _stamp(self, frame: int, source: int, direction: str, config: str) -> str:
+        """What a key on `frame` would bear if it were made now."""
+        params = CONFIGS[config]
+        if direction == "fill":
+            return provenance.fill_stamp(self._shape, frame, params, self._clip)
+        return provenance.stamp(
+            self._artist[source], self._shape.closed, params, self._clip, forward=direction == "forward"
+        )

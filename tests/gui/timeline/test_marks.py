@@ -11,7 +11,7 @@ from app.document import Document
 from app.timeline.marks import MarksOf, key_marks
 from roam_core.geometry.bezier import polygon_points
 from roam_core.params import CONFIGS, DEFAULT_CONFIG
-from roam_core.propagate.provenance import clip_stamp, governing_key, is_stale, stamp
+from roam_core.propagate.provenance import clip_stamp, fill_stamp, governing_key, is_stale, stamp
 from roam_core.roto import Clip, Keyframe, Origin, Project, RotoShape, edit
 
 SQUARE = polygon_points([(0, 0), (10, 0), (10, 10), (0, 10)])
@@ -59,3 +59,12 @@ def test_marks_are_made_anew_only_for_another_value(document: Document) -> None:
     assert marks(shape) is first
     moved = edit.set_key(shape, 9, SQUARE)
     assert np.array_equal(marks(moved).artist, [5, 9, 15])
+
+
+def test_what_was_filled_is_fresh_until_a_key_on_either_side_changes() -> None:
+    shape = RotoShape("s", "s", (Keyframe(5, SQUARE), Keyframe(15, SQUARE + 1)))
+    inputs = fill_stamp(shape, 8, CONFIGS[DEFAULT_CONFIG], clip_stamp(CLIP))
+    filled = edit.set_engine_keys(shape, [Keyframe(f, SQUARE, origin=Origin.ENGINE, inputs=inputs) for f in (8, 9)])
+    assert key_marks(filled, CLIP).engine.tolist() == [8, 9]
+    for frame in (5, 15):
+        assert key_marks(edit.set_key(filled, frame, SQUARE * 2), CLIP).stale.tolist() == [8, 9]
