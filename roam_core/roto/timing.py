@@ -1,0 +1,94 @@
+"""Edit verbs on keys in time, of several shapes at once: moved, copied, deleted, interpolated."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import replace
+
+from roam_core.roto import edit
+from roam_core.roto.project import Project
+from roam_core.roto.shape import Interpolation, Keyframe, Origin, RotoShape
+
+Place = tuple[str, int]
+"""Where a key lies: (shape id, frame)."""
+
+
+def artist_places(project: Project) -> frozenset[Place]:
+    """Where the artist's keys of all shapes lie."""
+    return frozenset((shape.id, frame) for shape in project.shapes for frame in shape.artist_frames)
+
+
+def move_keys(project: Project, places: Iterable[Place], offset: int) -> Project:
+    """The project with the artist's keys at `places` shifted by `offset` frames.
+
+    A key that lay where one arrives gives way to it, as the hand that put it there wanted. The engine's keys stay where
+    they are: those that depend on a key that moved bear another stamp than they should, and so are shown as stale.
+    """
+    return _each_shape(project, places, lambda shape, frames: _moved(shape, frames, offset))
+
+
+def copy_keys(project: Project, places: Iterable[Place], offset: int) -> Project:
+    """The project with copies of the artist's keys at `places`, `offset` frames on; what lies there gives way."""
+    return _each_shape(
+        project, places, lambda shape, frames: shape.with_keys(_shifted(_artist_keys(shape, frames), offset))
+    )
+
+
+def paste_keys(project: Project, keys: Mapping[str, Iterable[Keyframe]], offset: int = 0) -> Project:
+    """The project with keys put into its shapes, `offset` frames on, as the artist's; what lies there gives way.
+
+    Shapes that are gone, and keys of another number of points than their shape has, are left out.
+    """
+    for shape_id, copied in keys.items():
+        if project.has(shape_id):
+            shape = project.shape(shape_id)
+            fitting = [key for key in copied if len(key.points) == shape.point_count]
+            project = project.with_shape(shape.with_keys(_shifted(fitting, offset)))
+    return project
+
+
+def delete_keys(project: Project, places: Iterable[Place]) -> Project:
+    """The project without the artist's keys at `places`; raises `RoamError` where a shape would have no key left."""
+    return _each_shape(
+        project, places, lambda shape, frames: edit.delete_keys(shape, [k.frame for k in _artist_keys(shape, frames)])
+    )
+
+
+def set_interpolation(project: Project, places: Iterable[Place], interpolation: Interpolation) -> Project:
+    """The project with another way to move on from the keys at `places`."""
+    return _each_shape(
+        project, places, lambda shape, frames: edit.set_interpolation(shape, frames & set(shape.frames), interpolation)
+    )
+
+
+def _each_shape(project: Project, places: Iterable[Place], verb: Callable[[RotoShape, set[int]], RotoShape]) -> Project:
+    frames: dict[str, set[int]] = {}
+    for shape_id, frame in places:
+        frames.setdefault(shape_id, set()).add(frame)
+    for shape_id, own in sorted(frames.items()):
+        if project.has(shape_id):
+            project = project.with_shape(verb(project.shape(shape_id), own))
+    return project
+
+
+def _moved(shape: RotoShape, frames: set[int], offset: int) -> RotoShape:
+    return edit.move_keys(shape, [key.frame for key in _artist_keys(shape, frames)], offset)
+
+
+def _artist_keys(shape: RotoShape, frames: set[int]) -> list[Keyframe]:
+    return [key for key in shape.keys if key.origin is Origin.ARTIST and key.frame in frames]
+
+
+def _shifted(keys: Iterable[Keyframe], offset: int) -> list[Keyframe]:
+    """Copies on other frames, as the artist's: an engine's word on how far to trust them is not theirs."""
+    return [
+        replace(
+            key,
+            frame=key.frame + offset,
+            origin=Origin.ARTIST,
+            confidence=None,
+            vertex_confidence=None,
+            inputs="",
+        )
+        for key in keys
+    ]

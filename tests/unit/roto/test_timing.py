@@ -1,0 +1,90 @@
+"""Keys in time: what moves, what gives way, and that the engine's keys are told to be of the past."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from roam_core.errors import RoamError
+from roam_core.geometry import bezier
+from roam_core.params import CONFIGS, DEFAULT_CONFIG
+from roam_core.propagate.provenance import clip_stamp, is_stale, stamp
+from roam_core.roto import Clip, Interpolation, Keyframe, Origin, Project, RotoShape, edit, timing
+
+SQUARE = bezier.polygon_points([(0.0, 0.0), (10.0, 0.0), (10.0, 10.0), (0.0, 10.0)])
+CLIP = Clip(Path("shot"), 1, 60, (64, 48))
+
+
+def tracked(shape_id: str = "a") -> RotoShape:
+    """Artist keys on 10 and 20; tracked forward from the first up to 14."""
+    shape = RotoShape(shape_id, shape_id, (Keyframe(10, SQUARE), Keyframe(20, SQUARE + 1)))
+    inputs = stamp(shape.keys[0], True, CONFIGS[DEFAULT_CONFIG], clip_stamp(CLIP), True)
+    made = [Keyframe(f, SQUARE, origin=Origin.ENGINE, confidence=0.5, inputs=inputs) for f in range(11, 15)]
+    return edit.set_engine_keys(shape, made)
+
+
+@pytest.fixture
+def project() -> Project:
+    return edit.add_shape(edit.add_shape(Project(CLIP), tracked()), tracked("b"))
+
+
+def test_only_the_artists_keys_at_the_places_move(project: Project) -> None:
+    moved = timing.move_keys(project, [("a", 10), ("b", 20), ("a", 12), ("gone", 3)], 5)
+    a, b = moved.shape("a"), moved.shape("b")
+    assert a.artist_frames == (15, 20)
+    assert b.artist_frames == (10, 25)
+    assert {12, 14} <= set(a.frames)
+    assert np.array_equal(a.at(15).points, SQUARE)
+    assert timing.artist_places(moved) == {("a", 15), ("a", 20), ("b", 10), ("b", 25)}
+
+
+def test_tracked_frames_of_a_key_that_moved_are_stale(project: Project) -> None:
+    assert not any(is_stale(project.shape("a"), key, CLIP) for key in project.shape("a").keys)
+    shape = timing.move_keys(project, [("a", 10)], -2).shape("a")
+    assert [key.frame for key in shape.keys if is_stale(shape, key, CLIP)] == [11, 12, 13, 14]
+
+
+def test_a_key_gives_way_to_the_one_that_arrives(project: Project) -> None:
+    shape = timing.move_keys(project, [("a", 10)], 10).shape("a")
+    assert shape.artist_frames == (20,)
+    assert np.array_equal(shape.at(20).points, SQUARE)
+    onto_a_tracked_frame = timing.move_keys(project, [("a", 20)], -8).shape("a")
+    assert onto_a_tracked_frame.artist_frames == (10, 12)
+
+
+def test_neighbours_that_move_together_do_not_overwrite_each_other(project: Project) -> None:
+    two = timing.copy_keys(project, [("a", 20)], 1)
+    assert timing.move_keys(two, [("a", 20), ("a", 21)], 1).shape("a").artist_frames == (10, 21, 22)
+
+
+def test_copies_are_the_artists_and_the_keys_stay(project: Project) -> None:
+    shape = timing.copy_keys(project, [("a", 10)], 3).shape("a")
+    assert shape.artist_frames == (10, 13, 20)
+    assert np.array_equal(shape.at(13).points, SQUARE)
+
+
+def test_pasted_keys_lose_what_the_engine_said_of_them(project: Project) -> None:
+    engine = project.shape("a").key_at(12)
+    assert engine is not None
+    pasted = timing.paste_keys(project, {"b": [engine], "gone": [engine]}, 30).shape("b").key_at(42)
+    assert pasted is not None
+    assert (pasted.origin, pasted.confidence, pasted.inputs) == (Origin.ARTIST, None, "")
+
+
+def test_keys_of_another_number_of_points_are_not_pasted(project: Project) -> None:
+    assert timing.paste_keys(project, {"a": [Keyframe(30, SQUARE[:3])]}) == project
+
+
+def test_deleting_spares_the_engines_keys_and_the_last_of_all(project: Project) -> None:
+    shape = timing.delete_keys(project, [("a", 10), ("a", 12)]).shape("a")
+    assert shape.frames == (11, 12, 13, 14, 20)
+    lone = edit.add_shape(Project(), RotoShape("c", "c", (Keyframe(1, SQUARE),)))
+    with pytest.raises(RoamError, match="at least one key"):
+        timing.delete_keys(lone, [("c", 1)])
+
+
+def test_interpolation_is_set_where_keys_are(project: Project) -> None:
+    shape = timing.set_interpolation(project, [("a", 10), ("a", 11), ("a", 55)], Interpolation.HOLD).shape("a")
+    assert [key.frame for key in shape.keys if key.interpolation is Interpolation.HOLD] == [10, 11]
