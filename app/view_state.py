@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 from PySide6.QtCore import QObject, Signal
 
+from app.editing import EditingModes
 from roam_core.roto import Project, RotoShape
 from roam_core.roto.edit import Part
 
@@ -39,6 +40,8 @@ class ViewState(QObject):
         self._preview: Project | None = None
         self._range = (1, 2)
         self._message = ""
+        self.editing = EditingModes(self)
+        """How edits reach points and keys."""
         self.hovered: tuple[str, int, int] | None = None
         """(shape id, point index, part) under the pointer, or None."""
 

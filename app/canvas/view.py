@@ -8,7 +8,7 @@ from enum import StrEnum
 import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtCore import QEvent, QPointF, QRectF, QSizeF, Qt, Signal
-from PySide6.QtGui import QColor, QKeyEvent, QMouseEvent, QPainter, QPaintEvent
+from PySide6.QtGui import QColor, QKeyEvent, QMouseEvent, QPainter, QPaintEvent, QTabletEvent, QWheelEvent
 from PySide6.QtWidgets import QWidget
 
 from app.canvas import marks
@@ -16,6 +16,7 @@ from app.canvas.backdrop import Backdrop, paint_label, paint_sentence
 from app.canvas.confidence_item import LEGEND, paint_confidence
 from app.canvas.keys import NUDGES, is_modifier, key_name
 from app.canvas.matte_layer import MatteLayer
+from app.canvas.pen import Pen
 from app.canvas.picture import Picture
 from app.canvas.proposal_item import ProposalPainter
 from app.canvas.shape_item import ShapePainter
@@ -72,6 +73,7 @@ class CanvasView(ZoomableWidget):
         """Gives what the engine proposes for the present frame."""
         self._is_pressed = self._is_waiting = False
         self._pointer: QPointF | None = None
+        self._pen = Pen()
         self._key_presses = 0
         self._framed: tuple[QSizeF | None, float] = (None, 1.0)
         self._listen()
@@ -89,6 +91,7 @@ class CanvasView(ZoomableWidget):
         view.selection_changed.connect(self.update)
         view.preview_changed.connect(self.update)
         view.tool_changed.connect(self._take_tool)
+        view.editing.changed.connect(self.update)
         self._matte.ready.connect(self._show_matte)
         self.destroyed.connect(self._matte.close)
 
@@ -313,6 +316,18 @@ class CanvasView(ZoomableWidget):
             self._is_pressed = False
             self._hand(self._tool.release, event.position(), event.modifiers())
 
+    def wheelEvent(self, event: QWheelEvent) -> None:
+        """Ctrl and the wheel belong to the tool, where it has a size to change; the wheel alone zooms."""
+        takes = event.modifiers() & Qt.KeyboardModifier.ControlModifier and self._shows_shapes()
+        if takes and self._tool.wheel(self._at(event.position(), event.modifiers()), event.angleDelta().y() / 120.0):
+            event.accept()
+            self.update()
+        else:
+            super().wheelEvent(event)
+
+    def tabletEvent(self, event: QTabletEvent) -> None:
+        self._pen.feel(event)
+
     def leaveEvent(self, event: QEvent) -> None:
         self._pointer = None
         self._tool.leave()
@@ -351,6 +366,7 @@ class CanvasView(ZoomableWidget):
             self._view_state.say("The shapes are hidden; show them (overlay view) to draw and edit.")
             return
         self._is_pressed = True
+        self._pen.pressure(begins=True)
         self._hand(call, event.position(), event.modifiers())
 
     def _hover(self, position: QPointF, modifiers: Qt.KeyboardModifier) -> None:
@@ -360,9 +376,13 @@ class CanvasView(ZoomableWidget):
     def _hand(self, call: Callable[[Pointer], None], position: QPointF, modifiers: Qt.KeyboardModifier) -> None:
         """Give the pointer to the tool, then show what it made of it."""
         self._pointer = position
-        call(Pointer(self.widget_to_image(position), self._viewport.pixel, modifiers))
+        call(self._at(position, modifiers))
         self.setCursor(self._tool.cursor)
         self.update()
+
+    def _at(self, position: QPointF, modifiers: Qt.KeyboardModifier) -> Pointer:
+        """The pointer as tools know it."""
+        return Pointer(self.widget_to_image(position), self._viewport.pixel, modifiers, self._pen.pressure())
 
     def _feel_modifiers(self, event: QKeyEvent) -> None:
         """A modifier was pressed or let go: the tool may now do something else at the same place."""

@@ -24,11 +24,13 @@ class Pointer:
     position : (x, y) in image pixels.
     pixel : size of a screen pixel, in image pixels along x and y: the measure of hit areas and drag thresholds.
     modifiers : the keys that are held.
+    pressure : how hard a pen presses, in [0, 1]; 1 for a mouse.
     """
 
     position: tuple[float, float]
     pixel: tuple[float, float]
     modifiers: Qt.KeyboardModifier = Modifier.NoModifier
+    pressure: float = 1.0
 
     def holds(self, modifiers: Qt.KeyboardModifier) -> bool:
         """True when all of these keys are held."""
@@ -83,6 +85,10 @@ class Tool:
 
     def hover(self, pointer: Pointer) -> None:
         """The pointer moves, or a modifier changes, with no button down."""
+
+    def wheel(self, pointer: Pointer, notches: float) -> bool:
+        """Ctrl and the wheel, by so many notches, up positive; False when the tool has no use for them."""
+        return False
 
     def leave(self) -> None:
         """The pointer left the canvas."""

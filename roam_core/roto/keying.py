@@ -1,0 +1,101 @@
+"""Keying: which keys of a shape an edit on one frame reaches, and the one way to make such an edit."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from roam_core.roto import edit
+from roam_core.roto.grips import points_of
+from roam_core.roto.shape import Keyframe, Outline, RotoShape
+
+Array = NDArray[np.float64]
+Change = Callable[[Outline], Outline]
+"""A change of an outline, the same for every key that it reaches: a move, a turn, a smoothing.
+
+Its argument and result hold in `points` what the artist takes hold of (`Outline.grips`): of a B-spline the control
+points.
+"""
+
+
+@dataclass(frozen=True)
+class Keying:
+    """Where an edit that is made on one frame goes.
+
+    Attributes
+    ----------
+    auto : True: the frame gets an artist key. False: a frame without one gets none; see `reshape`.
+    ripple : the frames in which every key takes the same change, or None for the edit's own frame alone.
+    """
+
+    auto: bool = True
+    ripple: range | None = None
+
+
+AUTO_KEY = Keying()
+
+
+def reshape(
+    shape: RotoShape, frame: int, change: Change, keying: Keying = AUTO_KEY, start: Outline | None = None
+) -> RotoShape:
+    """The shape with `change` made at `frame`, and on the other keys that `keying` reaches.
+
+    `start` is what `held_at` gave at `frame` when a drag began; by default the shape as it is there.
+
+    With auto-key, or on a frame that holds an artist key, the changed outline becomes an artist key there (a change that
+    changes nothing makes none). Without auto-key a frame between keys gets none: the artist keys before and after it
+    take the change, so that the motion between them goes through the outline as edited and no other key is disturbed.
+    With ripple all keys in the range take the change too.
+
+    Artist keys that are reached stay artist keys. Engine keys that lie among reached ones move along, so that the shape
+    does not jump there, but stay what the engine made: their stamps no longer fit the artist's keys, so they show as
+    stale until they are tracked again.
+    """
+    reached = set() if keying.ripple is None else {key for key in shape.frames if key in keying.ripple}
+    here = _held(shape.at(frame)) if start is None else start
+    is_keyed = keying.auto or frame in shape.artist_frames
+    if not is_keyed:
+        reached |= _around(shape, frame)
+    else:
+        reached.discard(frame)
+    result = shape.with_keys(_changed(shape, key, change) for key in shape.keys if key.frame in reached)
+    return _with_key(result, frame, here, change(here)) if is_keyed else result
+
+
+def held_at(shape: RotoShape, frame: int) -> Outline:
+    """The shape at `frame` as a `Change` takes it: its grips in place of its points."""
+    return _held(shape.at(frame))
+
+
+def _held(outline: Outline) -> Outline:
+    return Outline(outline.grips, outline.feather, outline.closed)
+
+
+def _with_key(shape: RotoShape, frame: int, before: Outline, after: Outline) -> RotoShape:
+    """The shape with `after` as an artist key at `frame`; without a new key where it equals `before`."""
+    if _equal(before.points, after.points) and _equal(before.feather, after.feather):
+        return shape
+    keyed = edit.set_grips(shape, frame, after.points)
+    key = keyed.key_at(frame)
+    assert key is not None
+    return keyed.with_key(replace(key, feather=after.feather))
+
+
+def _around(shape: RotoShape, frame: int) -> set[int]:
+    """The frames of the artist keys next to `frame` and of the engine keys between; beyond the last one, to the end."""
+    artist = shape.artist_frames
+    first = max((other for other in artist if other < frame), default=shape.frames[0])
+    last = min((other for other in artist if other > frame), default=shape.frames[-1])
+    return {other for other in shape.frames if first <= other <= last}
+
+
+def _changed(shape: RotoShape, key: Keyframe, change: Change) -> Keyframe:
+    after = change(_held(Outline(key.points, key.feather, shape.closed, shape.spline)))
+    return replace(key, points=points_of(after.points, shape.spline, shape.closed), feather=after.feather)
+
+
+def _equal(a: Array | None, b: Array | None) -> bool:
+    return a is b or (a is not None and b is not None and np.array_equal(a, b))
