@@ -16,7 +16,7 @@ from app.view_state import Selection
 from roam_core.geometry import bezier
 from roam_core.geometry.bezier import ANCHOR, IN, OUT
 from roam_core.params import DOUBTFUL
-from roam_core.roto import Outline, Project, RotoShape
+from roam_core.roto import Outline, Project, RotoShape, Spline
 from roam_core.roto.edit import is_smooth
 
 Array = NDArray[np.float64]
@@ -80,6 +80,11 @@ def shape_colour(shape: RotoShape) -> QColor:
     return QColor.fromRgbF(*shape.colour)
 
 
+def control_sides(count: int, closed: bool) -> list[tuple[int, int]]:
+    """The pairs of control points that the sides of a B-spline's control polygon join."""
+    return [(i, (i + 1) % count) for i in range(count if closed else count - 1)]
+
+
 def visible_handles(points: Array, index: int) -> list[int]:
     """The handles of a point that are out of its anchor, and so can be seen and grabbed."""
     return [part for part in (IN, OUT) if not np.array_equal(points[index, part], points[index, ANCHOR])]
@@ -89,17 +94,20 @@ def _paint_points(
     painter: QPainter, viewport: Viewport, shape: RotoShape, outline: Outline, selection: Selection, hover: Hover
 ) -> None:
     """Anchors of a selected shape, and the handles of its selected points."""
-    colour, points = shape_colour(shape), outline.points
+    colour, points = shape_colour(shape), outline.grips
     chosen = sorted(index for owner, index in selection.points if owner == shape.id and index < len(points))
     grips = [(index, part) for index in chosen for part in visible_handles(points, index)]
     spot = [[viewport.to_widget(*position) for position in point] for point in points.tolist()]
-    marks.arms(painter, [QLineF(spot[i][ANCHOR], spot[i][part]) for i, part in grips], colour)
+    sides = control_sides(len(points), shape.closed) if shape.spline is Spline.BSPLINE else []
+    lines = [QLineF(spot[i][ANCHOR], spot[i][part]) for i, part in grips]
+    marks.arms(painter, [*lines, *(QLineF(spot[a][ANCHOR], spot[b][ANCHOR]) for a, b in sides)], colour)
     for i, part in grips:
         marks.handle(painter, spot[i][part], colour, grown=hover == (shape.id, i, part))
     picked = set(chosen)
     for i in range(len(points)):
         grown = hover == (shape.id, i, ANCHOR)
-        marks.anchor(painter, spot[i][ANCHOR], colour, round_=is_smooth(points[i]), filled=i in picked, grown=grown)
+        round_ = bool(sides) or is_smooth(points[i])
+        marks.anchor(painter, spot[i][ANCHOR], colour, round_=round_, filled=i in picked, grown=grown)
 
 
 def _paint_doubts(painter: QPainter, viewport: Viewport, shape: RotoShape, frame: int) -> None:

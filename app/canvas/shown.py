@@ -45,7 +45,7 @@ def selection_bounds(
     """The box around the selected points, or around the selected shapes where no point is."""
     outlines = {s.shape.id: s.shape.at(frame) for s in shown_shapes(project, frame) if s.shape.id in shape_ids}
     if points:
-        return bounds([outlines[i].points[p, ANCHOR] for i, p in points if i in outlines])
+        return bounds([outlines[i].grips[p, ANCHOR] for i, p in points if i in outlines])
     return bounds([outline.flatten(1.0) for outline in outlines.values()])
 
 

@@ -65,7 +65,7 @@ def hit_point(project: Project, frame: int, selection: Selection, position: Vect
     """The nearest anchor or handle of the selected shapes within reach, or None."""
     best: PointHit | None = None
     for shape in _selected(project, frame, selection):
-        points = shape.at(frame).points
+        points = shape.at(frame).grips
         distances = np.hypot(*np.moveaxis((points - position) / pixel, -1, 0))
         distances[:, [IN, OUT]] += SAME_SPOT
         distances[~_grabbable(points, shape.id, selection)] = np.inf
@@ -97,8 +97,13 @@ def points_in_box(shapes: Iterable[RotoShape], frame: int, a: Vector, b: Vector)
     return frozenset(
         (shape.id, int(index))
         for shape in shapes
-        for index in np.flatnonzero(((shape.at(frame).anchors >= low) & (shape.at(frame).anchors <= high)).all(axis=1))
+        for index in np.flatnonzero(((_spots(shape, frame) >= low) & (_spots(shape, frame) <= high)).all(axis=1))
     )
+
+
+def _spots(shape: RotoShape, frame: int) -> Array:
+    """Where the shape's points are seen, `(P, 2)`: its anchors, or a B-spline's control points."""
+    return shape.at(frame).grips[:, ANCHOR]
 
 
 def _selected(project: Project, frame: int, selection: Selection) -> Iterator[RotoShape]:

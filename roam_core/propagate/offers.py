@@ -13,7 +13,7 @@ from roam_core.geometry.simple import simplified
 from roam_core.propagate.nodes import smooth_points
 from roam_core.proposal.contour import follow
 from roam_core.proposal.topology import TopologyChange, TopologyKind
-from roam_core.roto import Clip, Keyframe, Layer, Origin, Project, RotoShape
+from roam_core.roto import Clip, Keyframe, Layer, Origin, Project, RotoShape, Spline
 from roam_core.roto.edit import set_engine_keys, set_key
 
 Array = NDArray[np.float64]
@@ -82,6 +82,7 @@ class Proposal:
                 id=project.free_id("shape"),
                 name=project.free_name(f"{shape.name} part"),
                 keys=(Keyframe(self.frame, begun.points),),
+                spline=Spline.BEZIER,
                 lifetime=_lifetime(shape, project.clip, self.frame, step),
             )
             project = _put_above(project, ids[-1], new)

@@ -1,7 +1,7 @@
 """The artist's data: immutable projects, layers, shapes and keyframes; the edit verbs; the project file."""
 
 from roam_core.roto.project import Clip, Layer, Project
-from roam_core.roto.shape import BlendMode, Interpolation, Keyframe, MotionBlur, Origin, Outline, RotoShape
+from roam_core.roto.shape import BlendMode, Interpolation, Keyframe, MotionBlur, Origin, Outline, RotoShape, Spline
 
 __all__ = [
     "BlendMode",
@@ -14,4 +14,5 @@ __all__ = [
     "Outline",
     "Project",
     "RotoShape",
+    "Spline",
 ]

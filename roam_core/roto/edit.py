@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
 from itertools import count
 from typing import Any
@@ -11,10 +11,11 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from roam_core.errors import RoamError
-from roam_core.geometry import bezier
+from roam_core.geometry import bezier, bspline
 from roam_core.geometry.bezier import ANCHOR, IN, OUT
+from roam_core.roto import grips as held
 from roam_core.roto.project import PALETTE, Layer, Project
-from roam_core.roto.shape import Interpolation, Keyframe, Origin, RotoShape
+from roam_core.roto.shape import Interpolation, Keyframe, Origin, RotoShape, Spline
 
 Array = NDArray[np.float64]
 Part = tuple[int, int]
@@ -35,14 +36,25 @@ def add_shape(project: Project, shape: RotoShape, layer_id: str = "root") -> Pro
 
 
 def new_shape(
-    project: Project, points: ArrayLike, frame: int, *, name: str = "", closed: bool = True, layer_id: str = "root"
+    project: Project,
+    grips: ArrayLike,
+    frame: int,
+    *,
+    name: str = "",
+    closed: bool = True,
+    layer_id: str = "root",
+    spline: Spline = Spline.BEZIER,
 ) -> tuple[Project, RotoShape]:
-    """Add a shape with one artist key at `frame`; its id, name and colour are the next free ones."""
+    """Add a shape with one artist key at `frame`; its id, name and colour are the next free ones.
+
+    `grips (P, 3, 2)` are its points, or the control points of a B-spline (`roam_core.roto.grips`).
+    """
     shape = RotoShape(
         id=project.free_id("shape"),
         name=name or project.free_name("Shape"),
-        keys=(Keyframe(frame, np.asarray(points, dtype=np.float64)),),
+        keys=(Keyframe(frame, held.points_of(grips, spline, closed)),),
         closed=closed,
+        spline=spline,
         colour=PALETTE[len(project.shapes) % len(PALETTE)],
     )
     return add_shape(project, shape, layer_id), shape
@@ -125,17 +137,27 @@ def set_key(shape: RotoShape, frame: int, points: ArrayLike, feather: ArrayLike 
     return shape.with_key(key)
 
 
+def set_grips(shape: RotoShape, frame: int, grips: ArrayLike) -> RotoShape:
+    """The shape with an artist key at `frame` whose `grips (P, 3, 2)` (`Outline.grips`) lie there."""
+    return set_key(shape, frame, held.points_of(grips, shape.spline, shape.closed))
+
+
 def key_here(shape: RotoShape, frame: int) -> RotoShape:
     """Make the shape as it is at `frame` an artist key."""
     return set_key(shape, frame, shape.at(frame).points)
 
 
 def set_engine_keys(shape: RotoShape, keys: Iterable[Keyframe]) -> RotoShape:
-    """Put the engine's keys on their frames. A frame that holds an artist key keeps it untouched."""
+    """Put the engine's keys on their frames. A frame that holds an artist key keeps it untouched.
+
+    On a B-spline shape each becomes the nearest B-spline, so that its control points stay the artist's to drag.
+    """
     sacred = set(shape.artist_frames)
     made = [key for key in keys if key.frame not in sacred]
     if any(key.origin is not Origin.ENGINE for key in made):
         raise ValueError("set_engine_keys was given a key that the engine did not make")
+    if shape.spline is Spline.BSPLINE:
+        made = [replace(key, points=held.settled(key.points, shape)) for key in made]
     return shape.with_keys(made)
 
 
@@ -174,7 +196,7 @@ def toggle_closed(shape: RotoShape) -> RotoShape:
     """The open shape closed, or the closed one opened; raises `RoamError` where it has too few points to be closed."""
     if not shape.closed and shape.point_count < MIN_POINTS_CLOSED:
         raise RoamError(f"{shape.name!r} needs at least {MIN_POINTS_CLOSED} points to be closed; add one.")
-    return replace(shape, closed=not shape.closed)
+    return held.opened_or_closed(shape)
 
 
 # ---- points of a shape -----------------------------------------------------------------------------------------------
@@ -253,10 +275,17 @@ def cusp_points(points: Array, indices: Iterable[int]) -> Array:
 def insert_point(shape: RotoShape, segment: int, t: float) -> RotoShape:
     """A new point at `(segment, t)` in every key: the outline changes on no key, nor between linear keys.
 
-    On a segment that is straight in every key the new point is a corner without handles: a polygon stays one.
+    On a segment that is straight in every key the new point is a corner without handles: a polygon stays one. A
+    B-spline has no exact insertion: its new control point and the nearest ones are fitted to the old curve.
     """
     if not 0.0 < t < 1.0:
         raise ValueError(f"t = {t} lies outside (0, 1)")
+    if shape.spline is Spline.BSPLINE:
+        return held.with_control(
+            shape,
+            lambda control: bspline.inserted(control, segment, t, shape.closed),
+            lambda feather: bezier.split(feather, segment, t, shape.closed),
+        )
     arrays = [array for key in shape.keys for array in (key.points, key.feather) if array is not None]
     straight = all(_is_straight(array, segment, shape.closed) for array in arrays)
 
@@ -284,11 +313,13 @@ def delete_points(shape: RotoShape, indices: Sequence[int]) -> RotoShape:
     if shape.point_count - len(gone) < least:
         raise RoamError(f"{shape.name!r} needs at least {least} points; delete the shape instead.")
 
-    def without(points: Array) -> Array:
+    def without(points: Array, one: Callable[[Array, int, bool], Array] = _without_point) -> Array:
         for index in reversed(gone):
-            points = _without_point(points, index, shape.closed)
+            points = one(points, index, shape.closed)
         return points
 
+    if shape.spline is Spline.BSPLINE:
+        return held.with_control(shape, lambda control: without(control, bspline.removed), without)
     return shape.map_points(without)
 
 

@@ -16,7 +16,7 @@ import numpy as np
 from roam_core.errors import RoamError
 from roam_core.roto.migrate import VERSION, migrate
 from roam_core.roto.project import Clip, Layer, Project
-from roam_core.roto.shape import BlendMode, Interpolation, Keyframe, MotionBlur, Origin, RotoShape
+from roam_core.roto.shape import BlendMode, Interpolation, Keyframe, MotionBlur, Origin, RotoShape, Spline
 
 MAX_BYTES = 1 << 30
 """Larger files are refused before they are read."""
@@ -186,6 +186,7 @@ def _shape(shape: RotoShape) -> dict[str, Any]:
         "lifetime": None if shape.lifetime is None else list(shape.lifetime),
         "visible": shape.visible,
         "locked": shape.locked,
+        "spline": shape.spline.value,
         "keys": [_key(key) for key in shape.keys],
         **shape.extra,
     }
@@ -291,10 +292,11 @@ def _read_shape(document: dict[str, Any]) -> RotoShape:
         lifetime=None if lifetime is None else (int(lifetime[0]), int(lifetime[1])),
         visible=bool(document["visible"]),
         locked=bool(document["locked"]),
+        spline=Spline(document.get("spline", Spline.BEZIER)),
         keys=tuple(_read_key(key) for key in document["keys"]),
         extra=_rest(
             document, "type", "id", "name", "closed", "colour", "blend", "opacity", "invert", "feather", "motion_blur",
-            "lifetime", "visible", "locked", "keys",
+            "lifetime", "visible", "locked", "spline", "keys",
         ),
     )  # fmt: skip
 

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from roam_core.geometry import bezier
+from roam_core.geometry import bezier, bspline
 
 Array = NDArray[np.float64]
 
@@ -41,6 +41,17 @@ class BlendMode(StrEnum):
     MAX = "max"
 
 
+class Spline(StrEnum):
+    """What the artist holds of a shape's curve. The keys hold Bezier points in either case.
+
+    BEZIER: anchors with their handles. BSPLINE: the control polygon of a uniform cubic B-spline
+    (`roam_core.geometry.bspline`), which the Bezier points derive from and give back.
+    """
+
+    BEZIER = "bezier"
+    BSPLINE = "bspline"
+
+
 def frozen_array(values: ArrayLike) -> Array:
     """A read-only float64 copy (or the array itself where it is read-only already)."""
     array = np.asarray(values, dtype=np.float64)
@@ -57,11 +68,19 @@ class Outline:
     points: Array
     feather: Array | None
     closed: bool
+    spline: Spline = Spline.BEZIER
 
     @property
     def anchors(self) -> Array:
         """The anchors `(P, 2)`."""
         return self.points[:, bezier.ANCHOR]
+
+    @property
+    def grips(self) -> Array:
+        """What the artist takes hold of, `(P, 3, 2)`: the points, or a B-spline's control points without handles."""
+        if self.spline is Spline.BEZIER:
+            return self.points
+        return bezier.polygon_points(bspline.control_polygon(self.points, self.closed))
 
     def flatten(self, tolerance: float = 0.05) -> Array:
         """The outline as a polyline `(K, 2)` within `tolerance` pixels."""
@@ -140,6 +159,7 @@ class RotoShape:
     keys : at least one key, strictly increasing frames.
     lifetime : half-open frame range in which the shape exists, or None for always.
     feather : width of the uniform soft edge in pixels, outwards positive.
+    spline : what the artist holds of the curve; of a BSPLINE every key's points are those of a uniform B-spline.
     """
 
     id: str
@@ -155,6 +175,7 @@ class RotoShape:
     lifetime: tuple[int, int] | None = None
     visible: bool = True
     locked: bool = False
+    spline: Spline = Spline.BEZIER
     extra: Mapping[str, Any] = field(default_factory=dict, hash=False)
 
     def __post_init__(self) -> None:
@@ -198,13 +219,12 @@ class RotoShape:
         index = bisect.bisect_right(self.keys, frame, key=lambda key: key.frame)
         before, after = self.keys[max(index - 1, 0)], self.keys[min(index, len(self.keys) - 1)]
         if before is after or before.frame == frame or before.interpolation is Interpolation.HOLD:
-            return Outline(before.points, before.feather, self.closed)
+            return Outline(before.points, before.feather, self.closed, self.spline)
         u = (frame - before.frame) / (after.frame - before.frame)
         if before.interpolation is Interpolation.SMOOTH:
             u = u * u * (3.0 - 2.0 * u)
-        return Outline(
-            _blend(before.points, after.points, u), _blend_feather(before.feather, after.feather, u), self.closed
-        )
+        feather = _blend_feather(before.feather, after.feather, u)
+        return Outline(_blend(before.points, after.points, u), feather, self.closed, self.spline)
 
     def with_key(self, key: Keyframe) -> RotoShape:
         """The shape with `key` put on its frame, in place of a key that was there."""

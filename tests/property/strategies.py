@@ -20,7 +20,9 @@ from roam_core.roto import (
     Origin,
     Project,
     RotoShape,
+    Spline,
     edit,
+    grips,
 )
 
 Array = NDArray[np.float64]
@@ -82,7 +84,7 @@ def keyframes(draw: st.DrawFn, frame: int, count: int, origin: Origin | None = N
 
 @st.composite
 def roto_shapes(draw: st.DrawFn, shape_id: str = "shape-1", interpolation: Interpolation | None = None) -> RotoShape:
-    """A shape of 1-4 keys, closed or open."""
+    """A Bezier shape of 1-4 keys, closed or open."""
     closed = draw(st.booleans())
     count = draw(st.integers(3 if closed else 2, 6))
     frames = draw(st.lists(st.integers(-50, 2000), min_size=1, max_size=4, unique=True))
@@ -108,6 +110,17 @@ def roto_shapes(draw: st.DrawFn, shape_id: str = "shape-1", interpolation: Inter
 
 
 @st.composite
+def bspline_shapes(draw: st.DrawFn, shape_id: str = "shape-1") -> RotoShape:
+    """A shape of 1-4 keys, each of them a uniform B-spline."""
+    return grips.with_spline(draw(roto_shapes(shape_id)), Spline.BSPLINE)
+
+
+def any_shapes(shape_id: str) -> st.SearchStrategy[RotoShape]:
+    """A shape of either kind."""
+    return roto_shapes(shape_id) | bspline_shapes(shape_id)
+
+
+@st.composite
 def projects(draw: st.DrawFn) -> Project:
     """A clip or none, and layers nested up to three deep with shapes between them."""
     number = iter(range(1, 1000))
@@ -115,7 +128,7 @@ def projects(draw: st.DrawFn) -> Project:
     def layer(depth: int, layer_id: str) -> Layer:
         kinds = draw(st.lists(st.sampled_from(["shape", "layer"] if depth < 3 else ["shape"]), max_size=2))
         children = tuple(
-            draw(roto_shapes(f"shape-{next(number)}")) if kind == "shape" else layer(depth + 1, f"layer-{next(number)}")
+            draw(any_shapes(f"shape-{next(number)}")) if kind == "shape" else layer(depth + 1, f"layer-{next(number)}")
             for kind in kinds
         )
         return Layer(

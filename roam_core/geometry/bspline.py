@@ -1,0 +1,130 @@
+"""Uniform cubic B-splines: their control polygon `(P, 2)` and the Bezier points `(P, 3, 2)` of the same curve.
+
+A closed spline of P control points D is P cubics: anchor i is `(D[i-1] + 4 D[i] + D[i+1]) / 6` and its handles are
+`(D[i-1] + 2 D[i]) / 3` and `(2 D[i] + D[i+1]) / 3`. An open one begins on its first control point and ends on its last:
+there a control point beyond the end is thought of, opposite to the one before it. Every map here is linear, so tracked
+shapes, interpolated keys and feather offsets stay what they are.
+"""
+
+from __future__ import annotations
+
+from functools import lru_cache
+
+import numpy as np
+from numpy.typing import NDArray
+
+from roam_core.geometry import bezier
+from roam_core.geometry.bezier import ANCHOR, IN, OUT
+
+Array = NDArray[np.float64]
+IntArray = NDArray[np.intp]
+
+SAMPLES = 4
+"""Places on each segment at which a control polygon is fitted to a curve."""
+
+REACH = 2
+"""Control points on either side that move along when one is inserted or taken out."""
+
+
+def bezier_points(control: Array, closed: bool = True) -> Array:
+    """The Bezier points `(P, 3, 2)` of the spline with `control (P, 2)`: the same curve, exactly.
+
+    The handles beyond the ends of an open spline lie on their anchors.
+    """
+    if closed:
+        before, after = np.roll(control, 1, axis=0), np.roll(control, -1, axis=0)
+    else:
+        before = np.concatenate([2.0 * control[:1] - control[1:2], control[:-1]])
+        after = np.concatenate([control[1:], 2.0 * control[-1:] - control[-2:-1]])
+    points = np.empty((len(control), 3, *control.shape[1:]))
+    points[:, ANCHOR] = (before + 4.0 * control + after) / 6.0
+    points[:, IN] = (before + 2.0 * control) / 3.0
+    points[:, OUT] = (2.0 * control + after) / 3.0
+    if not closed:
+        points[0, [ANCHOR, IN]], points[-1, [ANCHOR, OUT]] = control[0], control[-1]
+    return points
+
+
+def control_polygon(points: Array, closed: bool = True) -> Array:
+    """The control polygon `(P, 2)` whose spline lies nearest to the curve of `points (P, 3, 2)`.
+
+    Nearest in the least squares of `SAMPLES` places a segment, at equal parameters; the one of a B-spline comes back as
+    it was (up to rounding).
+    """
+    segment, t = _places(len(points), closed)
+    return np.asarray(_fitting(len(points), closed) @ bezier.evaluate(points, segment, t, closed))
+
+
+def is_bspline(points: Array, closed: bool = True, tolerance: float = 1e-6) -> bool:
+    """True when `points (P, 3, 2)` are those of a uniform B-spline, within `tolerance` pixels."""
+    return bool(np.abs(bezier_points(control_polygon(points, closed), closed) - points).max() <= tolerance)
+
+
+def inserted(control: Array, segment: int, t: float, closed: bool = True) -> Array:
+    """The control polygon `(P + 1, 2)` with one more point, of index `segment + 1`, near `(segment, t)`.
+
+    A uniform spline has no exact insertion: the new point and `REACH` on either side are fitted to the old curve, cut
+    at `(segment, t)`; the rest of the polygon stays.
+    """
+    count, index = len(control), segment + 1
+    after = control[index % count]
+    guess = np.insert(control, index, (1.0 - t) * control[segment] + t * after, axis=0)
+    place, u = _places(count + 1, closed)
+    old = np.where(place > segment, place - 1, place)
+    start, stop = (place == index) * t, np.where(place == segment, t, 1.0)
+    near = np.arange(index - REACH, index + REACH + 1)
+    return _fitted(control, guess, near, (old, start + (stop - start) * u), (place, u), closed)
+
+
+def removed(control: Array, index: int, closed: bool = True) -> Array:
+    """The control polygon `(P - 1, 2)` without one point; `REACH` on either side are fitted to the old curve.
+
+    The end of an open spline is taken off, and the rest of its polygon stays.
+    """
+    count = len(control)
+    guess = np.delete(control, index, axis=0)
+    if not closed and index in (0, count - 1):
+        return guess
+    place, u = _places(count - 1, closed)
+    merged = place == (index - 1) % (count - 1)
+    second = merged & (u >= 0.5)
+    old = (np.delete(np.arange(count), index)[place] + second) % count
+    halves = np.where(merged, 2.0 * u - second, u)
+    near = np.arange(index - REACH, index + REACH)
+    return _fitted(control, guess, near, (old, halves), (place, u), closed)
+
+
+def _places(count: int, closed: bool) -> tuple[IntArray, Array]:
+    """The pairs `(segment, t)` of a spline of `count` points at which curves are compared."""
+    spans = bezier.segment_count(count, closed)
+    t = np.arange(SAMPLES) / SAMPLES
+    segment, u = np.repeat(np.arange(spans), SAMPLES), np.tile(t, spans)
+    return (segment, u) if closed else (np.append(segment, spans - 1), np.append(u, 1.0))
+
+
+def _design(count: int, closed: bool) -> Array:
+    """The linear map `(N, count)` from a control polygon to its curve at `_places`."""
+    segment, t = _places(count, closed)
+    return bezier.evaluate(bezier_points(np.eye(count), closed), segment, t, closed)
+
+
+@lru_cache(maxsize=16)
+def _fitting(count: int, closed: bool) -> Array:
+    """The linear map `(count, N)` from a curve at `_places` to the control polygon nearest to it."""
+    design = _design(count, closed)
+    return np.asarray(np.linalg.solve(design.T @ design, design.T), dtype=np.float64)
+
+
+def _fitted(
+    control: Array, guess: Array, near: IntArray, old: tuple[IntArray, Array], new: tuple[IntArray, Array], closed: bool
+) -> Array:
+    """`guess` with the points `near` moved so that its curve at `new` meets the old one at `old`."""
+    count = len(guess)
+    free = np.unique(near % count) if closed else near[(near >= 0) & (near < count)]
+    missed = bezier.evaluate(bezier_points(control, closed), *old, closed) - bezier.evaluate(
+        bezier_points(guess, closed), *new, closed
+    )
+    step, *_ = np.linalg.lstsq(_design(count, closed)[:, free], missed, rcond=None)
+    result = guess.copy()
+    result[free] += step
+    return result
