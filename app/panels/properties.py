@@ -1,17 +1,15 @@
-"""The shape panel: the plain fields of the selected shapes, each a pair of lines between document and widget."""
+"""The shape panel: everything plain about the selected shapes, each control two lines: from the document, and to it."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
 from typing import Any
 
 from PySide6.QtCore import QSignalBlocker, Qt
 from PySide6.QtWidgets import (
-    QButtonGroup,
-    QCheckBox,
     QComboBox,
-    QDoubleSpinBox,
+    QGridLayout,
     QHBoxLayout,
     QLabel,
     QLineEdit,
@@ -22,30 +20,40 @@ from PySide6.QtWidgets import (
 
 from app import style
 from app.document import Document
-from app.panels.controls import dense_form, form_label
+from app.navigation import clip_frames
+from app.panels.colour_row import ColourRow
+from app.panels.controls import FRAME_LIMIT, dense_form, form_label
+from app.panels.fields import MIXED, NumberField, ScrubLabel, SwitchBox, shared
 from app.view_state import ViewState, selected_shapes
-from roam_core.roto import BlendMode, RotoShape, edit
+from roam_core.roto import BlendMode, MotionBlur, RotoShape
 from roam_core.roto.edit import MIN_POINTS_CLOSED
-from roam_core.roto.project import PALETTE
+from roam_core.roto.properties import begin_at, end_at, limit_lifetime, set_motion_blur
 
 NOTHING = "Select a shape to see its properties."
+FREE_OF_LOCKS = {"visible", "locked"}
+"""What can be changed on a locked shape."""
+
+Shapes = Sequence[RotoShape]
+Verb = Callable[[RotoShape], RotoShape]
 
 
 @dataclass(frozen=True)
 class Field:
-    """One control: how it shows a shape's value. Writing goes through `PropertiesPanel.push`."""
+    """One control: how it shows the values of shapes. Writing goes through `PropertiesPanel.push`."""
 
     widget: QWidget
-    show: Callable[[RotoShape], None]
+    show: Callable[[Shapes], None]
+    works_locked: bool = False
 
 
 class PropertiesPanel(QWidget):
-    """Shows the first of the selected shapes and edits all of them."""
+    """Shows the selected shapes, what differs between them as mixed, and edits all of them at once."""
 
     def __init__(self, document: Document, view_state: ViewState, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._document, self._view = document, view_state
         self._fields: list[Field] = []
+        self._lifetime_rows: list[QWidget] = []
         self._form_page = QWidget()
         self._form = dense_form()
         self._form.setContentsMargins(style.MARGIN, style.MARGIN, style.MARGIN, style.MARGIN)
@@ -56,63 +64,161 @@ class PropertiesPanel(QWidget):
         self._pages = QStackedLayout(self)
         self._pages.addWidget(self._hint)
         self._pages.addWidget(self._form_page)
-        self._build()
+        self._build_looks()
+        self._build_switches()
+        self._build_motion_blur()
+        self._build_lifetime()
         for signal in (document.changed, document.replaced, view_state.selection_changed):
             signal.connect(self._pull)
         self._pull()
 
     # ---- the controls, two lines each: model to widget, widget to model
 
-    def _build(self) -> None:
-        name = QLineEdit()
-        self._add("Name", name, lambda shape: name.setText(shape.name))
+    def _build_looks(self) -> None:
+        self.name = name = QLineEdit()
+        name.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
+        self._add_row(form_label("Name"), name, lambda shapes: self._show_name(shapes))
         name.editingFinished.connect(lambda: self._push_name(name.text().strip()))
 
-        opacity = _number(0.0, 100.0, " %", decimals=0)
-        self._add("Opacity", opacity, lambda shape: opacity.setValue(shape.opacity * 100))
-        opacity.valueChanged.connect(lambda value: self.push("Opacity", opacity=value / 100))
+        self.colours = colours = ColourRow()
+        self._add_row(
+            form_label("Colour"), colours, lambda shapes: colours.show_colour(shared(s.colour for s in shapes))
+        )
+        colours.picked.connect(lambda colour: self.push("Colour", colour=colour))
 
-        blend = QComboBox()
+        self.blend = blend = QComboBox()
+        blend.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
+        blend.setPlaceholderText(MIXED)
+        blend.setToolTip("How the shape joins what lies under it in its layer")
         for mode in BlendMode:
             blend.addItem(mode.value.capitalize(), mode)
-        self._add("Blend", blend, lambda shape: blend.setCurrentIndex(blend.findData(shape.blend)))
+        self._add_row(form_label("Blend"), blend, lambda shapes: _show_blend(blend, shapes))
         blend.currentIndexChanged.connect(lambda _: self.push("Blend", blend=BlendMode(blend.currentData())))
 
-        feather = _number(0.0, 500.0, " px", decimals=1)
-        self._add("Feather", feather, lambda shape: feather.setValue(shape.feather))
-        feather.valueChanged.connect(lambda value: self.push("Feather", feather=value))
+        self.opacity = NumberField(0.0, 100.0, suffix=" %")
+        self._add_number("Opacity", self.opacity, lambda s: s.opacity * 100, lambda s, v: replace(s, opacity=v / 100))
 
-        invert, closed = QCheckBox("Invert"), QCheckBox("Closed")
-        self._fields.append(Field(invert, lambda shape: invert.setChecked(shape.invert)))
-        invert.toggled.connect(lambda on: self.push("Invert", invert=on))
-        self._fields.append(Field(closed, lambda shape: closed.setChecked(shape.closed)))
-        closed.toggled.connect(lambda on: self.push("Close" if on else "Open", closed=on))
-        self._form.addRow(form_label("Outline"), _side_by_side(closed, invert))
+        tip = "Width of an even soft edge; below zero it lies inside"
+        self.feather = NumberField(-500.0, 500.0, suffix=" px", decimals=1, step=0.5, tip=tip)
+        self._add_number("Feather", self.feather, lambda s: s.feather, lambda s, v: replace(s, feather=v))
 
-        colours = ColourRow()
-        self._add("Colour", colours, lambda shape: colours.show_colour(shape.colour))
-        colours.group.idClicked.connect(lambda index: self.push("Colour", colour=PALETTE[index]))
-        self.name, self.opacity, self.blend, self.feather = name, opacity, blend, feather
-        self.invert, self.closed, self.colours = invert, closed, colours
+    def _build_switches(self) -> None:
+        self.visible = SwitchBox("Visible", "A hidden shape takes no part in the matte")
+        self.locked = SwitchBox("Locked", "A locked shape cannot be changed by hand")
+        self.invert = SwitchBox("Invert", "The matte is what lies outside of the shape")
+        self.closed = SwitchBox("Closed", "Only a closed shape has a matte")
+        grid = QGridLayout()
+        grid.setVerticalSpacing(0)
+        grid.setHorizontalSpacing(2 * style.MARGIN)
+        grid.setColumnStretch(2, 1)
+        switches = ("visible", self.visible), ("locked", self.locked), ("closed", self.closed), ("invert", self.invert)
+        for index, (name, box) in enumerate(switches):
+            grid.addWidget(box, index // 2, index % 2)
+            self._add_switch(name, box)
+        self._form.addRow(form_label("State"), grid)
 
-    def _add(self, label: str, widget: QWidget, show: Callable[[RotoShape], None]) -> None:
+    def _build_motion_blur(self) -> None:
+        self.blur = blur = SwitchBox("On", "Soft edges where the points move while the shutter is open")
+        self._add_row(
+            form_label("Motion blur"), blur, lambda shapes: blur.show_value(shared(bool(s.motion_blur) for s in shapes))
+        )
+        blur.clicked.connect(lambda on: self.push_each("Motion blur", lambda shape: set_motion_blur(shape, on)))
+        self.shutter = NumberField(
+            0.0, 4.0, suffix=" frames", decimals=2, step=0.05, tip="How long the shutter is open; 0.5 is 180 degrees"
+        )
+        self.phase = NumberField(
+            -4.0, 4.0, suffix=" frames", decimals=2, step=0.05, tip="When it opens, counted from the frame"
+        )
+        self.samples = NumberField(2.0, 256.0, tip="Moments of the open shutter that are joined")
+        for label, field in (("Shutter", self.shutter), ("Phase", self.phase), ("Samples", self.samples)):
+            self._add_blur_number(label, field)
+
+    def _add_blur_number(self, label: str, field: NumberField) -> None:
+        name = label.lower()
+        kind = int if name == "samples" else float
+
+        def put(shape: RotoShape, value: float) -> RotoShape:
+            return set_motion_blur(shape, True, **{name: kind(value)}) if shape.motion_blur else shape
+
+        self._add_number(label, field, lambda s: getattr(s.motion_blur or MotionBlur(), name), put)
+
+    def _build_lifetime(self) -> None:
+        self.limited = limited = SwitchBox("Limited", "The shape exists on some frames only")
+        self._add_row(
+            form_label("Lifetime"), limited, lambda shapes: limited.show_value(shared(bool(s.lifetime) for s in shapes))
+        )
+        limited.clicked.connect(
+            lambda on: self.push_each("Lifetime", lambda shape: limit_lifetime(shape, on, self._clip()))
+        )
+        self.first = NumberField(-FRAME_LIMIT, FRAME_LIMIT, tip="First frame on which the shape exists")
+        self.last = NumberField(-FRAME_LIMIT, FRAME_LIMIT, tip="Last frame on which the shape exists")
+        self.from_here, self.to_here = _here("From this frame on"), _here("Up to this frame")
+        self.from_here.clicked.connect(lambda: self._push_frame(begin_at, self._view.frame))
+        self.to_here.clicked.connect(lambda: self._push_frame(end_at, self._view.frame))
+        self._add_frame("From", self.first, self.from_here, lambda s: s.lifetime[0] if s.lifetime else None, begin_at)
+        self._add_frame("To", self.last, self.to_here, lambda s: s.lifetime[1] - 1 if s.lifetime else None, end_at)
+
+    def _add_frame(self, label: str, field: NumberField, here: QToolButton, get: Any, verb: Any) -> None:
+        row = QWidget()
+        box = QHBoxLayout(row)
+        box.setContentsMargins(0, 0, 0, 0)
+        box.addWidget(field, 1)
+        box.addWidget(here)
+        self._fields.append(Field(row, lambda shapes: field.show_value(shared(get(shape) for shape in shapes))))
+        field.edited.connect(lambda value, key: self._push_frame(verb, int(value), key))
+        self._form.addRow(ScrubLabel(label, field), row)
+        self._lifetime_rows.append(row)
+
+    # ---- making rows
+
+    def _add_row(self, label: QLabel, widget: QWidget, show: Callable[[Shapes], None]) -> None:
         self._fields.append(Field(widget, show))
-        if not isinstance(widget, ColourRow):
-            widget.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
-        self._form.addRow(form_label(label), widget)
+        self._form.addRow(label, widget)
 
-    def push(self, text: str, **values: Any) -> None:
+    def _add_number(
+        self,
+        label: str,
+        field: NumberField,
+        get: Callable[[RotoShape], float],
+        put: Callable[[RotoShape, float], RotoShape],
+    ) -> None:
+        self._add_row(ScrubLabel(label, field), field, lambda shapes: field.show_value(shared(map(get, shapes))))
+        field.edited.connect(lambda value, key: self.push_each(label, lambda shape: put(shape, value), key))
+
+    def _add_switch(self, name: str, box: SwitchBox) -> None:
+        def show(shapes: Shapes) -> None:
+            box.show_value(shared(getattr(shape, name) for shape in shapes))
+
+        self._fields.append(Field(box, show, works_locked=name in FREE_OF_LOCKS))
+        box.clicked.connect(lambda on: self.push(_switched(name, on), **{name: on}))
+
+    # ---- widget to model
+
+    def push(self, text: str, merge_key: str = "", **values: Any) -> None:
         """Set fields of every selected shape, as one undo step; what is equal already is no step."""
+        self.push_each(text, lambda shape: replace(shape, **values), merge_key, values.keys() <= FREE_OF_LOCKS)
+
+    def push_each(self, text: str, verb: Verb, merge_key: str = "", works_locked: bool = False) -> None:
+        """Put `verb(shape)` in the place of every selected shape that is not locked, as one undo step."""
         project = self._document.project
         for shape in self._selected():
-            if any(getattr(shape, name) != value for name, value in values.items()):
-                project = edit.set_properties(project, shape.id, **values)
-        self._document.apply(text, project)
+            if (works_locked or not shape.locked) and (edited := verb(shape)) != shape:
+                project = project.with_shape(edited)
+        self._document.apply(text, project, merge_key and f"{merge_key} {text}")
+        self._pull()
 
     def _push_name(self, name: str) -> None:
-        if name:
+        if name and len(self._selected()) == 1:
             self.push("Rename", name=name)
         self._pull()
+
+    def _push_frame(self, verb: Callable[[RotoShape, int, range], RotoShape], frame: int, merge_key: str = "") -> None:
+        self.push_each("Lifetime", lambda shape: verb(shape, frame, self._clip()), merge_key)
+
+    def _clip(self) -> range:
+        return clip_frames(self._document.project, self._view.frame)
+
+    # ---- model to widget
 
     def _selected(self) -> list[RotoShape]:
         return selected_shapes(self._document.project, self._view.selection)
@@ -120,65 +226,46 @@ class PropertiesPanel(QWidget):
     def _pull(self, _ids: object = None) -> None:
         selected = self._selected()
         self._pages.setCurrentWidget(self._form_page if selected else self._hint)
-        for field in self._fields if selected else ():
+        if not selected:
+            return
+        is_free = any(not shape.locked for shape in selected)
+        for field in self._fields:
             with QSignalBlocker(field.widget):
-                field.show(selected[0])
-            field.widget.setEnabled(not selected[0].locked)
-        if selected:
-            self.closed.setEnabled(_can_toggle_closed(selected[0]))
-        if len(selected) > 1:  # a name belongs to one shape
-            self.name.clear()
-            self.name.setEnabled(False)
-            self.name.setPlaceholderText(f"{len(selected)} shapes")
+                field.show(selected)
+            field.widget.setEnabled(is_free or field.works_locked)
+        self.closed.setEnabled(is_free and all(shape.point_count >= MIN_POINTS_CLOSED for shape in selected))
+        self.name.setEnabled(is_free and len(selected) == 1)
+        for field_row in (self.shutter, self.phase, self.samples):
+            self._form.setRowVisible(field_row, any(shape.motion_blur for shape in selected))
+        for row in self._lifetime_rows:
+            self._form.setRowVisible(row, any(shape.lifetime for shape in selected))
+
+    def _show_name(self, shapes: Shapes) -> None:
+        """A name belongs to one shape."""
+        is_one = len(shapes) == 1
+        self.name.setText(shapes[0].name if is_one else "")
+        self.name.setPlaceholderText("" if is_one else f"{len(shapes)} shapes")
 
 
-class ColourRow(QWidget):
-    """The palette as eight small squares; the shape's own is framed."""
-
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self.group = QButtonGroup(self)
-        row = QHBoxLayout(self)
-        row.setContentsMargins(0, 0, 0, 0)
-        row.setSpacing(1)
-        for index, colour in enumerate(PALETTE):
-            button = QToolButton()
-            button.setIcon(style.swatch(colour, 12))
-            button.setCheckable(True)
-            button.setFixedSize(20, 20)
-            button.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-            self.group.addButton(button, index)
-            row.addWidget(button)
-        row.addStretch(1)
-
-    def show_colour(self, colour: tuple[float, float, float]) -> None:
-        """Frame the square of this colour, or none."""
-        self.group.setExclusive(False)
-        for index, known in enumerate(PALETTE):
-            self.group.button(index).setChecked(known == colour)
-        self.group.setExclusive(True)
+def _show_blend(blend: QComboBox, shapes: Shapes) -> None:
+    mode = shared(shape.blend for shape in shapes)
+    blend.setCurrentIndex(-1 if mode is None else blend.findData(mode))
 
 
-def _number(low: float, high: float, suffix: str, *, decimals: int) -> QDoubleSpinBox:
-    field = QDoubleSpinBox()
-    field.setRange(low, high)
-    field.setDecimals(decimals)
-    field.setSuffix(suffix)
-    field.setKeyboardTracking(False)
-    field.setAlignment(Qt.AlignmentFlag.AlignRight)
-    return field
+def _here(tip: str) -> QToolButton:
+    button = QToolButton()
+    button.setObjectName("raised")
+    button.setText("here")
+    button.setToolTip(tip)
+    button.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+    button.setFixedHeight(style.ROW_HEIGHT)
+    return button
 
 
-def _side_by_side(*widgets: QWidget) -> QHBoxLayout:
-    row = QHBoxLayout()
-    row.setSpacing(16)
-    for widget in widgets:
-        widget.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-        row.addWidget(widget)
-    row.addStretch(1)
-    return row
-
-
-def _can_toggle_closed(shape: RotoShape) -> bool:
-    """A shape of two points cannot be closed."""
-    return not shape.locked and shape.point_count >= MIN_POINTS_CLOSED
+def _switched(name: str, on: bool) -> str:
+    """What a switch's undo step is called."""
+    words = {
+        "visible": ("Hide", "Show"), "locked": ("Unlock", "Lock"), "closed": ("Open", "Close"),
+        "invert": ("Undo invert", "Invert"),
+    }  # fmt: skip
+    return words[name][on]

@@ -3,16 +3,22 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from pathlib import Path
 
 import pytest
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QPoint, QPointF, Qt
+from PySide6.QtGui import QColor, QWheelEvent
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QColorDialog
 from pytestqt.qtbot import QtBot
 
 from app.document import Document
+from app.panels.colour_row import OTHER
+from app.panels.fields import NumberField, ScrubLabel
 from app.panels.properties import PropertiesPanel
 from app.view_state import ViewState
 from roam_core.geometry.bezier import polygon_points
-from roam_core.roto import BlendMode, Project, RotoShape, edit
+from roam_core.roto import BlendMode, Clip, MotionBlur, Project, RotoShape, edit
 from roam_core.roto.project import PALETTE
 
 SQUARE = polygon_points([(0, 0), (10, 0), (10, 10), (0, 10)])
@@ -24,7 +30,7 @@ def panel(qtbot: QtBot, document: Document, view_state: ViewState) -> Properties
     qtbot.addWidget(panel)
     with qtbot.waitExposed(panel):
         panel.show()
-    project = Project()
+    project = Project(clip=Clip(Path("plate"), 1, 20, (200, 150)))
     for _ in range(2):
         project, _shape = edit.new_shape(project, SQUARE, 1)
     document.open(project, None)
@@ -51,6 +57,10 @@ ACTS: dict[str, tuple[Act, object]] = {
     "invert": (lambda qtbot, panel: panel.invert.click(), True),
     "closed": (lambda qtbot, panel: panel.closed.click(), False),
     "colour": (lambda qtbot, panel: panel.colours.group.button(4).click(), PALETTE[4]),
+    "visible": (lambda qtbot, panel: panel.visible.click(), False),
+    "locked": (lambda qtbot, panel: panel.locked.click(), True),
+    "motion_blur": (lambda qtbot, panel: panel.blur.click(), MotionBlur()),
+    "lifetime": (lambda qtbot, panel: panel.limited.click(), (1, 21)),
 }
 
 
@@ -73,6 +83,10 @@ def test_a_control_edits_its_field_in_one_step_and_follows_undo(
         "invert": not panel.invert.isChecked(),
         "closed": panel.closed.isChecked(),
         "colour": panel.colours.group.checkedId() == 0,
+        "visible": panel.visible.isChecked(),
+        "locked": not panel.locked.isChecked(),
+        "motion_blur": not panel.blur.isChecked(),
+        "lifetime": not panel.limited.isChecked(),
     }
     assert shown[name]
     assert document.undo_stack.count() == 1  # showing a value is no edit
@@ -117,3 +131,125 @@ def test_an_empty_name_is_put_back(qtbot: QtBot, panel: PropertiesPanel, documen
 def test_without_a_selection_it_says_what_to_do(panel: PropertiesPanel, view_state: ViewState) -> None:
     view_state.select(frozenset())
     assert panel._pages.currentWidget() is panel._hint
+
+
+def both(document: Document, view_state: ViewState, **values: object) -> None:
+    """Select both shapes, with some fields of the first set; that is no step."""
+    document.open(edit.set_properties(document.project, "shape-1", **values), None)
+    view_state.select(frozenset({"shape-1", "shape-2"}))
+
+
+def test_what_differs_is_shown_as_mixed(panel: PropertiesPanel, document: Document, view_state: ViewState) -> None:
+    both(document, view_state, opacity=0.5, invert=True, blend=BlendMode.MAX, colour=PALETTE[3], lifetime=(2, 5))
+    assert panel.opacity.is_mixed
+    assert panel.opacity.text() == ""
+    assert panel.invert.checkState() is Qt.CheckState.PartiallyChecked
+    assert panel.blend.currentIndex() == -1
+    assert panel.colours.group.checkedId() == -1
+    assert panel.limited.checkState() is Qt.CheckState.PartiallyChecked
+    assert panel.feather.text() == "0.0 px"
+
+
+def test_mixed_values_become_one_by_one_edit(
+    qtbot: QtBot, panel: PropertiesPanel, document: Document, view_state: ViewState
+) -> None:
+    both(document, view_state, opacity=0.5, invert=True, blend=BlendMode.MAX)
+    type_in(qtbot, panel.opacity, "100")  # what the field held unseen counts when it is typed
+    panel.invert.click()
+    panel.blend.setCurrentIndex(panel.blend.findData(BlendMode.ADD))
+    assert {(each.opacity, each.invert, each.blend) for each in document.project.shapes} == {(1.0, True, BlendMode.ADD)}
+    assert document.undo_stack.count() == 3
+
+
+def test_leaving_a_mixed_field_changes_nothing(
+    qtbot: QtBot, panel: PropertiesPanel, document: Document, view_state: ViewState
+) -> None:
+    both(document, view_state, opacity=0.5)
+    panel.opacity.setFocus()
+    qtbot.keyClick(panel.opacity, Qt.Key.Key_Return)
+    assert document.undo_stack.count() == 0
+    assert panel.opacity.is_mixed
+
+
+def test_a_turn_of_the_wheel_is_one_step(panel: PropertiesPanel, document: Document) -> None:
+    def turn() -> None:
+        middle = QPointF(panel.opacity.rect().center())
+        none, where = Qt.KeyboardModifier.NoModifier, QPointF(panel.opacity.mapToGlobal(middle))
+        scroll = Qt.ScrollPhase.NoScrollPhase
+        event = QWheelEvent(middle, where, QPoint(), QPoint(0, -120), Qt.MouseButton.NoButton, none, scroll, False)
+        QApplication.sendEvent(panel.opacity, event)
+
+    turn()
+    assert shape(document).opacity == 1.0  # a field that was not chosen lets the panel scroll
+    panel.opacity.setFocus()
+    for _ in range(3):
+        turn()
+    assert shape(document).opacity == pytest.approx(0.97)
+    assert document.undo_stack.count() == 1
+
+
+def label_of(panel: PropertiesPanel, field: NumberField) -> ScrubLabel:
+    label = panel._form.labelForField(field)
+    assert isinstance(label, ScrubLabel)
+    return label
+
+
+def test_dragging_a_label_is_one_step_and_two_drags_are_two(panel: PropertiesPanel, document: Document) -> None:
+    label = label_of(panel, panel.feather)
+    for start, far in ((10, 50), (10, 26)):
+        QTest.mousePress(label, Qt.MouseButton.LeftButton, pos=QPoint(start, 8))
+        for x in (start + 4, far):
+            QTest.mouseMove(label, QPoint(x, 8))
+        QTest.mouseRelease(label, Qt.MouseButton.LeftButton, pos=QPoint(far, 8))
+    assert shape(document).feather == pytest.approx(7.0)  # 56 px of 4 px a step of .5
+    assert document.undo_stack.count() == 2
+    document.undo_stack.undo()
+    assert shape(document).feather == pytest.approx(5.0)
+
+
+def test_motion_blur_has_its_numbers(qtbot: QtBot, panel: PropertiesPanel, document: Document) -> None:
+    assert not panel.shutter.isVisible()
+    panel.blur.click()
+    assert panel.shutter.isVisible()
+    type_in(qtbot, panel.shutter, "1")
+    type_in(qtbot, panel.phase, "-0.5")
+    type_in(qtbot, panel.samples, "9")
+    assert shape(document).motion_blur == MotionBlur(1.0, -0.5, 9)
+    assert isinstance(shape(document).motion_blur.samples, int)
+    panel.blur.click()
+    assert shape(document).motion_blur is None
+    assert document.undo_stack.count() == 5
+
+
+def test_a_lifetime_is_typed_or_taken_from_the_playhead(
+    qtbot: QtBot, panel: PropertiesPanel, document: Document, view_state: ViewState
+) -> None:
+    assert not panel.first.isVisible()
+    panel.limited.click()
+    type_in(qtbot, panel.first, "4")
+    type_in(qtbot, panel.last, "9")
+    assert shape(document).lifetime == (4, 10)  # the last frame is in it
+    view_state.set_frame(6)
+    panel.to_here.click()
+    assert shape(document).lifetime == (4, 7)
+    view_state.set_frame(12)
+    panel.from_here.click()
+    assert shape(document).lifetime == (12, 13)
+    assert (panel.first.value(), panel.last.value()) == (12, 12)
+
+
+def test_any_colour_can_be_picked(panel: PropertiesPanel, document: Document) -> None:
+    panel.colours.group.button(OTHER).click()
+    dialog = panel.colours.findChild(QColorDialog)
+    dialog.setCurrentColor(QColor.fromRgbF(0.2, 0.4, 0.6))
+    dialog.accept()
+    assert shape(document).colour == pytest.approx((0.2, 0.4, 0.6), abs=0.002)
+    assert panel.colours.group.checkedId() == OTHER
+
+
+def test_a_locked_shape_can_be_unlocked_and_hidden(panel: PropertiesPanel, document: Document) -> None:
+    panel.locked.click()
+    panel.visible.click()
+    assert (shape(document).locked, shape(document).visible) == (True, False)
+    panel.locked.click()
+    assert not shape(document).locked
