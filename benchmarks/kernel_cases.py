@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from roam_core.geometry.bezier import segments
 from roam_core.geometry.polyline import outward_normals
 from roam_core.kernels.alignment import align
 from roam_core.kernels.anchoring import anchored
@@ -17,6 +18,7 @@ from roam_core.kernels.cyclic_viterbi import cyclic_viterbi
 from roam_core.kernels.diffusion import diffuse
 from roam_core.kernels.distance_transform import distance_transform
 from roam_core.kernels.edge_sums import edge_means
+from roam_core.kernels.flattening import step_counts, vertices
 from roam_core.kernels.gmm_density import em_steps, log_densities, matches
 from roam_core.kernels.key_spans import cubic_span_errors, linear_span_errors, outline_distances
 from roam_core.kernels.local_match import INSIDE, OUTSIDE, local_match
@@ -185,7 +187,9 @@ CASES: dict[str, Callable[[], Case]] = {
     "region_sums": lambda: _call(region_sums, row_sums(_field()), _outline(), _moves()),
     "ribbon_means": lambda: _call(ribbon_means, _field(), _field(), _outline(), _moves(), 8.0),
     "row_sums": lambda: _call(row_sums, _field()),
+    "step_counts": lambda: _call(step_counts, segments(_spline()), 0.05),
     "swept_coverage": lambda: _call(swept_coverage, _outline(), _outline() + 8.0, SIZE),
+    "vertices": lambda: _call(vertices, segments(_spline()), step_counts(segments(_spline()), 0.05)),
 }
 """By the kernel's name: what makes its case."""
 

@@ -9,6 +9,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from roam_core.kernels.flattening import step_counts, vertices
+
 Array = NDArray[np.float64]
 IntArray = NDArray[np.intp]
 
@@ -28,7 +30,7 @@ def segment_count(point_count: int, closed: bool) -> int:
 def segments(points: Array, closed: bool = True) -> Array:
     """Control polygons `(S, 4, 2)` of all cubic segments of `points (P, 3, 2)`."""
     start = points if closed else points[:-1]
-    end = np.roll(points, -1, axis=0) if closed else points[1:]
+    end = np.concatenate([points[1:], points[:1]]) if closed else points[1:]
     return np.stack([start[:, ANCHOR], start[:, OUT], end[:, IN], end[:, ANCHOR]], axis=1)
 
 
@@ -87,30 +89,13 @@ def split(points: Array, segment: int, t: float, closed: bool = True) -> Array:
 def flatten(points: Array, closed: bool = True, tolerance: float = 0.05) -> Array:
     """A polyline `(K, 2)` within `tolerance` pixels of the spline; a closed one does not repeat its first vertex.
 
-    Each segment is cut into equal parameter steps; their number follows from the bound on the second difference of its
-    control polygon (Wang's formula).
+    Each segment is cut into equal parameter steps (`kernels.flattening`).
     """
     control = segments(points, closed)
     if len(control) == 0:
         return points[:, ANCHOR].copy()
-    counts = flatten_counts(control, tolerance)
-    segment = np.repeat(np.arange(len(control)), counts)
-    first = np.cumsum(counts) - counts
-    t = (np.arange(len(segment)) - first[segment]) / counts[segment]
-    line = np.einsum("nk,nkc->nc", bernstein(t), control[segment])
+    line = vertices(control, step_counts(control, tolerance))
     return line if closed else np.vstack([line, control[-1, 3]])
-
-
-def flatten_counts(control: Array, tolerance: float) -> IntArray:
-    """Equal parameter steps `(S,)` that keep each segment of `control (S, 4, 2)` within `tolerance` pixels.
-
-    A segment whose handles lie on its anchors is straight, however unevenly it runs: one step.
-    """
-    second = np.diff(control, n=2, axis=1)
-    bend = np.sqrt((second**2).sum(axis=2).max(axis=1))
-    straight = (control[:, 0] == control[:, 1]).all(axis=1) & (control[:, 2] == control[:, 3]).all(axis=1)
-    steps = np.where(straight, 1.0, np.ceil(np.sqrt(0.75 * bend / tolerance)))
-    return np.asarray(np.clip(steps, 1, 4096), dtype=np.intp)
 
 
 def arc_length_pairs(points: Array, count: int, closed: bool = True) -> tuple[IntArray, Array]:

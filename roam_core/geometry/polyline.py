@@ -10,16 +10,26 @@ from roam_core.kernels.crossing import crossing_edges
 Array = NDArray[np.float64]
 
 
+def following(ring: Array) -> Array:
+    """Each vertex's successor on a closed polyline `(K, ...)`: `numpy.roll` by -1, without its cost on short arrays."""
+    return np.concatenate([ring[1:], ring[:1]])
+
+
+def preceding(ring: Array) -> Array:
+    """Each vertex's predecessor on a closed polyline `(K, ...)`."""
+    return np.concatenate([ring[-1:], ring[:-1]])
+
+
 def length(line: Array, closed: bool = True) -> float:
     """Length in pixels."""
-    ends = np.roll(line, -1, axis=0) if closed else line[1:]
+    ends = following(line) if closed else line[1:]
     return float(np.hypot(*(ends - line[: len(ends)]).T).sum())
 
 
 def signed_area(line: Array) -> float:
     """Area of a closed polyline; positive when it runs clockwise on screen (y down)."""
     x, y = line.T
-    return float(0.5 * (x * np.roll(y, -1) - np.roll(x, -1) * y).sum())
+    return float(0.5 * (x * following(y) - following(x) * y).sum())
 
 
 def resample(line: Array, count: int, closed: bool = True) -> Array:
@@ -32,7 +42,7 @@ def resample(line: Array, count: int, closed: bool = True) -> Array:
 
 def outward_normals(line: Array) -> Array:
     """Unit normals `(K, 2)` at the vertices of a closed polyline, pointing out of it; zero where it is degenerate."""
-    tangent = np.roll(line, -1, axis=0) - np.roll(line, 1, axis=0)
+    tangent = following(line) - preceding(line)
     norm = np.hypot(*tangent.T)[:, None]
     tangent = np.divide(tangent, norm, out=np.zeros_like(tangent), where=norm > 0)
     side = 1.0 if signed_area(line) > 0 else -1.0

@@ -57,7 +57,8 @@ def ransac(
     usable = np.abs(span) > 1e-9
     alpha = np.where(usable, (w[second] - w[first]) / np.where(usable, span, 1.0), 1.0)
     beta = w[first] - alpha * z[first]
-    error = np.abs(alpha[:, None] * z + beta[:, None] - w)
+    away = alpha[:, None] * z + (beta[:, None] - w)
+    error = np.sqrt(away.real**2 + away.imag**2)
     score = np.minimum(error, threshold).sum(axis=1)
     inliers = error[int(np.argmin(score))] <= threshold
     transform = fit(source[inliers], target[inliers])

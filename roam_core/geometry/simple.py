@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from roam_core.geometry import bezier, polyline
 from roam_core.geometry.bezier import ANCHOR, IN, OUT
+from roam_core.kernels.flattening import step_counts, vertices
 
 Array = NDArray[np.float64]
 
@@ -60,9 +61,9 @@ def untied(points: Array, before: Array, scale: float = 1.0) -> Array:
 def crossing_segments(points: Array, scale: float = 1.0) -> NDArray[np.intp]:
     """The segments of a closed spline that properly cross another one, in order."""
     control = bezier.segments(points)
-    counts = bezier.flatten_counts(control, TOLERANCE * scale)
+    counts = step_counts(control, TOLERANCE * scale)
     owner = np.repeat(np.arange(len(control)), counts)
-    pairs = polyline.crossings(bezier.flatten(points, True, TOLERANCE * scale))
+    pairs = polyline.crossings(vertices(control, counts))
     return np.unique(owner[pairs.ravel()])
 
 

@@ -9,6 +9,11 @@ from numpy.typing import NDArray
 Float64 = NDArray[np.float64]
 IntArray = NDArray[np.int64]
 
+BEAM = 16.0
+"""A matching found within this of the best beginnings bounds the exact search from above."""
+ROUNDING = 1.0 + 1e-9
+"""Sums in another order must not cut off the optimum itself."""
+
 
 def align(cost: Float64, expected: Float64, stretch: float, starts: IntArray) -> tuple[IntArray, float]:
     """Samples, one a node, that minimise `sum cost[n, j_n] + stretch * ((j_(n+1) - j_n) / expected[n] - 1)^2`.
@@ -29,43 +34,60 @@ def align(cost: Float64, expected: Float64, stretch: float, starts: IntArray) ->
     count, samples = cost.shape
     if samples < 2 * count:
         raise ValueError(f"{samples} samples are too few for {count} nodes")
-    best, chosen = np.inf, np.zeros(count, dtype=np.int64)
+    best, bound, chosen = np.inf, np.inf, np.zeros(count, dtype=np.int64)
     indices = np.empty(count, dtype=np.int64)
     table = np.ascontiguousarray(cost, dtype=np.float64)
+    ratio = np.arange(samples + 1) / expected[:, None] - 1.0
+    most = np.ceil(4.0 * expected).astype(np.int64) + 1
+    problem = table, stretch * ratio * ratio, most, np.append(np.cumsum(table.min(axis=1)[::-1])[::-1], 0.0)
+    if len(starts) > 0:
+        bound = _align(*problem, int(starts[len(starts) // 2]), np.inf, BEAM, indices)
     for start in starts:
-        energy = _align(table, expected, stretch, int(start), indices)
+        energy = _align(*problem, int(start), min(best, bound) * ROUNDING, np.inf, indices)
         if energy < best:
             best, chosen = energy, indices.copy()
     return chosen % samples, float(best)
 
 
 @njit(nogil=True, cache=True)
-def _align(cost, expected, stretch, start, indices):  # type: ignore[no-untyped-def]
+def _align(cost, price, most, rest, start, bound, beam, indices):  # type: ignore[no-untyped-def]
+    """The least matching from `start` that costs no more than `bound`; infinity where there is none.
+
+    `price[n, k]` is what k samples behind node n cost, `most[n]` the most of them; `rest[n]` bounds what nodes n and on
+    cost from below, so a beginning that cannot end under `bound` is dropped: that keeps the search exact. What is
+    dearer by `beam` than the best beginning is dropped, too: with a finite one any matching may come out.
+    """
     count, samples = cost.shape
-    reach, following = np.full(samples + 1, np.inf), np.empty(samples + 1)
+    reach, following = np.full(samples + 1, np.inf), np.full(samples + 1, np.inf)
     parents = np.zeros((count, samples + 1), dtype=np.int32)
     reach[0] = cost[0, start]
+    low, high, least = 0, 0, reach[0]
     for n in range(count - 1):
-        following[:] = np.inf
-        most = int(np.ceil(4.0 * expected[n])) + 1
-        for o in range(n, samples):
-            if reach[o] == np.inf:
+        dearest = min(bound - rest[n + 1], least + beam)
+        first, last = samples + 1, -1
+        for o in range(low, high + 1):
+            if not reach[o] <= dearest:
                 continue
-            for step in range(1, min(most, samples - o) + 1):
-                ratio = step / expected[n] - 1.0
-                value = reach[o] + stretch * ratio * ratio
-                if value < following[o + step]:
-                    following[o + step] = value
-                    parents[n + 1, o + step] = o
-        for o in range(samples + 1):
+            end = min(o + most[n], samples)
+            for p in range(o + 1, end + 1):
+                value = reach[o] + price[n, p - o]
+                if value < following[p]:
+                    following[p] = value
+                    parents[n + 1, p] = o
+            first, last = min(first, o + 1), max(last, end)
+        if last < 0:
+            return np.inf
+        low, high, least = first, last, np.inf
+        for o in range(low, high + 1):
             reach[o] = following[o] + cost[n + 1, (start + o) % samples]
-    least, end = np.inf, samples - 1
-    for o in range(count - 1, samples):
-        ratio = (samples - o) / expected[count - 1] - 1.0
-        value = reach[o] + stretch * ratio * ratio
-        if value < least:
-            least, end = value, o
+            following[o] = np.inf
+            least = min(least, reach[o])
+    total, end = np.inf, samples - 1
+    for o in range(low, min(high + 1, samples)):
+        value = reach[o] + price[count - 1, samples - o]
+        if value < total:
+            total, end = value, o
     for n in range(count - 1, -1, -1):
         indices[n] = start + end
         end = parents[n, end]
-    return least
+    return total

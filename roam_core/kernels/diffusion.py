@@ -22,13 +22,27 @@ def diffuse(
     """
     result = field.copy()
     right, down = np.zeros_like(field), np.zeros_like(field)
-    variance = 2.0 * contrast * contrast
-    for axis, weights in ((1, right), (0, down)):
-        step = np.diff(colours, axis=axis)
-        weight = strength * np.exp(-(step * step).sum(axis=2) / variance)
-        weights[: weight.shape[0], : weight.shape[1]] = weight
+    _weights(colours, wanted, np.float32(strength), np.float32(2.0 * contrast * contrast), right, down)
     _diffuse(field, right, down, wanted, sweeps, result)
     return result
+
+
+@njit(nogil=True, cache=True)
+def _weights(colours, wanted, strength, variance, right, down):  # type: ignore[no-untyped-def]
+    """w_pq of each cell with its neighbour to the right and below, where one of the two is wanted."""
+    rows, columns = wanted.shape
+    for y in range(rows):
+        for x in range(columns):
+            if x + 1 < columns and (wanted[y, x] or wanted[y, x + 1]):
+                right[y, x] = strength * np.exp(-_squared(colours[y, x], colours[y, x + 1]) / variance)
+            if y + 1 < rows and (wanted[y, x] or wanted[y + 1, x]):
+                down[y, x] = strength * np.exp(-_squared(colours[y, x], colours[y + 1, x]) / variance)
+
+
+@njit(nogil=True, cache=True)
+def _squared(one, other):  # type: ignore[no-untyped-def]
+    a, b, c = one[0] - other[0], one[1] - other[1], one[2] - other[2]
+    return a * a + b * b + c * c
 
 
 @njit(nogil=True, cache=True)

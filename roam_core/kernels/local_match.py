@@ -6,6 +6,8 @@ import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
+from roam_core.kernels.halves import in_halves
+
 Float32 = NDArray[np.float32]
 UInt8 = NDArray[np.uint8]
 
@@ -39,18 +41,22 @@ def local_match(
     radius : half side of the window. sigma : Lab units. clip : nats. spread : Lab units squared a pixel squared.
     """
     ratio = np.zeros(labels.shape, dtype=np.float32)
-    _local_match(
-        colours, memory, labels, wanted, shift, radius, np.float32(sigma * sigma), np.float32(spread),
-        np.float32(clip), ratio,
-    )  # fmt: skip
+
+    def match_rows(first: int, stop: int) -> None:
+        _local_match(
+            colours, memory, labels, wanted, shift, radius, np.float32(sigma * sigma), np.float32(spread),
+            np.float32(clip), first, stop, ratio,
+        )  # fmt: skip
+
+    in_halves(match_rows, wanted)
     return ratio
 
 
 @njit(nogil=True, cache=True)
-def _local_match(colours, memory, labels, wanted, shift, radius, variance, spread, clip, ratio):  # type: ignore[no-untyped-def]
+def _local_match(colours, memory, labels, wanted, shift, radius, variance, spread, clip, first, stop, ratio):  # type: ignore[no-untyped-def]
     rows, columns = labels.shape
     enough = 4.0 * variance * clip  # beyond this a distance changes nothing any more
-    for y in range(rows):
+    for y in range(first, stop):
         for x in range(columns):
             if not wanted[y, x]:
                 continue

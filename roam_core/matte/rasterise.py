@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from roam_core.geometry import bezier
 from roam_core.kernels.coverage import coverage, distance, swept_coverage
+from roam_core.kernels.flattening import step_counts
 from roam_core.roto import Interpolation, Outline, RotoShape
 
 Array = NDArray[np.float64]
@@ -172,7 +173,7 @@ def _over_shutter(outlines: list[Outline], shape: RotoShape, size: tuple[int, in
 def _swept(borders: list[Outline], size: tuple[int, int]) -> Matte:
     """The mean coverage of outlines that move evenly from each of the borders to the next one."""
     segments = np.stack([bezier.segments(outline.points) for outline in borders])
-    counts = np.max([bezier.flatten_counts(control, TOLERANCE) for control in segments], axis=0)
+    counts = np.max([step_counts(control, TOLERANCE) for control in segments], axis=0)
     segment, weights = _places(counts)
     lines = np.einsum("nk,mnkc->mnc", weights, segments[:, segment])
     total = np.zeros(size, dtype=np.float32)
@@ -204,7 +205,7 @@ def _lines(outline: Outline) -> tuple[Array, Array | None]:
         return outline.flatten(TOLERANCE), None
     inner = bezier.segments(outline.points)
     outer = bezier.segments(outline.points + outline.feather)
-    counts = np.maximum(bezier.flatten_counts(inner, TOLERANCE), bezier.flatten_counts(outer, TOLERANCE))
+    counts = np.maximum(step_counts(inner, TOLERANCE), step_counts(outer, TOLERANCE))
     segment, weights = _places(counts)
     line, feathered = (np.einsum("nk,nkc->nc", weights, control[segment]) for control in (inner, outer))
     return line, feathered

@@ -36,11 +36,12 @@ def _padded(grey: NDArray[np.uint8]) -> NDArray[np.uint8]:
 def flow_similarity(flow: Float32, inside: NDArray[np.bool_], grid: Grid, samples: int = 400) -> tuple[Array, float]:
     """The similarity `(3, 3)`, image to image, that most of the flow inside agrees with, and the share that does."""
     core = cv2.erode(inside.astype(np.uint8), np.ones((3, 3), np.uint8))
-    rows, columns = np.nonzero(core if np.count_nonzero(core) >= 20 else inside)
-    if len(rows) < 3:
+    cells = np.flatnonzero(core if np.count_nonzero(core) >= 20 else inside)
+    if len(cells) < 3:
         return np.eye(3), 0.0
-    pick = np.random.default_rng(0).permutation(len(rows))[:samples]
-    rows, columns = rows[pick], columns[pick]
+    if len(cells) > samples:
+        cells = np.random.default_rng(0).choice(cells, samples, replace=False, shuffle=False)
+    rows, columns = np.divmod(cells, inside.shape[1])
     source = np.stack([columns, rows], axis=1) + 0.5
     target = source + flow[rows, columns]
     fitted, inliers = similarity.ransac(source.astype(np.float64), target.astype(np.float64), 2.0)

@@ -71,7 +71,7 @@ def _laid(points: Array, samples: Array, at: IntArray, smooth: NDArray[np.bool_]
     result = np.empty_like(points)
     result[:, ANCHOR] = samples[at]
     leaving, arriving = _handles(samples, at)
-    result[:, OUT], result[:, IN] = leaving, np.roll(arriving, 1, axis=0)
+    result[:, OUT], result[:, IN] = leaving, polyline.preceding(arriving)
     for part in (IN, OUT):
         corner = (points[:, part] == points[:, ANCHOR]).all(axis=1)
         result[corner, part] = result[corner, ANCHOR]
@@ -89,7 +89,7 @@ def _handles(samples: Array, at: IntArray) -> tuple[Array, Array]:
     first = np.cumsum(steps + 1) - (steps + 1)
     owner = np.repeat(np.arange(len(at)), steps + 1)
     place = at[owner] + np.arange(len(owner)) - first[owner]
-    chords = np.hypot(*(np.roll(samples, -1, axis=0) - samples).T)
+    chords = np.hypot(*(polyline.following(samples) - samples).T)
     along = np.concatenate([[0.0], np.cumsum(np.concatenate([chords, chords]))])
     lengths = along[at + steps] - along[at]
     weights = bezier.bernstein((along[place] - along[at[owner]]) / np.maximum(lengths, 1e-9)[owner])

@@ -70,7 +70,7 @@ def _owners(points: Array) -> IntArray:
 def _tangents(points: Array) -> Array:
     """The unit direction `(P, 2)` of the outline at each anchor."""
     between = points[:, OUT] - points[:, IN]
-    chord = np.roll(points[:, ANCHOR], -1, axis=0) - np.roll(points[:, ANCHOR], 1, axis=0)
+    chord = polyline.following(points[:, ANCHOR]) - polyline.preceding(points[:, ANCHOR])
     direction = np.where((np.hypot(*between.T) > 1e-6)[:, None], between, chord)
     return np.asarray(direction / np.maximum(np.hypot(*direction.T), 1e-12)[:, None])
 
@@ -78,7 +78,7 @@ def _tangents(points: Array) -> Array:
 def _between(at: IntArray, samples: Array) -> Array:
     """For each sample its place `segment + t` by length between the anchors' samples."""
     total = len(samples)
-    along = np.concatenate([[0.0], np.cumsum(np.hypot(*(np.roll(samples, -1, axis=0) - samples).T))])
+    along = np.concatenate([[0.0], np.cumsum(np.hypot(*(polyline.following(samples) - samples).T))])
     knots = np.append(at[0] + (at - at[0]) % total, at[0] + total)
     order = at[0] + np.arange(total)
     reach = along[order % total] + along[-1] * (order >= total)
@@ -109,7 +109,7 @@ def _bounded(points: Array, places: Array, samples: Array) -> Array:
     pieces = np.bincount(np.minimum(places.astype(np.intp), len(points) - 1), minlength=len(points))
     longest = (pieces + 1.0) * step
     result = points.copy()
-    for part, most in ((OUT, longest), (IN, np.roll(longest, 1))):
+    for part, most in ((OUT, longest), (IN, polyline.preceding(longest))):
         handle = points[:, part] - points[:, ANCHOR]
         reach = np.maximum(np.hypot(*handle.T), 1e-12)
         result[:, part] = points[:, ANCHOR] + handle * np.minimum(1.0, most / reach)[:, None]

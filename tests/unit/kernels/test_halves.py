@@ -1,0 +1,47 @@
+"""Rows shared between two threads: every row once, the same bits."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import cv2
+import numpy as np
+import pytest
+
+from roam_core.kernels.halves import WORTH_A_THREAD, in_halves
+from roam_core.kernels.local_match import local_match
+
+
+@pytest.fixture
+def two_threads() -> Iterator[None]:
+    before = cv2.getNumThreads()
+    cv2.setNumThreads(2)
+    yield
+    cv2.setNumThreads(before)
+
+
+@pytest.mark.parametrize("rows", [0, 1, 2, 7, 200])
+@pytest.mark.parametrize("full", ["top", "bottom", "all"])
+def test_every_row_is_worked_on_once(two_threads: object, rows: int, full: str) -> None:
+    wanted = np.zeros((rows, WORTH_A_THREAD), dtype=bool)
+    wanted[{"top": slice(0, 1), "bottom": slice(-1, None), "all": slice(None)}[full]] = True
+    visits = np.zeros(rows, dtype=int)
+
+    def visit(first: int, stop: int) -> None:
+        visits[first:stop] += 1
+
+    in_halves(visit, wanted)
+    assert (visits == 1).all()
+
+
+def test_two_threads_give_the_bits_of_one(two_threads: object) -> None:
+    rng = np.random.default_rng(3)
+    colours, memory = rng.random((2, 90, 80, 3), dtype=np.float32) * 60
+    labels = rng.integers(0, 3, (90, 80)).astype(np.uint8)
+    shift = rng.normal(0, 3, (90, 80, 2)).astype(np.float32)
+    wanted = rng.random((90, 80)) < 0.7
+    assert wanted.sum() > WORTH_A_THREAD
+    arguments = (colours, memory, labels, wanted, shift, 4, 2.0, 0.3, 3.0)
+    both = local_match(*arguments)
+    cv2.setNumThreads(1)
+    np.testing.assert_array_equal(local_match(*arguments), both)
