@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
-from PySide6.QtGui import QBrush, QColor, QPainter, QPainterPath, QPen
+from PySide6.QtGui import QBrush, QColor, QPainter, QPainterPath, QPen, QPolygonF
 
 SURROUND = QColor("#262626")
 EMPTY_PLATE = QColor("#2e2e2e")
@@ -80,6 +80,20 @@ def marquee(painter: QPainter, box: QRectF) -> None:
     dashes.setDashPattern([3.0, 3.0])
     painter.setPen(dashes)
     painter.drawRect(box)
+
+
+def lasso(painter: QPainter, line: QPolygonF) -> None:
+    """The free line that a lasso draws, closed by a fainter straight one; `line` in widget coordinates."""
+    painter.setPen(Qt.PenStyle.NoPen)
+    painter.setBrush(QBrush(QColor(255, 255, 255, 18)))
+    painter.drawPolygon(line)
+    dashes = _pen(TEXT, 1.0)
+    dashes.setDashPattern([3.0, 3.0])
+    for pen in (_pen(EDGE, 1.0), dashes):
+        painter.setPen(pen)
+        painter.drawPolyline(line)
+    painter.setPen(_pen(faded(TEXT, 0.4), 1.0))
+    painter.drawLine(line.last(), line.first())
 
 
 def faded(colour: QColor, opacity: float) -> QColor:

@@ -1,4 +1,4 @@
-"""What a press of the select tool begins: moving parts, turning a handle, spanning a marquee."""
+"""What a press of a tool begins: moving points, turning a handle, spanning a marquee or a lasso."""
 
 from __future__ import annotations
 
@@ -6,17 +6,24 @@ from abc import ABC, abstractmethod
 from collections.abc import Callable
 
 from PySide6.QtCore import QRectF
-from PySide6.QtGui import QPainter
+from PySide6.QtGui import QPainter, QPolygonF
 
 from app.canvas import marks
 from app.canvas.shown import editable_shapes
 from app.canvas.viewport import Viewport
 from app.document import Document
-from app.tools.hit_test import points_in_box
-from app.tools.reshape import Grab, Tangent, Vector, break_tangent
+from app.tools.hit_test import points_in_box, points_in_lasso
+from app.tools.reshape import Grab, Tangent, Vector, break_tangent, turn
 from app.tools.tool import Modifier, Pointer
 from app.view_state import Selection, ViewState
 from roam_core.roto import Project, edit
+from roam_core.roto.edit import Part
+
+LASSO_STEP = 2.0
+"""A lasso's line gets a corner after so many screen pixels."""
+
+Points = frozenset[tuple[str, int]]
+"""Points by (shape id, index)."""
 
 DRAG_DISTANCE = 3.0
 """A press that moves less than this many screen pixels is a click: a click never moves anything."""
@@ -109,7 +116,8 @@ class Edit(Gesture, ABC):
 
     def finish(self, pointer: Pointer) -> None:
         if self.delta != (0.0, 0.0):
-            self.document.apply(self.text, self.edited())
+            where = "" if self.grab.keying.ripple is None else " (ripple)"
+            self.document.apply(self.text + where, self.edited())
         self.view_state.set_preview(None)
 
     def drop(self) -> None:
@@ -126,23 +134,31 @@ class Move(Edit):
 class Turn(Edit):
     """Drags one handle. Ctrl breaks the tangent, Shift makes both handles equal; either may be pressed on the way."""
 
+    def __init__(
+        self, document: Document, view_state: ViewState, pressed: Pointer, grab: Grab, text: str, part: Part
+    ) -> None:
+        super().__init__(document, view_state, pressed, grab, text)
+        self._part = part
+
     def edited(self) -> Project:
-        ((shape_id, ((index, part),)),) = self.grab.parts.items()
-        x, y = self.grab.start[shape_id][index, part]
-        dx, dy = self.delta
-        return self.grab.turned(self.document.project, (x + dx, y + dy), _tangent(self.last))
+        change = turn(self._part, self.delta, _tangent(self.last))
+        return self.grab.changed(self.document.project, lambda _: change)
 
 
 class Marquee(Gesture):
-    """A rectangle on empty ground selects the anchors inside. With Shift it adds them."""
+    """A rectangle on empty ground selects the anchors inside. With Shift it adds them, with Ctrl it takes them away."""
 
     def __init__(self, document: Document, view_state: ViewState, pressed: Pointer) -> None:
         super().__init__(document, view_state, pressed)
-        self._before = view_state.selection if pressed.holds(Modifier.ShiftModifier) else Selection()
+        self._removes = pressed.holds(Modifier.ControlModifier) and not pressed.holds(Modifier.AltModifier)
+        keeps = self._removes or pressed.holds(Modifier.ShiftModifier)
+        self._before = view_state.selection if keeps else Selection()
         self._preferred = view_state.selection.shapes
 
     def drag(self, pointer: Pointer) -> None:
-        self.view_state.select(self._before.shapes, self._before.points | self._inside())
+        before = self._before.points
+        points = before - self._inside() if self._removes else before | self._preferably(self._inside())
+        self.view_state.select(self._before.shapes, points)
 
     def click(self) -> None:
         self.view_state.select(self._before.shapes, self._before.points)
@@ -155,12 +171,34 @@ class Marquee(Gesture):
             corners = (viewport.to_widget(*pointer.position) for pointer in (self.pressed, self.last))
             marks.marquee(painter, QRectF(*corners).normalized())
 
-    def _inside(self) -> frozenset[tuple[str, int]]:
-        """Points of the shapes that were selected; only where none of these is inside, points of any shape."""
+    def _inside(self) -> Points:
         shapes = editable_shapes(self.document.project, self.view_state.frame)
-        corners = self.pressed.position, self.last.position
-        inside = points_in_box(shapes, self.view_state.frame, *corners)
+        return points_in_box(shapes, self.view_state.frame, self.pressed.position, self.last.position)
+
+    def _preferably(self, inside: Points) -> Points:
+        """Points of the shapes that were selected; only where none of these is inside, points of any shape."""
         return frozenset(point for point in inside if point[0] in self._preferred) or inside
+
+
+class Lasso(Marquee):
+    """A free line around points, closed from its end to its beginning; otherwise like the rectangle."""
+
+    def __init__(self, document: Document, view_state: ViewState, pressed: Pointer) -> None:
+        super().__init__(document, view_state, pressed)
+        self._line: list[Vector] = [pressed.position]
+
+    def drag(self, pointer: Pointer) -> None:
+        if pointer.screen_distance(self._line[-1]) >= LASSO_STEP:
+            self._line.append(pointer.position)
+        super().drag(pointer)
+
+    def paint(self, painter: QPainter, viewport: Viewport) -> None:
+        if self.is_dragging:
+            marks.lasso(painter, QPolygonF([viewport.to_widget(*position) for position in self._line]))
+
+    def _inside(self) -> Points:
+        shapes = editable_shapes(self.document.project, self.view_state.frame)
+        return points_in_lasso(shapes, self.view_state.frame, [*self._line, self.last.position])
 
 
 def _tangent(pointer: Pointer) -> Tangent:

@@ -6,7 +6,7 @@ pixel in image pixels along x and y. Locked and hidden shapes are never hit; sel
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -99,6 +99,25 @@ def points_in_box(shapes: Iterable[RotoShape], frame: int, a: Vector, b: Vector)
         for shape in shapes
         for index in np.flatnonzero(((_spots(shape, frame) >= low) & (_spots(shape, frame) <= high)).all(axis=1))
     )
+
+
+def points_in_lasso(shapes: Iterable[RotoShape], frame: int, line: Sequence[Vector]) -> frozenset[tuple[str, int]]:
+    """The anchors inside the closed polygon `line` (even-odd), as (shape id, point index)."""
+    return frozenset(
+        (shape.id, int(index))
+        for shape in shapes
+        for index in np.flatnonzero(_inside(_spots(shape, frame), np.asarray(line, dtype=np.float64)))
+    )
+
+
+def _inside(positions: Array, polygon: Array) -> NDArray[np.bool_]:
+    """Which of `positions (K, 2)` lie inside the polygon `(N, 2)`: a ray to the right crosses it an odd many times."""
+    x, y = positions[:, None, 0], positions[:, None, 1]
+    (x0, y0), (x1, y1) = polygon.T, np.roll(polygon, -1, axis=0).T
+    spans = (y0 > y) != (y1 > y)
+    rise = np.where(y1 == y0, 1.0, y1 - y0)
+    right = x < x0 + (y - y0) / rise * (x1 - x0)
+    return np.asarray((spans & right).sum(axis=1) % 2 == 1)
 
 
 def _spots(shape: RotoShape, frame: int) -> Array:

@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from app.canvas.shown import editable_shapes
 from app.document import Document
-from app.tools.reshape import Grab, grabbed_parts, keyed, selected_indices
+from app.tools.reshape import grab_selection, grabbed_indices, selected_indices
 from app.view_state import ViewState, selected_shapes
 from roam_core.errors import RoamError
-from roam_core.roto import Project, RotoShape, edit
+from roam_core.roto import Project, RotoShape, Spline, edit
+from roam_core.roto.keying import Change, reshape
 
 Array = NDArray[np.float64]
 
@@ -60,13 +62,13 @@ class PointActions:
 
     def nudge(self, dx: float, dy: float, merge_key: str = "") -> None:
         """Move the points by image pixels. Nudges with one `merge_key` (a held key) are one undo step."""
-        project, frame = self._document.project, self._view.frame
-        parts = grabbed_parts(project, frame, self._view.selection)
-        if not parts:
+        project = self._document.project
+        grab = grab_selection(project, self._view)
+        if not grab.weights:
             self._say_why()
             return
-        moved = Grab.of(project, frame, parts).moved(project, (dx, dy))
-        self._document.apply(_counted("Nudge", sum(map(len, parts.values())), "point"), moved, merge_key)
+        grabbed = sum(int((weights == 1.0).sum()) for weights in grab.weights.values())
+        self._document.apply(_counted("Nudge", grabbed, "point"), grab.moved(project, (dx, dy)), merge_key)
 
     def cycle(self, step: int) -> None:
         """Select the point `step` further along the shape (backwards when negative)."""
@@ -98,15 +100,17 @@ class PointActions:
         self._view.select(self._view.selection.shapes, points)
 
     def _reshape(self, verb: str, function: Callable[[RotoShape, Array, Iterable[int]], Array]) -> None:
-        """Apply `function(shape, points, indices)` to the selected points on this frame."""
-        project, frame = self._document.project, self._view.frame
-        parts = grabbed_parts(project, frame, self._view.selection)
-        for shape_id, grabbed in parts.items():
+        """Apply `function(shape, points, indices)` to the selected points, on the keys that edits reach."""
+        project, view = self._document.project, self._view
+        chosen = grabbed_indices(project, view.frame, view.selection)
+        for shape_id, indices in chosen.items():
             shape = project.shape(shape_id)
-            points = function(shape, shape.at(frame).points, [index for index, _ in grabbed])
-            if not np.array_equal(points, shape.at(frame).points):
-                project = keyed(project, shape_id, frame, points)
-        self._apply(_counted(verb, sum(map(len, parts.values())), "point"), project)
+            if shape.spline is Spline.BSPLINE:
+                view.say(f"{shape.name!r} is a B-spline, which is smooth everywhere; make it Bezier for corners.")
+                continue
+            change = _change(shape, indices, function)
+            project = project.with_shape(reshape(shape, view.frame, change, view.editing.keying(view.play_range)))
+        self._apply(_counted(verb, sum(map(len, chosen.values())), "point"), project)
 
     def _apply(self, text: str, project: Project) -> None:
         if self._shapes():
@@ -130,6 +134,13 @@ class PointActions:
             self._view.say(f"{selected[0].name!r} is locked or hidden; unlock and show it to edit it.")
         else:
             self._view.say("Select a shape or some of its points first.")
+
+
+def _change(
+    shape: RotoShape, indices: list[int], function: Callable[[RotoShape, Array, Iterable[int]], Array]
+) -> Change:
+    """`function` on the points `indices` of any key."""
+    return lambda outline: replace(outline, points=function(shape, outline.points, indices))
 
 
 def _counted(verb: str, count: int, noun: str) -> str:

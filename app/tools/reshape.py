@@ -1,60 +1,65 @@
-"""Moving the points of shapes on one frame: what drags, nudges and point actions have in common. Free of Qt."""
+"""Changing the points of shapes on one frame: what drags, nudges and point actions have in common. Free of Qt."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from app.canvas.shown import editable_shapes
-from app.view_state import Selection
+from app.view_state import Selection, ViewState
+from roam_core.geometry import affine
 from roam_core.geometry.bezier import ANCHOR
-from roam_core.roto import Project, RotoShape, edit
+from roam_core.roto import Outline, Project, RotoShape, edit
 from roam_core.roto.edit import Part
+from roam_core.roto.keying import AUTO_KEY, Change, Keying, held_at, reshape
+from roam_core.roto.transform import falloff, transform_like
 
 Array = NDArray[np.float64]
 Vector = tuple[float, float]
 
 
-def keyed(project: Project, shape_id: str, frame: int, points: Array) -> Project:
-    """The project with these points of a shape at `frame`, as an artist key.
-
-    On a frame without a key, or with one of the engine's, this makes an artist key: a hand-made edit is never
-    interpolated away nor tracked over.
-    """
-    return project.with_shape(edit.set_key(project.shape(shape_id), frame, points))
-
-
 @dataclass(frozen=True)
 class Grab:
-    """What a drag holds: parts of shapes on one frame, and where their points were when it began."""
+    """What a drag holds: shapes on one frame, how far each of their points follows, and where they were at its start.
+
+    Attributes
+    ----------
+    weights : by shape, `(P,)` in [0, 1]: 1 for a grabbed point, less for those that soft selection takes along.
+    start : by shape, what `roam_core.roto.keying.held_at` gave when the drag began.
+    keying : which keys the edit reaches.
+    """
 
     frame: int
-    parts: Mapping[str, tuple[Part, ...]]
-    start: Mapping[str, Array]
+    weights: Mapping[str, Array]
+    start: Mapping[str, Outline]
+    keying: Keying = AUTO_KEY
 
     @classmethod
-    def of(cls, project: Project, frame: int, parts: Mapping[str, tuple[Part, ...]]) -> Grab:
-        return cls(frame, parts, {shape_id: project.shape(shape_id).at(frame).points for shape_id in parts})
+    def of(cls, project: Project, frame: int, weights: Mapping[str, Array], keying: Keying = AUTO_KEY) -> Grab:
+        return cls(frame, weights, {each: held_at(project.shape(each), frame) for each in weights}, keying)
 
     def is_held(self, project: Project) -> bool:
         """False when an edit meanwhile took a shape away, locked it, or gave it another number of points."""
         counts = {shape.id: shape.point_count for shape in editable_shapes(project, self.frame)}
-        return all(counts.get(shape_id) == len(points) for shape_id, points in self.start.items())
+        return all(counts.get(shape_id) == len(start.points) for shape_id, start in self.start.items())
 
     def moved(self, project: Project, delta: Vector) -> Project:
-        """The project with the grabbed parts moved by `delta` from where they began, image pixels."""
-        return self._mapped(project, lambda points, parts: edit.move_parts(points, parts, delta))
+        """The project with the grabbed points moved by `delta` from where they began, image pixels."""
+        return self.transformed(project, affine.translation(delta))
 
-    def turned(self, project: Project, position: Vector, tangent: Tangent) -> Project:
-        """The project with the one grabbed handle put at `position`."""
-        return self._mapped(project, lambda points, parts: tangent(points, *parts[0], position))
+    def transformed(self, project: Project, matrix: Array) -> Project:
+        """The project with the grabbed points carried by `matrix (2, 3)` from where they began."""
+        return self.changed(project, lambda each: transform_like(self.start[each], self.weights[each], matrix))
 
-    def _mapped(self, project: Project, function: Callable[[Array, tuple[Part, ...]], Array]) -> Project:
-        for shape_id, parts in self.parts.items():
-            project = keyed(project, shape_id, self.frame, function(self.start[shape_id], parts))
+    def changed(self, project: Project, change_of: Callable[[str], Change]) -> Project:
+        """The project with each shape changed as `change_of(shape id)` says, from where it began."""
+        for shape_id, start in self.start.items():
+            change = change_of(shape_id)
+            shape = reshape(project.shape(shape_id), self.frame, change, self.keying, start)
+            project = project.with_shape(shape)
         return project
 
 
@@ -67,18 +72,58 @@ def break_tangent(points: Array, index: int, part: int, position: Vector) -> Arr
     return edit.drag_handle(points, index, part, position, keep_smooth=False)
 
 
-def grabbed_parts(project: Project, frame: int, selection: Selection) -> dict[str, tuple[Part, ...]]:
-    """The anchors that an edit of the selection moves, by shape: the selected points, or whole shapes if none is.
+def turn(part: Part, delta: Vector, tangent: Tangent) -> Change:
+    """The change that moves one handle by `delta`, image pixels, on whichever key."""
+    index, which = part
+
+    def change(outline: Outline) -> Outline:
+        x, y = (outline.points[index, which] + delta).tolist()
+        return replace(outline, points=tangent(outline.points, index, which, (x, y)))
+
+    return change
+
+
+def grabbed_indices(project: Project, frame: int, selection: Selection) -> dict[str, list[int]]:
+    """The points that an edit of the selection changes, by shape: the selected ones, or all of them if none is.
 
     Shapes that are locked, hidden or outside their lifetime are left out.
     """
-    chosen: dict[str, tuple[Part, ...]] = {}
+    chosen: dict[str, list[int]] = {}
     for shape in editable_shapes(project, frame):
         if shape.id in selection.shapes:
-            indices = selected_indices(shape, selection) if selection.points else range(shape.point_count)
+            indices = selected_indices(shape, selection) if selection.points else list(range(shape.point_count))
             if indices:
-                chosen[shape.id] = tuple((index, ANCHOR) for index in indices)
+                chosen[shape.id] = indices
     return chosen
+
+
+def grabbed_weights(
+    project: Project, frame: int, selection: Selection, soft_radius: float | None = None
+) -> dict[str, Array]:
+    """How far each point follows an edit of the selection, by shape: `(P,)`; `soft_radius` as in `falloff`."""
+    weights: dict[str, Array] = {}
+    for shape_id, indices in grabbed_indices(project, frame, selection).items():
+        anchors = project.shape(shape_id).at(frame).grips[:, ANCHOR]
+        if soft_radius is None:
+            weights[shape_id] = np.zeros(len(anchors))
+            weights[shape_id][indices] = 1.0
+        else:
+            weights[shape_id] = falloff(anchors, indices, soft_radius)
+    return weights
+
+
+def grab_selection(project: Project, view: ViewState, selection: Selection | None = None) -> Grab:
+    """What a drag of the selection (or of another one) holds on the present frame, with the modes that are on."""
+    chosen = view.selection if selection is None else selection
+    weights = grabbed_weights(project, view.frame, chosen, view.editing.soft_radius)
+    return Grab.of(project, view.frame, weights, view.editing.keying(view.play_range))
+
+
+def grab_point(project: Project, view: ViewState, shape_id: str, index: int) -> Grab:
+    """What a drag of one point's handle holds."""
+    weights = np.zeros(project.shape(shape_id).point_count)
+    weights[index] = 1.0
+    return Grab.of(project, view.frame, {shape_id: weights}, view.editing.keying(view.play_range))
 
 
 def selected_indices(shape: RotoShape, selection: Selection) -> list[int]:

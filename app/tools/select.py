@@ -7,9 +7,9 @@ from PySide6.QtGui import QPainter
 
 from app.canvas.viewport import Viewport
 from app.document import Document
-from app.tools.gestures import Gesture, Marquee, Move, Turn
+from app.tools.gestures import Gesture, Lasso, Marquee, Move, Turn
 from app.tools.hit_test import OutlineHit, PointHit, hit, hit_outline
-from app.tools.reshape import Grab, grabbed_parts, with_point_inserted
+from app.tools.reshape import grab_point, grab_selection, with_point_inserted
 from app.tools.tool import Modifier, Pointer, Tool
 from app.view_state import Selection, ViewState
 from roam_core.geometry.bezier import ANCHOR
@@ -42,16 +42,16 @@ class SelectTool(Tool):
         self.leave()
 
     def press(self, pointer: Pointer) -> None:
-        if pointer.holds(INSERT):
-            self._insert_point(pointer)
+        if pointer.holds(INSERT) and self._insert_point(pointer):
             return
-        found = self._hit(pointer)
+        found = None if pointer.holds(INSERT) else self._hit(pointer)
         if isinstance(found, PointHit):
             self._gesture = self._press_anchor(pointer, found) if found.part == ANCHOR else self._turn(pointer, found)
         elif isinstance(found, OutlineHit):
             self._gesture = self._press_outline(pointer, found)
         else:
-            self._gesture = Marquee(self.document, self.view_state, pointer)
+            draws_line = self.view_state.editing.modes.lasso != pointer.holds(INSERT)
+            self._gesture = (Lasso if draws_line else Marquee)(self.document, self.view_state, pointer)
 
     def double_press(self, pointer: Pointer) -> None:
         """On an outline: select all points of its shape."""
@@ -144,8 +144,8 @@ class SelectTool(Tool):
         return self._move(pointer, text, Selection(shapes), after_click)
 
     def _move(self, pointer: Pointer, text: str, moving: Selection, after_click: Selection) -> Gesture:
-        project, view = self.document.project, self.view_state
-        grab = Grab.of(project, view.frame, grabbed_parts(project, view.frame, moving))
+        view = self.view_state
+        grab = grab_selection(self.document.project, view, moving)
 
         def click() -> None:
             view.select(after_click.shapes, after_click.points)
@@ -153,16 +153,17 @@ class SelectTool(Tool):
         return Move(self.document, view, pointer, grab, text, click)
 
     def _turn(self, pointer: Pointer, found: PointHit) -> Gesture:
-        parts = {found.shape_id: ((found.index, found.part),)}
-        grab = Grab.of(self.document.project, self.view_state.frame, parts)
-        return Turn(self.document, self.view_state, pointer, grab, "Move handle")
+        grab = grab_point(self.document.project, self.view_state, found.shape_id, found.index)
+        return Turn(self.document, self.view_state, pointer, grab, "Move handle", (found.index, found.part))
 
-    def _insert_point(self, pointer: Pointer) -> None:
+    def _insert_point(self, pointer: Pointer) -> bool:
+        """Insert a point where the outline is pressed; False, with a word about it, beside every outline."""
         found = self._hit_insertion(pointer)
         if found is None:
-            self.view_state.say("Ctrl+Alt+click on an outline inserts a point there.")
-            return
+            self.view_state.say("Ctrl+Alt+click on an outline inserts a point there; a drag is a lasso.")
+            return False
         project = self.document.project
         shape = with_point_inserted(project.shape(found.shape_id), found.segment, found.t)
         self.document.apply("Insert point", project.with_shape(shape))
         self.view_state.select(self.view_state.selection.shapes, frozenset({(shape.id, found.segment + 1)}))
+        return True

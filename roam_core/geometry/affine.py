@@ -29,7 +29,7 @@ def rotation(degrees: float, fixed: ArrayLike) -> Array:
 
 
 def scaling(across: float, down: float, fixed: ArrayLike) -> Array:
-    """The scaling by a factor `across` along x and `down` along y about `fixed (2,)`; a mirror where one is negative."""
+    """The scaling by `across` along x and `down` along y about `fixed (2,)`; a mirror where one of them is negative."""
     return about([[across, 0.0], [0.0, down]], fixed)
 
 

@@ -45,10 +45,10 @@ def reshape(
 
     `start` is what `held_at` gave at `frame` when a drag began; by default the shape as it is there.
 
-    With auto-key, or on a frame that holds an artist key, the changed outline becomes an artist key there (a change that
-    changes nothing makes none). Without auto-key a frame between keys gets none: the artist keys before and after it
-    take the change, so that the motion between them goes through the outline as edited and no other key is disturbed.
-    With ripple all keys in the range take the change too.
+    With auto-key, or on a frame that holds an artist key, the changed outline becomes an artist key there (a change
+    that changes nothing makes none). Without auto-key a frame between keys gets none: the artist keys before and after
+    it take the change, so that the motion between them goes through the outline as edited and no other key is
+    disturbed. With ripple all keys in the range take the change too.
 
     Artist keys that are reached stay artist keys. Engine keys that lie among reached ones move along, so that the shape
     does not jump there, but stay what the engine made: their stamps no longer fit the artist's keys, so they show as

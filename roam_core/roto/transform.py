@@ -1,4 +1,4 @@
-"""Transforming points: affine maps of an outline, each point following as far as its weight, and the falloff of weights."""
+"""Transforming points: affine maps of an outline, each point following by its weight, and how weights fall off."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ def centre(outline: Outline, weights: Array) -> Array:
 
 
 def falloff(anchors: Array, chosen: Iterable[int], radius: float) -> Array:
-    """Weights `(P,)` of soft selection: 1 on the `chosen` points, falling smoothly to 0 at `radius` pixels from them."""
+    """Weights `(P,)` of soft selection: 1 on the `chosen` points, falling smoothly to 0 `radius` pixels from them."""
     indices = sorted(set(chosen))
     if not indices:
         return np.zeros(len(anchors))

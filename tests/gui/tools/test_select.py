@@ -108,6 +108,56 @@ def test_marquee_prefers_points_of_the_selected_shapes(
     assert {shape_id for shape_id, _ in view_state.selection.points} == {triangle}
 
 
+def test_marquee_with_ctrl_takes_points_away(hand: Hand, view_state: ViewState, square: str) -> None:
+    view_state.select(frozenset(), frozenset((square, index) for index in range(4)))
+    hand.drag((100.0, 20.0), (140.0, 120.0), CTRL)
+    assert view_state.selection == Selection(frozenset({square}), frozenset({(square, 0), (square, 3)}))
+
+
+def draw(hand: Hand, line: list[tuple[float, float]], modifiers: Qt.KeyboardModifier) -> None:
+    """A drag through every place of a line."""
+    hand.press(line[0], modifiers)
+    for at in line[1:]:
+        hand.move(at, modifiers)
+    hand.release(line[-1], modifiers)
+
+
+AROUND_A_DIAGONAL = [(30.0, 30.0), (60.0, 30.0), (130.0, 90.0), (130.0, 110.0), (110.0, 110.0), (30.0, 60.0)]
+"""A line about the first and third corner of the square, that leaves the other two outside."""
+
+
+def test_ctrl_alt_drag_is_a_lasso(hand: Hand, view_state: ViewState, square: str) -> None:
+    draw(hand, AROUND_A_DIAGONAL, CTRL | ALT)
+    assert view_state.selection.points == {(square, 0), (square, 2)}
+
+
+def test_lasso_in_place_of_the_rectangle(hand: Hand, view_state: ViewState, square: str) -> None:
+    view_state.editing.set(lasso=True)
+    draw(hand, AROUND_A_DIAGONAL, Qt.KeyboardModifier.NoModifier)
+    assert view_state.selection.points == {(square, 0), (square, 2)}
+    view_state.select(frozenset(), frozenset({(square, 1), (square, 2)}))
+    draw(hand, AROUND_A_DIAGONAL, SHIFT)
+    assert view_state.selection.points == {(square, 0), (square, 1), (square, 2)}
+    draw(hand, AROUND_A_DIAGONAL, CTRL)
+    assert view_state.selection.points == {(square, 1)}
+
+
+def test_a_lasso_is_drawn_while_it_is_spanned(
+    canvas: CanvasView, hand: Hand, view_state: ViewState, square: str
+) -> None:
+    view_state.select(frozenset())
+    hand.move((199.0, 140.0))
+    before = canvas.grab().toImage()
+    hand.press((20.0, 120.0), CTRL | ALT)
+    for at in ((60.0, 130.0), (100.0, 120.0)):
+        hand.move(at, CTRL | ALT)
+    assert canvas.grab().toImage() != before
+    hand.key(Qt.Key.Key_Escape)
+    hand.release((100.0, 120.0))
+    hand.move((199.0, 140.0))
+    assert canvas.grab().toImage() == before
+
+
 def test_escape_drops_a_marquee(hand: Hand, view_state: ViewState, square: str) -> None:
     hand.press((100.0, 20.0))
     hand.move((140.0, 120.0))

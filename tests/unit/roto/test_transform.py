@@ -1,0 +1,63 @@
+"""Transforming points by weight, the same way on every key, and how weights fall off."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from roam_core.geometry import affine
+from roam_core.geometry.bezier import polygon_points
+from roam_core.roto import Outline
+from roam_core.roto.transform import bell, centre, falloff, transform_like, transformed
+
+SQUARE = polygon_points([(0.0, 0.0), (10.0, 0.0), (10.0, 10.0), (0.0, 10.0)])
+ALL = np.ones(4)
+
+
+def outline(points: np.ndarray = SQUARE, feather: np.ndarray | None = None) -> Outline:
+    return Outline(points, feather, True)
+
+
+def test_weights_decide_how_far_each_point_follows() -> None:
+    after = transformed(outline(), np.array([1.0, 0.5, 0.0, 0.0]), affine.translation((0.1, 0.3)))
+    np.testing.assert_array_equal(after.points[0], np.tile((0.1, 0.3), (3, 1)))
+    np.testing.assert_allclose(after.points[1], np.tile((10.05, 0.15), (3, 1)))
+    assert after.points[2:].tobytes() == SQUARE[2:].tobytes()
+
+
+def test_feather_turns_with_the_points_and_ignores_moves() -> None:
+    feather = np.tile((0.0, -2.0), (4, 3, 1))
+    turned = transformed(outline(feather=feather), ALL, affine.rotation(90.0, (5.0, 5.0)))
+    assert turned.feather is not None
+    np.testing.assert_array_equal(turned.feather, np.tile((2.0, 0.0), (4, 3, 1)))
+    moved = transformed(outline(feather=feather), ALL, affine.translation((3.0, 4.0)))
+    np.testing.assert_array_equal(moved.feather, feather)
+
+
+def test_on_another_key_the_pivot_goes_with_the_shape() -> None:
+    change = transform_like(outline(), ALL, affine.scaling(2.0, 1.0, (0.0, 0.0)))
+    there = change(outline(SQUARE + np.array((100.0, 50.0))))
+    np.testing.assert_array_equal(there.points, SQUARE * (2.0, 1.0) + (100.0, 50.0))
+
+
+def test_on_another_key_a_move_is_the_same_move() -> None:
+    change = transform_like(outline(), ALL, affine.translation((2.0, 1.0)))
+    np.testing.assert_array_equal(change(outline(SQUARE * 3.0)).points, SQUARE * 3.0 + (2.0, 1.0))
+
+
+def test_centre_is_that_of_the_points_that_follow() -> None:
+    assert centre(outline(), np.array([1.0, 1.0, 0.0, 0.0])).tolist() == [5.0, 0.0]
+    assert centre(outline(), np.zeros(4)).tolist() == [5.0, 5.0]
+
+
+def test_falloff_is_one_on_the_chosen_and_falls_to_nothing_at_its_radius() -> None:
+    anchors = np.array([(0.0, 0.0), (5.0, 0.0), (10.0, 0.0), (20.0, 0.0)])
+    assert falloff(anchors, [0], 10.0).tolist() == [1.0, 0.5, 0.0, 0.0]
+    assert falloff(anchors, [0, 3], 10.0).tolist() == [1.0, 0.5, 0.0, 1.0]
+    assert falloff(anchors, [], 10.0).tolist() == [0.0] * 4
+
+
+def test_the_bell_is_flat_at_both_ends() -> None:
+    near = bell(np.array([0.0, 0.01, 0.99, 1.0, 3.0]))
+    assert (near[0], near[3], near[4]) == (1.0, 0.0, 0.0)
+    assert near[1] > 0.999
+    assert near[2] < 0.001
