@@ -26,6 +26,13 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--tolerance", type=float, default=0.5, metavar="E", help="pixels, for reduced keys (%(default)s)"
     )
     parser.add_argument(
+        "--smooth",
+        type=float,
+        default=0.0,
+        metavar="E",
+        help="let tracked keys move by up to so many pixels, that shapes move evenly through time (%(default)s)",
+    )
+    parser.add_argument(
         "--frames", type=int, nargs=2, metavar=("FIRST", "LAST"), help="keys and pictures of these frames only (all)"
     )
     parser.add_argument("--frame-offset", type=int, default=0, metavar="N", help="added to every frame number")
@@ -41,6 +48,7 @@ def run(arguments: argparse.Namespace) -> int:
         frame_offset=arguments.frame_offset,
         keys=KeyChoice(arguments.keys),
         tolerance=arguments.tolerance,
+        smoothing=arguments.smooth,
         frames=None if arguments.frames is None else range(arguments.frames[0], arguments.frames[1] + 1),
         frame=arguments.frame,
         mattes=matte_style(arguments),

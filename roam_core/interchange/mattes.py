@@ -44,7 +44,8 @@ class MatteExporter:
             style = style_for(path, style)
         else:
             folder, pattern = path, f"matte.####{style.suffix}"
-        shown = replace(project, root=_chosen(project.root, options))
+        notes: list[str] = []
+        shown = replace(project, root=_chosen(project.root, options, notes))
         write_mattes(
             shown,
             options.frames_of(clip),
@@ -55,7 +56,7 @@ class MatteExporter:
             progress=options.progress,
             token=options.token,
         )
-        return ()
+        return tuple(notes)
 
 
 def style_for(path: Path, style: MatteStyle) -> MatteStyle:
@@ -249,6 +250,9 @@ def _shown_layers(layer: Layer) -> list[Layer]:
     return shown
 
 
-def _chosen(layer: Layer, options: ExportOptions) -> Layer:
-    children = (_chosen(c, options) if isinstance(c, Layer) else chosen_keys(c, options) for c in layer.children)
+def _chosen(layer: Layer, options: ExportOptions, notes: list[str]) -> Layer:
+    children = (
+        _chosen(child, options, notes) if isinstance(child, Layer) else chosen_keys(child, options, notes)
+        for child in layer.children
+    )
     return replace(layer, children=tuple(children))

@@ -75,7 +75,7 @@ class NukeTracksExporter:
         for shape in project.shapes:
             options.advance(writer.done / writer.total, f"Shape {shape.name}")
             writer.done += 1
-            shape = exported_keys(shape, options)
+            shape = exported_keys(shape, options, writer.notes)
             if len(shape.keys) < 2:
                 writer.notes.append(f"{shape.name!r} has one key and no motion; it was left out.")
                 continue

@@ -15,6 +15,7 @@ from roam_core.cancel import CancelToken, Progress
 from roam_core.errors import RoamError
 from roam_core.interchange.matte_style import MatteStyle
 from roam_core.interchange.reduction import Motion, Slopes, reduced
+from roam_core.interchange.smoothing import smoothed
 from roam_core.roto import Clip, Interpolation, Keyframe, Origin, Project, RotoShape
 
 FARTHEST = 1e7
@@ -39,6 +40,7 @@ class ExportOptions:
     keys : every key; the artist's only (a shape without any of the artist's gives every one); or as few as keep the
         outline within `tolerance` pixels, the artist's among them, in the format's own interpolation.
     tolerance : pixels, for reduced keys.
+    smoothing : pixels by which the engine's keys may move so that the shape moves evenly; 0 leaves them where they are.
     frames : the plate's frames that are written, or None for all: pictures of no others, keys on no others, with the
         motion on these frames as it is.
     frame : the plate's frame for formats of still pictures; None is the first that is written.
@@ -50,6 +52,7 @@ class ExportOptions:
     frame_offset: int = 0
     keys: KeyChoice = KeyChoice.EVERY
     tolerance: float = 0.5
+    smoothing: float = 0.0
     frames: range | None = None
     frame: int | None = None
     mattes: MatteStyle = field(default_factory=MatteStyle)
@@ -113,7 +116,7 @@ class Exporter(Protocol):
 class ShapeWriter:
     """What the writers of formats share: the clip, the options, the progress over `total` shapes, and what they tell.
 
-    `notes` has one sentence for each loss, and for each shape whose keys were reduced.
+    `notes` has one sentence for each loss, and for each shape whose keys were smoothed or reduced.
     """
 
     clip: Clip
@@ -133,7 +136,7 @@ class ShapeWriter:
         """As `begun`, for a format that moves points by `motion`; and the slopes of reduced cubic spans, or nothing."""
         self.options.advance(self.done / self.total, f"Shape {shape.name}")
         self.done += 1
-        shape = exported_keys(shape, self.options)
+        shape = exported_keys(shape, self.options, self.notes)
         if self.options.keys is not KeyChoice.REDUCED:
             return shape, ()
         reduction = reduced(shape, self.options.tolerance, motion, self.options.token)
@@ -141,16 +144,17 @@ class ShapeWriter:
         return reduction.shape, reduction.slopes
 
 
-def exported_keys(shape: RotoShape, options: ExportOptions) -> RotoShape:
+def exported_keys(shape: RotoShape, options: ExportOptions, notes: list[str]) -> RotoShape:
     """The shape with the keys that are to be exported: those that were chosen, on the chosen frames."""
-    chosen = chosen_keys(shape, options)
+    chosen = chosen_keys(shape, options, notes)
     return chosen if options.frames is None else within(chosen, options.frames)
 
 
-def chosen_keys(shape: RotoShape, options: ExportOptions) -> RotoShape:
-    """The shape with the artist's keys only where these are to be exported, on the plate's own frames.
+def chosen_keys(shape: RotoShape, options: ExportOptions, notes: list[str]) -> RotoShape:
+    """The shape with the artist's keys only, or smoothed, where that is asked for, on the plate's own frames.
 
-    Raises `RoamError` for a point that is not finite or lies absurdly far away: no program could open it.
+    What smoothing does is added to `notes`. Raises `RoamError` for a point that is not finite or lies absurdly far
+    away: no program could open it.
     """
     if options.keys is KeyChoice.ARTIST and shape.artist_frames:
         shape = replace(shape, keys=tuple(key for key in shape.keys if key.origin is Origin.ARTIST))
@@ -161,7 +165,12 @@ def chosen_keys(shape: RotoShape, options: ExportOptions) -> RotoShape:
                     f"The shape {shape.name!r} has a point on frame {key.frame} that lies nowhere near the image; "
                     "correct or delete it, then export again."
                 )
-    return shape
+    if options.smoothing == 0.0:
+        return shape
+    smoothing = smoothed(shape, options.smoothing, options.token)
+    if smoothing.shape is not shape:
+        notes.append(smoothing.report())
+    return smoothing.shape
 
 
 def within(shape: RotoShape, frames: range) -> RotoShape:

@@ -90,7 +90,7 @@ def reduced(
         raise RoamError(f"The tolerance of reduced keys must be a positive number of pixels, not {tolerance:g}.")
     first, last = shape.frames[0], shape.frames[-1]
     stacked = _stacked(shape)
-    samples = _samples(stacked, shape.closed)
+    samples = places(stacked, shape.closed)
     keys: list[Keyframe] = []
     slopes: list[Slopes | None] = []
     after = samples.copy()
@@ -175,7 +175,7 @@ def _key(shape: RotoShape, frame: int) -> Keyframe:
     return replace(key, interpolation=Interpolation.LINEAR)
 
 
-def _samples(stacked: Array, closed: bool) -> Array:
+def places(stacked: Array, closed: bool) -> Array:
     """Places `(F, C, S, 2)` of the outline, and of the feather curve where there is one; `stacked (F, C, P, 3, 2)`."""
     frames, curves, count = stacked.shape[:3]
     absolute = np.cumsum(stacked, axis=1).reshape(frames, curves, 3 * count, 2)

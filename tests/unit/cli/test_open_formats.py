@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 
-from roam_core.roto import Clip, Keyframe, Layer, Project, RotoShape, file
+from roam_core.roto import Clip, Keyframe, Layer, Origin, Project, RotoShape, file
 from tests.unit.cli.conftest import Roam
 from tests.unit.matte.conftest import rectangle
 
@@ -67,3 +68,26 @@ def test_json_goes_out_and_comes_back_with_its_frames_moved(roam: Roam, project:
     ours, read = file.load(project).shapes
     assert read.frames == ours.frames == (7, 9)
     np.testing.assert_array_equal(read.keys[1].points, ours.keys[1].points)
+
+
+def test_tracked_keys_may_be_smoothed_and_reduced(roam: Roam, project: Path) -> None:
+    loaded = file.load(project)
+    (shape,) = loaded.shapes
+    rng = np.random.default_rng(1)
+    keys = [Keyframe(f, shape.keys[0].points + f + rng.normal(0, 0.3, (1, 1, 2)), origin=Origin.ENGINE) for f in (7, 8)]
+    keys.append(Keyframe(9, shape.keys[0].points + 9.0))
+    file.save(loaded.with_shape(replace(shape, keys=tuple(keys))), project)
+    out = project.parent / "p.json"
+    done = roam("export", project, "--to", "json", out, "--smooth", 2, "--keys", "reduced", "--tolerance", 1)
+    assert done.status == 0
+    smoothed, reduced, written = done.err.splitlines()[1:2], done.err.splitlines()[2:3], done.err.splitlines()[0]
+    assert written == f"Wrote 1 shape(s) to {out}."
+    assert "smoothed through time" in smoothed[0]
+    assert "2 keys for 3 frames" in reduced[0]
+
+
+@pytest.mark.parametrize("value", ["-1", "nan", "inf"])
+def test_a_senseless_reach_of_smoothing_is_refused(roam: Roam, project: Path, value: str) -> None:
+    done = roam("export", project, "--to", "json", project.parent / "p.json", "--smooth", value)
+    assert (done.status, done.err.count("\n")) == (1, 1)
+    assert "must be a positive number of pixels" in done.err

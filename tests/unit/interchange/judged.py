@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from roam_core.matte import shape_matte
 from roam_core.roto import RotoShape
+from tests.golden.shots import dense
 
 Array = NDArray[np.float64]
 
@@ -61,3 +62,10 @@ def overlap(mask: JudgedMask, shape: RotoShape, frame: int, size: tuple[int, int
     """Intersection over union of the judged mask's pixels and those of our matte."""
     theirs, ours = filled(mask.points(frame), size), shape_matte(shape, frame, size) > 0.5
     return float((theirs & ours).sum() / (theirs | ours).sum())
+
+
+def farthest(ours: Array, theirs: Array, *, closed: bool = True) -> float:
+    """The largest distance from any place of either outline `(P, 3, 2)` to the other one, by 800 places on each."""
+    a, b = dense(ours, closed), dense(theirs, closed)
+    apart = np.hypot(*np.moveaxis(a[:, None] - b[None], 2, 0))
+    return float(max(apart.min(axis=0).max(), apart.min(axis=1).max()))

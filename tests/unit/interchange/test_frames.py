@@ -39,7 +39,7 @@ def test_beyond_the_keys_the_shape_stands_still() -> None:
 
 def test_the_artists_keys_are_cut_where_the_artist_saw_them_move() -> None:
     shape = animated("Arm")
-    cut = exported_keys(shape, ExportOptions(keys=KeyChoice.ARTIST, frames=range(1005, 1013)))
+    cut = exported_keys(shape, ExportOptions(keys=KeyChoice.ARTIST, frames=range(1005, 1013)), [])
     assert [(key.frame, key.origin) for key in cut.keys] == [(1005, Origin.ARTIST), (1012, Origin.ARTIST)]
     start, stop = shape.at(1001).points, shape.at(1012).points
     npt.assert_allclose(cut.keys[0].points, start + (stop - start) * 4 / 11, rtol=0, atol=1e-9)
