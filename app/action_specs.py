@@ -50,7 +50,19 @@ SPECS: tuple[ActionSpec, ...] = (
     ActionSpec(
         "tool.bezier", "Bezier", _VIEWER, "tool-bezier", "Draw a Bezier shape: click corners, drag curves", True
     ),
+    ActionSpec("tool.bspline", "B-spline", _VIEWER, "tool-bspline", "Draw a smooth shape by its control points", True),
     ActionSpec("tool.polygon", "Polygon", _VIEWER, "tool-polygon", "Draw a polygon", True),
+    ActionSpec("tool.freehand", "Freehand", _VIEWER, "tool-freehand", "Draw by hand; few points are fitted", True),
+    ActionSpec("tool.ellipse", "Ellipse", _VIEWER, "tool-ellipse", "Span an ellipse; Shift makes it a circle", True),
+    ActionSpec(
+        "tool.rectangle", "Rectangle", _VIEWER, "tool-rectangle", "Span a rectangle; Shift makes it a square", True
+    ),
+    ActionSpec(
+        "tool.feather", "Feather", _VIEWER, "tool-feather", "Soften the edge: pull the feather out of points", True
+    ),
+    ActionSpec(
+        "feather.reset", "Reset feather", _VIEWER, tip="Put the feather of the selected points back on the outline"
+    ),
     ActionSpec("points.delete", "Delete", _VIEWER, tip="Delete the selected points or shapes"),
     ActionSpec("points.select_all", "Select all points", _VIEWER),
     ActionSpec("points.next", "Next point", _VIEWER),
@@ -68,6 +80,9 @@ SPECS: tuple[ActionSpec, ...] = (
     ActionSpec(
         "key.delete", "Delete key", _VIEWER, "key-delete", "Delete the keys of the selected shapes on this frame"
     ),
+    ActionSpec("key.linear", "Linear", icon="key-linear", tip="Move on evenly from the chosen keys, or from this one"),
+    ActionSpec("key.smooth", "Smooth", icon="key-smooth", tip="Begin and end softly after the chosen keys or this one"),
+    ActionSpec("key.hold", "Hold", icon="key-hold", tip="Stand still after the chosen keys, or this one"),
     ActionSpec("track.backward", "Track backward", icon="track-backward"),
     ActionSpec("track.backward_one", "Track one frame backward", icon="track-backward-one"),
     ActionSpec("track.stop", "Stop", icon="track-stop", tip="Stop; the frames that are finished stay"),
@@ -92,9 +107,22 @@ SPECS: tuple[ActionSpec, ...] = (
     ActionSpec("view.source", "Source", _VIEWER, "view-source", "The plate alone", True),
     ActionSpec("view.overlay", "Overlay", _VIEWER, "view-overlay", "The plate with its shapes", True),
     ActionSpec("view.matte", "Matte", _VIEWER, "view-matte", "The matte of all visible shapes", True),
+    ActionSpec("view.cutout", "Cut-out", _VIEWER, "view-cutout", "The plate inside of the matte, on a ground", True),
+    ActionSpec("view.onion", "Onion skin", _VIEWER, "view-onion", "The outlines of frames before and after", True),
     ActionSpec(
         "view.confidence", "Confidence", _VIEWER, "view-confidence", "Where the engine trusts the outline", True
     ),
+    ActionSpec("view.alpha", "Alpha alone", _VIEWER, "view-alpha", "The matte without its outlines, and back", True),
+    ActionSpec("view.colour", "Colour", _VIEWER, tip="All channels", checkable=True),
+    ActionSpec("view.red", "Red", _VIEWER, tip="The red channel alone, and back", checkable=True),
+    ActionSpec("view.green", "Green", _VIEWER, tip="The green channel alone, and back", checkable=True),
+    ActionSpec("view.blue", "Blue", _VIEWER, tip="The blue channel alone, and back", checkable=True),
+    ActionSpec("view.luminance", "Luminance", _VIEWER, tip="Brightness alone, and back", checkable=True),
+    ActionSpec("view.reset_look", "Reset exposure", _VIEWER, tip="Show the plate as it is: all channels, neutral"),
+    ActionSpec(
+        "view.wipe", "Compare", _VIEWER, "view-wipe", "Compare what is shown now with what will be: drag the line", True
+    ),
+    ActionSpec("view.pin", "Pin as A", _VIEWER, tip="Compare with what is shown now, in place of what was pinned"),
     ActionSpec("view.hide_overlays", "Hide shapes", _VIEWER, tip="Hide the shapes while you look", checkable=True),
     ActionSpec("view.fit", "Fit", _VIEWER, "view-fit"),
     ActionSpec("view.fit_selection", "Frame selection", _VIEWER),
@@ -118,5 +146,10 @@ SPECS: tuple[ActionSpec, ...] = (
     ActionSpec("time.set_in", "Set in"),
     ActionSpec("time.set_out", "Set out"),
     ActionSpec("time.clear_range", "Clear in and out"),
-    ActionSpec("help.keys", "Keys…"),
+    ActionSpec("edit.keymap", "Change keys…", tip="Keys of other programs, and keys of your own"),
+    ActionSpec("edit.settings", "Settings…"),
+    ActionSpec("help.palette", "Find an action…", tip="Do anything by a few letters of its name"),
+    ActionSpec("help.keys", "Keys…", tip="Show every key, and find one"),
+    ActionSpec("help.log", "Messages", tip="Show what was said, and when", checkable=True),
+    ActionSpec("help.about", "About ROAM…"),
 )

@@ -20,11 +20,14 @@ MENUS: dict[str, tuple[str, ...]] = {
         "edit.undo", "edit.redo", "edit.history", SEPARATOR,
         "edit.copy", "edit.cut", "edit.paste", SEPARATOR,
         "points.delete", "points.select_all", "points.next", "points.previous", SEPARATOR,
-        "points.smooth", "points.cusp", "points.toggle_closed",
+        "points.smooth", "points.cusp", "points.toggle_closed", "feather.reset", SEPARATOR,
+        "edit.keymap", "edit.settings",
     ),
     "Shape": (
-        "tool.select", "tool.bezier", "tool.polygon", SEPARATOR,
-        "key.set", "key.delete", SEPARATOR,
+        "tool.select", "tool.bezier", "tool.bspline", "tool.polygon", "tool.freehand", "tool.ellipse", "tool.rectangle",
+        "tool.feather",
+        SEPARATOR,
+        "key.set", "key.delete", "key.linear", "key.smooth", "key.hold", SEPARATOR,
         "shape.duplicate", "shape.group", "shape.delete", SEPARATOR,
         "shape.lock", "shape.hide", "shape.show_all",
     ),
@@ -41,15 +44,23 @@ MENUS: dict[str, tuple[str, ...]] = {
         "proposal.keep_always", "proposal.refuse_always", "proposal.ask_again",
     ),
     "View": (
-        "view.source", "view.overlay", "view.matte", "view.confidence", "view.hide_overlays", SEPARATOR,
+        "view.source", "view.overlay", "view.matte", "view.cutout", "view.onion", "view.confidence", "view.alpha",
+        "view.hide_overlays", SEPARATOR,
+        "view.colour", "view.red", "view.green", "view.blue", "view.luminance", "view.reset_look", SEPARATOR,
+        "view.wipe", "view.pin", SEPARATOR,
         "view.fit", "view.fit_selection", "view.actual_size", SEPARATOR,
         "time.previous", "time.next", "time.previous_key", "time.next_key", "time.first", "time.last", SEPARATOR,
         "time.toggle_play", "time.play", "time.play_back", "time.pause", "time.loop", SEPARATOR,
         "time.set_in", "time.set_out", "time.clear_range", SEPARATOR,
         "view.fit_time", "view.tall_timeline", "view.panels",
     ),
-    "Help": ("help.keys",),
+    "Help": ("help.palette", "help.keys", SEPARATOR, "help.log", "help.about"),
 }  # fmt: skip
+
+
+def menu_of(action_id: str) -> str:
+    """The title of the menu in which an action stands; empty where it stands in none."""
+    return next((title for title, entries in MENUS.items() if action_id in entries), "")
 
 
 def menu_bar(actions: Actions) -> QMenuBar:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
+from typing import ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,15 +14,15 @@ from app.canvas import marks
 from app.canvas.shape_item import outline_path, visible_handles
 from app.canvas.viewport import Viewport
 from app.document import Document
+from app.tools.finishing import finish_shape, next_colour
 from app.tools.gestures import DRAG_DISTANCE
 from app.tools.hit_test import REACH
 from app.tools.tool import Pointer, Tool
 from app.view_state import ViewState
 from roam_core.geometry import bezier
 from roam_core.geometry.bezier import ANCHOR
-from roam_core.roto import edit
+from roam_core.roto import Spline, edit
 from roam_core.roto.edit import is_smooth
-from roam_core.roto.project import PALETTE
 
 Array = NDArray[np.float64]
 
@@ -36,6 +37,9 @@ class DrawingTool(Tool, ABC):
     A press on the first point, Return or a double click closes the shape; Esc, or taking another tool, leaves it open;
     Backspace takes the last point back. The finished shape is selected, with the select tool in the hand to adjust it.
     """
+
+    spline: ClassVar[Spline] = Spline.BEZIER
+    """What the placed points are: Bezier points, or control points."""
 
     def __init__(self, document: Document, view_state: ViewState) -> None:
         super().__init__(document, view_state)
@@ -127,7 +131,12 @@ class DrawingTool(Tool, ABC):
     def paint(self, painter: QPainter, viewport: Viewport) -> None:
         if not len(self._points):
             return
-        colour = QColor.fromRgbF(*PALETTE[len(self.document.project.shapes) % len(PALETTE)])
+        colour = next_colour(self.document.project)
+        self._paint_curve(painter, viewport, colour)
+        self._paint_points(painter, viewport, colour)
+
+    def _paint_curve(self, painter: QPainter, viewport: Viewport, colour: QColor) -> None:
+        """What is drawn so far, and weaker what a press would add."""
         if len(self._points) > 1 or self._is_closing:
             path = outline_path(self._points, self._is_closing)
             marks.stroke(painter, viewport.transform.map(path), colour, marks.SELECTED_WIDTH)
@@ -135,7 +144,6 @@ class DrawingTool(Tool, ABC):
             marks.stroke(
                 painter, viewport.transform.map(self._rubber_band()), marks.faded(colour, 0.6), marks.OUTLINE_WIDTH
             )
-        self._paint_points(painter, viewport, colour)
 
     def _paint_points(self, painter: QPainter, viewport: Viewport, colour: QColor) -> None:
         """All anchors, and the handles of the point in the hand."""
@@ -178,10 +186,4 @@ class DrawingTool(Tool, ABC):
         points = self._points
         # Cleared first: taking the select tool lays this one down.
         self.drop()
-        project, shape = edit.new_shape(self.document.project, points, self._frame, closed=closed)
-        self.document.apply("Draw shape", project)
-        self.view_state.select(frozenset({shape.id}))
-        if self.view_state.tool == self.name:
-            self.view_state.set_tool("select")
-        follow = "] tracks it forward" if closed else "it is open, C closes it"
-        self.view_state.say(f"{shape.name} is drawn: drag its points to adjust it, {follow}.")
+        finish_shape(self.document, self.view_state, self.name, points, self._frame, closed=closed, spline=self.spline)

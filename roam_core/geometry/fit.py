@@ -1,6 +1,8 @@
-"""Few-point Bezier splines fitted to dense closed polylines: corners kept, tangents continuous elsewhere."""
+"""Few-point Bezier splines fitted to dense polylines: corners kept, tangents continuous elsewhere."""
 
 from __future__ import annotations
+
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,23 +16,37 @@ STEP = 0.5
 """Pixels between the samples of the outline that a curve is fitted to."""
 
 
-def fit_closed(line: Array, tolerance: float = 1.0, corner_degrees: float = 50.0) -> Array:
+MIN_STROKE = 2.0
+"""Pixels: a shorter open line is one straight segment."""
+
+HAND_CORNER, HAND_SOFTNESS, HAND_REACH = 55.0, 2.5, 9.0
+"""Degrees and pixels of `fit_open` for lines that a hand drew."""
+
+
+def fit_closed(
+    line: Array, tolerance: float = 1.0, corner_degrees: float = 50.0, *, softness: float = 1.2, reach: float = 5.0
+) -> Array:
     """A closed spline `(P, 3, 2)` of few points within about `tolerance` pixels of the closed polyline `line (K, 2)`.
 
     The outline is cut at its corners (a turn of at least `corner_degrees` over a few pixels); each piece is fitted by
     least squares with reparametrisation and halved where it strays most, with a common tangent at the cut (Schneider,
     "An Algorithm for Automatically Fitting Digitized Curves", Graphics Gems, 1990). A piece from corner to corner that
     is straight within half the tolerance becomes straight: the tangents that pixels show at a corner would bend it.
+
+    Parameters
+    ----------
+    softness : pixels of the Gaussian that takes pixel stairs, or the tremor of a hand, off before tangents are felt.
+    reach : pixels on either side of a corner over which its turn is measured.
     """
     perimeter = polyline.length(line)
     count = max(16, round(perimeter / STEP))
     dense = polyline.resample(line, count)
-    reach = perimeter / count
-    cuts = _corners(dense, max(2, round(min(5.0, perimeter / 12) / reach)), np.radians(corner_degrees))
+    step = perimeter / count
+    cuts = _corners(dense, max(2, round(min(reach, perimeter / 12) / step)), np.radians(corner_degrees))
     sharp = len(cuts) > 0
     if not sharp:
         cuts = np.array([int(np.argmax(((dense - dense.mean(axis=0)) ** 2).sum(axis=1)))])
-    smooth = _smoothed(dense, cuts if sharp else np.empty(0, dtype=int), 1.2 / reach)
+    smooth = _smoothed(dense, cuts if sharp else np.empty(0, dtype=int), softness / step)
     pieces: list[Array] = []
     for k, start in enumerate(cuts):
         stop = cuts[(k + 1) % len(cuts)]
@@ -46,6 +62,78 @@ def fit_closed(line: Array, tolerance: float = 1.0, corner_degrees: float = 50.0
             ends = tangent, tangent
         pieces.extend(_fit_run(run, ends[0], ends[1], tolerance, 0))
     return _joined(pieces)
+
+
+def fit_open(
+    line: Array, tolerance: float = 1.0, corner_degrees: float = 50.0, *, softness: float = 1.2, reach: float = 5.0
+) -> Array:
+    """An open spline `(P, 3, 2)` of few points within about `tolerance` pixels of the polyline `line (K, 2)`.
+
+    Cut and fitted as by `fit_closed`; it begins and ends where the line does.
+
+    Parameters
+    ----------
+    softness : pixels of the Gaussian that takes pixel stairs, or the tremor of a hand, off before tangents are felt.
+    reach : pixels on either side of a corner over which its turn is measured.
+    """
+    total = polyline.length(line, closed=False)
+    if total < MIN_STROKE:
+        ends = np.stack([line[0], line[-1]])
+        return _chained([_straight(ends[0], ends[1])])
+    dense = polyline.resample(line, max(8, round(total / STEP)) + 1, closed=False)
+    step = total / (len(dense) - 1)
+    soft = _smoothed_open(dense, softness / step)
+    span = max(2, round(min(reach, total / 6) / step))
+    corners = _corners(soft, span, np.radians(corner_degrees))
+    corners = corners[(corners >= span) & (corners < len(dense) - span)]
+    cuts = [0, *corners.tolist(), len(dense) - 1]
+    smooth = np.concatenate([_smoothed_open(dense[a : b + 1], softness / step)[k > 0 :] for k, (a, b) in _runs(cuts)])
+    pieces: list[Array] = []
+    for _, (start, stop) in _runs(cuts):
+        run = smooth[start : stop + 1]
+        if _off_chord(run) <= tolerance / 2.0:
+            pieces.append(_straight(run[0], run[-1]))
+        else:
+            pieces.extend(_fit_run(run, _end_tangent(run), -_end_tangent(run[::-1]), tolerance, 0))
+    return _chained(pieces)
+
+
+def fit_stroke(line: Array, tolerance: float, *, closed: bool) -> Array:
+    """The spline `(P, 3, 2)` of a line `(K, 2)` drawn by hand: `closed` joins its end to its beginning smoothly.
+
+    Tremor of about a pixel is taken out before corners and tangents are looked for; `tolerance` in pixels.
+    """
+    if not closed:
+        return fit_open(line, tolerance, HAND_CORNER, softness=HAND_SOFTNESS, reach=HAND_REACH)
+    return fit_closed(line, tolerance, HAND_CORNER, softness=HAND_SOFTNESS, reach=HAND_REACH)
+
+
+def _runs(cuts: list[int]) -> list[tuple[int, tuple[int, int]]]:
+    """The pieces between neighbouring cuts, numbered."""
+    return list(enumerate(pairwise(cuts)))
+
+
+def _chained(pieces: list[Array]) -> Array:
+    """Cubic pieces `(4, 2)` one after the other as spline points; the handles beyond the ends lie on the anchors."""
+    points = np.empty((len(pieces) + 1, 3, 2))
+    points[0, :2], points[-1, [0, 2]] = pieces[0][0], pieces[-1][3]
+    for k, piece in enumerate(pieces):
+        points[k, 0], points[k, 2], points[k + 1, 1] = piece[0], piece[1], piece[2]
+    return points
+
+
+def _smoothed_open(line: Array, sigma: float) -> Array:
+    """A Gaussian of `sigma` samples along an open line, whose ends stay: beyond them it goes on point-symmetrically."""
+    if len(line) < 3:
+        return line
+    radius = min(int(np.ceil(3 * sigma)), len(line) - 1)
+    kernel = np.exp(-0.5 * (np.arange(-radius, radius + 1) / sigma) ** 2)
+    before, after = 2.0 * line[0] - line[radius:0:-1], 2.0 * line[-1] - line[-2 : -radius - 2 : -1]
+    padded = np.concatenate([before, line, after])
+    weights = kernel / kernel.sum()
+    soft = np.stack([np.convolve(padded[:, axis], weights, mode="valid") for axis in range(2)], axis=1)
+    soft[0], soft[-1] = line[0], line[-1]
+    return soft
 
 
 def _off_chord(run: Array) -> float:
