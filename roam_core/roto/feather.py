@@ -1,0 +1,108 @@
+"""The feather curve, point by point: pulling it out of the outline, turning its handles, taking it back.
+
+A key's `feather (P, 3, 2)` is the curve minus the outline's Bezier points, for anchor, in- and out-handle; None is a
+curve that lies on the outline everywhere.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from roam_core.geometry.bezier import ANCHOR, IN, OUT
+from roam_core.roto.grips import points_of
+from roam_core.roto.keying import Change
+from roam_core.roto.shape import Outline, RotoShape
+
+Array = NDArray[np.float64]
+Turn = Callable[[Array, int, int, tuple[float, float]], Array]
+"""Puts one handle of points `(P, 3, 2)` at a position: `(points, index, part, position) -> points`."""
+
+
+def curve(outline: Outline) -> Array:
+    """The feather curve `(P, 3, 2)`, absolute pixels; the outline itself where it has no feather."""
+    return outline.points if outline.feather is None else outline.points + outline.feather
+
+
+def frames_along(points: Array, closed: bool = True) -> Array:
+    """At each point the unit vectors along and across the curve, `(P, 2, 2)`; across is to the right of along.
+
+    Of a point without handles the direction is that of its neighbours' chord.
+    """
+    anchors = points[:, ANCHOR]
+    before, after = np.roll(anchors, 1, axis=0), np.roll(anchors, -1, axis=0)
+    if not closed:
+        before[0], after[-1] = anchors[0], anchors[-1]
+    tangent, chord = points[:, OUT] - points[:, IN], after - before
+    tangent = np.where(np.hypot(*tangent.T)[:, None] > 1e-9, tangent, chord)
+    length = np.hypot(*tangent.T)[:, None]
+    tangent = np.where(length > 1e-9, tangent / np.maximum(length, 1e-9), [1.0, 0.0])
+    return np.stack([tangent, np.stack([-tangent[:, 1], tangent[:, 0]], axis=1)], axis=1)
+
+
+def pulled(points: Array, feather: Array | None, weights: Array, along: float, across: float, closed: bool) -> Array:
+    """The feather after its points are pulled, each in its own direction.
+
+    Parameters
+    ----------
+    points, feather : (P, 3, 2) the outline's Bezier points, and the feather so far or None.
+    weights : (P,) how far each point follows, in [0, 1].
+    along, across : by how much, in pixels, in the directions of `frames_along`.
+
+    Returns
+    -------
+    (P, 3, 2). The handles of a pulled point keep their directions and grow or shrink with the distance to the
+    neighbour that they point to: a circle whose points are pulled alike becomes a greater circle.
+    """
+    before = points.copy() if feather is None else points + feather
+    frames = frames_along(points, closed)
+    after = before + (weights[:, None] * (along * frames[:, 0] + across * frames[:, 1]))[:, None, :]
+    for handle, step in ((IN, 1), (OUT, -1)):
+        old, new = (np.hypot(*(np.roll(c[:, ANCHOR], step, axis=0) - c[:, ANCHOR]).T) for c in (before, after))
+        grown = np.where((weights > 0.0) & (old > 1e-9), new / np.maximum(old, 1e-9), 1.0)
+        after[:, handle] = after[:, ANCHOR] + grown[:, None] * (before[:, handle] - before[:, ANCHOR])
+    return np.asarray(after - points)
+
+
+def pull(shape: RotoShape, weights: Array, along: float, across: float) -> Change:
+    """The change that pulls the feather points of `shape`, as `pulled` does, on whichever key it reaches."""
+
+    def change(held: Outline) -> Outline:
+        points = points_of(held.points, shape.spline, shape.closed)
+        return replace(held, feather=tidy(pulled(points, held.feather, weights, along, across, shape.closed)))
+
+    return change
+
+
+def turn(shape: RotoShape, index: int, part: int, delta: ArrayLike, tangent: Turn) -> Change:
+    """The change that moves one handle of the feather curve by `delta (2,)`; `tangent` says what the other one does."""
+
+    def change(held: Outline) -> Outline:
+        points = points_of(held.points, shape.spline, shape.closed)
+        line = points if held.feather is None else points + held.feather
+        x, y = (line[index, part] + np.asarray(delta)).tolist()
+        return replace(held, feather=tidy(tangent(line, index, part, (x, y)) - points))
+
+    return change
+
+
+def reset(indices: Iterable[int]) -> Change:
+    """The change that puts these feather points back on the outline."""
+    chosen = list(indices)
+
+    def change(held: Outline) -> Outline:
+        if held.feather is None:
+            return held
+        feather = held.feather.copy()
+        feather[chosen] = 0.0
+        return replace(held, feather=tidy(feather))
+
+    return change
+
+
+def tidy(feather: Array) -> Array | None:
+    """The feather, or None where it is nothing."""
+    return feather if feather.any() else None

@@ -1,0 +1,86 @@
+"""Feather curves: pulling, turning, taking back."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from roam_core.geometry.bezier import ANCHOR, IN, OUT, polygon_points
+from roam_core.roto import Keyframe, RotoShape, edit, feather
+from roam_core.roto.keying import Keying, held_at, reshape
+
+SQUARE = polygon_points([(0.0, 0.0), (10.0, 0.0), (10.0, 10.0), (0.0, 10.0)])
+KAPPA = 0.5522847498
+
+
+def circle(radius: float) -> np.ndarray:
+    angles = np.arange(4) * np.pi / 2
+    anchors = radius * np.stack([np.cos(angles), np.sin(angles)], axis=1)
+    along = KAPPA * radius * np.stack([-np.sin(angles), np.cos(angles)], axis=1)
+    return np.stack([anchors, anchors - along, anchors + along], axis=1)
+
+
+def shape(points: np.ndarray, *frames: int) -> RotoShape:
+    return RotoShape("shape-1", "Shape 1", tuple(Keyframe(frame, points) for frame in frames or (1,)))
+
+
+def test_a_circle_pulled_alike_becomes_a_greater_circle() -> None:
+    points = circle(10.0)
+    across = -5.0  # this circle turns to the right: outside is on the left
+    offsets = feather.pulled(points, None, np.ones(4), 0.0, across, True)
+    np.testing.assert_allclose(points + offsets, circle(15.0), atol=1e-9)
+
+
+def test_one_point_is_pulled_by_the_very_distance_and_the_others_stay() -> None:
+    frame = feather.frames_along(SQUARE)[1]
+    along, across = frame @ np.array([3.0, -4.0])
+    weights = np.array([0.0, 1.0, 0.0, 0.0])
+    offsets = feather.pulled(SQUARE, None, weights, along, across, True)
+    np.testing.assert_allclose(offsets[1, ANCHOR], [3.0, -4.0], atol=1e-12)
+    assert not offsets[[0, 2, 3]].any()
+
+
+def test_directions_turn_with_the_curve() -> None:
+    frames = feather.frames_along(circle(10.0))
+    np.testing.assert_allclose(frames[:, 1], -circle(1.0)[:, ANCHOR], atol=1e-9)
+    ends = feather.frames_along(SQUARE[:3], closed=False)
+    np.testing.assert_allclose(ends[[0, 2], 0], [[1.0, 0.0], [0.0, 1.0]], atol=1e-12)
+
+
+def test_a_handle_turns_on_the_feather_curve_alone() -> None:
+    one = shape(circle(10.0))
+    change = feather.turn(one, 0, OUT, (2.0, 0.0), edit.drag_handle)
+    turned = reshape(one, 1, change)
+    line = feather.curve(turned.at(1))
+    np.testing.assert_array_equal(turned.at(1).points, circle(10.0))
+    np.testing.assert_allclose(line[0, OUT], circle(10.0)[0, OUT] + [2.0, 0.0])
+    arm, other = line[0, OUT] - line[0, ANCHOR], line[0, IN] - line[0, ANCHOR]
+    assert arm[0] * other[1] - arm[1] * other[0] == pytest.approx(0.0, abs=1e-9)  # smooth stays smooth
+
+
+def test_all_keys_in_the_ripple_are_feathered_alike() -> None:
+    one = shape(SQUARE, 1, 5, 9)
+    pull = feather.pull(one, np.array([1.0, 0.0, 0.0, 0.0]), 0.0, -2.0)
+    rippled = reshape(one, 5, pull, Keying(ripple=range(1, 6)), held_at(one, 5))
+    first, second, third = (key.feather for key in rippled.keys)
+    np.testing.assert_array_equal(first, second)
+    assert first is not None
+    assert third is None
+
+
+def test_reset_leaves_nothing_behind() -> None:
+    one = reshape(shape(SQUARE), 1, feather.pull(shape(SQUARE), np.array([1.0, 1.0, 0.0, 0.0]), 0.0, -2.0))
+    half = reshape(one, 1, feather.reset([0]))
+    assert half.at(1).feather is not None
+    assert not half.at(1).feather[0].any()
+    assert reshape(half, 1, feather.reset([1])).at(1).feather is None
+    assert reshape(shape(SQUARE), 1, feather.reset([0])) == shape(SQUARE)
+
+
+def test_pulling_changes_no_argument() -> None:
+    before = np.zeros_like(SQUARE)
+    one = replace(shape(SQUARE), keys=(Keyframe(1, SQUARE, feather=before),))
+    reshape(one, 1, feather.pull(one, np.ones(4), 1.0, 1.0))
+    assert not before.any()
