@@ -102,7 +102,7 @@ class MainWindow(QMainWindow):
         self.history.setEmptyLabel("As opened")
         self.history.setMinimumHeight(6 * style.ROW_HEIGHT)
         self.transport = Transport(self.navigation, view_state, self.playback, actions)
-        self.timeline = Timeline(document, view_state, self.reader.cached_frames)
+        self.timeline = Timeline(document, view_state, self.reader.cached_frames, actions)
         self.status = StatusBar(view_state, self.under_way)
         self.setMenuWidget(_top_row(menus.menu_bar(actions), self.view_bar))
 
@@ -211,7 +211,8 @@ class MainWindow(QMainWindow):
             playback,
         ):
             handlers |= part.handlers()
-        return handlers
+        keys = self.timeline.verbs
+        return handlers | keys.handlers() | keys.taking_over(handlers)
 
     # ---- pulling
 

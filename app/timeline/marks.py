@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from app.document import Document
 from roam_core.params import CONFIGS, DOUBTFUL
 from roam_core.propagate import provenance
-from roam_core.roto import Clip, Keyframe, Origin, RotoShape
+from roam_core.roto import Clip, Interpolation, Keyframe, Origin, RotoShape
 
 Frames = NDArray[np.int64]
 
@@ -20,14 +20,27 @@ Frames = NDArray[np.int64]
 class KeyMarks:
     """Frames by what lies on them: `artist` keys; `engine` frames that are trusted, `doubtful` or `stale`.
 
-    `confidence` are pairs (frame, confidence) `(K, 2)` of all engine frames, in the order of time.
+    `smooth` and `held` are those of the artist's keys from which the shape does not move on evenly. `confidence` are
+    pairs (frame, confidence) `(K, 2)` of all engine frames, in the order of time.
     """
 
     artist: Frames
     engine: Frames
     doubtful: Frames
     stale: Frames
+    smooth: Frames
+    held: Frames
     confidence: NDArray[np.float64]
+
+    @property
+    def keyed(self) -> Frames:
+        """Every frame that holds a key, in the order of time."""
+        return np.sort(np.concatenate([self.artist, self.engine, self.doubtful, self.stale]))
+
+    def kind_at(self, frame: int) -> str:
+        """The name of the field that tells of this frame; empty where there is no key."""
+        kinds = ("artist", "engine", "doubtful", "stale")
+        return next((kind for kind in kinds if frame in getattr(self, kind)), "")
 
 
 def key_marks(shape: RotoShape, clip: Clip | None) -> KeyMarks:
@@ -47,11 +60,14 @@ def key_marks(shape: RotoShape, clip: Clip | None) -> KeyMarks:
             doubtful.append(key.frame)
         else:
             engine.append(key.frame)
+    moves = {key.frame: key.interpolation for key in shape.keys}
     return KeyMarks(
         _frames(artist),
         _frames(engine),
         _frames(doubtful),
         _frames(stale),
+        _frames([frame for frame in artist if moves[frame] is Interpolation.SMOOTH]),
+        _frames([frame for frame in artist if moves[frame] is Interpolation.HOLD]),
         np.asarray(confidence, dtype=np.float64).reshape(-1, 2),
     )
 

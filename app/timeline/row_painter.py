@@ -8,18 +8,22 @@ from PySide6.QtGui import QBrush, QColor, QPainter, QPen, QPixmap, QPolygonF
 from PySide6.QtWidgets import QWidget
 
 from app import style
-from app.timeline.marks import Frames, MarksOf
+from app.timeline.marks import Frames, KeyMarks, MarksOf
 from app.timeline.scale import LABEL_WIDTH, TimeScale
 from roam_core.roto import RotoShape
 
 ROW = style.ROW_HEIGHT
 MIDDLE = (ROW - 1) / 2
-DIAMOND = 5.5
+DIAMOND, DISC, SQUARE = 5.5, 4.5, 4.0
+"""Half the height of an artist's key: linear, smooth, held."""
 TICK = 4.0
 """Half the height of a tick."""
-SELECTED, GROUND = "#3a3a3a", "#5a5a5a"
+SELECTED, GROUND = "#3a3a3a", "#707070"
+DOUBT, STALE = "#ff8c1a", "#a8a8a8"
+"""The canvas's colour of doubt; a grey for what is of the past. Form tells them apart as well."""
 
-Look = tuple[TimeScale, QSize, bool, float]
+NO_FRAMES: frozenset[int] = frozenset()
+Look = tuple[TimeScale, QSize, bool, frozenset[int], float]
 
 
 class RowPainter:
@@ -29,42 +33,37 @@ class RowPainter:
         self._marks = marks
         self._known: dict[str, tuple[RotoShape, Look, QPixmap]] = {}
 
-    def row(self, shape: RotoShape, scale: TimeScale, size: QSize, is_selected: bool, on: QWidget) -> QPixmap:
-        """The row of a shape, for a widget of the screen that `on` is on."""
-        look = (scale, size, is_selected, on.devicePixelRatioF())
+    def row(
+        self, shape: RotoShape, scale: TimeScale, size: QSize, is_selected: bool, chosen: frozenset[int], on: QWidget
+    ) -> QPixmap:
+        """The row of a shape with its `chosen` keys, for a widget of the screen that `on` is on."""
+        look = (scale, size, is_selected, chosen, on.devicePixelRatioF())
         known = self._known.get(shape.id)
         if known is not None and known[0] is shape and known[1] == look:
             return known[2]
-        picture = QPixmap(size * look[3])
-        picture.setDevicePixelRatio(look[3])
+        picture = QPixmap(size * look[4])
+        picture.setDevicePixelRatio(look[4])
         painter = QPainter(picture)
         painter.setFont(on.font())
-        self._paint(painter, shape, scale, size, is_selected)
+        self._paint(painter, shape, scale, size, is_selected, chosen)
         painter.end()
         self._known[shape.id] = (shape, look, picture)
         return picture
 
-    def _paint(self, painter: QPainter, shape: RotoShape, scale: TimeScale, size: QSize, is_selected: bool) -> None:
+    def _paint(
+        self,
+        painter: QPainter,
+        shape: RotoShape,
+        scale: TimeScale,
+        size: QSize,
+        is_selected: bool,
+        chosen: frozenset[int],
+    ) -> None:
         painter.fillRect(QRectF(0, 0, size.width(), ROW), QColor(SELECTED if is_selected else style.PANEL))
         painter.fillRect(QRectF(0, ROW - 1, size.width(), 1), QColor(style.WINDOW))
         _paint_label(painter, shape)
         painter.setClipRect(QRectF(scale.left, 0, size.width() - scale.left, ROW))
-        self._paint_marks(painter, shape, scale)
-
-    def _paint_marks(self, painter: QPainter, shape: RotoShape, scale: TimeScale) -> None:
-        marks, colour = self._marks(shape), QColor.fromRgbF(*shape.colour)
-        _paint_ground(painter, shape, scale)
-        doubtful = columns(marks.doubtful, scale)
-        painter.setPen(
-            QPen(QBrush(colour), 2 if scale.pixels >= 9 else 1, Qt.PenStyle.SolidLine, Qt.PenCapStyle.FlatCap)
-        )
-        for trusted_or_not in (columns(marks.engine, scale), doubtful):
-            painter.drawLines([QLineF(x, MIDDLE - TICK, x, MIDDLE + TICK) for x in trusted_or_not])
-        _paint_notches(painter, doubtful)
-        painter.setPen(QPen(colour, 1))
-        painter.setBrush(Qt.BrushStyle.NoBrush)
-        painter.drawRects([QRectF(x - 1.5, MIDDLE - TICK, 3, 2 * TICK) for x in columns(marks.stale, scale)])
-        _paint_diamonds(painter, columns(marks.artist, scale), colour)
+        _paint_marks(painter, shape, self._marks(shape), chosen, scale)
 
 
 def columns(frames: Frames, scale: TimeScale) -> list[float]:
@@ -81,10 +80,38 @@ def _paint_label(painter: QPainter, shape: RotoShape) -> None:
     painter.drawText(QRectF(22, 0, LABEL_WIDTH - 30, ROW - 1), Qt.AlignmentFlag.AlignVCenter, name)
 
 
-def _paint_ground(painter: QPainter, shape: RotoShape, scale: TimeScale) -> None:
-    """A faint line from the first key to the last: there the shape moves; beyond it holds still."""
-    left, right = (scale.x(shape.keys[index].frame) for index in (0, -1))
-    painter.fillRect(QRectF(left, MIDDLE - 0.5, right - left, 1), QColor(GROUND))
+def _paint_marks(
+    painter: QPainter, shape: RotoShape, marks: KeyMarks, chosen: frozenset[int], scale: TimeScale
+) -> None:
+    colour, thickness = QColor.fromRgbF(*shape.colour), 2 if scale.pixels >= 9 else 1
+    _paint_ground(painter, marks, scale)
+    doubtful = columns(marks.doubtful, scale)
+    for at, ink in ((columns(marks.engine, scale), colour), (doubtful, QColor(DOUBT))):
+        painter.setPen(QPen(QBrush(ink), thickness, Qt.PenStyle.SolidLine, Qt.PenCapStyle.FlatCap))
+        painter.drawLines([QLineF(x, MIDDLE - TICK, x, MIDDLE + TICK) for x in at])
+    _paint_notches(painter, doubtful)
+    painter.setPen(QPen(QColor(STALE), 1))
+    painter.setBrush(QColor(style.PANEL))
+    painter.drawRects([QRectF(x - 1.5, MIDDLE - TICK, 3, 2 * TICK) for x in columns(marks.stale, scale)])
+    _paint_keys(painter, marks, chosen, scale, colour)
+
+
+def _paint_ground(painter: QPainter, marks: KeyMarks, scale: TimeScale) -> None:
+    """A line under stretches with a key on every frame; dots over gaps, where the shape is only interpolated."""
+    keyed = marks.keyed
+    begins = np.append(True, np.diff(keyed) > 1)
+    firsts, lasts = keyed[begins], keyed[np.append(begins[1:], True)]
+    solid = QPen(QColor(GROUND), 1)
+    dotted = QPen(QColor(GROUND), 1, Qt.PenStyle.DotLine)
+    for pen, starts, stops in ((solid, firsts, lasts), (dotted, lasts[:-1], firsts[1:])):
+        visible = (stops >= scale.first - 1) & (starts <= scale.last + 1) & (starts < stops)
+        painter.setPen(pen)
+        painter.drawLines(
+            [
+                QLineF(scale.x(first), MIDDLE, scale.x(last), MIDDLE)
+                for first, last in zip(starts[visible].tolist(), stops[visible].tolist(), strict=True)
+            ]
+        )
 
 
 def _paint_notches(painter: QPainter, at: list[float]) -> None:
@@ -98,10 +125,30 @@ def _paint_notches(painter: QPainter, at: list[float]) -> None:
     painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
 
 
-def _paint_diamonds(painter: QPainter, at: list[float], colour: QColor) -> None:
+def _paint_keys(painter: QPainter, marks: KeyMarks, chosen: frozenset[int], scale: TimeScale, colour: QColor) -> None:
+    """The artist's keys: their form tells how the shape moves on from them; chosen ones are white, in a frame."""
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-    painter.setPen(QPen(QColor(style.EDGE), 1))
-    painter.setBrush(colour.lighter(115))
+    picked = np.isin(marks.artist, list(chosen))
+    kinds = np.where(np.isin(marks.artist, marks.smooth), 1, np.where(np.isin(marks.artist, marks.held), 2, 0))
+    for is_chosen in (False, True):
+        painter.setPen(QPen(QColor(style.ACCENT if is_chosen else style.EDGE), 1.5 if is_chosen else 1))
+        painter.setBrush(QColor("#ffffff") if is_chosen else colour.lighter(115))
+        for kind, paint in enumerate((_diamond, _disc, _square)):
+            for x in columns(marks.artist[(picked == is_chosen) & (kinds == kind)], scale):
+                paint(painter, x)
+
+
+def _diamond(painter: QPainter, x: float) -> None:
+    """An even pace."""
     corners = ((0, -DIAMOND), (DIAMOND, 0), (0, DIAMOND), (-DIAMOND, 0))
-    for x in at:
-        painter.drawPolygon(QPolygonF([QPointF(x + dx, MIDDLE + dy) for dx, dy in corners]))
+    painter.drawPolygon(QPolygonF([QPointF(x + dx, MIDDLE + dy) for dx, dy in corners]))
+
+
+def _disc(painter: QPainter, x: float) -> None:
+    """A pace that begins and ends softly."""
+    painter.drawEllipse(QPointF(x, MIDDLE), DISC, DISC)
+
+
+def _square(painter: QPainter, x: float) -> None:
+    """Standing still up to the next key."""
+    painter.drawRect(QRectF(x - SQUARE, MIDDLE - SQUARE, 2 * SQUARE, 2 * SQUARE))

@@ -6,13 +6,22 @@ from collections.abc import Callable, Iterable
 
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
+from app.actions import Actions
 from app.document import Document
 from app.timeline.axis import TimeAxis
 from app.timeline.confidence import ConfidencePlot
 from app.timeline.key_rows import KeyRows
+from app.timeline.key_selection import KeySelection
+from app.timeline.key_verbs import KeyVerbs
 from app.timeline.marks import MarksOf
 from app.timeline.ruler import Ruler
 from app.view_state import ViewState
+
+KEY_MENU = ("key.linear", "key.smooth", "key.hold"), ("edit.copy", "edit.cut", "edit.paste"), ("points.delete",)
+"""What a right click on the key rows offers, in groups."""
+
+SHARED = ("edit.copy", "edit.cut", "edit.paste", "points.delete", "points.select_all", "key.set", "key.delete")
+"""Actions of the viewer whose keys work in the key rows too, when these have the keyboard."""
 
 
 class Timeline(QWidget):
@@ -23,13 +32,16 @@ class Timeline(QWidget):
         document: Document,
         view_state: ViewState,
         cached: Callable[[], Iterable[int]],
+        actions: Actions,
         parent: QWidget | None = None,
     ) -> None:
         super().__init__(parent)
         marks = MarksOf(document)
         self.axis = TimeAxis(view_state, self)
+        self.keys = KeySelection(document, self)
         self.ruler = Ruler(self.axis, cached)
-        self.rows = KeyRows(document, self.axis, marks)
+        self.rows = KeyRows(document, self.axis, marks, self.keys)
+        self.verbs = KeyVerbs(document, view_state, self.keys, self.rows.hasFocus)
         self.confidence = ConfidencePlot(document, self.axis, marks)
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
@@ -37,8 +49,15 @@ class Timeline(QWidget):
         for part in (self.ruler, self.rows, self.confidence):
             column.addWidget(part)
         column.setStretchFactor(self.rows, 1)  # the rows come first; the plot takes what they do not need
+        self._offer(actions)
         self._document = document
         document.replaced.connect(self._pull_clip)
+
+    def _offer(self, actions: Actions) -> None:
+        for group in KEY_MENU:
+            self.rows.menu.addSeparator()
+            self.rows.menu.addActions([actions[name] for name in group])
+        self.rows.addActions([actions[name] for name in SHARED])
 
     def _pull_clip(self) -> None:
         clip = self._document.project.clip

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -15,48 +14,13 @@ from pytestqt.qtbot import QtBot
 
 from app import style
 from app.document import Document
-from app.navigation import Navigation
 from app.timeline import row_painter
 from app.timeline.confidence import LEAST_HEIGHT, _with_gaps
 from app.timeline.row_painter import ROW
 from app.timeline.timeline import Timeline
 from app.view_state import ViewState
-from roam_core.geometry.bezier import polygon_points
-from roam_core.params import CONFIGS, DEFAULT_CONFIG
-from roam_core.propagate.provenance import clip_stamp, stamp
-from roam_core.roto import Clip, Keyframe, Origin, Project, RotoShape, edit
-
-SQUARE = polygon_points([(0, 0), (10, 0), (10, 10), (0, 10)])
-CLIP = Clip(Path("shot"), 1001, 1048, (64, 48))
-
-
-@pytest.fixture
-def timeline(qtbot: QtBot, document: Document, view_state: ViewState) -> Timeline:
-    navigation = Navigation(document, view_state)
-    timeline = Timeline(document, view_state, lambda: range(1001, 1011))
-    qtbot.addWidget(timeline)
-    timeline.resize(1100, 220)
-    with qtbot.waitExposed(timeline):
-        timeline.show()
-    project = Project(CLIP)
-    for first in (1001, 1010):
-        project, shape = edit.new_shape(project, SQUARE, first)
-        inputs = stamp(shape.keys[0], True, CONFIGS[DEFAULT_CONFIG], clip_stamp(CLIP), True)
-        keys = [
-            Keyframe(f, SQUARE, origin=Origin.ENGINE, confidence=0.2, inputs=inputs) for f in range(first + 1, 1020)
-        ]
-        project = project.with_shape(edit.set_engine_keys(edit.key_here(shape, 1030), keys))
-    document.open(project, None)
-    assert navigation.clip_range == (1001, 1049)
-    return timeline
-
-
-def x_of(timeline: Timeline, frame: int) -> int:
-    return round(timeline.axis.scale.x(frame))
-
-
-def row_middle(index: int) -> int:
-    return index * ROW + ROW // 2
+from roam_core.roto import Keyframe, Origin, Project, RotoShape, edit
+from tests.gui.timeline.places import SQUARE, row_middle, x_of
 
 
 def wheel(widget: QWidget, x: int, turn: int, modifiers: Qt.KeyboardModifier = Qt.KeyboardModifier.NoModifier) -> None:
