@@ -7,7 +7,21 @@ import sys
 from collections.abc import Sequence
 from types import ModuleType
 
-from benchmarks import artist, confidence, davis, drift, kernels, mattes, paper, scaling, shots, speed, stages, tune
+from benchmarks import (
+    artist,
+    confidence,
+    davis,
+    drift,
+    kernels,
+    mattes,
+    paper,
+    scaling,
+    shots,
+    speed,
+    stages,
+    tune,
+    window,
+)
 from roam_core.errors import RoamError
 from roam_core.params import DEFAULT_CONFIG
 
@@ -23,6 +37,7 @@ BENCHMARKS: dict[str, ModuleType] = {
     "scaling": scaling,
     "kernels": kernels,
     "mattes": mattes,
+    "window": window,
 }
 """Each module has `arguments(parser)` and `run(arguments)`; the first line of its text is its help."""
 

@@ -2,14 +2,34 @@
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 from PySide6.QtCore import QPointF, QRectF, QSize, QSizeF, Qt
-from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPixmap
+from PySide6.QtGui import QBrush, QColor, QFontMetricsF, QPainter, QPixmap
 
 from app.canvas import marks
-from app.canvas.picture import Picture
+from app.canvas.ground import paint_ground
+from app.canvas.picture import NEUTRAL, Picture
+from app.canvas.pixel_marks import paint_pixel_marks
 from app.canvas.viewport import Viewport
+from roam_core.media.looking import Look
 
 PADDING = 8.0
+
+
+class Below(NamedTuple):
+    """What lies below the shapes.
+
+    Attributes
+    ----------
+    picture : what to show, or the colour of an empty plate.
+    look : how the picture is looked at.
+    ground : what a picture with opacity lies on.
+    """
+
+    picture: Picture | QColor
+    look: Look = NEUTRAL
+    ground: Picture | QBrush | None = None
 
 
 class Backdrop:
@@ -22,44 +42,38 @@ class Backdrop:
         self._pixmap = QPixmap()
         self._painted: tuple[object, ...] = ()
 
-    def paint(
-        self,
-        painter: QPainter,
-        picture: Picture | QColor,
-        viewport: Viewport,
-        image: QSizeF | None,
-        ratio: float,
-    ) -> None:
+    def paint(self, painter: QPainter, below: Below, viewport: Viewport, image: QSizeF | None, ratio: float) -> None:
         """Paint over the whole widget.
 
         Parameters
         ----------
-        picture : what to show, or the colour of an empty plate.
+        below : what to show.
         image : the plate's size in full-resolution pixels, or None where there is no plate.
         ratio : device pixels for a widget unit.
         """
         widget = painter.window().size()
-        wanted = (picture, viewport, image and (image.width(), image.height()), widget.toTuple(), ratio)
+        wanted = (below, viewport, image and (image.width(), image.height()), widget.toTuple(), ratio)
         if wanted != self._painted:
-            self._pixmap = _rendered(picture, viewport, image, widget, ratio)
+            self._render(below, viewport, image, widget, ratio)
             self._painted = wanted
         painter.drawPixmap(0, 0, self._pixmap)
 
-
-def _rendered(
-    picture: Picture | QColor, viewport: Viewport, image: QSizeF | None, widget: QSize, ratio: float
-) -> QPixmap:
-    pixmap = QPixmap(widget * ratio)
-    pixmap.setDevicePixelRatio(ratio)
-    pixmap.fill(marks.SURROUND)
-    painter = QPainter(pixmap)
-    if image:
-        if isinstance(picture, Picture):
-            picture.paint(painter, viewport, image, ratio)
+    def _render(self, below: Below, viewport: Viewport, image: QSizeF | None, widget: QSize, ratio: float) -> None:
+        if self._pixmap.size() != widget * ratio:
+            self._pixmap = QPixmap(widget * ratio)
+            self._pixmap.setDevicePixelRatio(ratio)
+        self._pixmap.fill(marks.SURROUND)
+        if not image:
+            return
+        painter = QPainter(self._pixmap)
+        if below.ground is not None:
+            paint_ground(painter, below.ground, viewport, image, ratio)
+        if isinstance(below.picture, Picture):
+            below.picture.paint(painter, viewport, image, ratio, below.look)
+            paint_pixel_marks(painter, viewport, below.picture, image, below.look)
         else:
-            painter.fillRect(viewport.transform.mapRect(QRectF(QPointF(), image)), picture)
-    painter.end()
-    return pixmap
+            painter.fillRect(viewport.transform.mapRect(QRectF(QPointF(), image)), below.picture)
+        painter.end()
 
 
 def paint_sentence(painter: QPainter, area: QRectF, sentence: str) -> None:

@@ -1,4 +1,4 @@
-"""MatteLayer: the matte of a project on a frame, rendered beside the window's thread, the newest request first."""
+"""MatteLayer: a project's matte or cut-out on a frame, rendered beside the window's thread, the newest wish first."""
 
 from __future__ import annotations
 
@@ -6,25 +6,33 @@ import threading
 from collections.abc import Callable
 from typing import NamedTuple
 
+import cv2
 import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtCore import QObject, Signal
 
 from roam_core.roto import Project
 
+Pixels = NDArray[np.uint8]
 Render = Callable[[Project, int, tuple[int, int]], NDArray[np.float32]]
 
 
 class MatteRequest(NamedTuple):
-    """What to render: `size` is (h, w)."""
+    """What to render: `size` is (h, w). With the plate's picture `(h, w, 3)` of the frame, it is cut out."""
 
     project: Project
     frame: int
     size: tuple[int, int]
+    plate: Pixels | None = None
 
     def is_same(self, other: MatteRequest | None) -> bool:
         """Projects are immutable: the same object has the same matte."""
-        return other is not None and self.project is other.project and self[1:] == other[1:]
+        return (
+            other is not None
+            and self.project is other.project
+            and self[1:3] == other[1:3]
+            and self.plate is other.plate
+        )
 
 
 class MatteLayer(QObject):
@@ -44,12 +52,12 @@ class MatteLayer(QObject):
         self._waiting: MatteRequest | None = None
         self._thread: threading.Thread | None = None
         self._rendered.connect(self._take)
-        self.pixels: NDArray[np.uint8] | None = None
-        """The last matte that was rendered, (h, w); it stays until the next one is ready."""
+        self.pixels: Pixels | None = None
+        """The last matte that was rendered, (h, w), or the plate cut out by it, (h, w, 4); read-only."""
 
-    def request(self, project: Project, frame: int, size: tuple[int, int]) -> None:
-        """Ask for a matte; `ready` tells when `pixels` holds it."""
-        request = MatteRequest(project, frame, size)
+    def request(self, project: Project, frame: int, size: tuple[int, int], plate: Pixels | None = None) -> None:
+        """Ask for a matte, or with the plate's picture for a cut-out; `ready` tells when `pixels` holds it."""
+        request = MatteRequest(project, frame, size, plate)
         if self._running:
             self._waiting = None if request.is_same(self._running) else request
         elif not request.is_same(self._shown):
@@ -68,15 +76,26 @@ class MatteLayer(QObject):
 
     def _work(self, request: MatteRequest) -> None:
         """On the layer's thread: the signal brings the result back to the window's."""
-        matte = self._render(*request)
-        self._rendered.emit(request, np.rint(matte * np.float32(255.0)).astype(np.uint8))
+        matte = self._render(*request[:3])
+        pixels = np.rint(matte * np.float32(255.0)).astype(np.uint8)
+        if request.plate is not None:
+            pixels = cut_out(request.plate, pixels)
+        pixels.setflags(write=False)
+        self._rendered.emit(request, pixels)
 
-    def _take(self, request: MatteRequest, pixels: NDArray[np.uint8]) -> None:
+    def _take(self, request: MatteRequest, pixels: Pixels) -> None:
         self.pixels, self._shown, self._running = pixels, request, None
         waiting, self._waiting = self._waiting, None
         if waiting:
             self._start(waiting)
         self.ready.emit()
+
+
+def cut_out(plate: Pixels, matte: Pixels) -> Pixels:
+    """The plate's picture `(h, w, 3)` with the matte, brought to its size, as opacity: `(h, w, 4)`."""
+    if matte.shape != plate.shape[:2]:
+        matte = np.asarray(cv2.resize(matte, plate.shape[1::-1], interpolation=cv2.INTER_AREA))
+    return np.asarray(cv2.merge([*cv2.split(plate), matte]))
 
 
 def _render(project: Project, frame: int, size: tuple[int, int]) -> NDArray[np.float32]:

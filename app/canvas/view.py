@@ -3,41 +3,32 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from enum import StrEnum
 
 import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtCore import QEvent, QPointF, QRectF, QSizeF, Qt, Signal
-from PySide6.QtGui import QColor, QKeyEvent, QMouseEvent, QPainter, QPaintEvent, QTabletEvent, QWheelEvent
+from PySide6.QtGui import QKeyEvent, QMouseEvent, QPainter, QPaintEvent, QTabletEvent, QWheelEvent
 from PySide6.QtWidgets import QWidget
 
-from app.canvas import marks
-from app.canvas.backdrop import Backdrop, paint_label, paint_sentence
-from app.canvas.confidence_item import LEGEND, paint_confidence
+from app.canvas.backdrop import paint_label, paint_sentence
+from app.canvas.confidence_item import LEGEND
+from app.canvas.feather_item import paint_feather
 from app.canvas.keys import NUDGES, is_modifier, key_name
-from app.canvas.matte_layer import MatteLayer
 from app.canvas.pen import Pen
-from app.canvas.picture import Picture
 from app.canvas.proposal_item import ProposalPainter
-from app.canvas.shape_item import ShapePainter
 from app.canvas.shown import selection_bounds
+from app.canvas.sight import Sight, SightPainter
+from app.canvas.stage import Stage
+from app.canvas.viewing import TITLES, Viewing, ViewMode
 from app.canvas.viewport import Viewport
+from app.canvas.wipe import Wipe
 from app.canvas.zoomable import ZoomableWidget
 from app.document import Document
 from app.tools import TOOLS, PointActions, Pointer, Tool
 from app.tools.reshape import pruned
-from app.view_state import ViewState
+from app.view_state import Selection, ViewState
 from roam_core.propagate.offers import Proposal
 from roam_core.roto import Project
-
-
-class ViewMode(StrEnum):
-    """What the canvas shows below the tool's marks."""
-
-    SOURCE = "source"
-    OVERLAY = "overlay"
-    MATTE = "matte"
-    CONFIDENCE = "confidence"
 
 
 class CanvasView(ZoomableWidget):
@@ -63,12 +54,10 @@ class CanvasView(ZoomableWidget):
         """What to do next, shown while the project has no shape."""
         self._tools = {name: tool(document, view_state) for name, tool in TOOLS.items()}
         self._tool: Tool = self._tools["select"]
-        self._mode, self._are_shapes_hidden = ViewMode.OVERLAY, False
-        self._picture: Picture | None = None
-        self._missing: int | None = None
-        self._matte = MatteLayer()
-        self._matte_picture: Picture | None = None
-        self._backdrop, self._shapes, self._proposed = Backdrop(), ShapePainter(), ProposalPainter()
+        self.viewing = Viewing(self)
+        """Which view, channel and exposure; what lies under a cut-out; which frames the onion skin shows."""
+        self.stage, self.wipe = Stage(self.viewing), Wipe(self)
+        self._present, self._pinned, self._proposed = SightPainter(), SightPainter(), ProposalPainter()
         self.proposed: Callable[[], Proposal | None] = lambda: None
         """Gives what the engine proposes for the present frame."""
         self._is_pressed = self._is_waiting = False
@@ -92,8 +81,12 @@ class CanvasView(ZoomableWidget):
         view.preview_changed.connect(self.update)
         view.tool_changed.connect(self._take_tool)
         view.editing.changed.connect(self.update)
-        self._matte.ready.connect(self._show_matte)
-        self.destroyed.connect(self._matte.close)
+        self.viewing.changed.connect(self._announce)
+        self.wipe.changed.connect(self._announce)
+        self.stage.changed.connect(self.update)
+        self.stage.matte_ready.connect(self.matte_ready)
+        self.stage.ground.refused.connect(view.say)
+        self.destroyed.connect(self.stage.close)
 
     # ---- what is shown
 
@@ -102,8 +95,7 @@ class CanvasView(ZoomableWidget):
 
         A proxy with fewer pixels than the clip is stretched to the clip's size.
         """
-        self._picture = None if image is None else Picture(image)
-        self._missing = frame if image is None else None
+        self.stage.set_image(frame, image)
         self._follow_plate()
         self.update()
 
@@ -114,21 +106,26 @@ class CanvasView(ZoomableWidget):
 
     @property
     def mode(self) -> ViewMode:
-        return self._mode
+        return self.viewing.mode
 
     def set_mode(self, mode: ViewMode) -> None:
-        """Show the source alone, the source with its shapes, the matte, or where the engine trusts the shapes."""
-        self._mode, self._are_shapes_hidden = ViewMode(mode), False
-        self._announce()
+        """Show another view."""
+        self.viewing.set_mode(mode)
 
     @property
     def are_shapes_hidden(self) -> bool:
-        return self._are_shapes_hidden
+        return self.viewing.are_shapes_hidden
 
-    def hide_shapes(self, hidden: bool) -> None:
-        """Hide or show the shapes in any mode."""
-        self._are_shapes_hidden = hidden
-        self._announce()
+    def pin(self) -> None:
+        """Keep what is shown now as A, left of the wipe's line."""
+        if self._image_size() is None:
+            self._view_state.say("There is nothing to compare yet; open a clip first.")
+        else:
+            self.wipe.pin(self._sight())
+
+    def toggle_wipe(self) -> None:
+        """Compare what is shown now with what will be; or end the comparison."""
+        self.pin() if self.wipe.pinned is None else self.wipe.end()
 
     def set_waiting(self, waits: bool) -> None:
         """While a plate is being opened the empty canvas does not ask for one."""
@@ -159,11 +156,9 @@ class CanvasView(ZoomableWidget):
             "view.fit": self.fit,
             "view.fit_selection": self.fit_selection,
             "view.actual_size": self.actual_size,
-            "view.source": lambda: self.set_mode(ViewMode.SOURCE),
-            "view.overlay": lambda: self.set_mode(ViewMode.OVERLAY),
-            "view.matte": lambda: self.set_mode(ViewMode.MATTE),
-            "view.confidence": lambda: self.set_mode(ViewMode.CONFIDENCE),
-            "view.hide_overlays": lambda: self.hide_shapes(not self._are_shapes_hidden),
+            "view.wipe": self.toggle_wipe,
+            "view.pin": self.pin,
+            **self.viewing.handlers(),
         }
 
     def _announce(self) -> None:
@@ -180,13 +175,13 @@ class CanvasView(ZoomableWidget):
         clip = self._document.project.clip
         if clip:
             return QSizeF(*clip.size)
-        return self._picture.size if self._picture else None
+        return self.stage.picture.size if self.stage.picture else None
 
     def plate_size(self) -> QSizeF:
         return self._image_size() or QSizeF(self.size())
 
     def _shows_shapes(self) -> bool:
-        return self._mode is not ViewMode.SOURCE and not self._are_shapes_hidden
+        return self.viewing.shows_shapes
 
     def _pull(self, _ids: object = None) -> None:
         """The project or the frame changed: nothing may stay selected or grabbed that is gone."""
@@ -200,7 +195,8 @@ class CanvasView(ZoomableWidget):
         """Another project was opened."""
         self._tool.drop()
         self._view_state.select(frozenset())
-        self._picture = self._matte_picture = self._missing = None
+        self.stage.clear()
+        self.wipe.end()
         self._follow_plate()
         self.fit()
 
@@ -222,38 +218,31 @@ class CanvasView(ZoomableWidget):
         self.setCursor(self._tool.cursor)
         self.update()
 
-    def _show_matte(self) -> None:
-        pixels = self._matte.pixels
-        self._matte_picture = None if pixels is None else Picture(pixels)
-        self.update()
-        self.matte_ready.emit()
+    def _sight(self) -> Sight:
+        """What is shown now."""
+        project, frame, image, viewing = self._project(), self._view_state.frame, self._image_size(), self.viewing
+        below = self.stage.below(project, frame, image)
+        return Sight(below, image, viewing.mode, viewing.onion, project, frame, viewing.shows_shapes)
 
     # ---- painting
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        painter = QPainter(self)
-        picture = self._matte_to_show() if self._mode is ViewMode.MATTE else self._picture or marks.EMPTY_PLATE
-        self._backdrop.paint(painter, picture, self._viewport, self._image_size(), self.devicePixelRatioF())
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        painter, view, size = QPainter(self), self._view_state, QSizeF(self.size())
+        ratio, viewport, proposal = self.devicePixelRatioF(), self._viewport, self.proposed()
+        if (pinned := self.wipe.pinned) is not None:
+            painter.setClipRect(self.wipe.left(size))
+            self._pinned.paint(painter, pinned, viewport, ratio, Selection())
+            painter.setClipRect(QRectF(self.rect()).adjusted(self.wipe.left(size).width(), 0, 0, 0))
+        self._present.paint(painter, self._sight(), viewport, ratio, view.selection, view.hovered)
         if self._shows_shapes():
-            view = self._view_state
-            if self._mode is ViewMode.CONFIDENCE:
-                paint_confidence(painter, self._viewport, self._project(), view.frame)
-            self._shapes.paint(painter, self._viewport, self._project(), view.frame, view.selection, view.hovered)
-            if (proposal := self.proposed()) is not None:
-                self._proposed.paint(painter, self._viewport, proposal)
-            self._tool.paint(painter, self._viewport)
+            if proposal is not None:
+                self._proposed.paint(painter, viewport, proposal)
+            paint_feather(painter, viewport, self._project(), view.frame, view.selection.shapes)
+            self._tool.paint(painter, viewport)
+        painter.setClipping(False)
         self._paint_words(painter)
+        self.wipe.paint(painter, size, view.frame)
         painter.end()
-
-    def _matte_to_show(self) -> Picture | QColor:
-        """The newest matte that is rendered; before the first one the black of a frame that nothing covers."""
-        size = self._image_size()
-        if size is None:
-            return marks.EMPTY_MATTE
-        height_width = round(size.height()), round(size.width())
-        self._matte.request(self._project(), self._view_state.frame, height_width)
-        return self._matte_picture or marks.EMPTY_MATTE
 
     def _paint_words(self, painter: QPainter) -> None:
         """What is empty, and what to do about it; what is hidden."""
@@ -261,21 +250,15 @@ class CanvasView(ZoomableWidget):
         if plate is None:
             sentence = "Opening …" if self._is_waiting else "Drop a folder of images or a movie here"
             paint_sentence(painter, QRectF(self.rect()), sentence)
-        elif sentence := self._emptiness():
+        elif sentence := self.stage.emptiness():
             paint_sentence(painter, self._viewport.transform.mapRect(QRectF(QPointF(), plate)), sentence)
-        if self._are_shapes_hidden:
+        if self.are_shapes_hidden:
             paint_label(painter, size, "Shapes hidden", Qt.AlignmentFlag.AlignTop)
-        elif self._mode is not ViewMode.OVERLAY:
-            label = LEGEND if self._mode is ViewMode.CONFIDENCE else self._mode.capitalize()
+        elif self.mode is not ViewMode.OVERLAY:
+            label = LEGEND if self.mode is ViewMode.CONFIDENCE else TITLES.get(self.mode, self.mode.capitalize())
             paint_label(painter, size, label, Qt.AlignmentFlag.AlignTop)
         elif plate and not self._project().shapes and self._view_state.tool == "select":
             paint_label(painter, size, self.empty_hint, Qt.AlignmentFlag.AlignBottom)
-
-    def _emptiness(self) -> str:
-        """Why the plate's area is empty, or nothing where it is not."""
-        if self._mode is ViewMode.MATTE:
-            return "" if self._matte_picture else "Rendering the matte …"
-        return "" if self._missing is None else f"frame {self._missing} is missing"
 
     # ---- events: the view's own, then the tool's
 
@@ -303,7 +286,9 @@ class CanvasView(ZoomableWidget):
             self.pan(event)
             return
         self.pointer_moved.emit(self.widget_to_image(position))
-        if self._is_pressed:
+        if self.wipe.is_held:
+            self.wipe.move(position, QSizeF(self.size()))
+        elif self._is_pressed:
             self._hand(self._tool.drag, position, event.modifiers())
         else:
             self._hover(position, event.modifiers())
@@ -311,6 +296,9 @@ class CanvasView(ZoomableWidget):
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
         if self.is_panning and event.button() is not Qt.MouseButton.RightButton:
             self.end_pan()
+            self._hover(event.position(), event.modifiers())
+        elif self.wipe.is_held:
+            self.wipe.is_held = False
             self._hover(event.position(), event.modifiers())
         elif self._is_pressed and event.button() is Qt.MouseButton.LeftButton:
             self._is_pressed = False
@@ -362,6 +350,10 @@ class CanvasView(ZoomableWidget):
         if event.button() is not Qt.MouseButton.LeftButton:
             event.ignore()
             return
+        if self.wipe.is_under(event.position(), QSizeF(self.size())):
+            self.wipe.is_held = True
+            self.update()
+            return
         if not self._shows_shapes():
             self._view_state.say("The shapes are hidden; show them (overlay view) to draw and edit.")
             return
@@ -370,8 +362,12 @@ class CanvasView(ZoomableWidget):
         self._hand(call, event.position(), event.modifiers())
 
     def _hover(self, position: QPointF, modifiers: Qt.KeyboardModifier) -> None:
-        if self._shows_shapes():
+        if self.wipe.is_under(position, QSizeF(self.size())):
+            self.setCursor(Qt.CursorShape.SplitHCursor)
+        elif self._shows_shapes():
             self._hand(self._tool.hover, position, modifiers)
+        else:
+            self.setCursor(Qt.CursorShape.ArrowCursor)
 
     def _hand(self, call: Callable[[Pointer], None], position: QPointF, modifiers: Qt.KeyboardModifier) -> None:
         """Give the pointer to the tool, then show what it made of it."""

@@ -6,7 +6,8 @@ from PySide6.QtGui import QActionGroup
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QWidget
 
 from app.actions import Actions
-from app.canvas.view import CanvasView, ViewMode
+from app.canvas.view import CanvasView
+from app.canvas.viewing import ViewMode
 from app.document import Document
 from app.folders import cache_folder
 from app.panels.controls import tool_button

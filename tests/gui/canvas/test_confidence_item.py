@@ -7,7 +7,8 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor
 from pytestqt.qtbot import QtBot
 
-from app.canvas.view import CanvasView, ViewMode
+from app.canvas.view import CanvasView
+from app.canvas.viewing import ViewMode
 from app.document import Document
 from app.view_state import ViewState
 from roam_core.geometry.bezier import polygon_points

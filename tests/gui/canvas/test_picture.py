@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import numpy as np
+import pytest
 from numpy.typing import NDArray
 from PySide6.QtCore import QSizeF
 from PySide6.QtGui import QImage, QPainter
 
-from app.canvas.picture import Picture
+from app.canvas.picture import Picture, Plate
 from app.canvas.viewport import Viewport
+from roam_core.media.colour import LINEAR, to_display
+from roam_core.media.looking import Channel, Look
 
 
 def painted(
@@ -64,12 +67,54 @@ def test_grey_picture() -> None:
     np.testing.assert_array_equal(painted(grey, Viewport(), 5, 4), grey[:, :, None].repeat(3, axis=2))
 
 
-def test_grid_between_large_pixels_only() -> None:
-    flat = np.full((3, 3, 3), 40, dtype=np.uint8)
-    assert (painted(flat, Viewport(15.0), 45, 45) == 40).all()
-    gridded = painted(flat, Viewport(20.0), 60, 60)
-    assert (gridded[5:15, 5:15] == 40).all()
-    assert (gridded[10, 18:22] != 40).any()
+def test_what_lies_far_outside_of_the_widget_costs_nothing_and_moves_nothing() -> None:
+    pixels = noise(50, 60)
+    for scale in (0.5, 1.0, 3.0):
+        whole = painted(pixels, Viewport(scale), 200, 160)
+        aside = painted(pixels, Viewport(scale, -8.0 * scale, -6.0 * scale), 200, 160)
+        shift = round(8.0 * scale), round(6.0 * scale)
+        inside = round(40 * scale), round(30 * scale)
+        np.testing.assert_array_equal(
+            aside[: inside[1], : inside[0]],
+            whole[shift[1] : shift[1] + inside[1], shift[0] : shift[0] + inside[0]],
+        )
+        assert (painted(pixels, Viewport(scale, 500.0, 0.0), 200, 160) == 0).all()
+        assert (painted(pixels, Viewport(scale, 0.0, -500.0), 200, 160) == 0).all()
+
+
+def test_a_picture_stays_in_its_place_at_every_zoom() -> None:
+    pixels = np.zeros((64, 64, 3), dtype=np.uint8)
+    pixels[16:48, 24:56] = 250
+    for scale in (0.25, 0.4, 0.7, 1.0, 1.6, 3.0):
+        shown = painted(pixels, Viewport(scale, 5.0, 9.0), 220, 220)[..., 0].astype(float)
+        rows, columns = np.nonzero(shown > 125)
+        assert columns.mean() + 0.5 == pytest.approx(5.0 + 40.0 * scale, abs=0.75)
+        assert rows.mean() + 0.5 == pytest.approx(9.0 + 32.0 * scale, abs=0.75)
+
+
+@pytest.mark.parametrize("scale", [0.5, 1.0, 4.0])
+def test_a_look_changes_what_is_painted_and_not_the_picture(scale: float) -> None:
+    pixels = noise(8, 8)
+    picture, before = Picture(pixels), pixels.copy()
+    ground = QImage(32, 32, QImage.Format.Format_RGB32)
+    ground.fill(0)
+    painter = QPainter(ground)
+    picture.paint(painter, Viewport(scale), picture.size, 1.0, Look(channel=Channel.GREEN))
+    painter.end()
+    shown = np.frombuffer(ground.constBits(), dtype=np.uint8).reshape(32, 32, 4)
+    assert (shown[..., 0] == shown[..., 1]).all()
+    assert (shown[..., 1] == shown[..., 2]).all()
+    assert shown.any()
+    np.testing.assert_array_equal(picture.pixels, before)
+
+
+def test_less_exposure_brings_back_what_is_brighter_than_white() -> None:
+    light = np.full((6, 6, 3), 4.0, dtype=np.float32)
+    light[:, 3:] = 2.0
+    picture = Picture(to_display(light, LINEAR), Plate(light, LINEAR))
+    assert picture.looked_at(0, 0, Look()) == picture.looked_at(5, 0, Look()) == (255, 255, 255)
+    bright, dim = (picture.looked_at(x, 0, Look(exposure=-2.0))[0] for x in (0, 5))
+    assert (bright, dim) == (255, 188)
 
 
 def test_the_array_may_change_after_it_was_taken() -> None:

@@ -15,7 +15,8 @@ from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
 from app.canvas import marks
-from app.canvas.view import CanvasView, ViewMode
+from app.canvas.view import CanvasView
+from app.canvas.viewing import ViewMode
 from app.document import Document
 from app.view_state import Selection, ViewState
 from roam_core.geometry.bezier import polygon_points
@@ -294,15 +295,15 @@ def test_until_the_first_matte_is_rendered_the_plate_is_black_and_says_so(
         gate.wait(60)
         return np.ones(size, dtype=np.float32)
 
-    monkeypatch.setattr(canvas._matte, "_render", late)
+    monkeypatch.setattr(canvas.stage.matte, "_render", late)
     add_square(document)
     hand.key("3")
     with qtbot.waitSignal(canvas.matte_ready, timeout=60_000):
-        before = colour_at(canvas, 10.0, 130.0), canvas._emptiness()
+        before = colour_at(canvas, 10.0, 130.0), canvas.stage.emptiness()
         gate.set()
     assert before == (QColor(0, 0, 0), "Rendering the matte …")
     assert colour_at(canvas, 10.0, 130.0) == QColor(255, 255, 255)
-    assert canvas._emptiness() == ""
+    assert canvas.stage.emptiness() == ""
 
 
 def test_matte_follows_an_edit(canvas: CanvasView, hand: Hand, document: Document, qtbot: QtBot) -> None:

@@ -1,0 +1,87 @@
+"""The onion skin: outlines of frames before and after, thin, the fainter the farther away, with their numbers."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from PySide6.QtCore import QPointF, Qt
+from PySide6.QtGui import QColor, QPainter, QPainterPath, QPen
+
+from app.canvas import marks
+from app.canvas.shape_item import ShapePainter
+from app.canvas.shown import shown_shapes
+from app.canvas.viewing import Onion
+from app.canvas.viewport import Viewport
+from app.view_state import Selection
+from roam_core.roto import Project, RotoShape
+
+WIDTH = 1.0
+NEAREST, FARTHEST = 0.95, 0.3
+"""Opacity of the outlines of the nearest and of the farthest frame."""
+MOST_NUMBERED = 2
+"""So many shapes carry the frames' numbers; more of them would be a heap of figures."""
+FIGURES = 10
+
+
+def ghosts(project: Project, frame: int, onion: Onion, shapes: list[RotoShape]) -> list[tuple[int, float]]:
+    """The frames whose outlines are drawn and their opacities, the farthest first.
+
+    With `only_keys` the artist's keys of `shapes` before and after `frame`, else every `step`-th frame of the clip.
+    """
+    if onion.only_keys:
+        keys = sorted({key for shape in shapes for key in shape.artist_frames} - {frame})
+        before = [key for key in reversed(keys) if key < frame][: onion.before]
+        after = [key for key in keys if key > frame][: onion.after]
+    else:
+        before = [frame - onion.step * (k + 1) for k in range(onion.before)]
+        after = [frame + onion.step * (k + 1) for k in range(onion.after)]
+    clip = project.clip
+    found = [pair for side in (before, after) for pair in _faded(side) if clip is None or pair[0] in clip.frame_range]
+    return sorted(found, key=lambda pair: -abs(pair[0] - frame))
+
+
+def paint_onion(
+    painter: QPainter,
+    viewport: Viewport,
+    project: Project,
+    frame: int,
+    selection: Selection,
+    onion: Onion,
+    paths: ShapePainter,
+) -> None:
+    """Paint the ghosts of the selected shapes, or of all where none is selected; the shapes themselves go over them.
+
+    `paths` remembers the outlines.
+    """
+    in_sight = [shown.shape for shown in shown_shapes(project, frame)]
+    chosen = [] if onion.all_shapes else [shape for shape in in_sight if shape.id in selection.shapes]
+    wanted = {shape.id for shape in chosen or in_sight}
+    for ghost, opacity in ghosts(project, frame, onion, chosen or in_sight):
+        colour = marks.faded(QColor(onion.before_colour if ghost < frame else onion.after_colour), opacity)
+        for shown in shown_shapes(project, ghost):
+            if shown.shape.id in wanted:
+                path = viewport.transform.map(paths.path(shown.shape, ghost))
+                marks.stroke(painter, path, colour, WIDTH)
+                if len(wanted) <= MOST_NUMBERED:
+                    _paint_number(painter, path, ghost, colour)
+
+
+def _faded(frames: list[int]) -> Iterator[tuple[int, float]]:
+    """Each of the frames, the nearest first, with its opacity."""
+    for index, frame in enumerate(frames):
+        yield frame, NEAREST + (FARTHEST - NEAREST) * index / max(len(frames) - 1, 1)
+
+
+def _paint_number(painter: QPainter, path: QPainterPath, frame: int, colour: QColor) -> None:
+    """The frame's number at the outline's uppermost point, dark-edged so that it reads on any plate."""
+    top = min((path.elementAt(k) for k in range(path.elementCount())), key=lambda element: element.y)
+    painter.save()
+    font = painter.font()
+    font.setPixelSize(FIGURES)
+    words = QPainterPath()
+    words.addText(QPointF(top.x + 3.0, top.y - 3.0), font, str(frame))
+    painter.setPen(QPen(marks.EDGE, 2.0, Qt.PenStyle.SolidLine, Qt.PenCapStyle.RoundCap, Qt.PenJoinStyle.RoundJoin))
+    painter.setBrush(Qt.BrushStyle.NoBrush)
+    painter.drawPath(words)
+    painter.fillPath(words, colour)
+    painter.restore()

@@ -1,0 +1,66 @@
+"""Sight: all that the viewer shows of one state, but for where: a value, so that it can be pinned and compared."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from PySide6.QtCore import QSizeF
+from PySide6.QtGui import QPainter
+
+from app.canvas.backdrop import Backdrop, Below
+from app.canvas.confidence_item import paint_confidence
+from app.canvas.onion_item import paint_onion
+from app.canvas.shape_item import Hover, ShapePainter
+from app.canvas.viewing import Onion, ViewMode
+from app.canvas.viewport import Viewport
+from app.view_state import Selection
+from roam_core.roto import Project
+
+
+@dataclass(frozen=True)
+class Sight:
+    """One state of the viewer.
+
+    Attributes
+    ----------
+    below : what lies below the shapes.
+    image : the plate's size in full-resolution pixels, or None where there is no plate.
+    mode, onion : how shapes are drawn.
+    project, frame : whose shapes.
+    shows_shapes : whether they are.
+    """
+
+    below: Below
+    image: QSizeF | None
+    mode: ViewMode
+    onion: Onion
+    project: Project
+    frame: int
+    shows_shapes: bool
+
+
+class SightPainter:
+    """Paints sights and remembers what lay below the shapes, and the shapes' paths."""
+
+    def __init__(self) -> None:
+        self._backdrop, self._shapes = Backdrop(), ShapePainter()
+
+    def paint(
+        self,
+        painter: QPainter,
+        sight: Sight,
+        viewport: Viewport,
+        ratio: float,
+        selection: Selection,
+        hover: Hover = None,
+    ) -> None:
+        """Paint over the whole widget; only inside of the painter's clip."""
+        self._backdrop.paint(painter, sight.below, viewport, sight.image, ratio)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        if not sight.shows_shapes:
+            return
+        if sight.mode is ViewMode.CONFIDENCE:
+            paint_confidence(painter, viewport, sight.project, sight.frame)
+        elif sight.mode is ViewMode.ONION:
+            paint_onion(painter, viewport, sight.project, sight.frame, selection, sight.onion, self._shapes)
+        self._shapes.paint(painter, viewport, sight.project, sight.frame, selection, hover)

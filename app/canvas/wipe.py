@@ -1,0 +1,91 @@
+"""The wipe: a pinned state of the viewer left of a line, the present one right of it; the line is dragged."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QObject, QPointF, QRectF, QSizeF, Qt, Signal
+from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen, QPolygonF
+
+from app.canvas import marks
+from app.canvas.sight import Sight
+
+REACH = 5.0
+"""Half the width of the line's hit area, in widget units."""
+EDGE = 12.0
+"""The line stays so far inside of the widget that it can be grabbed again."""
+GRIP = QSizeF(11.0, 7.0)
+"""Half the size of the mark that says that the line can be dragged."""
+
+
+class Wipe(QObject):
+    """Holds the pinned state A and where the line is, as a share of the widget's width.
+
+    Signals
+    -------
+    changed() : it began, ended, or the line moved.
+    """
+
+    changed = Signal()
+
+    def __init__(self, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self.pinned: Sight | None = None
+        """What is shown left of the line; None where nothing is compared."""
+        self.position = 0.5
+        self.is_held = False
+
+    def pin(self, sight: Sight) -> None:
+        """Compare with this state."""
+        self.pinned = sight
+        self.changed.emit()
+
+    def end(self) -> None:
+        """Show the present state alone."""
+        self.pinned, self.is_held = None, False
+        self.changed.emit()
+
+    def line(self, widget: QSizeF) -> float:
+        """Where the line stands, in widget units from the left."""
+        return min(max(self.position * widget.width(), EDGE), max(widget.width() - EDGE, EDGE))
+
+    def is_under(self, position: QPointF, widget: QSizeF) -> bool:
+        """True where a press grabs the line."""
+        return self.pinned is not None and abs(position.x() - self.line(widget)) <= REACH
+
+    def move(self, position: QPointF, widget: QSizeF) -> None:
+        """Put the line under the pointer."""
+        self.position = min(max(position.x() / max(widget.width(), 1.0), 0.0), 1.0)
+        self.changed.emit()
+
+    def left(self, widget: QSizeF) -> QRectF:
+        """The part of the widget that shows A."""
+        return QRectF(0.0, 0.0, round(self.line(widget)), widget.height())
+
+    def paint(self, painter: QPainter, widget: QSizeF, present: int) -> None:
+        """Paint the line with its grip, and which frame stands on which side of it."""
+        if self.pinned is None:
+            return
+        x = float(round(self.line(widget)))
+        for colour, thickness in ((marks.EDGE, 3.0), (marks.TEXT, 1.0)):
+            pen = QPen(colour, thickness)
+            painter.setPen(pen)
+            painter.drawLine(QPointF(x, 0.0), QPointF(x, widget.height()))
+        self._paint_grip(painter, QPointF(x, widget.height() / 2))
+        metrics = QFontMetricsF(painter.font())
+        for text, is_left in ((f"A  {self.pinned.frame}", True), (f"B  {present}", False)):
+            box = QRectF(0.0, 8.0, metrics.horizontalAdvance(text) + 12.0, metrics.height() + 6.0)
+            box.moveLeft(x - 6.0 - box.width() if is_left else x + 6.0)
+            painter.setPen(Qt.PenStyle.NoPen)
+            painter.setBrush(QColor(31, 31, 31, 200))
+            painter.drawRoundedRect(box, 3.0, 3.0)
+            painter.setPen(marks.TEXT)
+            painter.drawText(box, Qt.AlignmentFlag.AlignCenter, text)
+
+    def _paint_grip(self, painter: QPainter, at: QPointF) -> None:
+        """Two triangles that point aside."""
+        painter.setPen(QPen(marks.EDGE, 1.0))
+        painter.setBrush(marks.ACCENT if self.is_held else marks.TEXT)
+        for side in (-1.0, 1.0):
+            tip = at + QPointF(side * GRIP.width(), 0.0)
+            foot = at.x() + side * 3.0
+            ends = QPointF(foot, at.y() - GRIP.height()), QPointF(foot, at.y() + GRIP.height())
+            painter.drawPolygon(QPolygonF([tip, *ends]))
