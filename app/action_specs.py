@@ -48,6 +48,9 @@ SPECS: tuple[ActionSpec, ...] = (
     ActionSpec("edit.paste", "Paste", _VIEWER, tip="Paste the copied shapes"),
     ActionSpec("tool.select", "Select", _VIEWER, "tool-select", "Select and drag shapes, points and handles", True),
     ActionSpec(
+        "tool.transform", "Transform", _VIEWER, "tool-transform", "Move, turn, scale and shear points or shapes", True
+    ),
+    ActionSpec(
         "tool.bezier", "Bezier", _VIEWER, "tool-bezier", "Draw a Bezier shape: click corners, drag curves", True
     ),
     ActionSpec("tool.bspline", "B-spline", _VIEWER, "tool-bspline", "Draw a smooth shape by its control points", True),

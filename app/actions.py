@@ -2,43 +2,57 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Callable, Iterator, Mapping
-from importlib.resources import files
 
-from PySide6.QtCore import QObject, Qt
+from PySide6.QtCore import QObject, Qt, Signal
 from PySide6.QtGui import QAction, QKeySequence
 from PySide6.QtWidgets import QWidget
 
 from app import style
 from app.action_specs import SPECS, ActionSpec, Reach
-from roam_core.errors import RoamError
+from app.keymaps import Keymap, keys_text, load_keymap
 
-Keymap = Mapping[str, tuple[str, ...]]
-
-
-def load_keymap(name: str = "default") -> Keymap:
-    """The keys of each action in the preset `name`; raises `RoamError` when there is no such preset."""
-    preset = files("resources") / "keymaps" / f"{name}.json"
-    if not preset.is_file():
-        raise RoamError(f"There is no keymap {name!r}; choose one that lies in resources/keymaps.")
-    document = json.loads(preset.read_text(encoding="utf-8"))
-    return {action: tuple(keys) for action, keys in document["keys"].items()}
+__all__ = ["Actions", "Keymap", "keys_text", "load_keymap"]
 
 
 class Actions(QObject):
     """The window's QActions by id, with keys and tooltips from a keymap.
 
     `window` and `viewer` are the widgets in which keys of either reach work.
+
+    Signals
+    -------
+    keymap_changed() : other keys hold; whoever shows keys asks again.
     """
+
+    keymap_changed = Signal()
 
     def __init__(self, window: QWidget, viewer: QWidget, keymap: Keymap) -> None:
         super().__init__(window)
         self._actions: dict[str, QAction] = {}
         for spec in SPECS:
-            action = _action(spec, keymap.get(spec.id, ()), self)
+            action = _action(spec, self)
             (viewer if spec.reach is Reach.VIEWER else window).addAction(action)
             self._actions[spec.id] = action
+        self.set_keymap(keymap)
+
+    @property
+    def keymap(self) -> Keymap:
+        """The keys that hold."""
+        return self._keymap
+
+    def set_keymap(self, keymap: Keymap) -> None:
+        """Give every action its keys, and a tooltip that tells them."""
+        self._keymap = keymap
+        for spec in SPECS:
+            keys = keymap.get(spec.id, ())
+            self._actions[spec.id].setShortcuts([QKeySequence(key) for key in keys])
+            self._actions[spec.id].setToolTip(_tooltip(spec, keys))
+        self.keymap_changed.emit()
+
+    def keys_of(self, action_id: str) -> str:
+        """An action's keys as a person reads them; empty where it has none."""
+        return keys_text(self._keymap.get(action_id, ()))
 
     def __getitem__(self, action_id: str) -> QAction:
         return self._actions[action_id]
@@ -52,22 +66,18 @@ class Actions(QObject):
             self._actions[action_id].triggered.connect(lambda _checked=False, call=handler: call())
 
 
-def keys_text(keys: tuple[str, ...]) -> str:
-    """Keys as a person reads them: `] or F7`."""
-    texts = (QKeySequence(key).toString(QKeySequence.SequenceFormat.NativeText) for key in keys)
-    return " or ".join(texts)
-
-
-def _action(spec: ActionSpec, keys: tuple[str, ...], parent: QObject) -> QAction:
+def _action(spec: ActionSpec, parent: QObject) -> QAction:
     action = QAction(spec.title, parent)
     action.setObjectName(spec.id)
     if spec.icon:
         action.setIcon(style.icon(spec.icon))
     action.setCheckable(spec.checkable)
-    action.setShortcuts([QKeySequence(key) for key in keys])
     in_viewer = spec.reach is Reach.VIEWER
     context = Qt.ShortcutContext
     action.setShortcutContext(context.WidgetWithChildrenShortcut if in_viewer else context.WindowShortcut)
-    sentence = spec.tip or spec.title.rstrip("…")
-    action.setToolTip(f"{sentence}  ({keys_text(keys)})" if keys else sentence)
     return action
+
+
+def _tooltip(spec: ActionSpec, keys: tuple[str, ...]) -> str:
+    sentence = spec.tip or spec.title.rstrip("…")
+    return f"{sentence}  ({keys_text(keys)})" if keys else sentence

@@ -6,33 +6,10 @@ from collections.abc import Sequence
 from enum import Enum
 from pathlib import Path
 
-from PySide6.QtCore import Qt
-from PySide6.QtGui import QColor
-from PySide6.QtWidgets import (
-    QDialog,
-    QFileDialog,
-    QHeaderView,
-    QMessageBox,
-    QTreeWidget,
-    QTreeWidgetItem,
-    QVBoxLayout,
-    QWidget,
-)
+from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
 
-from app import style
-from app.action_specs import SPECS
-from app.actions import Keymap, keys_text
 from app.files import PROJECT_SUFFIX
 
-GESTURES = (
-    ("Ctrl+Alt+click", "Insert a point on the outline"),
-    ("Ctrl+drag", "Break a tangent"),
-    ("Shift+drag", "Equalise the handles"),
-    ("Alt+arrows", "Nudge points by a pixel, with Shift by ten"),
-    ("Return, Esc", "Close a shape being drawn, leave it open"),
-    ("Middle button, Alt+left", "Pan"),
-    ("Wheel", "Zoom at the pointer"),
-)
 MOVIES = "Movies (*.mov *.mp4 *.avi *.mkv *.m4v *.mxf *.webm);;All files (*)"
 PROJECTS = f"ROAM projects (*{PROJECT_SUFFIX})"
 
@@ -101,41 +78,6 @@ def choose_shapes(parent: QWidget, start: Path, suffixes: Sequence[str]) -> Path
 
 def choose_folder(parent: QWidget, title: str, start: Path) -> Path | None:
     return _path(QFileDialog.getExistingDirectory(parent, title, str(start)))
-
-
-class KeysDialog(QDialog):
-    """All keys and gestures, in the groups of the menus."""
-
-    def __init__(self, keymap: Keymap, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self.setWindowTitle("Keys")
-        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        self.resize(420, 620)
-        tree = QTreeWidget()
-        tree.setColumnCount(2)
-        tree.setHeaderHidden(True)
-        tree.setRootIsDecorated(False)
-        tree.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-        groups: dict[str, QTreeWidgetItem] = {}
-        for spec in SPECS:
-            if spec.id in keymap:
-                group = _group(tree, groups, spec.id.split(".")[0].capitalize())
-                QTreeWidgetItem(group, [spec.title, keys_text(keymap[spec.id])])
-        group = _group(tree, groups, "In the viewer")
-        for keys, meaning in GESTURES:
-            QTreeWidgetItem(group, [meaning, keys])
-        tree.expandAll()
-        tree.header().setSectionResizeMode(0, QHeaderView.ResizeMode.Stretch)
-        tree.header().setSectionResizeMode(1, QHeaderView.ResizeMode.ResizeToContents)
-        column = QVBoxLayout(self)
-        column.addWidget(tree)
-
-
-def _group(tree: QTreeWidget, groups: dict[str, QTreeWidgetItem], title: str) -> QTreeWidgetItem:
-    if title not in groups:
-        groups[title] = QTreeWidgetItem(tree, [title])
-        groups[title].setForeground(0, QColor(style.ACCENT))
-    return groups[title]
 
 
 def _path(chosen: str) -> Path | None:

@@ -115,14 +115,17 @@ def _run(begin: Callable[[MainWindow], object]) -> int:
     from app.folders import state_folder
     from app.jobs import warm_up
     from app.main_window import MainWindow
+    from app.personal import Personal
 
     _keep_log(state_folder() / "roam.log")
+    personal = Personal(state_folder())
+    _scale(personal.preferences.scale)
     application = QApplication.instance() or QApplication(sys.argv[:1])
     assert isinstance(application, QApplication)
     application.setApplicationName("ROAM")
     application.setDesktopFileName("roam")
     style.apply(application)
-    window = MainWindow(state_folder() / "autosave")
+    window = MainWindow(state_folder() / "autosave", personal)
     before = _catch_errors(window, state_folder() / "roam.log")
     _leave_on_signals(window)
     settings_path = state_folder() / "window.ini"
@@ -135,6 +138,12 @@ def _run(begin: Callable[[MainWindow], object]) -> int:
         return application.exec()
     finally:
         sys.excepthook = before
+
+
+def _scale(scale: float) -> None:
+    """Have Qt draw everything larger; only before the application is made. What the desktop already asks for wins."""
+    if scale != 1.0:
+        os.environ.setdefault("QT_SCALE_FACTOR", f"{scale:g}")
 
 
 def _leave_on_signals(window: MainWindow) -> None:

@@ -10,11 +10,11 @@ from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QMainWindow, QScrollArea, QSplitter, QUndoView, QVBoxLayout, QWidget
 
 from app import menus, style
-from app.actions import Actions, Keymap, load_keymap
+from app.actions import Actions
 from app.canvas.proposal_bar import ProposalBar
 from app.canvas.view import CanvasView
 from app.clipboard import ShapeClipboard
-from app.dialogs import KeysDialog
+from app.desk import Desk
 from app.document import Document
 from app.file_actions import FileActions
 from app.files import Files
@@ -31,17 +31,20 @@ from app.navigation import Navigation
 from app.panels.controls import tool_button
 from app.panels.panel import Panel
 from app.panels.properties import PropertiesPanel
+from app.panels.readout import Readout
 from app.panels.shapes import ShapesPanel
 from app.panels.status import StatusBar
 from app.panels.tool_column import ToolColumn
 from app.panels.tracker import TrackerPanel
 from app.panels.view_bar import ViewBar
+from app.personal import Personal
 from app.playback import Playback
 from app.proposals import Proposals
 from app.shape_verbs import ShapeVerbs
 from app.timeline.timeline import Timeline
 from app.timeline.transport import Transport
 from app.tools import TOOLS
+from app.tools.feather import FeatherActions
 from app.tracking import Tracking
 from app.view_state import ViewState
 
@@ -50,15 +53,15 @@ TIMELINE_HEIGHT = 200
 
 
 class MainWindow(QMainWindow):
-    """ROAM's window. `autosave_root` is the folder of the autosaved projects."""
+    """ROAM's window. `autosave_root` is the folder of the autosaved projects, `personal` the artist's own settings."""
 
-    def __init__(self, autosave_root: Path) -> None:
+    def __init__(self, autosave_root: Path, personal: Personal | None = None) -> None:
         super().__init__()
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose, False)
         self.setAcceptDrops(True)
         self.resize(1500, 940)
         self._is_leaving = False
-        self.keymap: Keymap = load_keymap()
+        self.personal = personal or Personal(parent=self)
         self._build_state(autosave_root)
         self._build_parts()
         self._lay_out()
@@ -90,8 +93,9 @@ class MainWindow(QMainWindow):
         document, view_state = self.document, self.view_state
         self.canvas = CanvasView(document, view_state)
         FocusFollowsPointer(self.canvas)
-        self.actions_by_id = actions = Actions(self, self.canvas, self.keymap)
+        self.actions_by_id = actions = Actions(self, self.canvas, self.personal.keys.keymap)
         self.canvas.proposed = lambda: self.proposals.current
+        self.canvas.stage.plate_of = self.reader.plate
         self.proposal_bar = ProposalBar(self.proposals, actions, self.canvas)
         self.tool_column = ToolColumn(view_state, actions, tuple(TOOLS))
         self.view_bar = ViewBar(document, self.canvas, actions)
@@ -104,6 +108,8 @@ class MainWindow(QMainWindow):
         self.transport = Transport(self.navigation, view_state, self.playback, actions)
         self.timeline = Timeline(document, view_state, self.reader.cached_frames, actions)
         self.status = StatusBar(view_state, self.under_way)
+        self.status.add(Readout(self.canvas))
+        self.desk = Desk(self, self.personal)
         self.setMenuWidget(_top_row(menus.menu_bar(actions), self.view_bar))
 
     def _lay_out(self) -> None:
@@ -130,7 +136,7 @@ class MainWindow(QMainWindow):
         _fill(QVBoxLayout(whole), self._halves, self.status)
         self.setCentralWidget(whole)
 
-    def _panel_column(self) -> QWidget:
+    def _panel_column(self) -> QScrollArea:
         actions = self.actions_by_id
         shape_tools = tuple(tool_button(actions, name) for name in ("shape.group", "shape.duplicate", "shape.delete"))
         key_tools = tuple(tool_button(actions, name) for name in ("key.set", "key.delete"))
@@ -142,6 +148,7 @@ class MainWindow(QMainWindow):
         box = QVBoxLayout(column)
         shapes = Panel("Shapes", self.shapes, shape_tools)
         _fill(box, shapes, Panel("Track", self.tracker), Panel("Shape", self.properties, key_tools), self.history_panel)
+        box.addWidget(self.desk.log_panel)
         box.setStretchFactor(shapes, 1)
         scroll = QScrollArea()  # for small screens: nothing is squeezed, what does not fit is scrolled to
         scroll.setWidgetResizable(True)
@@ -197,10 +204,11 @@ class MainWindow(QMainWindow):
             "shape.delete": self._delete_in_list,
             "track.stop": self.under_way.stop,
             "view.fit_time": self.timeline.axis.fit,
-            "help.keys": lambda: KeysDialog(self.keymap, self).show(),
         }
         for part in (
             self.canvas,
+            FeatherActions(self.document, self.view_state),
+            self.desk,
             files,
             history,
             clipboard,

@@ -24,9 +24,8 @@ MENUS: dict[str, tuple[str, ...]] = {
         "edit.keymap", "edit.settings",
     ),
     "Shape": (
-        "tool.select", "tool.bezier", "tool.bspline", "tool.polygon", "tool.freehand", "tool.ellipse", "tool.rectangle",
-        "tool.feather",
-        SEPARATOR,
+        "tool.select", "tool.transform", "tool.bezier", "tool.bspline", "tool.polygon", "tool.freehand",
+        "tool.ellipse", "tool.rectangle", "tool.feather", SEPARATOR,
         "key.set", "key.delete", "key.linear", "key.smooth", "key.hold", SEPARATOR,
         "shape.duplicate", "shape.group", "shape.delete", SEPARATOR,
         "shape.lock", "shape.hide", "shape.show_all",

@@ -21,8 +21,8 @@ from app.jobs.runner import Report, Runner
 from roam_core.errors import RoamError
 from roam_core.roto import Project, file
 
-INTERVAL = 60_000
-"""Milliseconds between two snapshots."""
+MINUTES = 1
+"""Minutes between two snapshots, where the artist set nothing else."""
 BACKUPS = 5
 """Snapshots kept of a session, and closed sessions kept."""
 
@@ -42,7 +42,7 @@ class Recovery:
 
 
 class Autosave(QObject):
-    """Writes a snapshot every minute and when asked, if there is unsaved work that no snapshot holds yet."""
+    """Writes a snapshot every few minutes and when asked, if there is unsaved work that no snapshot holds yet."""
 
     def __init__(self, document: Document, runner: Runner, root: Path, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -52,9 +52,19 @@ class Autosave(QObject):
         self._lock.tryLock(0)
         self._kept: Project | None = None
         self._waits_for_recovery = False
-        self._timer = QTimer(self, interval=INTERVAL)
+        self._timer = QTimer(self, interval=MINUTES * 60_000)
         self._timer.timeout.connect(self.save)
         self._timer.start()
+
+    @property
+    def interval(self) -> int:
+        """Minutes between two snapshots."""
+        return self._timer.interval() // 60_000
+
+    def set_interval(self, minutes: int) -> None:
+        """Write a snapshot every so many minutes from now on."""
+        if minutes * 60_000 != self._timer.interval():
+            self._timer.start(minutes * 60_000)
 
     def save(self) -> None:
         """Write a snapshot on the worker, if there is anything new to keep."""

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
+from app.canvas.picture import Plate
 from app.jobs.runner import Ending, Report, Runner
 from roam_core.errors import RoamError
 
@@ -15,6 +16,8 @@ if TYPE_CHECKING:
 
 READ_AHEAD = 120
 """Frames decoded ahead of the playhead in the direction in which it moves: five seconds; fewer where memory ends."""
+DEFAULT_CACHE_BYTES = 1 << 30
+"""Bound on the plate's decoded frames, where the artist set no other."""
 DISPLAY_BYTES = 512 << 20
 """Bound on pictures kept ready for the screen; only plates whose colours must be converted need any."""
 
@@ -42,6 +45,7 @@ class PlateReader(QObject):
         self._source: PlateSource | None = None
         self._cache: FrameCache | None = None
         self._ready: OrderedDict[int, Any] = OrderedDict()
+        self._limit = DEFAULT_CACHE_BYTES
         self._wanted: int | None = None
         self._previous = 0
         self._cache_touched.connect(self._touch)
@@ -58,7 +62,7 @@ class PlateReader(QObject):
 
         self._let_go()
         if source is not None:
-            self._source, self._cache = source, FrameCache(source)
+            self._source, self._cache = source, FrameCache(source, self._limit)
             self._cache.on_change(self._cache_touched.emit)
         self.plate_changed.emit()
         self.cache_changed.emit()
@@ -69,8 +73,22 @@ class PlateReader(QObject):
         self._settle.stop()
         self._runner.close()
 
+    def set_cache_limit(self, limit: int) -> None:
+        """Hold no more than so many bytes of decoded frames; what is above goes when the next frame is read."""
+        self._limit = limit
+        if self._cache is not None:
+            self._cache.limit_bytes = limit
+            self.cache_changed.emit()
+
     def cached_frames(self) -> frozenset[int]:
         return frozenset(self._cache.cached_frames()) if self._cache is not None else frozenset()
+
+    def plate(self, frame: int) -> Plate | None:
+        """The plate's own values of a frame, where it is held; never waits for decoding."""
+        if self._cache is None or self._source is None:
+            return None
+        values = self._cache.get(frame)
+        return None if values is None else Plate(values, self._source.colour_space)
 
     def memory(self) -> tuple[int, int]:
         """Bytes held by the cache, and its bound."""

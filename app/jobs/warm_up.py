@@ -7,6 +7,18 @@ from importlib import import_module
 from app.jobs.runner import Job, Report, Runner
 
 
+def use_threads(runner: Runner, count: int) -> Job:
+    """Let the libraries for pictures use so many threads; 0 leaves it to them."""
+
+    def work(report: Report) -> str:
+        cv2, oiio = import_module("cv2"), import_module("OpenImageIO")
+        cv2.setNumThreads(count or -1)
+        oiio.attribute("threads", count)
+        return ""
+
+    return runner.start("threads", work)
+
+
 def start(runner: Runner, config: str) -> Job:
     """Compile on the solver's thread what the configuration needs; a track that is asked for meanwhile waits for it."""
 

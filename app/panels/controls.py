@@ -28,6 +28,18 @@ def tool_button(actions: Actions, action_id: str, *, size: int = 24, name: str =
     return button
 
 
+def icon_button(icon: str, tip: str, *, size: int = 24) -> QToolButton:
+    """A flat button that is no action of the window's; it never takes the keyboard."""
+    button = QToolButton()
+    button.setObjectName("flat")
+    button.setIcon(style.icon(icon))
+    button.setIconSize(style.ICON_SIZE)
+    button.setFixedSize(size, size)
+    button.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+    button.setToolTip(tip)
+    return button
+
+
 def number_field(tip: str) -> QSpinBox:
     """A field for a frame number: typed, or changed by the wheel; one change when it is done."""
     field = QSpinBox()

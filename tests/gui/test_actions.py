@@ -7,36 +7,14 @@ from collections import Counter
 from importlib.resources import files
 
 import pytest
-from PySide6.QtGui import QKeySequence
 from PySide6.QtWidgets import QWidget
 from pytestqt.qtbot import QtBot
 
 from app import menus
 from app.action_specs import SPECS
 from app.actions import Actions, keys_text, load_keymap
+from app.keymaps import presets
 from roam_core.errors import RoamError
-
-PRESETS = [path.name.removesuffix(".json") for path in (files("resources") / "keymaps").iterdir()]
-US_SHIFTED = {"{": "Shift+[", "}": "Shift+]", "?": "Shift+/", "~": "Shift+`", "|": "Shift+\\", ":": "Shift+;"}
-"""Symbols that a US keyboard types with Shift: the same press as the other name of it."""
-
-
-def press(key: str) -> str:
-    text = QKeySequence(key).toString(QKeySequence.SequenceFormat.PortableText)
-    return US_SHIFTED.get(text, text)
-
-
-@pytest.mark.parametrize("preset", PRESETS)
-def test_a_keymap_gives_no_press_to_two_actions(preset: str) -> None:
-    presses = Counter(press(key) for keys in load_keymap(preset).values() for key in keys)
-    assert [key for key, count in presses.items() if count > 1] == []
-
-
-@pytest.mark.parametrize("preset", PRESETS)
-def test_a_keymap_knows_only_actions_that_exist_and_keys_that_qt_understands(preset: str) -> None:
-    keymap = load_keymap(preset)
-    assert set(keymap) <= {spec.id for spec in SPECS}
-    assert all(not QKeySequence(key).isEmpty() and press(key) for keys in keymap.values() for key in keys)
 
 
 def test_ids_are_unique_and_every_action_stands_in_a_menu() -> None:
@@ -76,7 +54,7 @@ def test_a_keymap_that_is_not_there_is_refused_in_a_sentence() -> None:
 
 
 def test_keymap_files_say_what_they_are() -> None:
-    for preset in PRESETS:
+    for preset in presets():
         document = json.loads((files("resources") / "keymaps" / f"{preset}.json").read_text(encoding="utf-8"))
         assert document["type"] == "roam.Keymap"
         assert document["version"] == 1

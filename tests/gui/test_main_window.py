@@ -43,7 +43,7 @@ def test_a_clip_opens_on_its_own_frames(window: MainWindow) -> None:
 
 def test_every_action_is_connected(window: MainWindow) -> None:
     handled = set(window._handlers()) | {f"tool.{name}" for name in window.tool_column._names}
-    switches = {"edit.history", "view.panels", "view.tall_timeline", "time.loop"}
+    switches = {"edit.history", "help.log", "view.panels", "view.tall_timeline", "time.loop"}
     assert handled | switches == {spec.id for spec in SPECS}
 
 

@@ -15,6 +15,7 @@ from PySide6.QtCore import QPoint, Qt
 from pytestqt.qtbot import QtBot
 
 from app.main_window import MainWindow
+from app.personal import Personal
 from roam_core.media.sequence import ImageSequence
 from roam_core.propagate import run
 from roam_core.roto import Project, RotoShape, file
@@ -43,9 +44,11 @@ def write_clip(folder: Path, count: int = COUNT) -> Path:
 
 
 @contextmanager
-def opened_window(qtbot: QtBot, path: Path | None, state: Path) -> Iterator[MainWindow]:
+def opened_window(
+    qtbot: QtBot, path: Path | None, state: Path, personal: Personal | None = None
+) -> Iterator[MainWindow]:
     """A shown window with a clip or project open; closed, its changes thrown away, at the end."""
-    window = MainWindow(state)
+    window = MainWindow(state, personal)
     window.resize(1000, 700)
     try:
         with qtbot.waitExposed(window):

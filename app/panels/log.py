@@ -1,0 +1,36 @@
+"""The log panel: the messages of the journal with their times, to read again and to copy."""
+
+from __future__ import annotations
+
+from PySide6.QtGui import QGuiApplication
+from PySide6.QtWidgets import QPlainTextEdit, QToolButton, QVBoxLayout, QWidget
+
+from app import style
+from app.journal import MOST, Journal
+from app.panels.controls import icon_button
+
+
+class LogPanel(QWidget):
+    """A text that grows at its end; `tools` belong into the panel's header."""
+
+    def __init__(self, journal: Journal, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._journal = journal
+        self.text = QPlainTextEdit()
+        self.text.setReadOnly(True)
+        self.text.setMaximumBlockCount(MOST)
+        self.text.setPlaceholderText("What ROAM says is kept here.")
+        self.text.setFixedHeight(7 * style.ROW_HEIGHT)
+        self.copy_button: QToolButton = icon_button("duplicate", "Copy all messages")
+        self.copy_button.clicked.connect(self.copy)
+        self.tools = (self.copy_button,)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.addWidget(self.text)
+        for message in journal.messages:
+            self.text.appendPlainText(message.line)
+        journal.added.connect(lambda: self.text.appendPlainText(journal.messages[-1].line))
+
+    def copy(self) -> None:
+        """Put all messages on the clipboard."""
+        QGuiApplication.clipboard().setText("\n".join(message.line for message in self._journal.messages))

@@ -1,0 +1,73 @@
+"""Personal: what belongs to the artist and to no project - preferences and keys - kept in the settings folder."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+from PySide6.QtCore import QObject, Signal
+
+from app.keymaps import OwnKeymap, load_own, save_own
+from app.preferences import Preferences, load_preferences, save_preferences
+from roam_core.errors import RoamError
+
+PREFERENCES_FILE, KEYMAP_FILE = "preferences.json", "keymap.json"
+
+
+class Personal(QObject):
+    """The artist's own settings. Listeners pull; every change is written at once.
+
+    `folder` is the settings folder; None keeps everything in memory only.
+
+    Signals
+    -------
+    preferences_changed(), keys_changed() : something else holds now.
+    refused(sentence) : why a file could not be read or written; what was set holds all the same.
+    """
+
+    preferences_changed = Signal()
+    keys_changed = Signal()
+    refused = Signal(str)
+
+    def __init__(self, folder: Path | None = None, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self.folder = folder
+        self._preferences, self._keys = Preferences(), OwnKeymap()
+        self.trouble = ""
+        """Why something could not be read at the start; empty where all was well."""
+        if folder is not None:
+            self._preferences = load_preferences(folder / PREFERENCES_FILE)
+            try:
+                self._keys = load_own(folder / KEYMAP_FILE)
+            except RoamError as error:
+                self.trouble = str(error)
+
+    @property
+    def preferences(self) -> Preferences:
+        return self._preferences
+
+    @property
+    def keys(self) -> OwnKeymap:
+        return self._keys
+
+    def set_preferences(self, preferences: Preferences) -> None:
+        """Let other preferences hold, and keep them."""
+        if preferences != self._preferences:
+            self._preferences = preferences
+            self.preferences_changed.emit()
+            self._keep(PREFERENCES_FILE, lambda path: save_preferences(preferences, path))
+
+    def set_keys(self, keys: OwnKeymap) -> None:
+        """Let other keys hold, and keep them."""
+        if keys != self._keys:
+            self._keys = keys
+            self.keys_changed.emit()
+            self._keep(KEYMAP_FILE, lambda path: save_own(keys, path))
+
+    def _keep(self, name: str, write: Callable[[Path], object]) -> None:
+        if self.folder is None:
+            return
+        try:
+            write(self.folder / name)
+        except RoamError as error:
+            self.refused.emit(str(error))

@@ -1,0 +1,81 @@
+"""Preferences: what the artist set for all projects, as one immutable value, and the file that keeps it."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import asdict, dataclass, fields
+from pathlib import Path
+from typing import Any
+
+from roam_core.params import CONFIGS
+from roam_core.roto.file import write_atomically
+
+TYPE = "roam.Preferences"
+LEAST_CACHE, MOST_CACHE = 0.25, 512.0
+MOST_THREADS, MOST_MINUTES = 256, 60
+SCALES = (1.0, 1.25, 1.5, 1.75, 2.0, 2.5, 3.0)
+
+
+@dataclass(frozen=True)
+class Preferences:
+    """Defaults are what most would choose.
+
+    Parameters
+    ----------
+    cache_gigabytes : the most memory that decoded frames may take, in GB of 2**30 bytes.
+    threads : threads that the libraries for pictures may use; 0 leaves it to them.
+    autosave_minutes : minutes between two snapshots of unsaved work.
+    config : the engine's configuration at the start; empty for the one used last.
+    scale : size of everything in the window, times what the desktop says; holds from the next start on.
+    asks_about_clips : whether a clip is shown, with what was found out about it, before it is opened.
+    """
+
+    cache_gigabytes: float = 1.0
+    threads: int = 0
+    autosave_minutes: int = 1
+    config: str = ""
+    scale: float = 1.0
+    asks_about_clips: bool = True
+
+    @property
+    def cache_bytes(self) -> int:
+        return round(self.cache_gigabytes * 2**30)
+
+    @property
+    def is_sound(self) -> bool:
+        """False where a value makes no sense, as a file changed by hand may have it."""
+        return (
+            LEAST_CACHE <= self.cache_gigabytes <= MOST_CACHE
+            and 0 <= self.threads <= MOST_THREADS
+            and 1 <= self.autosave_minutes <= MOST_MINUTES
+            and (not self.config or self.config in CONFIGS)
+            and SCALES[0] <= self.scale <= SCALES[-1]
+        )
+
+
+def load_preferences(path: Path) -> Preferences:
+    """What the file says; the default for each thing that it does not say, or says in a way that makes no sense."""
+    try:
+        document = json.loads(path.read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        return Preferences()
+    found = Preferences()
+    for field in fields(Preferences):
+        value = document.get(field.name) if isinstance(document, dict) else None
+        if _fits(value, getattr(found, field.name)):
+            changed = Preferences(**(asdict(found) | {field.name: value}))
+            found = changed if changed.is_sound else found
+    return found
+
+
+def save_preferences(preferences: Preferences, path: Path) -> None:
+    """Write them; raises `RoamError` when the file cannot be written."""
+    document = {"type": TYPE, "version": 1} | asdict(preferences)
+    write_atomically(path, json.dumps(document, indent=1).encode())
+
+
+def _fits(value: Any, default: object) -> bool:
+    """True where a value of the file has the type of the default; a whole number will do for a float."""
+    if isinstance(default, bool) or isinstance(value, bool):
+        return isinstance(value, bool) and isinstance(default, bool)
+    return isinstance(value, int | float) if isinstance(default, float) else isinstance(value, type(default))
