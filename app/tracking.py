@@ -157,8 +157,15 @@ def doubt_sentence(shape: RotoShape, frame: int) -> str:
     key = shape.key_at(frame)
     if key is None or key.confidence is None:
         return ""
-    each = () if key.vertex_confidence is None else key.vertex_confidence.tolist()
-    doubted = sum(confidence < DOUBTFUL for confidence in each)
+    doubted = len(doubtful_points(shape, frame))
     verb = "is" if doubted == 1 else "are"
-    rings = f" {doubted} of its {len(each)} vertices {verb} doubtful and ringed." if doubted else ""
+    rings = f" {doubted} of its {shape.point_count} vertices {verb} doubtful and ringed." if doubted else ""
     return f"Frame {frame}: the confidence of {shape.name} is {key.confidence:.2f}.{rings}"
+
+
+def doubtful_points(shape: RotoShape, frame: int) -> tuple[int, ...]:
+    """The points of a shape that the engine does not trust on a frame."""
+    key = shape.key_at(frame)
+    if key is None or key.vertex_confidence is None:
+        return ()
+    return tuple(index for index, trust in enumerate(key.vertex_confidence.tolist()) if trust < DOUBTFUL)

@@ -2,19 +2,21 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 import pyqtgraph as pg
 from numpy.typing import NDArray
-from PySide6.QtCore import QPointF, QRectF, QSize, Qt
-from PySide6.QtGui import QColor, QMouseEvent, QPainter, QPaintEvent, QResizeEvent, QWheelEvent
-from PySide6.QtWidgets import QHBoxLayout, QSizePolicy, QWidget
+from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt
+from PySide6.QtGui import QColor, QHelpEvent, QMouseEvent, QPainter, QPaintEvent, QResizeEvent, QWheelEvent
+from PySide6.QtWidgets import QHBoxLayout, QSizePolicy, QToolTip, QWidget
 
 from app import style
 from app.document import Document
 from app.timeline.axis import TimeAxis
 from app.timeline.marks import MarksOf
 from app.timeline.scale import LABEL_WIDTH
-from app.tracking import doubt_sentence
+from app.tracking import doubt_sentence, doubtful_points
 from app.view_state import shapes_in_hand
 from roam_core.params import DOUBTFUL
 
@@ -24,6 +26,12 @@ Values = NDArray[np.float64]
 LEAST_HEIGHT = 64
 CLICK = 3
 """Pixels that the pointer may move between press and release of a click."""
+
+TOLD = 8
+"""Shapes that a tip tells of."""
+
+LEAST, DOUBT = QColor(216, 216, 216, 80), QColor(255, 140, 26, 70)
+"""The line of the worst shape, pale under the others; the canvas's colour of doubt."""
 
 LOW, HIGH = -0.12, 1.12
 """The plot's range: a little more than a confidence can be, so that lines at its ends are seen."""
@@ -69,21 +77,26 @@ class ConfidencePlot(QWidget):
 
 
 class ConfidenceLines(pg.GraphicsView):  # type: ignore[misc]
-    """One line a shown shape: the selected ones, or all when none is. Doubt is filled up to the threshold."""
+    """One line a shown shape: the selected ones, or all when none is; of several also the least, broad and pale.
+
+    What lies under the threshold is filled up to it, frame by frame.
+    """
 
     def __init__(self, document: Document, axis: TimeAxis, marks: MarksOf) -> None:
         super().__init__(background=style.PANEL)
         self._document, self._axis, self._marks = document, axis, marks
         self._pressed = QPointF()
         self._curves: dict[str, pg.PlotCurveItem] = {}
+        self._least = pg.PlotCurveItem(connect="finite", pen=pg.mkPen(LEAST, width=3))
+        self._doubt = pg.BarGraphItem(x0=[], x1=[], y0=[], y1=[], pen=None, brush=pg.mkBrush(DOUBT))
         self._box = pg.ViewBox(enableMouse=False, enableMenu=False, defaultPadding=0)
         self.setCentralItem(self._box)
         self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self._box.setYRange(LOW, HIGH, padding=0)
         self._playhead = pg.InfiniteLine(pen=pg.mkPen(style.ACCENT, width=1))
         threshold = pg.InfiniteLine(DOUBTFUL, angle=0, pen=pg.mkPen(style.DISABLED, style=Qt.PenStyle.DashLine))
-        for line in (threshold, self._playhead):
-            self._box.addItem(line, ignoreBounds=True)
+        for item in (self._doubt, self._least, threshold, self._playhead):
+            self._box.addItem(item, ignoreBounds=True)
         for signal in (document.changed, document.replaced, axis.view_state.selection_changed):
             signal.connect(self._pull)
         axis.changed.connect(self._pull_time)
@@ -99,6 +112,15 @@ class ConfidenceLines(pg.GraphicsView):  # type: ignore[misc]
             self._box.removeItem(self._curves.pop(shape_id))
         for shape_id in shown:
             self._pull_curve(shape_id)
+        self._pull_least([self._marks(self._document.project.shape(shape_id)).confidence for shape_id in shown])
+
+    def _pull_least(self, shown: list[Pairs]) -> None:
+        """How far the worst of the shapes can be trusted on each frame, and where that is not far enough."""
+        least = least_of(shown)
+        self._least.setData(*_with_gaps(least if len(shown) > 1 else least[:0]))
+        doubtful = least[least[:, 1] < DOUBTFUL]
+        frames, values = doubtful.T
+        self._doubt.setOpts(x0=frames, x1=frames + 1.0, y0=values, y1=np.full(len(values), DOUBTFUL))
 
     def _pull_curve(self, shape_id: str) -> None:
         shape = self._document.project.shape(shape_id)
@@ -151,12 +173,43 @@ class ConfidenceLines(pg.GraphicsView):  # type: ignore[misc]
         ]
         if distances:
             _, shape_id = min(distances)
-            if shape_id not in view.selection.shapes:
-                view.select(frozenset([shape_id]))
-            view.say(doubt_sentence(project.shape(shape_id), view.frame))
+            shape = project.shape(shape_id)
+            doubted = frozenset((shape_id, index) for index in doubtful_points(shape, view.frame))
+            chosen = view.selection.shapes
+            view.select(chosen if shape_id in chosen else frozenset([shape_id]), doubted)
+            view.say(doubt_sentence(shape, view.frame))
+
+    def viewportEvent(self, event: QEvent) -> bool:
+        if isinstance(event, QHelpEvent) and event.type() == QEvent.Type.ToolTip:
+            frame = self._axis.scale.frame(event.pos().x() + LABEL_WIDTH)
+            QToolTip.showText(event.globalPos(), self.tip(frame), self.viewport())
+            return True
+        return bool(super().viewportEvent(event))
+
+    def tip(self, frame: int) -> str:
+        """The confidence of every shown shape on a frame, the least first."""
+        shapes = [self._document.project.shape(shape_id) for shape_id in self._shown()]
+        known = sorted(
+            (key.confidence, shape.name)
+            for shape in shapes
+            if (key := shape.key_at(frame)) is not None and key.confidence is not None
+        )
+        lines = [f"{value:.2f}  {name}" for value, name in known[:TOLD]]
+        more = [f"and {len(known) - TOLD} more"] if len(known) > TOLD else []
+        return "\n".join([f"Frame {frame}", *(lines or ["Nothing is tracked here"]), *more])
 
     def wheelEvent(self, event: QWheelEvent) -> None:
         self._axis.wheel(event, event.position().x() + LABEL_WIDTH)
+
+
+def least_of(confidences: Sequence[Pairs]) -> Pairs:
+    """The least of several confidences on each frame, as pairs (frame, confidence) `(K, 2)` in the order of time."""
+    pairs = np.concatenate([*confidences, np.empty((0, 2))])
+    if not len(pairs):
+        return pairs
+    pairs = pairs[np.argsort(pairs[:, 0], kind="stable")]
+    starts = np.flatnonzero(np.append(True, np.diff(pairs[:, 0]) > 0))
+    return np.column_stack([pairs[starts, 0], np.minimum.reduceat(pairs[:, 1], starts)])
 
 
 def _with_gaps(confidence: Pairs) -> tuple[Values, Values]:

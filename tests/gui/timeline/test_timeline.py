@@ -15,11 +15,11 @@ from pytestqt.qtbot import QtBot
 from app import style
 from app.document import Document
 from app.timeline import row_painter
-from app.timeline.confidence import LEAST_HEIGHT, _with_gaps
+from app.timeline.confidence import LEAST_HEIGHT
 from app.timeline.row_painter import ROW
 from app.timeline.timeline import Timeline
 from app.view_state import ViewState
-from roam_core.roto import Keyframe, Origin, Project, RotoShape, edit
+from roam_core.roto import Project, RotoShape, edit
 from tests.gui.timeline.places import SQUARE, row_middle, x_of
 
 
@@ -111,12 +111,6 @@ def test_every_kind_of_mark_is_painted(timeline: Timeline, document: Document) -
     assert without.pixelColor(key, middle) != without.pixelColor(key + 40, middle)
 
 
-def test_the_confidence_line_has_a_hole_where_nothing_was_tracked() -> None:
-    frames, values = _with_gaps(np.array([[1, 0.5], [2, 0.6], [7, 0.7]]))
-    assert np.array_equal(np.isnan(frames), [False, False, True, False])
-    assert np.array_equal(np.isnan(values), [False, False, True, False])
-
-
 @pytest.mark.parametrize("zoom", [1.0, 1.6, 1.75, 1.9, 2.05])
 def test_no_label_touches_the_tab_of_the_playhead(timeline: Timeline, view_state: ViewState, zoom: float) -> None:
     ruler, axis, grounds = timeline.ruler, timeline.axis, {style.WINDOW, style.PANEL}
@@ -206,34 +200,3 @@ def test_without_a_clip_there_is_no_time_to_see(timeline: Timeline, document: Do
     document.open(Project(), None)
     picture = timeline.ruler.grab().toImage()
     assert {picture.pixelColor(x, 10).name() for x in range(0, picture.width(), 3)} == {picture.pixelColor(1, 1).name()}
-
-
-def test_a_click_on_the_plot_takes_the_line_under_it_and_tells_its_doubts(
-    qtbot: QtBot, timeline: Timeline, document: Document, view_state: ViewState
-) -> None:
-    second = document.project.shape("shape-2")
-    sure = Keyframe(
-        1015, SQUARE, origin=Origin.ENGINE, confidence=0.9, vertex_confidence=np.array([0.9, 0.2, 0.9, 0.1])
-    )
-    document.apply("Sure", document.project.with_shape(edit.set_engine_keys(second, [sure])))
-    lines, plot = timeline.confidence.lines, timeline.confidence
-    x = x_of(timeline, 1015) + 2 - lines.x()
-    for value, name in ((0.25, "shape-1"), (0.85, "shape-2")):
-        view_state.select(frozenset())
-        view_state.set_frame(1001)
-        qtbot.mouseClick(lines.viewport(), Qt.MouseButton.LeftButton, pos=QPoint(x, round(plot.value_y(value))))
-        assert view_state.frame == 1015
-        assert view_state.selection.shapes == {name}
-    assert view_state.message == (
-        "Frame 1015: the confidence of Shape 2 is 0.90. 2 of its 4 vertices are doubtful and ringed."
-    )
-
-
-def test_a_drag_over_the_plot_only_scrubs(qtbot: QtBot, timeline: Timeline, view_state: ViewState) -> None:
-    port = timeline.confidence.lines.viewport()
-    start, end = (QPoint(x_of(timeline, frame) + 2 - timeline.confidence.lines.x(), 30) for frame in (1005, 1015))
-    qtbot.mousePress(port, Qt.MouseButton.LeftButton, pos=start)
-    qtbot.mouseMove(port, end)
-    qtbot.mouseRelease(port, Qt.MouseButton.LeftButton, pos=end)
-    assert view_state.frame == 1015
-    assert view_state.selection.shapes == frozenset()

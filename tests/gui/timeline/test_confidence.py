@@ -1,0 +1,91 @@
+"""The confidence plot: its lines, what a click on it takes into the hand, what it tells of a frame."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QEvent, QPoint, Qt
+from PySide6.QtGui import QHelpEvent
+from PySide6.QtWidgets import QApplication, QToolTip
+from pytestqt.qtbot import QtBot
+
+from app.document import Document
+from app.timeline.confidence import _with_gaps, least_of
+from app.timeline.timeline import Timeline
+from app.view_state import ViewState
+from roam_core.roto import Keyframe, Origin, edit
+from tests.gui.timeline.places import SQUARE, x_of
+
+
+def test_the_confidence_line_has_a_hole_where_nothing_was_tracked() -> None:
+    frames, values = _with_gaps(np.array([[1, 0.5], [2, 0.6], [7, 0.7]]))
+    assert np.array_equal(np.isnan(frames), [False, False, True, False])
+    assert np.array_equal(np.isnan(values), [False, False, True, False])
+
+
+def test_a_click_on_the_plot_takes_the_line_under_it_and_tells_its_doubts(
+    qtbot: QtBot, timeline: Timeline, document: Document, view_state: ViewState
+) -> None:
+    second = document.project.shape("shape-2")
+    sure = Keyframe(
+        1015, SQUARE, origin=Origin.ENGINE, confidence=0.9, vertex_confidence=np.array([0.9, 0.2, 0.9, 0.1])
+    )
+    document.apply("Sure", document.project.with_shape(edit.set_engine_keys(second, [sure])))
+    lines, plot = timeline.confidence.lines, timeline.confidence
+    x = x_of(timeline, 1015) + 2 - lines.x()
+    for value, name in ((0.25, "shape-1"), (0.85, "shape-2")):
+        view_state.select(frozenset())
+        view_state.set_frame(1001)
+        qtbot.mouseClick(lines.viewport(), Qt.MouseButton.LeftButton, pos=QPoint(x, round(plot.value_y(value))))
+        assert view_state.frame == 1015
+        assert view_state.selection.shapes == {name}
+    assert view_state.selection.points == {("shape-2", 1), ("shape-2", 3)}  # ready under the hand
+    assert view_state.message == (
+        "Frame 1015: the confidence of Shape 2 is 0.90. 2 of its 4 vertices are doubtful and ringed."
+    )
+
+
+def test_a_drag_over_the_plot_only_scrubs(qtbot: QtBot, timeline: Timeline, view_state: ViewState) -> None:
+    port = timeline.confidence.lines.viewport()
+    start, end = (QPoint(x_of(timeline, frame) + 2 - timeline.confidence.lines.x(), 30) for frame in (1005, 1015))
+    qtbot.mousePress(port, Qt.MouseButton.LeftButton, pos=start)
+    qtbot.mouseMove(port, end)
+    qtbot.mouseRelease(port, Qt.MouseButton.LeftButton, pos=end)
+    assert view_state.frame == 1015
+    assert view_state.selection.shapes == frozenset()
+
+
+def test_the_least_of_all_shapes_is_told_on_each_frame() -> None:
+    first, second = np.array([[1, 0.5], [2, 0.6], [7, 0.7]]), np.array([[2, 0.2], [3, 0.9]])
+    assert least_of([first, second]).tolist() == [[1, 0.5], [2, 0.2], [3, 0.9], [7, 0.7]]
+    assert least_of([]).shape == (0, 2)
+
+
+def test_the_least_line_is_there_for_several_shapes_and_doubt_is_filled(
+    timeline: Timeline, document: Document, view_state: ViewState
+) -> None:
+    lines = timeline.confidence.lines
+    assert len(lines._least.getData()[0]) == 18
+    assert len(lines._doubt.opts["x0"]) == 18
+    view_state.select(frozenset({"shape-2"}))
+    assert lines._least.getData()[0] is None or len(lines._least.getData()[0]) == 0
+    assert lines._doubt.opts["x0"].tolist() == list(range(1011, 1020))
+    view_state.select(frozenset())
+    for shape in document.project.shapes:
+        document.apply("Clear", document.project.with_shape(edit.delete_engine_keys(shape)))
+    assert len(lines._doubt.opts["x0"]) == 0
+
+
+def test_a_tip_tells_the_shapes_of_a_frame_the_worst_first(
+    timeline: Timeline, document: Document, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    sure = Keyframe(1015, SQUARE, origin=Origin.ENGINE, confidence=0.1)
+    shape = document.project.shape("shape-2")
+    document.apply("Doubt", document.project.with_shape(edit.set_engine_keys(shape, [sure])))
+    told: list[str] = []
+    monkeypatch.setattr(QToolTip, "showText", lambda _at, text, _widget: told.append(text))
+    port = timeline.confidence.lines.viewport()
+    for frame in (1015, 1045):
+        at = QPoint(x_of(timeline, frame) - timeline.confidence.lines.x(), 20)
+        QApplication.sendEvent(port, QHelpEvent(QEvent.Type.ToolTip, at, port.mapToGlobal(at)))
+    assert told == ["Frame 1015\n0.10  Shape 2\n0.20  Shape 1", "Frame 1045\nNothing is tracked here"]
