@@ -11,9 +11,11 @@ from app.tools.point_actions import PointActions
 from app.tools.polygon import PolygonTool
 from app.tools.select import SelectTool
 from app.tools.tool import Pointer, Tool
+from app.tools.transform import TransformTool
 
 _ORDER: tuple[type[Tool], ...] = (
     SelectTool,
+    TransformTool,
     BezierTool,
     BSplineTool,
     PolygonTool,
