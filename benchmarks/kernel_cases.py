@@ -20,6 +20,7 @@ from roam_core.kernels.distance_transform import distance_transform
 from roam_core.kernels.edge_sums import edge_means
 from roam_core.kernels.flattening import step_counts, vertices
 from roam_core.kernels.gmm_density import em_steps, log_densities, matches
+from roam_core.kernels.hypotheses import best_hypothesis
 from roam_core.kernels.key_spans import cubic_span_errors, linear_span_errors, outline_distances
 from roam_core.kernels.local_match import INSIDE, OUTSIDE, local_match
 from roam_core.kernels.nearest_edges import nearest_edges
@@ -164,9 +165,17 @@ def _band() -> Case:
     )
 
 
+def _hypotheses() -> Case:
+    rng = _rng()
+    source = rng.normal(0, 50, (400, 2)) @ [1, 1j]
+    alpha, beta = (rng.normal(0, 0.05, (2, 128, 2))) @ [1, 1j]
+    return _call(best_hypothesis, source, source + rng.normal(0, 1, 400), alpha + 1, beta, 2.0)
+
+
 CASES: dict[str, Callable[[], Case]] = {
     "align": _alignment,
     "anchored": _anchoring,
+    "best_hypothesis": _hypotheses,
     "coverage": lambda: _call(coverage, _outline(), SIZE),
     "crossing_edges": lambda: _call(crossing_edges, _outline(400), True),
     "cubic_span_errors": lambda: _call(cubic_span_errors, _moving(), True, 0, 50.0),

@@ -9,8 +9,6 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from roam_core.kernels.flattening import step_counts, vertices
-
 Array = NDArray[np.float64]
 IntArray = NDArray[np.intp]
 
@@ -94,6 +92,8 @@ def flatten(points: Array, closed: bool = True, tolerance: float = 0.05) -> Arra
     control = segments(points, closed)
     if len(control) == 0:
         return points[:, ANCHOR].copy()
+    from roam_core.kernels.flattening import step_counts, vertices  # numba: reading a project must not wait for it
+
     line = vertices(control, step_counts(control, tolerance))
     return line if closed else np.vstack([line, control[-1, 3]])
 

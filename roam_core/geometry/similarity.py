@@ -5,6 +5,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from roam_core.kernels.hypotheses import best_hypothesis
+
 Array = NDArray[np.float64]
 
 IDENTITY: Array = np.array([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]])
@@ -57,10 +59,8 @@ def ransac(
     usable = np.abs(span) > 1e-9
     alpha = np.where(usable, (w[second] - w[first]) / np.where(usable, span, 1.0), 1.0)
     beta = w[first] - alpha * z[first]
-    away = alpha[:, None] * z + (beta[:, None] - w)
-    error = np.sqrt(away.real**2 + away.imag**2)
-    score = np.minimum(error, threshold).sum(axis=1)
-    inliers = error[int(np.argmin(score))] <= threshold
+    best = best_hypothesis(z, w, alpha, beta, threshold)
+    inliers = np.abs(alpha[best] * z + beta[best] - w) <= threshold
     transform = fit(source[inliers], target[inliers])
     for _ in range(2):
         again = np.hypot(*(apply(transform, source) - target).T) <= threshold

@@ -25,7 +25,7 @@ def step_counts(control: Float64, tolerance: float) -> IntArray:
 
 
 def vertices(control: Float64, counts: IntArray) -> Float64:
-    """The vertices `(sum of counts, 2)` of segments `control (S, 4, 2)` cut into `counts (S,)` steps; without the last."""
+    """The vertices `(sum of counts, 2)` of segments `control (S, 4, 2)` in `counts (S,)` steps; not the last one."""
     line = np.empty((int(counts.sum()), 2))
     _vertices(np.ascontiguousarray(control), counts, line)
     return line

@@ -10,6 +10,7 @@ from roam_core.propagate import step as outline
 from roam_core.propagate.region import RegionState
 from roam_core.propagate.result import Part, StepResult
 from roam_core.propagate.step import TrackerState
+from roam_core.propagate.threads import each
 
 State = RegionState | tuple[TrackerState, ...]
 """What is known of an object after a frame."""
@@ -29,7 +30,7 @@ def step(
     if isinstance(state, RegionState):
         assert params.region is not None
         return region.step(state, picture, params.region, token)
-    pairs = [outline.step(each, picture, params, token) for each in state]
+    pairs = each(lambda outline_state: outline.step(outline_state, picture, params, token), state)
     return tuple(after for after, _ in pairs), tuple(result for _, result in pairs)
 
 

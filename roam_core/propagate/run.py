@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
+from functools import partial
 from typing import Any
 
 from numpy.typing import NDArray
@@ -16,6 +17,7 @@ from roam_core.propagate.group import GroupTracker, parts_at
 from roam_core.propagate.memory import TrackMemory, take_up
 from roam_core.propagate.objects import objects
 from roam_core.propagate.result import FrameResult, TrackResult
+from roam_core.propagate.threads import each
 from roam_core.roto import RotoShape
 
 NEAR = 20.0
@@ -69,11 +71,17 @@ def track(
         except MissingFrame:
             yield _in_order(frame, groups, [tracker.skip(frame) for tracker in trackers])
             continue
-        solved = [tracker.step(picture, frame, token) for tracker in trackers]
+        solved = each(partial(_stepped, picture, frame, token), trackers)
         if memory is not None:
             for tracker in trackers:
                 memory.keep(tracker.standing, tracker.params)
         yield _in_order(frame, groups, solved)
+
+
+def _stepped(
+    picture: PreparedFrame, frame: int, token: CancelToken | None, tracker: GroupTracker
+) -> tuple[TrackResult, ...]:
+    return tracker.step(picture, frame, token)
 
 
 def _in_order(frame: int, groups: list[list[int]], solved: list[tuple[TrackResult, ...]]) -> FrameResult:

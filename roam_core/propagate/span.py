@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Mapping, Sequence
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
+from functools import partial
 from itertools import pairwise
 from typing import Any
 
@@ -21,6 +21,7 @@ from roam_core.propagate.objects import objects
 from roam_core.propagate.passage import Passage, passage
 from roam_core.propagate.result import Part
 from roam_core.propagate.run import NEAR
+from roam_core.propagate.threads import each
 from roam_core.propagate.witness import Key, Span
 from roam_core.roto import BlendMode, Keyframe, Origin, RotoShape
 from roam_core.roto.edit import set_engine_keys
@@ -144,23 +145,25 @@ class _Filling:
             ends = [Key(key.frame, tuple(key.parts[k] for k in members)) for key in keys]
             span = self._passed(ends[0], ends[1], size)
             made: list[list[Keyframe]] = [[] for _ in members]
-            for frame in range(first + 1, last):
-                if self.token is not None:
-                    self.token.check()
-                for k, keyed, each in zip(members, made, merged(span, frame), strict=True):
-                    if each is not None and shapes[k].exists_at(frame):
-                        keyed.append(_engine_key(shapes[k], frame, each, self.params, self.clip))
+            between = range(first + 1, last)
+            for frame, solved in zip(between, each(partial(self._merged, span), between), strict=True):
+                for k, keyed, found in zip(members, made, solved, strict=True):
+                    if found is not None and shapes[k].exists_at(frame):
+                        keyed.append(_engine_key(shapes[k], frame, found, self.params, self.clip))
             for k, keyed in zip(members, made, strict=True):
                 result[k] = set_engine_keys(shapes[k], keyed)
         return result
 
+    def _merged(self, span: Span, frame: int) -> list[Merged | None]:
+        if self.token is not None:
+            self.token.check()
+        return merged(span, frame)
+
     def _passed(self, first: Key, last: Key, size: tuple[int, int]) -> Span:
         """Both passages of one object, side by side."""
         frames = range(first.frame, last.frame + 1)
-        with ThreadPoolExecutor(2) as pool:
-            ahead = pool.submit(self._passage, first, frames)
-            behind = pool.submit(self._passage, last, frames[::-1])
-            return Span(first, last, ahead.result(), behind.result(), size, scale_for(size))
+        ahead, behind = each(lambda way: self._passage(*way), [(first, frames), (last, frames[::-1])])
+        return Span(first, last, ahead, behind, size, scale_for(size))
 
     def _passage(self, key: Key, frames: range) -> Passage | None:
         parts = [part for part in key.parts if part is not None]
