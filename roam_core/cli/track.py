@@ -7,6 +7,7 @@ import json
 import os
 import sys
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 
 from tqdm import tqdm
@@ -156,7 +157,7 @@ def initial_project(init: Path, given: Project | None, plate: Plate, start: int)
     """The project to track: the given one on this clip, or one made of a mask of the start frame."""
     clip = Clip.of(plate.source)
     if given is not None:
-        return Project(clip, given.root, given.extra)
+        return replace(given, clip=clip)
     width, height = plate.source.size
     shapes: list[RotoShape] = shapes_from_mask(read_mask(init, (height, width)), start)
     if not shapes:

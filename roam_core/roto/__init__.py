@@ -1,6 +1,6 @@
 """The artist's data: immutable projects, layers, shapes and keyframes; the edit verbs; the project file."""
 
-from roam_core.roto.project import Clip, Layer, Project
+from roam_core.roto.project import Clip, Layer, Mark, Project
 from roam_core.roto.shape import BlendMode, Interpolation, Keyframe, MotionBlur, Origin, Outline, RotoShape, Spline
 
 __all__ = [
@@ -9,6 +9,7 @@ __all__ = [
     "Interpolation",
     "Keyframe",
     "Layer",
+    "Mark",
     "MotionBlur",
     "Origin",
     "Outline",

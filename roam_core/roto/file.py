@@ -15,7 +15,7 @@ import numpy as np
 
 from roam_core.errors import RoamError
 from roam_core.roto.migrate import VERSION, migrate
-from roam_core.roto.project import Clip, Layer, Project
+from roam_core.roto.project import Clip, Layer, Mark, Project
 from roam_core.roto.shape import BlendMode, Interpolation, Keyframe, MotionBlur, Origin, RotoShape, Spline
 
 MAX_BYTES = 1 << 30
@@ -130,6 +130,7 @@ def _project(project: Project, folder: Path) -> dict[str, Any]:
     return {
         "clip": None if project.clip is None else _clip(project.clip, folder),
         "root": _layer(project.root),
+        **({"marks": [{"type": "Mark", **vars(mark)} for mark in project.marks]} if project.marks else {}),
         **project.extra,
     }
 
@@ -242,7 +243,8 @@ def _read_project(document: dict[str, Any], folder: Path) -> Project:
     return Project(
         clip=None if clip is None else _read_clip(clip, folder),
         root=root,
-        extra=_rest(document, "type", "version", "clip", "root"),
+        marks=tuple(Mark(int(mark["frame"]), str(mark["text"])) for mark in document.get("marks", ())),
+        extra=_rest(document, "type", "version", "clip", "root", "marks"),
     )
 
 

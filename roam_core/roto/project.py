@@ -66,6 +66,14 @@ class Clip:
 
 
 @dataclass(frozen=True)
+class Mark:
+    """A frame that the artist marked on the timeline, with a word on it where there is one."""
+
+    frame: int
+    text: str = ""
+
+
+@dataclass(frozen=True)
 class Layer:
     """A group of shapes and layers in the order of compositing: the first lies at the bottom."""
 
@@ -103,6 +111,7 @@ class Project:
 
     clip: Clip | None = None
     root: Layer = ROOT
+    marks: tuple[Mark, ...] = ()
     extra: Mapping[str, Any] = field(default_factory=dict, hash=False)
 
     @property

@@ -1,4 +1,4 @@
-"""Edit verbs on keys in time, of several shapes at once: moved, copied, deleted, interpolated."""
+"""Edit verbs in time: keys of several shapes at once, moved, copied, deleted, interpolated; marks on frames."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
 
 from roam_core.roto import edit
-from roam_core.roto.project import Project
+from roam_core.roto.project import Mark, Project
 from roam_core.roto.shape import Interpolation, Keyframe, Origin, RotoShape
 
 Place = tuple[str, int]
@@ -92,3 +92,28 @@ def _shifted(keys: Iterable[Keyframe], offset: int) -> list[Keyframe]:
         )
         for key in keys
     ]
+
+
+# ---- marks of the timeline -------------------------------------------------------------------------------------------
+
+
+def mark_at(project: Project, frame: int) -> Mark | None:
+    """The artist's mark on a frame, or None."""
+    return next((mark for mark in project.marks if mark.frame == frame), None)
+
+
+def set_mark(project: Project, frame: int, text: str = "") -> Project:
+    """The project with a mark on a frame, in place of one that was there."""
+    rest = (mark for mark in project.marks if mark.frame != frame)
+    return replace(project, marks=tuple(sorted([*rest, Mark(frame, text)], key=lambda mark: mark.frame)))
+
+
+def remove_mark(project: Project, frame: int) -> Project:
+    """The project without the mark on a frame."""
+    return replace(project, marks=tuple(mark for mark in project.marks if mark.frame != frame))
+
+
+def move_mark(project: Project, frame: int, target: int) -> Project:
+    """The project with the mark of one frame on another; a mark that lay there gives way."""
+    mark = mark_at(project, frame)
+    return project if mark is None else set_mark(remove_mark(project, frame), target, mark.text)

@@ -16,6 +16,7 @@ from roam_core.roto import (
     Interpolation,
     Keyframe,
     Layer,
+    Mark,
     MotionBlur,
     Origin,
     Project,
@@ -142,7 +143,15 @@ def projects(draw: st.DrawFn) -> Project:
             extra=draw(unknown_fields()),
         )
 
-    return Project(clip=draw(st.none() | clips()), root=layer(0, "root"), extra=draw(unknown_fields()))
+    return Project(
+        clip=draw(st.none() | clips()), root=layer(0, "root"), marks=draw(marks()), extra=draw(unknown_fields())
+    )
+
+
+def marks() -> st.SearchStrategy[tuple[Mark, ...]]:
+    """Marks of the timeline, at most one a frame, in order."""
+    found = st.dictionaries(st.integers(-50, 2000), st.text(max_size=8), max_size=3)
+    return found.map(lambda texts: tuple(Mark(frame, texts[frame]) for frame in sorted(texts)))
 
 
 @st.composite

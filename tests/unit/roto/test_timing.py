@@ -11,7 +11,7 @@ from roam_core.errors import RoamError
 from roam_core.geometry import bezier
 from roam_core.params import CONFIGS, DEFAULT_CONFIG
 from roam_core.propagate.provenance import clip_stamp, is_stale, stamp
-from roam_core.roto import Clip, Interpolation, Keyframe, Origin, Project, RotoShape, edit, timing
+from roam_core.roto import Clip, Interpolation, Keyframe, Mark, Origin, Project, RotoShape, edit, file, timing
 
 SQUARE = bezier.polygon_points([(0.0, 0.0), (10.0, 0.0), (10.0, 10.0), (0.0, 10.0)])
 CLIP = Clip(Path("shot"), 1, 60, (64, 48))
@@ -88,3 +88,22 @@ def test_deleting_spares_the_engines_keys_and_the_last_of_all(project: Project) 
 def test_interpolation_is_set_where_keys_are(project: Project) -> None:
     shape = timing.set_interpolation(project, [("a", 10), ("a", 11), ("a", 55)], Interpolation.HOLD).shape("a")
     assert [key.frame for key in shape.keys if key.interpolation is Interpolation.HOLD] == [10, 11]
+
+
+def test_marks_are_set_named_moved_and_removed() -> None:
+    project = timing.set_mark(timing.set_mark(Project(), 20, "turn"), 10)
+    assert project.marks == (Mark(10), Mark(20, "turn"))
+    assert timing.set_mark(project, 10, "in").marks == (Mark(10, "in"), Mark(20, "turn"))
+    assert timing.move_mark(project, 20, 5).marks == (Mark(5, "turn"), Mark(10))
+    assert timing.move_mark(project, 20, 10).marks == (Mark(10, "turn"),)
+    assert timing.move_mark(project, 3, 4) == project
+    assert timing.remove_mark(project, 10).marks == (Mark(20, "turn"),)
+    assert timing.mark_at(project, 11) is None
+
+
+def test_marks_come_back_from_the_file_and_older_files_have_none() -> None:
+    marked = timing.set_mark(Project(), 20, "turn")
+    assert file.loads(file.dumps(marked, Path()), Path()) == marked
+    assert '"marks"' not in file.dumps(Project(), Path())
+    assert file.loads(file.dumps(Project(), Path()), Path()).marks == ()
+    assert file.digest(marked) != file.digest(timing.set_mark(Project(), 20))
