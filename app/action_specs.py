@@ -32,6 +32,7 @@ SPECS: tuple[ActionSpec, ...] = (
     ActionSpec("file.open_clip", "Open clip…"),
     ActionSpec("file.open_movie", "Open movie…"),
     ActionSpec("file.open_project", "Open project…"),
+    ActionSpec("file.open_demo", "Open the demo", tip="A short shot to try everything on"),
     ActionSpec("file.save", "Save"),
     ActionSpec("file.save_as", "Save as…"),
     ActionSpec("file.import_shapes", "Import shapes…", tip="Shapes of Nuke, Silhouette and others; or drop the file"),
@@ -50,12 +51,17 @@ SPECS: tuple[ActionSpec, ...] = (
     ActionSpec(
         "tool.transform", "Transform", _VIEWER, "tool-transform", "Move, turn, scale and shear points or shapes", True
     ),
+    ActionSpec("tool.reshape", "Reshape", _VIEWER, "tool-reshape", "Pull the points under a soft, round brush", True),
     ActionSpec(
         "tool.bezier", "Bezier", _VIEWER, "tool-bezier", "Draw a Bezier shape: click corners, drag curves", True
     ),
     ActionSpec("tool.bspline", "B-spline", _VIEWER, "tool-bspline", "Draw a smooth shape by its control points", True),
     ActionSpec("tool.polygon", "Polygon", _VIEWER, "tool-polygon", "Draw a polygon", True),
     ActionSpec("tool.freehand", "Freehand", _VIEWER, "tool-freehand", "Draw by hand; few points are fitted", True),
+    ActionSpec(
+        "tool.object", "Object", _VIEWER, "tool-object", "Box or click an object: a shape is fitted to it", True
+    ),
+    ActionSpec("shape.from_mask", "From mask image…", tip="Fit shapes to a picture of this frame's mask"),
     ActionSpec("tool.ellipse", "Ellipse", _VIEWER, "tool-ellipse", "Span an ellipse; Shift makes it a circle", True),
     ActionSpec(
         "tool.rectangle", "Rectangle", _VIEWER, "tool-rectangle", "Span a rectangle; Shift makes it a square", True
@@ -79,6 +85,12 @@ SPECS: tuple[ActionSpec, ...] = (
     ActionSpec("shape.lock", "Lock or unlock", icon="lock"),
     ActionSpec("shape.hide", "Hide", _VIEWER, "eye-off"),
     ActionSpec("shape.show_all", "Show all", _VIEWER, "eye"),
+    ActionSpec("points.soft", "Soft selection", _VIEWER, "", "Points near the selected ones follow them", True),
+    ActionSpec("points.lasso", "Lasso selection", _VIEWER, "", "Drag a free line about points, not a rectangle", True),
+    ActionSpec(
+        "key.auto", "Auto-key", _VIEWER, "", "Edits make keys on their frames; off: they change the keys there are", True
+    ),
+    ActionSpec("key.ripple", "Ripple edit", _VIEWER, "", "An edit changes all keys of the in/out range alike", True),
     ActionSpec("key.set", "Set key", _VIEWER, "key-set", "Make the selected shapes, as they are here, artist keys"),
     ActionSpec(
         "key.delete", "Delete key", _VIEWER, "key-delete", "Delete the keys of the selected shapes on this frame"

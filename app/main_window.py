@@ -12,6 +12,7 @@ from PySide6.QtWidgets import QFrame, QHBoxLayout, QMainWindow, QScrollArea, QSp
 from app import menus, style
 from app.actions import Actions
 from app.canvas.proposal_bar import ProposalBar
+from app.canvas.ripple_frame import RippleFrame
 from app.canvas.view import CanvasView
 from app.clipboard import ShapeClipboard
 from app.desk import Desk
@@ -24,11 +25,14 @@ from app.jobs.autosave import Autosave
 from app.jobs.decode import PlateReader
 from app.jobs.export import Export
 from app.jobs.importing import Import
+from app.jobs.picture_work import PictureWork
 from app.jobs.propagation import Propagation
 from app.jobs.runner import Runner
 from app.jobs.under_way import UnderWay
+from app.mask_shapes import MaskShapes
 from app.navigation import Navigation
 from app.panels.controls import tool_button
+from app.panels.mode_bar import ModeBar
 from app.panels.panel import Panel
 from app.panels.properties import PropertiesPanel
 from app.panels.readout import Readout
@@ -40,6 +44,7 @@ from app.panels.view_bar import ViewBar
 from app.personal import Personal
 from app.playback import Playback
 from app.proposals import Proposals
+from app.reopening import Reopening
 from app.shape_verbs import ShapeVerbs
 from app.timeline.timeline import Timeline
 from app.timeline.transport import Transport
@@ -82,7 +87,10 @@ class MainWindow(QMainWindow):
         self.autosave = Autosave(self.document, self.writer, autosave_root, self)
         self.propagation = Propagation(self.document, self.view_state, self.solver, self.reader.engine_frame, self)
         self.proposals = Proposals(self.document, self.view_state, self.propagation, self)
-        self.under_way = UnderWay(self.files, self.export, self.importing, self.propagation, parent=self)
+        self.eye = Runner("eye", self)
+        self.pictures = PictureWork(self.eye, self)
+        works = self.files, self.export, self.importing, self.propagation, self.pictures
+        self.under_way = UnderWay(*works, parent=self)
         self.playback = Playback(self.view_state, self)
         self.navigation = Navigation(self.document, self.view_state)
         self.tracking = Tracking(self.document, self.view_state, self.propagation)
@@ -92,10 +100,12 @@ class MainWindow(QMainWindow):
     def _build_parts(self) -> None:
         document, view_state = self.document, self.view_state
         self.canvas = CanvasView(document, view_state)
+        self.canvas.lend(self.pictures)
         FocusFollowsPointer(self.canvas)
         self.actions_by_id = actions = Actions(self, self.canvas, self.personal.keys.keymap)
         self.canvas.proposed = lambda: self.proposals.current
         self.canvas.stage.plate_of = self.reader.plate
+        RippleFrame(view_state, self.canvas)
         self.proposal_bar = ProposalBar(self.proposals, actions, self.canvas)
         self.tool_column = ToolColumn(view_state, actions, tuple(TOOLS))
         self.view_bar = ViewBar(document, self.canvas, actions)
@@ -109,8 +119,9 @@ class MainWindow(QMainWindow):
         self.timeline = Timeline(document, view_state, self.reader.cached_frames, actions)
         self.status = StatusBar(view_state, self.under_way)
         self.status.add(Readout(self.canvas))
-        self.desk = Desk(self, self.personal)
-        self.setMenuWidget(_top_row(menus.menu_bar(actions), self.view_bar))
+        self.status.add(ModeBar(view_state.editing, actions))
+        self.desk, self.reopening = Desk(self, self.personal), Reopening(self)
+        self.setMenuWidget(_top_row(menus.menu_bar(actions, self.reopening.menu), self.view_bar))
 
     def _lay_out(self) -> None:
         self.panel_column = self._panel_column()
@@ -165,6 +176,8 @@ class MainWindow(QMainWindow):
         view.frame_changed.connect(lambda: reader.show(view.frame))
         reader.plate_changed.connect(lambda: reader.show(view.frame))
         reader.picture.connect(self.canvas.set_image)
+        reader.picture.connect(self.pictures.show)
+        reader.plate_changed.connect(self.pictures.clear)
         reader.refused.connect(view.say)
         reader.cache_changed.connect(self.timeline.ruler.update)
         reader.cache_changed.connect(lambda: status.show_memory(*reader.memory()))
@@ -209,10 +222,12 @@ class MainWindow(QMainWindow):
             self.canvas,
             FeatherActions(self.document, self.view_state),
             self.desk,
+            self.reopening,
             files,
             history,
             clipboard,
             self.shape_verbs,
+            MaskShapes(self, self.document, self.view_state, self.pictures),
             tracking,
             self.proposals,
             time,
@@ -278,7 +293,7 @@ class MainWindow(QMainWindow):
     def _shut_down(self) -> None:
         self.playback.pause()
         self.propagation.drop()
-        for part in (self.solver, self.reader, self.writer, self.autosave):
+        for part in (self.solver, self.reader, self.eye, self.writer, self.autosave):
             part.close()
 
 

@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
-from PySide6.QtWidgets import QMenuBar
+from PySide6.QtWidgets import QMenu, QMenuBar
 
 from app.actions import Actions
 
 SEPARATOR = ""
+RECENT = "menu.recent"
+"""Stands where a submenu is put in that fills itself."""
 
 MENUS: dict[str, tuple[str, ...]] = {
     "File": (
-        "file.new", "file.open_clip", "file.open_movie", "file.open_project", SEPARATOR,
+        "file.new", "file.open_clip", "file.open_movie", "file.open_project", RECENT,
+        "file.open_demo", SEPARATOR,
         "file.save", "file.save_as", SEPARATOR,
         "file.import_shapes", "file.import_masks", SEPARATOR,
         "file.export", "file.export_nuke", "file.export_mattes", SEPARATOR,
@@ -20,12 +23,14 @@ MENUS: dict[str, tuple[str, ...]] = {
         "edit.undo", "edit.redo", "edit.history", SEPARATOR,
         "edit.copy", "edit.cut", "edit.paste", SEPARATOR,
         "points.delete", "points.select_all", "points.next", "points.previous", SEPARATOR,
+        "points.soft", "points.lasso", SEPARATOR,
         "points.smooth", "points.cusp", "points.toggle_closed", "feather.reset", SEPARATOR,
         "edit.keymap", "edit.settings",
     ),
     "Shape": (
-        "tool.select", "tool.transform", "tool.bezier", "tool.bspline", "tool.polygon", "tool.freehand",
-        "tool.ellipse", "tool.rectangle", "tool.feather", SEPARATOR,
+        "tool.select", "tool.transform", "tool.reshape", "tool.bezier", "tool.bspline", "tool.polygon", "tool.freehand",
+        "tool.ellipse", "tool.rectangle", "tool.object", "shape.from_mask", "tool.feather", SEPARATOR,
+        "key.auto", "key.ripple", SEPARATOR,
         "key.set", "key.delete", "key.linear", "key.smooth", "key.hold", SEPARATOR,
         "shape.duplicate", "shape.group", "shape.delete", SEPARATOR,
         "shape.lock", "shape.hide", "shape.show_all",
@@ -62,14 +67,16 @@ def menu_of(action_id: str) -> str:
     return next((title for title, entries in MENUS.items() if action_id in entries), "")
 
 
-def menu_bar(actions: Actions) -> QMenuBar:
-    """A bar with every menu."""
+def menu_bar(actions: Actions, recent: QMenu) -> QMenuBar:
+    """A bar with every menu; `recent` lists what was opened before."""
     bar = QMenuBar()
     for title, entries in MENUS.items():
         menu = bar.addMenu(title)
         for entry in entries:
             if entry == SEPARATOR:
                 menu.addSeparator()
+            elif entry == RECENT:
+                menu.addMenu(recent)
             else:
                 menu.addAction(actions[entry])
     return bar

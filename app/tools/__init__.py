@@ -4,9 +4,11 @@ from collections.abc import Mapping
 
 from app.tools.bezier import BezierTool
 from app.tools.box import EllipseTool, RectangleTool
+from app.tools.brush import ReshapeTool
 from app.tools.bspline import BSplineTool
 from app.tools.feather import FeatherTool
 from app.tools.freehand import FreehandTool
+from app.tools.object import ObjectTool
 from app.tools.point_actions import PointActions
 from app.tools.polygon import PolygonTool
 from app.tools.select import SelectTool
@@ -16,12 +18,14 @@ from app.tools.transform import TransformTool
 _ORDER: tuple[type[Tool], ...] = (
     SelectTool,
     TransformTool,
+    ReshapeTool,
     BezierTool,
     BSplineTool,
     PolygonTool,
     FreehandTool,
     EllipseTool,
     RectangleTool,
+    ObjectTool,
     FeatherTool,
 )
 TOOLS: Mapping[str, type[Tool]] = {tool.name: tool for tool in _ORDER}

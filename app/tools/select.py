@@ -7,14 +7,18 @@ from PySide6.QtGui import QPainter
 
 from app.canvas.viewport import Viewport
 from app.document import Document
-from app.tools.gestures import Gesture, Lasso, Marquee, Move, Turn
+from app.tools.gestures import Edit, Gesture, Lasso, Marquee, Move, Turn
 from app.tools.hit_test import OutlineHit, PointHit, hit, hit_outline
-from app.tools.reshape import grab_point, grab_selection, with_point_inserted
+from app.tools.reshape import grab_point, grab_selection, grabbed_weights, with_point_inserted
+from app.tools.soft_marks import paint_reach, paint_weights
 from app.tools.tool import Modifier, Pointer, Tool
 from app.view_state import Selection, ViewState
 from roam_core.geometry.bezier import ANCHOR
 
 INSERT = Modifier.ControlModifier | Modifier.AltModifier
+GROWTH = 1.12
+"""How much a notch of the wheel widens the reach of soft selection."""
+
 DROP_KEYS = frozenset({"Esc", "Ctrl+Z"})
 
 
@@ -105,9 +109,33 @@ class SelectTool(Tool):
     def key(self, name: str) -> None:
         self.drop()
 
+    def wheel(self, pointer: Pointer, notches: float) -> bool:
+        """Widen or narrow the reach of soft selection, while it is on."""
+        editing = self.view_state.editing
+        if editing.modes.soft:
+            editing.set(soft_radius=editing.modes.soft_radius * GROWTH**notches)
+        return editing.modes.soft
+
     def paint(self, painter: QPainter, viewport: Viewport) -> None:
+        self._paint_weights(painter, viewport)
         if self._gesture:
             self._gesture.paint(painter, viewport)
+
+    def _paint_weights(self, painter: QPainter, viewport: Viewport) -> None:
+        """Which points soft selection takes along."""
+        view, gesture = self.view_state, self._gesture
+        radius = view.editing.soft_radius
+        if radius is None or not view.selection.points:
+            return
+        if isinstance(gesture, Edit):
+            weights = gesture.grab.weights
+        else:
+            weights = grabbed_weights(self.document.project, view.frame, view.selection, radius)
+        paint_weights(painter, viewport, view.preview or self.document.project, view.frame, weights)
+        if len(view.selection.points) == 1 and weights and not gesture:
+            ((shape_id, index),) = view.selection.points
+            x, y = self.document.project.shape(shape_id).at(view.frame).grips[index, ANCHOR].tolist()
+            paint_reach(painter, viewport, (x, y), radius)
 
     def _hit(self, pointer: Pointer) -> PointHit | OutlineHit | None:
         view = self.view_state
