@@ -88,7 +88,7 @@ SPECS: tuple[ActionSpec, ...] = (
     ActionSpec("points.soft", "Soft selection", _VIEWER, "", "Points near the selected ones follow them", True),
     ActionSpec("points.lasso", "Lasso selection", _VIEWER, "", "Drag a free line about points, not a rectangle", True),
     ActionSpec(
-        "key.auto", "Auto-key", _VIEWER, "", "Edits make keys on their frames; off: they change the keys there are", True
+        "key.auto", "Auto-key", _VIEWER, "", "Edits make keys on their frames; off: they change keys around", True
     ),
     ActionSpec("key.ripple", "Ripple edit", _VIEWER, "", "An edit changes all keys of the in/out range alike", True),
     ActionSpec("key.set", "Set key", _VIEWER, "key-set", "Make the selected shapes, as they are here, artist keys"),
