@@ -28,7 +28,8 @@ def restore(window: MainWindow, path: Path) -> None:
     mode = window.tracker.mode
     if (index := mode.findData(settings.value("mode"))) >= 0:
         mode.setCurrentIndex(index)
-    window.proposals.answers.update(_answers(settings.value("proposals")))
+    window.proposals.answers.update(_tables(settings.value("proposals")))
+    window.canvas.viewing.recall(_tables(settings.value("viewing")))
 
 
 def keep(window: MainWindow, path: Path) -> None:
@@ -43,11 +44,12 @@ def keep(window: MainWindow, path: Path) -> None:
     settings.setValue(
         "proposals", json.dumps({name: own for name, own in window.proposals.answers.items() if name and own})
     )
+    settings.setValue("viewing", json.dumps(window.canvas.viewing.remembered()))
     settings.sync()
 
 
-def _answers(text: object) -> dict[str, dict[str, str]]:
-    """What was answered for good, by project and shape; nothing where the text is not what `keep` writes."""
+def _tables(text: object) -> dict[str, dict[str, str]]:
+    """Tables by name, as JSON; nothing where the text is not what `keep` writes."""
     try:
         found = json.loads(str(text))
     except ValueError:

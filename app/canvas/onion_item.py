@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from PySide6.QtCore import QPointF, Qt
+from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QPainter, QPainterPath, QPen
 
 from app.canvas import marks
@@ -56,14 +56,16 @@ def paint_onion(
     in_sight = [shown.shape for shown in shown_shapes(project, frame)]
     chosen = [] if onion.all_shapes else [shape for shape in in_sight if shape.id in selection.shapes]
     wanted = {shape.id for shape in chosen or in_sight}
+    numbers: list[tuple[QPointF, str, QColor]] = []
     for ghost, opacity in ghosts(project, frame, onion, chosen or in_sight):
         colour = marks.faded(QColor(onion.before_colour if ghost < frame else onion.after_colour), opacity)
         for shown in shown_shapes(project, ghost):
             if shown.shape.id in wanted:
                 path = viewport.transform.map(paths.path(shown.shape, ghost))
                 marks.stroke(painter, path, colour, WIDTH)
-                if len(wanted) <= MOST_NUMBERED:
-                    _paint_number(painter, path, ghost, colour)
+                numbers.append((_top(path), str(ghost), colour))
+    if len(wanted) <= MOST_NUMBERED:
+        _paint_numbers(painter, numbers)
 
 
 def _faded(frames: list[int]) -> Iterator[tuple[int, float]]:
@@ -72,16 +74,29 @@ def _faded(frames: list[int]) -> Iterator[tuple[int, float]]:
         yield frame, NEAREST + (FARTHEST - NEAREST) * index / max(len(frames) - 1, 1)
 
 
-def _paint_number(painter: QPainter, path: QPainterPath, frame: int, colour: QColor) -> None:
-    """The frame's number at the outline's uppermost point, dark-edged so that it reads on any plate."""
+def _top(path: QPainterPath) -> QPointF:
+    """The uppermost of an outline's points."""
     top = min((path.elementAt(k) for k in range(path.elementCount())), key=lambda element: element.y)
+    return QPointF(top.x, top.y)
+
+
+def _paint_numbers(painter: QPainter, numbers: list[tuple[QPointF, str, QColor]]) -> None:
+    """The frames' numbers over their outlines, dark-edged so that they read on any plate; the nearest frame's first.
+
+    Where two would lie upon each other the farther one is left out.
+    """
     painter.save()
     font = painter.font()
     font.setPixelSize(FIGURES)
-    words = QPainterPath()
-    words.addText(QPointF(top.x + 3.0, top.y - 3.0), font, str(frame))
-    painter.setPen(QPen(marks.EDGE, 2.0, Qt.PenStyle.SolidLine, Qt.PenCapStyle.RoundCap, Qt.PenJoinStyle.RoundJoin))
-    painter.setBrush(Qt.BrushStyle.NoBrush)
-    painter.drawPath(words)
-    painter.fillPath(words, colour)
+    edge = QPen(marks.EDGE, 2.0, Qt.PenStyle.SolidLine, Qt.PenCapStyle.RoundCap, Qt.PenJoinStyle.RoundJoin)
+    taken: list[QRectF] = []
+    for top, text, colour in reversed(numbers):
+        words = QPainterPath()
+        words.addText(top + QPointF(3.0, -5.0), font, text)
+        box = words.boundingRect().adjusted(-3.0, -1.0, 3.0, 1.0)
+        if any(box.intersects(other) for other in taken):
+            continue
+        taken.append(box)
+        painter.strokePath(words, edge)
+        painter.fillPath(words, marks.faded(colour, 1.0 / colour.alphaF()))
     painter.restore()

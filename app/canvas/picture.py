@@ -12,19 +12,12 @@ from PySide6.QtGui import QImage, QPainter
 
 from app.canvas.viewport import Viewport
 from roam_core.media.colour import Image
-from roam_core.media.looking import Look, Pixels, has_more_than_shown, seen, seen_plate
+from roam_core.media.looking import Look, Pixels, Plate, has_more_than_shown, seen, seen_plate
 
 NEAREST_ABOVE = 2.0
 """Above this zoom (device pixels for an image pixel) pixels are shown as squares."""
 
 NEUTRAL = Look()
-
-
-class Plate(NamedTuple):
-    """What the picture was made of: the plate's own values `(h, w, 3)`, and the colour space that they are in."""
-
-    values: Image
-    colour_space: str
 
 
 class Picture:

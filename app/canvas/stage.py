@@ -10,9 +10,9 @@ from app.canvas import marks
 from app.canvas.backdrop import Below
 from app.canvas.ground import GroundLayer
 from app.canvas.matte_layer import MatteLayer
-from app.canvas.picture import NEUTRAL, Picture, Plate
+from app.canvas.picture import NEUTRAL, Picture
 from app.canvas.viewing import OF_MATTE, Viewing, ViewMode
-from roam_core.media.looking import Pixels
+from roam_core.media.looking import Pixels, Plate
 from roam_core.roto import Project
 
 

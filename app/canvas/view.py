@@ -19,11 +19,12 @@ from app.canvas.proposal_item import ProposalPainter
 from app.canvas.shown import selection_bounds
 from app.canvas.sight import Sight, SightPainter
 from app.canvas.stage import Stage
-from app.canvas.viewing import TITLES, Viewing, ViewMode
+from app.canvas.viewing import Viewing, ViewMode, title_of
 from app.canvas.viewport import Viewport
 from app.canvas.wipe import Wipe
 from app.canvas.zoomable import ZoomableWidget
 from app.document import Document
+from app.jobs.picture_work import PictureWork
 from app.tools import TOOLS, PointActions, Pointer, Tool
 from app.tools.reshape import pruned
 from app.view_state import Selection, ViewState
@@ -97,6 +98,16 @@ class CanvasView(ZoomableWidget):
         """
         self.stage.set_image(frame, image)
         self._follow_plate()
+        self.update()
+
+    def lend(self, pictures: PictureWork) -> None:
+        """Let the tools look at the picture that is shown."""
+        for tool in self._tools.values():
+            tool.pictures = pictures
+        pictures.looked.connect(self._show_tool)
+
+    def _show_tool(self) -> None:
+        self.setCursor(self._tool.cursor)
         self.update()
 
     @property
@@ -228,20 +239,20 @@ class CanvasView(ZoomableWidget):
 
     def paintEvent(self, event: QPaintEvent) -> None:
         painter, view, size = QPainter(self), self._view_state, QSizeF(self.size())
-        ratio, viewport, proposal = self.devicePixelRatioF(), self._viewport, self.proposed()
+        ratio, viewport, sight = self.devicePixelRatioF(), self._viewport, self._sight()
         if (pinned := self.wipe.pinned) is not None:
             painter.setClipRect(self.wipe.left(size))
             self._pinned.paint(painter, pinned, viewport, ratio, Selection())
             painter.setClipRect(QRectF(self.rect()).adjusted(self.wipe.left(size).width(), 0, 0, 0))
-        self._present.paint(painter, self._sight(), viewport, ratio, view.selection, view.hovered)
+        self._present.paint(painter, sight, viewport, ratio, view.selection, view.hovered)
         if self._shows_shapes():
-            if proposal is not None:
+            if (proposal := self.proposed()) is not None:
                 self._proposed.paint(painter, viewport, proposal)
             paint_feather(painter, viewport, self._project(), view.frame, view.selection.shapes)
             self._tool.paint(painter, viewport)
         painter.setClipping(False)
         self._paint_words(painter)
-        self.wipe.paint(painter, size, view.frame)
+        self.wipe.paint(painter, size, sight)
         painter.end()
 
     def _paint_words(self, painter: QPainter) -> None:
@@ -254,8 +265,8 @@ class CanvasView(ZoomableWidget):
             paint_sentence(painter, self._viewport.transform.mapRect(QRectF(QPointF(), plate)), sentence)
         if self.are_shapes_hidden:
             paint_label(painter, size, "Shapes hidden", Qt.AlignmentFlag.AlignTop)
-        elif self.mode is not ViewMode.OVERLAY:
-            label = LEGEND if self.mode is ViewMode.CONFIDENCE else TITLES.get(self.mode, self.mode.capitalize())
+        elif self.mode is not ViewMode.OVERLAY and self.wipe.pinned is None:
+            label = LEGEND if self.mode is ViewMode.CONFIDENCE else title_of(self.mode)
             paint_label(painter, size, label, Qt.AlignmentFlag.AlignTop)
         elif plate and not self._project().shapes and self._view_state.tool == "select":
             paint_label(painter, size, self.empty_hint, Qt.AlignmentFlag.AlignBottom)

@@ -35,6 +35,12 @@ class ViewMode(StrEnum):
 TITLES = {ViewMode.CUTOUT: "Cut-out", ViewMode.ONION: "Onion skin", ViewMode.ALPHA: "Alpha alone"}
 """What views are called whose names are not words."""
 
+
+def title_of(mode: ViewMode) -> str:
+    """What a view is called."""
+    return TITLES.get(mode, mode.capitalize())
+
+
 WITHOUT_SHAPES = frozenset({ViewMode.SOURCE, ViewMode.ALPHA})
 OF_MATTE = frozenset({ViewMode.MATTE, ViewMode.ALPHA, ViewMode.CUTOUT})
 """Views that need the matte rendered."""

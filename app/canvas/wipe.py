@@ -7,6 +7,7 @@ from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen, QPolygonF
 
 from app.canvas import marks
 from app.canvas.sight import Sight
+from app.canvas.viewing import title_of
 
 REACH = 5.0
 """Half the width of the line's hit area, in widget units."""
@@ -60,8 +61,8 @@ class Wipe(QObject):
         """The part of the widget that shows A."""
         return QRectF(0.0, 0.0, round(self.line(widget)), widget.height())
 
-    def paint(self, painter: QPainter, widget: QSizeF, present: int) -> None:
-        """Paint the line with its grip, and which frame stands on which side of it."""
+    def paint(self, painter: QPainter, widget: QSizeF, present: Sight) -> None:
+        """Paint the line with its grip, and what stands on either side of it."""
         if self.pinned is None:
             return
         x = float(round(self.line(widget)))
@@ -71,7 +72,8 @@ class Wipe(QObject):
             painter.drawLine(QPointF(x, 0.0), QPointF(x, widget.height()))
         self._paint_grip(painter, QPointF(x, widget.height() / 2))
         metrics = QFontMetricsF(painter.font())
-        for text, is_left in ((f"A  {self.pinned.frame}", True), (f"B  {present}", False)):
+        for letter, sight, is_left in (("A", self.pinned, True), ("B", present, False)):
+            text = f"{letter}   {sight.frame}   {title_of(sight.mode)}"
             box = QRectF(0.0, 8.0, metrics.horizontalAdvance(text) + 12.0, metrics.height() + 6.0)
             box.moveLeft(x - 6.0 - box.width() if is_left else x + 6.0)
             painter.setPen(Qt.PenStyle.NoPen)

@@ -7,12 +7,12 @@ from typing import TYPE_CHECKING, Any
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
-from app.canvas.picture import Plate
 from app.jobs.runner import Ending, Report, Runner
 from roam_core.errors import RoamError
 
 if TYPE_CHECKING:
     from roam_core.media import FrameCache, PlateSource
+    from roam_core.media.looking import Plate
 
 READ_AHEAD = 120
 """Frames decoded ahead of the playhead in the direction in which it moves: five seconds; fewer where memory ends."""
@@ -87,6 +87,8 @@ class PlateReader(QObject):
         """The plate's own values of a frame, where it is held; never waits for decoding."""
         if self._cache is None or self._source is None:
             return None
+        from roam_core.media.looking import Plate
+
         values = self._cache.get(frame)
         return None if values is None else Plate(values, self._source.colour_space)
 

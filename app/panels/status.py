@@ -53,6 +53,12 @@ class StatusBar(QWidget):
         if sentence or ending is not Ending.DONE:
             self._say(sentence)
 
+    def add(self, widget: QWidget) -> None:
+        """Give a widget a place of its own, right of the sentence."""
+        row = self.layout()
+        assert isinstance(row, QHBoxLayout)
+        row.insertWidget(1, widget)
+
     def show_memory(self, used: int, limit: int) -> None:
         """Tell how much of the frame cache is used, in bytes."""
         self._memory.setText(f"memory {_size(used)} of {_size(limit)}" if limit else "")

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from enum import StrEnum
 from functools import lru_cache
+from typing import NamedTuple
 
 import cv2
 import numpy as np
@@ -35,6 +36,13 @@ class Channel(StrEnum):
     GREEN = "green"
     BLUE = "blue"
     LUMINANCE = "luminance"
+
+
+class Plate(NamedTuple):
+    """A plate's own values `(h, w, 3)`, and the colour space that they are in."""
+
+    values: Image
+    colour_space: str
 
 
 SINGLE = {Channel.RED: 0, Channel.GREEN: 1, Channel.BLUE: 2}

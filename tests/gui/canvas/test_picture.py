@@ -8,10 +8,10 @@ from numpy.typing import NDArray
 from PySide6.QtCore import QSizeF
 from PySide6.QtGui import QImage, QPainter
 
-from app.canvas.picture import Picture, Plate
+from app.canvas.picture import Picture
 from app.canvas.viewport import Viewport
 from roam_core.media.colour import LINEAR, to_display
-from roam_core.media.looking import Channel, Look
+from roam_core.media.looking import Channel, Look, Plate
 
 
 def painted(
