@@ -8,7 +8,7 @@ from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QUndoStack
 
 from app.commands import ProjectEdit
-from roam_core.roto import Project, file
+from roam_core.roto import Project, RotoShape, file
 from roam_core.roto.project import Layer
 
 
@@ -84,9 +84,14 @@ class Document(QObject):
 
 def changed_ids(before: Project, after: Project) -> frozenset[str]:
     """The ids of the layers and shapes that are new, gone or different."""
-    old, new = ({item.id: item for item in project.root.items()} for project in (before, after))
-    old["root"], new["root"] = before.root, after.root
+    old, new = (_parts(project) for project in (before, after))
     return frozenset(item_id for item_id in old.keys() | new.keys() if _differs(old.get(item_id), new.get(item_id)))
+
+
+def _parts(project: Project) -> dict[str, Layer | RotoShape]:
+    """Layers as they are, shapes in plate space: one that a layer carries elsewhere has changed, too."""
+    layers = {item.id: item for item in (project.root, *project.root.items()) if isinstance(item, Layer)}
+    return {**layers, **{shape.id: shape for shape in project.shapes}}
 
 
 def _differs(a: object, b: object) -> bool:
@@ -99,4 +104,4 @@ def _differs(a: object, b: object) -> bool:
 
 
 def _plain(layer: Layer) -> tuple[object, ...]:
-    return (layer.name, layer.visible, layer.locked, layer.opacity, layer.invert)
+    return (layer.name, layer.visible, layer.locked, layer.opacity, layer.invert, layer.transform)

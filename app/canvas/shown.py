@@ -14,7 +14,7 @@ from roam_core.roto import Layer, Project, RotoShape
 
 @dataclass(frozen=True)
 class Shown:
-    """A visible shape; `locked` also when a layer above it is."""
+    """A visible shape in plate space; `locked` also when a layer above it is."""
 
     shape: RotoShape
     locked: bool
@@ -22,7 +22,7 @@ class Shown:
 
 def shown_shapes(project: Project, frame: int) -> list[Shown]:
     """The shapes in sight at `frame`, bottom first: visible with all their layers, and inside their lifetime."""
-    return [shown for shown in _below(project.root, project.root.locked) if shown.shape.exists_at(frame)]
+    return [shown for shown in _below(project.plate_root, project.root.locked) if shown.shape.exists_at(frame)]
 
 
 def editable_shapes(project: Project, frame: int) -> list[RotoShape]:

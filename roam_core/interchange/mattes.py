@@ -89,7 +89,7 @@ def parts_of(shapes: Shapes, parts: Parts) -> list[Part]:
     """
     if parts is Parts.ALL:
         return []
-    root = shapes.root if isinstance(shapes, Project) else shapes
+    root = shapes.plate_root if isinstance(shapes, Project) else shapes
     if not isinstance(root, Layer):
         root = Layer("root", "Root", tuple(root))
     found: list[tuple[str, Layer | tuple[RotoShape, ...]]]

@@ -20,6 +20,7 @@ from roam_core.interchange.nuke_keys import LAST_EXACT_FRAME
 from roam_core.interchange.nuke_text import tcl_word
 from roam_core.interchange.protocol import FARTHEST, STANDARD, ExportOptions, ShapeWriter, exported_keys
 from roam_core.roto import Clip, Project, RotoShape
+from roam_core.roto.baking import without_transforms
 from roam_core.roto.file import write_atomically
 
 Array = NDArray[np.float64]
@@ -69,7 +70,7 @@ class NukeTracksExporter:
 
     def export(self, project: Project, path: Path, options: ExportOptions = STANDARD) -> tuple[str, ...]:
         """Write `project` to `path`; a shape with one key does not move and is left out, with a note."""
-        clip = project.require_clip()
+        clip, project = project.require_clip(), without_transforms(project)
         writer = ShapeWriter(clip, options, len(project.shapes))
         nodes = []
         for shape in project.shapes:

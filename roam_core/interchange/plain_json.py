@@ -18,11 +18,24 @@ from numpy.typing import NDArray
 from roam_core.errors import RoamError
 from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter
 from roam_core.interchange.reading import PLAIN, Imported, ImportOptions, ShapeReader, brief, sensible
-from roam_core.roto import BlendMode, Clip, Interpolation, Keyframe, Layer, MotionBlur, Origin, Project, RotoShape
+from roam_core.roto import (
+    BlendMode,
+    Clip,
+    Interpolation,
+    Keyframe,
+    Layer,
+    MotionBlur,
+    Origin,
+    Project,
+    RotoShape,
+    Spline,
+    grips,
+)
+from roam_core.roto.baking import without_transforms
 from roam_core.roto.file import write_atomically
 
 Array = NDArray[np.float64]
-Kind = TypeVar("Kind", BlendMode, Interpolation, Origin)
+Kind = TypeVar("Kind", BlendMode, Interpolation, Origin, Spline)
 
 FORMAT, VERSION = "roam-shapes", 1
 
@@ -49,6 +62,7 @@ class JsonFormat:
 
 def json_document(project: Project, options: ExportOptions = STANDARD) -> tuple[str, tuple[str, ...]]:
     """The text with all shapes of `project`, and a sentence for each thing that it cannot hold."""
+    project = without_transforms(project)
     clip, root = project.require_clip(), project.root
     writer = _Writer(clip, options, len(project.shapes))
     is_plain = root.visible and not root.locked and not root.invert and root.opacity == 1.0
@@ -69,6 +83,8 @@ def json_document(project: Project, options: ExportOptions = STANDARD) -> tuple[
 @dataclass
 class _Writer(ShapeWriter):
     """Turns layers and shapes into plain values, bottom first."""
+
+    KINDS = frozenset(Spline)
 
     def items(self, layer: Layer) -> list[dict[str, Any]]:
         return [self.layer(child) if isinstance(child, Layer) else self.shape(child) for child in layer.children]
@@ -91,6 +107,7 @@ class _Writer(ShapeWriter):
             "kind": "shape",
             "name": shape.name,
             "closed": shape.closed,
+            "spline": shape.spline.value,
             "visible": shape.visible,
             "locked": shape.locked,
             "colour": list(shape.colour),
@@ -171,9 +188,10 @@ class _Reader(ShapeReader):
         if not sensible(keys):
             raise self._refusal(place, "a point lies nowhere near the image")
         blend = self._choice(BlendMode, values, "blend", BlendMode.ADD, place)
+        spline = self._choice(Spline, values, "spline", Spline.BEZIER, place)
         red, green, blue = self._colour(values, place)
         try:
-            return RotoShape(
+            shape = RotoShape(
                 id=self.fresh_id("shape"),
                 name=name,
                 keys=keys,
@@ -190,6 +208,7 @@ class _Reader(ShapeReader):
             )
         except ValueError as error:
             raise self._refusal(place, str(error)) from None
+        return grips.with_spline(shape, spline) if spline is Spline.BSPLINE else shape
 
     def _key(self, values: Any, name: str, place: str) -> Keyframe:
         if not isinstance(values, dict):

@@ -21,6 +21,7 @@ from roam_core.interchange.svg_reading import SvgReader
 from roam_core.interchange.svg_words import INKSCAPE, LABEL, SVG
 from roam_core.interchange.xml import xml_text
 from roam_core.roto import BlendMode, Clip, Layer, Outline, Project, RotoShape
+from roam_core.roto.baking import without_transforms
 from roam_core.roto.file import write_atomically
 
 FILL_OPACITY = 0.35
@@ -39,7 +40,7 @@ class SvgFormat:
 
         Where the name of `path` says where a frame's number goes (`####` or `%04d`), one picture for every frame.
         """
-        clip = project.require_clip()
+        clip, project = project.require_clip(), without_transforms(project)
         frames = options.frames_of(clip)
         frame = frames[0] if options.frame is None else options.frame
         options = replace(options, frames=None)  # a picture shows one moment: there is no motion to be cut
@@ -63,6 +64,7 @@ class SvgFormat:
 
 def svg_document(project: Project, frame: int, options: ExportOptions = STANDARD) -> tuple[str, tuple[str, ...]]:
     """The picture of all shapes of `project` on one frame, and a sentence for each thing that it cannot hold."""
+    project = without_transforms(project)
     clip = project.require_clip()
     width, height = (str(length) for length in clip.size)
     ET.register_namespace("", SVG)

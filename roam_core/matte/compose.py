@@ -60,7 +60,7 @@ def render_matte(
 
     Parameters
     ----------
-    shapes : a project, a layer, or shapes in the order of compositing.
+    shapes : a project, a layer that lies in no moving one, or shapes in plate space in the order of compositing.
     frame : the plate's frame number.
     size : (h, w) of the image.
     drawn : fills one shape; whoever needs shapes more than once gives a function that remembers.
@@ -70,8 +70,9 @@ def render_matte(
     (h, w) float32 in [0, 1].
     """
     if isinstance(shapes, Project):
-        shapes = shapes.root
+        shapes = shapes.plate_root
     if isinstance(shapes, Layer):
+        shapes = shapes.in_plate_space()
         return _layer_matte(shapes, frame, size, drawn) if shapes.visible else np.zeros(size, dtype=np.float32)
     return _join(shapes, frame, size, drawn)
 

@@ -111,7 +111,8 @@ def _lifetime(shape: RotoShape, clip: Clip | None, frame: int, step: int) -> tup
 
 
 def _put_above(project: Project, below_id: str, shape: RotoShape) -> Project:
-    """The project with `shape` right above another one, in the same layer."""
+    """The project with `shape`, in plate space, right above another one, in the same layer."""
+    shape = project.stored(shape, project.layers_above(below_id)[-1].id)
 
     def grown(layer: Layer) -> Layer:
         children: list[Layer | RotoShape] = []

@@ -1,5 +1,6 @@
 """The artist's data: immutable projects, layers, shapes and keyframes; the edit verbs; the project file."""
 
+from roam_core.roto.placement import LayerTransform
 from roam_core.roto.project import Clip, Layer, Mark, Project
 from roam_core.roto.shape import BlendMode, Interpolation, Keyframe, MotionBlur, Origin, Outline, RotoShape, Spline
 
@@ -9,6 +10,7 @@ __all__ = [
     "Interpolation",
     "Keyframe",
     "Layer",
+    "LayerTransform",
     "Mark",
     "MotionBlur",
     "Origin",

@@ -29,10 +29,11 @@ MIN_POINTS_OPEN = 2
 
 
 def add_shape(project: Project, shape: RotoShape, layer_id: str = "root") -> Project:
-    """The project with `shape` put on top of a layer. An id that is taken is refused."""
+    """The project with `shape`, in plate space, put on top of a layer. An id that is taken is refused."""
     if project.has(shape.id):
         raise ValueError(f"the id {shape.id!r} is taken")
-    return project.map_item(layer_id, lambda layer: replace(layer, children=(*layer.children, shape)))
+    stored = project.stored(shape, layer_id)
+    return project.map_item(layer_id, lambda layer: replace(layer, children=(*layer.children, stored)))
 
 
 def new_shape(
@@ -69,7 +70,7 @@ def add_layer(project: Project, name: str = "", parent_id: str = "root") -> tupl
 def add_items(
     project: Project, items: Iterable[Layer | RotoShape], layer_id: str = "root"
 ) -> tuple[Project, list[str]]:
-    """Put copies of layers and shapes, with what lies in them, on top of a layer.
+    """Put copies of layers, with what lies in them, and of shapes in plate space on top of a layer.
 
     Returns the project and the ids of the copies (not of what lies in them). Ids that are taken are replaced by free
     ones; names stay.
@@ -87,7 +88,10 @@ def add_items(
             return replace(item, id=item_id, children=tuple(copied(child) for child in item.children))
         return replace(item, id=item_id)
 
-    copies = tuple(copied(item) for item in items)
+    copies = tuple(
+        copied(item) if isinstance(item, Layer) else project.stored(replace(item, id=copied(item).id), layer_id)
+        for item in items
+    )
     grown = project.map_item(layer_id, lambda layer: replace(layer, children=(*layer.children, *copies)))
     return grown, [item.id for item in copies]
 

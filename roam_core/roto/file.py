@@ -15,6 +15,7 @@ import numpy as np
 
 from roam_core.errors import RoamError
 from roam_core.roto.migrate import VERSION, migrate
+from roam_core.roto.placement import LayerTransform
 from roam_core.roto.project import Clip, Layer, Mark, Project
 from roam_core.roto.shape import BlendMode, Interpolation, Keyframe, MotionBlur, Origin, RotoShape, Spline
 
@@ -159,6 +160,7 @@ def _relative(path: Path, folder: Path) -> str:
 
 
 def _layer(layer: Layer) -> dict[str, Any]:
+    moves = {} if layer.transform is None else {"transform": _transform(layer.transform)}
     return {
         "type": "Layer",
         "id": layer.id,
@@ -167,8 +169,17 @@ def _layer(layer: Layer) -> dict[str, Any]:
         "locked": layer.locked,
         "opacity": layer.opacity,
         "invert": layer.invert,
+        **moves,
         "children": [_layer(c) if isinstance(c, Layer) else _shape(c) for c in layer.children],
         **layer.extra,
+    }
+
+
+def _transform(transform: LayerTransform) -> dict[str, Any]:
+    return {
+        "type": "LayerTransform",
+        "frames": list(transform.frames),
+        "matrices": transform.matrices.reshape(-1, 9).tolist(),
     }
 
 
@@ -273,9 +284,17 @@ def _read_layer(document: dict[str, Any]) -> Layer:
         locked=bool(document["locked"]),
         opacity=float(document["opacity"]),
         invert=bool(document["invert"]),
+        transform=_read_transform(document.get("transform")),
         children=tuple(readers[child["type"]](child) for child in document["children"]),
-        extra=_rest(document, "type", "id", "name", "visible", "locked", "opacity", "invert", "children"),
+        extra=_rest(document, "type", "id", "name", "visible", "locked", "opacity", "invert", "transform", "children"),
     )
+
+
+def _read_transform(document: dict[str, Any] | None) -> LayerTransform | None:
+    if document is None:
+        return None
+    matrices = np.asarray(document["matrices"], dtype=np.float64).reshape(-1, 3, 3)
+    return LayerTransform(tuple(int(frame) for frame in document["frames"]), matrices)
 
 
 def _read_shape(document: dict[str, Any]) -> RotoShape:

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from roam_core.errors import RoamError
-from roam_core.roto.shape import RotoShape
+from roam_core.roto.placement import LayerTransform, Placement
+from roam_core.roto.shape import Keyframe, RotoShape, placed, unplaced
 
 if TYPE_CHECKING:
     from roam_core.media.source import PlateSource
@@ -75,7 +77,10 @@ class Mark:
 
 @dataclass(frozen=True)
 class Layer:
-    """A group of shapes and layers in the order of compositing: the first lies at the bottom."""
+    """A group of shapes and layers in the order of compositing: the first lies at the bottom.
+
+    `transform` moves all that lies in it; None leaves it where it is. The keys of its shapes are in layer space.
+    """
 
     id: str
     name: str
@@ -84,6 +89,7 @@ class Layer:
     locked: bool = False
     opacity: float = 1.0
     invert: bool = False
+    transform: LayerTransform | None = None
     extra: Mapping[str, Any] = field(default_factory=dict, hash=False)
 
     def shapes(self) -> Iterator[RotoShape]:
@@ -101,23 +107,43 @@ class Layer:
             if isinstance(child, Layer):
                 yield from child.items()
 
+    def in_plate_space(self, above: Placement = ()) -> Layer:
+        """The layer without transforms, its shapes placed where they and the layers `above` it put them."""
+        placement = above if self.transform is None else (*above, self.transform)
+        children = tuple(
+            child.in_plate_space(placement) if isinstance(child, Layer) else placed(child, placement)
+            for child in self.children
+        )
+        if self.transform is None and all(a is b for a, b in zip(children, self.children, strict=True)):
+            return self
+        return replace(self, children=children, transform=None)
+
 
 ROOT = Layer("root", "Root")
 
 
 @dataclass(frozen=True)
 class Project:
-    """One immutable value: the clip, the tree of layers and shapes. Every edit is a function to a new one."""
+    """One immutable value: the clip, the tree of layers and shapes. Every edit is a function to a new one.
+
+    `root` holds shapes as they lie in their layers. `shapes`, `shape` and `plate_root` give them in plate space, and
+    `with_shape` takes them in plate space: whoever looks at shapes or edits them knows nothing of moving layers.
+    """
 
     clip: Clip | None = None
     root: Layer = ROOT
     marks: tuple[Mark, ...] = ()
     extra: Mapping[str, Any] = field(default_factory=dict, hash=False)
 
-    @property
+    @cached_property
+    def plate_root(self) -> Layer:
+        """The tree with every shape in plate space and no transforms."""
+        return self.root.in_plate_space()
+
+    @cached_property
     def shapes(self) -> tuple[RotoShape, ...]:
-        """All shapes in the order of compositing, bottom first."""
-        return tuple(self.root.shapes())
+        """All shapes in the order of compositing, bottom first, in plate space."""
+        return tuple(self.plate_root.shapes())
 
     def find(self, item_id: str) -> Layer | RotoShape:
         """The layer or shape with this id."""
@@ -129,11 +155,44 @@ class Project:
         raise KeyError(item_id)
 
     def shape(self, shape_id: str) -> RotoShape:
-        """The shape with this id."""
-        item = self.find(shape_id)
-        if not isinstance(item, RotoShape):
-            raise KeyError(shape_id)
-        return item
+        """The shape with this id, in plate space."""
+        for shape in self.shapes:
+            if shape.id == shape_id:
+                return shape
+        raise KeyError(shape_id)
+
+    def layers_above(self, item_id: str) -> tuple[Layer, ...]:
+        """The layers that an item lies in, the root first; of the root itself none."""
+        path = _path(self.root, item_id)
+        if path is None:
+            raise KeyError(item_id)
+        return path
+
+    def placement_in(self, layer_id: str) -> Placement:
+        """The transforms that move what lies in a layer, the outermost first."""
+        layers = (*self.layers_above(layer_id), self.find(layer_id))
+        return tuple(layer.transform for layer in layers if isinstance(layer, Layer) and layer.transform is not None)
+
+    def stored(self, shape: RotoShape, layer_id: str) -> RotoShape:
+        """A shape in plate space as a layer holds it.
+
+        Keys that the layer's shape of the same id holds already come back bit by bit.
+        """
+        placement = self.placement_in(layer_id)
+        if not placement:
+            return replace(shape, placement=()) if shape.placement else shape
+        known: dict[int, tuple[Keyframe, Keyframe]] = {}
+        if self.has(shape.id):
+            held = self.find(shape.id)
+            assert isinstance(held, RotoShape)
+            seen = placed(held, placement)
+            known = {key.frame: (key, own) for key, own in zip(seen.keys, held.keys, strict=True)}
+        taken = unplaced(replace(shape, placement=placement))
+        keys = tuple(
+            known[key.frame][1] if key.frame in known and known[key.frame][0] == key else own
+            for key, own in zip(shape.keys, taken.keys, strict=True)
+        )
+        return replace(taken, keys=keys)
 
     def has(self, item_id: str) -> bool:
         return any(item.id == item_id for item in self.root.items())
@@ -155,8 +214,12 @@ class Project:
         return f"{stem} {number}"
 
     def with_shape(self, shape: RotoShape) -> Project:
-        """The project with `shape` in place of the one of the same id."""
-        return self.map_item(shape.id, lambda _: shape)
+        """The project with `shape`, in plate space, in place of the one of the same id."""
+        if not any(layer.transform for layer in self.layers_above(shape.id)):
+            stays = replace(shape, placement=()) if shape.placement else shape
+            return self.map_item(shape.id, lambda _: stays)
+        stored = self.stored(shape, self.layers_above(shape.id)[-1].id)
+        return self.map_item(shape.id, lambda _: stored)
 
     def map_item(self, item_id: str, function: Callable[[Any], Layer | RotoShape]) -> Project:
         """The project with the layer or shape `item_id` replaced by `function(item)`."""
@@ -174,6 +237,17 @@ class Project:
         if self.clip is None:
             raise RoamError("The project has no clip yet; open a folder of images or a movie first.")
         return self.clip
+
+
+def _path(layer: Layer, item_id: str) -> tuple[Layer, ...] | None:
+    if layer.id == item_id:
+        return ()
+    for child in layer.children:
+        if child.id == item_id:
+            return (layer,)
+        if isinstance(child, Layer) and (below := _path(child, item_id)) is not None:
+            return (layer, *below)
+    return None
 
 
 def _map_item(layer: Layer, item_id: str, function: Callable[[Any], Layer | RotoShape]) -> tuple[Layer, bool]:

@@ -6,12 +6,14 @@ import bisect
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from enum import StrEnum
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from roam_core.geometry import bezier, bspline
+from roam_core.roto.placement import Placement, carried, matrix_at
 
 Array = NDArray[np.float64]
 
@@ -160,6 +162,8 @@ class RotoShape:
     lifetime : half-open frame range in which the shape exists, or None for always.
     feather : width of the uniform soft edge in pixels, outwards positive.
     spline : what the artist holds of the curve; of a BSPLINE every key's points are those of a uniform B-spline.
+    placement : the moving layers that the shape was taken out of, as `Project.shape` does; empty in a layer. The keys
+        are in plate space either way; between them a placed shape goes along with its layers.
     """
 
     id: str
@@ -176,6 +180,7 @@ class RotoShape:
     visible: bool = True
     locked: bool = False
     spline: Spline = Spline.BEZIER
+    placement: Placement = ()
     extra: Mapping[str, Any] = field(default_factory=dict, hash=False)
 
     def __post_init__(self) -> None:
@@ -214,8 +219,10 @@ class RotoShape:
     def at(self, frame: float) -> Outline:
         """The shape at `frame` (fractions are for motion blur): the one way in which it varies with time.
 
-        Before the first and after the last key it holds still.
+        Before the first and after the last key it holds still, in the layers that it is placed by.
         """
+        if self.placement and self.key_at_moment(frame) is None:
+            return self._placed_at(frame)
         index = bisect.bisect_right(self.keys, frame, key=lambda key: key.frame)
         before, after = self.keys[max(index - 1, 0)], self.keys[min(index, len(self.keys) - 1)]
         if before is after or before.frame == frame or before.interpolation is Interpolation.HOLD:
@@ -225,6 +232,16 @@ class RotoShape:
             u = u * u * (3.0 - 2.0 * u)
         feather = _blend_feather(before.feather, after.feather, u)
         return Outline(_blend(before.points, after.points, u), feather, self.closed, self.spline)
+
+    def key_at_moment(self, frame: float) -> Keyframe | None:
+        """The key on this moment: that of a whole frame, or None."""
+        return self.key_at(int(frame)) if frame == int(frame) else None
+
+    def _placed_at(self, frame: float) -> Outline:
+        """A placed shape between or beyond its keys: taken back into its layer, moved there, and carried out again."""
+        outline = unplaced(self).at(frame)
+        points, feather = carried(outline.points, outline.feather, matrix_at(self.placement, frame))
+        return Outline(points, feather, self.closed, self.spline)
 
     def with_key(self, key: Keyframe) -> RotoShape:
         """The shape with `key` put on its frame, in place of a key that was there."""
@@ -247,6 +264,31 @@ class RotoShape:
             for key in self.keys
         )
         return replace(self, keys=keys)
+
+
+def placed(shape: RotoShape, placement: Placement) -> RotoShape:
+    """A shape that lies in layers with these transforms, in plate space: what `Project.shape` gives."""
+    if not placement:
+        return shape
+    keys = tuple(_carried_key(key, placement, False) for key in shape.keys)
+    return replace(shape, keys=keys, placement=placement)
+
+
+def unplaced(shape: RotoShape) -> RotoShape:
+    """A placed shape taken back into its layer; the inverse of `placed` but for rounding."""
+    if not shape.placement:
+        return shape
+    keys = tuple(_carried_key(key, shape.placement, True) for key in shape.keys)
+    return replace(shape, keys=keys, placement=())
+
+
+@lru_cache(maxsize=8192)
+def _carried_key(key: Keyframe, placement: Placement, back: bool) -> Keyframe:
+    """The key carried by the matrix of its own frame, or back by the inverse. Equal keys give the very same object."""
+    matrix = matrix_at(placement, key.frame)
+    way: Array = np.asarray(np.linalg.inv(matrix)) if back else matrix
+    points, feather = carried(key.points, key.feather, way)
+    return replace(key, points=points, feather=feather)
 
 
 def _blend(a: Array, b: Array, u: float) -> Array:

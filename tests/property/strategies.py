@@ -16,6 +16,7 @@ from roam_core.roto import (
     Interpolation,
     Keyframe,
     Layer,
+    LayerTransform,
     Mark,
     MotionBlur,
     Origin,
@@ -122,6 +123,20 @@ def any_shapes(shape_id: str) -> st.SearchStrategy[RotoShape]:
 
 
 @st.composite
+def transforms(draw: st.DrawFn) -> LayerTransform:
+    """A motion of a layer: 1-3 matrices that turn, scale, shear, move and tilt a little."""
+    frames = draw(st.lists(st.integers(-100, 2000), min_size=1, max_size=3, unique=True))
+    small = st.floats(-0.4, 0.4)
+
+    def matrix() -> np.ndarray:
+        linear = np.eye(2) + np.array([[draw(small), draw(small)], [draw(small), draw(small)]])
+        tilt = [draw(st.floats(-1e-5, 1e-5)), draw(st.floats(-1e-5, 1e-5)), 1.0]
+        return np.vstack([np.column_stack([linear, [draw(coordinates()), draw(coordinates())]]), tilt])
+
+    return LayerTransform.of({frame: matrix() for frame in frames})
+
+
+@st.composite
 def projects(draw: st.DrawFn) -> Project:
     """A clip or none, and layers nested up to three deep with shapes between them."""
     number = iter(range(1, 1000))
@@ -140,6 +155,7 @@ def projects(draw: st.DrawFn) -> Project:
             locked=draw(st.booleans()),
             opacity=draw(shares()),
             invert=draw(st.booleans()),
+            transform=draw(st.none() | transforms()),
             extra=draw(unknown_fields()),
         )
 

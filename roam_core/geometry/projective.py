@@ -1,0 +1,47 @@
+"""Projective maps `(3, 3)` of the plane: applying them, chaining, and what makes one usable."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+Array = NDArray[np.float64]
+
+IDENTITY: Array = np.eye(3)
+IDENTITY.setflags(write=False)
+
+HORIZON = 1e-6
+"""Least depth of a position in front of the viewer: what lies beyond the horizon is put far away, not turned over."""
+
+LEAST_DETERMINANT = 1e-12
+
+
+def normalised(matrix: ArrayLike) -> Array:
+    """The same map with 1 in its last corner.
+
+    Raises
+    ------
+    ValueError
+        for what is no usable map: not `(3, 3)`, not finite, without an inverse, or with the origin beyond its horizon.
+    """
+    result = np.asarray(matrix, dtype=np.float64)
+    if result.shape != (3, 3) or not np.isfinite(result).all() or result[2, 2] == 0.0:
+        raise ValueError("a matrix of a transform must be 3x3 numbers, the last not zero")
+    result = result / result[2, 2]
+    if abs(np.linalg.det(result)) < LEAST_DETERMINANT:
+        raise ValueError("a matrix of a transform has no inverse")
+    return np.asarray(result)
+
+
+def depth(matrix: Array, positions: ArrayLike) -> Array:
+    """How far in front of the viewer `positions (..., 2)` lie, `(...)`; 1 everywhere under an affine map."""
+    return np.asarray(np.asarray(positions, dtype=np.float64) @ matrix[2, :2] + matrix[2, 2])
+
+
+def apply(matrix: Array, positions: ArrayLike) -> Array:
+    """`positions (..., 2)` carried by `matrix (3, 3)`."""
+    given = np.asarray(positions, dtype=np.float64)
+    carried = given @ matrix[:2, :2].T + matrix[:2, 2]
+    if not matrix[2, :2].any() and matrix[2, 2] == 1.0:
+        return np.asarray(carried)
+    return np.asarray(carried / np.maximum(depth(matrix, given), HORIZON)[..., None])

@@ -1,0 +1,163 @@
+"""Moving layers: shapes seen, edited, rendered, stored and exported in plate space."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from roam_core.geometry import affine, projective
+from roam_core.geometry.bezier import ANCHOR, polygon_points
+from roam_core.interchange.flatten import flattened
+from roam_core.interchange.plain_json import json_document
+from roam_core.matte import render_matte
+from roam_core.roto import Clip, Interpolation, Keyframe, Layer, LayerTransform, MotionBlur, Origin, Project, edit, file
+from roam_core.roto.baking import baked, without_transforms
+
+SQUARE = polygon_points([(10.0, 10.0), (30.0, 10.0), (30.0, 26.0), (10.0, 26.0)])
+TILT = np.array([[1.1, 0.1, 4.0], [-0.05, 0.95, 2.0], [1e-3, 5e-4, 1.0]])
+
+
+def moved(x: float, y: float) -> np.ndarray:
+    return np.vstack([affine.translation((x, y)), [0.0, 0.0, 1.0]])
+
+
+SLIDE = LayerTransform.of({1: np.eye(3), 5: moved(8.0, 0.0)})
+
+
+def project(transform: LayerTransform | None = SLIDE, outer: LayerTransform | None = None) -> Project:
+    """A clip of five frames; in it a square with keys on 1 and 3 in a layer in a layer."""
+    one, layer = edit.add_layer(Project(clip=Clip(Path("/plate"), 1, 5, (60, 40))), "outer")
+    one, inner = edit.add_layer(one, "inner", layer.id)
+    one, shape = edit.new_shape(one, SQUARE, 1, layer_id=inner.id)
+    one = one.with_shape(edit.set_key(shape, 3, SQUARE + np.array([0.0, 4.0])))
+    one = edit.set_properties(one, inner.id, transform=transform)
+    return edit.set_properties(one, layer.id, transform=outer)
+
+
+def anchor(one: Project, frame: float) -> list[float]:
+    return one.shape("shape-1").at(frame).points[0, ANCHOR].tolist()
+
+
+def test_a_shape_goes_where_its_layers_put_it() -> None:
+    one = project()
+    assert [anchor(one, frame) for frame in (1, 2, 3, 5)] == [[10, 10], [12, 12], [14, 14], [18, 14]]
+    both = project(outer=LayerTransform.of({1: np.diag([2.0, 2.0, 1.0])}))
+    assert anchor(both, 2) == [24, 24]
+
+
+def test_a_plain_project_gives_the_very_shapes() -> None:
+    one = project(transform=None)
+    assert one.plate_root is one.root
+    assert one.shape("shape-1") is one.find("shape-1")
+    assert without_transforms(one) is one
+
+
+def test_an_edit_in_plate_space_lies_where_it_was_made() -> None:
+    one = project(LayerTransform.of({1: TILT, 5: TILT @ moved(3.0, 1.0)}))
+    shape = one.shape("shape-1")
+    target = shape.at(2).points + np.array([1.5, -2.5])
+    edited = one.with_shape(edit.set_key(shape, 2, target, np.ones((4, 3, 2))))
+    np.testing.assert_allclose(edited.shape("shape-1").at(2).points, target, atol=1e-9)
+    np.testing.assert_allclose(edited.shape("shape-1").at(2).feather, 1.0, atol=1e-9)
+    held, before = edited.find("shape-1"), one.find("shape-1")
+    assert [held.key_at(1), held.key_at(3)] == [before.key_at(1), before.key_at(3)]  # bit by bit
+    assert not np.allclose(held.key_at(2).points, target)
+
+
+def test_putting_a_shape_back_changes_nothing() -> None:
+    one = project(LayerTransform.of({1: TILT, 4: moved(1 / 3, 1 / 7)}))
+    assert one.with_shape(one.shape("shape-1")) == one
+
+
+def test_a_new_shape_lies_where_it_was_drawn() -> None:
+    one, shape = edit.new_shape(project(), SQUARE, 5, layer_id="layer-2")
+    np.testing.assert_allclose(one.shape(shape.id).at(5).points, SQUARE, atol=1e-12)
+    assert one.find(shape.id).keys[0].points[0, ANCHOR].tolist() == [2, 10]
+
+
+@pytest.mark.parametrize("interpolation", Interpolation)
+def test_the_matte_is_that_of_the_baked_project(interpolation: Interpolation) -> None:
+    one = project(LayerTransform.of({1: np.eye(3), 3: TILT, 5: moved(8.0, 0.0)}))
+    shape = edit.set_interpolation(one.shape("shape-1"), [1], interpolation)
+    one = edit.set_properties(one.with_shape(shape), "layer-2", opacity=0.5)
+    still = without_transforms(one)
+    assert all(layer.transform is None for layer in still.root.items() if isinstance(layer, Layer))
+    for frame in range(1, 6):
+        np.testing.assert_array_equal(render_matte(one, frame, (40, 60)), render_matte(still, frame, (40, 60)))
+    by_layer = render_matte(one.root, 5, (40, 60))
+    np.testing.assert_array_equal(by_layer, render_matte(one, 5, (40, 60)))
+
+
+def test_motion_of_a_layer_blurs() -> None:
+    one = edit.set_properties(project(), "shape-1", motion_blur=MotionBlur(1.0, 0.0, 16))
+    edge = render_matte(one, 3, (40, 60))[20, 12:18]
+    assert ((edge > 0.0) & (edge < 1.0)).sum() >= 2
+
+
+def test_baking_keeps_the_shapes_own_keys() -> None:
+    one = project()
+    engine = Keyframe(4, SQUARE, origin=Origin.ENGINE, confidence=0.5, inputs="x")
+    one = one.with_shape(edit.set_engine_keys(one.shape("shape-1"), [engine]))
+    shape = baked(one.shape("shape-1"))
+    assert shape.frames == (1, 2, 3, 4, 5)
+    assert [key.origin for key in shape.keys] == [Origin.ARTIST] * 3 + [Origin.ENGINE, Origin.ARTIST]
+    assert shape.key_at(4).confidence == 0.5
+    still = baked(project(LayerTransform.of({1: TILT})).shape("shape-1"))
+    assert still.frames == (1, 3)  # a layer that stands still asks for no keys
+
+
+def test_exports_hold_the_motion() -> None:
+    one = project()
+    (shape,) = flattened(one, "Test").shapes
+    np.testing.assert_allclose(shape.at(5).points[0, ANCHOR], [18, 14])
+    assert "18.0" in json_document(one)[0]
+
+
+def test_a_transform_comes_back_from_the_file(tmp_path: Path) -> None:
+    one = project(LayerTransform.of({1001: TILT, 1002: np.eye(3)}))
+    file.save(one, tmp_path / "one.roam")
+    again = file.load(tmp_path / "one.roam")
+    assert again.find("layer-2").transform == one.find("layer-2").transform
+    assert file.digest(again) == file.digest(one)
+    assert file.digest(edit.set_properties(one, "layer-2", transform=None)) != file.digest(one)
+
+
+def test_between_frames_it_blends_and_beyond_it_stands() -> None:
+    assert SLIDE.at(3)[0, 2] == 4.0
+    assert SLIDE.at(2.5)[0, 2] == 3.0
+    assert SLIDE.at(-7)[0, 2] == 0.0
+    assert SLIDE.at(99)[0, 2] == 8.0
+    assert SLIDE.with_matrices({3: np.eye(3)}).at(4)[0, 2] == 4.0
+    assert SLIDE.without([5]) == LayerTransform.of({1: np.eye(3)})
+    assert SLIDE.without([1, 5]) is None
+
+
+@pytest.mark.parametrize(
+    ("frames", "matrices"),
+    [
+        ((), np.empty((0, 3, 3))),
+        ((1, 1), np.array([np.eye(3)] * 2)),
+        ((2, 1), np.array([np.eye(3)] * 2)),
+        ((1,), np.zeros((1, 3, 3))),
+        ((1,), np.full((1, 3, 3), np.nan)),
+        ((1,), np.diag([0.0, 1.0, 1.0])[None]),
+    ],
+)
+def test_what_is_no_motion_is_refused(frames: tuple[int, ...], matrices: np.ndarray) -> None:
+    with pytest.raises(ValueError, match="transform"):
+        LayerTransform(frames, matrices)
+
+
+def test_what_lies_beyond_the_horizon_stays_finite() -> None:
+    matrix = projective.normalised([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-0.1, 0.0, 1.0]])
+    assert np.isfinite(projective.apply(matrix, SQUARE)).all()
+
+
+def test_a_matrix_is_told_with_one_in_its_corner() -> None:
+    twice = LayerTransform((1,), np.array([np.eye(3) * 2.0]))
+    assert twice == LayerTransform.of({1: np.eye(3)})
+    assert hash(twice) == hash(LayerTransform.of({1: np.eye(3)}))
+    assert replace(Layer("a", "a"), transform=twice) == Layer("a", "a", transform=LayerTransform.of({1: np.eye(3)}))
