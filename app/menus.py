@@ -56,6 +56,7 @@ MENUS: dict[str, tuple[str, ...]] = {
         "time.previous", "time.next", "time.previous_key", "time.next_key", "time.first", "time.last", SEPARATOR,
         "time.toggle_play", "time.play", "time.play_back", "time.pause", "time.loop", SEPARATOR,
         "time.set_in", "time.set_out", "time.clear_range", SEPARATOR,
+        "mark.toggle", "mark.name", "time.previous_mark", "time.next_mark", SEPARATOR,
         "view.fit_time", "view.tall_timeline", "view.panels",
     ),
     "Help": ("help.palette", "help.keys", SEPARATOR, "help.log", "help.about"),

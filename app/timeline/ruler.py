@@ -5,12 +5,24 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator
 from itertools import groupby
 
-from PySide6.QtCore import QPointF, QRectF, QSize, Qt
-from PySide6.QtGui import QColor, QFont, QMouseEvent, QPainter, QPaintEvent, QPen, QPolygonF, QResizeEvent, QWheelEvent
-from PySide6.QtWidgets import QWidget
+from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt
+from PySide6.QtGui import (
+    QBrush,
+    QColor,
+    QFont,
+    QHelpEvent,
+    QMouseEvent,
+    QPainter,
+    QPaintEvent,
+    QPolygonF,
+    QResizeEvent,
+    QWheelEvent,
+)
+from PySide6.QtWidgets import QToolTip, QWidget
 
 from app import style
 from app.timeline.axis import TimeAxis
+from app.timeline.range_handles import End, RangeHandles
 from app.timeline.scale import LABEL_WIDTH
 
 HEIGHT = 34
@@ -20,17 +32,31 @@ LABEL_SPACE = 40.0
 """Pixels that the labels of the first and the last frame keep free around them."""
 TAB_SPACE = 4.0
 """Pixels between the playhead's tab and the nearest label: closer, the two read as one number."""
-TICK, CACHED = "#555555", "#6e6e6e"
+TICK, CACHED, MISSING = "#555555", "#6e6e6e", "#c8643c"
+
+
+HINT = "Drag to scrub, wheel to zoom, Shift+wheel to pan, double-click to see the whole clip"
 
 
 class Ruler(QWidget):
-    """Drag to scrub, wheel to zoom, double-click to see the whole clip. `cached` gives the decoded frames."""
+    """Drag to scrub, wheel to zoom, double-click to see the whole clip; in and out are dragged by their brackets.
 
-    def __init__(self, axis: TimeAxis, cached: Callable[[], Iterable[int]], parent: QWidget | None = None) -> None:
+    `cached` gives the decoded frames, `missing` those that the plate should have and does not.
+    """
+
+    def __init__(
+        self,
+        axis: TimeAxis,
+        cached: Callable[[], Iterable[int]],
+        missing: Callable[[], Iterable[int]],
+        parent: QWidget | None = None,
+    ) -> None:
         super().__init__(parent)
-        self._axis, self._cached = axis, cached
+        self._axis, self._cached, self._missing = axis, cached, missing
+        self._handles = RangeHandles(axis, TICK_TOP, HEIGHT - CACHE_HEIGHT - 3)
+        self._dragged: End | None = None
         self.setFixedHeight(HEIGHT)
-        self.setToolTip("Drag to scrub, wheel to zoom, Shift+wheel to pan, double-click to see the whole clip")
+        self.setMouseTracking(True)
         axis.changed.connect(self.update)
         axis.view_state.frame_changed.connect(self.update)
         axis.view_state.range_changed.connect(self.update)
@@ -45,11 +71,34 @@ class Ruler(QWidget):
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         if event.button() == Qt.MouseButton.LeftButton:
-            self._axis.scrub(event.position().x())
+            self._dragged = self._handles.at(event.position())
+            if self._dragged is None:
+                self._axis.scrub(event.position().x())
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
-        if event.buttons() & Qt.MouseButton.LeftButton:
+        if not event.buttons() & Qt.MouseButton.LeftButton:
+            over = self._handles.at(event.position()) is not None
+            self.setCursor(Qt.CursorShape.SizeHorCursor if over else Qt.CursorShape.ArrowCursor)
+        elif self._dragged is not None:
+            self._handles.drag(self._dragged, event.position().x())
+        else:
             self._axis.scrub(event.position().x())
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        self._dragged = None
+
+    def event(self, event: QEvent) -> bool:
+        if isinstance(event, QHelpEvent) and event.type() == QEvent.Type.ToolTip:
+            QToolTip.showText(event.globalPos(), self.tip_at(QPointF(event.pos())), self)
+            return True
+        return super().event(event)
+
+    def tip_at(self, position: QPointF) -> str:
+        """What is said of the place under the pointer: a bracket, a frame that is missing, or what to do here."""
+        end, frame = self._handles.at(position), self._axis.scale.frame(position.x())
+        if end is not None:
+            return self._handles.tip(end)
+        return f"Frame {frame} is missing from the plate" if frame in set(self._missing()) else HINT
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
         self._axis.fit()
@@ -63,23 +112,24 @@ class Ruler(QWidget):
         painter = QPainter(self)
         painter.fillRect(self.rect(), QColor(style.WINDOW))
         if self._axis.has_clip:
-            self._paint_range(painter)
+            self._handles.paint_ground(painter)
+            self._paint_missing(painter)
             self._paint_ticks(painter)
             self._paint_cache(painter)
+            self._handles.paint(painter)
             self._paint_labels(painter)
             self._paint_playhead(painter)
         painter.end()
 
-    def _paint_range(self, painter: QPainter) -> None:
-        """The play range lies on a lighter ground; where it is not the whole clip its ends are marked."""
-        scale, (first, stop) = self._axis.scale, self._axis.view_state.play_range
-        left, right = (scale.x(edge - 0.5) for edge in (first, stop))
-        painter.fillRect(QRectF(left, 0, right - left, HEIGHT), QColor(style.PANEL))
-        if (first, stop) == scale.clip:
-            return
-        painter.setPen(QPen(QColor(style.WEAK), 1))
-        for x, inward in ((left, 4), (right, -4)):
-            painter.drawPolyline([QPointF(x + inward, TICK_TOP), QPointF(x, TICK_TOP), QPointF(x, HEIGHT - 1)])
+    def _paint_missing(self, painter: QPainter) -> None:
+        """Hatched where the plate has no picture."""
+        scale = self._axis.scale
+        for first, stop in _runs(self._missing()):
+            left, right = max(scale.x(first - 0.5), scale.left), min(scale.x(stop - 0.5), scale.right)
+            if right > left:
+                hatched = QRectF(left, TICK_TOP, max(right - left, 2), HEIGHT - TICK_TOP)
+                painter.fillRect(hatched, QColor(style.EDGE))
+                painter.fillRect(hatched, QBrush(QColor(MISSING), Qt.BrushStyle.BDiagPattern))
 
     def _paint_ticks(self, painter: QPainter) -> None:
         scale = self._axis.scale
@@ -118,7 +168,8 @@ class Ruler(QWidget):
         painter.fillRect(0, 0, LABEL_WIDTH, HEIGHT, QColor(style.WINDOW))
         painter.setPen(QColor(style.WEAK))
         first, stop = self._axis.scale.clip
-        text = f"{stop - first} frame{'s' * (stop - first > 1)}"
+        gone = len(set(self._missing()))
+        text = f"{stop - first} frame{'s' * (stop - first > 1)}" + (f", {gone} missing" if gone else "")
         painter.drawText(QRectF(8, 0, LABEL_WIDTH - 16, HEIGHT - 4), Qt.AlignmentFlag.AlignVCenter, text)
 
     def _paint_playhead(self, painter: QPainter) -> None:

@@ -13,6 +13,8 @@ from app.timeline.confidence import ConfidencePlot
 from app.timeline.key_rows import KeyRows
 from app.timeline.key_selection import KeySelection
 from app.timeline.key_verbs import KeyVerbs
+from app.timeline.mark_band import MarkBand
+from app.timeline.mark_verbs import MarkVerbs
 from app.timeline.marks import MarksOf
 from app.timeline.ruler import Ruler
 from app.view_state import ViewState
@@ -25,13 +27,17 @@ SHARED = ("edit.copy", "edit.cut", "edit.paste", "points.delete", "points.select
 
 
 class Timeline(QWidget):
-    """Shows the document's keys over the clip's frames. `cached` gives the frames that are decoded."""
+    """Shows the document's keys over the clip's frames.
+
+    `cached` gives the frames that are decoded, `missing` those that the plate should have and does not.
+    """
 
     def __init__(
         self,
         document: Document,
         view_state: ViewState,
         cached: Callable[[], Iterable[int]],
+        missing: Callable[[], Iterable[int]],
         actions: Actions,
         parent: QWidget | None = None,
     ) -> None:
@@ -39,19 +45,25 @@ class Timeline(QWidget):
         marks = MarksOf(document)
         self.axis = TimeAxis(view_state, self)
         self.keys = KeySelection(document, self)
-        self.ruler = Ruler(self.axis, cached)
+        self.ruler = Ruler(self.axis, cached, missing)
+        self.marks = MarkBand(document, self.axis)
+        self.mark_verbs = MarkVerbs(document, view_state, self.marks.edit)
         self.rows = KeyRows(document, self.axis, marks, self.keys)
         self.verbs = KeyVerbs(document, view_state, self.keys, self.rows.hasFocus)
         self.confidence = ConfidencePlot(document, self.axis, marks)
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(0)
-        for part in (self.ruler, self.rows, self.confidence):
+        for part in (self.ruler, self.marks, self.rows, self.confidence):
             column.addWidget(part)
         column.setStretchFactor(self.rows, 1)  # the rows come first; the plot takes what they do not need
         self._offer(actions)
         self._document = document
         document.replaced.connect(self._pull_clip)
+
+    def handlers(self) -> dict[str, Callable[[], object]]:
+        """What the actions of this part call, by id."""
+        return {"view.fit_time": self.axis.fit} | self.verbs.handlers() | self.mark_verbs.handlers()
 
     def _offer(self, actions: Actions) -> None:
         for group in KEY_MENU:

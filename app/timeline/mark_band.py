@@ -1,0 +1,198 @@
+"""The band of marks under the ruler: flags on frames with a word on each; there only while there are marks."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt
+from PySide6.QtGui import QColor, QHelpEvent, QKeyEvent, QMouseEvent, QPainter, QPaintEvent, QPolygonF, QWheelEvent
+from PySide6.QtWidgets import QLineEdit, QSizePolicy, QToolTip, QWidget
+
+from app import style
+from app.document import Document
+from app.timeline.axis import TimeAxis, paint_playhead
+from app.timeline.scale import LABEL_WIDTH
+from roam_core.roto import Mark, Project, timing
+
+HEIGHT = 18
+FLAG = 4.0
+"""Half the width of a flag."""
+GRAB = 7
+FIELD_WIDTH = 140
+COLOUR = "#9ec5f0"
+"""Of no shape and of no state."""
+
+
+class MarkBand(QWidget):
+    """Click a mark to go there, drag it along the frames, double-click to name it, right-click to remove it."""
+
+    def __init__(self, document: Document, axis: TimeAxis, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._document, self._axis = document, axis
+        self._held: Mark | None = None
+        self._preview: Project | None = None
+        self.setFixedHeight(HEIGHT)
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+        self.field = MarkField(self)
+        self.setMouseTracking(True)
+        document.changed.connect(self._pull)
+        document.replaced.connect(self._pull)
+        for signal in (axis.changed, axis.view_state.frame_changed):
+            signal.connect(self.update)
+        self._pull()
+
+    def sizeHint(self) -> QSize:
+        return QSize(600, HEIGHT)
+
+    def edit(self, frame: int) -> None:
+        """Show the field in which the mark of a frame is named, beside its flag."""
+        mark = timing.mark_at(self._document.project, frame)
+        if mark is not None:
+            left = min(self._axis.scale.x(frame) + FLAG, self.width() - FIELD_WIDTH - 2)
+            self.field.begin(mark, max(left, LABEL_WIDTH))
+
+    def rename(self, frame: int, text: str) -> None:
+        """Put another word on the mark of a frame."""
+        mark = timing.mark_at(self._document.project, frame)
+        if mark is not None and mark.text != text:
+            self._document.apply("Name mark", timing.set_mark(self._document.project, frame, text))
+
+    def mark_at(self, x: float) -> Mark | None:
+        """The mark near a pixel, or None."""
+        near = [(abs(self._axis.scale.x(mark.frame) - x), mark.frame, mark) for mark in self._document.project.marks]
+        distance, _, mark = min(near, default=(GRAB + 1, 0, None))
+        return mark if distance <= GRAB else None
+
+    # ---- events
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        mark = self.mark_at(event.position().x())
+        if event.button() == Qt.MouseButton.RightButton and mark is not None:
+            self._document.apply("Remove mark", timing.remove_mark(self._document.project, mark.frame))
+        elif event.button() == Qt.MouseButton.LeftButton:
+            self._held = mark
+            if mark is not None:
+                self._axis.view_state.set_frame(mark.frame)
+            elif event.position().x() >= LABEL_WIDTH:
+                self._axis.scrub(event.position().x())
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        x = event.position().x()
+        if not event.buttons() & Qt.MouseButton.LeftButton:
+            over = self.mark_at(x) is not None
+            self.setCursor(Qt.CursorShape.SizeHorCursor if over else Qt.CursorShape.ArrowCursor)
+        elif self._held is not None:
+            frame = self._axis.scale.frame(x)
+            self._preview = timing.move_mark(self._document.project, self._held.frame, frame)
+            self._axis.view_state.set_frame(frame)
+            self.update()
+        else:
+            self._axis.scrub(x)
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        """What was dragged is one undo step."""
+        preview, self._preview, self._held = self._preview, None, None
+        if preview is not None:
+            self._document.apply("Move mark", preview)
+        self.update()
+
+    def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
+        if (mark := self.mark_at(event.position().x())) is not None:
+            self.edit(mark.frame)
+
+    def wheelEvent(self, event: QWheelEvent) -> None:
+        self._axis.wheel(event, event.position().x())
+
+    def event(self, event: QEvent) -> bool:
+        if isinstance(event, QHelpEvent) and event.type() == QEvent.Type.ToolTip:
+            QToolTip.showText(event.globalPos(), self.tip_at(event.pos().x()), self)
+            return True
+        return super().event(event)
+
+    def tip_at(self, x: float) -> str:
+        """What is said of the mark under the pointer."""
+        mark = self.mark_at(x)
+        if mark is None:
+            return ""
+        title = f"Frame {mark.frame}: {mark.text}" if mark.text else f"Frame {mark.frame}"
+        return f"{title}\nDrag to move, double-click to name, right-click to remove"
+
+    # ---- the rest is private
+
+    def _pull(self, _ids: object = None) -> None:
+        self.setVisible(bool(self._document.project.marks))
+        self.update()
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        painter = QPainter(self)
+        painter.fillRect(self.rect(), QColor(style.WINDOW))
+        font = self.font()
+        font.setPixelSize(11)
+        painter.setFont(font)
+        painter.setPen(QColor(style.WEAK))
+        painter.drawText(QRectF(style.MARGIN, 0, LABEL_WIDTH, HEIGHT), Qt.AlignmentFlag.AlignVCenter, "marks")
+        painter.setClipRect(QRectF(LABEL_WIDTH, 0, self.width() - LABEL_WIDTH, HEIGHT))
+        marks = (self._preview or self._document.project).marks
+        for mark, following in pairwise([*marks, None]):
+            assert mark is not None
+            self._paint_mark(painter, mark, self.width() if following is None else self._axis.scale.x(following.frame))
+        painter.setClipping(False)
+        paint_playhead(painter, self._axis, self)
+        painter.end()
+
+    def _paint_mark(self, painter: QPainter, mark: Mark, room: float) -> None:
+        """A flag, and as much of its word as fits before the next one."""
+        x = self._axis.scale.x(mark.frame)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(QColor(COLOUR))
+        corners = ((-FLAG, 4), (FLAG, 4), (FLAG, 10), (0, 15), (-FLAG, 10))
+        painter.drawPolygon(QPolygonF([QPointF(x + dx, y) for dx, y in corners]))
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
+        width = room - x - 3 * FLAG
+        if mark.text and width > 12:
+            text = painter.fontMetrics().elidedText(mark.text, Qt.TextElideMode.ElideRight, int(width))
+            painter.setPen(QColor(style.TEXT))
+            painter.drawText(QRectF(x + 2 * FLAG, 0, width, HEIGHT), Qt.AlignmentFlag.AlignVCenter, text)
+
+
+class MarkField(QLineEdit):
+    """The word of a mark while it is typed: Return keeps it, leaving the field too, Esc leaves what was there."""
+
+    def __init__(self, band: MarkBand) -> None:
+        super().__init__(band)
+        self._band, self._frame, self._is_asking = band, 0, False
+        self.setPlaceholderText("a word on this frame")
+        self.setFixedWidth(FIELD_WIDTH)
+        self.setVisible(False)
+        self.editingFinished.connect(self._keep)
+
+    def begin(self, mark: Mark, left: float) -> None:
+        """Ask for the word of a mark, `left` pixels from the band's edge."""
+        self._frame, self._is_asking = mark.frame, True
+        self.setText(mark.text)
+        self.move(round(left), (HEIGHT - self.sizeHint().height()) // 2)
+        self.setVisible(True)
+        self.selectAll()
+        self.setFocus()
+
+    def event(self, event: QEvent) -> bool:
+        # Esc is the whole window's key for stopping; here it leaves the field.
+        if event.type() == QEvent.Type.ShortcutOverride and isinstance(event, QKeyEvent):
+            event.accept()
+            return True
+        return super().event(event)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        if event.key() == Qt.Key.Key_Escape:
+            self._is_asking = False
+            self.setVisible(False)
+        else:
+            super().keyPressEvent(event)
+
+    def _keep(self) -> None:
+        # Hiding the field takes its focus away, and so ends the typing once more.
+        if self._is_asking:
+            self._is_asking = False
+            self.setVisible(False)
+            self._band.rename(self._frame, self.text().strip())

@@ -1,0 +1,55 @@
+"""What keys and menus do to the marks on frames: set, name, remove, go to the next one."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from app.document import Document
+from app.view_state import ViewState
+from roam_core.roto import timing
+
+NO_CLIP = "Open a clip first: marks lie on its frames."
+
+
+class MarkVerbs:
+    """The verbs behind the mark keys. `name` opens the field in which the mark of a frame is named."""
+
+    def __init__(self, document: Document, view_state: ViewState, name: Callable[[int], None]) -> None:
+        self._document, self._view, self._name = document, view_state, name
+
+    def handlers(self) -> dict[str, Callable[[], object]]:
+        """What the actions of this part call, by id."""
+        return {
+            "mark.toggle": self.toggle,
+            "mark.name": self.name,
+            "time.previous_mark": lambda: self._go(-1),
+            "time.next_mark": lambda: self._go(1),
+        }
+
+    def toggle(self) -> None:
+        """Mark the playhead's frame, or take its mark away."""
+        project, frame = self._document.project, self._view.frame
+        if project.clip is None:
+            self._view.say(NO_CLIP)
+        elif timing.mark_at(project, frame) is None:
+            self._document.apply("Mark frame", timing.set_mark(project, frame))
+            self._view.say(f"Frame {frame} is marked; double-click the mark to name it.")
+        else:
+            self._document.apply("Remove mark", timing.remove_mark(project, frame))
+
+    def name(self) -> None:
+        """Name the mark of the playhead's frame, which is set if it is not there."""
+        if self._document.project.clip is None:
+            self._view.say(NO_CLIP)
+            return
+        if timing.mark_at(self._document.project, self._view.frame) is None:
+            self.toggle()
+        self._name(self._view.frame)
+
+    def _go(self, step: int) -> None:
+        here = self._view.frame
+        beyond = [mark.frame for mark in self._document.project.marks if (mark.frame - here) * step > 0]
+        if beyond:
+            self._view.set_frame(min(beyond) if step > 0 else max(beyond))
+        else:
+            self._view.say(f"There is no mark {'after' if step > 0 else 'before'} this frame.")
