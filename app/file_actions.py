@@ -86,6 +86,10 @@ class FileActions(QObject):
     def open_project(self) -> None:
         self._open(dialogs.choose_project(self._window, self._start_folder()))
 
+    def open_chosen(self, path: Path) -> None:
+        """Open a project or clip that was chosen among those of before."""
+        self._open(path)
+
     def open_dropped(self, path: Path) -> None:
         """Open what was dropped on the window; shapes of another program join the project's."""
         if path.suffix.lower() in SHAPE_FILES:

@@ -26,11 +26,13 @@ class Files(QObject):
     -------
     progress(fraction, text), finished(ending, sentence) : news for the status bar.
     saved() : the document was written to its file.
+    opened(path) : the project or clip that the artist named is open.
     """
 
     progress = Signal(float, str)
     finished = Signal(object, str)
     saved = Signal()
+    opened = Signal(object)
 
     def __init__(
         self,
@@ -61,7 +63,7 @@ class Files(QObject):
             project, source = clip_project(path)
             return project, source, f"Opened {path.name}: {len(source.frames)} frames. {_gaps(source)}".rstrip()
 
-        self._open(f"Opening {path.name} …", read, None)
+        self._open(f"Opening {path.name} …", read, None, origin=path)
 
     @property
     def lacks_plate(self) -> bool:
@@ -80,7 +82,7 @@ class Files(QObject):
 
     def open_project(self, path: Path) -> None:
         """Open a project and its plate; without its plate it opens too, and says so."""
-        self._open(f"Opening {path.name} …", lambda: _read_project(path), path)
+        self._open(f"Opening {path.name} …", lambda: _read_project(path), path, origin=path)
 
     def open_demo(self) -> None:
         """Render the demo shot, if it is not there yet, and open it with its true outline as the first key."""
@@ -125,20 +127,30 @@ class Files(QObject):
     # ---- the rest is private
 
     def _open(
-        self, text: str, read: Callable[[], tuple[Project, Any, str]], path: Path | None, *, is_unsaved: bool = False
+        self,
+        text: str,
+        read: Callable[[], tuple[Project, Any, str]],
+        path: Path | None,
+        *,
+        is_unsaved: bool = False,
+        origin: Path | None = None,
     ) -> None:
+        """Read on the worker and show what comes; `origin` is what `opened` tells afterwards."""
+
         def work(report: Report) -> str:
             report.progress(0.0, text)
             project, source, sentence = read()
             report.partial((project, source))
             return sentence
 
-        self._start(work, path, is_unsaved=is_unsaved)
+        self._start(work, path, is_unsaved=is_unsaved, origin=origin)
 
-    def _start(self, work: Work, path: Path | None, *, is_unsaved: bool = False) -> None:
+    def _start(self, work: Work, path: Path | None, *, is_unsaved: bool = False, origin: Path | None = None) -> None:
         job = self._runner.start("open", work)
         job.progress.connect(self.progress)
         job.partial.connect(lambda found: self._show(found[0], found[1], path, is_unsaved))
+        if origin is not None:
+            job.partial.connect(lambda _: self.opened.emit(origin))
         job.ended.connect(self.finished)
 
     def _show(self, project: Project, source: Any, path: Path | None, is_unsaved: bool) -> None:

@@ -15,8 +15,8 @@ from typing import Any
 from PySide6.QtGui import QKeySequence
 
 from app.action_specs import SPECS, Reach
+from app.keeping import keep_json
 from roam_core.errors import RoamError
-from roam_core.roto.file import write_atomically
 
 Keymap = Mapping[str, tuple[str, ...]]
 """The keys of each action by its id, as Qt writes them: `Ctrl+Shift+Z`, `]`, `F7`."""
@@ -136,7 +136,7 @@ def save_own(own: OwnKeymap, path: Path) -> None:
     """Write the artist's own keymap."""
     keys = {action: list(keys) for action, keys in sorted(own.keys.items())}
     document = {"type": TYPE, "version": VERSION, "name": "My keys", "based_on": own.preset, "keys": keys}
-    write_atomically(path, json.dumps(document, indent=1).encode())
+    keep_json(path, document)
 
 
 def load_own(path: Path) -> OwnKeymap:

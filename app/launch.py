@@ -94,6 +94,7 @@ def _open_first(window: MainWindow, path: str | None) -> None:
     if path is not None:
         window.files.open(Path(path).absolute())
     else:
+        window.reopening.page.begin()
         _offer_recovery(window)
 
 
@@ -112,13 +113,13 @@ def _run(begin: Callable[[MainWindow], object]) -> int:
     from PySide6.QtWidgets import QApplication
 
     from app import settings, style
-    from app.folders import state_folder
+    from app.folders import cache_folder, state_folder
     from app.jobs import warm_up
     from app.main_window import MainWindow
     from app.personal import Personal
 
     _keep_log(state_folder() / "roam.log")
-    personal = Personal(state_folder())
+    personal = Personal(state_folder(), cache_folder())
     _scale(personal.preferences.scale)
     application = QApplication.instance() or QApplication(sys.argv[:1])
     assert isinstance(application, QApplication)

@@ -1,7 +1,8 @@
-"""Personal: what belongs to the artist and to no project - preferences and keys - kept in the settings folder."""
+"""Personal: what belongs to the artist and to no project: preferences, keys, what was opened; kept between sessions."""
 
 from __future__ import annotations
 
+import time
 from collections.abc import Callable
 from pathlib import Path
 
@@ -9,30 +10,33 @@ from PySide6.QtCore import QObject, Signal
 
 from app.keymaps import OwnKeymap, load_own, save_own
 from app.preferences import Preferences, load_preferences, save_preferences
+from app.recent import Recent, load_recent, save_recent, with_newest, without
 from roam_core.errors import RoamError
 
-PREFERENCES_FILE, KEYMAP_FILE = "preferences.json", "keymap.json"
+PREFERENCES_FILE, KEYMAP_FILE, RECENT_FILE = "preferences.json", "keymap.json", "recent.json"
 
 
 class Personal(QObject):
     """The artist's own settings. Listeners pull; every change is written at once.
 
-    `folder` is the settings folder; None keeps everything in memory only.
+    `folder` is the settings folder and `cache` the one of what can be made again; None keeps everything in memory only.
 
     Signals
     -------
-    preferences_changed(), keys_changed() : something else holds now.
+    preferences_changed(), keys_changed(), recent_changed() : something else holds now.
     refused(sentence) : why a file could not be read or written; what was set holds all the same.
     """
 
     preferences_changed = Signal()
     keys_changed = Signal()
+    recent_changed = Signal()
     refused = Signal(str)
 
-    def __init__(self, folder: Path | None = None, parent: QObject | None = None) -> None:
+    def __init__(self, folder: Path | None = None, cache: Path | None = None, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self.folder = folder
+        self.folder, self.cache = folder, cache
         self._preferences, self._keys = Preferences(), OwnKeymap()
+        self._recent: tuple[Recent, ...] = () if folder is None else load_recent(folder / RECENT_FILE)
         self.trouble = ""
         """Why something could not be read at the start; empty where all was well."""
         if folder is not None:
@@ -63,6 +67,26 @@ class Personal(QObject):
             self._keys = keys
             self.keys_changed.emit()
             self._keep(KEYMAP_FILE, lambda path: save_own(keys, path))
+
+    @property
+    def recent(self) -> tuple[Recent, ...]:
+        """Projects and clips, the one opened or saved last first."""
+        return self._recent
+
+    def note_recent(self, path: Path) -> None:
+        """Remember that a project or clip was opened or saved now."""
+        self._set_recent(lambda entries: with_newest(entries, Recent(path, time.time())))
+
+    def forget_recent(self, path: Path) -> None:
+        """Offer a project or clip no more."""
+        self._set_recent(lambda entries: without(entries, path))
+
+    def _set_recent(self, change: Callable[[tuple[Recent, ...]], tuple[Recent, ...]]) -> None:
+        # Another window may have noted something meanwhile: its entries stay.
+        before = self._recent if self.folder is None else load_recent(self.folder / RECENT_FILE)
+        self._recent = change(before)
+        self.recent_changed.emit()
+        self._keep(RECENT_FILE, lambda path: save_recent(self._recent, path))
 
     def _keep(self, name: str, write: Callable[[Path], object]) -> None:
         if self.folder is None:

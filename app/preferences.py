@@ -7,8 +7,8 @@ from dataclasses import asdict, dataclass, fields
 from pathlib import Path
 from typing import Any
 
+from app.keeping import keep_json
 from roam_core.params import CONFIGS
-from roam_core.roto.file import write_atomically
 
 TYPE = "roam.Preferences"
 LEAST_CACHE, MOST_CACHE = 0.25, 512.0
@@ -70,8 +70,7 @@ def load_preferences(path: Path) -> Preferences:
 
 def save_preferences(preferences: Preferences, path: Path) -> None:
     """Write them; raises `RoamError` when the file cannot be written."""
-    document = {"type": TYPE, "version": 1} | asdict(preferences)
-    write_atomically(path, json.dumps(document, indent=1).encode())
+    keep_json(path, {"type": TYPE, "version": 1} | asdict(preferences))
 
 
 def _fits(value: Any, default: object) -> bool:

@@ -9,6 +9,7 @@ WORDS: Mapping[str, str] = {
     "file.open_clip": "import footage plate read sequence images source load",
     "file.open_movie": "import footage mov mp4 quicktime read load",
     "file.open_project": "load script scene session",
+    "file.open_demo": "example sample tutorial manta",
     "file.save_as": "version copy",
     "file.import_shapes": "nuke silhouette svg roto load",
     "file.import_masks": "mattes alpha segmentation load",

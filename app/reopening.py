@@ -1,0 +1,87 @@
+"""Reopening: remembers what was opened and saved, and offers it again on the start page and in the File menu."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from PySide6.QtCore import QObject
+from PySide6.QtWidgets import QMenu
+
+from app.jobs.thumbnails import Thumbnails
+from app.recent import Recent
+from app.start_page import StartPage
+
+if TYPE_CHECKING:
+    from app.main_window import MainWindow
+
+IN_MENU = 10
+"""Entries of the File menu's list."""
+
+
+class Reopening(QObject):
+    """Notes every project and clip that was opened, and draws its picture as soon as there is one to draw."""
+
+    def __init__(self, window: MainWindow) -> None:
+        super().__init__(window)
+        self._window, self._personal = window, window.personal
+        self._thumbnails = Thumbnails(self._personal.cache, window.writer, self)
+        self._opened: Path | None = None
+        self._picture: tuple[int, Any] | None = None
+        self.page = StartPage(
+            window.canvas,
+            window.document,
+            window.under_way,
+            window.actions_by_id,
+            self._personal,
+            self._thumbnails,
+        )
+        self.menu = QMenu("Open recent", window)
+        self.menu.aboutToShow.connect(self._fill_menu)
+        self.page.chosen.connect(window.file_actions.open_chosen)
+        window.document.replaced.connect(self._forget_picture)
+        window.files.opened.connect(self._note_opened)
+        window.files.saved.connect(self._note_saved)
+        window.reader.picture.connect(self._see)
+
+    def handlers(self) -> dict[str, Callable[[], object]]:
+        """What the actions of this part call, by id."""
+        window = self._window
+        return {"file.open_demo": lambda: window.file_actions.leave_project(window.files.open_demo)}
+
+    # ---- the rest is private
+
+    def _note_opened(self, path: Path) -> None:
+        self._personal.note_recent(path)
+        self._opened = path
+        self._draw()
+
+    def _note_saved(self) -> None:
+        if (path := self._window.document.path) is not None:
+            self._note_opened(path)
+
+    def _see(self, frame: int, pixels: Any) -> None:
+        if pixels is not None:
+            self._picture = frame, pixels
+            self._draw()
+
+    def _forget_picture(self) -> None:
+        self._opened = self._picture = None
+
+    def _draw(self) -> None:
+        """Draw the picture of what was opened or saved, once, when both it and a frame are there."""
+        if self._opened is not None and self._picture is not None:
+            frame, pixels = self._picture
+            recent, self._opened = Recent(self._opened, time.time()), None
+            self._thumbnails.keep(recent, pixels, self._window.document.project, frame)
+
+    def _fill_menu(self) -> None:
+        self.menu.clear()
+        for recent in self._personal.recent[:IN_MENU]:
+            action = self.menu.addAction(recent.path.name)
+            action.setToolTip(str(recent.path))
+            action.triggered.connect(lambda _=False, path=recent.path: self._window.file_actions.open_chosen(path))
+        if self.menu.isEmpty():
+            self.menu.addAction("Nothing yet").setEnabled(False)
