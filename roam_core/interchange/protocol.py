@@ -7,7 +7,7 @@ from dataclasses import dataclass, field, replace
 from enum import StrEnum
 from itertools import pairwise
 from pathlib import Path
-from typing import Protocol
+from typing import ClassVar, Protocol
 
 import numpy as np
 
@@ -16,7 +16,7 @@ from roam_core.errors import RoamError
 from roam_core.interchange.matte_style import MatteStyle
 from roam_core.interchange.reduction import Motion, Slopes, reduced
 from roam_core.interchange.smoothing import smoothed
-from roam_core.roto import Clip, Interpolation, Keyframe, Origin, Project, RotoShape
+from roam_core.roto import Clip, Interpolation, Keyframe, Origin, Project, RotoShape, Spline
 
 FARTHEST = 1e7
 """Pixels: a coordinate beyond this is a defect of the project, and single precision would not hold it to a pixel."""
@@ -119,6 +119,9 @@ class ShapeWriter:
     `notes` has one sentence for each loss, and for each shape whose keys were smoothed or reduced.
     """
 
+    KINDS: ClassVar[frozenset[Spline]] = frozenset({Spline.BEZIER})
+    """Of curves that the format holds; others are written as the Bezier ones that they are as well."""
+
     clip: Clip
     options: ExportOptions
     total: int
@@ -136,6 +139,8 @@ class ShapeWriter:
         """As `begun`, for a format that moves points by `motion`; and the slopes of reduced cubic spans, or nothing."""
         self.options.advance(self.done / self.total, f"Shape {shape.name}")
         self.done += 1
+        if shape.spline not in self.KINDS:
+            self.notes.append(f"The B-spline {shape.name!r} was written as Bezier: the same curve, with other handles.")
         shape = exported_keys(shape, self.options, self.notes)
         if self.options.keys is not KeyChoice.REDUCED:
             return shape, ()

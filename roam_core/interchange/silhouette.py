@@ -1,7 +1,8 @@
 """Silhouette `.fxs`: layers and shapes as XML.
 
 Coordinates are measured from the image's centre in units of its height, y down, handles absolute in the order point,
-incoming handle, outgoing handle; keys are numbered from the session's first frame. Silhouette's makers publish no
+incoming handle, outgoing handle, of B-splines the control points alone; keys are numbered from the session's first
+frame. Silhouette's makers publish no
 description: what stands here follows the exporters that artists use to bring shapes into it.
 """
 
@@ -13,10 +14,12 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
+from roam_core.geometry import bspline
 from roam_core.geometry.bezier import ANCHOR, IN, OUT
 from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter, without_smooth_keys
 from roam_core.interchange.xml import xml_text
-from roam_core.roto import BlendMode, Clip, Interpolation, Keyframe, Layer, Project, RotoShape
+from roam_core.roto import BlendMode, Clip, Interpolation, Keyframe, Layer, Project, RotoShape, Spline
+from roam_core.roto.baking import without_transforms
 from roam_core.roto.file import write_atomically
 
 Array = NDArray[np.float64]
@@ -28,6 +31,7 @@ MODES = {
     BlendMode.DIFFERENCE: "Difference",
     BlendMode.MAX: "Max",
 }
+PATH_KINDS = {Spline.BEZIER: "Bezier", Spline.BSPLINE: "Bspline"}
 SCALED_BY_THEIR_LAYER = {BlendMode.ADD, BlendMode.DIFFERENCE, BlendMode.MAX}
 """Scaling these shapes scales the layer's joint matte alike; subtracting and inside shapes act on what is scaled."""
 
@@ -53,6 +57,7 @@ def silhouette_document(project: Project, options: ExportOptions = STANDARD) -> 
     The key of frame f is numbered f minus the clip's first frame plus the options' offset; the session's own range
     stays the plate's.
     """
+    project = without_transforms(project)
     clip = project.require_clip()
     session = ET.Element(
         "Silhouette",
@@ -83,6 +88,8 @@ def normalised(points: Array, clip: Clip) -> Array:
 class _Writer(ShapeWriter):
     """Fills XML elements from layers and shapes; gathers what is lost on the way."""
 
+    KINDS = frozenset(PATH_KINDS)
+
     def fill_layer(self, element: ET.Element, layer: Layer, opacity: float) -> None:
         """Properties and children of a layer; `opacity` is what the layers around it leave of its shapes'."""
         opacity *= layer.opacity
@@ -110,7 +117,8 @@ class _Writer(ShapeWriter):
             self.notes.append(f"Silhouette refuses shapes of a single point: {shape.name!r} was left out.")
             return
         self._note_losses(shape)
-        element = ET.SubElement(objects, "Object", type="Shape", label=xml_text(shape.name), shape_type="Bezier")
+        kind = PATH_KINDS[shape.spline]
+        element = ET.SubElement(objects, "Object", type="Shape", label=xml_text(shape.name), shape_type=kind)
         element.attrib.update(_flags(shape))
         properties = ET.SubElement(element, "Properties")
         share = opacity if shape.blend in SCALED_BY_THEIR_LAYER else 1.0
@@ -121,7 +129,7 @@ class _Writer(ShapeWriter):
         _constant(properties, "invert", _truth(shape.invert))
         path = ET.SubElement(properties, "Property", id="path")
         for key in shape.keys:
-            self._add_path_key(path, key, shape.closed)
+            self._add_path_key(path, key, shape)
 
     def _note_losses(self, shape: RotoShape) -> None:
         if shape.feather or any(key.feather is not None and key.feather.any() for key in shape.keys):
@@ -141,11 +149,15 @@ class _Writer(ShapeWriter):
         for frame, value in ((start - 1, 0.0), (start, percent), (stop, 0.0)):
             ET.SubElement(opacity, "Key", frame=self._frame(frame), interp="hold").text = f"{value:.6f}"
 
-    def _add_path_key(self, parent: ET.Element, key: Keyframe, closed: bool) -> None:
+    def _add_path_key(self, parent: ET.Element, key: Keyframe, shape: RotoShape) -> None:
         interp = "hold" if key.interpolation is Interpolation.HOLD else "linear"
         element = ET.SubElement(parent, "Key", frame=self._frame(key.frame), interp=interp)
-        path = ET.SubElement(element, "Path", closed=str(closed), type="Bezier")
-        for point in normalised(key.points[:, [ANCHOR, IN, OUT]], self.clip):
+        path = ET.SubElement(element, "Path", closed=str(shape.closed), type=PATH_KINDS[shape.spline])
+        if shape.spline is Spline.BSPLINE:
+            held = bspline.control_polygon(key.points, shape.closed)[:, None]
+        else:
+            held = key.points[:, [ANCHOR, IN, OUT]]
+        for point in normalised(held, self.clip):
             ET.SubElement(path, "Point").text = ",".join(_tuple(position) for position in point)
 
     def _frame(self, frame: int) -> str:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import tempfile
+from dataclasses import replace
 from itertools import pairwise
 from pathlib import Path
 
@@ -14,7 +15,18 @@ from hypothesis.extra.numpy import arrays
 from roam_core.interchange import EXPORTERS, Imported, read_shapes
 from roam_core.interchange.xml import xml_text
 from roam_core.matte import render_matte
-from roam_core.roto import BlendMode, Clip, Interpolation, Keyframe, Layer, MotionBlur, Project, RotoShape
+from roam_core.roto import (
+    BlendMode,
+    Clip,
+    Interpolation,
+    Keyframe,
+    Layer,
+    MotionBlur,
+    Project,
+    RotoShape,
+    Spline,
+    grips,
+)
 
 WITHIN = 0.01
 SIZE = (96, 64)
@@ -38,7 +50,7 @@ def shapes(draw: st.DrawFn) -> RotoShape:
     frames = draw(st.lists(st.integers(-9, 60), min_size=1, max_size=4, unique=True))
     start = draw(st.integers(-5, 40))
     blurs = st.builds(MotionBlur, st.floats(0.125, 2.0, width=32), st.floats(-1.0, 1.0, width=32), st.integers(1, 64))
-    return RotoShape(
+    shape = RotoShape(
         id=f"shape-{draw(st.uuids())}",
         name=draw(names),
         keys=tuple(draw(keyframes(count, frame)) for frame in frames),
@@ -53,6 +65,7 @@ def shapes(draw: st.DrawFn) -> RotoShape:
         visible=draw(flags),
         locked=draw(flags),
     )
+    return grips.with_spline(shape, draw(st.sampled_from(Spline)))
 
 
 @st.composite
@@ -135,8 +148,23 @@ def test_silhouette_gives_back_what_it_holds(project: Project) -> None:
     assert [shape.name for shape in found] == [xml_text(shape.name) for shape in expected]
     for shape, was in zip(found, expected, strict=True):
         assert (shape.visible, shape.locked, shape.invert) == (was.visible, was.locked, was.invert)
-        assert (shape.closed, shape.blend) == (was.closed, was.blend)
+        assert (shape.closed, shape.blend, shape.spline) == (was.closed, was.blend, was.spline)
         np.testing.assert_allclose(shape.colour, was.colour, atol=1e-6)
         assert (shape.motion_blur is None) == (was.motion_blur is None)
         assert shape.lifetime == was.lifetime
         check_motion(was, shape, feather=False)
+
+
+@settings(deadline=None, max_examples=25, phases=[Phase.explicit, Phase.reuse, Phase.generate])
+@given(projects)
+def test_json_gives_everything_back(project: Project) -> None:
+    root = root_of(returned(project, "json"))
+    for item, was in zip([root, *root.items()], [project.root, *project.root.items()], strict=True):
+        assert item.name == was.name or item.name == "file"
+        assert (item.visible, item.locked, item.invert, item.opacity) == (
+            was.visible, was.locked, was.invert, was.opacity,
+        )  # fmt: skip
+        if isinstance(was, RotoShape):
+            assert isinstance(item, RotoShape)
+            assert item == replace(was, id=item.id, keys=item.keys)
+            check_motion(was, item, feather=True)

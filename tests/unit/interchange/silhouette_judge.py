@@ -14,7 +14,10 @@ Array = NDArray[np.float64]
 
 @dataclass
 class JudgedShape:
-    """An `Object` of type Shape: properties as text, path keys as pixels (P, 3, 2) anchor, in- and out-handle."""
+    """An `Object` of type Shape: properties as text, path keys as pixels (P, 3, 2) anchor, in- and out-handle.
+
+    Those of a B-spline are its control points, (P, 1, 2).
+    """
 
     label: str
     hidden: str
@@ -24,6 +27,7 @@ class JudgedShape:
     keys: dict[int, Array]
     interps: dict[int, str]
     closed: set[str]
+    kind: str
 
     def points(self, frame: int) -> Array:
         """The path at a frame, linear or held between its keys."""
@@ -77,10 +81,12 @@ def _layer(element: Element, scale: tuple[float, float, float]) -> JudgedLayer:
 
 
 def _shape(element: Element, scale: tuple[float, float, float]) -> JudgedShape:
-    assert element.get("shape_type") == "Bezier"
+    kind = element.attrib["shape_type"]
+    assert kind in ("Bezier", "Bspline")
     keys = {int(key.attrib["frame"]): key for key in _property(element, "path")}
     assert list(keys) == sorted(keys)
     paths = {frame: key.find("Path") for frame, key in keys.items()}
+    assert {path.get("type") for path in paths.values() if path is not None} == {kind}
     opacity = {int(key.attrib["frame"]): float(key.text or "") for key in _property(element, "opacity").findall("Key")}
     return JudgedShape(
         label=element.attrib["label"],
@@ -91,6 +97,7 @@ def _shape(element: Element, scale: tuple[float, float, float]) -> JudgedShape:
         keys={frame: _pixels(path, scale) for frame, path in paths.items() if path is not None},
         interps={frame: key.attrib["interp"] for frame, key in keys.items()},
         closed={path.attrib["closed"] for path in paths.values() if path is not None},
+        kind=kind,
     )
 
 
@@ -99,7 +106,7 @@ def _pixels(path: Element, scale: tuple[float, float, float]) -> Array:
     rows = [point.text or "" for point in path.findall("Point")]
     assert not any("e" in row for row in rows)
     values = [[float(number) for number in row.replace("(", "").replace(")", "").split(",")] for row in rows]
-    measured = np.array(values).reshape(-1, 3, 2)
+    measured = np.array(values).reshape(len(values), -1, 2)
     return np.stack([measured[..., 0] / aspect * height + width / 2, (measured[..., 1] + 0.5) * height], axis=-1)
 
 

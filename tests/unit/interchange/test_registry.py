@@ -11,7 +11,7 @@ import pytest
 from roam_core.cancel import Cancelled, CancelToken
 from roam_core.errors import RoamError
 from roam_core.interchange import EXPORTERS, ExportOptions, KeyChoice, exporter_for
-from roam_core.roto import Project
+from roam_core.roto import Project, Spline, grips
 
 
 def test_every_format_is_known_by_its_own_name() -> None:
@@ -64,3 +64,12 @@ def test_every_choice_of_keys_can_be_written(project: Project, tmp_path: Path, n
     path = tmp_path / f"p{EXPORTERS[name].suffix}"
     EXPORTERS[name].export(project, path, ExportOptions(keys=choice, tolerance=2.0))
     assert path.stat().st_size > 1000
+
+
+@pytest.mark.parametrize("name", [name for name in EXPORTERS if name not in ("mattes", "nuke-tracks")])
+def test_a_b_spline_stays_one_or_becomes_the_bezier_that_it_is(project: Project, tmp_path: Path, name: str) -> None:
+    arm = next(shape for shape in project.shapes if shape.name == "Arm")
+    spline = grips.with_spline(arm, Spline.BSPLINE)
+    notes = EXPORTERS[name].export(project.with_shape(spline), tmp_path / f"p{EXPORTERS[name].suffix}")
+    told = "The B-spline 'Arm' was written as Bezier: the same curve, with other handles." in notes
+    assert told is (name not in ("silhouette", "json"))

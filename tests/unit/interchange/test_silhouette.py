@@ -7,11 +7,13 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from scipy.interpolate import BSpline
 
 from roam_core.errors import RoamError
+from roam_core.geometry import bezier
 from roam_core.interchange import EXPORTERS, ExportOptions, KeyChoice
 from roam_core.interchange.silhouette import silhouette_document
-from roam_core.roto import BlendMode, Clip, Keyframe, Layer, Project, RotoShape
+from roam_core.roto import BlendMode, Clip, Keyframe, Layer, Project, RotoShape, Spline, grips
 from tests.unit.interchange.conftest import CLIP, animated, points
 from tests.unit.interchange.silhouette_judge import JudgedLayer, JudgedShape, judge
 
@@ -159,3 +161,23 @@ def test_nothing_is_lost_of_a_plain_shape() -> None:
 def test_no_clip_is_told_in_a_sentence(tmp_path: Path) -> None:
     with pytest.raises(RoamError, match="no clip"):
         EXPORTERS["silhouette"].export(Project(), tmp_path / "a.fxs")
+
+
+@pytest.mark.parametrize("closed", [True, False])
+def test_a_b_spline_is_written_by_its_control_points(closed: bool) -> None:
+    """Their uniform cubic spline, evaluated by SciPy, is the shape's outline on every frame."""
+    shape = grips.with_spline(replace(animated("A"), closed=closed), Spline.BSPLINE)
+    text, notes = silhouette_document(only(shape))
+    assert notes == ()
+    (written,) = judge(text)[1].shapes()
+    assert (written.kind, written.closed) == ("Bspline", {str(closed)})
+    for frame in (1001, 1005, 1011, 1020):
+        control = written.points(frame - 1001)[:, 0]
+        if closed:
+            control = np.vstack([control[-1:], control, control[:2]])
+        else:
+            control = np.vstack([2 * control[0] - control[1], control, 2 * control[-1] - control[-2]])
+        spline = BSpline(np.arange(len(control) + 4), control, 3)
+        u = np.linspace(0, 5 if closed else 4, 60, endpoint=False)
+        outline = bezier.evaluate(shape.at(frame).points, u.astype(int), u % 1, closed)
+        np.testing.assert_allclose(outline, spline(3 + u), atol=WITHIN)

@@ -13,7 +13,7 @@ from roam_core.errors import RoamError
 from roam_core.geometry import bezier
 from roam_core.interchange import Imported, ImportOptions, read_shapes
 from roam_core.interchange.reading import MAX_DEPTH
-from roam_core.roto import BlendMode, Clip, Interpolation, Layer, RotoShape
+from roam_core.roto import BlendMode, Clip, Interpolation, Layer, RotoShape, Spline
 
 CLIP = Clip(Path("plate"), 1001, 1040, (200, 100))
 HEAD = '<Silhouette width="200" height="100" pixelAspect="1" sessionStartFrame="1001">'
@@ -50,6 +50,14 @@ def shape_xml(*keys: str, label: str = "A", properties: str = "", attributes: st
         f'<Shape type="Shape" label="{label}" shape_type="Bezier" {attributes}>'
         f"<Properties>{properties}{path}</Properties></Shape>"
     )
+
+
+CONTROLS = np.array([[0, 0], [0.4, -0.2], [0.6, 0.3], [0.1, 0.4], [-0.3, 0.1]])
+
+
+def spline_key(frame: int, controls: np.ndarray, *, closed: bool = True) -> str:
+    points = "".join(f"<Point>({x},{y})</Point>" for x, y in controls)
+    return path_key(frame, points, closed=str(closed), kind="Bspline")
 
 
 def layer_xml(body: str, properties: str = "", attributes: str = "", label: str = "L") -> str:
@@ -109,11 +117,11 @@ def test_a_session_of_another_size_is_scaled(read: Read) -> None:
 
 
 @pytest.mark.parametrize("closed", [True, False])
-def test_a_b_spline_becomes_the_same_curve(read: Read, closed: bool) -> None:
-    controls = np.array([[0, 0], [0.4, -0.2], [0.6, 0.3], [0.1, 0.4], [-0.3, 0.1]])
-    points = "".join(f"<Point>({x},{y})</Point>" for x, y in controls)
-    shape = only(read(shape_xml(path_key(0, points, closed=str(closed), kind="Bspline"))))
-    pixels = controls * 100 + [100, 50]
+def test_a_b_spline_stays_one_and_is_the_same_curve(read: Read, closed: bool) -> None:
+    shape = only(read(shape_xml(spline_key(0, CONTROLS, closed=closed))))
+    assert (shape.spline, shape.closed) == (Spline.BSPLINE, closed)
+    pixels = CONTROLS * 100 + [100, 50]
+    np.testing.assert_allclose(shape.at(1001).grips[:, 0], pixels, atol=1e-9)
     if closed:
         pixels = np.vstack([pixels[-1:], pixels, pixels[:2]])
     else:
@@ -123,7 +131,29 @@ def test_a_b_spline_becomes_the_same_curve(read: Read, closed: bool) -> None:
     u = np.linspace(0, segments, 60, endpoint=False)
     curve = bezier.evaluate(shape.keys[0].points, u.astype(int), u % 1, closed)
     np.testing.assert_allclose(curve, spline(3 + u), atol=1e-9)
-    assert shape.closed is closed
+
+
+def test_kinds_that_are_unknown_or_mixed_are_named(read: Read) -> None:
+    odd = shape_xml(path_key(0, kind="Xspline"), label="Odd")
+    mixed = shape_xml(spline_key(0, CONTROLS[:3]), path_key(5), label="Mixed")
+    assert read(odd + mixed + shape_xml()).notes == (
+        "The shape 'Odd' was left out: it is of the kind 'Xspline'.",
+        "The shape 'Mixed' was left out: its keys are of several kinds.",
+    )
+
+
+def test_catmullrom_keys_go_by_the_cubic_through_their_neighbours(read: Read) -> None:
+    """Four keys on a parabola, evenly spaced in time: the middle span is the parabola, the others are straight."""
+    keys = [path_key(10 * k, shifted(0.01 * k * k), interp="catmullrom") for k in range(4)]
+    shape = only(read(shape_xml(*keys)))
+    x = [float(shape.at(1001 + frame).anchors[0, 0]) for frame in (5, 10, 13, 15, 20, 25, 30)]
+    np.testing.assert_allclose(x, [100.5, 101, 100 + 1.3**2, 102.25, 104, 106.5, 109], atol=1e-6)
+    assert set(shape.frames) == {1001, *range(1011, 1022), 1031}
+
+
+def test_two_or_three_catmullrom_keys_need_no_others(read: Read) -> None:
+    keys = [path_key(10 * k, shifted(0.1 * k), interp="catmullrom") for k in range(3)]
+    assert only(read(shape_xml(*keys))).frames == (1001, 1011, 1021)
 
 
 # ---- properties ------------------------------------------------------------------------------------------------------
@@ -193,9 +223,60 @@ def test_an_animated_layer_gives_keys_where_it_needs_them(read: Read) -> None:
     np.testing.assert_allclose(shape.at(1011).anchors[1], [100, 100], atol=1e-9)
 
 
-def test_a_matrix_is_named(read: Read) -> None:
-    imported = read(layer_xml(shape_xml(), constant("transform.matrix", "(1,0,0,0)")))
-    assert imported.notes == ("The layer 'L': its matrix was left out.",)
+def test_a_matrix_acts_last_and_on_row_vectors(read: Read) -> None:
+    move = constant("transform.position", "(0.1,0)")
+    turn = constant("transform.matrix", "(0,1,0,0,-1,0,0,0,0,0,1,0,0.05,0.25,0,1)")
+    imported = read(layer_xml(shape_xml(), move + turn))
+    # (0.5, 0.25) -> moved (0.6, 0.25) -> (x, y) becomes (-y, x) + (0.05, 0.25): (-0.2, 0.85)
+    np.testing.assert_allclose(only(imported).at(1001).anchors[2], [100 - 20, 50 + 85])
+    assert imported.notes == ()
+
+
+def test_a_tracked_matrix_with_perspective_moves_the_control_points(read: Read) -> None:
+    flat = "(1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1)"
+    tilted = "(1,0,0,0.5,0,1,0,0,0,0,1,0,0.2,0,0,1)"
+    properties = keyed("transform.matrix", (0, flat), (5, ""), (10, tilted))
+    shape = only(read(layer_xml(shape_xml(spline_key(0, CONTROLS)), properties)))
+    assert {1001, 1011} <= set(shape.frames)
+    expected = (CONTROLS + np.array([0.2, 0.0])) / (1.0 + 0.5 * CONTROLS[:, :1])
+    np.testing.assert_allclose(shape.at(1011).grips[:, 0], expected * 100 + [100, 50], atol=1e-6)
+    half = (CONTROLS + np.array([0.1, 0.0])) / (1.0 + 0.25 * CONTROLS[:, :1])
+    np.testing.assert_allclose(shape.at(1006).grips[:, 0], half * 100 + [100, 50], atol=0.01)
+
+
+@pytest.mark.parametrize(
+    ("value", "note"),
+    [
+        ("(1,0,0,0)", "The matrix of the layer 'L' was left out: 'transform.matrix' has 4 numbers, not 16."),
+        ("(" + "0," * 15 + "0)", "The shape 'A' was left out: the matrix of a layer sends it to infinity."),
+    ],
+)
+def test_a_matrix_that_is_none_is_named(read: Read, value: str, note: str) -> None:
+    assert read(layer_xml(shape_xml(), constant("transform.matrix", value))).notes == (note,)
+
+
+def test_what_says_nothing_is_not_named(read: Read) -> None:
+    """Silhouette writes every property, blank or at its default."""
+    layer = constant("transform.matrix", "") + constant("transform.pin_ur", "(1.000000000,0.000000000)")
+    layer += constant("opacity", "100") + constant("transform.scale", "(1,1,1)")
+    shape = constant("feather", "0") + constant("blur", "0") + constant("strokeWidth", "0")
+    imported = read(layer_xml(shape_xml(properties=shape), layer))
+    assert imported.notes == ()
+    assert only(imported).frames == (1001,)
+
+
+def test_a_corner_pin_is_named_once(read: Read) -> None:
+    pins = constant("transform.pin_ul", "(0.1,0)") + constant("transform.pin_lr", "(0.9,1)")
+    assert read(layer_xml(shape_xml(), pins)).notes == ("The layer 'L': its corner pin was left out.",)
+
+
+def test_the_opacity_of_a_layer(read: Read) -> None:
+    (half, _) = read(layer_xml(shape_xml(), constant("opacity", "50")) + shape_xml()).layer.children
+    assert isinstance(half, Layer)
+    assert half.opacity == 0.5
+    broken = read(layer_xml(shape_xml(), constant("opacity", "much")))
+    assert ["opacity of the layer 'L' was left out" in note for note in broken.notes] == [True]
+    assert len(list(broken.layer.shapes())) == 1
 
 
 # ---- refusals --------------------------------------------------------------------------------------------------------
