@@ -23,7 +23,6 @@ class ShapeVerbs:
         """What the actions of this part call, by id."""
         return {
             "shape.duplicate": self.duplicate,
-            "shape.group": self.group,
             "shape.lock": self.toggle_lock,
             "shape.hide": self.hide,
             "shape.show_all": self.show_all,
@@ -59,15 +58,6 @@ class ShapeVerbs:
             copies.append(copy.id)
         self._document.apply("Duplicate", project)
         self._view.select(frozenset(copies) or self._view.selection.shapes)
-
-    def group(self) -> None:
-        """Put the selected shapes into a new layer."""
-        if not (selected := self._selected()):
-            return
-        project, layer = edit.add_layer(self._document.project)
-        for index, shape_id in enumerate(selected):
-            project = edit.move_item(project, shape_id, layer.id, index)
-        self._document.apply("Group", project)
 
     def toggle_lock(self) -> None:
         toggle(self._document, "locked", self._selected())

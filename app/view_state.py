@@ -36,6 +36,7 @@ class ViewState(QObject):
         super().__init__(parent)
         self._frame = 1
         self._selection = Selection()
+        self._layers: frozenset[str] = frozenset()
         self._tool = "select"
         self._preview: Project | None = None
         self._range = (1, 2)
@@ -58,11 +59,26 @@ class ViewState(QObject):
     def selection(self) -> Selection:
         return self._selection
 
-    def select(self, shapes: frozenset[str], points: frozenset[tuple[str, int]] = frozenset()) -> None:
-        """Select shapes and points; a selected point's shape is selected with it."""
+    @property
+    def layers(self) -> frozenset[str]:
+        """The ids of the layers that are selected as such; their shapes are in `selection`."""
+        return self._layers
+
+    def select(
+        self,
+        shapes: frozenset[str],
+        points: frozenset[tuple[str, int]] = frozenset(),
+        layers: frozenset[str] | None = None,
+    ) -> None:
+        """Select shapes and points; a selected point's shape is selected with it.
+
+        Layers stay selected as long as the same shapes and points do, unless `layers` says which are.
+        """
         selection = Selection(shapes | {shape_id for shape_id, _ in points}, points)
-        if selection != self._selection:
-            self._selection = selection
+        if layers is None:
+            layers = self._layers if selection == self._selection else frozenset()
+        if (selection, layers) != (self._selection, self._layers):
+            self._selection, self._layers = selection, layers
             self.selection_changed.emit()
 
     @property

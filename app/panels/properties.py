@@ -24,6 +24,7 @@ from app.navigation import clip_frames
 from app.panels.colour_row import ColourRow
 from app.panels.controls import FRAME_LIMIT, dense_form, form_label
 from app.panels.fields import MIXED, NumberField, ScrubLabel, SwitchBox, shared
+from app.panels.layer_form import LayerForm
 from app.view_state import ViewState, selected_shapes
 from roam_core.roto import BlendMode, MotionBlur, RotoShape
 from roam_core.roto.edit import MIN_POINTS_CLOSED
@@ -64,6 +65,8 @@ class PropertiesPanel(QWidget):
         self._pages = QStackedLayout(self)
         self._pages.addWidget(self._hint)
         self._pages.addWidget(self._form_page)
+        self.layer_form = LayerForm(document, view_state)
+        self._pages.addWidget(self.layer_form)
         self._build_looks()
         self._build_switches()
         self._build_motion_blur()
@@ -225,7 +228,8 @@ class PropertiesPanel(QWidget):
 
     def _pull(self, _ids: object = None) -> None:
         selected = self._selected()
-        self._pages.setCurrentWidget(self._form_page if selected else self._hint)
+        form = self.layer_form if self.layer_form.layers else self._form_page if selected else self._hint
+        self._pages.setCurrentWidget(form)
         if not selected:
             return
         is_free = any(not shape.locked for shape in selected)

@@ -13,9 +13,10 @@ from app.document import Document
 from app.view_state import ViewState
 from roam_core.errors import RoamError
 from roam_core.roto import Layer, RotoShape, edit
+from roam_core.roto.layers import moved, top_items
 
 NAME, EYE, LOCK = 0, 1, 2
-ID = Qt.ItemDataRole.UserRole
+ID, IS_LAYER = Qt.ItemDataRole.UserRole, Qt.ItemDataRole.UserRole + 1
 EMPTY = "Draw a shape: press B in the viewer,\nclick for corners, drag for curves."
 NO_CLIP = "Open a clip first: drop a folder of\nimages or a movie on the window."
 
@@ -108,17 +109,18 @@ class ShapeTree(QTreeWidget):
                 self._add_rows(row, child)
 
     def _pull_selection(self) -> None:
-        selected = self._view.selection.shapes
+        selected = self._view.selection.shapes | self._view.layers
         with QSignalBlocker(self):
             for row in self._rows():
-                row.setSelected(bool(self._covered(row)) and self._covered(row) <= selected)
+                row.setSelected(row.data(NAME, ID) in selected)
         self.viewport().update()
 
     # ---- to the document
 
     def _push_selection(self) -> None:
-        shapes = frozenset[str]().union(*(self._covered(row) for row in self.selectedItems()))
-        self._view.select(shapes)
+        rows = self.selectedItems()
+        shapes = frozenset[str]().union(*(self._covered(row) for row in rows))
+        self._view.select(shapes, layers=frozenset(row.data(NAME, ID) for row in rows if row.data(NAME, IS_LAYER)))
 
     def _push_name(self, row: QTreeWidgetItem, column: int) -> None:
         name = row.text(NAME).strip()
@@ -133,9 +135,8 @@ class ShapeTree(QTreeWidget):
             shape_verbs.toggle(self._document, "visible" if column == EYE else "locked", [row.data(NAME, ID)])
 
     def selected_ids(self) -> list[str]:
-        """The ids of the selected rows, layers included; one inside a selected layer is left to it."""
-        selected = self.selectedItems()
-        return [row.data(NAME, ID) for row in selected if row.parent() not in selected]
+        """The ids of the selected rows, layers included, bottom first; one inside a selected layer is left to it."""
+        return top_items(self._document.project, [row.data(NAME, ID) for row in self.selectedItems()])
 
     def delete_selected(self) -> None:
         """Delete the layers and shapes of the selected rows."""
@@ -150,20 +151,15 @@ class ShapeTree(QTreeWidget):
     def dropEvent(self, event: QDropEvent) -> None:
         """Restack in the document; the rows follow from it."""
         target = self.itemAt(event.position().toPoint())
-        moved = self.selected_ids()
         event.setDropAction(Qt.DropAction.IgnoreAction)
         event.accept()
         try:
-            project = self._document.project
-            for item_id in moved:
-                if target is None or item_id != target.data(NAME, ID):
-                    project = edit.move_item(project, item_id, *self._place(target, item_id))
-            self._document.apply("Restack", project)
+            self._document.apply("Restack", moved(self._document.project, self.selected_ids(), *self._place(target)))
         except RoamError as error:
             self._view.say(str(error))
 
-    def _place(self, target: QTreeWidgetItem | None, item_id: str) -> tuple[str, int]:
-        """The layer and the index in it (0 = bottom) that a drop means, counted without the moved item."""
+    def _place(self, target: QTreeWidgetItem | None) -> tuple[str, int]:
+        """The layer and the index in it (0 = bottom) that a drop means."""
         root = self._document.project.root
         if target is None:
             return root.id, 0
@@ -174,9 +170,10 @@ class ShapeTree(QTreeWidget):
         parent = target.parent()
         layer = root if parent is None else self._document.project.find(parent.data(NAME, ID))
         assert isinstance(layer, Layer)
-        others = [child.id for child in layer.children if child.id != item_id]
-        above = where != QAbstractItemView.DropIndicatorPosition.BelowItem
-        return layer.id, others.index(item.id) + (1 if above else 0)
+        below = where is QAbstractItemView.DropIndicatorPosition.BelowItem
+        if below and isinstance(item, Layer) and target.isExpanded():
+            return item.id, len(item.children)  # right below an open layer's row is its inside
+        return layer.id, [child.id for child in layer.children].index(item.id) + (0 if below else 1)
 
     # ---- rows
 
@@ -199,7 +196,8 @@ class ShapeTree(QTreeWidget):
 def _dress_row(row: QTreeWidgetItem, item: Layer | RotoShape) -> None:
     row.setText(NAME, item.name)
     row.setData(NAME, ID, item.id)
-    row.setIcon(NAME, style.swatch(item.colour) if isinstance(item, RotoShape) else _drawing("layer", style.WEAK))
+    row.setData(NAME, IS_LAYER, isinstance(item, Layer))
+    row.setIcon(NAME, _mark(item))
     # What is usual is quiet; what keeps a shape from being seen or edited stands out.
     row.setIcon(EYE, _drawing("eye", style.WEAK) if item.visible else _drawing("eye-off", style.TEXT))
     row.setIcon(LOCK, _drawing("lock", style.TEXT) if item.locked else _drawing("lock-open", style.WEAK))
@@ -212,6 +210,13 @@ def _dress_row(row: QTreeWidgetItem, item: Layer | RotoShape) -> None:
         row.setForeground(NAME, QBrush(QColor(style.DISABLED)))
 
 
+def _mark(item: Layer | RotoShape) -> QIcon:
+    """What stands before a name: a shape's colour, a folder, a folder that moves."""
+    if isinstance(item, RotoShape):
+        return style.swatch(item.colour)
+    return _drawing("layer", style.WEAK) if item.transform is None else _drawing("layer-moving", style.TEXT)
+
+
 def _drawing(name: str, colour: str) -> QIcon:
     """An icon that looks the same on open and closed rows."""
     return style.icon(name, colour, lit=colour)
@@ -219,7 +224,7 @@ def _drawing(name: str, colour: str) -> QIcon:
 
 def _summary(layer: Layer) -> tuple[object, ...]:
     """Everything that the rows show of a layer."""
-    plain = (layer.id, layer.name, layer.visible, layer.locked)
+    plain = (layer.id, layer.name, layer.visible, layer.locked, layer.transform is None)
     children = (
         _summary(child)
         if isinstance(child, Layer)

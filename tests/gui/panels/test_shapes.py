@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import pytest
-from PySide6.QtCore import QPoint, Qt
-from PySide6.QtWidgets import QTreeWidgetItem
+from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt
+from PySide6.QtGui import QDropEvent
+from PySide6.QtWidgets import QAbstractItemView, QTreeWidgetItem
 from pytestqt.qtbot import QtBot
 
 from app.document import Document
@@ -12,6 +13,7 @@ from app.panels.shapes import EYE, LOCK, NAME, ShapesPanel
 from app.view_state import ViewState
 from roam_core.geometry.bezier import polygon_points
 from roam_core.roto import Keyframe, Layer, Origin, Project, edit
+from roam_core.roto.layers import grouped
 
 SQUARE = polygon_points([(0, 0), (10, 0), (10, 10), (0, 10)])
 
@@ -101,16 +103,73 @@ def test_a_tracked_frame_rebuilds_no_row(panel: ShapesPanel, document: Document)
     assert panel.tree.item("shape-1") is row
 
 
-def test_rows_are_restacked_by_where_they_are_dropped(panel: ShapesPanel, document: Document) -> None:
+def drop(panel: ShapesPanel, target: str | None, where: QAbstractItemView.DropIndicatorPosition) -> None:
+    """Let the selected rows go over a row, or over the empty ground below all rows."""
     tree = panel.tree
-    layer_id, index = tree._place(None, "shape-2")
-    document.apply("Restack", edit.move_item(document.project, "shape-2", layer_id, index))
-    assert names(panel) == ["hero", "Shape 1", "Shape 2"]
-    layer_id, index = tree._place(tree.item("shape-3"), "shape-2")
-    document.apply("Restack", edit.move_item(document.project, "shape-2", layer_id, index))
-    layer = document.project.find("layer-1")
-    assert isinstance(layer, Layer)
-    assert [child.id for child in layer.children] == ["shape-3", "shape-2"]
+    middle = tree.visualItemRect(tree.item(target)).center() if target else QPoint(40, tree.viewport().height() - 4)
+    tree.dropIndicatorPosition = lambda: where
+    action, button, none = Qt.DropAction.MoveAction, Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier
+    tree.dropEvent(QDropEvent(QPointF(middle), action, QMimeData(), button, none))
+
+
+ON, ABOVE, BELOW = (
+    QAbstractItemView.DropIndicatorPosition.OnItem,
+    QAbstractItemView.DropIndicatorPosition.AboveItem,
+    QAbstractItemView.DropIndicatorPosition.BelowItem,
+)
+BEFORE = "hero(Shape 3) Shape 2 Shape 1"
+
+
+@pytest.mark.parametrize(
+    ("chosen", "target", "where", "after"),
+    [
+        ({"shape-2"}, None, ON, "hero(Shape 3) Shape 1 Shape 2"),
+        ({"shape-2"}, "shape-1", BELOW, "hero(Shape 3) Shape 1 Shape 2"),
+        ({"shape-1"}, "layer-1", ABOVE, "Shape 1 hero(Shape 3) Shape 2"),
+        ({"shape-1", "shape-2"}, "layer-1", ON, "hero(Shape 2 Shape 1 Shape 3)"),
+        ({"shape-1", "shape-2"}, "shape-3", BELOW, "hero(Shape 3 Shape 2 Shape 1)"),
+        ({"shape-1"}, "layer-1", BELOW, "hero(Shape 1 Shape 3) Shape 2"),
+        ({"shape-3"}, "shape-1", ABOVE, "hero() Shape 2 Shape 3 Shape 1"),
+        ({"shape-2"}, "shape-2", ABOVE, BEFORE),
+    ],
+)
+def test_rows_are_restacked_by_where_they_are_dropped(
+    panel: ShapesPanel,
+    document: Document,
+    view_state: ViewState,
+    chosen: set[str],
+    target: str | None,
+    where: QAbstractItemView.DropIndicatorPosition,
+    after: str,
+) -> None:
+    view_state.select(frozenset(chosen))
+    drop(panel, target, where)
+    assert told(document.project.root) == after
+    assert document.undo_stack.count() == (after != BEFORE)
+
+
+def told(layer: Layer) -> str:
+    """Names, the top-most first, layers with their content."""
+    children = reversed(layer.children)
+    return " ".join(f"{c.name}({told(c)})" if isinstance(c, Layer) else c.name for c in children)
+
+
+def test_a_layer_cannot_be_dropped_into_itself(panel: ShapesPanel, document: Document, view_state: ViewState) -> None:
+    document.open(grouped(document.project, {"layer-1"}, "outer")[0], None)
+    view_state.select(frozenset(), layers=frozenset({"layer-2"}))
+    drop(panel, "layer-1", ON)
+    assert document.undo_stack.count() == 0
+    assert "cannot be moved into itself" in view_state.message
+
+
+def test_a_layer_is_selected_as_such(qtbot: QtBot, panel: ShapesPanel, view_state: ViewState) -> None:
+    click(qtbot, panel, panel.tree.item("layer-1"), NAME)
+    assert view_state.layers == {"layer-1"}
+    view_state.select(frozenset({"shape-3"}))  # the same shapes, as when the viewer drops what is gone: the layer stays
+    assert view_state.layers == {"layer-1"}
+    view_state.select(frozenset(), frozenset({("shape-3", 0)}))
+    assert view_state.layers == frozenset()
+    assert panel.tree.selected_ids() == ["shape-3"]
 
 
 def test_a_folded_layer_stays_folded(qtbot: QtBot, panel: ShapesPanel, document: Document) -> None:

@@ -1,0 +1,117 @@
+"""The form of the selected layers: name, opacity, switches, and the motion that a track gave them."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QLineEdit, QPushButton, QWidget
+
+from app import style
+from app.document import Document
+from app.panels.controls import dense_form, form_label
+from app.panels.fields import NumberField, ScrubLabel, SwitchBox, shared
+from app.view_state import ViewState
+from roam_core.roto import Layer, edit
+
+FREE_OF_LOCKS = {"visible", "locked"}
+"""What can be changed on a locked layer."""
+
+
+class LayerForm(QWidget):
+    """Shows the layers that are selected as such, what differs between them as mixed, and edits all of them."""
+
+    def __init__(self, document: Document, view_state: ViewState, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._document, self._view = document, view_state
+        form = dense_form()
+        form.setContentsMargins(style.MARGIN, style.MARGIN, style.MARGIN, style.MARGIN)
+        self.setLayout(form)
+        self.name = QLineEdit()
+        self.name.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
+        self.name.editingFinished.connect(self._push_name)
+        form.addRow(form_label("Layer"), self.name)
+        self.opacity = NumberField(0.0, 100.0, suffix=" %", tip="Of the joint matte of all that lies in the layer")
+        self.opacity.edited.connect(lambda value, key: self.push("Layer opacity", key, opacity=value / 100))
+        form.addRow(ScrubLabel("Opacity", self.opacity), self.opacity)
+        form.addRow(form_label("State"), self._switches())
+        self._motion = QLabel()
+        self._motion.setToolTip("The frames on which a track moves the layer")
+        self.clear_motion = QPushButton("Remove")
+        self.clear_motion.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        self.clear_motion.setToolTip("Let the layer stand still; its shapes stay in it")
+        self.clear_motion.clicked.connect(lambda: self.push("Remove motion", transform=None))
+        row = QHBoxLayout()
+        row.addWidget(self._motion, 1)
+        row.addWidget(self.clear_motion)
+        form.addRow(form_label("Motion"), row)
+        for signal in (document.changed, document.replaced, view_state.selection_changed):
+            signal.connect(self._pull)
+        self._pull()
+
+    @property
+    def layers(self) -> list[Layer]:
+        """The layers that are shown."""
+        items = self._document.project.root.items()
+        return [item for item in items if isinstance(item, Layer) and item.id in self._view.layers]
+
+    def push(self, text: str, merge_key: str = "", **values: Any) -> None:
+        """Set fields of every shown layer that is not locked, as one undo step."""
+        project = self._document.project
+        for layer in self.layers:
+            if (not layer.locked or values.keys() <= FREE_OF_LOCKS) and replace(layer, **values) != layer:
+                project = edit.set_properties(project, layer.id, **values)
+        self._document.apply(text, project, merge_key)
+        self._pull()
+
+    # ---- the rest is private
+
+    def _switches(self) -> QGridLayout:
+        self.visible = SwitchBox("Visible", "What lies in a hidden layer takes no part in the matte")
+        self.locked = SwitchBox("Locked", "What lies in a locked layer cannot be changed by hand")
+        self.invert = SwitchBox("Invert", "The matte is what lies outside of the shapes of the layer")
+        grid = QGridLayout()
+        grid.setVerticalSpacing(0)
+        grid.setHorizontalSpacing(2 * style.MARGIN)
+        grid.setColumnStretch(2, 1)
+        texts = {
+            "visible": ("Hide layer", "Show layer"), "locked": ("Unlock layer", "Lock layer"),
+            "invert": ("Undo invert layer", "Invert layer"),
+        }  # fmt: skip
+        for index, (name, box) in enumerate(
+            (("visible", self.visible), ("locked", self.locked), ("invert", self.invert))
+        ):
+            grid.addWidget(box, index // 2, index % 2)
+            box.clicked.connect(lambda on, name=name: self.push(texts[name][on], **{name: on}))
+        return grid
+
+    def _push_name(self) -> None:
+        name = self.name.text().strip()
+        if name and len(self.layers) == 1:
+            self.push("Rename", name=name)
+        self._pull()
+
+    def _pull(self, _ids: object = None) -> None:
+        layers = self.layers
+        if not layers:
+            return
+        is_free, is_one = any(not layer.locked for layer in layers), len(layers) == 1
+        self.name.setText(layers[0].name if is_one else "")
+        self.name.setPlaceholderText("" if is_one else f"{len(layers)} layers")
+        self.name.setEnabled(is_one and is_free)
+        self.opacity.show_value(shared(layer.opacity * 100 for layer in layers))
+        for name, box in (("visible", self.visible), ("locked", self.locked), ("invert", self.invert)):
+            box.show_value(shared(getattr(layer, name) for layer in layers))
+        for control in (self.opacity, self.invert):
+            control.setEnabled(is_free)
+        self._motion.setText(_told(layers))
+        self.clear_motion.setEnabled(is_free and any(layer.transform for layer in layers))
+
+
+def _told(layers: list[Layer]) -> str:
+    """Where the motion of the layers is known."""
+    frames = {frame for layer in layers if layer.transform for frame in layer.transform.frames}
+    if not frames:
+        return "stands still"
+    return f"{min(frames)} – {max(frames)}" if len(frames) > 1 else f"set on {min(frames)}"

@@ -1,0 +1,119 @@
+"""Verbs on layers: grouping, dissolving, restacking several things at once."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable
+from dataclasses import replace
+
+from roam_core.errors import RoamError
+from roam_core.roto.baking import baked
+from roam_core.roto.edit import remove_items
+from roam_core.roto.project import Layer, Project
+from roam_core.roto.shape import RotoShape
+
+Item = Layer | RotoShape
+
+
+def top_items(project: Project, item_ids: Collection[str]) -> list[str]:
+    """The ids of those of `item_ids` that lie in none of the others, bottom first."""
+    chosen = set(item_ids)
+
+    def found(layer: Layer) -> Iterable[str]:
+        for child in layer.children:
+            if child.id in chosen:
+                yield child.id
+            elif isinstance(child, Layer):
+                yield from found(child)
+
+    return list(found(project.root))
+
+
+def grouped(project: Project, item_ids: Collection[str], name: str = "") -> tuple[Project, Layer]:
+    """Put layers and shapes into a new layer, which takes the place of the upper-most of them.
+
+    It lies in the innermost layer that holds all of them; they keep their order.
+
+    Raises
+    ------
+    ValueError
+        when there is nothing to group.
+    """
+    ids = top_items(project, item_ids)
+    if not ids:
+        raise ValueError("there is nothing to group")
+    home = _common([[layer.id for layer in project.layers_above(item_id)] for item_id in ids])
+    new = Layer(project.free_id("layer"), name or project.free_name("Layer"))
+    holder = project.find(home)
+    assert isinstance(holder, Layer)
+    inside = {child.id: index for index, child in enumerate(holder.children)}
+    tops = [_ancestor_in(project, item_id, home) for item_id in ids]
+    place = 1 + max(inside[top] for top in tops)
+    project = project.map_item(home, lambda layer: _inserted(layer, place, [new]))
+    return moved(project, ids, new.id, 0), new
+
+
+def ungrouped(project: Project, layer_id: str) -> Project:
+    """The project with what lies in a layer in its place, as it is seen: a shape keeps its outline on every frame.
+
+    Opacity and invert of the layer are lost; what was hidden or locked by it is so by itself. Layers in a moving layer
+    take its motion along by the keys of their shapes.
+    """
+    layer = project.find(layer_id)
+    if not isinstance(layer, Layer) or layer_id == project.root.id:
+        raise ValueError(f"{layer_id!r} is no layer that can be dissolved")
+    parent = project.layers_above(layer_id)[-1]
+    children = layer.children
+    if layer.transform is not None:
+        alone = Layer(layer.id, layer.name, children, transform=layer.transform).in_plate_space()
+        children = tuple(_stilled(child) for child in alone.children)
+    freed = [
+        replace(child, visible=child.visible and layer.visible, locked=child.locked or layer.locked)
+        for child in children
+    ]
+    index = [child.id for child in parent.children].index(layer_id)
+    without = remove_items(project, [layer_id])
+    return without.map_item(parent.id, lambda holder: _inserted(holder, index, freed))
+
+
+def moved(project: Project, item_ids: Collection[str], layer_id: str, index: int) -> Project:
+    """Put layers and shapes, in their order, at `index` (0 = bottom) among the children that a layer has now.
+
+    A shape goes by the motion of the layer that it comes into: it keeps what its keys say, in that layer's space.
+
+    Raises
+    ------
+    RoamError
+        when a layer would come to lie in itself.
+    """
+    ids = top_items(project, item_ids)
+    for item_id in ids:
+        item = project.find(item_id)
+        if isinstance(item, Layer) and (item_id == layer_id or any(child.id == layer_id for child in item.items())):
+            raise RoamError(f"The layer {item.name!r} cannot be moved into itself.")
+    holder = project.find(layer_id)
+    assert isinstance(holder, Layer)
+    below = sum(child.id not in ids for child in holder.children[:index])
+    items = [project.find(item_id) for item_id in ids]
+    return remove_items(project, ids).map_item(layer_id, lambda layer: _inserted(layer, below, items))
+
+
+def _inserted(layer: Layer, index: int, items: Iterable[Item]) -> Layer:
+    return replace(layer, children=(*layer.children[:index], *items, *layer.children[index:]))
+
+
+def _stilled(item: Item) -> Item:
+    if isinstance(item, RotoShape):
+        return baked(item)
+    return replace(item, children=tuple(_stilled(child) for child in item.children))
+
+
+def _common(paths: list[list[str]]) -> str:
+    """The last layer that all paths have in common."""
+    shared: list[str] = [names[0] for names in zip(*paths, strict=False) if len(set(names)) == 1]
+    return shared[-1]
+
+
+def _ancestor_in(project: Project, item_id: str, layer_id: str) -> str:
+    """The child of a layer that an item is or lies in."""
+    path = [*(layer.id for layer in project.layers_above(item_id)), item_id]
+    return path[path.index(layer_id) + 1]

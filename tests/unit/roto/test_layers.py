@@ -1,0 +1,111 @@
+"""Grouping, dissolving and restacking layers and shapes."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from roam_core.errors import RoamError
+from roam_core.geometry.bezier import polygon_points
+from roam_core.matte import render_matte
+from roam_core.roto import Layer, LayerTransform, Project, edit
+from roam_core.roto.layers import grouped, moved, top_items, ungrouped
+
+SQUARE = polygon_points([(2.0, 2.0), (12.0, 2.0), (12.0, 9.0), (2.0, 9.0)])
+TURN = np.array([[0.8, -0.6, 9.0], [0.6, 0.8, -2.0], [1e-3, 0.0, 1.0]])
+
+
+@pytest.fixture
+def project() -> Project:
+    """`a` below layer 1 (with `b` below layer 2 (with `c`)) below `d`."""
+    one, _ = edit.new_shape(Project(), SQUARE, 1, name="a")
+    one, outer = edit.add_layer(one)
+    one, _ = edit.new_shape(one, SQUARE, 1, name="b", layer_id=outer.id)
+    one, inner = edit.add_layer(one, parent_id=outer.id)
+    one, _ = edit.new_shape(one, SQUARE, 1, name="c", layer_id=inner.id)
+    return edit.new_shape(one, SQUARE, 1, name="d")[0]
+
+
+def told(layer: Layer) -> str:
+    """Names, the lowest first, layers with their content."""
+    return " ".join(f"({told(child)})" if isinstance(child, Layer) else child.name for child in layer.children)
+
+
+@pytest.mark.parametrize(
+    ("chosen", "tree"),
+    [
+        ({"shape-1", "shape-4"}, "(b (c)) (a d)"),
+        ({"shape-1", "shape-3"}, "(b ()) (a c) d"),
+        ({"shape-2", "shape-3"}, "a ((b c) ()) d"),
+        ({"layer-1", "shape-3"}, "a ((b (c))) d"),
+        ({"shape-3"}, "a (b ((c))) d"),
+    ],
+)
+def test_a_group_takes_the_place_of_the_upper_most(project: Project, chosen: set[str], tree: str) -> None:
+    after, layer = grouped(project, chosen)
+    if chosen == {"shape-2", "shape-3"}:
+        tree = "a (() (b c)) d"  # the inner layer holds the upper-most: the group lies above it
+    assert told(after.root) == tree
+    assert after.find(layer.id) is not layer
+    assert told(project.root) == "a (b (c)) d"
+
+
+def test_nothing_cannot_be_grouped(project: Project) -> None:
+    with pytest.raises(ValueError, match="nothing to group"):
+        grouped(project, [])
+
+
+def test_what_lies_in_a_chosen_layer_is_left_to_it(project: Project) -> None:
+    assert top_items(project, {"shape-4", "shape-3", "layer-1", "shape-1"}) == ["shape-1", "layer-1", "shape-4"]
+
+
+@pytest.mark.parametrize("layer_id", ["layer-1", "layer-2"])
+def test_dissolving_a_moving_layer_moves_nothing_that_is_seen(project: Project, layer_id: str) -> None:
+    moving = LayerTransform.of({1: np.eye(3), 3: TURN})
+    for each in ("layer-1", "layer-2"):
+        project = edit.set_properties(project, each, transform=moving)
+    freed = ungrouped(project, layer_id)
+    assert told(freed.root) == ("a b (c) d" if layer_id == "layer-1" else "a (b c) d")
+    for frame in range(5):
+        for shape in project.shapes:
+            seen = freed.shape(shape.id).at(frame).points
+            np.testing.assert_allclose(seen, shape.at(frame).points, atol=1e-6)
+        np.testing.assert_allclose(
+            render_matte(freed, frame, (24, 32)), render_matte(project, frame, (24, 32)), atol=1e-4
+        )
+
+
+def test_what_a_dissolved_layer_hid_stays_hidden(project: Project) -> None:
+    freed = ungrouped(edit.set_properties(project, "layer-1", visible=False, locked=True), "layer-1")
+    assert [(each.visible, each.locked) for each in freed.root.children] == [
+        (True, False), (False, True), (False, True), (True, False),
+    ]  # fmt: skip
+    with pytest.raises(ValueError, match="no layer"):
+        ungrouped(project, "root")
+
+
+@pytest.mark.parametrize(
+    ("chosen", "layer_id", "index", "tree"),
+    [
+        (["shape-1"], "root", 3, "(b (c)) d a"),
+        (["shape-4", "shape-1"], "layer-2", 0, "(b (a d c))"),
+        (["shape-1", "layer-1"], "root", 0, "a (b (c)) d"),
+        (["shape-3", "shape-2"], "root", 1, "a b c (()) d"),
+    ],
+)
+def test_several_are_restacked_in_their_order(
+    project: Project, chosen: list[str], layer_id: str, index: int, tree: str
+) -> None:
+    assert told(moved(project, chosen, layer_id, index).root) == tree
+
+
+def test_a_layer_cannot_lie_in_itself(project: Project) -> None:
+    with pytest.raises(RoamError, match="cannot be moved into itself"):
+        moved(project, ["layer-1"], "layer-2", 0)
+
+
+def test_a_shape_goes_by_the_motion_of_the_layer_it_comes_into(project: Project) -> None:
+    moving = edit.set_properties(project, "layer-1", transform=LayerTransform.of({1: TURN}))
+    after = moved(moving, ["shape-1"], "layer-1", 0)
+    assert after.find("shape-1") is project.find("shape-1")
+    assert not np.allclose(after.shape("shape-1").at(1).points, SQUARE)
