@@ -176,6 +176,7 @@ class MainWindow(QMainWindow):
         view.frame_changed.connect(lambda: reader.show(view.frame))
         reader.plate_changed.connect(lambda: reader.show(view.frame))
         reader.picture.connect(self.canvas.set_image)
+        reader.picture.connect(self.playback.note_picture)
         reader.picture.connect(self.pictures.show)
         reader.plate_changed.connect(self.pictures.clear)
         reader.refused.connect(view.say)
@@ -197,13 +198,11 @@ class MainWindow(QMainWindow):
         actions.connect_all(self._handlers())
         for name in ("edit.undo", "edit.redo", "track.stop"):
             actions[name].setEnabled(False)
-        actions["time.loop"].setChecked(self.playback.is_looping)
         actions["view.panels"].setChecked(True)
         for name, switch in (
             ("edit.history", self.history_panel.setVisible),
             ("view.panels", self.panel_column.setVisible),
             ("view.tall_timeline", self._set_tall_timeline),
-            ("time.loop", lambda on: setattr(self.playback, "is_looping", on)),
         ):
             actions[name].toggled.connect(switch)
 

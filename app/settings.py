@@ -11,7 +11,7 @@ from PySide6.QtCore import QByteArray, QSettings
 if TYPE_CHECKING:
     from app.main_window import MainWindow
 
-SWITCHES = ("time.loop", "view.panels")
+SWITCHES = ("time.loop", "time.ping_pong", "view.panels")
 
 
 def restore(window: MainWindow, path: Path) -> None:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QWidget
 
@@ -9,7 +11,7 @@ from app import style
 from app.actions import Actions
 from app.navigation import Navigation
 from app.panels.controls import number_field, tool_button, weak_label
-from app.playback import Playback
+from app.playback import Playback, Repeat
 from app.view_state import ViewState
 
 BUTTONS = (
@@ -21,7 +23,7 @@ BUTTONS = (
     "time.next_key",
     "time.last",
 )
-AFTER_RANGE = ("time.loop",)
+AFTER_RANGE = ("time.loop", "time.ping_pong")
 
 
 class Transport(QWidget):
@@ -46,6 +48,8 @@ class Transport(QWidget):
         view_state.frame_changed.connect(self._pull)
         view_state.range_changed.connect(self._pull)
         playback.playing_changed.connect(self._pull)
+        playback.rate_changed.connect(self._pull_speed)
+        self._connect_repeat(actions)
         self._pull()
 
     def _build(self, actions: Actions) -> None:
@@ -63,10 +67,32 @@ class Transport(QWidget):
             row.addWidget(field)
             row.addSpacing(10)
         self._speed.setObjectName("weak")
+        self._speed.setMinimumWidth(self._speed.fontMetrics().horizontalAdvance("24 of 23.976 fps × 0.125"))
+        self._speed.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+        self._speed.setToolTip("The clip's frames a second; while it plays, those that are shown, and the speed")
         row.addWidget(self._speed)
         row.addSpacing(6)
         for action_id in AFTER_RANGE:
             row.addWidget(tool_button(actions, action_id))
+
+    def _connect_repeat(self, actions: Actions) -> None:
+        """Two switches of which one at most is on: with neither, it plays once."""
+        switches = {Repeat.LOOP: actions["time.loop"], Repeat.PING_PONG: actions["time.ping_pong"]}
+
+        def choose(repeat: Repeat, is_on: bool) -> None:
+            if is_on:
+                self._playback.set_repeat(repeat)
+            elif self._playback.repeat is repeat:
+                self._playback.set_repeat(Repeat.ONCE)
+
+        def pull() -> None:
+            for repeat, switch in switches.items():
+                switch.setChecked(self._playback.repeat is repeat)
+
+        pull()
+        self._playback.repeat_changed.connect(pull)
+        for repeat, switch in switches.items():
+            switch.toggled.connect(partial(choose, repeat))
 
     def _set_range(self, first: int, stop: int) -> None:
         self._view.set_play_range(first, stop)
@@ -84,6 +110,11 @@ class Transport(QWidget):
             field.setRange(low, high)
             field.setValue(value)
             field.blockSignals(False)
-        speed = abs(self._playback.speed)
-        faster = f" × {speed:g}" if speed > 1 else ""
-        self._speed.setText(f"{self._playback.fps:g} fps{faster}")
+        self._pull_speed()
+
+    def _pull_speed(self) -> None:
+        """The clip's speed; while it plays also how many pictures a second come to the screen, and how fast."""
+        speed, rate = abs(self._playback.speed), self._playback.rate
+        shown = "" if rate is None else f"{rate:.0f} of "
+        times = "" if speed in (0, 1) else f" × {speed:g}"
+        self._speed.setText(f"{shown}{self._playback.fps:g} fps{times}")

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 import pytest
 from pytestqt.qtbot import QtBot
 
-from app.playback import Playback
+from app.playback import Playback, Repeat
 from app.view_state import ViewState
 
 
@@ -58,7 +58,7 @@ def test_it_loops_both_ways(playback: Playback, clock: Clock, view_state: ViewSt
 
 
 def test_without_loop_it_stops_on_the_last_frame(playback: Playback, clock: Clock, view_state: ViewState) -> None:
-    playback.is_looping = False
+    playback.set_repeat(Repeat.ONCE)
     playback.play()
     assert frames_at(playback, clock, view_state, [5.0]) == [1010]
     assert playback.speed == 0
@@ -85,3 +85,56 @@ def test_space_toggles(qtbot: QtBot, playback: Playback) -> None:
     assert playback.speed == 1
     playback.toggle()
     assert playback.speed == 0
+
+
+def test_ping_pong_turns_at_both_ends_of_the_range(playback: Playback, clock: Clock, view_state: ViewState) -> None:
+    view_state.set_play_range(1001, 1005)
+    playback.set_repeat(Repeat.PING_PONG)
+    playback.play()
+    times = [0.05 + 0.1 * step for step in range(9)]
+    assert frames_at(playback, clock, view_state, times) == [1001, 1002, 1003, 1004, 1003, 1002, 1001, 1002, 1003]
+    view_state.set_play_range(1003, 1004)
+    assert frames_at(playback, clock, view_state, [2.0, 2.2]) == [1003, 1003]
+
+
+def test_the_end_of_the_range_is_chosen_while_it_plays(playback: Playback, clock: Clock, view_state: ViewState) -> None:
+    playback.play()
+    frames_at(playback, clock, view_state, [0.85])
+    playback.set_repeat(Repeat.PING_PONG)
+    assert frames_at(playback, clock, view_state, [0.96, 1.06]) == [1010, 1009]
+
+
+def test_what_played_once_to_its_end_begins_again(playback: Playback, clock: Clock, view_state: ViewState) -> None:
+    playback.set_repeat(Repeat.ONCE)
+    view_state.set_frame(1010)
+    playback.play()
+    assert frames_at(playback, clock, view_state, [0.11]) == [1002]
+    playback.pause()
+    view_state.set_frame(1001)
+    playback.play_back()
+    assert view_state.frame == 1010
+
+
+def test_slower_and_slower(playback: Playback, clock: Clock, view_state: ViewState) -> None:
+    speeds = []
+    for press in (playback.play_slowly, playback.play_slowly, playback.play_slowly, playback.play_slowly):
+        press()
+        speeds.append(playback.speed)
+    playback.play_back_slowly()
+    assert [*speeds, playback.speed] == [0.5, 0.25, 0.125, 0.125, -0.5]
+    clock.now = 0.21
+    playback.tick()
+    assert view_state.frame == 1010
+
+
+def test_pictures_that_come_to_the_screen_are_counted(qtbot: QtBot, playback: Playback, clock: Clock) -> None:
+    playback.note_picture(1001)
+    assert playback.rate is None
+    playback.play()
+    with qtbot.waitSignal(playback.rate_changed):
+        for number in range(20):
+            clock.now += 0.2
+            playback.note_picture(1002 + number)
+    assert playback.rate == pytest.approx(5.0)
+    playback.pause()
+    assert playback.rate is None

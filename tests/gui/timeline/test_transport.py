@@ -1,0 +1,89 @@
+"""The transport: switches that exclude each other, the frame and the range as numbers, the speed in words."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QToolButton, QWidget
+from pytestqt.qtbot import QtBot
+
+from app.actions import Actions, load_keymap
+from app.document import Document
+from app.navigation import Navigation
+from app.playback import Playback, Repeat
+from app.timeline.transport import Transport
+from app.view_state import ViewState
+from roam_core.roto import Project
+from tests.gui.timeline.places import CLIP
+
+
+class Clock:
+    now = 0.0
+
+    def __call__(self) -> float:
+        return self.now
+
+
+@pytest.fixture
+def clock() -> Clock:
+    return Clock()
+
+
+@pytest.fixture
+def playback(view_state: ViewState, clock: Clock) -> Iterator[Playback]:
+    playback = Playback(view_state, clock=clock)
+    yield playback
+    playback.pause()
+
+
+@pytest.fixture
+def transport(qtbot: QtBot, document: Document, view_state: ViewState, playback: Playback) -> Iterator[Transport]:
+    window = QWidget()
+    qtbot.addWidget(window)
+    actions = Actions(window, window, load_keymap())
+    transport = Transport(Navigation(document, view_state), view_state, playback, actions)
+    actions.connect_all(playback.handlers())
+    qtbot.addWidget(transport)
+    document.open(Project(CLIP), None)
+    transport.show()
+    yield transport
+    window.close()  # it holds the actions up to here
+
+
+def button(transport: Transport, name: str) -> QToolButton:
+    return next(each for each in transport.findChildren(QToolButton) if each.defaultAction().objectName() == name)
+
+
+def click(qtbot: QtBot, transport: Transport, name: str) -> None:
+    qtbot.mouseClick(button(transport, name), Qt.MouseButton.LeftButton)
+
+
+def test_loop_and_ping_pong_exclude_each_other(qtbot: QtBot, transport: Transport, playback: Playback) -> None:
+    seen = []
+    for name in ("time.ping_pong", "time.loop", "time.loop", "time.ping_pong", "time.ping_pong"):
+        click(qtbot, transport, name)
+        lit = [button(transport, each).isChecked() for each in ("time.loop", "time.ping_pong")]
+        seen.append((playback.repeat, lit))
+    assert seen == [
+        (Repeat.PING_PONG, [False, True]),
+        (Repeat.LOOP, [True, False]),
+        (Repeat.ONCE, [False, False]),
+        (Repeat.PING_PONG, [False, True]),
+        (Repeat.ONCE, [False, False]),
+    ]
+
+
+def test_the_speed_is_told_and_what_is_really_shown(
+    qtbot: QtBot, transport: Transport, playback: Playback, clock: Clock
+) -> None:
+    assert transport._speed.text() == "24 fps"
+    click(qtbot, transport, "time.play")
+    click(qtbot, transport, "time.play")
+    for number in range(12):
+        clock.now += 0.1
+        playback.note_picture(number)
+    assert transport._speed.text() == "10 of 24 fps × 2"
+    click(qtbot, transport, "time.pause")
+    assert transport._speed.text() == "24 fps"
