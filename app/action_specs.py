@@ -78,9 +78,16 @@ SPECS: tuple[ActionSpec, ...] = (
     ActionSpec("points.previous", "Previous point", _VIEWER),
     ActionSpec("points.smooth", "Smooth points", _VIEWER),
     ActionSpec("points.cusp", "Cusp points", _VIEWER),
+    ActionSpec("points.transform", "Transform by numbers…", _VIEWER, tip="Move, turn, scale and shear by numbers"),
+    ActionSpec("points.mirror_across", "Mirror horizontally", _VIEWER, tip="Swap left and right of what is selected"),
+    ActionSpec("points.mirror_down", "Mirror vertically", _VIEWER, tip="Swap top and bottom of what is selected"),
     ActionSpec("points.toggle_closed", "Open or close", _VIEWER),
     ActionSpec("shape.duplicate", "Duplicate", _VIEWER, "duplicate"),
     ActionSpec("shape.group", "Group into a layer", _VIEWER, "layer-add"),
+    ActionSpec(
+        "layer.ungroup", "Ungroup", _VIEWER, "layer-remove", "Dissolve the layer; the shapes in it stay as they are seen"
+    ),
+    ActionSpec("layer.add", "New layer", tip="Add an empty layer, to drop shapes on"),
     ActionSpec("shape.delete", "Delete shape", icon="delete", tip="Delete the selected shapes and layers"),
     ActionSpec("shape.lock", "Lock or unlock", icon="lock"),
     ActionSpec("shape.hide", "Hide", _VIEWER, "eye-off"),
@@ -90,6 +97,9 @@ SPECS: tuple[ActionSpec, ...] = (
     ActionSpec(
         "key.auto", "Auto-key", _VIEWER, "", "Edits make keys on their frames; off: they change keys around", True
     ),
+    ActionSpec("key.copy", "Copy key", _VIEWER, tip="Copy the selected shapes as they are on this frame"),
+    ActionSpec("key.paste", "Paste key", _VIEWER, tip="Put the copied key on this frame"),
+    ActionSpec("key.paste_range", "Paste key to range…", _VIEWER, tip="Hold the copied key through a range of frames"),
     ActionSpec("key.ripple", "Ripple edit", _VIEWER, "", "An edit changes all keys of the in/out range alike", True),
     ActionSpec("key.set", "Set key", _VIEWER, "key-set", "Make the selected shapes, as they are here, artist keys"),
     ActionSpec(

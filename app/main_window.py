@@ -29,6 +29,7 @@ from app.jobs.picture_work import PictureWork
 from app.jobs.propagation import Propagation
 from app.jobs.runner import Runner
 from app.jobs.under_way import UnderWay
+from app.layer_verbs import LayerVerbs
 from app.mask_shapes import MaskShapes
 from app.navigation import Navigation
 from app.panels.controls import tool_button
@@ -50,6 +51,7 @@ from app.timeline.timeline import Timeline
 from app.timeline.transport import Transport
 from app.tools import TOOLS
 from app.tools.feather import FeatherActions
+from app.tools.transform_actions import TransformActions
 from app.tracking import Tracking
 from app.view_state import ViewState
 
@@ -208,7 +210,7 @@ class MainWindow(QMainWindow):
 
     def _handlers(self) -> dict[str, Callable[[], object]]:
         """What each action calls; tools and switches are connected by their own widgets."""
-        clipboard = ShapeClipboard(self.document, self.view_state)
+        clipboard = ShapeClipboard(self.document, self.view_state, self)
         history = History(self.document, self.view_state)
         files, tracking, time, playback = self.file_actions, self.tracking, self.navigation, self.playback
         handlers: dict[str, Callable[[], object]] = {
@@ -220,6 +222,8 @@ class MainWindow(QMainWindow):
         for part in (
             self.canvas,
             FeatherActions(self.document, self.view_state),
+            LayerVerbs(self.document, self.view_state),
+            TransformActions(self.document, self.view_state, self),
             self.desk,
             self.reopening,
             files,

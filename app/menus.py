@@ -34,7 +34,7 @@ MENUS: dict[str, tuple[str, ...]] = {
         "key.auto", "key.ripple", SEPARATOR,
         "key.copy", "key.paste", "key.paste_range", SEPARATOR,
         "key.set", "key.delete", "key.linear", "key.smooth", "key.hold", SEPARATOR,
-        "shape.duplicate", "shape.group", "shape.delete", SEPARATOR,
+        "shape.duplicate", "shape.group", "layer.ungroup", "layer.add", "shape.delete", SEPARATOR,
         "shape.lock", "shape.hide", "shape.show_all",
     ),
     "Track": (

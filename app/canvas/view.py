@@ -16,6 +16,7 @@ from app.canvas.feather_item import paint_feather
 from app.canvas.keys import NUDGES, is_modifier, key_name
 from app.canvas.pen import Pen
 from app.canvas.proposal_item import ProposalPainter
+from app.canvas.repaint import Repaint
 from app.canvas.shown import selection_bounds
 from app.canvas.sight import Sight, SightPainter
 from app.canvas.stage import Stage
@@ -58,6 +59,7 @@ class CanvasView(ZoomableWidget):
         self.viewing = Viewing(self)
         """Which view, channel and exposure; what lies under a cut-out; which frames the onion skin shows."""
         self.stage, self.wipe = Stage(self.viewing), Wipe(self)
+        self._repaint = Repaint(self)
         self._present, self._pinned, self._proposed = SightPainter(), SightPainter(), ProposalPainter()
         self.proposed: Callable[[], Proposal | None] = lambda: None
         """Gives what the engine proposes for the present frame."""
@@ -79,7 +81,7 @@ class CanvasView(ZoomableWidget):
         view = self._view_state
         view.frame_changed.connect(self._pull)
         view.selection_changed.connect(self.update)
-        view.preview_changed.connect(self.update)
+        view.preview_changed.connect(self._follow_preview)
         view.tool_changed.connect(self._take_tool)
         view.editing.changed.connect(self.update)
         self.viewing.changed.connect(self._announce)
@@ -220,6 +222,11 @@ class CanvasView(ZoomableWidget):
             self._viewport = Viewport(pixel_aspect=framed[1])
             self.fit()
 
+    def _follow_preview(self) -> None:
+        """A drag goes on: only what it moved is painted again, where nothing but the plate lies below."""
+        is_plain = self.mode is ViewMode.OVERLAY and self.wipe.pinned is None
+        self._repaint.follow_project(self._project(), self._view_state.frame, self._viewport, is_plain=is_plain)
+
     def _take_tool(self) -> None:
         """Put the tool that the view state names into the hand."""
         self._tool.deactivate()
@@ -239,11 +246,13 @@ class CanvasView(ZoomableWidget):
 
     def paintEvent(self, event: QPaintEvent) -> None:
         painter, view, size = QPainter(self), self._view_state, QSizeF(self.size())
+        painter.setClipRect(event.rect())
         ratio, viewport, sight = self.devicePixelRatioF(), self._viewport, self._sight()
         if (pinned := self.wipe.pinned) is not None:
-            painter.setClipRect(self.wipe.left(size))
+            painter.setClipRect(self.wipe.left(size) & QRectF(event.rect()))
             self._pinned.paint(painter, pinned, viewport, ratio, Selection())
-            painter.setClipRect(QRectF(self.rect()).adjusted(self.wipe.left(size).width(), 0, 0, 0))
+            right = QRectF(self.rect()).adjusted(self.wipe.left(size).width(), 0, 0, 0)
+            painter.setClipRect(right & QRectF(event.rect()))
         self._present.paint(painter, sight, viewport, ratio, view.selection, view.hovered)
         if self._shows_shapes():
             if (proposal := self.proposed()) is not None:
@@ -385,7 +394,7 @@ class CanvasView(ZoomableWidget):
         self._pointer = position
         call(self._at(position, modifiers))
         self.setCursor(self._tool.cursor)
-        self.update()
+        self._repaint.follow_tool(self._tool, self._viewport, self._view_state.hovered, position)
 
     def _at(self, position: QPointF, modifiers: Qt.KeyboardModifier) -> Pointer:
         """The pointer as tools know it."""

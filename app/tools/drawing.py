@@ -155,7 +155,8 @@ class DrawingTool(Tool, ABC):
         for part in grips:
             marks.handle(painter, spots[held][part], colour)
         for index, spot in enumerate(spots):
-            smooth, grown = is_smooth(self._points[index]), closes and index == 0
+            smooth = self.spline is Spline.BSPLINE or is_smooth(self._points[index])
+            grown = closes and index == 0
             marks.anchor(painter, spot[ANCHOR], colour, round_=smooth, filled=index == held or grown, grown=grown)
 
     def _rubber_band(self) -> QPainterPath:

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtGui import QColor
 
 from app.document import Document
 from app.view_state import ViewState
-from roam_core.roto import Project, Spline, edit
+from roam_core.roto import Project, RotoShape, Spline, edit
+from roam_core.roto.found import add_found
 from roam_core.roto.project import PALETTE
 
 Array = NDArray[np.float64]
@@ -38,6 +41,16 @@ def finish_shape(
     hand_over(view_state, tool, frozenset({shape.id}))
     follow = "] tracks it forward" if closed else "it is open, C closes it"
     view_state.say(f"{shape.name} is drawn: drag its points to adjust it, {follow}.")
+
+
+def put_in(document: Document, view_state: ViewState, tool: str, shapes: Sequence[RotoShape], text: str) -> None:
+    """Make `shapes` that were found in a picture or a mask part of the project, as one undo step `text`."""
+    project, ids = add_found(document.project, shapes)
+    document.apply(text, project)
+    hand_over(view_state, tool, frozenset(ids))
+    name = project.shape(ids[0]).name
+    told = f"{name} is" if len(ids) == 1 else f"{len(ids)} shapes are"
+    view_state.say(f"{told} fitted: drag the points to adjust, ] tracks forward.")
 
 
 def hand_over(view_state: ViewState, tool: str, shape_ids: frozenset[str]) -> None:

@@ -20,7 +20,7 @@ Array = NDArray[np.float64]
 TOLERANCE = 1.5
 """Screen pixels by which the fitted spline may stray from the stroke: the closer the view, the finer the fit."""
 
-CLOSING = 14.0
+CLOSING = 20.0
 """Screen pixels from the start at which the end of a stroke closes the shape."""
 
 LEAST_LENGTH = 12.0

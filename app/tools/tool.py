@@ -10,6 +10,7 @@ from PySide6.QtGui import QPainter
 
 from app.canvas.viewport import Viewport
 from app.document import Document
+from app.jobs.picture_work import PictureWork
 from app.view_state import ViewState
 
 Modifier = Qt.KeyboardModifier
@@ -56,6 +57,8 @@ class Tool:
     def __init__(self, document: Document, view_state: ViewState) -> None:
         self.document = document
         self.view_state = view_state
+        self.pictures: PictureWork | None = None
+        """Gives the picture that is shown, and looks at it off the window's thread; None where no one lent it."""
 
     @property
     def cursor(self) -> Qt.CursorShape:

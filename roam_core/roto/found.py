@@ -1,0 +1,53 @@
+"""Shapes found in a picture or a mask become the project's: with free names and colours, holes kept to themselves."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from roam_core.roto import edit
+from roam_core.roto.project import PALETTE, Project
+from roam_core.roto.shape import BlendMode, RotoShape
+
+
+def add_found(project: Project, shapes: Sequence[RotoShape], name: str = "") -> tuple[Project, tuple[str, ...]]:
+    """Put `shapes` on top of the project; the next free ids, names and colours take the place of theirs.
+
+    Parameters
+    ----------
+    shapes : outlines, each followed by its holes as subtracting shapes.
+    name : of the layer that is made where there are holes, so that they cut nothing but their own object; the next
+        free one of its kind by default.
+
+    Returns
+    -------
+    The project, and the ids of the new shapes.
+    """
+    ids: list[str] = []
+    for region in _regions(shapes):
+        layer_id = "root"
+        if len(region) > 1:
+            project, layer = edit.add_layer(project, name or project.free_name("Object"))
+            layer_id = layer.id
+        for shape in region:
+            is_hole = shape.blend is BlendMode.SUBTRACT
+            new = replace(
+                shape,
+                id=project.free_id("shape"),
+                name=project.free_name("Hole" if is_hole else "Shape"),
+                colour=PALETTE[len(project.shapes) % len(PALETTE)],
+            )
+            project = edit.add_shape(project, new, layer_id)
+            ids.append(new.id)
+    return project, tuple(ids)
+
+
+def _regions(shapes: Sequence[RotoShape]) -> list[list[RotoShape]]:
+    """Each outline with its holes."""
+    regions: list[list[RotoShape]] = []
+    for shape in shapes:
+        if shape.blend is BlendMode.SUBTRACT and regions:
+            regions[-1].append(shape)
+        else:
+            regions.append([shape])
+    return regions
