@@ -7,8 +7,10 @@ from dataclasses import replace
 from pathlib import Path
 
 from PySide6.QtGui import QGuiApplication
+from PySide6.QtWidgets import QWidget
 
 from app.document import Document
+from app.key_clipboard import KeyClipboard, copied_keys
 from app.view_state import ViewState, selected_shapes
 from roam_core.errors import RoamError
 from roam_core.roto import Layer, Project, RotoShape, edit, file
@@ -17,8 +19,9 @@ from roam_core.roto import Layer, Project, RotoShape, edit, file
 class ShapeClipboard:
     """The verbs behind Ctrl+C, X and V in the viewer. Other windows of ROAM understand what was copied."""
 
-    def __init__(self, document: Document, view_state: ViewState) -> None:
+    def __init__(self, document: Document, view_state: ViewState, parent: QWidget | None = None) -> None:
         self._document, self._view = document, view_state
+        self.keys = KeyClipboard(document, view_state, parent)
 
     def handlers(self) -> dict[str, Callable[[], object]]:
         """What the actions of this part call, by id."""
@@ -26,7 +29,7 @@ class ShapeClipboard:
             "edit.copy": self.copy,
             "edit.cut": self.cut,
             "edit.paste": self.paste,
-        }
+        } | self.keys.handlers()
 
     def copy(self) -> None:
         """Copy the selected shapes with all their keys."""
@@ -41,7 +44,10 @@ class ShapeClipboard:
             self._document.apply("Cut", edit.remove_items(self._document.project, [shape.id for shape in shapes]))
 
     def paste(self) -> None:
-        """Put the copied shapes on top, with ids and names of their own, and select them."""
+        """Put copied shapes on top, with ids and names of their own, and select them; a copied key on this frame."""
+        if copied_keys() is not None:
+            self.keys.paste()
+            return
         try:
             copied = file.loads(QGuiApplication.clipboard().text(), Path(), "the clipboard").shapes
         except RoamError:

@@ -97,7 +97,9 @@ class MainWindow(QMainWindow):
         self.navigation = Navigation(self.document, self.view_state)
         self.tracking = Tracking(self.document, self.view_state, self.propagation)
         self.shape_verbs = ShapeVerbs(self.document, self.view_state)
-        self.file_actions = FileActions(self, self.document, self.view_state, self.files, self.export, self.importing)
+        self.file_actions = FileActions(
+            self, self.document, self.view_state, self.files, self.export, self.importing, self.personal
+        )
 
     def _build_parts(self) -> None:
         document, view_state = self.document, self.view_state
@@ -275,7 +277,8 @@ class MainWindow(QMainWindow):
         paths = [Path(url.toLocalFile()) for url in event.mimeData().urls() if url.isLocalFile()]
         if paths:
             event.acceptProposedAction()
-            self.file_actions.open_dropped(paths[0])
+            alt = bool(event.modifiers() & Qt.KeyboardModifier.AltModifier)
+            self.file_actions.open_dropped(paths[0], at_once=alt)
 
     def closeEvent(self, event: QCloseEvent) -> None:
         if self._is_leaving:

@@ -1,0 +1,68 @@
+"""Pasting one key of a shape: onto a frame, or through a range of frames; and which shape a copied key goes to."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import replace
+
+from roam_core.errors import RoamError
+from roam_core.roto.grips import settled
+from roam_core.roto.project import Project
+from roam_core.roto.shape import Keyframe, RotoShape
+
+
+def copied_key(shape: RotoShape, frame: int) -> RotoShape:
+    """The shape with one artist key alone, on `frame`: the shape as it is there, its feather and interpolation with it.
+
+    On a frame without a key this is what is seen there.
+    """
+    outline, key = shape.at(frame), shape.key_at(frame)
+    alone = Keyframe(frame, outline.points, outline.feather)
+    return replace(shape, keys=(alone if key is None else replace(alone, interpolation=key.interpolation),))
+
+
+def paste_key(shape: RotoShape, key: Keyframe, frames: Iterable[int]) -> RotoShape:
+    """The shape with the points, feather and interpolation of `key` as artist keys on `frames`.
+
+    What lies on those frames gives way. Raises `RoamError` where the shape has another number of points.
+    """
+    if len(key.points) != shape.point_count:
+        raise RoamError(
+            f"{shape.name!r} has {shape.point_count} points and the copied key {len(key.points)}: "
+            "a key fits shapes with as many points."
+        )
+    points = settled(key.points, shape)
+    made = Keyframe(key.frame, points, key.feather, interpolation=key.interpolation)
+    return shape.with_keys(replace(made, frame=frame) for frame in frames)
+
+
+def paste_through(shape: RotoShape, key: Keyframe, frames: range, every: int = 0) -> RotoShape:
+    """The shape held as `key` through all `frames`: artist keys on both ends, and each `every` frames if that is > 0.
+
+    All other keys inside the range give way, the artist's and the engine's: the shape stands still there.
+    """
+    if len(frames) == 0:
+        raise RoamError("The range holds no frame; its last frame lies before its first.")
+    first, last = frames[0], frames[-1]
+    placed = {first, last} | (set(range(first, last + 1, every)) if every > 0 else set())
+    pasted = paste_key(shape, key, placed)
+    return replace(pasted, keys=tuple(each for each in pasted.keys if each.frame in placed or each.frame not in frames))
+
+
+def targets(project: Project, copied: Sequence[RotoShape], chosen: Sequence[RotoShape]) -> dict[str, Keyframe]:
+    """Which key goes to which shape, by id.
+
+    With no shape `chosen` each copied key goes back to its own shape. One copied key goes to every chosen shape;
+    several go to those of the chosen ones that they were copied from, or, where they come from none of these and are
+    as many, to the chosen ones in their order.
+    """
+    own = {shape.id: shape.keys[0] for shape in copied}
+    if not chosen:
+        return {shape_id: key for shape_id, key in own.items() if project.has(shape_id)}
+    if len(copied) == 1:
+        return {shape.id: copied[0].keys[0] for shape in chosen}
+    same = {shape.id: own[shape.id] for shape in chosen if shape.id in own}
+    if not same and len(chosen) == len(copied):
+        return {shape.id: other.keys[0] for shape, other in zip(chosen, copied, strict=True)}
+    return same
+
