@@ -24,6 +24,16 @@ class ProjectEdit(QUndoCommand):
     def undo(self) -> None:
         self._show(self._before)
 
+    @property
+    def merge_key(self) -> str:
+        return self._merge_key
+
+    def change(self, change: Callable[[Project], Project], *, begins_changed: bool) -> None:
+        """Make a later change part of this step; `begins_changed` where a step before it has made it already."""
+        if begins_changed:
+            self._before = change(self._before)
+        self._after = change(self._after)
+
     def id(self) -> int:
         return 1 if self._merge_key else -1
 

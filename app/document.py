@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
@@ -44,6 +45,33 @@ class Document(QObject):
         if project is self._project or project == self._project:
             return
         self.undo_stack.push(ProjectEdit(self._project, project, text, merge_key, self._show))
+
+    def amend(self, text: str, change: Callable[[Project], Project], merge_key: str) -> None:
+        """Make a change part of the undo step with `merge_key`, wherever that lies below later steps.
+
+        So a run in the background stays one step, and what the artist does meanwhile stays theirs, each in its place.
+        `change` must not care what those steps did: it is made to the projects between them, too. Where there is no
+        such step the change becomes one, named `text`.
+        """
+        stack = self.undo_stack
+        steps = [stack.command(index) for index in range(stack.count())]
+        own = [i for i in range(stack.index()) if isinstance(s := steps[i], ProjectEdit) and s.merge_key == merge_key]
+        if not own:
+            self.apply(text, change(self._project), merge_key)
+            return
+        made: dict[int, tuple[Project, Project]] = {}
+
+        def once(project: Project) -> Project:
+            # The project is kept with its successor: while it lives no other can have its identity.
+            if id(project) not in made:
+                made[id(project)] = project, change(project)
+            return made[id(project)][1]
+
+        for index in range(own[-1], stack.count()):
+            step = steps[index]
+            assert isinstance(step, ProjectEdit)
+            step.change(once, begins_changed=index > own[-1])
+        self._show(once(self._project))
 
     def open(self, project: Project, path: Path | None) -> None:
         """Show another project; the undo stack starts anew."""

@@ -144,13 +144,12 @@ class Propagation(QObject):
 
     def _write(self, run: _Run, keys: Mapping[str, Sequence[Keyframe]]) -> None:
         """Put the engine's keys into the document, as part of the run's one undo step."""
-        project = self._document.project
-        for shape_id, found in keys.items():
-            made = [key for key in found if key.origin is Origin.ENGINE]
-            project = project.with_shape(edit.set_engine_keys(project.shape(shape_id), made))
-            run.note(made)
+        made = {shape_id: [key for key in found if key.origin is Origin.ENGINE] for shape_id, found in keys.items()}
+        project = _with_engine_keys(self._document.project, made)
         run.expected = {shape_id: project.shape(shape_id) for shape_id in run.expected}
-        self._document.apply(run.verb, project, merge_key=run.merge_key)
+        for found in made.values():
+            run.note(found)
+        self._document.amend(run.verb, lambda project: _with_engine_keys(project, made), run.merge_key)
 
     def _follow(self, run: _Run, frame: int) -> None:
         """Take the playhead along, unless the artist went to look at another frame or drags something on this one."""
@@ -266,11 +265,19 @@ def _make_ready(result: FrameResult) -> None:
             _ = proposal.after
 
 
+def _with_engine_keys(project: Project, made: Mapping[str, Sequence[Keyframe]]) -> Project:
+    """The project with the engine's keys in those of the shapes that it holds."""
+    for shape_id, keys in made.items():
+        if project.has(shape_id):
+            project = project.with_shape(edit.set_engine_keys(project.shape(shape_id), keys))
+    return project
+
+
 def _names(shapes: Sequence[RotoShape]) -> str:
     return shapes[0].name if len(shapes) == 1 else f"{len(shapes)} shapes"
 
 
 def _same_curves(a: RotoShape, b: RotoShape) -> bool:
-    """True when two values of a shape hold the very same keys; names, colours and the like may differ."""
+    """True when two values of a shape hold the same keys; names, colours and the like may differ."""
     same = len(a.keys) == len(b.keys) and a.closed == b.closed
-    return same and all(one is other for one, other in zip(a.keys, b.keys, strict=True))
+    return same and all(one is other or one == other for one, other in zip(a.keys, b.keys, strict=True))

@@ -160,6 +160,37 @@ def test_other_edits_leave_the_run_alone(
     assert shape(document).colour == (1.0, 0.0, 0.0)
 
 
+def test_a_run_stays_one_step_and_edits_made_meanwhile_are_steps_of_their_own(
+    qtbot: QtBot, propagation: Propagation, document: Document, engine: Engine
+) -> None:
+    before, stack = document.project, document.undo_stack
+    engine.allow(1)
+    propagation.start(["shape-1"], range(1, 6))
+    qtbot.waitUntil(solved(document, [2]), timeout=WAIT)
+    document.apply("Colour", edit.set_properties(document.project, "shape-1", colour=(1.0, 0.0, 0.0)))
+    engine.allow(1)
+    qtbot.waitUntil(solved(document, [2, 3]), timeout=WAIT)
+    document.apply("Name", edit.set_properties(document.project, "shape-2", name="Arm"))
+    stack.undo()
+    engine.allow(2)
+    with qtbot.waitSignal(propagation.finished, timeout=WAIT):
+        pass
+    assert [stack.text(index) for index in range(stack.count())] == ["Track", "Colour", "Name"]
+    stack.redo()
+    assert document.project.shape("shape-2").name == "Arm"
+    assert solved(document, [2, 3, 4, 5])()
+    stack.undo()
+    stack.undo()
+    assert shape(document).colour == before.shape("shape-1").colour
+    assert solved(document, [2, 3, 4, 5])()
+    stack.undo()
+    assert document.project is before
+    for _ in range(3):
+        stack.redo()
+    assert solved(document, [2, 3, 4, 5])()
+    assert shape(document).colour == (1.0, 0.0, 0.0)
+
+
 def test_the_playhead_stays_where_the_artist_scrubbed_to(
     qtbot: QtBot, propagation: Propagation, document: Document, view_state: ViewState, engine: Engine
 ) -> None:
