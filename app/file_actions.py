@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -16,9 +17,11 @@ from app.files import PROJECT_SUFFIX, Files
 from app.folders import cache_folder
 from app.jobs.export import Export
 from app.jobs.importing import SHAPE_FILES, Import
+from app.personal import Personal
 from app.view_state import ViewState
 
 if TYPE_CHECKING:
+    from app.clip_dialog import ClipDialog, FoundClip
     from app.export_dialog import ExportDialog
 
 
@@ -33,13 +36,15 @@ class FileActions(QObject):
         files: Files,
         export: Export,
         importing: Import,
+        personal: Personal,
     ) -> None:
         super().__init__(window)
         self._window, self._document, self._view, self._files = window, document, view_state, files
-        self._export, self._import = export, importing
+        self._export, self._import, self._personal = export, importing, personal
         self._after_saving: Callable[[], object] | None = None
         self._export_dialog: ExportDialog | None = None
         files.saved.connect(self._saved)
+        files.looked.connect(self._show_found)
 
     def handlers(self) -> dict[str, Callable[[], object]]:
         """What the actions of this part call, by id."""
@@ -78,10 +83,10 @@ class FileActions(QObject):
         self.leave_project(self._files.new)
 
     def open_clip(self) -> None:
-        self._open(dialogs.choose_clip_folder(self._window, self._start_folder()))
+        self._open_asking(dialogs.choose_clip_folder(self._window, self._start_folder()))
 
     def open_movie(self) -> None:
-        self._open(dialogs.choose_movie(self._window, self._start_folder()))
+        self._open_asking(dialogs.choose_movie(self._window, self._start_folder()))
 
     def open_project(self) -> None:
         self._open(dialogs.choose_project(self._window, self._start_folder()))
@@ -90,12 +95,17 @@ class FileActions(QObject):
         """Open a project or clip that was chosen among those of before."""
         self._open(path)
 
-    def open_dropped(self, path: Path) -> None:
-        """Open what was dropped on the window; shapes of another program join the project's."""
+    def open_dropped(self, path: Path, *, at_once: bool = False) -> None:
+        """Open what was dropped on the window; shapes of another program join the project's.
+
+        A clip is shown first, with what was found out about it, unless it is to be opened `at_once`.
+        """
         if path.suffix.lower() in SHAPE_FILES:
             self._import.start(path)
-        else:
+        elif at_once:
             self._open(path)
+        else:
+            self._open_asking(path)
 
     def save(self) -> None:
         """Save to the project's file; ask for one if it has none."""
@@ -144,6 +154,31 @@ class FileActions(QObject):
 
     # ---- the rest is private
 
+    def _open_asking(self, path: Path | None) -> None:
+        """Open what was chosen; a new clip only after the artist saw what was found."""
+        is_project = path is not None and path.suffix.lower() == PROJECT_SUFFIX
+        if path is None or is_project or self._files.lacks_plate or not self._personal.preferences.asks_about_clips:
+            self._open(path)
+        else:
+            self._files.look_at(path)
+
+    def _show_found(self, found: FoundClip) -> None:
+        from app.clip_dialog import ClipDialog
+
+        dialog = ClipDialog(found, self._window)
+        dialog.chosen.connect(lambda: self._open_found(dialog))
+        dialog.open()
+
+    def _open_found(self, dialog: ClipDialog) -> None:
+        """Open the clip of the dialog as it is declared there."""
+        from roam_core.media import declared
+
+        if dialog.asks_no_more.isChecked():
+            self._personal.set_preferences(replace(self._personal.preferences, asks_about_clips=False))
+        said = dialog.colour_space, dialog.fps, dialog.pixel_aspect
+        path = dialog.found.path
+        self.leave_project(lambda: self._files.open_clip(path, lambda source: declared(source, *said)))
+
     def _open(self, path: Path | None) -> None:
         """Open a project or a clip; a clip takes the place of the plate that the project looks for in vain."""
         if path is None:
@@ -172,10 +207,13 @@ class FileActions(QObject):
         return self._start_folder() / f"{stem}{suffix}"
 
     def _start_folder(self) -> Path:
-        """Where choosers begin: beside the project, beside the clip, at home; never in the cache: it may be emptied."""
+        """Where choosers begin: beside the project, the clip, what was opened last, or at home.
+
+        Never in the cache: it may be emptied.
+        """
         clip = self._document.project.clip
         if self._document.path is not None:
             return self._document.path.parent
-        if clip is None or clip.path.is_relative_to(cache_folder()):
-            return Path.home()
-        return clip.path.parent
+        known = [*([clip.path] if clip else []), *(recent.path for recent in self._personal.recent)]
+        kept = (path.parent for path in known if not path.is_relative_to(cache_folder()))
+        return next(kept, Path.home())

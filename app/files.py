@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from PySide6.QtCore import QObject, Signal
 
@@ -15,6 +15,9 @@ from app.jobs.runner import Ending, Report, Runner, Work
 from app.view_state import ViewState
 from roam_core.errors import RoamError
 from roam_core.roto import Clip, Project, edit, file
+
+if TYPE_CHECKING:
+    from roam_core.media import PlateSource
 
 PROJECT_SUFFIX = ".roam"
 
@@ -27,12 +30,14 @@ class Files(QObject):
     progress(fraction, text), finished(ending, sentence) : news for the status bar.
     saved() : the document was written to its file.
     opened(path) : the project or clip that the artist named is open.
+    looked(found) : the clip that `look_at` was asked about, as a `FoundClip`.
     """
 
     progress = Signal(float, str)
     finished = Signal(object, str)
     saved = Signal()
     opened = Signal(object)
+    looked = Signal(object)
 
     def __init__(
         self,
@@ -56,11 +61,29 @@ class Files(QObject):
         else:
             self.open_clip(path)
 
-    def open_clip(self, path: Path) -> None:
-        """Begin a project on a folder of images, a pattern, an image of a sequence, or a movie."""
+    def look_at(self, path: Path) -> None:
+        """Find out about a clip without opening it."""
+
+        def work(report: Report) -> str:
+            from app.clip_dialog import looked_at
+
+            report.progress(0.0, f"Looking at {path.name} …")
+            report.partial(looked_at(path))
+            return ""
+
+        job = self._runner.start("look", work)
+        job.progress.connect(self.progress)
+        job.partial.connect(self.looked)
+        job.ended.connect(self.finished)
+
+    def open_clip(self, path: Path, declare: Callable[[PlateSource], PlateSource] | None = None) -> None:
+        """Begin a project on a folder of images, a pattern, an image of a sequence, or a movie.
+
+        `declare` gives the plate what the artist says of it against its files.
+        """
 
         def read() -> tuple[Project, Any, str]:
-            project, source = clip_project(path)
+            project, source = clip_project(path, declare)
             return project, source, f"Opened {path.name}: {len(source.frames)} frames. {_gaps(source)}".rstrip()
 
         self._open(f"Opening {path.name} …", read, None, origin=path)
@@ -121,8 +144,9 @@ class Files(QObject):
 
     def stop(self) -> None:
         """Stop opening; a save is never stopped."""
-        if (job := self._runner.running("open")) is not None:
-            job.cancel()
+        for kind in ("open", "look"):
+            if (job := self._runner.running(kind)) is not None:
+                job.cancel()
 
     # ---- the rest is private
 
@@ -170,11 +194,15 @@ class Files(QObject):
         self.finished.emit(ending, sentence)
 
 
-def clip_project(path: Path) -> tuple[Project, Any]:
+def clip_project(
+    path: Path, declare: Callable[[PlateSource], PlateSource] | None = None
+) -> tuple[Project, PlateSource]:
     """A new project on a clip, and the clip's source. Raises `RoamError` when there is no clip at `path`."""
     from roam_core.media import open_clip
 
     source = open_clip(path)
+    if declare is not None:
+        source = declare(source)
     return Project(Clip.of(source)), source
 
 
@@ -200,12 +228,12 @@ def _read_project(path: Path) -> tuple[Project, Any, str]:
 
 def _plate_of(project: Project) -> tuple[Any, str]:
     """The plate of a project, or None and why it could not be opened."""
-    from roam_core.media import open_clip
+    from roam_core.media import declared, open_clip
 
-    if project.clip is None:
+    if (clip := project.clip) is None:
         return None, ""
     try:
-        return open_clip(project.clip.path), ""
+        return declared(open_clip(clip.path), clip.colour_space, clip.fps, clip.pixel_aspect), ""
     except RoamError as error:
         return None, f"The plate could not be opened; choose it again in the File menu. {error}"
 

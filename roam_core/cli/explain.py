@@ -48,7 +48,7 @@ def run(arguments: argparse.Namespace) -> int:
     wanted = keyed_shapes(project, arguments.project, arguments.frame, arguments.shape)
     if arguments.picture is not None:
         require_target(arguments.picture)
-    with opened(str(project.require_clip().path)) as plate:
+    with opened(str(project.require_clip().path), project.clip) as plate:
         require_size(plate, project.require_clip())
         if arguments.frame not in plate.source.frames:
             raise RoamError(f"Frame {arguments.frame} is missing from the clip {plate.source.path}; choose another.")

@@ -47,7 +47,7 @@ def run(arguments: argparse.Namespace) -> int:
     project = file.load(arguments.project)
     target = arguments.project if arguments.save is None else arguments.save
     gaps = gaps_of(project, arguments.project)
-    with opened(str(project.require_clip().path)) as plate:
+    with opened(str(project.require_clip().path), project.clip) as plate:
         require_size(plate, project.require_clip())
         require_target(target)
         if arguments.matte is not None:

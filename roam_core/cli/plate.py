@@ -9,8 +9,9 @@ from typing import Any
 
 from numpy.typing import NDArray
 
-from roam_core.media import FrameCache, PlateSource, open_clip
+from roam_core.media import FrameCache, PlateSource, declared, open_clip
 from roam_core.media.colour import to_engine
+from roam_core.roto import Clip
 
 AHEAD = 4
 """Frames decoded ahead of the solver."""
@@ -34,9 +35,14 @@ class Plate:
 
 
 @contextmanager
-def opened(path: str) -> Iterator[Plate]:
-    """A plate for the length of a `with` block; its reading thread ends with it."""
+def opened(path: str, clip: Clip | None = None) -> Iterator[Plate]:
+    """A plate for the length of a `with` block; its reading thread ends with it.
+
+    What the project's `clip` declares of its colours and its speed holds, where that is the plate.
+    """
     source = open_clip(path)
+    if clip is not None and clip.path == source.path:
+        source = declared(source, clip.colour_space, clip.fps, clip.pixel_aspect)
     cache = FrameCache(source, limit_bytes=1 << 29)
     try:
         yield Plate(source, cache)

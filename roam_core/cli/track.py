@@ -41,8 +41,8 @@ def run(arguments: argparse.Namespace) -> int:
     """Carry out the command."""
     # Everything that can be refused is refused before anything is written.
     params_for(arguments.config)
-    with opened(arguments.clip) as plate:
-        given = given_project(Path(arguments.init))
+    given = given_project(Path(arguments.init))
+    with opened(arguments.clip, given.clip if given else None) as plate:
         start = first_key(given, backward=arguments.backward) if arguments.start is None else arguments.start
         frames = frame_range(plate.source.frames, start, arguments.end, backward=arguments.backward)
         project = initial_project(Path(arguments.init), given, plate, frames[0])

@@ -41,6 +41,7 @@ class Movie:
         self.size = self._first_size()
         self.pixel_aspect = self._aspect()
         self.colour_space = SRGB
+        self.depth = "8 bits"
         self._count = self._verified_count()
         self.frames = tuple(range(1, self._count + 1))
         self.missing: tuple[int, ...] = ()

@@ -60,6 +60,7 @@ class ImageSequence:
         self.fps = _frame_rate(source.spec())
         self.pixel_aspect = _number(source.spec().getattribute("PixelAspectRatio"), 0.1, 10.0, 1.0)
         self.colour_space = _colour_space(source)
+        self.depth = _depth(source.spec())
 
     def frame_name(self, frame: int) -> str:
         """The stem of the frame's file, or what it would be for a frame that is not on disk."""
@@ -180,6 +181,15 @@ def _in_display_window(pixels: Image, source: Any) -> Image:
     if x0 < x1 and y0 < y1:
         picture[y0:y1, x0:x1] = pixels[y0 - top : y1 - top, x0 - left : x1 - left]
     return picture
+
+
+def _depth(spec: Any) -> str:
+    """The depth of the values on disk; formats such as DPX hold fewer bits than the type they are read as."""
+    if spec.format.basetype == oiio.HALF:
+        return "half float"
+    if spec.format.basetype in (oiio.FLOAT, oiio.DOUBLE):
+        return "float"
+    return f"{spec.get_int_attribute('oiio:BitsPerSample', 8 * spec.format.size())} bits"
 
 
 def _frame_rate(spec: Any) -> float:

@@ -48,6 +48,10 @@ class PlateSource(Protocol):
     def colour_space(self) -> str:
         """`"sRGB"`, `"linear"` or `"log"`: what `roam_core.media.colour` needs to show the values."""
 
+    @property
+    def depth(self) -> str:
+        """How finely the files hold their values, in an artist's words: `8 bits`, `half float`."""
+
     def read(self, frame: int) -> Image:
         """The picture `(h, w, 3)` of a frame, RGB, uint8 or float32.
 

@@ -12,6 +12,7 @@ from pytestqt.qtbot import QtBot
 
 from app import dialogs, settings
 from app.action_specs import SPECS
+from app.clip_dialog import ClipDialog
 from app.dialogs import Unsaved
 from app.main_window import MainWindow
 from roam_core.geometry.bezier import polygon_points
@@ -139,16 +140,25 @@ def test_closing_asks_about_unsaved_changes(
     assert (tmp_path / "a.roam").exists() is (answer is Unsaved.SAVE)
 
 
-def test_a_clip_dropped_on_the_window_is_opened(qtbot: QtBot, window: MainWindow, tmp_path: Path) -> None:
+@pytest.mark.parametrize("modifier", [Qt.KeyboardModifier.NoModifier, Qt.KeyboardModifier.AltModifier])
+def test_a_clip_dropped_on_the_window_is_opened(
+    qtbot: QtBot, window: MainWindow, tmp_path: Path, modifier: Qt.KeyboardModifier
+) -> None:
     other, data = write_clip(tmp_path / "other", 3), QMimeData()
     data.setUrls([QUrl.fromLocalFile(str(other))])
-    copy, left, none = Qt.DropAction.CopyAction, Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier
-    event = QDropEvent(QPointF(5, 5), copy, data, left, none)
+    event = QDropEvent(QPointF(5, 5), Qt.DropAction.CopyAction, data, Qt.MouseButton.LeftButton, modifier)
     event.ignore()
     window.dragEnterEvent(event)  # by hand: Qt delivers drops only within a drag of the desktop's
     assert event.isAccepted()
-    with qtbot.waitSignal(window.document.replaced, timeout=WAIT):
-        window.dropEvent(event)
+    if modifier is Qt.KeyboardModifier.AltModifier:  # at once; else the artist sees first what was found
+        with qtbot.waitSignal(window.document.replaced, timeout=WAIT):
+            window.dropEvent(event)
+    else:
+        with qtbot.waitSignal(window.files.looked, timeout=WAIT):
+            window.dropEvent(event)
+        (dialog,) = window.findChildren(ClipDialog)
+        with qtbot.waitSignal(window.document.replaced, timeout=WAIT):
+            dialog.buttons.accepted.emit()
     assert window.document.project.require_clip().last == FIRST + 2
 
 
