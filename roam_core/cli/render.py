@@ -12,7 +12,8 @@ from tqdm import tqdm
 from roam_core.cli.matte_options import add_matte_arguments, matte_style
 from roam_core.cli.track import require_writable
 from roam_core.errors import RoamError
-from roam_core.interchange.mattes import write_mattes
+from roam_core.interchange.matte_style import SUFFIXES
+from roam_core.interchange.mattes import style_for, write_mattes
 from roam_core.interchange.naming import numbering
 from roam_core.media import open_clip
 from roam_core.roto import Project, file
@@ -38,6 +39,13 @@ def run(arguments: argparse.Namespace) -> int:
     last = clip.last if arguments.end is None else arguments.end
     if last < first:
         raise RoamError(f"--end {last} comes before --start {first}.")
+    if last < clip.first or first > clip.last:
+        raise RoamError(f"The clip has the frames {clip.first} to {clip.last}, none of {first} to {last}.")
+    pattern = arguments.name
+    if pattern and Path(pattern).suffix.lower() in SUFFIXES:
+        style = style_for(Path(pattern), style)
+    elif pattern:
+        pattern += style.suffix
     require_writable(arguments.out, create=True)
     names = frame_names(project)
     width, height = clip.size
@@ -48,7 +56,7 @@ def run(arguments: argparse.Namespace) -> int:
             project,
             frames,
             arguments.out,
-            numbering(arguments.name) if arguments.name else named.__getitem__,
+            numbering(pattern) if pattern else named.__getitem__,
             (height, width),
             style=style,
             pixel_aspect=clip.pixel_aspect,

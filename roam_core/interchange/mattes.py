@@ -11,7 +11,7 @@ from roam_core.errors import RoamError
 from roam_core.interchange.matte_files import JOINT, encode_png, write_picture
 from roam_core.interchange.matte_style import SUFFIXES, Gathering, MatteFile, MatteStyle, Parts
 from roam_core.interchange.naming import file_words, numbering
-from roam_core.interchange.protocol import STANDARD, ExportOptions, chosen_keys
+from roam_core.interchange.protocol import STANDARD, ExportOptions, with_chosen_keys
 from roam_core.matte import Patch, render_matte, shape_patch
 from roam_core.roto import Layer, Project, RotoShape
 from roam_core.roto.file import write_atomically
@@ -21,6 +21,23 @@ NAME = "{name}"
 """In a file's name: where the word of the layer or shape goes."""
 
 PNG = MatteStyle()
+
+OTHER_SUFFIXES = {
+    ".jpg",
+    ".jpeg",
+    ".dpx",
+    ".tga",
+    ".bmp",
+    ".gif",
+    ".webp",
+    ".psd",
+    ".sgi",
+    ".mov",
+    ".mp4",
+    ".avi",
+    ".mkv",
+}
+"""Of pictures and movies that are not written: a path with one of these is no folder that somebody means."""
 
 
 class MatteExporter:
@@ -39,13 +56,15 @@ class MatteExporter:
         `{name}`, or makes a folder of its own.
         """
         clip, style = project.require_clip(), options.mattes
+        if path.suffix.lower() in OTHER_SUFFIXES and not path.is_dir():
+            raise RoamError(f"Mattes are written as PNG, EXR or TIFF; {path.name} would be none of these.")
         if path.suffix.lower() in SUFFIXES:
             folder, pattern = path.parent, path.name
             style = style_for(path, style)
         else:
             folder, pattern = path, f"matte.####{style.suffix}"
         notes: list[str] = []
-        shown = replace(project, root=_chosen(project.root, options, notes))
+        shown = replace(project, root=with_chosen_keys(project.root, options, notes))
         write_mattes(
             shown,
             options.frames_of(clip),
@@ -68,7 +87,7 @@ def style_for(path: Path, style: MatteStyle) -> MatteStyle:
     if kind is style.file:
         return style
     if style.file is not MatteFile.PNG:
-        raise RoamError(f"{path.name} has the suffix of a {kind.upper()} file, but {style.file.upper()} is asked for.")
+        raise RoamError(f"{path.name} is the name of {kind.upper()} files, but {style.file.upper()} is asked for.")
     return replace(style, file=kind)
 
 
@@ -248,11 +267,3 @@ def _shown_layers(layer: Layer) -> list[Layer]:
         if isinstance(child, Layer) and child.visible and any(child.shapes()):
             shown += [child, *_shown_layers(child)]
     return shown
-
-
-def _chosen(layer: Layer, options: ExportOptions, notes: list[str]) -> Layer:
-    children = (
-        _chosen(child, options, notes) if isinstance(child, Layer) else chosen_keys(child, options, notes)
-        for child in layer.children
-    )
-    return replace(layer, children=tuple(children))

@@ -14,7 +14,7 @@ RESERVED = {"con", "prn", "aux", "nul", *(f"{port}{digit}" for port in ("com", "
 
 
 def numbering(pattern: str, offset: int = 0) -> Callable[[int], str]:
-    """How a pattern such as `matte.####.png`, `matte.%04d.png` or plain `matte.png` names a frame.
+    """How a pattern such as `matte.####.png`, `matte.%04d.png`, `matte.%d.png` or plain `matte.png` names a frame.
 
     Where the pattern says nothing of a number, four digits stand before the suffix.
     """
@@ -23,7 +23,7 @@ def numbering(pattern: str, offset: int = 0) -> Callable[[int], str]:
         stem, suffix = Path(pattern).stem, Path(pattern).suffix
         return lambda frame: f"{stem}.{frame + offset:04d}{suffix}"
     before, marks, digits, after = marked.groups()
-    width = int(digits) if digits else len(marks)
+    width = int(digits) if digits else marks.count("#") or 1
     return lambda frame: f"{before}{frame + offset:0{width}d}{after}"
 
 
@@ -32,7 +32,7 @@ def is_numbered(pattern: str) -> bool:
     return _MARK.fullmatch(pattern) is not None
 
 
-_MARK = re.compile(r"(.*?)(#+|%0(\d)d)(.*)", flags=re.DOTALL)
+_MARK = re.compile(r"(.*?)(#+|%(?:0(\d))?d)(.*)", flags=re.DOTALL)
 
 
 def file_words(names: Iterable[str]) -> list[str]:

@@ -16,10 +16,14 @@ from roam_core.errors import RoamError
 from roam_core.interchange.matte_style import MatteStyle
 from roam_core.interchange.reduction import Motion, Slopes, reduced
 from roam_core.interchange.smoothing import smoothed
-from roam_core.roto import Clip, Interpolation, Keyframe, Origin, Project, RotoShape, Spline
+from roam_core.roto import Clip, Interpolation, Keyframe, Layer, Origin, Project, RotoShape, Spline
 
 FARTHEST = 1e7
 """Pixels: a coordinate beyond this is a defect of the project, and single precision would not hold it to a pixel."""
+
+
+MAX_FRAMES = 1 << 24
+"""No frame number beyond this, either way: single precision, which Nuke counts in, would round it."""
 
 
 class KeyChoice(StrEnum):
@@ -60,12 +64,23 @@ class ExportOptions:
     token: CancelToken | None = None
 
     def frames_of(self, clip: Clip) -> range:
-        """The frames that are written; a `RoamError` where they are none of the clip's."""
+        """The frames that are written; a `RoamError` where they are none of the clip's, or numbered absurdly."""
+        if max(abs(frame + self.frame_offset) for frame in (clip.first, clip.last)) > MAX_FRAMES:
+            raise RoamError(
+                f"An offset of {self.frame_offset} would number frames beyond {MAX_FRAMES}; choose a smaller one."
+            )
         if self.frames is None:
             return clip.frame_range
         if not self.frames or self.frames[0] < clip.first or self.frames[-1] > clip.last:
             raise RoamError(f"The frames to export must lie between {clip.first} and {clip.last}, the clip's own.")
         return self.frames
+
+    def frame_of(self, clip: Clip) -> int:
+        """The frame of a still picture; a `RoamError` where the clip does not have it."""
+        frames = self.frames_of(clip)
+        if self.frame is not None and self.frame not in clip.frame_range:
+            raise RoamError(f"Frame {self.frame} lies outside of the clip's, which are {clip.first} to {clip.last}.")
+        return frames[0] if self.frame is None else self.frame
 
     def advance(self, fraction: float, text: str) -> None:
         """A safe point: give up here when cancelled, otherwise tell how far the export has come."""
@@ -153,6 +168,15 @@ def exported_keys(shape: RotoShape, options: ExportOptions, notes: list[str]) ->
     """The shape with the keys that are to be exported: those that were chosen, on the chosen frames."""
     chosen = chosen_keys(shape, options, notes)
     return chosen if options.frames is None else within(chosen, options.frames)
+
+
+def with_chosen_keys(layer: Layer, options: ExportOptions, notes: list[str]) -> Layer:
+    """The layer with `chosen_keys` of every shape in it."""
+    children = (
+        with_chosen_keys(child, options, notes) if isinstance(child, Layer) else chosen_keys(child, options, notes)
+        for child in layer.children
+    )
+    return replace(layer, children=tuple(children))
 
 
 def chosen_keys(shape: RotoShape, options: ExportOptions, notes: list[str]) -> RotoShape:

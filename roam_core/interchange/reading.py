@@ -14,7 +14,7 @@ import numpy as np
 
 from roam_core.cancel import CancelToken, Progress
 from roam_core.errors import RoamError
-from roam_core.interchange.protocol import FARTHEST
+from roam_core.interchange.protocol import FARTHEST, MAX_FRAMES
 from roam_core.roto import Clip, Keyframe, Layer, RotoShape
 
 MAX_BYTES = 256 << 20
@@ -25,9 +25,6 @@ MAX_DEPTH = 200
 
 MAX_POINTS = 4_000_000
 """Control points over all keys of all shapes of a file: some 200 MB of them."""
-
-MAX_FRAMES = 1 << 24
-"""No frame number beyond this, either way."""
 
 
 @dataclass(frozen=True)
@@ -121,6 +118,10 @@ class ShapeReader:
     notes: list[str] = field(default_factory=list)
     points: int = 0
     _ids: dict[str, int] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        if abs(self.options.frame_offset) > MAX_FRAMES:
+            raise RoamError(f"No frame is numbered {self.options.frame_offset} too high; choose a smaller offset.")
 
     def content(self) -> bytes:
         """The whole file; one sentence when it is missing, no file, or larger than `MAX_BYTES`."""

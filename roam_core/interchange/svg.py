@@ -15,7 +15,7 @@ import numpy as np
 
 from roam_core.geometry.bezier import ANCHOR, IN, OUT
 from roam_core.interchange.naming import file_words, is_numbered, numbering
-from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter
+from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter, with_chosen_keys
 from roam_core.interchange.reading import PLAIN, Imported, ImportOptions
 from roam_core.interchange.svg_reading import SvgReader
 from roam_core.interchange.svg_words import INKSCAPE, LABEL, SVG
@@ -41,15 +41,17 @@ class SvgFormat:
         Where the name of `path` says where a frame's number goes (`####` or `%04d`), one picture for every frame.
         """
         clip, project = project.require_clip(), without_transforms(project)
-        frames = options.frames_of(clip)
-        frame = frames[0] if options.frame is None else options.frame
+        frames, frame = options.frames_of(clip), options.frame_of(clip)
         options = replace(options, frames=None)  # a picture shows one moment: there is no motion to be cut
         if not is_numbered(path.name):
             text, notes = svg_document(project, frame, options)
             options.advance(1.0, f"Writing {path.name}")
             write_atomically(path, text.encode("utf-8"))
             return notes
-        name_for, told = numbering(path.name, options.frame_offset), dict[str, None]()
+        smoothed: list[str] = []
+        project = replace(project, root=with_chosen_keys(project.root, options, smoothed))
+        options = replace(options, smoothing=0.0)
+        name_for, told = numbering(path.name, options.frame_offset), dict.fromkeys(smoothed)
         for done, frame in enumerate(frames):
             options.advance(done / len(frames), f"Frame {frame}")
             text, notes = svg_document(project, frame, replace(options, progress=None))

@@ -80,3 +80,17 @@ def test_frames_that_the_clip_has_not_are_refused(project: Project, tmp_path: Pa
         with pytest.raises(RoamError, match="must lie between 1001 and 1040"):
             EXPORTERS[name].export(project, tmp_path / "p", ExportOptions(frames=frames))
     assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize("offset", [1 << 24, -(1 << 25), 10**30])
+@pytest.mark.parametrize("name", EXPORTERS)
+def test_absurd_frame_numbers_are_refused(project: Project, tmp_path: Path, name: str, offset: int) -> None:
+    with pytest.raises(RoamError, match="would number frames beyond"):
+        EXPORTERS[name].export(project, tmp_path / "out", ExportOptions(frame_offset=offset))
+    assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize("frame", [1000, 1041])
+def test_a_still_picture_of_another_frame_is_refused(project: Project, tmp_path: Path, frame: int) -> None:
+    with pytest.raises(RoamError, match=f"Frame {frame} lies outside"):
+        EXPORTERS["svg"].export(project, tmp_path / "p.svg", ExportOptions(frame=frame))

@@ -259,7 +259,7 @@ def test_the_suffix_says_what_the_exporter_writes(project: Project, tmp_path: Pa
     exr = ExportOptions(mattes=MatteStyle(MatteFile.EXR))
     EXPORTERS["mattes"].export(project, tmp_path / "folder", exr)
     assert (tmp_path / "folder" / "matte.1001.exr").is_file()
-    with pytest.raises(RoamError, match=r"hero.tif has the suffix of a TIFF file, but EXR is asked for"):
+    with pytest.raises(RoamError, match=r"hero.tif is the name of TIFF files, but EXR is asked for"):
         EXPORTERS["mattes"].export(project, tmp_path / "hero.tif", exr)
 
 

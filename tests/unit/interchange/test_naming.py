@@ -17,6 +17,7 @@ from roam_core.interchange.naming import LONGEST, file_words, is_numbered, numbe
         ("m.####.png", "m.0007.png"),
         ("m.#.png", "m.7.png"),
         ("m%06d.exr", "m000007.exr"),
+        ("m.%d.exr", "m.7.exr"),
         ("m.png", "m.0007.png"),
         ("{name}.##.tif", "{name}.07.tif"),
     ],

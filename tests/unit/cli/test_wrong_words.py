@@ -1,0 +1,126 @@
+"""Forty-four ways to ask `export`, `render`, `import` for what cannot be: one sentence each, nothing is written."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from roam_core.roto import Clip, Keyframe, Layer, Project, RotoShape, file
+from tests.unit.cli.conftest import Roam
+from tests.unit.matte.conftest import rectangle
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    """`p.roam` (frames 7-9), `newer.roam`, `empty` and bad files of every kind."""
+    shape = rectangle(2.0, 2.0, 10.0, 10.0, frame=7)
+    moved = RotoShape("shape-1", "Arm", (*shape.keys, Keyframe(9, shape.keys[0].points + 10.0)))
+    file.save(Project(Clip(Path("/plates/gone"), 7, 9, (64, 48)), Layer("root", "Root", (moved,))), tmp_path / "p.roam")
+    (tmp_path / "newer.roam").write_text(
+        re.sub(r'"version": \d+', '"version": 99', (tmp_path / "p.roam").read_text(encoding="utf-8"), count=1)
+    )
+    (tmp_path / "empty").mkdir()
+    noise = bytes(range(256)) * 64
+    for name in ("noise.nk", "noise.fxs", "noise.svg", "noise.json", "noise.png"):
+        (tmp_path / name).write_bytes(noise)
+    (tmp_path / "void.nk").touch()
+    bomb = '<!DOCTYPE x [<!ENTITY a "aaaa"><!ENTITY b "&a;&a;">]>'
+    (tmp_path / "bomb.fxs").write_text(f"{bomb}<Silhouette>&b;</Silhouette>")
+    (tmp_path / "bomb.svg").write_text(f'{bomb}<svg xmlns="http://www.w3.org/2000/svg">&b;</svg>')
+    (tmp_path / "deep.nk").write_text("Roto {\n curves " + "{" * 5000 + "}" * 5000 + "\n}\n")
+    (tmp_path / "deep.json").write_text("[" * 100_000)
+    return tmp_path
+
+
+def tree(folder: Path) -> dict[str, bytes]:
+    return {str(path): path.read_bytes() for path in sorted(folder.rglob("*")) if path.is_file()}
+
+
+EXPORTS: list[tuple[str, str]] = [
+    ("{f}/none.roam --to nuke {f}/x.nk", "does not exist"),
+    ("{f} --to nuke {f}/x.nk", "is a folder"),
+    ("{f}/noise.nk --to nuke {f}/x.nk", "not a ROAM project"),
+    ("{f}/newer.roam --to nuke {f}/x.nk", "version"),
+    ("{f}/p.roam --to flame {f}/x.nk", "no export format 'flame'; there are"),
+    ("{f}/p.roam --to nuke {f}/none/x.nk", "cannot be written"),
+    ("{f}/p.roam --to nuke {f}/empty", "cannot be written"),
+    ("{f}/p.roam --to nuke {f}/x.nk --frames 9 7", "must lie between 7 and 9"),
+    ("{f}/p.roam --to nuke {f}/x.nk --frames 1 2", "must lie between 7 and 9"),
+    ("{f}/p.roam --to nuke {f}/x.nk --keys reduced --tolerance 0", "positive number of pixels"),
+    ("{f}/p.roam --to nuke {f}/x.nk --keys reduced --tolerance nan", "positive number of pixels"),
+    ("{f}/p.roam --to nuke {f}/x.nk --smooth -3", "positive number of pixels"),
+    ("{f}/p.roam --to silhouette {f}/x.fxs --frame-offset 99999999999999999999", "number frames beyond 16777216"),
+    ("{f}/p.roam --to svg {f}/x.svg --frame 500", "Frame 500 lies outside of the clip's, which are 7 to 9"),
+    ("{f}/p.roam --to mattes {f}/x.jpg", "PNG, EXR or TIFF"),
+    ("{f}/p.roam --to mattes {f}/x.png --file exr", "the name of PNG files, but EXR is asked for"),
+    ("{f}/p.roam --to mattes {f}/x.png --depth float", "8 or 16 deep, not float"),
+    ("{f}/p.roam --to mattes {f}/out --file png --channels", "no channels with names"),
+    ("{f}/p.roam --to mattes {f}/out --compression piz", "compressed by zip, not 'piz'"),
+    ("{f}/p.roam --to mattes {f}/noise.nk/out", "cannot be made"),
+]
+RENDERS = [
+    ("{f}/p.roam --out {f}/noise.nk", "cannot be made"),
+    ("{f}/p.roam --out {f}/out --start 9 --end 7", "--end 7 comes before --start 9"),
+    ("{f}/p.roam --out {f}/out --start 100 --end 200", "frames 7 to 9, none of 100 to 200"),
+    ("{f}/p.roam --out {f}/out --name a/b.####.png", "is no file name"),
+    ("{f}/p.roam --out {f}/out --name x.exr --file tiff", "the name of EXR files, but TIFF is asked for"),
+    ("{f}/p.roam --out {f}/out --file png --tight", "hold all pixels"),
+    ("{f}/p.roam --out {f}/out --file tiff --depth half", "not half"),
+    ("{f}/none.roam --out {f}/out", "does not exist"),
+]
+IMPORTS = [
+    ("{f}/none.nk", "does not exist"),
+    ("{f}/p.roam", "no suffix that ROAM reads shapes from"),
+    ("{f}/empty", "holds no image"),
+    ("{f}/void.nk", "no Roto or RotoPaint node"),
+    ("{f}/noise.nk", "no Roto or RotoPaint node"),
+    ("{f}/noise.fxs", "no valid XML"),
+    ("{f}/noise.svg", "no valid XML"),
+    ("{f}/noise.json", "no valid JSON"),
+    ("{f}/deep.json", "no valid JSON"),
+    ("{f}/deep.nk", "deep"),
+    ("{f}/bomb.fxs", "document type"),
+    ("{f}/bomb.svg", "entity"),
+    ("{f}/noise.png", "no image that can be read"),
+    ("{f}/void.nk --frame-offset 99999999999", "smaller offset"),
+]
+
+
+@pytest.mark.parametrize(
+    ("command", "words", "reason"),
+    [
+        *(("export", words, reason) for words, reason in EXPORTS),
+        *(("render", words, reason) for words, reason in RENDERS),
+        *(("import", f"{words} --into {{f}}/p.roam", reason) for words, reason in IMPORTS),
+        ("import", "{f}/void.nk --into {f}/none.roam", "does not exist"),
+        ("import", "{f}/void.nk --into {f}/p.roam --save {f}/none/q.roam", "does not exist"),
+    ],
+)
+def test_it_is_refused_in_one_sentence(roam: Roam, folder: Path, command: str, words: str, reason: str) -> None:
+    before = tree(folder)
+    done = roam(command, *(word.format(f=folder) for word in words.split()))
+    assert (done.status, done.out) == (1, "")
+    assert done.err.startswith("roam: ")
+    assert done.err.count("\n") == 1
+    assert done.err.endswith(".\n")
+    assert len(done.err) < 400 + 2 * len(str(folder))
+    assert reason in done.err
+    assert tree(folder) == before
+
+
+def test_a_pattern_says_what_kind_of_file_is_rendered(roam: Roam, folder: Path) -> None:
+    magic: dict[str, Callable[[bytes], bool]] = {
+        "m.%d.exr": lambda content: content[:4] == b"v/1\x01",
+        "m.####.tif": lambda content: content[:2] in (b"II", b"MM"),
+        "plain": lambda content: content[1:4] == b"PNG",
+    }
+    for pattern, fits in magic.items():
+        out = folder / pattern.partition(".")[2].lstrip("%d#.") / "out"
+        assert roam("render", folder / "p.roam", "--out", out, "--name", pattern).status == 0
+        written = sorted(out.iterdir())
+        assert len(written) == 3
+        assert all(fits(path.read_bytes()) for path in written)
+        assert all(path.suffix in (".exr", ".tif", ".png") for path in written)
