@@ -10,6 +10,7 @@ from PySide6.QtCore import QLineF, QPointF
 from PySide6.QtGui import QColor, QPainter, QPainterPath
 
 from app.canvas import marks
+from app.canvas.clipping import clipped_path, inside, painted_area
 from app.canvas.shown import Shown, shown_shapes
 from app.canvas.viewport import Viewport
 from app.view_state import Selection
@@ -71,9 +72,21 @@ class ShapePainter:
                 _paint_points(painter, viewport, item.shape, item.shape.at(frame), selection, hover)
 
     def _paint_outline(self, painter: QPainter, viewport: Viewport, item: Shown, frame: int, selected: bool) -> None:
-        colour = marks.faded(shape_colour(item.shape), LOCKED_OPACITY if item.locked else 1.0)
-        path = viewport.transform.map(self.path(item.shape, frame))
-        marks.stroke(painter, path, colour, marks.SELECTED_WIDTH if selected else marks.OUTLINE_WIDTH)
+        path = self._path_in_sight(painter, viewport, item.shape, frame)
+        if path is not None:
+            colour = marks.faded(shape_colour(item.shape), LOCKED_OPACITY if item.locked else 1.0)
+            width = marks.SELECTED_WIDTH if selected else marks.OUTLINE_WIDTH
+            marks.stroke(painter, viewport.transform.map(path), colour, width)
+
+    def _path_in_sight(
+        self, painter: QPainter, viewport: Viewport, shape: RotoShape, frame: int
+    ) -> QPainterPath | None:
+        """As much of the shape's path as reaches into what is being painted, image coordinates; None for nothing."""
+        control = bezier.segments(shape.at(frame).points, shape.closed)
+        wanted = inside(control, painted_area(painter, viewport)) if len(control) else np.zeros(0, dtype=bool)
+        if wanted.all():
+            return self.path(shape, frame)
+        return clipped_path(control, wanted, shape.closed) if wanted.any() else None
 
 
 def shape_colour(shape: RotoShape) -> QColor:
@@ -95,16 +108,18 @@ def _paint_points(
 ) -> None:
     """Anchors of a selected shape, and the handles of its selected points."""
     colour, points = shape_colour(shape), outline.grips
+    near = np.flatnonzero(inside(points, painted_area(painter, viewport))).tolist()
     chosen = sorted(index for owner, index in selection.points if owner == shape.id and index < len(points))
-    grips = [(index, part) for index in chosen for part in visible_handles(points, index)]
-    spot = [[viewport.to_widget(*position) for position in point] for point in points.tolist()]
+    grips = [(index, part) for index in set(chosen) & set(near) for part in visible_handles(points, index)]
     sides = control_sides(len(points), shape.closed) if shape.spline is Spline.BSPLINE else []
+    placed = range(len(points)) if sides else near
+    spot = {i: [viewport.to_widget(*position) for position in points[i].tolist()] for i in placed}
     lines = [QLineF(spot[i][ANCHOR], spot[i][part]) for i, part in grips]
     marks.arms(painter, [*lines, *(QLineF(spot[a][ANCHOR], spot[b][ANCHOR]) for a, b in sides)], colour)
     for i, part in grips:
         marks.handle(painter, spot[i][part], colour, grown=hover == (shape.id, i, part))
     picked = set(chosen)
-    for i in range(len(points)):
+    for i in near:
         grown = hover == (shape.id, i, ANCHOR)
         round_ = bool(sides) or is_smooth(points[i])
         marks.anchor(painter, spot[i][ANCHOR], colour, round_=round_, filled=i in picked, grown=grown)
@@ -115,6 +130,8 @@ def _paint_doubts(painter: QPainter, viewport: Viewport, shape: RotoShape, frame
     key = shape.key_at(frame)
     if key is None or key.vertex_confidence is None:
         return
-    for position, confidence in zip(key.points[:, ANCHOR].tolist(), key.vertex_confidence.tolist(), strict=True):
-        if confidence < DOUBTFUL:
+    anchors = key.points[:, ANCHOR]
+    near = inside(anchors[:, None], painted_area(painter, viewport, marks.RING_SIZES[1])).tolist()
+    for position, confidence, is_near in zip(anchors.tolist(), key.vertex_confidence.tolist(), near, strict=True):
+        if is_near and confidence < DOUBTFUL:
             marks.ring(painter, viewport.to_widget(*position), 1.0 - max(confidence, 0.0) / DOUBTFUL)
