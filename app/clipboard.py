@@ -14,6 +14,7 @@ from app.key_clipboard import KeyClipboard, copied_keys
 from app.view_state import ViewState, selected_shapes
 from roam_core.errors import RoamError
 from roam_core.roto import Layer, Project, RotoShape, edit, file
+from roam_core.roto.baking import baked
 
 
 class ShapeClipboard:
@@ -65,7 +66,9 @@ class ShapeClipboard:
 
 
 def _text(shapes: Sequence[RotoShape]) -> str:
-    return file.dumps(Project(root=Layer("root", "Root", tuple(shapes))), Path())
+    # Where they are pasted no layer moves them: what theirs did becomes their own.
+    held = tuple(baked(shape) if shape.placement else shape for shape in shapes)
+    return file.dumps(Project(root=Layer("root", "Root", held)), Path())
 
 
 def _added(project: Project, shape: RotoShape) -> tuple[Project, RotoShape]:

@@ -29,8 +29,11 @@ from app.panels.controls import weak_label
 DISTRIBUTION = "roam-roto"
 GESTURES = (
     ("Ctrl+Alt+click", "Insert a point on the outline"),
-    ("Ctrl+drag", "Break a tangent"),
+    ("Ctrl+drag", "Break a tangent; from an anchor: pull its handles out"),
     ("Shift+drag", "Equalise the handles"),
+    ("Ctrl+Alt+drag", "Select points with a lasso"),
+    ("Shift+drag, Ctrl+drag", "On empty ground: add points to the selection, take them away"),
+    ("Ctrl+wheel", "Change the reach of soft selection, of the brush"),
     ("Alt+arrows", "Nudge points by a pixel, with Shift by ten"),
     ("Return, Esc", "Close a shape being drawn, leave it open"),
     ("Middle button, Alt+left", "Pan"),

@@ -13,7 +13,7 @@ from app.canvas.shown import editable_shapes
 from app.canvas.viewport import Viewport
 from app.document import Document
 from app.tools.hit_test import points_in_box, points_in_lasso
-from app.tools.reshape import Grab, Tangent, Vector, break_tangent, turn
+from app.tools.reshape import Grab, Tangent, Vector, break_tangent, pull_out, turn
 from app.tools.tool import Modifier, Pointer
 from app.view_state import Selection, ViewState
 from roam_core.roto import Project, edit
@@ -142,6 +142,14 @@ class Turn(Edit):
 
     def edited(self) -> Project:
         change = turn(self._part, self.delta, _tangent(self.last))
+        return self.grab.changed(self.document.project, lambda _: change)
+
+
+class PullOut(Turn):
+    """Draws both handles out of an anchor, alike: a corner becomes smooth."""
+
+    def edited(self) -> Project:
+        change = pull_out(self._part[0], self.delta)
         return self.grab.changed(self.document.project, lambda _: change)
 
 

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from app.canvas.shown import editable_shapes
 from app.view_state import Selection, ViewState
 from roam_core.geometry import affine
-from roam_core.geometry.bezier import ANCHOR
+from roam_core.geometry.bezier import ANCHOR, OUT
 from roam_core.roto import Outline, Project, RotoShape, edit
 from roam_core.roto.edit import Part
 from roam_core.roto.keying import AUTO_KEY, Change, Keying, held_at, reshape
@@ -79,6 +79,16 @@ def turn(part: Part, delta: Vector, tangent: Tangent) -> Change:
     def change(outline: Outline) -> Outline:
         x, y = (outline.points[index, which] + delta).tolist()
         return replace(outline, points=tangent(outline.points, index, which, (x, y)))
+
+    return change
+
+
+def pull_out(index: int, delta: Vector) -> Change:
+    """The change that draws both handles of a point out of its anchor, the leaving one by `delta`, image pixels."""
+
+    def change(outline: Outline) -> Outline:
+        x, y = (outline.points[index, ANCHOR] + delta).tolist()
+        return replace(outline, points=edit.equal_handles(outline.points, index, OUT, (x, y)))
 
     return change
 

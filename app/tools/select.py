@@ -7,13 +7,14 @@ from PySide6.QtGui import QPainter
 
 from app.canvas.viewport import Viewport
 from app.document import Document
-from app.tools.gestures import Edit, Gesture, Lasso, Marquee, Move, Turn
+from app.tools.gestures import Edit, Gesture, Lasso, Marquee, Move, PullOut, Turn
 from app.tools.hit_test import OutlineHit, PointHit, hit, hit_outline
 from app.tools.reshape import grab_point, grab_selection, grabbed_weights, with_point_inserted
 from app.tools.soft_marks import paint_reach, paint_weights
 from app.tools.tool import Modifier, Pointer, Tool
 from app.view_state import Selection, ViewState
-from roam_core.geometry.bezier import ANCHOR
+from roam_core.geometry.bezier import ANCHOR, OUT
+from roam_core.roto import Spline
 
 INSERT = Modifier.ControlModifier | Modifier.AltModifier
 GROWTH = 1.12
@@ -146,7 +147,10 @@ class SelectTool(Tool):
         return hit_outline(self.document.project, view.frame, view.selection, pointer.position, pointer.pixel)
 
     def _press_anchor(self, pointer: Pointer, found: PointHit) -> Gesture:
-        """Select the point, unless it is one of several that a drag may want to keep together."""
+        """Select the point, unless it is one of several that a drag may want to keep together.
+
+        With Ctrl the drag draws the handles out of it: a corner has none to take hold of.
+        """
         view, point = self.view_state, (found.shape_id, found.index)
         shapes, points = view.selection.shapes, view.selection.points
         adds = pointer.holds(Modifier.ShiftModifier)
@@ -155,8 +159,15 @@ class SelectTool(Tool):
             after_click = view.selection
         else:
             after_click = Selection(shapes, points - {point} if adds else frozenset({point}))
+        if pointer.holds(Modifier.ControlModifier) and self._has_handles(found.shape_id):
+            grab = grab_point(self.document.project, view, found.shape_id, found.index)
+            return PullOut(self.document, view, pointer, grab, "Pull out handles", (found.index, OUT))
         count = len(view.selection.points)
         return self._move(pointer, "Move point" if count == 1 else f"Move {count} points", view.selection, after_click)
+
+    def _has_handles(self, shape_id: str) -> bool:
+        """False of a B-spline, whose control points have none."""
+        return self.document.project.shape(shape_id).spline is Spline.BEZIER
 
     def _press_outline(self, pointer: Pointer, found: OutlineHit) -> Gesture:
         """Select the shape; one that is selected can be dragged as a whole, with the others that are."""

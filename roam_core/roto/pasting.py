@@ -18,7 +18,8 @@ def copied_key(shape: RotoShape, frame: int) -> RotoShape:
     """
     outline, key = shape.at(frame), shape.key_at(frame)
     alone = Keyframe(frame, outline.points, outline.feather)
-    return replace(shape, keys=(alone if key is None else replace(alone, interpolation=key.interpolation),))
+    interpolation = alone.interpolation if key is None else key.interpolation
+    return replace(shape, keys=(replace(alone, interpolation=interpolation),), placement=())
 
 
 def paste_key(shape: RotoShape, key: Keyframe, frames: Iterable[int]) -> RotoShape:
@@ -65,4 +66,3 @@ def targets(project: Project, copied: Sequence[RotoShape], chosen: Sequence[Roto
     if not same and len(chosen) == len(copied):
         return {shape.id: other.keys[0] for shape, other in zip(chosen, copied, strict=True)}
     return same
-

@@ -129,6 +129,16 @@ def test_ctrl_drag_breaks_the_tangent(hand: Hand, smooth: str, only: OnlyShape) 
     np.testing.assert_array_equal(only().at(1).points[0], [(40.0, 40.0), (10.0, 40.0), (40.0, 60.0)])
 
 
+def test_ctrl_drag_from_an_anchor_pulls_its_handles_out(
+    hand: Hand, document: Document, square: str, only: OnlyShape
+) -> None:
+    hand.drag((120.0, 40.0), (130.0, 60.0), CTRL)
+    np.testing.assert_array_equal(only().at(1).points[1], [(120.0, 40.0), (110.0, 20.0), (130.0, 60.0)])
+    assert document.undo_stack.undoText() == "Pull out handles"
+    document.undo_stack.undo()
+    assert only.anchors() == SQUARE
+
+
 def test_shift_drag_makes_both_handles_equal(hand: Hand, smooth: str, only: OnlyShape) -> None:
     hand.drag((70.0, 40.0), (50.0, 50.0), SHIFT)
     np.testing.assert_array_equal(only().at(1).points[0], [(40.0, 40.0), (30.0, 30.0), (50.0, 50.0)])

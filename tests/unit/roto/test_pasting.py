@@ -11,6 +11,7 @@ from roam_core.errors import RoamError
 from roam_core.geometry.bezier import polygon_points
 from roam_core.roto import Interpolation, Keyframe, Origin, Project, RotoShape, Spline, edit
 from roam_core.roto.pasting import copied_key, paste_key, paste_through, targets
+from roam_core.roto.placement import LayerTransform
 
 SQUARE = polygon_points([(0.0, 0.0), (10.0, 0.0), (10.0, 10.0), (0.0, 10.0)])
 
@@ -29,6 +30,16 @@ def test_the_copied_key_is_what_is_seen_on_its_frame() -> None:
     np.testing.assert_array_equal(between.keys[0].points, SQUARE + 2.0)
     np.testing.assert_array_equal(between.keys[0].feather, np.ones_like(SQUARE) / 2.0)
     assert copied_key(RotoShape("a", "A", (key,)), 1).keys[0].interpolation is Interpolation.HOLD
+
+
+def test_the_copied_key_is_that_of_the_plate_also_under_a_moving_layer() -> None:
+    project, layer = edit.add_layer(Project())
+    project, drawn = edit.new_shape(project, SQUARE, 1, layer_id=layer.id)
+    shifted = LayerTransform.of({1: np.eye(3), 3: [[1.0, 0.0, 8.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]})
+    project = edit.set_properties(project, layer.id, transform=shifted)
+    alone = copied_key(project.shape(drawn.id), 2)
+    assert alone.placement == ()
+    np.testing.assert_array_equal(alone.keys[0].points, SQUARE + np.array((4.0, 0.0)))
 
 
 def test_an_engine_key_is_copied_as_the_artists() -> None:
