@@ -59,6 +59,9 @@ SPECS: tuple[ActionSpec, ...] = (
     ActionSpec("tool.polygon", "Polygon", _VIEWER, "tool-polygon", "Draw a polygon", True),
     ActionSpec("tool.freehand", "Freehand", _VIEWER, "tool-freehand", "Draw by hand; few points are fitted", True),
     ActionSpec(
+        "tool.magnetic", "Magnetic lasso", _VIEWER, "tool-magnetic", "Draw a line that clings to the edges", True
+    ),
+    ActionSpec(
         "tool.object", "Object", _VIEWER, "tool-object", "Box or click an object: a shape is fitted to it", True
     ),
     ActionSpec("shape.from_mask", "From mask image…", tip="Fit shapes to a picture of this frame's mask"),

@@ -8,6 +8,7 @@ from app.tools.brush import ReshapeTool
 from app.tools.bspline import BSplineTool
 from app.tools.feather import FeatherTool
 from app.tools.freehand import FreehandTool
+from app.tools.magnetic import MagneticTool
 from app.tools.object import ObjectTool
 from app.tools.point_actions import PointActions
 from app.tools.polygon import PolygonTool
@@ -23,6 +24,7 @@ _ORDER: tuple[type[Tool], ...] = (
     BSplineTool,
     PolygonTool,
     FreehandTool,
+    MagneticTool,
     EllipseTool,
     RectangleTool,
     ObjectTool,
