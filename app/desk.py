@@ -79,6 +79,7 @@ class Desk(QObject):
     def _pull_keys(self) -> None:
         actions = self._window.actions_by_id
         actions.set_keymap(self._personal.keys.keymap)
+        self._window.status.show_stop_keys(actions.keys_of("track.stop"))
         if keys := actions.keys_of("tool.bezier"):
             self._window.canvas.empty_hint = DRAW_HINT.format(keys)
         self._window.canvas.update()

@@ -17,8 +17,11 @@ from typing import TYPE_CHECKING
 from roam_core.errors import RoamError
 
 if TYPE_CHECKING:
+    from app.jobs.runner import Job
     from app.main_window import MainWindow
 
+PATIENCE = 3000
+"""Milliseconds after which the artist is told that the engine is being prepared."""
 FAILED, BAD_USAGE = 1, 2
 NO_DISPLAY = (
     "There is no display to open a window on; use the command line (roam --help), "
@@ -134,11 +137,26 @@ def _run(begin: Callable[[MainWindow], object]) -> int:
     application.aboutToQuit.connect(lambda: settings.keep(window, settings_path))
     window.show()
     QTimer.singleShot(0, window, lambda: begin(window))
-    QTimer.singleShot(0, window, lambda: warm_up.start(window.solver, window.tracking.config))
+    QTimer.singleShot(0, window, lambda: _tell_of(warm_up.start(window.solver, window.tracking.config), window))
     try:
         return application.exec()
     finally:
         sys.excepthook = before
+
+
+def _tell_of(preparation: Job, window: MainWindow) -> None:
+    """Say what is going on where the engine takes its time: at the very first start it is compiled."""
+    from PySide6.QtCore import QTimer
+
+    said: list[bool] = []
+
+    def tell() -> None:
+        if not preparation.is_over and not window.under_way.is_any:
+            said.append(True)
+            window.view_state.say("The engine is being prepared, once on this machine; you can draw meanwhile.")
+
+    QTimer.singleShot(PATIENCE, preparation, tell)
+    preparation.ended.connect(lambda *_: window.view_state.say("The engine is ready.") if said else None)
 
 
 def _scale(scale: float) -> None:

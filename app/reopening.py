@@ -33,7 +33,7 @@ class Reopening(QObject):
         self.page = StartPage(
             window.canvas,
             window.document,
-            window.under_way,
+            window.files,
             window.actions_by_id,
             self._personal,
             self._thumbnails,

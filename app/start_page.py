@@ -19,8 +19,8 @@ from PySide6.QtWidgets import (
 from app import style
 from app.actions import Actions
 from app.document import Document
+from app.files import Files
 from app.jobs.thumbnails import Sight, Thumbnails
-from app.jobs.under_way import UnderWay
 from app.panels.controls import weak_label
 from app.personal import Personal
 
@@ -45,13 +45,13 @@ class StartPage(QWidget):
         self,
         viewer: QWidget,
         document: Document,
-        under_way: UnderWay,
+        files: Files,
         actions: Actions,
         personal: Personal,
         thumbnails: Thumbnails,
     ) -> None:
         super().__init__(viewer)
-        self._document, self._under_way, self._actions = document, under_way, actions
+        self._document, self._files, self._actions = document, files, actions
         self._personal, self._thumbnails = personal, thumbnails
         self._has_begun = False
         self.setObjectName("startPage")
@@ -62,7 +62,7 @@ class StartPage(QWidget):
         self._lay_out()
         self.hide()
         viewer.installEventFilter(self)
-        for signal in (document.replaced, document.changed, under_way.changed):
+        for signal in (document.replaced, document.changed, files.progress, files.finished):
             signal.connect(self.pull)
         personal.recent_changed.connect(self._look)
         thumbnails.seen.connect(self._show)
@@ -72,10 +72,10 @@ class StartPage(QWidget):
         self._has_begun = True
         self.pull()
 
-    def pull(self, _ids: object = None) -> None:
+    def pull(self, *_news: object) -> None:
         """Be there where the project is empty and nothing is being opened."""
         project = self._document.project
-        is_wanted = self._has_begun and project.clip is None and not project.shapes and not self._under_way.is_any
+        is_wanted = self._has_begun and project.clip is None and not project.shapes and not self._files.is_opening
         if is_wanted and self.isHidden():
             self._look()
             self._fill_viewer()

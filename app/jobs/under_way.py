@@ -23,9 +23,9 @@ class UnderWay(QObject):
 
     Signals
     -------
-    progress(fraction, text) : of whichever work told last.
+    progress(fraction, text) : of the work that has been going on for longest.
     ended(ending, sentence) : one of them ended.
-    changed() : work began, or the last of it ended.
+    changed() : some work began or ended.
     """
 
     progress = Signal(float, str)
@@ -35,7 +35,8 @@ class UnderWay(QObject):
     def __init__(self, *works: LongWork, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._works = works
-        self._running: set[int] = set()
+        self._running: list[int] = []
+        """The works that go on, by their index, in the order in which they began."""
         for index, work in enumerate(works):
             work.progress.connect(lambda fraction, text, index=index: self._tell(index, fraction, text))
             work.finished.connect(lambda ending, sentence, index=index: self._end(index, ending, sentence))
@@ -44,21 +45,25 @@ class UnderWay(QObject):
     def is_any(self) -> bool:
         return bool(self._running)
 
+    @property
+    def count(self) -> int:
+        """How many kinds of work go on."""
+        return len(self._running)
+
     def stop(self) -> None:
         """Stop all of it; what is finished stays."""
         for work in self._works:
             work.stop()
 
     def _tell(self, index: int, fraction: float, text: str) -> None:
-        was_any = self.is_any
-        self._running.add(index)
-        if not was_any:
+        if index not in self._running:
+            self._running.append(index)
             self.changed.emit()
-        self.progress.emit(fraction, text)
+        if index == self._running[0]:  # two works telling in turn could not be read
+            self.progress.emit(fraction, text)
 
     def _end(self, index: int, ending: Ending, sentence: str) -> None:
-        was_any = self.is_any
-        self._running.discard(index)
-        if was_any and not self.is_any:
+        if index in self._running:
+            self._running.remove(index)
             self.changed.emit()
         self.ended.emit(ending, sentence)

@@ -8,11 +8,12 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QProgressBar, QWidget
 from app import style
 from app.jobs.runner import Ending
 from app.jobs.under_way import UnderWay
+from app.panels.controls import icon_button
 from app.view_state import ViewState
 
 
 class StatusBar(QWidget):
-    """One sentence, a progress bar while work is under way, the memory that frames take."""
+    """One sentence; while work is under way a bar, a button that stops it and how many more go on; frames' memory."""
 
     def __init__(self, view_state: ViewState, under_way: UnderWay, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -20,8 +21,11 @@ class StatusBar(QWidget):
         self.setObjectName("statusBar")
         self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
         self.setFixedHeight(26)
-        self.sentence, self._hint, self._memory = QLabel(), QLabel("Esc stops"), QLabel()
+        self.sentence, self._hint, self._memory = QLabel(), QLabel(), QLabel()
         self.bar = QProgressBar()
+        self.stop = icon_button("track-stop", "", size=20)
+        self.stop.clicked.connect(under_way.stop)
+        self._stop_keys = ""
         self._build()
         view_state.message_changed.connect(lambda: self._say(view_state.message))
         under_way.progress.connect(self._show_progress)
@@ -41,7 +45,7 @@ class StatusBar(QWidget):
         row.addWidget(self.sentence, 1)
         for label in (self._hint, self._memory):
             label.setObjectName("weak")
-        for widget in (self.bar, self._hint, self._memory):
+        for widget in (self.bar, self.stop, self._hint, self._memory):
             row.addWidget(widget)
         self._pull()
 
@@ -63,8 +67,17 @@ class StatusBar(QWidget):
         """Tell how much of the frame cache is used, in bytes."""
         self._memory.setText(f"memory {_size(used)} of {_size(limit)}" if limit else "")
 
+    def show_stop_keys(self, keys: str) -> None:
+        """Tell which keys stop what is under way."""
+        self._stop_keys = keys
+        self.stop.setToolTip(f"Stop; what is finished stays  ({keys})" if keys else "Stop; what is finished stays")
+        self._pull()
+
     def _pull(self) -> None:
-        for widget in (self.bar, self._hint):
+        more = self._under_way.count - 1
+        stops = f"{self._stop_keys} stops" if self._stop_keys else ""
+        self._hint.setText("  ·  ".join(filter(None, [stops, f"{more} more" if more > 0 else ""])))
+        for widget in (self.bar, self.stop, self._hint):
             widget.setVisible(self._under_way.is_any)
 
     def _say(self, text: str) -> None:
