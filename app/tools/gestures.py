@@ -100,7 +100,8 @@ class Edit(Gesture, ABC):
         on_click: Callable[[], None] | None = None,
     ) -> None:
         super().__init__(document, view_state, pressed, on_click)
-        self.grab, self.text = grab, text
+        # A drag previews the frame in sight alone: what ripple does to hundreds of other keys waits for the release.
+        self.grab, self._whole, self.text = grab.here, grab, text
 
     @abstractmethod
     def edited(self) -> Project:
@@ -116,6 +117,7 @@ class Edit(Gesture, ABC):
 
     def finish(self, pointer: Pointer) -> None:
         if self.delta != (0.0, 0.0):
+            self.grab = self._whole
             where = "" if self.grab.keying.ripple is None else " (ripple)"
             self.document.apply(self.text + where, self.edited())
         self.view_state.set_preview(None)

@@ -41,6 +41,11 @@ class Grab:
     def of(cls, project: Project, frame: int, weights: Mapping[str, Array], keying: Keying = AUTO_KEY) -> Grab:
         return cls(frame, weights, {each: held_at(project.shape(each), frame) for each in weights}, keying)
 
+    @property
+    def here(self) -> Grab:
+        """The same, reaching no keys by ripple: on its own frame the edit looks the same."""
+        return replace(self, keying=replace(self.keying, ripple=None))
+
     def is_held(self, project: Project) -> bool:
         """False when an edit meanwhile took a shape away, locked it, or gave it another number of points."""
         counts = {shape.id: shape.point_count for shape in editable_shapes(project, self.frame)}
