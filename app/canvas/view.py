@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 import numpy as np
 from numpy.typing import NDArray
-from PySide6.QtCore import QEvent, QPointF, QRectF, QSizeF, Qt, Signal
+from PySide6.QtCore import QEvent, QPointF, QRectF, QSizeF, Qt, QTimer, Signal
 from PySide6.QtGui import QKeyEvent, QMouseEvent, QPainter, QPaintEvent, QTabletEvent, QWheelEvent
 from PySide6.QtWidgets import QWidget
 
@@ -31,6 +31,9 @@ from app.tools.reshape import pruned
 from app.view_state import Selection, ViewState
 from roam_core.propagate.offers import Proposal
 from roam_core.roto import Project
+
+PATIENCE = 25
+"""Milliseconds in which the picture of another frame should come; then the shapes go there without it."""
 
 
 class CanvasView(ZoomableWidget):
@@ -68,6 +71,8 @@ class CanvasView(ZoomableWidget):
         self._pen = Pen()
         self._key_presses = 0
         self._framed: tuple[QSizeF | None, float] = (None, 1.0)
+        self._patience = QTimer(self, interval=PATIENCE, singleShot=True)
+        self._patience.timeout.connect(self.update)
         self._listen()
         self.setMouseTracking(True)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
@@ -79,7 +84,7 @@ class CanvasView(ZoomableWidget):
         self._document.changed.connect(self._pull)
         self._document.replaced.connect(self._begin_anew)
         view = self._view_state
-        view.frame_changed.connect(self._pull)
+        view.frame_changed.connect(self._follow_frame)
         view.selection_changed.connect(self.update)
         view.preview_changed.connect(self._follow_preview)
         view.tool_changed.connect(self._take_tool)
@@ -98,6 +103,7 @@ class CanvasView(ZoomableWidget):
 
         A proxy with fewer pixels than the clip is stretched to the clip's size.
         """
+        self._patience.stop()
         self.stage.set_image(frame, image)
         self._follow_plate()
         self.update()
@@ -197,12 +203,22 @@ class CanvasView(ZoomableWidget):
         return self.viewing.shows_shapes
 
     def _pull(self, _ids: object = None) -> None:
-        """The project or the frame changed: nothing may stay selected or grabbed that is gone."""
+        """The project changed."""
+        self._prepare()
+        self.update()
+
+    def _prepare(self) -> None:
+        """Nothing may stay selected or grabbed that is gone."""
         selection = pruned(self._view_state.selection, self._document.project)
         self._view_state.select(selection.shapes, selection.points)
         self._tool.refresh()
         self._follow_plate()
-        self.update()
+
+    def _follow_frame(self) -> None:
+        """Another frame: shapes and picture change together, unless the picture lets the artist wait for it."""
+        waits = self.stage.frame is not None and self.stage.frame != self._view_state.frame
+        self._prepare()
+        self._patience.start() if waits else self.update()
 
     def _begin_anew(self) -> None:
         """Another project was opened."""
