@@ -1,0 +1,146 @@
+"""The planar tracker on pictures whose motion is known."""
+
+from __future__ import annotations
+
+import cv2
+import numpy as np
+import pytest
+
+from roam_core.cancel import Cancelled, CancelToken
+from roam_core.errors import RoamError
+from roam_core.geometry import projective
+from roam_core.geometry.bezier import polygon_points
+from roam_core.geometry.plane_motion import PlaneMotion
+from roam_core.media.source import MissingFrame
+from roam_core.motion.planar import LostPlane, PlaneStep, track_plane
+
+WIDTH, HEIGHT, COUNT = 320, 240, 12
+BOARD = polygon_points([(90.0, 70.0), (210.0, 70.0), (210.0, 170.0), (90.0, 170.0)])
+TO_OPENCV = np.array([[1.0, 0.0, -0.5], [0.0, 1.0, -0.5], [0.0, 0.0, 1.0]])
+
+
+def noise(seed: int, low: float, high: float) -> np.ndarray:
+    rough = np.random.default_rng(seed).uniform(0.0, 1.0, (HEIGHT, WIDTH, 3)).astype(np.float32)
+    soft = cv2.GaussianBlur(rough, (0, 0), 2.0)
+    return low + (high - low) * (soft - soft.min()) / (soft.max() - soft.min())
+
+
+GROUND, TEXTURE = noise(1, 20.0, 140.0), noise(2, 60.0, 250.0)
+
+
+def true_motion(kind: PlaneMotion, frame: int) -> np.ndarray:
+    """Where the board is on a frame, from frame 0."""
+    middle = np.array([[1.0, 0.0, -150.0], [0.0, 1.0, -120.0], [0.0, 0.0, 1.0]])
+    motion = np.eye(3)
+    motion[:2, 2] = 2.3 * frame, -1.1 * frame
+    if kind is not PlaneMotion.TRANSLATION:
+        angle, size = np.radians(1.2 * frame), 1.0 + 0.01 * frame
+        motion[:2, :2] = size * np.array([[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]])
+    if kind in (PlaneMotion.AFFINE, PlaneMotion.HOMOGRAPHY):
+        motion[:2, :2] = motion[:2, :2] @ np.array([[1.0, 0.01 * frame], [0.0, 1.0 - 0.008 * frame]])
+    if kind is PlaneMotion.HOMOGRAPHY:
+        motion[2, :2] = 1e-4 * frame, -5e-5 * frame
+    return projective.normalised(np.linalg.inv(middle) @ motion @ middle)
+
+
+def picture(kind: PlaneMotion, frame: int) -> np.ndarray:
+    """The board on a ground that stands still."""
+    motion = TO_OPENCV @ true_motion(kind, frame) @ np.linalg.inv(TO_OPENCV)
+    moved = cv2.warpPerspective(TEXTURE, motion, (WIDTH, HEIGHT))
+    mask = np.zeros((HEIGHT, WIDTH), np.uint8)
+    corners = projective.apply(true_motion(kind, frame), BOARD[:, 0])
+    cv2.fillPoly(mask, [np.round((corners - 0.5) * 16).astype(np.int32)], 255, shift=4)
+    return np.where(mask[..., None] > 0, moved, GROUND).astype(np.uint8)
+
+
+def misses(kind: PlaneMotion, steps: list[PlaneStep]) -> list[float]:
+    """By how many pixels the worst corner of the board is missed, frame by frame."""
+    corners = BOARD[:, 0]
+    return [
+        float(np.abs(projective.apply(s.matrix, corners) - projective.apply(true_motion(kind, s.frame), corners)).max())
+        for s in steps
+    ]
+
+
+@pytest.mark.parametrize("kind", PlaneMotion)
+def test_a_board_is_followed_without_drift(kind: PlaneMotion) -> None:
+    steps = list(track_plane(lambda frame: picture(kind, frame), [BOARD], [], range(COUNT), kind))
+    assert [step.frame for step in steps] == list(range(1, COUNT))
+    assert max(misses(kind, steps)) < 0.5
+    assert misses(kind, steps)[-1] < 0.4  # what adds up from frame to frame is taken out
+    assert min(step.agreement for step in steps) > 0.6
+
+
+def test_it_goes_backward_alike() -> None:
+    kind = PlaneMotion.SIMILARITY
+    last = COUNT - 1
+    start = projective.apply(true_motion(kind, last), BOARD)
+    steps = list(track_plane(lambda frame: picture(kind, frame), [start], [], range(last, -1, -1), kind))
+    np.testing.assert_allclose(projective.apply(steps[-1].matrix, start), BOARD, atol=0.5)
+
+
+def test_light_that_changes_is_no_motion() -> None:
+    kind = PlaneMotion.AFFINE
+
+    def read(frame: int) -> np.ndarray:
+        return np.clip(picture(kind, frame) * (1.0 - 0.03 * frame) + frame, 0, 255).astype(np.uint8)
+
+    assert max(misses(kind, list(track_plane(read, [BOARD], [], range(10), kind)))) < 0.6
+
+
+def test_what_lies_in_a_hole_is_not_followed() -> None:
+    kind = PlaneMotion.TRANSLATION
+    still = polygon_points([(120.0, 76.0), (206.0, 76.0), (206.0, 164.0), (120.0, 164.0)])
+    column, rows = slice(120, 206), slice(76, 164)
+
+    def read(frame: int) -> np.ndarray:
+        image = picture(kind, frame)
+        image[rows, column] = GROUND[rows, column].astype(np.uint8)
+        return image
+
+    def reached(holes: list[np.ndarray]) -> float:
+        return float(list(track_plane(read, [BOARD], holes, range(4), kind))[-1].matrix[0, 2])
+
+    assert reached([still]) == pytest.approx(2.3 * 3, abs=0.3)
+    assert reached([]) == pytest.approx(0.0, abs=0.3)
+
+
+def test_a_gap_is_passed_over() -> None:
+    kind = PlaneMotion.SIMILARITY
+
+    def read(frame: int) -> np.ndarray:
+        if frame == 2:
+            raise MissingFrame("gone")
+        return picture(kind, frame)
+
+    steps = list(track_plane(read, [BOARD], [], range(5), kind))
+    assert [step.frame for step in steps] == [1, 3, 4]
+    assert max(misses(kind, steps)) < 0.5
+
+
+def test_a_plane_that_goes_is_lost_in_a_sentence() -> None:
+    kind = PlaneMotion.AFFINE
+
+    def read(frame: int) -> np.ndarray:
+        return picture(kind, frame) if frame < 3 else np.full((HEIGHT, WIDTH, 3), 90, np.uint8)
+
+    found = track_plane(read, [BOARD], [], range(6), kind)
+    assert [next(found).frame, next(found).frame] == [1, 2]
+    with pytest.raises(LostPlane, match="lost on frame 3"):
+        next(found)
+
+
+def test_it_stops_when_asked() -> None:
+    token = CancelToken()
+    found = track_plane(
+        lambda frame: picture(PlaneMotion.AFFINE, frame), [BOARD], [], range(6), PlaneMotion.AFFINE, token
+    )
+    next(found)
+    token.cancel()
+    with pytest.raises(Cancelled):
+        next(found)
+
+
+def test_nothing_cannot_be_followed() -> None:
+    with pytest.raises(RoamError, match="no closed shape"):
+        next(track_plane(lambda frame: picture(PlaneMotion.AFFINE, frame), [], [], range(3), PlaneMotion.AFFINE))
