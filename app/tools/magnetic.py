@@ -35,7 +35,7 @@ SNAP = 7.0
 SIGHT, LEAST_SIGHT = 220.0, 48.0
 """Screen pixels around the last point in which edges are looked for; at least this many of the picture."""
 
-TOLERANCE = 1.5
+TOLERANCE = 2.0
 """Screen pixels (pixels of the picture where these are larger) by which the spline may stray from the line."""
 
 KEPT = 0.7
@@ -270,7 +270,7 @@ class MagneticTool(Tool):
         closes = self._hover is not None and self._closes(self._hover)
         if self._hover is not None and self._closing is None:
             live = viewport.transform.map(_traced(self._live(self._hover, closes)))
-            marks.stroke(painter, live, marks.faded(colour, 0.6), marks.OUTLINE_WIDTH)
+            marks.stroke(painter, live, marks.faded(colour, 0.85), marks.OUTLINE_WIDTH)
         for index, leg in enumerate(self._legs):
             grown, last = closes and index == 0, index == len(self._legs) - 1
             marks.anchor(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from itertools import pairwise
 
 import numpy as np
@@ -19,12 +20,18 @@ STEP = 0.5
 MIN_STROKE = 2.0
 """Pixels: a shorter open line is one straight segment."""
 
-HAND_CORNER, HAND_SOFTNESS, HAND_REACH = 55.0, 2.5, 9.0
-"""Degrees and pixels of `fit_open` for lines that a hand drew."""
+HAND_CORNER, HAND_SOFTNESS, HAND_REACH, HAND_STEP = 55.0, 2.5, 9.0, 2.0
+"""Degrees and pixels of `fit_open` for lines that a hand drew: its stroke has no finer detail than its tremor."""
 
 
 def fit_closed(
-    line: Array, tolerance: float = 1.0, corner_degrees: float = 50.0, *, softness: float = 1.2, reach: float = 5.0
+    line: Array,
+    tolerance: float = 1.0,
+    corner_degrees: float = 50.0,
+    *,
+    softness: float = 1.2,
+    reach: float = 5.0,
+    every: float = STEP,
 ) -> Array:
     """A closed spline `(P, 3, 2)` of few points within about `tolerance` pixels of the closed polyline `line (K, 2)`.
 
@@ -37,9 +44,10 @@ def fit_closed(
     ----------
     softness : pixels of the Gaussian that takes pixel stairs, or the tremor of a hand, off before tangents are felt.
     reach : pixels on either side of a corner over which its turn is measured.
+    every : pixels between the samples of the line that the curve is fitted to.
     """
     perimeter = polyline.length(line)
-    count = max(16, round(perimeter / STEP))
+    count = max(16, round(perimeter / every))
     dense = polyline.resample(line, count)
     step = perimeter / count
     cuts = _corners(dense, max(2, round(min(reach, perimeter / 12) / step)), np.radians(corner_degrees))
@@ -65,7 +73,13 @@ def fit_closed(
 
 
 def fit_open(
-    line: Array, tolerance: float = 1.0, corner_degrees: float = 50.0, *, softness: float = 1.2, reach: float = 5.0
+    line: Array,
+    tolerance: float = 1.0,
+    corner_degrees: float = 50.0,
+    *,
+    softness: float = 1.2,
+    reach: float = 5.0,
+    every: float = STEP,
 ) -> Array:
     """An open spline `(P, 3, 2)` of few points within about `tolerance` pixels of the polyline `line (K, 2)`.
 
@@ -75,12 +89,13 @@ def fit_open(
     ----------
     softness : pixels of the Gaussian that takes pixel stairs, or the tremor of a hand, off before tangents are felt.
     reach : pixels on either side of a corner over which its turn is measured.
+    every : pixels between the samples of the line that the curve is fitted to.
     """
     total = polyline.length(line, closed=False)
     if total < MIN_STROKE:
         ends = np.stack([line[0], line[-1]])
         return _chained([_straight(ends[0], ends[1])])
-    dense = polyline.resample(line, max(8, round(total / STEP)) + 1, closed=False)
+    dense = polyline.resample(line, max(8, round(total / every)) + 1, closed=False)
     step = total / (len(dense) - 1)
     soft = _smoothed_open(dense, softness / step)
     span = max(2, round(min(reach, total / 6) / step))
@@ -103,9 +118,8 @@ def fit_stroke(line: Array, tolerance: float, *, closed: bool) -> Array:
 
     Tremor of about a pixel is taken out before corners and tangents are looked for; `tolerance` in pixels.
     """
-    if not closed:
-        return fit_open(line, tolerance, HAND_CORNER, softness=HAND_SOFTNESS, reach=HAND_REACH)
-    return fit_closed(line, tolerance, HAND_CORNER, softness=HAND_SOFTNESS, reach=HAND_REACH)
+    fitted = fit_closed if closed else fit_open
+    return fitted(line, tolerance, HAND_CORNER, softness=HAND_SOFTNESS, reach=HAND_REACH, every=HAND_STEP)
 
 
 def _runs(cuts: list[int]) -> list[tuple[int, tuple[int, int]]]:
@@ -216,15 +230,17 @@ def _fit_run(run: Array, start: Array, end: Array, tolerance: float, depth: int)
     if len(run) < 4 or chord[-1] < 1.5:
         third = chord[-1] / 3.0
         return [np.stack([run[0], run[0] + start * third, run[-1] - end * third, run[-1]])]
-    t = chord / chord[-1]
-    piece = _fit_cubic(run, t, start, end)
-    error, worst = _stray(run, t, piece)
+    t, arc = chord / chord[-1], float(chord[-1])
+    weights = bernstein(t)
+    piece = _fit_cubic(run, weights, start, end, arc)
+    error, worst = _stray(run, weights, piece)
     for _ in range(6):
         if error <= tolerance or error > 16 * tolerance:
             break
-        t = _reparametrised(run, t, piece)
-        piece = _fit_cubic(run, t, start, end)
-        error, worst = _stray(run, t, piece)
+        t = _reparametrised(run, t, weights, piece)
+        weights = bernstein(t)
+        piece = _fit_cubic(run, weights, start, end, arc)
+        error, worst = _stray(run, weights, piece)
     if error <= tolerance or depth > 24:
         return [piece]
     middle = int(np.clip(worst, 2, len(run) - 3)) if len(run) > 5 else len(run) // 2
@@ -235,42 +251,41 @@ def _fit_run(run: Array, start: Array, end: Array, tolerance: float, depth: int)
     ]
 
 
-def _fit_cubic(run: Array, t: Array, start: Array, end: Array) -> Array:
-    """Least squares for the two handle lengths along the given tangents."""
-    weights = bernstein(t)
-    rest = run - (
-        weights[:, :2].sum(axis=1, keepdims=True) * run[0] + weights[:, 2:].sum(axis=1, keepdims=True) * run[-1]
-    )
-    a, b = weights[:, 1:2] * start, -weights[:, 2:3] * end
-    aa, ab, bb = float((a * a).sum()), float((a * b).sum()), float((b * b).sum())
-    ra, rb = float((a * rest).sum()), float((b * rest).sum())
+def _fit_cubic(run: Array, weights: Array, start: Array, end: Array, arc: float) -> Array:
+    """Least squares for the two handle lengths along the given unit tangents; `arc` is the run's length."""
+    first, last = weights[:, 1], weights[:, 2]
+    rest = run - np.outer(weights[:, 0] + first, run[0]) - np.outer(last + weights[:, 3], run[-1])
+    aa, bb, ab = float(first @ first), float(last @ last), -float(first @ last) * float(start @ end)
+    ra, rb = float(first @ rest @ start), -float(last @ rest @ end)
     determinant = aa * bb - ab * ab
-    length = float(np.hypot(*(run[-1] - run[0])))
+    chord = run[-1] - run[0]
+    length = math.hypot(chord[0], chord[1])
     if determinant > 1e-12:
         alpha, beta = (ra * bb - rb * ab) / determinant, (aa * rb - ab * ra) / determinant
     else:
         alpha = beta = 0.0
-    arc = float(np.hypot(*np.diff(run, axis=0).T).sum())
     if not (0.02 * length < alpha <= arc and 0.02 * length < beta <= arc):
         alpha = beta = min(length, arc) / 3.0
     return np.stack([run[0], run[0] + alpha * start, run[-1] - beta * end, run[-1]])
 
 
-def _stray(run: Array, t: Array, piece: Array) -> tuple[float, int]:
-    distance = ((bernstein(t) @ piece - run) ** 2).sum(axis=1)
+def _stray(run: Array, weights: Array, piece: Array) -> tuple[float, int]:
+    off = weights @ piece - run
+    distance = np.einsum("kc,kc->k", off, off)
     worst = int(np.argmax(distance))
-    return float(np.sqrt(distance[worst])), worst
+    return math.sqrt(float(distance[worst])), worst
 
 
-def _reparametrised(run: Array, t: Array, piece: Array) -> Array:
+def _reparametrised(run: Array, t: Array, weights: Array, piece: Array) -> Array:
     """One Newton step of every sample's parameter towards the nearest point of the cubic."""
     s = 1.0 - t
-    first, second = np.diff(piece, axis=0), np.diff(piece, n=2, axis=0)
-    d1 = np.stack([3 * s * s, 6 * s * t, 3 * t * t], axis=1) @ first
-    d2 = np.stack([6 * s, 6 * t], axis=1) @ second
-    off = bernstein(t) @ piece - run
-    slope = (d1 * d1).sum(axis=1) + (off * d2).sum(axis=1)
-    step = np.divide((off * d1).sum(axis=1), slope, out=np.zeros_like(t), where=np.abs(slope) > 1e-9)
-    moved = np.clip(t - step, 0.0, 1.0)
+    legs = piece[1:] - piece[:-1]
+    bends = legs[1:] - legs[:-1]
+    d1 = np.outer(3 * s * s, legs[0]) + np.outer(6 * s * t, legs[1]) + np.outer(3 * t * t, legs[2])
+    d2 = np.outer(6 * s, bends[0]) + np.outer(6 * t, bends[1])
+    off = weights @ piece - run
+    slope = np.einsum("kc,kc->k", d1, d1) + np.einsum("kc,kc->k", off, d2)
+    step = np.divide(np.einsum("kc,kc->k", off, d1), slope, out=np.zeros_like(t), where=np.abs(slope) > 1e-9)
+    moved = np.minimum(np.maximum(t - step, 0.0), 1.0)
     moved[0], moved[-1] = 0.0, 1.0
     return np.maximum.accumulate(moved)

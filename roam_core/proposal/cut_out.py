@@ -56,6 +56,9 @@ LEAK = 2.5
 LARGEST, SMALLEST = 0.4, 0.0004
 """Shares of the picture: a region outside of these is no object that was clicked on."""
 
+TOLERANCE = 1.3
+"""Cells by which the shape may stray from the cut."""
+
 SOFTNESS = 1.2
 """Cells of the Gaussian that takes the stairs off the cut before its outline is fitted."""
 
@@ -160,7 +163,7 @@ class _Told:
 def _fitted(piece: _Piece, cut: Bools, frame: int) -> list[RotoShape]:
     """What was cut out of a piece as shapes on the picture: its outline, then its holes."""
     soft = cv2.GaussianBlur(cut.astype(np.float32), (0, 0), SOFTNESS, borderType=cv2.BORDER_REPLICATE)
-    found = shapes_from_mask(soft, frame)
+    found = shapes_from_mask(soft, frame, TOLERANCE)
     if not found:
         raise RoamError("Nothing stands out there; drag a closer box around the object.")
     holes = takewhile(lambda shape: shape.blend is BlendMode.SUBTRACT, found[1:])
