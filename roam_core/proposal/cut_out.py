@@ -56,7 +56,7 @@ LEAK = 2.5
 LARGEST, SMALLEST = 0.4, 0.0004
 """Shares of the picture: a region outside of these is no object that was clicked on."""
 
-TOLERANCE = 1.3
+TOLERANCE = 1.0
 """Cells by which the shape may stray from the cut."""
 
 SOFTNESS = 1.2
