@@ -53,7 +53,8 @@ class KeyClipboard:
         if copied_keys() is None:
             self._view.say(NOTHING_COPIED)
             return
-        dialog = PasteRangeDialog(self._view.play_range, self._parent)
+        clip = self._document.project.clip
+        dialog = PasteRangeDialog(self._view.play_range, clip.frame_range if clip else None, self._parent)
         dialog.accepted.connect(lambda: self.paste_through(dialog.frames, dialog.every))
         dialog.open()
 

@@ -10,14 +10,16 @@ from app.panels.controls import FRAME_LIMIT, dense_form, form_label, weak_label
 
 
 class PasteRangeDialog(QDialog):
-    """From, to (the in/out range to begin with), and how often. Deleted when it closes."""
+    """From, to (the in/out range to begin with, inside the clip's `frames`), and how often. Deleted when it closes."""
 
-    def __init__(self, play_range: tuple[int, int], parent: QWidget | None = None) -> None:
+    def __init__(self, play_range: tuple[int, int], frames: range | None = None, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setWindowTitle("Paste key to range")
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        self.first, self.last, self.step = _field(play_range[0]), _field(play_range[1] - 1), _field(0)
-        self.step.setRange(0, FRAME_LIMIT)
+        lowest, highest = (frames[0], frames[-1]) if frames else (-FRAME_LIMIT, FRAME_LIMIT)
+        self.first = _field(play_range[0], lowest, highest)
+        self.last = _field(play_range[1] - 1, lowest, highest)
+        self.step = _field(0, 0, FRAME_LIMIT)
         self.step.setSpecialValueText("at both ends")
         self.step.setPrefix("every ")
         self.step.setToolTip("A key on each so many frames; 0: at both ends of the range alone")
@@ -49,9 +51,9 @@ class PasteRangeDialog(QDialog):
         return self.step.value()
 
 
-def _field(value: int) -> QSpinBox:
+def _field(value: int, lowest: int, highest: int) -> QSpinBox:
     field = QSpinBox()
-    field.setRange(-FRAME_LIMIT, FRAME_LIMIT)
+    field.setRange(lowest, highest)
     field.setValue(value)
     field.setAlignment(Qt.AlignmentFlag.AlignRight)
     field.setMinimumHeight(style.ROW_HEIGHT)

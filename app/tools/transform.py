@@ -13,7 +13,7 @@ from app.document import Document
 from app.tools.box_marks import paint_box
 from app.tools.gestures import Edit, Gesture
 from app.tools.reshape import Grab, grab_selection, grabbed_indices
-from app.tools.select import SelectTool
+from app.tools.select import INSERT, SelectTool
 from app.tools.tool import Pointer
 from app.tools.transform_box import CENTRE, HANDLES, Act, Box, Part, Pull, pulled
 from app.view_state import Selection, ViewState
@@ -70,7 +70,7 @@ class TransformTool(SelectTool):
     def press(self, pointer: Pointer) -> None:
         box = self.box(pointer.pixel)
         part = box.hit(pointer) if box else None
-        if box is None or part is None:
+        if box is None or part is None or pointer.holds(INSERT):
             super().press(pointer)
         elif part.act is Act.PIVOT:
             self._gesture = PivotDrag(self.document, self.view_state, pointer, self, box)
@@ -98,7 +98,7 @@ class TransformTool(SelectTool):
     def hover(self, pointer: Pointer) -> None:
         box = self.box(pointer.pixel)
         self._hovered = box.hit(pointer) if box else None
-        if box is None or self._hovered is None:
+        if box is None or self._hovered is None or pointer.holds(INSERT):
             super().hover(pointer)
             return
         self.view_state.hovered = None

@@ -9,6 +9,8 @@ from numpy.typing import NDArray
 
 from roam_core.geometry import bezier
 from roam_core.roto import Interpolation, Keyframe, Origin, RotoShape, edit
+from roam_core.roto.keying import Keying, held_at, reshape
+from roam_core.roto.transform import transform_like
 from tests.property.strategies import keyframes, point_arrays, roto_shapes
 
 Array = NDArray[np.float64]
@@ -92,3 +94,42 @@ def is_curved(points: Array, segment: int, closed: bool) -> bool:
     """True when a handle of the segment lies off its anchor: such a segment keeps its parametrisation when split."""
     a, b, c, d = bezier.segments(points, closed)[segment]
     return not (np.array_equal(a, b) and np.array_equal(c, d))
+
+
+def changes() -> st.SearchStrategy[Array]:
+    """Affine maps that can be undone."""
+    numbers = st.floats(-0.4, 0.4)
+    linear = st.tuples(numbers, numbers, numbers, numbers).map(lambda n: np.eye(2) + np.reshape(n, (2, 2)))
+    moves = st.tuples(st.floats(-50.0, 50.0), st.floats(-50.0, 50.0))
+    return st.builds(lambda a, b: np.column_stack([a, b]), linear.filter(lambda a: np.linalg.det(a) > 0.2), moves)
+
+
+RANGES = st.none() | st.just(range(0, 1000))
+
+
+@given(roto_shapes(), st.integers(-60, 2020), changes(), st.booleans(), RANGES)
+def test_an_edit_leaves_the_keys_that_it_does_not_reach(
+    shape: RotoShape, frame: int, matrix: Array, auto: bool, ripple: range | None
+) -> None:
+    change = transform_like(held_at(shape, frame), np.ones(shape.point_count), matrix)
+    after = reshape(shape, frame, change, Keying(auto, ripple))
+    assert set(shape.artist_frames) <= set(after.artist_frames)
+    assert set(after.frames) - set(shape.frames) <= ({frame} if auto else set())
+    first = max((f for f in shape.artist_frames if f <= frame), default=-(10**6))
+    last = min((f for f in shape.artist_frames if f >= frame), default=10**6)
+    for key in shape.keys:
+        in_ripple = ripple is not None and key.frame in ripple
+        if not in_ripple and key.frame != frame and (auto or not first <= key.frame <= last):
+            assert after.key_at(key.frame) is key
+
+
+@given(roto_shapes(), changes())
+def test_a_ripple_and_the_opposite_one_bring_every_key_back(shape: RotoShape, matrix: Array) -> None:
+    frame, every = shape.frames[0], np.ones(shape.point_count)
+    whole = Keying(ripple=range(-10_000, 10_000))
+    there = reshape(shape, frame, transform_like(held_at(shape, frame), every, matrix), whole)
+    back = np.linalg.inv(matrix[:, :2])
+    inverse = np.column_stack([back, -back @ matrix[:, 2]])
+    again = reshape(there, frame, transform_like(held_at(there, frame), every, inverse), whole)
+    for key in shape.keys:
+        np.testing.assert_allclose(again.at(key.frame).points, key.points, atol=1e-6)

@@ -12,7 +12,7 @@ from app.tools.transform import TransformTool
 from app.view_state import Selection, ViewState
 from roam_core.geometry.bezier import IN, polygon_points
 from roam_core.roto import edit
-from tests.gui.hand import CTRL, NONE, SHIFT, Hand
+from tests.gui.hand import ALT, CTRL, NONE, SHIFT, Hand
 from tests.gui.tools.conftest import SQUARE, OnlyShape
 
 STALK = (80.0, 27.0)
@@ -149,6 +149,12 @@ def test_beside_the_box_it_selects(hand: Hand, document: Document, view_state: V
     hand.click((80.0, 40.0))
     assert view_state.selection.shapes == {boxed}
     assert document.undo_stack.count() == 0
+
+
+def test_ctrl_alt_click_inserts_a_point_here_too(hand: Hand, boxed: str, only: OnlyShape) -> None:
+    hand.click((60.0, 40.0), CTRL | ALT)
+    assert only().point_count == 5
+    np.testing.assert_allclose(only.anchors()[1], (60.0, 40.0), atol=0.2)
 
 
 def test_locked_shapes_have_no_box(
