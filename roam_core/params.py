@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import asdict, dataclass, field
+from functools import lru_cache
 from typing import Literal
 
+from roam_core.dials import turned
 from roam_core.errors import RoamError
 
 
@@ -277,13 +279,24 @@ DEFAULT_CONFIG = "best"
 
 
 def params_for(config: str | RoamParams) -> RoamParams:
-    """The parameters of a named configuration; a `RoamParams` is passed through."""
+    """The parameters of a named configuration, with dials turned where the name says so (`best+reach=1.5`).
+
+    A `RoamParams` is passed through.
+    """
     if isinstance(config, RoamParams):
         return config
-    try:
-        return CONFIGS[config]
-    except KeyError:
-        raise RoamError(f"There is no configuration {config!r}; choose from {', '.join(CONFIGS)}.") from None
+    base = CONFIGS.get(config.partition("+")[0])
+    if base is None:
+        raise RoamError(f"There is no configuration {config!r}; choose from {', '.join(CONFIGS)}.")
+    return base if config in CONFIGS else _turned(base, config)
+
+
+@lru_cache(maxsize=64)
+def _turned(base: RoamParams, name: str) -> RoamParams:
+    """One value for one name: who compares parameters, or keeps something by them, may go by identity."""
+    params = turned(base, name)
+    assert isinstance(params, RoamParams)
+    return params
 
 
 def scale_for(size: tuple[int, int]) -> float:

@@ -9,11 +9,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.document import Document
-from roam_core.params import CONFIGS, DOUBTFUL
+from roam_core.params import DOUBTFUL
 from roam_core.propagate import provenance
 from roam_core.roto import Clip, Interpolation, Keyframe, Origin, RotoShape
 
 Frames = NDArray[np.int64]
+UNKNOWN = "unknown"
+"""The stamp that no key bears."""
 
 
 @dataclass(frozen=True)
@@ -104,7 +106,7 @@ class _Stamps:
         direction, _, rest = key.inputs.partition(":")
         config, span = rest.partition(":")[0], bisect.bisect_left(self._frames, key.frame)
         source = span - 1 if direction == "forward" else span
-        if config not in CONFIGS or (direction != "fill" and not 0 <= source < len(self._artist)):
+        if direction != "fill" and not 0 <= source < len(self._artist):
             return True
         made = self._made.get((span, direction, config))
         if made is None:
@@ -112,8 +114,10 @@ class _Stamps:
         return made != key.inputs
 
     def _stamp(self, frame: int, source: int, direction: str, config: str) -> str:
-        """What a key on `frame` would bear if it were made now."""
-        params = CONFIGS[config]
+        """What a key on `frame` would bear if it were made now; nothing where nobody knows how it was made."""
+        params = provenance.known_params(config)
+        if params is None:
+            return UNKNOWN
         if direction == "fill":
             return provenance.fill_stamp(self._shape, frame, params, self._clip)
         return provenance.stamp(

@@ -14,7 +14,7 @@ from roam_core.errors import RoamError
 from roam_core.features import PreparedFrame
 from roam_core.features.grid import Grid
 from roam_core.geometry import polyline
-from roam_core.params import CONFIGS, RoamParams, scale_for
+from roam_core.params import RoamParams, scale_for
 from roam_core.propagate import engine, provenance, region
 from roam_core.propagate import step as outline
 from roam_core.propagate.engine import State
@@ -145,7 +145,7 @@ def explain(
 def _run_of(shape: RotoShape, key: Keyframe, clip: Clip | None) -> _Run:
     way, _, rest = key.inputs.partition(":")
     config = rest.partition(":")[0]
-    if config not in CONFIGS:
+    if provenance.known_params(config) is None:
         raise RoamError(
             f"The key of {shape.name!r} on frame {key.frame} does not say which configuration made it; track it again."
         )

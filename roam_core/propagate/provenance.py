@@ -8,7 +8,8 @@ from collections.abc import Sequence
 from functools import lru_cache
 from pathlib import Path
 
-from roam_core.params import CONFIGS, RoamParams
+from roam_core.errors import RoamError
+from roam_core.params import RoamParams, params_for
 from roam_core.roto import Clip, Keyframe, Origin, RotoShape
 
 
@@ -58,12 +59,21 @@ def is_stale(shape: RotoShape, key: Keyframe, clip: Clip | None) -> bool:
         return False
     direction, _, rest = key.inputs.partition(":")
     config = rest.partition(":")[0]
-    if config not in CONFIGS:
+    params = known_params(config)
+    if params is None:
         return True
     if direction == "fill":
-        return fill_stamp(shape, key.frame, CONFIGS[config], clip_stamp(clip)) != key.inputs
+        return fill_stamp(shape, key.frame, params, clip_stamp(clip)) != key.inputs
     forward = direction == "forward"
     source = governing_key(shape, key.frame, forward)
     if source is None:
         return True
-    return stamp(source, shape.closed, CONFIGS[config], clip_stamp(clip), forward) != key.inputs
+    return stamp(source, shape.closed, params, clip_stamp(clip), forward) != key.inputs
+
+
+def known_params(config: str) -> RoamParams | None:
+    """The parameters of the configuration that a stamp names, or None where this program knows no such one."""
+    try:
+        return params_for(config)
+    except RoamError:
+        return None

@@ -1,0 +1,113 @@
+"""The few numbers of the engine that an artist may turn, each a factor on what a configuration says."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
+from typing import Any
+
+from roam_core.errors import RoamError
+
+
+@dataclass(frozen=True)
+class Dial:
+    """A number that an artist may turn.
+
+    Attributes
+    ----------
+    name : its name in that of a configuration, as in `best+reach=1.5`.
+    title, sentence : what it is called, and what it does, in an artist's words.
+    low, high : bounds of the factor; 1 is what the configuration says.
+    turn : from parameters (`RoamParams`) and a factor to the parameters so changed; the very same ones where the
+        configuration has nothing for this dial to turn.
+    """
+
+    name: str
+    title: str
+    sentence: str
+    low: float
+    high: float
+    turn: Callable[[Any, float], Any]
+
+
+def _reach(params: Any, factor: float) -> Any:
+    if params.region is not None:
+        # The grid has to reach as far as the outline may go.
+        band, margin = max(round(params.region.band * factor), 2), params.region.margin * max(factor, 1.0)
+        return replace(params, region=replace(params.region, band=band, margin=margin))
+    return replace(params, steps=tuple(step * factor for step in params.steps))
+
+
+def _firmness(params: Any, factor: float) -> Any:
+    if params.region is not None:
+        return replace(params, region=replace(params.region, prior_weight=params.region.prior_weight * factor))
+    return replace(params, mu=params.mu * factor)
+
+
+def _smoothness(params: Any, factor: float) -> Any:
+    if params.region is not None:
+        region = replace(params.region, blur=params.region.blur * factor, diffusion=params.region.diffusion * factor)
+        return replace(params, region=region)
+    return replace(params, node_spacing=params.node_spacing * factor)
+
+
+def _learning(params: Any, factor: float) -> Any:
+    if params.region is not None:
+        rate = min(params.region.adaptation * factor, 1.0)
+        return replace(params, region=replace(params.region, adaptation=rate))
+    if params.appearance is None:
+        return params
+    rate = min(params.appearance.adaptation * factor, 1.0)
+    return replace(params, appearance=replace(params.appearance, adaptation=rate))
+
+
+def _key_colours(params: Any, factor: float) -> Any:
+    if params.region is not None:
+        weights = {name: getattr(params.region, name) * factor for name in ("key_weight", "global_key_weight")}
+        return replace(params, region=replace(params.region, **weights))
+    if params.appearance is None:
+        return params
+    share = min(params.appearance.key_share * factor, 0.95)
+    return replace(params, appearance=replace(params.appearance, key_share=share))
+
+
+DIALS: tuple[Dial, ...] = (
+    Dial("reach", "Reach", "How far the outline may go in one frame from where the motion puts it", 0.25, 4.0, _reach),
+    Dial("firmness", "Firmness", "How firmly the outline keeps its form from frame to frame", 0.0, 8.0, _firmness),
+    Dial("smoothness", "Smoothness", "How smooth the edge is: more hides noise, less follows detail", 0.5, 3.0, _smoothness),
+    Dial("learning", "Learning", "How quickly new colours are learned; 0 stays with those it knows", 0.0, 4.0, _learning),
+    Dial("key", "Key's colours", "How much the colours of your key count beside those seen since", 0.0, 3.0, _key_colours),
+)  # fmt: skip
+
+
+def dials_of(params: Any) -> tuple[Dial, ...]:
+    """The dials that turn something in these parameters (`RoamParams`)."""
+    return tuple(dial for dial in DIALS if dial.turn(params, dial.high) != params)
+
+
+def name_of(config: str, factors: Mapping[str, float]) -> str:
+    """The name of a configuration with dials turned: `best+reach=1.5`; dials at 1 are left out."""
+    turned = [f"{dial.name}={factors[dial.name]:g}" for dial in DIALS if factors.get(dial.name, 1.0) != 1.0]
+    return "+".join([config, *turned])
+
+
+def turned(params: Any, name: str) -> Any:
+    """The parameters of a configuration as its full `name` tells; raises `RoamError` for a name that makes no sense."""
+    known = {dial.name: dial for dial in DIALS}
+    for word in name.split("+")[1:]:
+        dial_name, _, text = word.partition("=")
+        dial = known.get(dial_name)
+        if dial is None:
+            raise RoamError(f"There is no dial {dial_name!r}; choose from {', '.join(known)}.")
+        params = dial.turn(params, _factor(dial, text))
+    return replace(params, config=name)
+
+
+def _factor(dial: Dial, text: str) -> float:
+    try:
+        factor = float(text)
+    except ValueError:
+        factor = float("nan")
+    if not dial.low <= factor <= dial.high:
+        raise RoamError(f"{dial.name}={text} makes no sense; give a number from {dial.low:g} to {dial.high:g}.")
+    return factor
