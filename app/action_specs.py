@@ -64,6 +64,8 @@ SPECS: tuple[ActionSpec, ...] = (
     ActionSpec(
         "tool.object", "Object", _VIEWER, "tool-object", "Box or click an object: a shape is fitted to it", True
     ),
+    ActionSpec("shape.to_bezier", "Make Bezier", tip="Give the selected B-splines handles; no outline changes"),
+    ActionSpec("shape.to_bspline", "Make B-spline", tip="Give the selected shapes control points: smooth everywhere"),
     ActionSpec("shape.from_mask", "From mask image…", tip="Fit shapes to a picture of this frame's mask"),
     ActionSpec("tool.ellipse", "Ellipse", _VIEWER, "tool-ellipse", "Span an ellipse; Shift makes it a circle", True),
     ActionSpec(
@@ -131,6 +133,12 @@ SPECS: tuple[ActionSpec, ...] = (
     ActionSpec("proposal.keep_always", "Always", tip="Make this change, and every one proposed for this shape"),
     ActionSpec("proposal.refuse_always", "Never", tip="Refuse, and propose nothing more for this shape"),
     ActionSpec("proposal.ask_again", "Ask again", tip="Propose changes for the selected shapes again"),
+    ActionSpec(
+        "planar.backward", "Planar track backward", icon="planar-backward", tip="Follow the surface inside the shapes back"
+    ),
+    ActionSpec(
+        "planar.forward", "Planar track forward", icon="planar-forward", tip="Follow the surface inside the shapes"
+    ),
     ActionSpec("track.delete_engine_keys", "Delete tracked frames", tip="Delete every tracked frame; artist keys stay"),
     ActionSpec("view.source", "Source", _VIEWER, "view-source", "The plate alone", True),
     ActionSpec("view.overlay", "Overlay", _VIEWER, "view-overlay", "The plate with its shapes", True),

@@ -26,6 +26,7 @@ from app.jobs.decode import PlateReader
 from app.jobs.export import Export
 from app.jobs.importing import Import
 from app.jobs.picture_work import PictureWork
+from app.jobs.planar import PlanarTrack
 from app.jobs.propagation import Propagation
 from app.jobs.runner import Runner
 from app.jobs.under_way import UnderWay
@@ -35,6 +36,7 @@ from app.navigation import Navigation
 from app.panels.controls import tool_button
 from app.panels.mode_bar import ModeBar
 from app.panels.panel import Panel
+from app.panels.planar import PlanarPanel
 from app.panels.properties import PropertiesPanel
 from app.panels.readout import Readout
 from app.panels.shapes import ShapesPanel
@@ -43,10 +45,12 @@ from app.panels.tool_column import ToolColumn
 from app.panels.tracker import TrackerPanel
 from app.panels.view_bar import ViewBar
 from app.personal import Personal
+from app.planar_tracking import PlanarTracking
 from app.playback import Playback
 from app.proposals import Proposals
 from app.reopening import Reopening
 from app.shape_verbs import ShapeVerbs
+from app.spline_verbs import SplineVerbs
 from app.timeline.timeline import Timeline
 from app.timeline.transport import Transport
 from app.tools import TOOLS
@@ -91,11 +95,13 @@ class MainWindow(QMainWindow):
         self.proposals = Proposals(self.document, self.view_state, self.propagation, self)
         self.eye = Runner("eye", self)
         self.pictures = PictureWork(self.eye, self)
-        works = self.files, self.export, self.importing, self.propagation, self.pictures
+        self.planar = PlanarTrack(self.document, self.view_state, self.solver, self.reader.engine_frame, self)
+        works = self.files, self.export, self.importing, self.propagation, self.planar, self.pictures
         self.under_way = UnderWay(*works, parent=self)
         self.playback = Playback(self.view_state, self)
         self.navigation = Navigation(self.document, self.view_state)
         self.tracking = Tracking(self.document, self.view_state, self.propagation)
+        self.planar_tracking = PlanarTracking(self.document, self.view_state, self.planar)
         self.shape_verbs = ShapeVerbs(self.document, self.view_state)
         self.file_actions = FileActions(
             self, self.document, self.view_state, self.files, self.export, self.importing, self.personal
@@ -114,6 +120,7 @@ class MainWindow(QMainWindow):
         self.tool_column = ToolColumn(view_state, actions, tuple(TOOLS))
         self.view_bar = ViewBar(document, self.canvas, actions)
         self.shapes = ShapesPanel(document, view_state)
+        self.planar_panel = PlanarPanel(self.planar_tracking, actions)
         self.tracker = TrackerPanel(document, view_state, self.tracking, actions)
         self.properties = PropertiesPanel(document, view_state)
         self.history = QUndoView(document.undo_stack)
@@ -162,7 +169,8 @@ class MainWindow(QMainWindow):
         column.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
         box = QVBoxLayout(column)
         shapes = Panel("Shapes", self.shapes, shape_tools)
-        _fill(box, shapes, Panel("Track", self.tracker), Panel("Shape", self.properties, key_tools), self.history_panel)
+        tracks = Panel("Track", self.tracker), Panel("Planar track", self.planar_panel)
+        _fill(box, shapes, *tracks, Panel("Shape", self.properties, key_tools), self.history_panel)
         box.addWidget(self.desk.log_panel)
         box.setStretchFactor(shapes, 1)
         scroll = QScrollArea()  # for small screens: nothing is squeezed, what does not fit is scrolled to
@@ -186,7 +194,8 @@ class MainWindow(QMainWindow):
         reader.refused.connect(view.say)
         reader.cache_changed.connect(self.timeline.ruler.update)
         reader.cache_changed.connect(lambda: status.show_memory(*reader.memory()))
-        self.propagation.finished.connect(lambda *_: self.autosave.save())
+        for track in (self.propagation, self.planar):
+            track.finished.connect(lambda *_: self.autosave.save())
         self.propagation.finished.connect(lambda _, sentence: view.say(self.proposals.told(sentence)))
         self.under_way.changed.connect(self._pull_running)
         self.document.replaced.connect(self._pull_clip)
@@ -225,6 +234,7 @@ class MainWindow(QMainWindow):
             self.canvas,
             FeatherActions(self.document, self.view_state),
             LayerVerbs(self.document, self.view_state),
+            self.planar_tracking,
             TransformActions(self.document, self.view_state, self),
             self.desk,
             self.reopening,
@@ -233,6 +243,7 @@ class MainWindow(QMainWindow):
             clipboard,
             self.shape_verbs,
             MaskShapes(self, self.document, self.view_state, self.pictures),
+            SplineVerbs(self.document, self.view_state),
             tracking,
             self.proposals,
             time,
@@ -301,6 +312,7 @@ class MainWindow(QMainWindow):
     def _shut_down(self) -> None:
         self.playback.pause()
         self.propagation.drop()
+        self.planar.drop()
         for part in (self.solver, self.reader, self.eye, self.writer, self.autosave):
             part.close()
 

@@ -25,7 +25,8 @@ MENUS: dict[str, tuple[str, ...]] = {
         "points.delete", "points.select_all", "points.next", "points.previous", SEPARATOR,
         "points.soft", "points.lasso", SEPARATOR,
         "points.transform", "points.mirror_across", "points.mirror_down", SEPARATOR,
-        "points.smooth", "points.cusp", "points.toggle_closed", "feather.reset", SEPARATOR,
+        "points.smooth", "points.cusp", "points.toggle_closed", "shape.to_bezier", "shape.to_bspline",
+        "feather.reset", SEPARATOR,
         "edit.keymap", "edit.settings",
     ),
     "Shape": (
@@ -42,6 +43,7 @@ MENUS: dict[str, tuple[str, ...]] = {
         "track.fill", SEPARATOR,
         "track.stop", SEPARATOR,
         "track.next_doubtful", "track.previous_doubtful", "track.most_doubtful", SEPARATOR,
+        "planar.forward", "planar.backward", SEPARATOR,
         "track.delete_engine_keys",
     ),
     "Proposal": (
