@@ -8,7 +8,7 @@ from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QPainter, QPainterPath, QPen
 
 from app.canvas import marks
-from app.canvas.shape_item import ShapePainter
+from app.canvas.outline_paths import OutlinePaths
 from app.canvas.shown import shown_shapes
 from app.canvas.viewing import Onion
 from app.canvas.viewport import Viewport
@@ -47,7 +47,7 @@ def paint_onion(
     frame: int,
     selection: Selection,
     onion: Onion,
-    paths: ShapePainter,
+    paths: OutlinePaths,
 ) -> None:
     """Paint the ghosts of the selected shapes, or of all where none is selected; the shapes themselves go over them.
 
@@ -61,7 +61,7 @@ def paint_onion(
         colour = marks.faded(QColor(onion.before_colour if ghost < frame else onion.after_colour), opacity)
         for shown in shown_shapes(project, ghost):
             if shown.shape.id in wanted:
-                path = viewport.transform.map(paths.path(shown.shape, ghost))
+                path = viewport.transform.map(paths.whole(shown.shape, ghost))
                 marks.stroke(painter, path, colour, WIDTH)
                 numbers.append((_top(path), str(ghost), colour))
     if len(wanted) <= MOST_NUMBERED:

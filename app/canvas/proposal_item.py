@@ -6,7 +6,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QBrush, QColor, QPainter, QPainterPath, QPen
 
 from app.canvas import marks
-from app.canvas.shape_item import outline_path
+from app.canvas.outline_paths import outline_path
 from app.canvas.viewport import Viewport
 from roam_core.propagate.offers import Proposal
 

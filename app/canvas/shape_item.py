@@ -2,19 +2,17 @@
 
 from __future__ import annotations
 
-from collections import OrderedDict
-
 import numpy as np
 from numpy.typing import NDArray
-from PySide6.QtCore import QLineF, QPointF
+from PySide6.QtCore import QLineF
 from PySide6.QtGui import QColor, QPainter, QPainterPath
 
 from app.canvas import marks
-from app.canvas.clipping import clipped_path, inside, painted_area
+from app.canvas.clipping import inside, painted_area
+from app.canvas.outline_paths import OutlinePaths
 from app.canvas.shown import Shown, shown_shapes
 from app.canvas.viewport import Viewport
 from app.view_state import Selection
-from roam_core.geometry import bezier
 from roam_core.geometry.bezier import ANCHOR, IN, OUT
 from roam_core.params import DOUBTFUL
 from roam_core.roto import Outline, Project, RotoShape, Spline
@@ -24,35 +22,13 @@ Array = NDArray[np.float64]
 Hover = tuple[str, int, int] | None
 
 LOCKED_OPACITY = 0.45
-CACHED_PATHS = 512
-
-
-def outline_path(points: Array, closed: bool) -> QPainterPath:
-    """The spline of `points (P, 3, 2)` in image coordinates."""
-    path = QPainterPath(QPointF(*points[0, ANCHOR]))
-    for _, leave, arrive, end in bezier.segments(points, closed).tolist():
-        path.cubicTo(*leave, *arrive, *end)
-    if closed:
-        path.closeSubpath()
-    return path
 
 
 class ShapePainter:
-    """Paints shapes and remembers their paths by shape value and frame."""
+    """Paints shapes and remembers their paths."""
 
     def __init__(self) -> None:
-        self._paths: OrderedDict[tuple[int, int], tuple[RotoShape, QPainterPath]] = OrderedDict()
-
-    def path(self, shape: RotoShape, frame: int) -> QPainterPath:
-        """The shape's path at `frame`, image coordinates. An immutable shape is known by its identity."""
-        key = (id(shape), frame)
-        if key not in self._paths:
-            # The shape is kept with its path: while it lives no other can have its identity.
-            self._paths[key] = shape, outline_path(shape.at(frame).points, shape.closed)
-            while len(self._paths) > CACHED_PATHS:
-                self._paths.popitem(last=False)
-        self._paths.move_to_end(key)
-        return self._paths[key][1]
+        self.paths = OutlinePaths()
 
     def paint(
         self,
@@ -64,29 +40,20 @@ class ShapePainter:
         hover: Hover = None,
     ) -> None:
         """Paint all shapes in sight, the selected ones above the others."""
-        shown = shown_shapes(project, frame)
+        shown, area = shown_shapes(project, frame), painted_area(painter, viewport)
         for item in sorted(shown, key=lambda s: s.shape.id in selection.shapes):
-            self._paint_outline(painter, viewport, item, frame, item.shape.id in selection.shapes)
+            path = self.paths.in_sight(item.shape, frame, area)
+            if path is not None:
+                _paint_outline(painter, viewport, item, path, item.shape.id in selection.shapes)
             _paint_doubts(painter, viewport, item.shape, frame)
             if item.shape.id in selection.shapes and not item.locked:
                 _paint_points(painter, viewport, item.shape, item.shape.at(frame), selection, hover)
 
-    def _paint_outline(self, painter: QPainter, viewport: Viewport, item: Shown, frame: int, selected: bool) -> None:
-        path = self._path_in_sight(painter, viewport, item.shape, frame)
-        if path is not None:
-            colour = marks.faded(shape_colour(item.shape), LOCKED_OPACITY if item.locked else 1.0)
-            width = marks.SELECTED_WIDTH if selected else marks.OUTLINE_WIDTH
-            marks.stroke(painter, viewport.transform.map(path), colour, width)
 
-    def _path_in_sight(
-        self, painter: QPainter, viewport: Viewport, shape: RotoShape, frame: int
-    ) -> QPainterPath | None:
-        """As much of the shape's path as reaches into what is being painted, image coordinates; None for nothing."""
-        control = bezier.segments(shape.at(frame).points, shape.closed)
-        wanted = inside(control, painted_area(painter, viewport)) if len(control) else np.zeros(0, dtype=bool)
-        if wanted.all():
-            return self.path(shape, frame)
-        return clipped_path(control, wanted, shape.closed) if wanted.any() else None
+def _paint_outline(painter: QPainter, viewport: Viewport, item: Shown, path: QPainterPath, selected: bool) -> None:
+    colour = marks.faded(shape_colour(item.shape), LOCKED_OPACITY if item.locked else 1.0)
+    width = marks.SELECTED_WIDTH if selected else marks.OUTLINE_WIDTH
+    marks.stroke(painter, viewport.transform.map(path), colour, width)
 
 
 def shape_colour(shape: RotoShape) -> QColor:

@@ -62,5 +62,5 @@ class SightPainter:
         if sight.mode is ViewMode.CONFIDENCE:
             paint_confidence(painter, viewport, sight.project, sight.frame)
         elif sight.mode is ViewMode.ONION:
-            paint_onion(painter, viewport, sight.project, sight.frame, selection, sight.onion, self._shapes)
+            paint_onion(painter, viewport, sight.project, sight.frame, selection, sight.onion, self._shapes.paths)
         self._shapes.paint(painter, viewport, sight.project, sight.frame, selection, hover)

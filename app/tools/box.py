@@ -10,7 +10,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QPainter
 
 from app.canvas import marks
-from app.canvas.shape_item import outline_path
+from app.canvas.outline_paths import outline_path
 from app.canvas.viewport import Viewport
 from app.document import Document
 from app.tools.finishing import finish_shape, next_colour

@@ -8,7 +8,8 @@ from PySide6.QtCore import QLineF
 from PySide6.QtGui import QColor, QPainter
 
 from app.canvas import marks
-from app.canvas.shape_item import control_sides, outline_path
+from app.canvas.outline_paths import outline_path
+from app.canvas.shape_item import control_sides
 from app.canvas.viewport import Viewport
 from app.tools.drawing import DrawingTool
 from app.tools.tool import Pointer

@@ -11,7 +11,8 @@ from PySide6.QtCore import QLineF, Qt
 from PySide6.QtGui import QColor, QPainter, QPainterPath
 
 from app.canvas import marks
-from app.canvas.shape_item import outline_path, visible_handles
+from app.canvas.outline_paths import outline_path
+from app.canvas.shape_item import visible_handles
 from app.canvas.viewport import Viewport
 from app.document import Document
 from app.tools.finishing import finish_shape, next_colour

@@ -12,8 +12,8 @@ from PySide6.QtGui import QImage, QPaintEvent
 from PySide6.QtWidgets import QApplication
 
 from app.canvas.clipping import clipped_path
+from app.canvas.outline_paths import outline_path
 from app.canvas.repaint import changed_area
-from app.canvas.shape_item import outline_path
 from app.canvas.view import CanvasView
 from app.canvas.viewport import Viewport
 from app.document import Document

@@ -11,7 +11,8 @@ from PySide6.QtCore import QPointF
 from PySide6.QtGui import QColor, QImage, QPainter
 
 from app.canvas import marks
-from app.canvas.shape_item import ShapePainter, outline_path
+from app.canvas.outline_paths import OutlinePaths, outline_path
+from app.canvas.shape_item import ShapePainter
 from app.canvas.viewport import Viewport
 from app.view_state import Selection
 from roam_core.geometry.bezier import IN, OUT, polygon_points
@@ -79,12 +80,23 @@ def test_open_path_does_not_return() -> None:
 
 
 def test_path_is_kept_for_shape_and_frame() -> None:
-    painter = ShapePainter()
-    kept = painter.path(SHAPE, 1)
-    assert painter.path(SHAPE, 1) is kept
-    assert painter.path(SHAPE, 2) is not kept
+    paths = OutlinePaths()
+    kept = paths.whole(SHAPE, 1)
+    assert paths.whole(SHAPE, 1) is kept
+    assert paths.whole(SHAPE, 2) is not kept
     moved = SHAPE.with_key(Keyframe(1, polygon_points(CORNERS) + 5.0))
-    assert painter.path(moved, 1).elementAt(0).x == 25.0
+    assert paths.whole(moved, 1).elementAt(0).x == 25.0
+
+
+def test_only_what_is_in_sight_of_a_path_is_made() -> None:
+    paths, corners = OutlinePaths(), np.array(CORNERS)
+    around = corners.min(axis=0) - 9.0, corners.max(axis=0) + 9.0
+    assert paths.in_sight(SHAPE, 1, around) is paths.whole(SHAPE, 1)
+    assert paths.in_sight(SHAPE, 1, (corners.max(axis=0) + 5.0, corners.max(axis=0) + 9.0)) is None
+    (x, y), (_, bottom) = corners[0], corners.max(axis=0)
+    cut = paths.in_sight(SHAPE, 1, (np.array([x - 9.0, y - 9.0]), np.array([x + 1.0, bottom + 9.0])))
+    assert cut is not None
+    assert 0 < cut.elementCount() <= paths.whole(SHAPE, 1).elementCount()
 
 
 @pytest.mark.parametrize("scale", [0.5, 1.0, 4.0])
