@@ -90,7 +90,7 @@ SPECS: tuple[ActionSpec, ...] = (
     ActionSpec("shape.duplicate", "Duplicate", _VIEWER, "duplicate"),
     ActionSpec("shape.group", "Group into a layer", _VIEWER, "layer-add"),
     ActionSpec(
-        "layer.ungroup", "Ungroup", _VIEWER, "layer-remove", "Dissolve the layer; the shapes in it stay as they are seen"
+        "layer.ungroup", "Ungroup", _VIEWER, "layer-remove", "Dissolve the layer; its shapes stay as they are seen"
     ),
     ActionSpec("layer.add", "New layer", tip="Add an empty layer, to drop shapes on"),
     ActionSpec("shape.delete", "Delete shape", icon="delete", tip="Delete the selected shapes and layers"),
@@ -134,11 +134,9 @@ SPECS: tuple[ActionSpec, ...] = (
     ActionSpec("proposal.refuse_always", "Never", tip="Refuse, and propose nothing more for this shape"),
     ActionSpec("proposal.ask_again", "Ask again", tip="Propose changes for the selected shapes again"),
     ActionSpec(
-        "planar.backward", "Planar track backward", icon="planar-backward", tip="Follow the surface inside the shapes back"
+        "planar.backward", "Planar track backward", icon="planar-backward", tip="Follow the surface in the shapes back"
     ),
-    ActionSpec(
-        "planar.forward", "Planar track forward", icon="planar-forward", tip="Follow the surface inside the shapes"
-    ),
+    ActionSpec("planar.forward", "Planar track forward", icon="planar-forward", tip="Follow the surface in the shapes"),
     ActionSpec("track.delete_engine_keys", "Delete tracked frames", tip="Delete every tracked frame; artist keys stay"),
     ActionSpec("view.source", "Source", _VIEWER, "view-source", "The plate alone", True),
     ActionSpec("view.overlay", "Overlay", _VIEWER, "view-overlay", "The plate with its shapes", True),

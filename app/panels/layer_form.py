@@ -14,6 +14,7 @@ from app.panels.controls import dense_form, form_label
 from app.panels.fields import NumberField, ScrubLabel, SwitchBox, shared
 from app.view_state import ViewState
 from roam_core.roto import Layer, edit
+from roam_core.roto.following import still
 
 FREE_OF_LOCKS = {"visible", "locked"}
 """What can be changed on a locked layer."""
@@ -40,8 +41,8 @@ class LayerForm(QWidget):
         self._motion.setToolTip("The frames on which a track moves the layer")
         self.clear_motion = QPushButton("Remove")
         self.clear_motion.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-        self.clear_motion.setToolTip("Let the layer stand still; its shapes stay in it")
-        self.clear_motion.clicked.connect(lambda: self.push("Remove motion", transform=None))
+        self.clear_motion.setToolTip("Let the layer stand still; every key stays where it is seen")
+        self.clear_motion.clicked.connect(self._push_stillness)
         row = QHBoxLayout()
         row.addWidget(self._motion, 1)
         row.addWidget(self.clear_motion)
@@ -85,6 +86,14 @@ class LayerForm(QWidget):
             grid.addWidget(box, index // 2, index % 2)
             box.clicked.connect(lambda on, name=name: self.push(texts[name][on], **{name: on}))
         return grid
+
+    def _push_stillness(self) -> None:
+        """Take the motion away; keys stay where they are seen on their own frames."""
+        project = self._document.project
+        for layer in self.layers:
+            if not layer.locked and layer.transform is not None:
+                project = still(project, layer.id)
+        self._document.apply("Remove motion", project)
 
     def _push_name(self) -> None:
         name = self.name.text().strip()

@@ -1,0 +1,162 @@
+"""Planar tracking as a job: the plane is followed on the worker, the window moves the layer as frames come."""
+
+from __future__ import annotations
+
+import itertools
+import time
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from PySide6.QtCore import QObject, Signal
+
+from app.document import Document
+from app.jobs.runner import Ending, Job, Report, Runner
+from app.view_state import ViewState
+from roam_core.geometry.plane_motion import PlaneMotion
+from roam_core.roto import BlendMode, Layer, LayerTransform, RotoShape
+from roam_core.roto.following import followed, with_moving_layer
+
+ReadFrame = Callable[[int], Any]
+LAYER_NAME = "Planar"
+_run_numbers = itertools.count(1)
+
+
+@dataclass
+class _Run:
+    """What is known of the run under way. `expected` is the layer's motion as the run left it in the document."""
+
+    job: Job
+    shape_ids: tuple[str, ...]
+    start: int
+    shown_frame: int
+    merge_key: str
+    layer_id: str = ""
+    expected: LayerTransform | None = None
+    reached: int | None = None
+
+
+class PlanarTrack(QObject):
+    """Follows the plane under shapes and keeps what it finds as the motion of a layer around them.
+
+    The shapes stay the artist's: they may be edited while the track runs. `read(frame)` gives plate frames in the
+    engine's colours; the worker calls it.
+
+    Signals
+    -------
+    running_changed() : a run began or ended.
+    progress(fraction, text) : how far, how fast.
+    finished(ending, sentence) : the run's last word.
+    """
+
+    running_changed = Signal()
+    progress = Signal(float, str)
+    finished = Signal(object, str)
+
+    def __init__(
+        self, document: Document, view_state: ViewState, runner: Runner, read: ReadFrame, parent: QObject | None = None
+    ) -> None:
+        super().__init__(parent)
+        self._document, self._view, self._runner, self._read = document, view_state, runner, read
+        self._run: _Run | None = None
+        document.changed.connect(self._guard)
+        document.replaced.connect(self.drop)
+
+    @property
+    def is_running(self) -> bool:
+        return self._run is not None
+
+    def start(self, shape_ids: Sequence[str], frames: range, kind: PlaneMotion) -> None:
+        """Follow the plane under shapes along `frames`: the first is where they are, the step +1 or -1 the direction.
+
+        Shapes that subtract are holes in the plane.
+        """
+        self.drop()
+        shapes = tuple(self._document.project.shape(shape_id) for shape_id in shape_ids)
+        read = self._read
+        job = self._runner.start("track", lambda report: _track(report, read, shapes, frames, kind))
+        job.partial.connect(self._apply)
+        job.progress.connect(self.progress)
+        job.ended.connect(self._end)
+        merge_key = f"planar-{next(_run_numbers)}"
+        self._run = _Run(job, tuple(shape_ids), frames[0], self._view.frame, merge_key)
+        self.progress.emit(0.0, "Starting the planar track …")
+        self.running_changed.emit()
+
+    def stop(self) -> None:
+        """Stop soon; the frames that are finished stay."""
+        if self._run is not None:
+            self._run.job.cancel()
+
+    def drop(self) -> None:
+        """Stop now: nothing that is still found may reach the document."""
+        if self._run is not None:
+            self._run.job.drop()
+
+    # ---- the rest is private
+
+    def _apply(self, found: tuple[int, Any]) -> None:
+        """The plane has been found on a frame: `(frame, matrix)`."""
+        run, (frame, matrix) = self._run, found
+        if run is None:
+            return
+        project = self._document.project
+        if not run.layer_id:
+            project, run.layer_id = with_moving_layer(project, run.shape_ids, run.start, LAYER_NAME)
+        project = followed(project, run.layer_id, run.start, frame, matrix)
+        layer = project.find(run.layer_id)
+        assert isinstance(layer, Layer)
+        run.expected, run.reached = layer.transform, frame
+        self._document.apply("Planar track", project, merge_key=run.merge_key)
+        if self._view.frame == run.shown_frame and self._view.preview is None:
+            run.shown_frame = frame
+            self._view.set_frame(frame)
+
+    def _guard(self, _ids: frozenset[str]) -> None:
+        """An edit or undo that takes the layer or a shape away, or the motion back, ends the run."""
+        run, project = self._run, self._document.project
+        if run is None:
+            return
+        there = all(project.has(shape_id) for shape_id in run.shape_ids)
+        if run.layer_id and there:
+            layer = project.find(run.layer_id) if project.has(run.layer_id) else None
+            there = isinstance(layer, Layer) and layer.transform == run.expected
+        if not there:
+            self.drop()
+
+    def _end(self, ending: Ending, sentence: str) -> None:
+        run, self._run = self._run, None
+        if run is None:
+            return
+        if ending is Ending.CANCELLED:
+            where = "before a frame was finished" if run.reached is None else f"at frame {run.reached}"
+            sentence = f"The planar track stopped {where}; the finished frames stay."
+        self.running_changed.emit()
+        self.finished.emit(ending, sentence)
+
+
+def _track(report: Report, read: ReadFrame, shapes: Sequence[RotoShape], frames: range, kind: PlaneMotion) -> str:
+    """The work, on the worker thread."""
+    # OpenCV loads while the window is up already: that must not delay it.
+    from roam_core.motion.planar import track_plane
+
+    outlines, holes = outlines_at(shapes, frames[0])
+    began, worst, done = time.perf_counter(), 1.0, 0
+    for step in track_plane(read, outlines, holes, frames, kind, report.token):
+        report.token.check()
+        report.partial((step.frame, step.matrix))
+        done, worst = done + 1, min(worst, step.agreement)
+        pace = f"{1000 * (time.perf_counter() - began) / done:.0f} ms a frame"
+        place = f"frame {step.frame} of {frames[-1]}"
+        share = f"{step.agreement:.0%} of {step.corners} corners agree"
+        report.progress(done / max(len(frames) - 1, 1), f"Planar track: {place} · {share} · {pace}")
+    if done == 0:
+        return "There is no frame to track to."
+    return f"Followed the plane to frame {frames[-1]}: {done} frames, at least {worst:.0%} of the corners agreed."
+
+
+def outlines_at(shapes: Sequence[RotoShape], frame: int) -> tuple[list[Any], list[Any]]:
+    """The closed outlines `(P, 3, 2)` of shapes that are there on a frame, and those of shapes that subtract."""
+    there = [shape for shape in shapes if shape.closed and shape.exists_at(frame)]
+    outlines = [shape.at(frame).points for shape in there if shape.blend is not BlendMode.SUBTRACT]
+    return outlines, [shape.at(frame).points for shape in there if shape.blend is BlendMode.SUBTRACT]

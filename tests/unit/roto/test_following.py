@@ -1,0 +1,93 @@
+"""Shapes that follow a track: nothing that the artist made moves."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from roam_core.geometry import projective
+from roam_core.geometry.bezier import ANCHOR, polygon_points
+from roam_core.roto import Keyframe, Layer, LayerTransform, Origin, Project, edit
+from roam_core.roto.following import followed, still, with_moving_layer
+
+SQUARE = polygon_points([(10.0, 10.0), (30.0, 10.0), (30.0, 26.0), (10.0, 26.0)])
+
+
+def moved(x: float, y: float = 0.0) -> np.ndarray:
+    return np.array([[1.0, 0.0, x], [0.0, 1.0, y], [0.0, 0.0, 1.0]])
+
+
+@pytest.fixture
+def project() -> Project:
+    """Two shapes; the first has artist keys on frames 1 and 9, and engine keys on 2 and 3."""
+    one, shape = edit.new_shape(Project(), SQUARE, 1)
+    shape = edit.set_key(shape, 9, SQUARE + np.array([20.0, 4.0]))
+    shape = edit.set_engine_keys(shape, [Keyframe(f, SQUARE + 1.0, origin=Origin.ENGINE) for f in (2, 3)])
+    return edit.new_shape(one.with_shape(shape), SQUARE, 1)[0]
+
+
+def test_a_new_layer_stands_still(project: Project) -> None:
+    after, layer_id = with_moving_layer(project, ["shape-1"], 1, "Planar")
+    layer = after.find(layer_id)
+    assert isinstance(layer, Layer)
+    assert (layer.name, [child.id for child in layer.children]) == ("Planar 1", ["shape-1"])
+    assert after.find("shape-1") == project.find("shape-1")
+    assert with_moving_layer(after, ["shape-2"], 1, "Planar")[0].find("layer-2").name == "Planar 2"
+
+
+def test_a_moving_layer_of_just_these_is_taken_up_again(project: Project) -> None:
+    after, layer_id = with_moving_layer(project, ["shape-1", "shape-2"], 1, "Planar")
+    assert with_moving_layer(after, ["shape-2", "shape-1"], 4, "Planar") == (after, layer_id)
+    inner, inner_id = with_moving_layer(after, ["shape-2"], 4, "Planar")
+    assert inner_id != layer_id
+    assert [above.id for above in inner.layers_above("shape-2")] == ["root", layer_id, inner_id]
+
+
+def test_the_shape_follows_and_no_artist_key_moves(project: Project) -> None:
+    after, layer_id = with_moving_layer(project, ["shape-1"], 1, "Planar")
+    before = after.shape("shape-1")
+    for frame in range(2, 7):
+        after = followed(after, layer_id, 1, frame, moved(3.0 * (frame - 1)))
+    shape = after.shape("shape-1")
+    for key in (1, 9):
+        np.testing.assert_allclose(shape.at(key).points, before.at(key).points, atol=1e-9)
+    assert shape.frames == (1, 9)  # the engine's keys gave way
+    # Between the keys it goes with the plane, and bends evenly towards the artist's next key.
+    own = before.at(9).points[0, ANCHOR] - moved(15.0)[:2, 2]
+    expected = (1 - 4 / 8) * np.array([10.0, 10.0]) + 4 / 8 * own + [12.0, 0.0]
+    np.testing.assert_allclose(shape.at(5).points[0, ANCHOR], expected)
+
+
+def test_engine_keys_on_other_frames_stay_where_they_are_seen(project: Project) -> None:
+    after, layer_id = with_moving_layer(project, ["shape-1"], 1, "Planar")
+    after = followed(after, layer_id, 1, 2, moved(8.0))
+    np.testing.assert_allclose(after.shape("shape-1").key_at(3).points, SQUARE + 1.0, atol=1e-9)
+
+
+def test_the_only_key_is_never_lost() -> None:
+    one, shape = edit.new_shape(Project(), SQUARE, 1)
+    engine = edit.delete_keys(edit.set_engine_keys(shape, [Keyframe(4, SQUARE, origin=Origin.ENGINE)]), [1])
+    after, layer_id = with_moving_layer(one.with_shape(engine), ["shape-1"], 3, "Planar")
+    assert followed(after, layer_id, 3, 4, moved(2.0)).shape("shape-1").frames == (4,)
+
+
+def test_motion_is_told_in_the_space_around_the_layer(project: Project) -> None:
+    after, outer = with_moving_layer(project, ["shape-1", "shape-2"], 1, "Planar")
+    turn = np.array([[0.0, -1.0, 40.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]])
+    after = edit.set_properties(after, outer, transform=LayerTransform.of({1: turn, 5: moved(50.0) @ turn}))
+    after, inner = with_moving_layer(after, ["shape-2"], 1, "Planar")
+    start = after.shape("shape-2").at(1).points
+    tilt = projective.normalised([[1.02, 0.1, 5.0], [-0.1, 0.98, 2.0], [1e-4, 2e-4, 1.0]])
+    after = followed(after, inner, 1, 5, tilt)
+    np.testing.assert_allclose(after.shape("shape-2").at(5).points, projective.apply(tilt, start), atol=1e-9)
+    again = followed(after, inner, 5, 6, moved(7.0))
+    np.testing.assert_allclose(
+        again.shape("shape-2").at(6).points, projective.apply(moved(7.0) @ tilt, start), atol=1e-9
+    )
+
+
+def test_motion_can_be_taken_away(project: Project) -> None:
+    after, layer_id = with_moving_layer(project, ["shape-1"], 1, "Planar")
+    stilled = still(followed(after, layer_id, 1, 5, moved(6.0)), layer_id)
+    assert stilled.find(layer_id).transform is None
+    np.testing.assert_allclose(stilled.shape("shape-1").at(9).points, project.shape("shape-1").at(9).points)
