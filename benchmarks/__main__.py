@@ -12,6 +12,7 @@ from benchmarks import (
     confidence,
     davis,
     drift,
+    fewest_keys,
     kernels,
     mattes,
     paper,
@@ -37,6 +38,7 @@ BENCHMARKS: dict[str, ModuleType] = {
     "scaling": scaling,
     "kernels": kernels,
     "mattes": mattes,
+    "keys": fewest_keys,
     "window": window,
 }
 """Each module has `arguments(parser)` and `run(arguments)`; the first line of its text is its help."""
