@@ -125,7 +125,7 @@ SPECS: tuple[ActionSpec, ...] = (
     ActionSpec(
         "track.next_doubtful", "Next doubtful frame", icon="doubtful-next", tip="Go to the next frame worth fixing"
     ),
-    ActionSpec("track.previous_doubtful", "Previous doubtful frame"),
+    ActionSpec("track.previous_doubtful", "Previous doubtful frame", icon="doubtful-previous"),
     ActionSpec("track.most_doubtful", "Most doubtful frame", tip="Go to the frame that the engine trusts least"),
     ActionSpec("proposal.next", "Next proposal", tip="Go to the next frame on which the engine proposes a change"),
     ActionSpec("proposal.keep", "Keep", _VIEWER, tip="Make the change that the engine proposes here"),

@@ -29,6 +29,8 @@ def restore(window: MainWindow, path: Path) -> None:
     if (index := mode.findData(settings.value("mode"))) >= 0:
         mode.setCurrentIndex(index)
     window.proposals.answers.update(_tables(settings.value("proposals")))
+    window.tracking.recall(_tables(settings.value("dials")))
+    window.tracker.dials.pull()
     window.canvas.viewing.recall(_tables(settings.value("viewing")))
 
 
@@ -44,6 +46,7 @@ def keep(window: MainWindow, path: Path) -> None:
     settings.setValue(
         "proposals", json.dumps({name: own for name, own in window.proposals.answers.items() if name and own})
     )
+    settings.setValue("dials", json.dumps(window.tracking.remembered()))
     settings.setValue("viewing", json.dumps(window.canvas.viewing.remembered()))
     settings.sync()
 

@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
+from enum import StrEnum
 
 from app.document import Document
 from app.jobs.filling import Gap, gaps_of
 from app.jobs.propagation import Propagation
 from app.navigation import clip_frames
 from app.view_state import ViewState, shapes_in_hand
-from roam_core.params import DEFAULT_CONFIG, DOUBTFUL
+from roam_core.dials import name_of
+from roam_core.errors import RoamError
+from roam_core.params import DEFAULT_CONFIG, DOUBTFUL, params_for
 from roam_core.roto import RotoShape
 
 NO_CLIP = "Open a clip first: drop a folder of images or a movie on the window."
@@ -17,12 +20,55 @@ NO_GAP = "There is no gap to fill here: set a key (S) on two frames, with others
 NO_SHAPE = "Draw a shape first: press B in the viewer."
 
 
+class Scope(StrEnum):
+    """Which shapes a run takes."""
+
+    SELECTED = "selected"
+    ALL = "all"
+
+
 class Tracking:
-    """Starts runs of the propagation from the playhead. `config` names the engine's configuration."""
+    """Starts runs of the propagation from the playhead.
+
+    `config` names the engine's configuration, `factors` how far its dials are turned, by configuration and dial;
+    `scope` tells which shapes are meant: the selected ones (all where none is), or all in any case.
+    """
 
     def __init__(self, document: Document, view_state: ViewState, propagation: Propagation) -> None:
         self._document, self._view, self._propagation = document, view_state, propagation
         self.config = DEFAULT_CONFIG
+        self.factors: dict[str, dict[str, float]] = {}
+        self.scope = Scope.SELECTED
+
+    @property
+    def configuration(self) -> str:
+        """The full name of the configuration, with its turned dials: `best+reach=1.5`."""
+        return name_of(self.config, self.factors.get(self.config, {}))
+
+    def turn(self, dial: str, factor: float) -> None:
+        """Turn a dial of the present configuration; 1 is what the configuration says."""
+        self.factors.setdefault(self.config, {})[dial] = factor
+
+    def reset(self) -> None:
+        """Turn all dials of the present configuration back."""
+        self.factors.pop(self.config, None)
+
+    def remembered(self) -> dict[str, dict[str, str]]:
+        """The turned dials, as words that can be kept."""
+        return {
+            config: {dial: f"{factor:g}" for dial, factor in own.items() if factor != 1.0}
+            for config, own in self.factors.items()
+        }
+
+    def recall(self, kept: Mapping[str, Mapping[str, str]]) -> None:
+        """Turn the dials as `remembered` told; what makes no sense any more is left out."""
+        for config, own in kept.items():
+            for dial, word in own.items():
+                try:
+                    params_for(f"{config}+{dial}={word}")
+                except RoamError:
+                    continue
+                self.factors.setdefault(config, {})[dial] = float(word)
 
     def handlers(self) -> dict[str, Callable[[], object]]:
         """What the actions of this part call, by id."""
@@ -57,7 +103,7 @@ class Tracking:
     def to_next_key(self) -> None:
         """Track up to the next artist key of the shapes, or to the end where there is none."""
         frame = self._view.frame
-        later = [key for shape in self._shapes() for key in shape.artist_frames if key > frame]
+        later = [key for shape in self.in_scope() for key in shape.artist_frames if key > frame]
         if not later:
             self.forward()
         elif min(later) == frame + 1:
@@ -71,7 +117,7 @@ class Tracking:
             self._view.say(NO_CLIP)
         elif shapes := self._trackable():
             if gaps := self._gaps_meant(gaps_of(shapes)):
-                self._propagation.fill([shape.id for shape in shapes], gaps, self.config)
+                self._propagation.fill([shape.id for shape in shapes], gaps, self.configuration)
             else:
                 self._view.say(NO_GAP)
 
@@ -108,7 +154,7 @@ class Tracking:
         elif len(frames) < 2:
             self._view.say(f"The clip {'ends' if step > 0 else 'begins'} here: there is no frame to track to.")
         elif shapes := self._trackable():
-            self._propagation.start([shape.id for shape in shapes], frames, self.config)
+            self._propagation.start([shape.id for shape in shapes], frames, self.configuration)
 
     def _gaps_meant(self, gaps: list[Gap]) -> list[Gap]:
         """In and out mean the gaps between them, where they are set around the playhead; otherwise it lies in a gap.
@@ -126,9 +172,13 @@ class Tracking:
         """The selected shapes, or all when none is selected."""
         return shapes_in_hand(self._document.project, self._view.selection)
 
+    def in_scope(self) -> list[RotoShape]:
+        """The shapes that a run would take, whether they can be tracked or not."""
+        return list(self._document.project.shapes) if self.scope is Scope.ALL else self._shapes()
+
     def _trackable(self) -> list[RotoShape]:
         """Those that can be tracked; says why when there is none."""
-        shapes = self._shapes()
+        shapes = self.in_scope()
         able = [shape for shape in shapes if shape.closed and not shape.locked]
         if not shapes:
             self._view.say(NO_SHAPE)

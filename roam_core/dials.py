@@ -74,9 +74,9 @@ def _key_colours(params: Any, factor: float) -> Any:
 DIALS: tuple[Dial, ...] = (
     Dial("reach", "Reach", "How far the outline may go in one frame from where the motion puts it", 0.25, 4.0, _reach),
     Dial("firmness", "Firmness", "How firmly the outline keeps its form from frame to frame", 0.0, 8.0, _firmness),
-    Dial("smoothness", "Smoothness", "How smooth the edge is: more hides noise, less follows detail", 0.5, 3.0, _smoothness),
-    Dial("learning", "Learning", "How quickly new colours are learned; 0 stays with those it knows", 0.0, 4.0, _learning),
-    Dial("key", "Key's colours", "How much the colours of your key count beside those seen since", 0.0, 3.0, _key_colours),
+    Dial("smoothness", "Smoothness", "How smooth the edge is: less follows finer detail", 0.5, 3.0, _smoothness),
+    Dial("learning", "Learning", "How quickly new colours are learned; at 0 never", 0.0, 4.0, _learning),
+    Dial("key", "Key colours", "How much your key's colours count beside later ones", 0.0, 3.0, _key_colours),
 )  # fmt: skip
 
 

@@ -1,4 +1,4 @@
-"""The tracker panel: the track buttons, the engine's configuration, the confidence at the playhead."""
+"""The tracker panel: the track buttons, which shapes, how the engine works, the confidence at the playhead."""
 
 from __future__ import annotations
 
@@ -8,16 +8,28 @@ from PySide6.QtWidgets import QComboBox, QFormLayout, QHBoxLayout, QLabel, QVBox
 from app import style
 from app.actions import Actions
 from app.document import Document
-from app.panels.controls import dense_form, form_label, tool_button
-from app.tracking import Tracking
+from app.panels.controls import dense_form, form_label, tool_button, weak_label
+from app.panels.dials import DialForm
+from app.tracking import Scope, Tracking
 from app.view_state import ViewState, shapes_in_hand
 from roam_core.params import CONFIGS, DOUBTFUL
 
 BUTTONS = ("track.backward", "track.backward_one", "track.stop", "track.forward_one", "track.forward", "track.fill")
 
+WORDS = {
+    "best": "Follows the whole object by colour and motion: the surest on most shots, and the quickest.",
+    "full": "Edges, colours and landmarks; proposes to split a shape where the object comes apart. Slow.",
+    "medium": "Edges and nearby colours, carried along by landmarks: for objects with much texture.",
+    "lean": "Edges and the colours on both sides of them: for plain objects that move little.",
+    "baseline": "Edges alone: for clean contours on a plain ground.",
+}
+"""What each configuration is good for, in an artist's words."""
+
+SCOPES = {Scope.SELECTED: "Selected shapes, or all", Scope.ALL: "All shapes"}
+
 
 class TrackerPanel(QWidget):
-    """Buttons over a form of two rows."""
+    """Buttons over a form: shapes, mode and what it means, dials, confidence."""
 
     def __init__(
         self,
@@ -30,8 +42,12 @@ class TrackerPanel(QWidget):
         super().__init__(parent)
         self._document, self._view, self._tracking = document, view_state, tracking
         self._confidence = QLabel()
-        self.mode = QComboBox()
+        self.mode, self.scope = QComboBox(), QComboBox()
+        self.words = weak_label("")
+        self.words.setWordWrap(True)
+        self.dials = DialForm(tracking, self._pull_mode)
         self._fill_modes()
+        self._fill_scopes()
         column = QVBoxLayout(self)
         column.setContentsMargins(style.MARGIN, style.MARGIN, style.MARGIN, style.MARGIN)
         column.setSpacing(style.MARGIN)
@@ -39,29 +55,51 @@ class TrackerPanel(QWidget):
         column.addLayout(self._form(actions))
         for signal in (document.changed, document.replaced, view_state.frame_changed, view_state.selection_changed):
             signal.connect(self._pull)
+        self._pull_mode()
         self._pull()
 
     def _fill_modes(self) -> None:
         for name in CONFIGS:
             self.mode.addItem(name.replace("_", " ").capitalize(), name)
+            self.mode.setItemData(self.mode.count() - 1, WORDS.get(name, ""), Qt.ItemDataRole.ToolTipRole)
         self.mode.setCurrentIndex(self.mode.findData(self._tracking.config))
         self.mode.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
         self.mode.setToolTip("How the engine works: what it looks at, and how long it takes")
         self.mode.currentIndexChanged.connect(self._push_mode)
 
+    def _fill_scopes(self) -> None:
+        for scope, title in SCOPES.items():
+            self.scope.addItem(title, scope)
+        self.scope.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
+        self.scope.currentIndexChanged.connect(self._push_scope)
+
     def _form(self, actions: Actions) -> QFormLayout:
         form = dense_form()
+        form.addRow(form_label("Shapes"), self.scope)
         form.addRow(form_label("Mode"), self.mode)
+        form.addRow(self.words)
+        form.addRow(self.dials)
         row = QHBoxLayout()
         row.addWidget(self._confidence, 1)
-        row.addWidget(tool_button(actions, "track.next_doubtful"))
+        for action_id in ("track.previous_doubtful", "track.next_doubtful"):
+            row.addWidget(tool_button(actions, action_id))
         form.addRow(form_label("Confidence"), row)
         return form
 
     def _push_mode(self) -> None:
         self._tracking.config = self.mode.currentData()
+        self._pull_mode()
+
+    def _push_scope(self) -> None:
+        self._tracking.scope = Scope(self.scope.currentData())
+        self._pull()
+
+    def _pull_mode(self) -> None:
+        self.words.setText(WORDS.get(self._tracking.config, ""))
+        self.dials.pull()
 
     def _pull(self, _ids: object = None) -> None:
+        self.scope.setToolTip(_scope_sentence([shape.name for shape in self._tracking.in_scope()]))
         values = [
             key.confidence
             for shape in shapes_in_hand(self._document.project, self._view.selection)
@@ -74,6 +112,14 @@ class TrackerPanel(QWidget):
             doubt = "  doubtful" if min(values) < DOUBTFUL else ""
             self._confidence.setText(f"{min(values):.2f}{doubt}")
             self._confidence.setToolTip("The engine's trust in this frame, 0 to 1")
+
+
+def _scope_sentence(names: list[str]) -> str:
+    """Which shapes a run would take now."""
+    if not names:
+        return "There is no shape to track yet"
+    shown = ", ".join(names[:4]) + (f" and {len(names) - 4} more" if len(names) > 4 else "")
+    return f"Now: {shown}"
 
 
 def _button_row(actions: Actions) -> QHBoxLayout:

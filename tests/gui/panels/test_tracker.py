@@ -2,18 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 import pytest
+from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QWidget
 from pytestqt.qtbot import QtBot
 
 from app.actions import Actions, load_keymap
 from app.document import Document
-from app.panels.tracker import TrackerPanel
+from app.panels.tracker import WORDS, TrackerPanel
 from app.tracking import NO_CLIP, NO_GAP, NO_SHAPE, Tracking
 from app.view_state import ViewState
+from roam_core.dials import dials_of
 from roam_core.geometry.bezier import polygon_points
 from roam_core.params import CONFIGS, DEFAULT_CONFIG
 from roam_core.roto import Clip, Keyframe, Origin, Project, edit
@@ -175,12 +177,20 @@ def test_the_most_doubtful_frame_is_the_one_that_is_trusted_least(
     assert view_state.message == "No frame is tracked yet."
 
 
-def test_the_panel_shows_the_confidence_and_sets_the_mode(
-    qtbot: QtBot, tracking: Tracking, document: Document, view_state: ViewState
-) -> None:
+@pytest.fixture
+def panel(qtbot: QtBot, tracking: Tracking, document: Document, view_state: ViewState) -> Iterator[TrackerPanel]:
     window = QWidget()
     qtbot.addWidget(window)
     panel = TrackerPanel(document, view_state, tracking, Actions(window, window, load_keymap()), window)
+    window.resize(300, 500)
+    window.show()
+    yield panel
+    window.close()  # it holds the panel up to here
+
+
+def test_the_panel_shows_the_confidence_and_sets_the_mode(
+    panel: TrackerPanel, tracking: Tracking, view_state: ViewState
+) -> None:
     shown = []
     for frame in (1001, 1002, 1005):
         view_state.set_frame(frame)
@@ -189,3 +199,67 @@ def test_the_panel_shows_the_confidence_and_sets_the_mode(
     assert [panel.mode.itemData(row) for row in range(panel.mode.count())] == list(CONFIGS)
     panel.mode.setCurrentIndex(panel.mode.count() - 1)
     assert tracking.config == list(CONFIGS)[-1]
+
+
+def test_every_mode_says_what_it_is_good_for(panel: TrackerPanel) -> None:
+    assert set(WORDS) == set(CONFIGS)
+    for row in range(panel.mode.count()):
+        panel.mode.setCurrentIndex(row)
+        assert panel.words.text() == WORDS[panel.mode.currentData()]
+
+
+def test_all_shapes_are_tracked_where_that_is_chosen(
+    panel: TrackerPanel, tracking: Tracking, propagation: Propagation, document: Document, view_state: ViewState
+) -> None:
+    document.apply("Add", edit.new_shape(document.project, SQUARE, 1001)[0])
+    view_state.select(frozenset({"shape-2"}))
+    asked = []
+    for row in range(panel.scope.count()):
+        panel.scope.setCurrentIndex(row)
+        tracking.forward()
+        asked.append(propagation.asked[-1][0])
+        assert panel.scope.toolTip() == ("Now: Shape 2", "Now: Shape 1, Shape 2")[row]
+    assert asked == [["shape-2"], ["shape-1", "shape-2"]]
+
+
+def test_dials_are_turned_for_the_run_and_turned_back(
+    qtbot: QtBot, panel: TrackerPanel, tracking: Tracking, propagation: Propagation
+) -> None:
+    dials, left = panel.dials, Qt.MouseButton.LeftButton
+    panel.mode.setCurrentIndex(panel.mode.findData("best"))
+    assert not dials.is_unfolded
+    qtbot.mouseClick(dials.arrow, left)
+    assert dials.is_unfolded
+    field = dials.fields["reach"]
+    qtbot.keyClick(field, Qt.Key.Key_Up)
+    qtbot.keyClick(dials.fields["learning"], Qt.Key.Key_Down)
+    tracking.forward()
+    assert propagation.asked[-1][2] == "best+reach=1.1+learning=0.9"
+    assert dials.arrow.text() == "Fine tuning, changed"
+    qtbot.mouseClick(dials.reset, left)
+    tracking.forward()
+    assert propagation.asked[-1][2] == "best"
+    assert field.value() == 100
+    assert not dials.reset.isEnabled()
+
+
+def test_only_dials_that_turn_something_are_offered_and_each_mode_has_its_own(
+    qtbot: QtBot, panel: TrackerPanel, tracking: Tracking
+) -> None:
+    panel.dials.unfold(True)
+    tracking.turn("reach", 2.0)
+    panel.mode.setCurrentIndex(panel.mode.findData("baseline"))
+    seen = {name for name, field in panel.dials.fields.items() if field.isVisible()}
+    assert seen == {dial.name for dial in dials_of(CONFIGS["baseline"])}
+    assert tracking.configuration == "baseline"
+    panel.mode.setCurrentIndex(panel.mode.findData(DEFAULT_CONFIG))
+    assert tracking.configuration == f"{DEFAULT_CONFIG}+reach=2"
+
+
+def test_turned_dials_are_kept_and_nonsense_is_left_out(tracking: Tracking) -> None:
+    tracking.turn("reach", 1.5)
+    tracking.turn("key", 1.0)
+    assert tracking.remembered() == {DEFAULT_CONFIG: {"reach": "1.5"}}
+    tracking.reset()
+    tracking.recall({DEFAULT_CONFIG: {"reach": "1.5", "speed": "2", "key": "many"}, "abacus": {"reach": "2"}})
+    assert tracking.factors == {DEFAULT_CONFIG: {"reach": 1.5}}
