@@ -17,6 +17,7 @@ from roam_core.params import scale_for
 from roam_core.proposal.key_fit import fitted
 from roam_core.proposal.pairing import paired, poses
 from roam_core.roto import BlendMode, Keyframe, RotoShape, edit
+from roam_core.roto.grips import settled
 from roam_core.roto.project import PALETTE
 
 Array = NDArray[np.float64]
@@ -118,7 +119,7 @@ def _keyed(
             result[place : place + 1] = _ended(shape, frame, {each.id for each in result})
         else:
             fresh = fitted(points, ring, [pairing.pose, *poses([points], [ring])], scale_for(size))
-            result[place] = edit.set_key(shape, frame, fresh)
+            result[place] = edit.set_key(shape, frame, settled(fresh, shape))
     return pairing.pose if pairing.owners else None
 
 

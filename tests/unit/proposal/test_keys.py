@@ -10,9 +10,9 @@ import pytest
 from numpy.typing import NDArray
 
 from roam_core import RoamError, RotoShape, keys_from_mask, render_matte, shapes_from_mask
-from roam_core.geometry import bezier, polyline
+from roam_core.geometry import bezier, bspline, polyline
 from roam_core.geometry.bezier import polygon_points
-from roam_core.roto import BlendMode, Keyframe, Origin
+from roam_core.roto import BlendMode, Keyframe, Origin, Spline, grips
 from tests.golden.shots import Shot, blob, dense, overlap, pose
 
 RADII = [40.0, 52.0, 38.0, 45.0, 60.0, 43.0, 30.0]
@@ -158,3 +158,11 @@ def test_two_runs_give_the_same_bits() -> None:
     a, b = (keys_from_mask([STAR.shape()], STAR.matte(1002), 1002) for _ in range(2))
     assert a == b
     assert len(dense(a[0].at(1002).points)) == 800
+
+
+def test_a_bspline_stays_one() -> None:
+    shape = grips.with_spline(shapes_from_mask(solid((20, 20, 60, 70)), 1)[0], Spline.BSPLINE)
+    (keyed,) = keys_from_mask([shape], solid((30, 24, 74, 78)), 5)
+    assert keyed.frames == (1, 5)
+    assert bspline.is_bspline(keyed.at(5).points)
+    npt.assert_allclose(keyed.at(5).grips[:, 0].mean(axis=0), (52.0, 51.0), atol=3.0)
