@@ -3,15 +3,14 @@
 from __future__ import annotations
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QComboBox, QHBoxLayout, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QComboBox, QHBoxLayout, QToolButton, QWidget
 
 from app import style
 from app.actions import Actions
-from app.panels.controls import dense_form, form_label, tool_button
+from app.panels.controls import tool_button
 from app.planar_tracking import PlanarTracking
 from roam_core.geometry.plane_motion import PlaneMotion
 
-BUTTONS = ("planar.backward", "track.stop", "planar.forward")
 WORDS = {
     PlaneMotion.TRANSLATION: ("Position", "The plane moves, and neither turns nor grows"),
     PlaneMotion.SIMILARITY: ("Position, turn, size", "The plane moves, turns and comes nearer: most things far away"),
@@ -22,7 +21,7 @@ TIP = "What the surface inside the shapes may do; choose the simplest that fits"
 
 
 class PlanarPanel(QWidget):
-    """Buttons, and what the plane may do."""
+    """What the plane may do, between the buttons of both directions."""
 
     def __init__(self, tracking: PlanarTracking, actions: Actions, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -35,17 +34,18 @@ class PlanarPanel(QWidget):
             self.kind.setItemData(self.kind.count() - 1, tip, Qt.ItemDataRole.ToolTipRole)
         self.kind.setCurrentIndex(self.kind.findData(tracking.kind))
         self.kind.currentIndexChanged.connect(self._push_kind)
-        row = QHBoxLayout()
+        row = QHBoxLayout(self)
+        row.setContentsMargins(style.MARGIN, style.MARGIN, style.MARGIN, style.MARGIN)
         row.setSpacing(4)
-        for action_id in BUTTONS:
-            row.addWidget(tool_button(actions, action_id, name="raised"), 1)
-        form = dense_form()
-        form.addRow(form_label("Surface"), self.kind)
-        column = QVBoxLayout(self)
-        column.setContentsMargins(style.MARGIN, style.MARGIN, style.MARGIN, style.MARGIN)
-        column.setSpacing(style.MARGIN)
-        column.addLayout(row)
-        column.addLayout(form)
+        row.addWidget(_raised(actions, "planar.backward"))
+        row.addWidget(self.kind, 1)
+        row.addWidget(_raised(actions, "planar.forward"))
 
     def _push_kind(self) -> None:
         self._tracking.kind = PlaneMotion(self.kind.currentData())
+
+
+def _raised(actions: Actions, action_id: str) -> QToolButton:
+    button = tool_button(actions, action_id, name="raised")
+    button.setMinimumWidth(30)
+    return button

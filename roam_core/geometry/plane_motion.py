@@ -50,7 +50,7 @@ def fit(kind: PlaneMotion, source: Array, target: Array) -> Array | None:
 
 
 def ransac(
-    kind: PlaneMotion, source: Array, target: Array, threshold: float, trials: int = 400, seed: int = 0
+    kind: PlaneMotion, source: Array, target: Array, threshold: float, trials: int = 256, seed: int = 0
 ) -> tuple[Array | None, Flags]:
     """A motion `(3, 3)` robust to outliers, and which of the pairs `(K, 2)` agree with it.
 
@@ -131,7 +131,7 @@ def _solved(kind: PlaneMotion, source: Array, target: Array) -> Array:
 def _errors(matrices: Array, source: Array, target: Array) -> Array:
     """Distances `(T, K)` between `source (K, 2)` carried by each of `matrices (T, 3, 3)` and `target (K, 2)`."""
     lifted = np.column_stack([source, np.ones(len(source))])
-    carried = np.einsum("tij,kj->tki", matrices, lifted)
+    carried = lifted @ matrices.transpose(0, 2, 1)
     deep = np.maximum(carried[..., 2], projective.HORIZON)
     return np.asarray(np.hypot(carried[..., 0] / deep - target[:, 0], carried[..., 1] / deep - target[:, 1]))
 

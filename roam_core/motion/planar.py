@@ -97,6 +97,7 @@ class PlanarTracker:
         self._before, self._matrix = picture, projective.IDENTITY
         self._scale = scale_for(picture.size)
         self._reference = self._begun(picture, projective.IDENTITY)
+        self._check: Callable[[], None] = _go_on
 
     def step(self, picture: PreparedFrame, frame: int, token: CancelToken | None = None) -> PlaneStep:
         """Find the plane on the next picture.
@@ -106,9 +107,8 @@ class PlanarTracker:
         LostPlane
             where too few corners agree; Cancelled at a safe point. The tracker then stands on the picture before.
         """
+        self._check = token.check if token is not None else _go_on
         guess, agreement, count = self._from_last(picture, frame)
-        if token is not None:
-            token.check()
         matched = self._from_reference(self._reference, picture, guess)
         if matched is None and self._reference.grey is not self._before.grey:
             # The plane looks different by now: go on from the last picture, which was still believed.
@@ -116,7 +116,7 @@ class PlanarTracker:
             matched = self._from_reference(self._reference, picture, guess)
         if matched is not None:
             guess, agreement, count = matched
-        self._check(guess, frame, picture)
+        self._refuse_far(guess, frame, picture)
         self._before, self._matrix = picture, guess
         return PlaneStep(frame, guess, agreement, count)
 
@@ -132,7 +132,9 @@ class PlanarTracker:
         source, target, shrunk = _followed_in(
             self._before.grey, picture.grey, region, outlines, self._carried(self._holes, self._matrix)
         )
+        self._check()
         motion, agree = ransac(self.kind, source, target, AGREE / shrunk)
+        self._check()
         if motion is None or agree.sum() < max(ENOUGH * self.kind.pairs, 4):
             raise LostPlane(
                 f"The plane was lost on frame {frame}: too few corners inside the shapes go one way; start again there."
@@ -154,12 +156,13 @@ class PlanarTracker:
         if seen.sum() < ENOUGH * self.kind.pairs:
             return None
         source, target, shrunk = _matched(reference.grey, picture.grey, corners[seen], since)
+        self._check()
         residual, agree = ransac(self.kind, source, target, AGREE_CLOSELY / shrunk)
         if residual is None or agree.sum() < max(ENOUGH * self.kind.pairs, LEAST_AGREEMENT * seen.sum()):
             return None
         return projective.normalised(since @ residual @ reference.matrix), float(agree.sum() / seen.sum()), len(source)
 
-    def _check(self, matrix: Array, frame: int, picture: PreparedFrame) -> None:
+    def _refuse_far(self, matrix: Array, frame: int, picture: PreparedFrame) -> None:
         points = np.concatenate([outline.reshape(-1, 2) for outline in self._outlines])
         far = FAR * max(picture.size)
         behind = (projective.depth(matrix, points) <= 0.0).any()
@@ -168,6 +171,10 @@ class PlanarTracker:
 
     def _carried(self, outlines: Sequence[Array], matrix: Array) -> list[Array]:
         return [projective.apply(matrix, points) for points in outlines]
+
+
+def _go_on() -> None:
+    """Nobody can ask to stop."""
 
 
 def track_plane(
