@@ -7,37 +7,62 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QToolButton, QWidget
 
 from app import style
 from app.actions import Actions
+from app.canvas.proposal_item import Side
+from app.canvas.view import CanvasView
 from app.panels.controls import weak_label
 from app.proposals import Proposals, sentence_of
 
 ANSWERS = ("proposal.keep", "proposal.refuse", "proposal.keep_always", "proposal.refuse_always")
+SIDES = {"proposal.keep": Side.AFTER, "proposal.refuse": Side.BEFORE}
+"""What the viewer shows while the pointer rests on an answer."""
+
+LEGEND = "line: before, white dashes: after, hatched: what differs"
+WIDE = 900
+"""Width of a viewer in which the legend has room, in widget units."""
+GAIN = (
+    "The energy is the engine's measure of how badly outlines agree with the picture:\n"
+    "the farther it falls, the more speaks for the change."
+)
 
 
 class ProposalBar(QWidget):
     """Lies over the viewer while a proposal stands on the present frame; its answers can be given then only."""
 
-    def __init__(self, proposals: Proposals, actions: Actions, viewer: QWidget) -> None:
+    def __init__(self, proposals: Proposals, actions: Actions, viewer: CanvasView) -> None:
         super().__init__(viewer)
         self._proposals, self._actions, self._viewer = proposals, actions, viewer
         self.setObjectName("proposalBar")
         self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
         self.setCursor(Qt.CursorShape.ArrowCursor)
-        self.sentence = QLabel()
+        self.sentence, self.legend = QLabel(), weak_label(LEGEND)
+        self.sentence.setToolTip(GAIN)
+        self.buttons = {name: _button(actions, name) for name in ANSWERS}
+        self._keys = {name: weak_label("") for name in SIDES}
         row = QHBoxLayout(self)
         row.setContentsMargins(style.MARGIN, 4, style.MARGIN, 4)
         row.setSpacing(6)
         row.addWidget(self.sentence)
-        row.addWidget(weak_label("white dashes: after"))
+        row.addWidget(self.legend)
         row.addSpacing(style.MARGIN)
-        for name in ANSWERS:
-            row.addWidget(_button(actions, name))
+        for name, button in self.buttons.items():
+            row.addWidget(button)
+            if name in SIDES:
+                row.addWidget(self._keys[name])
+                row.addSpacing(style.MARGIN)
+                button.installEventFilter(self)
         viewer.installEventFilter(self)
         proposals.changed.connect(self._pull)
+        actions.keymap_changed.connect(self._pull_keys)
+        self._pull_keys()
         self._pull()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        if event.type() is QEvent.Type.Resize:
-            self._place()
+        if watched is self._viewer:
+            if event.type() is QEvent.Type.Resize:
+                self._place()
+        elif event.type() in (QEvent.Type.Enter, QEvent.Type.Leave):
+            name = next(name for name, button in self.buttons.items() if button is watched)
+            self._viewer.show_proposal(SIDES[name] if event.type() is QEvent.Type.Enter else Side.BOTH)
         return False
 
     def _pull(self) -> None:
@@ -48,9 +73,17 @@ class ProposalBar(QWidget):
         if proposal is not None:
             self.sentence.setText(sentence_of(proposal))
             self._place()
-        self._viewer.update()
+        self._viewer.show_proposal(Side.BOTH)
+
+    def _pull_keys(self) -> None:
+        """The keys of the answers that have any, where they are learnt: beside the buttons."""
+        for name, label in self._keys.items():
+            label.setText(self._actions.keys_of(name).partition(" or ")[0])
+        self._place()
 
     def _place(self) -> None:
+        # Where the viewer is narrow the legend gives way: the question and its answers do not.
+        self.legend.setVisible(self._viewer.width() >= WIDE)
         self.adjustSize()
         x = max((self._viewer.width() - self.width()) // 2, 0)
         self.move(x, self._viewer.height() - self.height() - 2 * style.MARGIN)

@@ -10,19 +10,18 @@ from PySide6.QtCore import QEvent, QPointF, QRectF, QSizeF, Qt, QTimer, Signal
 from PySide6.QtGui import QKeyEvent, QMouseEvent, QPainter, QPaintEvent, QTabletEvent, QWheelEvent
 from PySide6.QtWidgets import QWidget
 
-from app.canvas.backdrop import paint_label, paint_sentence
-from app.canvas.confidence_item import LEGEND
 from app.canvas.feather_item import paint_feather
 from app.canvas.keys import NUDGES, is_modifier, key_name
 from app.canvas.pen import Pen
-from app.canvas.proposal_item import ProposalPainter
+from app.canvas.proposal_item import ProposalPainter, Side
 from app.canvas.repaint import Repaint
 from app.canvas.shown import selection_bounds
 from app.canvas.sight import Sight, SightPainter
 from app.canvas.stage import Stage
-from app.canvas.viewing import Viewing, ViewMode, title_of
+from app.canvas.viewing import Viewing, ViewMode
 from app.canvas.viewport import Viewport
 from app.canvas.wipe import Wipe
+from app.canvas.words import NO_PLATE, OPENING, paint_words
 from app.canvas.zoomable import ZoomableWidget
 from app.document import Document
 from app.jobs.picture_work import PictureWork
@@ -61,11 +60,12 @@ class CanvasView(ZoomableWidget):
         self._tool: Tool = self._tools["select"]
         self.viewing = Viewing(self)
         """Which view, channel and exposure; what lies under a cut-out; which frames the onion skin shows."""
-        self.stage, self.wipe = Stage(self.viewing), Wipe(self)
+        self.stage, self.wipe = Stage(self.viewing), Wipe(self._sight, view_state.say, self)
         self._repaint = Repaint(self)
         self._present, self._pinned, self._proposed = SightPainter(), SightPainter(), ProposalPainter()
         self.proposed: Callable[[], Proposal | None] = lambda: None
         """Gives what the engine proposes for the present frame."""
+        self._proposal_side = Side.BOTH
         self._is_pressed = self._is_waiting = False
         self._pointer: QPointF | None = None
         self._pen = Pen()
@@ -127,24 +127,10 @@ class CanvasView(ZoomableWidget):
     def mode(self) -> ViewMode:
         return self.viewing.mode
 
-    def set_mode(self, mode: ViewMode) -> None:
-        """Show another view."""
-        self.viewing.set_mode(mode)
-
-    @property
-    def are_shapes_hidden(self) -> bool:
-        return self.viewing.are_shapes_hidden
-
-    def pin(self) -> None:
-        """Keep what is shown now as A, left of the wipe's line."""
-        if self._image_size() is None:
-            self._view_state.say("There is nothing to compare yet; open a clip first.")
-        else:
-            self.wipe.pin(self._sight())
-
-    def toggle_wipe(self) -> None:
-        """Compare what is shown now with what will be; or end the comparison."""
-        self.pin() if self.wipe.pinned is None else self.wipe.end()
+    def show_proposal(self, side: Side) -> None:
+        """Show a proposal before and after, or one of both alone."""
+        self._proposal_side = side
+        self.update()
 
     def set_waiting(self, waits: bool) -> None:
         """While a plate is being opened the empty canvas does not ask for one."""
@@ -175,9 +161,8 @@ class CanvasView(ZoomableWidget):
             "view.fit": self.fit,
             "view.fit_selection": self.fit_selection,
             "view.actual_size": self.actual_size,
-            "view.wipe": self.toggle_wipe,
-            "view.pin": self.pin,
             **self.viewing.handlers(),
+            **self.wipe.handlers(),
         }
 
     def _announce(self) -> None:
@@ -198,9 +183,6 @@ class CanvasView(ZoomableWidget):
 
     def plate_size(self) -> QSizeF:
         return self._image_size() or QSizeF(self.size())
-
-    def _shows_shapes(self) -> bool:
-        return self.viewing.shows_shapes
 
     def _pull(self, _ids: object = None) -> None:
         """The project changed."""
@@ -270,31 +252,27 @@ class CanvasView(ZoomableWidget):
             right = QRectF(self.rect()).adjusted(self.wipe.left(size).width(), 0, 0, 0)
             painter.setClipRect(right & QRectF(event.rect()))
         self._present.paint(painter, sight, viewport, ratio, view.selection, view.hovered)
-        if self._shows_shapes():
+        if self.viewing.shows_shapes:
             if (proposal := self.proposed()) is not None:
-                self._proposed.paint(painter, viewport, proposal)
+                self._proposed.paint(painter, viewport, proposal, self._proposal_side)
             paint_feather(painter, viewport, self._project(), view.frame, view.selection.shapes)
             self._tool.paint(painter, viewport)
         painter.setClipping(False)
-        self._paint_words(painter)
-        self.wipe.paint(painter, size, sight)
+        if pinned is None:
+            paint_words(painter, size, viewport, sight, self._sentence(), self._hint(sight))
+        else:
+            self.wipe.paint(painter, size, sight)
         painter.end()
 
-    def _paint_words(self, painter: QPainter) -> None:
-        """What is empty, and what to do about it; what is hidden."""
-        plate, size = self._image_size(), QSizeF(self.size())
-        if plate is None:
-            sentence = "Opening …" if self._is_waiting else "Drop a folder of images or a movie here"
-            paint_sentence(painter, QRectF(self.rect()), sentence)
-        elif sentence := self.stage.emptiness():
-            paint_sentence(painter, self._viewport.transform.mapRect(QRectF(QPointF(), plate)), sentence)
-        if self.are_shapes_hidden:
-            paint_label(painter, size, "Shapes hidden", Qt.AlignmentFlag.AlignTop)
-        elif self.mode is not ViewMode.OVERLAY and self.wipe.pinned is None:
-            label = LEGEND if self.mode is ViewMode.CONFIDENCE else title_of(self.mode)
-            paint_label(painter, size, label, Qt.AlignmentFlag.AlignTop)
-        elif plate and not self._project().shapes and self._view_state.tool == "select":
-            paint_label(painter, size, self.empty_hint, Qt.AlignmentFlag.AlignBottom)
+    def _sentence(self) -> str:
+        """What is to be said in the middle of an empty viewer."""
+        if self._image_size() is None:
+            return OPENING if self._is_waiting else NO_PLATE
+        return self.stage.emptiness()
+
+    def _hint(self, sight: Sight) -> str:
+        is_idle = sight.image is not None and not sight.project.shapes and self._view_state.tool == "select"
+        return self.empty_hint if is_idle else ""
 
     # ---- events: the view's own, then the tool's
 
@@ -342,7 +320,7 @@ class CanvasView(ZoomableWidget):
 
     def wheelEvent(self, event: QWheelEvent) -> None:
         """Ctrl and the wheel belong to the tool, where it has a size to change; the wheel alone zooms."""
-        takes = event.modifiers() & Qt.KeyboardModifier.ControlModifier and self._shows_shapes()
+        takes = event.modifiers() & Qt.KeyboardModifier.ControlModifier and self.viewing.shows_shapes
         if takes and self._tool.wheel(self._at(event.position(), event.modifiers()), event.angleDelta().y() / 120.0):
             event.accept()
             self.update()
@@ -390,7 +368,7 @@ class CanvasView(ZoomableWidget):
             self.wipe.is_held = True
             self.update()
             return
-        if not self._shows_shapes():
+        if not self.viewing.shows_shapes:
             self._view_state.say("The shapes are hidden; show them (overlay view) to draw and edit.")
             return
         self._is_pressed = True
@@ -400,7 +378,7 @@ class CanvasView(ZoomableWidget):
     def _hover(self, position: QPointF, modifiers: Qt.KeyboardModifier) -> None:
         if self.wipe.is_under(position, QSizeF(self.size())):
             self.setCursor(Qt.CursorShape.SplitHCursor)
-        elif self._shows_shapes():
+        elif self.viewing.shows_shapes:
             self._hand(self._tool.hover, position, modifiers)
         else:
             self.setCursor(Qt.CursorShape.ArrowCursor)
@@ -418,5 +396,5 @@ class CanvasView(ZoomableWidget):
 
     def _feel_modifiers(self, event: QKeyEvent) -> None:
         """A modifier was pressed or let go: the tool may now do something else at the same place."""
-        if self._pointer is not None and not self.is_panning and self._shows_shapes():
+        if self._pointer is not None and not self.is_panning and self.viewing.shows_shapes:
             self._hand(self._tool.drag if self._is_pressed else self._tool.hover, self._pointer, event.modifiers())

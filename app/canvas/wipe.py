@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from PySide6.QtCore import QObject, QPointF, QRectF, QSizeF, Qt, Signal
 from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen, QPolygonF
 
@@ -17,8 +19,13 @@ GRIP = QSizeF(11.0, 7.0)
 """Half the size of the mark that says that the line can be dragged."""
 
 
+NOTHING = "There is nothing to compare yet; open a clip first."
+
+
 class Wipe(QObject):
     """Holds the pinned state A and where the line is, as a share of the widget's width.
+
+    `present` gives what is shown now, `say` tells the artist a sentence.
 
     Signals
     -------
@@ -27,16 +34,31 @@ class Wipe(QObject):
 
     changed = Signal()
 
-    def __init__(self, parent: QObject | None = None) -> None:
+    def __init__(
+        self, present: Callable[[], Sight], say: Callable[[str], object], parent: QObject | None = None
+    ) -> None:
         super().__init__(parent)
+        self._present, self._say = present, say
         self.pinned: Sight | None = None
         """What is shown left of the line; None where nothing is compared."""
         self.position = 0.5
         self.is_held = False
 
-    def pin(self, sight: Sight) -> None:
-        """Compare with this state."""
-        self.pinned = sight
+    def handlers(self) -> dict[str, Callable[[], object]]:
+        """What the actions of this part call, by id."""
+        return {"view.wipe": self.toggle, "view.pin": self.pin}
+
+    def toggle(self) -> None:
+        """Compare what is shown now with what will be; or end the comparison."""
+        self.pin() if self.pinned is None else self.end()
+
+    def pin(self) -> None:
+        """Keep what is shown now as A, left of the line."""
+        sight = self._present()
+        if sight.image is None:
+            self._say(NOTHING)
+        else:
+            self.pinned = sight
         self.changed.emit()
 
     def end(self) -> None:

@@ -8,7 +8,8 @@ from typing import Any
 
 import numpy as np
 import pytest
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QEvent, Qt
+from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
 from app import settings
@@ -131,6 +132,31 @@ def test_the_viewer_shows_before_and_after_with_the_gain(qtbot: QtBot, window: M
 
     assert change(72, 45) > 200  # the thread that would go is hatched
     assert change(40, 35) < 100  # what stays is as it was; the plate itself has moved by a frame
+
+
+def test_an_answer_shows_what_it_would_leave_while_the_pointer_rests_on_it(qtbot: QtBot, window: MainWindow) -> None:
+    track(qtbot, window)
+    window.view_state.set_frame(OFFERED[0])
+    bar, canvas = window.proposal_bar, window.canvas
+    gap = canvas.image_to_widget(75, 45).toPoint()
+
+    def looks() -> list[tuple[int, ...]]:
+        shown = canvas.grab().toImage()
+        return [shown.pixelColor(gap.x() + step, gap.y()).getRgb() for step in range(10)]
+
+    both = looks()
+    for answer in ("proposal.refuse", "proposal.keep"):
+        qtbot.mouseMove(bar.buttons[answer])
+        QApplication.sendEvent(bar.buttons[answer], QEvent(QEvent.Type.Enter))
+        assert looks() != both  # the hatching of what would go is gone
+        QApplication.sendEvent(bar.buttons[answer], QEvent(QEvent.Type.Leave))
+        assert looks() == both
+
+
+def test_the_bar_tells_its_keys_and_what_the_gain_means(qtbot: QtBot, window: MainWindow) -> None:
+    bar = window.proposal_bar
+    assert [label.text() for label in bar._keys.values()] == ["Return", "Backspace"]
+    assert "agree with the picture" in bar.sentence.toolTip()
 
 
 def test_enter_keeps_it_as_the_artists_and_undo_asks_again(qtbot: QtBot, window: MainWindow) -> None:

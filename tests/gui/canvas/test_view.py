@@ -271,7 +271,7 @@ def test_source_shows_no_shapes_and_edits_none(
 def test_backquote_hides_the_shapes_for_a_while(canvas: CanvasView, hand: Hand, document: Document) -> None:
     add_square(document)
     hand.key("`")
-    assert canvas.are_shapes_hidden
+    assert canvas.viewing.are_shapes_hidden
     assert not is_drawn(canvas, 80.0, 40.0)
     hand.key("`")
     assert is_drawn(canvas, 80.0, 40.0)

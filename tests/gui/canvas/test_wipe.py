@@ -93,7 +93,7 @@ def test_without_a_plate_there_is_nothing_to_compare(
     document: Document, view_state: ViewState, qtbot: object, canvas: CanvasView
 ) -> None:
     document.open(Project(), None)
-    canvas.toggle_wipe()
+    canvas.wipe.toggle()
     assert canvas.wipe.pinned is None
     assert "open a clip first" in view_state.message
     assert canvas.grab().toImage().pixelColor(2, 2) == QColor("#262626")

@@ -84,7 +84,7 @@ def test_the_bar_marks_what_is_shown(bar: ViewBar, canvas: CanvasView) -> None:
     for name in ("cutout", "onion", "alpha", "source"):
         canvas.handlers()[f"view.{name}"]()
         assert bar._actions[f"view.{name}"].isChecked()
-    canvas.toggle_wipe()
+    canvas.wipe.toggle()
     assert bar._actions["view.wipe"].isChecked()
 
 

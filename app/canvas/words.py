@@ -1,0 +1,36 @@
+"""The words on the canvas: what is empty and what to do about it, which view is shown, what is hidden."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QPointF, QRectF, QSizeF, Qt
+from PySide6.QtGui import QPainter
+
+from app.canvas.backdrop import paint_label, paint_sentence
+from app.canvas.confidence_item import LEGEND
+from app.canvas.sight import Sight
+from app.canvas.viewing import WITHOUT_SHAPES, ViewMode, title_of
+from app.canvas.viewport import Viewport
+
+OPENING, NO_PLATE = "Opening …", "Drop a folder of images or a movie here"
+
+
+def paint_words(painter: QPainter, widget: QSizeF, viewport: Viewport, sight: Sight, sentence: str, hint: str) -> None:
+    """Paint the `sentence` in the middle of the plate, the view's name at a corner, or the `hint` at the lower edge."""
+    area = QRectF(QPointF(), widget)
+    if sight.image is not None:
+        area = viewport.transform.mapRect(QRectF(QPointF(), sight.image))
+    if sentence:
+        paint_sentence(painter, area, sentence)
+    if label := label_of(sight):
+        paint_label(painter, widget, label, Qt.AlignmentFlag.AlignTop)
+    elif hint:
+        paint_label(painter, widget, hint, Qt.AlignmentFlag.AlignBottom)
+
+
+def label_of(sight: Sight) -> str:
+    """What is to be known of the view: nothing where it is the usual one."""
+    if not sight.shows_shapes and sight.mode not in WITHOUT_SHAPES:
+        return "Shapes hidden"
+    if sight.mode is ViewMode.OVERLAY:
+        return ""
+    return LEGEND if sight.mode is ViewMode.CONFIDENCE else title_of(sight.mode)
