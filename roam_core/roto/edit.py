@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from itertools import count
 from typing import Any
@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from roam_core.errors import RoamError
-from roam_core.geometry import bezier, bspline
+from roam_core.geometry import bezier, bspline, merging
 from roam_core.geometry.bezier import ANCHOR, IN, OUT
 from roam_core.roto import grips as held
 from roam_core.roto.project import PALETTE, Layer, Project
@@ -311,45 +311,38 @@ def _is_straight(array: Array, segment: int, closed: bool) -> bool:
 
 
 def delete_points(shape: RotoShape, indices: Sequence[int]) -> RotoShape:
-    """The shape without these points, on every key; the neighbours' handles are refitted to the old outline."""
+    """The shape without these points, on every key; the neighbours' handles are refitted to the old outline.
+
+    Neighbours that are smooth stay smooth. The feather curve is refitted in the same way.
+    """
     gone = sorted(set(indices))
     least = MIN_POINTS_CLOSED if shape.closed else MIN_POINTS_OPEN
     if shape.point_count - len(gone) < least:
         raise RoamError(f"{shape.name!r} needs at least {least} points; delete the shape instead.")
-
-    def without(points: Array, one: Callable[[Array, int, bool], Array] = _without_point) -> Array:
-        for index in reversed(gone):
-            points = one(points, index, shape.closed)
-        return points
-
     if shape.spline is Spline.BSPLINE:
-        return held.with_control(shape, lambda control: without(control, bspline.removed), without)
-    return shape.map_points(without)
-
-
-def _without_point(points: Array, index: int, closed: bool) -> Array:
-    """Remove one point; scale its neighbours' facing handles so that the merged segment follows the two old ones."""
-    count = len(points)
-    result = np.delete(points, index, axis=0)
-    if not closed and index in (0, count - 1):
-        return result
-    before, after = (index - 1) % count, (index + 1) % count
-    flat = all(np.array_equal(points[i, h], points[i, ANCHOR]) for i, h in ((before, OUT), (index, IN)))
-    flat &= all(np.array_equal(points[i, h], points[i, ANCHOR]) for i, h in ((index, OUT), (after, IN)))
-    if flat:
-        return result
-    t = np.linspace(0.0, 1.0, 17)
-    run = np.concatenate(
-        [bezier.evaluate(points, np.full(17, s), t, True) for s in (before, index)],
+        return held.with_control(
+            shape, lambda control: _without_control(control, gone, shape.closed), lambda each: np.delete(each, gone, 0)
+        )
+    points = merging.without_points(np.stack([key.points for key in shape.keys]), gone, shape.closed)
+    feather = _feather_without(shape, gone, points)
+    keys = tuple(
+        replace(key, points=points[index], feather=feather.get(index), vertex_confidence=None)
+        for index, key in enumerate(shape.keys)
     )
-    lengths = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(run, axis=0).T))])
-    if lengths[-1] < 1e-9:
-        return result
-    u = lengths / lengths[-1]
-    weights = bezier.bernstein(u)
-    a, d = points[before, ANCHOR], points[after, ANCHOR]
-    target = run - weights[:, :1] * a - weights[:, 3:] * d
-    handles, *_ = np.linalg.lstsq(weights[:, 1:3], target, rcond=None)
-    result[before if before < index else before - 1, OUT] = handles[0]
-    result[after if after < index else after - 1, IN] = handles[1]
-    return result
+    return replace(shape, keys=keys)
+
+
+def _feather_without(shape: RotoShape, gone: Sequence[int], points: Array) -> dict[int, Array]:
+    """The feather offsets of keys that have any, by the key's index; `points` are those that each key is left with."""
+    curves = {i: key.points + key.feather for i, key in enumerate(shape.keys) if key.feather is not None}
+    if not curves:
+        return {}
+    # The feather curve as it is seen is fitted, not its distance from the outline.
+    fitted = merging.without_points(np.stack(list(curves.values())), gone, shape.closed)
+    return {index: curve - points[index] for index, curve in zip(curves, fitted, strict=True)}
+
+
+def _without_control(control: Array, gone: Sequence[int], closed: bool) -> Array:
+    for index in reversed(gone):
+        control = bspline.removed(control, index, closed)
+    return control

@@ -329,3 +329,13 @@ def test_verbs_leave_their_arguments_alone() -> None:
     assert before == shape(ROUND)
     assert points.tobytes() == ROUND.tobytes()
     assert replace(before, name="x") != before
+
+
+def test_the_feather_curve_is_refitted_as_the_outline_is() -> None:
+    ring, wide = blob([30.0] * 12), blob([40.0] * 12)
+    before = RotoShape("a", "A", (Keyframe(1, ring, wide - ring), Keyframe(5, ring)))
+    after = edit.delete_points(before, [3, 4])
+    first, second = after.keys
+    assert first.feather is not None
+    assert second.feather is None
+    assert outline_distance(first.points + first.feather, wide) < 0.7
