@@ -143,6 +143,7 @@ def opened_window(state: Path) -> Iterator[MainWindow]:
     finally:
         window._leave()
         _live_until(lambda: not window.isVisible(), "the window to close")
+        window.deleteLater()
 
 
 def drag_laps(window: MainWindow, moves: int = MOVES) -> list[float]:
