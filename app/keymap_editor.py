@@ -30,6 +30,7 @@ from app.search_words import WORDS
 
 TITLES = {spec.id: spec.title.rstrip("…") for spec in SPECS}
 _ID = Qt.ItemDataRole.UserRole
+MENU_WIDTH, KEYS_WIDTH = 80, 170
 
 
 class KeyField(QLineEdit):
@@ -89,15 +90,13 @@ class KeymapEditor(QDialog):
         self.table.setHeaderLabels(["Action", "Menu", "Keys"])
         self.table.setRootIsDecorated(False)
         self.table.setUniformRowHeights(True)
+        self.table.addTopLevelItems([_row(spec.id) for spec in SPECS])
         header = self.table.header()
         header.setStretchLastSection(False)
+        header.setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
         header.setSectionResizeMode(0, QHeaderView.ResizeMode.Stretch)
-        for column in (1, 2):
-            header.setSectionResizeMode(column, QHeaderView.ResizeMode.ResizeToContents)
-        for spec in SPECS:
-            item = QTreeWidgetItem(self.table, [TITLES[spec.id], menu_of(spec.id), ""])
-            item.setData(0, _ID, spec.id)
-            item.setForeground(1, QColor(style.WEAK))
+        for column, width in ((1, MENU_WIDTH), (2, KEYS_WIDTH)):
+            header.resizeSection(column, width)
         self.field = KeyField()
         self.word = weak_label("")
         self.word.setWordWrap(True)
@@ -228,3 +227,10 @@ class KeymapEditor(QDialog):
         for item in self._items():
             words = f"{item.text(0)} {item.text(1)} {item.text(2)} {WORDS.get(item.data(0, _ID), '')}"
             item.setHidden(fuzzy_score(query, item.text(0)) is None and not words_begin(query, words))
+
+
+def _row(action_id: str) -> QTreeWidgetItem:
+    item = QTreeWidgetItem([TITLES[action_id], menu_of(action_id), ""])
+    item.setData(0, _ID, action_id)
+    item.setForeground(1, QColor(style.WEAK))
+    return item

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from PySide6.QtCore import QEvent, QObject, Qt
-from PySide6.QtGui import QColor, QFocusEvent, QKeyEvent
+from PySide6.QtGui import QBrush, QColor, QFocusEvent, QKeyEvent
 from PySide6.QtWidgets import (
     QApplication,
     QFrame,
@@ -26,11 +26,13 @@ from app.search_words import WORDS
 from app.view_state import ViewState
 
 WIDTH, MOST_ROWS = 560, 14
+MENU_WIDTH, KEYS_WIDTH = 70, 170
 TITLE_BONUS = 100.0
 """A title that fits comes before every action that only a further word found."""
 LATELY_RUN = 5
 """Actions that an empty search shows first: those run last."""
 
+_WEAK, _DISABLED = QBrush(QColor(style.WEAK)), QBrush(QColor(style.DISABLED))
 _STEPS = {Qt.Key.Key_Up: -1, Qt.Key.Key_Down: 1, Qt.Key.Key_PageUp: -MOST_ROWS, Qt.Key.Key_PageDown: MOST_ROWS}
 _OWN_KEYS = {*_STEPS, Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_Escape}
 
@@ -69,6 +71,7 @@ class Palette(QFrame):
     def __init__(self, window: QWidget, actions: Actions, view_state: ViewState) -> None:
         super().__init__(window)
         self._actions, self._view = actions, view_state
+        self._entries: list[Entry] = []
         self._lately: list[str] = []
         self._focus_before: QWidget | None = None
         self.setObjectName("palette")
@@ -91,10 +94,12 @@ class Palette(QFrame):
         tree.setRootIsDecorated(False)
         tree.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         tree.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        tree.setUniformRowHeights(True)
         tree.header().setStretchLastSection(False)
+        tree.header().setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
         tree.header().setSectionResizeMode(0, QHeaderView.ResizeMode.Stretch)
-        for column in (1, 2):
-            tree.header().setSectionResizeMode(column, QHeaderView.ResizeMode.ResizeToContents)
+        for column, width in ((1, MENU_WIDTH), (2, KEYS_WIDTH)):
+            tree.header().resizeSection(column, width)
         tree.itemClicked.connect(lambda item: self._run(item))
 
     def open(self) -> None:
@@ -103,6 +108,7 @@ class Palette(QFrame):
             self.leave()
             return
         self._focus_before = QApplication.focusWidget()
+        self._entries = [self._entry(spec) for spec in SPECS]  # some titles change: `Undo Draw`
         self.field.clear()
         self._pull()
         parent = self.parentWidget()
@@ -129,9 +135,8 @@ class Palette(QFrame):
     # ---- the rest is private
 
     def _pull(self) -> None:
-        entries = [self._entry(spec) for spec in SPECS]
         self.list.clear()
-        items = [self._item(entry) for entry in found(entries, self.field.text(), self._lately)]
+        items = [self._item(entry) for entry in found(self._entries, self.field.text(), self._lately)]
         self.list.addTopLevelItems(items)
         if items:
             self.list.setCurrentItem(items[0])
@@ -149,11 +154,12 @@ class Palette(QFrame):
         item.setData(0, Qt.ItemDataRole.UserRole, entry.id)
         item.setToolTip(0, action.toolTip())
         item.setTextAlignment(2, Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
-        for column in (1, 2):
-            item.setForeground(column, QColor(style.WEAK))
-        if not action.isEnabled():
+        if action.isEnabled():
+            item.setForeground(1, _WEAK)
+            item.setForeground(2, _WEAK)
+        else:
             for column in range(3):
-                item.setForeground(column, QColor(style.DISABLED))
+                item.setForeground(column, _DISABLED)
         return item
 
     def _step(self, rows: int) -> None:

@@ -8,10 +8,12 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QByteArray, QSettings
 
+from app.panels.panel import Panel
+
 if TYPE_CHECKING:
     from app.main_window import MainWindow
 
-SWITCHES = ("time.loop", "time.ping_pong", "view.panels")
+SWITCHES = ("time.loop", "time.ping_pong", "view.panels", "edit.history", "help.log")
 
 
 def restore(window: MainWindow, path: Path) -> None:
@@ -25,8 +27,12 @@ def restore(window: MainWindow, path: Path) -> None:
     for name in SWITCHES:
         if settings.contains(name):
             window.actions_by_id[name].setChecked(settings.value(name) == "true")
+    folded = str(settings.value("folded", "")).split(",")
+    for panel in window.panel_column.findChildren(Panel):
+        panel.fold(panel.title in folded)
     mode = window.tracker.mode
-    if (index := mode.findData(settings.value("mode"))) >= 0:
+    wanted = window.personal.preferences.config or settings.value("mode")
+    if (index := mode.findData(wanted)) >= 0:
         mode.setCurrentIndex(index)
     window.proposals.answers.update(_tables(settings.value("proposals")))
     window.tracking.recall(_tables(settings.value("dials")))
@@ -42,6 +48,8 @@ def keep(window: MainWindow, path: Path) -> None:
         settings.setValue(f"splitter/{name}", splitter.saveState())
     for name in SWITCHES:
         settings.setValue(name, "true" if window.actions_by_id[name].isChecked() else "false")
+    folded = [panel.title for panel in window.panel_column.findChildren(Panel) if panel.is_folded]
+    settings.setValue("folded", ",".join(folded))
     settings.setValue("mode", window.tracker.mode.currentData())
     settings.setValue(
         "proposals", json.dumps({name: own for name, own in window.proposals.answers.items() if name and own})

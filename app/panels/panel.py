@@ -15,7 +15,7 @@ class Panel(QWidget):
         self, title: str, body: QWidget, tools: tuple[QWidget, ...] = (), parent: QWidget | None = None
     ) -> None:
         super().__init__(parent)
-        self._body = body
+        self.title, self._body = title, body
         body.setObjectName("panelBody")
         body.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
         column = QVBoxLayout(self)
@@ -47,8 +47,15 @@ class Panel(QWidget):
             row.addWidget(tool)
         return header
 
+    @property
+    def is_folded(self) -> bool:
+        return self._body.isHidden()
+
     def toggle(self) -> None:
         """Fold the body away, or show it again."""
-        folded = not self._body.isHidden()
+        self.fold(not self.is_folded)
+
+    def fold(self, folded: bool) -> None:
+        """Fold the body away, or show it."""
         self._body.setVisible(not folded)
         self._arrow.setIcon(style.icon("chevron-right" if folded else "chevron-down"))

@@ -47,6 +47,9 @@ class StatusBar(QWidget):
             label.setObjectName("weak")
         for widget in (self.bar, self.stop, self._hint, self._memory):
             row.addWidget(widget)
+        # As wide as it ever gets: what stands beside it does not move while frames come in.
+        self._memory.setMinimumWidth(self._memory.fontMetrics().horizontalAdvance("memory 888.8 MB of 88.8 GB"))
+        self._memory.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
         self._pull()
 
     def _show_progress(self, fraction: float, text: str) -> None:

@@ -15,6 +15,7 @@ from app.action_specs import SPECS
 from app.clip_dialog import ClipDialog
 from app.dialogs import Unsaved
 from app.main_window import MainWindow
+from app.panels.panel import Panel
 from roam_core.geometry.bezier import polygon_points
 from roam_core.roto import edit, file
 from tests.gui.windows import COUNT, FIRST, WAIT, opened_window, write_clip
@@ -44,7 +45,8 @@ def test_a_clip_opens_on_its_own_frames(window: MainWindow) -> None:
 
 def test_every_action_is_connected(window: MainWindow) -> None:
     handled = set(window._handlers()) | {f"tool.{name}" for name in window.tool_column._names}
-    switches = {"edit.history", "help.log", "view.panels", "view.tall_timeline", "time.loop"}
+    switches = {"edit.history", "help.log", "view.panels", "view.tall_timeline", "time.loop", "time.ping_pong"}
+    switches |= {"key.auto", "key.ripple", "points.soft", "points.lasso"}
     assert handled | switches == {spec.id for spec in SPECS}
 
 
@@ -287,11 +289,16 @@ def test_the_last_used_settings_come_back(qtbot: QtBot, window: MainWindow, tmp_
     window.resize(760, 640)  # fits on the screen that there is without a screen
     window.splitters["halves"].setSizes([300, 300])
     sizes = window.splitters["halves"].sizes()
+    window.actions_by_id["edit.history"].trigger()
+    window.history_panel.toggle()
     settings.keep(window, tmp_path / "window.ini")
     with opened_window(qtbot, None, tmp_path / "other") as other:
         settings.restore(other, tmp_path / "window.ini")
         assert not other.playback.is_looping
         assert other.size() == window.size()
+        assert not other.history_panel.isHidden()
+        folded = [panel.title for panel in other.panel_column.findChildren(Panel) if panel.is_folded]
+        assert folded == ["History"]
         assert other.splitters["halves"].sizes() == pytest.approx(sizes, abs=2)
         (tmp_path / "bad.ini").write_text("[General]\ngeometry=nonsense\nmode=abacus\n", encoding="utf-8")
         settings.restore(other, tmp_path / "bad.ini")

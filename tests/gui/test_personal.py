@@ -11,7 +11,7 @@ import pytest
 from PySide6.QtCore import Qt
 from pytestqt.qtbot import QtBot
 
-from app import launch
+from app import launch, settings
 from app.main_window import MainWindow
 from app.personal import Personal
 from app.preferences import Preferences, load_preferences, save_preferences
@@ -120,3 +120,16 @@ def test_the_size_on_the_screen_is_qts_from_the_next_start_on(monkeypatch: pytes
     assert environment == {"QT_SCALE_FACTOR": "1.5"}
     launch._scale(2.0)  # what is set already, by the desktop or the artist, wins
     assert environment == {"QT_SCALE_FACTOR": "1.5"}
+
+
+def test_the_engines_mode_at_the_start_is_the_one_that_was_set(
+    qtbot: QtBot, window: MainWindow, tmp_path: Path
+) -> None:
+    window.tracker.mode.setCurrentIndex(window.tracker.mode.findData("medium"))
+    settings.keep(window, tmp_path / "window.ini")
+    for preference, expected in (("", "medium"), ("lean", "lean")):
+        personal = Personal()
+        personal.set_preferences(Preferences(config=preference))
+        with opened_window(qtbot, None, tmp_path / f"other-{expected}", personal) as other:
+            settings.restore(other, tmp_path / "window.ini")
+            assert other.tracker.mode.currentData() == expected

@@ -1,0 +1,82 @@
+"""The watchdog of the window's thread: an application that notes every event whose handling took too long."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+
+from PySide6.QtCore import QEvent, QObject
+from PySide6.QtGui import QAction
+from PySide6.QtWidgets import QApplication
+
+LIMIT = 0.050
+"""Seconds for which the window's thread may be busy with one event; longer is felt."""
+
+
+@dataclass(frozen=True)
+class Block:
+    """One event that held the window's thread: what it was, who handled it, and for how long, in seconds."""
+
+    event: str
+    receiver: str
+    seconds: float
+
+    def __str__(self) -> str:
+        return f"{self.event} of {self.receiver} took {1000 * self.seconds:.0f} ms"
+
+
+class WatchedApplication(QApplication):
+    """Measures each event from outside, nested ones with the one that caused them.
+
+    The measure is the processor's time of this thread, not the clock's: on a busy machine a thread waits for others
+    without any fault of its own, and a test must not fail for that. So waiting for a lock or a disk is not seen here.
+    """
+
+    def __init__(self, arguments: list[str]) -> None:
+        super().__init__(arguments)
+        self.blocks: list[Block] = []
+        self._depth = 0
+
+    def notify(self, receiver: QObject, event: QEvent) -> bool:
+        if self._depth:
+            return super().notify(receiver, event)
+        # Asked before: afterwards both may be gone.
+        with self.measured(event.type().name, _name(receiver)):
+            return super().notify(receiver, event)
+
+    @contextmanager
+    def measured(self, what: str, whose: str) -> Iterator[None]:
+        """Note what is done inside of it where it takes too long; inside of another measure it is part of that."""
+        begin = time.thread_time()
+        self._depth += 1
+        try:
+            yield
+        finally:
+            self._depth -= 1
+            seconds = time.thread_time() - begin
+            if not self._depth and seconds > LIMIT:
+                self.blocks.append(Block(what, whose, seconds))
+
+    @contextmanager
+    def watching(self) -> Iterator[list[Block]]:
+        """The blocks of a stretch of time, filled as they happen; what was noted before stays noted."""
+        before, self.blocks = self.blocks, []
+        trigger = QAction.trigger
+        # Tests trigger actions themselves, where an artist's click or key would be an event.
+        QAction.trigger = lambda action: self._triggered(trigger, action)  # type: ignore[method-assign]
+        try:
+            yield self.blocks
+        finally:
+            self.blocks = before
+            QAction.trigger = trigger  # type: ignore[method-assign]
+
+    def _triggered(self, trigger: Callable[[QAction], None], action: QAction) -> None:
+        with self.measured("Trigger", _name(action)):
+            trigger(action)
+
+
+def _name(receiver: QObject) -> str:
+    name = receiver.objectName()
+    return f"{type(receiver).__name__} {name}".rstrip()
