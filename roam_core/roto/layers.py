@@ -8,6 +8,7 @@ from dataclasses import replace
 from roam_core.errors import RoamError
 from roam_core.roto.baking import baked
 from roam_core.roto.edit import remove_items
+from roam_core.roto.placement import Placement
 from roam_core.roto.project import Layer, Project
 from roam_core.roto.shape import RotoShape
 
@@ -78,7 +79,7 @@ def ungrouped(project: Project, layer_id: str) -> Project:
 def moved(project: Project, item_ids: Collection[str], layer_id: str, index: int) -> Project:
     """Put layers and shapes, in their order, at `index` (0 = bottom) among the children that a layer has now.
 
-    A shape goes by the motion of the layer that it comes into: it keeps what its keys say, in that layer's space.
+    Every key stays where it is seen; between its keys a shape goes by the motion of the layers that it comes into.
 
     Raises
     ------
@@ -94,7 +95,16 @@ def moved(project: Project, item_ids: Collection[str], layer_id: str, index: int
     assert isinstance(holder, Layer)
     below = sum(child.id not in ids for child in holder.children[:index])
     items = [project.find(item_id) for item_id in ids]
-    return remove_items(project, ids).map_item(layer_id, lambda layer: _inserted(layer, below, items))
+    after = remove_items(project, ids).map_item(layer_id, lambda layer: _inserted(layer, below, items))
+    for item in items:
+        for shape in [item] if isinstance(item, RotoShape) else item.shapes():
+            if _placement(project, shape.id) != _placement(after, shape.id):
+                after = after.with_shape(project.shape(shape.id))
+    return after
+
+
+def _placement(project: Project, shape_id: str) -> Placement:
+    return project.placement_in(project.layers_above(shape_id)[-1].id)
 
 
 def _inserted(layer: Layer, index: int, items: Iterable[Item]) -> Layer:

@@ -268,10 +268,7 @@ class RotoShape:
 
 def placed(shape: RotoShape, placement: Placement) -> RotoShape:
     """A shape that lies in layers with these transforms, in plate space: what `Project.shape` gives."""
-    if not placement:
-        return shape
-    keys = tuple(_carried_key(key, placement, False) for key in shape.keys)
-    return replace(shape, keys=keys, placement=placement)
+    return _placed(_Same(shape), placement) if placement else shape
 
 
 def unplaced(shape: RotoShape) -> RotoShape:
@@ -280,6 +277,27 @@ def unplaced(shape: RotoShape) -> RotoShape:
         return shape
     keys = tuple(_carried_key(key, shape.placement, True) for key in shape.keys)
     return replace(shape, keys=keys, placement=())
+
+
+class _Same:
+    """A shape as a key of a cache: an immutable one is known by its identity."""
+
+    def __init__(self, shape: RotoShape) -> None:
+        self.shape = shape
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, _Same) and other.shape is self.shape
+
+    def __hash__(self) -> int:
+        return id(self.shape)
+
+
+@lru_cache(maxsize=256)
+def _placed(same: _Same, placement: Placement) -> RotoShape:
+    """Remembered, so that a shape which no edit touched is the very same in plate space, too."""
+    shape = same.shape
+    keys = tuple(_carried_key(key, placement, False) for key in shape.keys)
+    return replace(shape, keys=keys, placement=placement)
 
 
 @lru_cache(maxsize=8192)

@@ -104,8 +104,26 @@ def test_a_layer_cannot_lie_in_itself(project: Project) -> None:
         moved(project, ["layer-1"], "layer-2", 0)
 
 
-def test_a_shape_goes_by_the_motion_of_the_layer_it_comes_into(project: Project) -> None:
+def test_keys_stay_where_they_are_seen_and_then_go_with_the_layer(project: Project) -> None:
+    push = np.array([[1.0, 0.0, 6.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]])
+    moving = edit.set_properties(project, "layer-1", transform=LayerTransform.of({1: TURN, 3: push @ TURN}))
+    for chosen in ("shape-1", "shape-4"):
+        after = moved(moving, [chosen], "layer-1", 0)
+        np.testing.assert_allclose(after.shape(chosen).at(1).points, SQUARE, atol=1e-9)
+        np.testing.assert_allclose(after.shape(chosen).at(3).points, SQUARE + np.array([6.0, 0.0]), atol=1e-9)
+    seen = moving.shape("shape-3").at(1).points
+    out = moved(moving, ["layer-2"], "root", 0)
+    for frame in (1, 3):
+        np.testing.assert_allclose(out.shape("shape-3").at(frame).points, seen, atol=1e-9)
+
+
+def test_restacking_in_one_layer_changes_no_shape(project: Project) -> None:
     moving = edit.set_properties(project, "layer-1", transform=LayerTransform.of({1: TURN}))
-    after = moved(moving, ["shape-1"], "layer-1", 0)
-    assert after.find("shape-1") is project.find("shape-1")
-    assert not np.allclose(after.shape("shape-1").at(1).points, SQUARE)
+    assert moved(moving, ["shape-2"], "layer-1", 2).find("shape-2") is moving.find("shape-2")
+
+
+def test_an_untouched_shape_stays_the_very_same(project: Project) -> None:
+    moving = edit.set_properties(project, "layer-1", transform=LayerTransform.of({1: TURN}))
+    after = edit.set_properties(moving, "shape-1", name="other")
+    assert after.shape("shape-3") is moving.shape("shape-3")
+    assert after.shape("shape-1") is not moving.shape("shape-1")
