@@ -130,7 +130,7 @@ class MainWindow(QMainWindow):
         self.timeline = Timeline(document, view_state, self.reader.cached_frames, self._missing_frames, actions)
         self.status = StatusBar(view_state, self.under_way)
         self.status.add(Readout(self.canvas))
-        self.status.add(ModeBar(view_state.editing, actions))
+        self.status.add(ModeBar(view_state, actions))
         self.desk, self.reopening = Desk(self, self.personal), Reopening(self)
         self.setMenuWidget(_top_row(menus.menu_bar(actions, self.reopening.menu), self.view_bar))
 

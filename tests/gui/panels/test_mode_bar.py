@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import pytest
 from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
 from pytestqt.qtbot import QtBot
 
 from app.actions import Actions, load_keymap
 from app.canvas.ripple_frame import RED, RippleFrame
 from app.canvas.view import CanvasView
 from app.editing import Modes
+from app.panels.fields import NumberField
 from app.panels.mode_bar import ModeBar
 from app.view_state import ViewState
 from tests.gui.hand import ALT, NONE, SHIFT, Hand
@@ -18,7 +20,7 @@ from tests.gui.hand import ALT, NONE, SHIFT, Hand
 @pytest.fixture
 def bar(canvas: CanvasView, view_state: ViewState, qtbot: QtBot) -> ModeBar:
     """The bar, with its actions' keys in the viewer."""
-    bar = ModeBar(view_state.editing, Actions(canvas.window(), canvas, {}))
+    bar = ModeBar(view_state, Actions(canvas.window(), canvas, {}))
     qtbot.addWidget(bar)
     bar.show()
     return bar
@@ -63,7 +65,7 @@ def test_keys_switch_modes(
         for name in child:
             child[name].setShortcuts([])
     keymap = load_keymap()
-    bar = ModeBar(view_state.editing, Actions(canvas, canvas, {action: keymap[action]}))
+    bar = ModeBar(view_state, Actions(canvas, canvas, {action: keymap[action]}))
     qtbot.addWidget(bar)
     before = getattr(view_state.editing.modes, mode)
     hand.key(key, modifiers)
@@ -73,10 +75,27 @@ def test_keys_switch_modes(
     assert getattr(view_state.editing.modes, mode) is before
 
 
-def test_the_reach_of_soft_selection_is_told(bar: ModeBar, view_state: ViewState) -> None:
-    assert bar.buttons["soft"].text() == "Soft"
-    view_state.editing.set(soft=True, soft_radius=48.0)
-    assert bar.buttons["soft"].text() == "Soft 48 px"
+def test_the_radius_of_soft_selection_and_of_the_brush_can_be_typed(bar: ModeBar, view_state: ViewState) -> None:
+    assert not bar.radius.isVisible()
+    view_state.editing.set(soft=True, soft_radius=48.0, brush_radius=75.0)
+    assert bar.radius.isVisible()
+    assert bar.radius.text() == "48 px"
+    type_into(bar.radius, "120")
+    assert view_state.editing.modes.soft_radius == 120.0
+    view_state.set_tool("reshape")
+    assert bar.radius.text() == "75 px"
+    type_into(bar.radius, "33")
+    assert (view_state.editing.modes.brush_radius, view_state.editing.modes.soft_radius) == (33.0, 120.0)
+    view_state.editing.set(soft=False)
+    assert bar.radius.isVisible()
+    view_state.set_tool("select")
+    assert not bar.radius.isVisible()
+
+
+def type_into(field: NumberField, text: str) -> None:
+    field.selectAll()
+    QTest.keyClicks(field, text)
+    QTest.keyClick(field, Qt.Key.Key_Return)
 
 
 def test_a_red_frame_stands_around_the_viewer_while_ripple_is_on(
