@@ -23,6 +23,7 @@ from roam_core.roto import BlendMode, RotoShape
 Array = NDArray[np.float64]
 Image = NDArray[np.uint8]
 Mask = NDArray[np.uint8]
+Float32 = NDArray[np.float32]
 Bools = NDArray[np.bool_]
 Spot = tuple[float, float]
 
@@ -58,6 +59,12 @@ LARGEST, SMALLEST = 0.4, 0.0004
 
 TOLERANCE = 1.0
 """Cells by which the shape may stray from the cut."""
+
+LOCAL = 11
+"""Cells on a side of the square in which the colours on both sides of the border are learned for its cells."""
+
+LEAST_CONTRAST = 24.0
+"""Grey values between the two sides, all channels together, at which a mixed cell tells how much is covered."""
 
 SOFTNESS = 1.2
 """Cells of the Gaussian that takes the stairs off the cut before its outline is fitted."""
@@ -162,12 +169,37 @@ class _Told:
 
 def _fitted(piece: _Piece, cut: Bools, frame: int) -> list[RotoShape]:
     """What was cut out of a piece as shapes on the picture: its outline, then its holes."""
-    soft = cv2.GaussianBlur(cut.astype(np.float32), (0, 0), SOFTNESS, borderType=cv2.BORDER_REPLICATE)
+    soft = cv2.GaussianBlur(_covered(piece.pixels, cut), (0, 0), SOFTNESS, borderType=cv2.BORDER_REPLICATE)
     found = shapes_from_mask(soft, frame, TOLERANCE)
     if not found:
         raise RoamError("Nothing stands out there; drag a closer box around the object.")
     holes = takewhile(lambda shape: shape.blend is BlendMode.SUBTRACT, found[1:])
     return [_placed(shape, lambda points: piece.corner + points * piece.cell) for shape in (found[0], *holes)]
+
+
+def _covered(pixels: Image, cut: Bools) -> Float32:
+    """How much of each cell the object covers: near the border of the cut, how far its colour is the object's.
+
+    The border's cells mix both sides, and the cut counts most of them as inside. Where the sides differ too little to
+    tell, the cut's word holds.
+    """
+    inside, colours = cut.astype(np.uint8), pixels.astype(np.float32)
+    kernel = np.ones((5, 5), dtype=np.uint8)
+    core, beyond = cv2.erode(inside, kernel), cv2.erode(1 - inside, kernel)
+    object_, ground = _local_mean(colours, core), _local_mean(colours, beyond)
+    across = object_ - ground
+    contrast = np.einsum("rcl,rcl->rc", across, across)
+    share = np.einsum("rcl,rcl->rc", colours - ground, across) / np.maximum(contrast, 1.0)
+    told = (core == 0) & (beyond == 0) & (contrast > LEAST_CONTRAST**2)
+    return np.where(told, np.clip(share, 0.0, 1.0), inside).astype(np.float32)
+
+
+def _local_mean(colours: Float32, chosen: Mask) -> Float32:
+    """The mean colour `(rows, columns, 3)` of the chosen cells around each cell."""
+    weight = chosen.astype(np.float32)
+    total = cv2.boxFilter(colours * weight[:, :, None], -1, (LOCAL, LOCAL), normalize=False)
+    count = cv2.boxFilter(weight, -1, (LOCAL, LOCAL), normalize=False)
+    return np.asarray(total / np.maximum(count, 1.0)[:, :, None], dtype=np.float32)
 
 
 def _placed(shape: RotoShape, place: Callable[[Array], Array]) -> RotoShape:
