@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from roam_core.interchange.nuke_script import Nested, decoded
+from roam_core.interchange.reading import MAX_NUMBER
 
 Array = NDArray[np.float64]
 
@@ -147,7 +148,7 @@ def _plain_table(items: Nested) -> Array | None:
         numbers = np.frombuffer(bytes.fromhex("".join(digits)), ">f4").astype(np.float64).reshape(-1, 5)
     except ValueError:
         return None
-    if not np.isfinite(numbers).all():
+    if not (np.abs(numbers) <= MAX_NUMBER).all():
         return None
     rest = np.tile([0.0, CUBIC], (len(numbers), 1))
     return np.concatenate([rest[:, :1], numbers, rest[:, 1:]], axis=1)

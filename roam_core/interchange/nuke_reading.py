@@ -26,7 +26,7 @@ from roam_core.interchange.nuke_curves import (
 from roam_core.interchange.nuke_keys import UP
 from roam_core.interchange.nuke_script import Nested, Script, Word
 from roam_core.interchange.nuke_text import LOCKED, OPEN, RELATIVE_TANGENTS, RENDERABLE
-from roam_core.interchange.reading import PLAIN, Imported, ImportOptions, ShapeReader, brief, sensible
+from roam_core.interchange.reading import PLAIN, Imported, ImportOptions, ShapeReader, brief, quietly, sensible
 from roam_core.roto import Clip, Keyframe, Layer, RotoShape
 
 Array = NDArray[np.float64]
@@ -39,6 +39,7 @@ class NukeImporter:
     title = "Nuke script"
     suffixes = (".nk", ".gizmo")
 
+    @quietly
     def read(self, path: Path, clip: Clip, options: ImportOptions = PLAIN) -> Imported:
         """Read all shapes of all Roto nodes; paint strokes, expressions and the like are named and left out.
 

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Union
 
-from roam_core.interchange.reading import ShapeReader
+from roam_core.interchange.reading import MAX_NUMBER, ShapeReader
 
 Nested = list[Union[str, "Nested"]]
 """A list of words and lists."""
@@ -141,7 +141,7 @@ class Script:
 def decoded(word: str) -> float:
     """A number: `x` and eight hexadecimal digits of a single-precision one, or a decimal.
 
-    Raises `ValueError` for anything else, and for what is not finite.
+    Raises `ValueError` for anything else, for what is not finite or absurdly large.
     """
     if word.startswith("x"):
         digits = bytes.fromhex(word[1:])
@@ -150,8 +150,8 @@ def decoded(word: str) -> float:
         number: float = struct.unpack(">f", digits)[0]
     else:
         number = float(word)
-    if not abs(number) < float("inf"):
-        raise ValueError(f"{word[:20]!r} is no finite number")
+    if not abs(number) <= MAX_NUMBER:
+        raise ValueError(f"{word[:20]!r} is no sensible number")
     return number
 
 

@@ -23,6 +23,9 @@ MAX_BYTES = 256 << 20
 MAX_DEPTH = 200
 """Lists, elements or layers that lie in one another: real files need about fifteen."""
 
+MAX_NUMBER = 1e12
+"""No coordinate, slope or factor of a file beyond this, either way: what is reckoned with them stays finite."""
+
 MAX_POINTS = 4_000_000
 """Control points over all keys of all shapes of a file: some 200 MB of them."""
 
@@ -51,6 +54,10 @@ class ImportOptions:
 
 
 PLAIN = ImportOptions()
+
+quietly = np.errstate(over="ignore", invalid="ignore", divide="ignore")
+"""Around what reckons with a file's numbers: layers in layers may send a point beyond all numbers. Its shape is left out
+and named (`sensible`); nobody is warned of the sums besides."""
 
 
 @dataclass(frozen=True)

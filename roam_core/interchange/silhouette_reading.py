@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from roam_core.errors import RoamError
 from roam_core.interchange.keying import Key, keys_of
-from roam_core.interchange.reading import PLAIN, Imported, ImportOptions, ShapeReader, brief, sensible
+from roam_core.interchange.reading import PLAIN, Imported, ImportOptions, ShapeReader, brief, quietly, sensible
 from roam_core.interchange.silhouette import MODES, PATH_KINDS
 from roam_core.interchange.silhouette_values import (
     MATRIX,
@@ -51,6 +51,7 @@ class SilhouetteImporter:
     title = "Silhouette shapes"
     suffixes = (".fxs",)
 
+    @quietly
     def read(self, path: Path, clip: Clip, options: ImportOptions = PLAIN) -> Imported:
         """Read all shapes, Bezier ones and B-splines, each as what it is."""
         reader = ShapeReader(path, clip, options)

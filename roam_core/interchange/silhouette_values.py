@@ -14,6 +14,7 @@ from xml.etree.ElementTree import Element
 import numpy as np
 from numpy.typing import NDArray
 
+from roam_core.interchange.reading import MAX_NUMBER
 from roam_core.interchange.xml import local_name
 
 Array = NDArray[np.float64]
@@ -112,10 +113,10 @@ def _projected(positions: Array, matrices: Array) -> Array:
 
 
 def number(text: str) -> float:
-    """A finite number, or a `ValueError`."""
+    """A finite number that is not absurdly large, or a `ValueError`."""
     value = float(text)
-    if not abs(value) < float("inf"):
-        raise ValueError(f"{text[:20]!r} is no finite number")
+    if not abs(value) <= MAX_NUMBER:
+        raise ValueError(f"{text[:20]!r} is no sensible number")
     return value
 
 

@@ -16,7 +16,7 @@ import numpy as np
 from roam_core.geometry.bezier import ANCHOR, IN, OUT
 from roam_core.interchange.naming import file_words, is_numbered, numbering
 from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter, with_chosen_keys
-from roam_core.interchange.reading import PLAIN, Imported, ImportOptions
+from roam_core.interchange.reading import PLAIN, Imported, ImportOptions, quietly
 from roam_core.interchange.svg_reading import SvgReader
 from roam_core.interchange.svg_words import INKSCAPE, LABEL, SVG
 from roam_core.interchange.xml import xml_text
@@ -59,6 +59,7 @@ class SvgFormat:
             told |= dict.fromkeys(notes)
         return tuple(told)
 
+    @quietly
     def read(self, path: Path, clip: Clip, options: ImportOptions = PLAIN) -> Imported:
         """Read all outlines of a drawing as shapes with one key, on the clip's first frame."""
         return SvgReader(path, clip, options).shapes()

@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from roam_core.interchange.svg_words import NUMBER
+from roam_core.interchange.svg_words import NUMBER, number
 
 Array = NDArray[np.float64]
 Place = tuple[float, float]
@@ -155,7 +155,7 @@ def _arguments(text: str, position: int, kind: str) -> tuple[list[float], int]:
         found = (_FLAG if kind == "A" and k in (3, 4) else _NUMBER).match(text, position)
         if found is None:
             raise ValueError(f"{kind} wants {ARGUMENTS[kind]} numbers")
-        values.append(float(found.group(1)))
+        values.append(number(found.group(1)))
         position = found.end()
     return values, position
 

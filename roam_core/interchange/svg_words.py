@@ -8,6 +8,8 @@ import re
 import numpy as np
 from numpy.typing import NDArray
 
+from roam_core.interchange.reading import MAX_NUMBER
+
 Array = NDArray[np.float64]
 
 SVG = "http://www.w3.org/2000/svg"
@@ -21,9 +23,14 @@ UNITS = {"": 1.0, "px": 1.0, "pt": 96 / 72, "pc": 16.0, "in": 96.0, "cm": 96 / 2
 IDENTITY: Array = np.array([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]])
 
 
+def number(word: str) -> float:
+    """A word of the form `NUMBER`, brought within `MAX_NUMBER`: what lies that far is left out as a whole."""
+    return min(max(float(word), -MAX_NUMBER), MAX_NUMBER)
+
+
 def numbers(text: str | None) -> list[float]:
     """All numbers of a list, whatever stands between them."""
-    return [float(word) for word in re.findall(NUMBER, text or "")]
+    return [number(word) for word in re.findall(NUMBER, text or "")]
 
 
 def length(text: str | None, whole: float, default: float = 0.0) -> float:
@@ -31,7 +38,7 @@ def length(text: str | None, whole: float, default: float = 0.0) -> float:
     found = re.fullmatch(rf"\s*({NUMBER})\s*(%|[A-Za-z]*)\s*", text or "")
     if found is None:
         return default
-    value, unit = float(found.group(1)), found.group(2).lower()
+    value, unit = number(found.group(1)), found.group(2).lower()
     if unit == "%":
         return value / 100.0 * whole
     return value * UNITS[unit] if unit in UNITS else default
