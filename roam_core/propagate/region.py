@@ -21,6 +21,7 @@ from roam_core.params import DOUBTFUL, RegionParams, scale_for
 from roam_core.propagate.confidence import Signs, edge_support, expected_overlap, overlap, vertex_confidence
 from roam_core.propagate.laying import enclosed, laid
 from roam_core.propagate.nodes import smooth_points
+from roam_core.propagate.refinding import WHOLE, Lookout, Sighting, area_of, middle_of
 from roam_core.propagate.result import Part, StepResult, Termination
 from roam_core.proposal import region as proposed
 from roam_core.proposal.evidence import SURE, Expectation, Field, KeyMemory, Sources, gathered
@@ -31,12 +32,17 @@ Float32 = NDArray[np.float32]
 
 TRUSTED = 0.3
 """Steadiness below which a frame teaches the colour model nothing."""
+DOUBTED = 0.6
+"""Expected IoU under which the object is looked for where it may be instead, ..."""
+BETTER = 0.05
+"""... which must promise this much more to be believed."""
 
 
 @dataclass(frozen=True, eq=False)
 class RegionState:
     """After a frame: its picture, the region, each shape where it was last seen, and what is known of the object.
 
+    `drawn` are the shapes on the key, `lookout` what it looked like there, `sighting` tells when it was last whole;
     `steps` counts the frames since the key; `signs` tell how well the last of them went.
     """
 
@@ -46,8 +52,16 @@ class RegionState:
     smooth: tuple[NDArray[np.bool_], ...]
     key: KeyMemory
     colours: GlobalModel
+    drawn: tuple[Part, ...]
+    lookout: Lookout
+    sighting: Sighting
     steps: int = 0
     signs: Signs | None = None
+
+    @property
+    def trust(self) -> float:
+        """The IoU to be expected of the last frame; 0 where the object was lost on it."""
+        return 0.0 if self.signs is None or self.sighting.since > 0 else expected_overlap(self.signs)
 
 
 def begin(frame: PreparedFrame, parts: tuple[Part, ...], params: RegionParams) -> RegionState:
@@ -57,7 +71,9 @@ def begin(frame: PreparedFrame, parts: tuple[Part, ...], params: RegionParams) -
     region = Field(grid, (2.0 * SURE * (enclosed(parts, grid) - 0.5)).astype(np.float32))
     colours = _learned(frame, region)
     key = KeyMemory(frame, region, colours, np.eye(3))
-    return RegionState(frame, region, parts, tuple(smooth_points(part.points) for part in parts), key, colours)
+    smooth = tuple(smooth_points(part.points) for part in parts)
+    seen = Sighting(key.to_now, area_of(region), middle_of(region))
+    return RegionState(frame, region, parts, smooth, key, colours, parts, Lookout(frame, region), seen)
 
 
 @dataclass(frozen=True, eq=False)
@@ -78,7 +94,43 @@ class Sight:
 def step(
     state: RegionState, frame: PreparedFrame, params: RegionParams, token: CancelToken | None = None
 ) -> tuple[RegionState, tuple[StepResult, ...]]:
-    """Carry all shapes from the state's frame to `frame`."""
+    """Carry all shapes from the state's frame to `frame`.
+
+    Where that leaves the object lost or in doubt it is looked for around its last place, and taken from there if that
+    promises more.
+    """
+    carried = _carried(state, frame, params, token)
+    after = carried[0]
+    if after.trust >= DOUBTED:
+        return carried
+    elsewhere = _at_sighting(state, after.sighting, frame, params)
+    if elsewhere is None:
+        return carried
+    again = _carried(elsewhere, frame, params, token)
+    return again if again[0].trust > after.trust + BETTER else carried
+
+
+def _at_sighting(
+    state: RegionState, sighting: Sighting, frame: PreparedFrame, params: RegionParams
+) -> RegionState | None:
+    """As if, the frame before, the object had lain as on the key where it is seen on `frame`."""
+    to_now = state.lookout.found(frame, sighting)
+    if to_now is None:
+        return None
+    whole = Grid.over(Region(0, 0, frame.size[1], frame.size[0]), 1.0)
+    picture = PreparedFrame(whole.warped(state.key.frame.image, to_now))
+    parts = tuple(replace(part, points=similarity.apply(to_now[:2], part.points)) for part in state.drawn)
+    spots = np.vstack([part.points.reshape(-1, 2) for part in parts])
+    grid = grid_around(spots, frame.size, params, scale_for(frame.size))
+    region = Field(grid, (2.0 * SURE * (state.key.region.on(grid, to_now) - 0.5)).astype(np.float32))
+    key = replace(state.key, to_now=to_now)
+    return replace(state, frame=picture, region=region, parts=parts, key=key, colours=key.colours)
+
+
+def _carried(
+    state: RegionState, frame: PreparedFrame, params: RegionParams, token: CancelToken | None
+) -> tuple[RegionState, tuple[StepResult, ...]]:
+    """All shapes carried on from where the state has them."""
     sight = sighted(state, frame, params, token)
     if sight is None:
         return _left(state, frame)
@@ -100,8 +152,29 @@ def step(
     parts = tuple(
         replace(part, points=points) if seen else part for part, (points, seen) in zip(parts, placed, strict=True)
     )
-    key = sight.sources.key
-    return RegionState(frame, found, parts, state.smooth, key, colours, state.steps + 1, signs), results
+    after = replace(
+        state,
+        frame=frame,
+        region=found,
+        parts=parts,
+        key=sight.sources.key,
+        colours=colours,
+        sighting=_seen(state, sight.sources.key, found),
+        steps=state.steps + 1,
+        signs=signs,
+    )
+    return after, results
+
+
+def _seen(state: RegionState, key: KeyMemory, found: Field) -> Sighting:
+    """What the frame on which `found` is the region says about where the object is."""
+    before = state.sighting
+    if before.is_lost(found):
+        return replace(before, since=before.since + 1)
+    area = area_of(key.region) * abs(float(np.linalg.det(key.to_now[:2, :2])))
+    if area_of(found) >= WHOLE * area:
+        return Sighting(key.to_now, area, middle_of(found))
+    return replace(before, middle=middle_of(found), since=0)
 
 
 def sighted(
@@ -167,4 +240,5 @@ def _left(state: RegionState, frame: PreparedFrame) -> tuple[RegionState, tuple[
     results = tuple(
         StepResult(part.points, 0.0, np.zeros(len(part.points)), {}, Termination.LEFT_FRAME) for part in state.parts
     )
-    return replace(state, frame=frame, steps=state.steps + 1, signs=None), results
+    sighting = replace(state.sighting, since=state.sighting.since + 1)
+    return replace(state, frame=frame, sighting=sighting, steps=state.steps + 1, signs=None), results

@@ -1,0 +1,109 @@
+"""An object that was lost is found where it comes into sight again, and nowhere else."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import cv2
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from roam_core import shapes_from_mask, track
+from roam_core.features import PreparedFrame
+from roam_core.features.grid import Grid, Region
+from roam_core.matte.compose import render_matte
+from roam_core.propagate.refinding import Lookout, Sighting
+from roam_core.proposal.evidence import Field
+
+SIZE = (140, 260)
+RADIUS = 15
+ROW = 70
+FIRST, STEP = 40, 7
+"""Column of the ball on frame 0, and columns a frame."""
+POST = slice(95, 150)
+"""Columns that hide what is behind them."""
+
+UInt8 = NDArray[np.uint8]
+
+
+def meadow() -> UInt8:
+    noise = np.random.default_rng(5).normal(0.0, 6.0, (*SIZE, 3))
+    return np.clip(np.array([70, 120, 60]) + cv2.GaussianBlur(noise, (0, 0), 1.0), 0, 255).astype(np.uint8)
+
+
+def disc(column: float, row: float = ROW, radius: float = RADIUS) -> NDArray[np.bool_]:
+    y, x = np.mgrid[: SIZE[0], : SIZE[1]] + 0.5
+    return np.asarray(np.hypot(x - column, y - row) < radius)
+
+
+def picture(*columns: float, post: bool = False, radius: float = RADIUS) -> UInt8:
+    image = meadow()
+    for column in columns:
+        image[disc(column, radius=radius)] = (225, 120, 40)
+    if post:
+        image[:, POST] = (110, 100, 105)
+    return image
+
+
+def lookout(column: float = 60.0) -> tuple[Lookout, Sighting]:
+    whole = Grid.over(Region(0, 0, SIZE[1], SIZE[0]), 0.5)
+    cover = whole.of(disc(column).astype(np.float32))
+    region = Field(whole, (8.0 * (cover - 0.5)).astype(np.float32))
+    area = np.pi * RADIUS**2
+    sighting = Sighting(np.eye(3), area, np.array([column, ROW]), since=12)
+    return Lookout(PreparedFrame(picture(column)), region), sighting
+
+
+@pytest.mark.parametrize("column", [30.0, 61.0, 148.5, 220.0])
+def test_it_is_seen_where_it_is(column: float) -> None:
+    eye, sighting = lookout()
+    placed = eye.found(PreparedFrame(picture(column)), sighting)
+    assert placed is not None
+    middle = placed[:2, :2] @ (60.0, ROW) + placed[:2, 2]
+    assert np.hypot(*(middle - (column, ROW))) < 3.0
+
+
+def test_it_is_seen_though_it_has_grown() -> None:
+    eye, sighting = lookout()
+    placed = eye.found(PreparedFrame(picture(150.0, radius=1.25 * RADIUS)), sighting)
+    assert placed is not None
+    assert np.sqrt(np.linalg.det(placed[:2, :2])) == pytest.approx(1.25)
+
+
+def test_nothing_is_seen_where_nothing_is() -> None:
+    eye, sighting = lookout()
+    assert eye.found(PreparedFrame(picture()), sighting) is None
+
+
+def test_of_two_alike_none_is_taken() -> None:
+    eye, sighting = lookout()
+    assert eye.found(PreparedFrame(picture(40.0, 160.0)), sighting) is None
+
+
+def test_it_is_not_looked_for_farther_than_it_can_have_gone() -> None:
+    eye, sighting = lookout()
+    frame = PreparedFrame(picture(230.0))
+    assert eye.found(frame, sighting) is not None
+    assert eye.found(frame, replace(sighting, since=0)) is None
+
+
+def test_a_place_beyond_the_picture_shows_nothing() -> None:
+    eye, sighting = lookout()
+    beyond = replace(sighting, middle=np.array([9000.0, 9000.0]))
+    assert eye.found(PreparedFrame(picture(60.0)), beyond) is None
+
+
+def test_a_ball_that_went_behind_a_post_is_carried_on_behind_it() -> None:
+    columns = [FIRST + STEP * k for k in range(24)]
+    frames = [picture(column, post=True) for column in columns]
+    hidden = [not (disc(column)[:, : POST.start].any() or disc(column)[:, POST.stop :].any()) for column in columns]
+    assert sum(hidden) >= 3
+    shapes = shapes_from_mask(disc(columns[0]))
+    results = list(track(lambda frame: frames[frame], shapes, range(len(frames)), "best"))
+    for result in results[-4:]:
+        matte = render_matte([each.shape for each in result.results], result.frame, SIZE) > 0.5
+        true = disc(columns[result.frame])
+        assert (matte & true).sum() / (matte | true).sum() > 0.8
+    lost = [each for each in results if hidden[each.frame]]
+    assert all(each.results[0].confidence < 0.5 for each in lost[1:])
