@@ -107,19 +107,6 @@ def remove_items(project: Project, item_ids: Iterable[str]) -> Project:
     return replace(project, root=pruned(project.root))
 
 
-def move_item(project: Project, item_id: str, layer_id: str, index: int) -> Project:
-    """Put a layer or shape at `index` (0 = bottom) among the children of another layer."""
-    item = project.find(item_id)
-    if isinstance(item, Layer) and (item_id == layer_id or any(child.id == layer_id for child in item.items())):
-        raise RoamError(f"The layer {item.name!r} cannot be moved into itself.")
-    without = remove_items(project, [item_id])
-
-    def inserted(layer: Layer) -> Layer:
-        return replace(layer, children=(*layer.children[:index], item, *layer.children[index:]))
-
-    return without.map_item(layer_id, inserted)
-
-
 def set_properties(project: Project, item_id: str, **values: Any) -> Project:
     """Change plain fields of a layer or shape: name, colour, visible, locked, opacity, blend, feather, ..."""
     return project.map_item(item_id, lambda item: replace(item, **values))

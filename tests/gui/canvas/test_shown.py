@@ -7,6 +7,7 @@ import numpy as np
 from app.canvas.shown import editable_shapes, selection_bounds, shown_shapes
 from roam_core.geometry.bezier import polygon_points
 from roam_core.roto import Project, edit
+from roam_core.roto.layers import moved
 
 TRIANGLE = polygon_points([(0.0, 0.0), (10.0, 0.0), (0.0, 20.0)])
 
@@ -36,7 +37,7 @@ def test_hidden_and_absent_shapes_are_not_in_sight() -> None:
 def test_a_layer_hides_and_locks_what_it_holds_however_deep() -> None:
     project, outer = edit.add_layer(project_of(1))
     project, inner = edit.add_layer(project, parent_id=outer.id)
-    project = edit.move_item(project, "shape-1", inner.id, 0)
+    project = moved(project, ["shape-1"], inner.id, 0)
     assert ids(edit.set_properties(project, outer.id, locked=True)) == [("shape-1", True)]
     assert not editable_shapes(edit.set_properties(project, outer.id, locked=True), 1)
     assert ids(edit.set_properties(project, outer.id, visible=False)) == []

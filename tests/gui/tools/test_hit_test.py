@@ -11,6 +11,7 @@ from app.tools.hit_test import REACH, OutlineHit, PointHit, hit, hit_outline, po
 from app.view_state import Selection
 from roam_core.geometry.bezier import ANCHOR, IN, OUT, polygon_points
 from roam_core.roto import Keyframe, Project, RotoShape, edit
+from roam_core.roto.layers import moved
 
 ONE = (1.0, 1.0)
 SQUARE = [(10.0, 10.0), (110.0, 10.0), (110.0, 110.0), (10.0, 110.0)]
@@ -92,7 +93,7 @@ def test_locked_hidden_and_absent_shapes_are_not_hit(values: dict[str, object]) 
 @pytest.mark.parametrize("values", [{"locked": True}, {"visible": False}])
 def test_shapes_of_a_locked_or_hidden_layer_are_not_hit(values: dict[str, object]) -> None:
     project, layer = edit.add_layer(project_with(SQUARE))
-    project = edit.move_item(project, "shape-1", layer.id, 0)
+    project = moved(project, ["shape-1"], layer.id, 0)
     assert hit(project, 1, chosen("shape-1"), (10.0, 10.0), ONE) is not None
     assert hit(edit.set_properties(project, layer.id, **values), 1, chosen("shape-1"), (10.0, 10.0), ONE) is None
 

@@ -76,24 +76,6 @@ def test_a_layer_goes_with_everything_in_it() -> None:
     assert len(project.shapes) == 2
 
 
-def test_items_move_between_layers_and_within_them() -> None:
-    project, layer = edit.add_layer(Project())
-    for _ in range(3):
-        project, _ = edit.new_shape(project, SQUARE, 1)
-    moved = edit.move_item(project, "shape-2", layer.id, 0)
-    assert [each.id for each in moved.shapes] == ["shape-2", "shape-1", "shape-3"]
-    sunk = edit.move_item(project, "shape-3", "root", 0)
-    assert [child.id for child in sunk.root.children] == ["shape-3", "layer-1", "shape-1", "shape-2"]
-
-
-@pytest.mark.parametrize("target", ["layer-1", "layer-2"])
-def test_a_layer_cannot_move_into_itself(target: str) -> None:
-    project, outer = edit.add_layer(Project())
-    project, _ = edit.add_layer(project, parent_id=outer.id)
-    with pytest.raises(RoamError, match="into itself"):
-        edit.move_item(project, outer.id, target, 0)
-
-
 def test_properties_of_shapes_and_layers() -> None:
     project = edit.add_shape(Project(), shape())
     project = edit.set_properties(project, "shape-1", opacity=0.5, locked=True)
