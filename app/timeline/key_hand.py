@@ -47,6 +47,8 @@ class KeyHand:
         self._before: frozenset[Place] = frozenset()
         self._is_drag = False
         self._shift = 0
+        self._made: tuple[Project, int, bool] | None = None
+        """What the preview was made of: within a frame the pointer moves often, and nothing with it."""
         self.box: QRectF | None = None
         """The box that is being drawn, or None."""
         self.preview: Project | None = None
@@ -102,9 +104,12 @@ class KeyHand:
 
     def _drag(self, event: QMouseEvent) -> None:
         places, offset = self._moving(), self._offset(event.position().x())
-        copies = bool(event.modifiers() & COPIES)
+        copies, before = bool(event.modifiers() & COPIES), self._document.project
+        if self._made == (before, offset, copies):
+            return
+        self._made = before, offset, copies
         verb = timing.copy_keys if copies else timing.move_keys
-        self.preview = verb(self._document.project, places, offset) if offset and places else None
+        self.preview = verb(before, places, offset) if offset and places else None
         self._shift = 0 if self.preview is None else offset
         self._axis.view_state.set_preview(self.preview)
         self._tell(places, offset, "Copy" if copies else "Move")
@@ -166,7 +171,7 @@ class KeyHand:
     def _forget(self) -> None:
         if self.preview is not None:
             self._axis.view_state.set_preview(None)
-        self._start = self._held = self.box = self.preview = None
+        self._start = self._held = self.box = self.preview = self._made = None
         self._is_drag, self._shift = False, 0
         self._show()
 

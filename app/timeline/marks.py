@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import bisect
 from dataclasses import dataclass
 
 import numpy as np
@@ -56,7 +55,7 @@ def key_marks(shape: RotoShape, clip: Clip | None) -> KeyMarks:
             continue
         trust = 1.0 if key.confidence is None else key.confidence
         confidence.append((key.frame, trust))
-        if stamps.is_stale(key):
+        if stamps.is_stale(key, len(artist)):
             stale.append(key.frame)
         elif trust < DOUBTFUL:
             doubtful.append(key.frame)
@@ -94,32 +93,33 @@ class MarksOf:
 
 
 class _Stamps:
-    """`provenance.is_stale` for all keys of one shape, with one hash for each span instead of one for each key."""
+    """`provenance.is_stale` for all keys of one shape, asked once for each stamp in each span instead of for each key.
+
+    A span is told by the number of artist's keys before it.
+    """
 
     def __init__(self, shape: RotoShape, clip: Clip | None) -> None:
         self._shape, self._clip = shape, provenance.clip_stamp(clip)
         self._artist = [key for key in shape.keys if key.origin is Origin.ARTIST]
-        self._frames = [key.frame for key in self._artist]
-        self._made: dict[tuple[int, str, str], str] = {}
+        self._known: dict[tuple[str, int], bool] = {}
 
-    def is_stale(self, key: Keyframe) -> bool:
+    def is_stale(self, key: Keyframe, span: int) -> bool:
+        known = self._known.get((key.inputs, span))
+        if known is None:
+            known = self._known[key.inputs, span] = self._stamp(key, span) != key.inputs
+        return known
+
+    def _stamp(self, key: Keyframe, span: int) -> str:
+        """What the key would bear if it were made now; nothing where it could not be, or nobody knows how it was."""
         direction, _, rest = key.inputs.partition(":")
-        config, span = rest.partition(":")[0], bisect.bisect_left(self._frames, key.frame)
-        source = span - 1 if direction == "forward" else span
-        if direction != "fill" and not 0 <= source < len(self._artist):
-            return True
-        made = self._made.get((span, direction, config))
-        if made is None:
-            made = self._made[span, direction, config] = self._stamp(key.frame, source, direction, config)
-        return made != key.inputs
-
-    def _stamp(self, frame: int, source: int, direction: str, config: str) -> str:
-        """What a key on `frame` would bear if it were made now; nothing where nobody knows how it was made."""
-        params = provenance.known_params(config)
+        params = provenance.known_params(rest.partition(":")[0])
         if params is None:
             return UNKNOWN
         if direction == "fill":
-            return provenance.fill_stamp(self._shape, frame, params, self._clip)
+            return provenance.fill_stamp(self._shape, key.frame, params, self._clip)
+        source = span - 1 if direction == "forward" else span
+        if not 0 <= source < len(self._artist):
+            return UNKNOWN
         return provenance.stamp(
             self._artist[source], self._shape.closed, params, self._clip, forward=direction == "forward"
         )
