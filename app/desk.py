@@ -35,6 +35,7 @@ class Desk(QObject):
         self.log_panel = Panel("Messages", self.log, self.log.tools)
         self.log_panel.setVisible(False)
         window.actions_by_id["help.log"].toggled.connect(self._show_log)
+        self._threads = 0  # as many as the libraries think fit
         self._editor: KeymapEditor | None = None
         self._settings: SettingsDialog | None = None
         personal.keys_changed.connect(self._pull_keys)
@@ -88,5 +89,6 @@ class Desk(QObject):
         held, window = self._personal.preferences, self._window
         window.reader.set_cache_limit(held.cache_bytes)
         window.autosave.set_interval(held.autosave_minutes)
-        if held.threads:
-            warm_up.use_threads(window.solver, held.threads)
+        if held.threads != self._threads:
+            self._threads = held.threads
+            warm_up.use_threads(window.writer, held.threads)

@@ -137,6 +137,7 @@ def _run(begin: Callable[[MainWindow], object]) -> int:
     application.aboutToQuit.connect(lambda: settings.keep(window, settings_path))
     window.show()
     QTimer.singleShot(0, window, lambda: begin(window))
+    QTimer.singleShot(0, window, lambda: warm_up.load_dialogs(window.writer))
     QTimer.singleShot(0, window, lambda: _tell_of(warm_up.start(window.solver, window.tracking.config), window))
     try:
         return application.exec()

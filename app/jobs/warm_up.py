@@ -19,6 +19,21 @@ def use_threads(runner: Runner, count: int) -> Job:
     return runner.start("threads", work)
 
 
+def load_dialogs(runner: Runner) -> Job:
+    """Load what the export and clip dialogs stand on, which takes half a second: they are to open at once.
+
+    Not on the solver's thread, where compiling takes a minute at the first start.
+    """
+
+    def work(report: Report) -> str:
+        for name in ("roam_core.interchange", "cv2", "OpenImageIO"):
+            report.token.check()
+            import_module(name)
+        return ""
+
+    return runner.start("load dialogs", work)
+
+
 def start(runner: Runner, config: str) -> Job:
     """Compile on the solver's thread what the configuration needs; a track that is asked for meanwhile waits for it."""
 
@@ -26,8 +41,6 @@ def start(runner: Runner, config: str) -> Job:
         from roam_core.propagate.warm_up import warm_up
 
         warm_up(config)
-        # The formats take a good part of a second to load: here, so that the export dialog opens at once.
-        import_module("roam_core.interchange")
         return ""
 
     return runner.start("warm-up", work)

@@ -25,6 +25,21 @@ from app.jobs.runner import Runner
 from app.view_state import ViewState
 from roam_core.roto import Clip, Project
 from tests.gui.hand import Hand
+from tests.gui.watchdog import WatchedApplication
+
+
+@pytest.fixture(scope="session")
+def qapp_cls() -> type[QApplication]:
+    """The application of all tests: it notes which events held it up."""
+    return WatchedApplication
+
+
+@pytest.fixture(autouse=True)
+def nothing_blocks(qapp: WatchedApplication) -> Iterator[None]:
+    """Fail a test in which one event held the window's thread for longer than goes unnoticed."""
+    with qapp.watching() as blocks:
+        yield
+    assert not blocks, f"the window's thread was blocked: {'; '.join(map(str, blocks))}"
 
 
 @pytest.fixture(autouse=True)

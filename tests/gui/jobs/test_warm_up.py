@@ -5,6 +5,7 @@ from __future__ import annotations
 import threading
 from importlib import import_module
 
+import cv2
 import pytest
 from pytestqt.qtbot import QtBot
 
@@ -26,3 +27,31 @@ def test_kernels_are_compiled_on_the_solvers_thread(qtbot: QtBot, monkeypatch: p
     assert ended.args == [Ending.DONE, ""]
     assert compiled == [("baseline", False)]
     assert runner.close()
+
+
+def test_what_dialogs_stand_on_is_loaded_beside_the_window(qtbot: QtBot, monkeypatch: pytest.MonkeyPatch) -> None:
+    loaded: list[tuple[str, bool]] = []
+
+    def load(name: str) -> None:
+        loaded.append((name, threading.current_thread() is threading.main_thread()))
+
+    monkeypatch.setattr(warm_up, "import_module", load)
+    runner = Runner("writer")
+    with qtbot.waitSignal(warm_up.load_dialogs(runner).ended, timeout=5000) as ended:
+        pass
+    assert ended.args == [Ending.DONE, ""]
+    assert ("roam_core.interchange", False) in loaded
+    assert not any(in_window for _, in_window in loaded)
+    assert runner.close()
+
+
+def test_threads_are_set_in_the_libraries_themselves(qtbot: QtBot) -> None:
+    runner, before = Runner("solver"), cv2.getNumThreads()
+    try:
+        with qtbot.waitSignal(warm_up.use_threads(runner, 1).ended, timeout=5000) as ended:
+            pass
+        assert ended.args == [Ending.DONE, ""]
+        assert cv2.getNumThreads() == 1
+    finally:
+        cv2.setNumThreads(before)
+        assert runner.close()
