@@ -56,8 +56,8 @@ class ImportOptions:
 PLAIN = ImportOptions()
 
 quietly = np.errstate(over="ignore", invalid="ignore", divide="ignore")
-"""Around what reckons with a file's numbers: layers in layers may send a point beyond all numbers. Its shape is left out
-and named (`sensible`); nobody is warned of the sums besides."""
+"""Around what reckons with a file's numbers: layers in layers may send a point beyond all of them. Its shape is then
+left out and named (`sensible`); nobody is warned of the sums besides."""
 
 
 @dataclass(frozen=True)
