@@ -1,0 +1,47 @@
+"""Every format holds the motion of layers: what it writes is what it writes of the same motion in the shapes."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from roam_core.interchange.matte_style import Parts
+from roam_core.interchange.mattes import parts_of
+from roam_core.interchange.registry import EXPORTERS
+from roam_core.matte import render_matte
+from roam_core.roto import Layer, LayerTransform, Project, edit
+from roam_core.roto.baking import without_transforms
+
+TILT = np.array([[1.05, 0.02, 30.0], [-0.03, 0.98, -12.0], [1e-5, 2e-5, 1.0]])
+
+
+@pytest.mark.parametrize("name", sorted(set(EXPORTERS) - {"mattes"}))
+def test_a_format_holds_the_motion(name: str, project: Project, tmp_path: Path) -> None:
+    moving = edit.set_properties(project, "layer-1", transform=LayerTransform.of({1001: np.eye(3), 1030: TILT}))
+    exporter = EXPORTERS[name]
+    texts = {}
+    for word, each in (("moving", moving), ("baked", without_transforms(moving)), ("still", project)):
+        path = tmp_path / word / f"shapes{exporter.suffix}"
+        path.parent.mkdir()
+        exporter.export(each, path)
+        texts[word] = {file.name: file.read_bytes() for file in sorted(path.parent.rglob("*")) if file.is_file()}
+    assert texts["moving"] == texts["baked"]
+    if name != "svg":  # one picture, of the first frame, on which the layer still stands
+        assert texts["moving"] != texts["still"]
+
+
+def test_mattes_of_layers_hold_the_motion_of_those_above() -> None:
+    one, outer = edit.add_layer(Project())
+    one, inner = edit.add_layer(one, parent_id=outer.id)
+    points = np.repeat(np.array([[4.0, 4.0], [12.0, 4.0], [12.0, 12.0], [4.0, 12.0]])[:, None], 3, axis=1)
+    one, _ = edit.new_shape(one, points, 1, layer_id=inner.id)
+    push = np.array([[1.0, 0.0, 10.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]])
+    one = edit.set_properties(one, outer.id, transform=LayerTransform.of({1: push}))
+    for kind in (Parts.LAYER, Parts.SHAPE):
+        for part in parts_of(one, kind):
+            content = part.content if isinstance(part.content, Layer) else list(part.content)
+            matte = render_matte(content, 1, (16, 32))
+            assert matte[8, 18] == 1.0
+            assert matte[8, 8] == 0.0
