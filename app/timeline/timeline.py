@@ -16,6 +16,7 @@ from app.timeline.key_verbs import KeyVerbs
 from app.timeline.mark_band import MarkBand
 from app.timeline.mark_verbs import MarkVerbs
 from app.timeline.marks import MarksOf
+from app.timeline.panning import PanHand, TimeBar
 from app.timeline.ruler import Ruler
 from app.view_state import ViewState
 
@@ -54,8 +55,10 @@ class Timeline(QWidget):
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(0)
-        for part in (self.ruler, self.marks, self.rows, self.confidence):
+        self.bar = TimeBar(self.axis)
+        for part in (self.ruler, self.marks, self.rows, self.confidence, self.bar):
             column.addWidget(part)
+        PanHand(self.axis, self.ruler, self.marks, self.rows.viewport(), self.confidence.lines.viewport())
         column.setStretchFactor(self.rows, 1)  # the rows come first; the plot takes what they do not need
         self._offer(actions)
         self._document = document

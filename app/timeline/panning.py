@@ -1,0 +1,70 @@
+"""Panning the timeline: the middle button drags it, a thin bar shows and moves the piece of time in sight."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QEvent, QObject, QSignalBlocker, Qt
+from PySide6.QtGui import QMouseEvent
+from PySide6.QtWidgets import QHBoxLayout, QScrollBar, QWidget
+
+from app.timeline.axis import TimeAxis
+from app.timeline.scale import LABEL_WIDTH, RIGHT_MARGIN
+
+FINENESS = 100
+"""Steps of the bar in a frame: a bar counts in whole numbers."""
+
+HEIGHT = 10
+
+
+class PanHand(QObject):
+    """Drags the time under the pointer along with it, while the middle button is down over one of `widgets`."""
+
+    def __init__(self, axis: TimeAxis, *widgets: QWidget) -> None:
+        super().__init__(axis)
+        self._axis = axis
+        self._last: float | None = None
+        for widget in widgets:
+            widget.installEventFilter(self)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if not isinstance(event, QMouseEvent):
+            return False
+        if event.type() == QEvent.Type.MouseMove and self._last is not None:
+            moved, self._last = event.position().x() - self._last, event.position().x()
+            self._axis.set_scale(self._axis.scale.panned(-moved / self._axis.scale.pixels))
+            return True
+        if event.button() != Qt.MouseButton.MiddleButton:
+            return False
+        self._last = event.position().x() if event.type() == QEvent.Type.MouseButtonPress else None
+        return True
+
+
+class TimeBar(QWidget):
+    """A scroll bar under the frames; there only while a part of the clip is out of sight."""
+
+    def __init__(self, axis: TimeAxis, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._axis = axis
+        self.bar = QScrollBar(Qt.Orientation.Horizontal)
+        self.bar.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        row = QHBoxLayout(self)
+        row.setContentsMargins(LABEL_WIDTH, 0, RIGHT_MARGIN, 0)
+        row.addWidget(self.bar)
+        self.setFixedHeight(HEIGHT)
+        self.bar.valueChanged.connect(self._push)
+        axis.changed.connect(self._pull)
+        self._pull()
+
+    def _push(self, value: int) -> None:
+        scale = self._axis.scale
+        self._axis.set_scale(scale.panned(value / FINENESS - scale.first))
+
+    def _pull(self) -> None:
+        scale = self._axis.scale
+        first, stop = scale.clip
+        seen = scale.width / scale.pixels
+        with QSignalBlocker(self.bar):
+            self.bar.setRange(round(first * FINENESS), round(max(stop - seen, first) * FINENESS))
+            self.bar.setPageStep(round(seen * FINENESS))
+            self.bar.setSingleStep(FINENESS)
+            self.bar.setValue(round(scale.first * FINENESS))
+        self.setVisible(self._axis.has_clip and seen < stop - first - 1e-6)
