@@ -14,7 +14,7 @@ from app.document import Document
 from app.jobs.runner import Ending, Job, Report, Runner
 from app.view_state import ViewState
 from roam_core.geometry.plane_motion import PlaneMotion
-from roam_core.roto import BlendMode, Layer, LayerTransform, RotoShape
+from roam_core.roto import BlendMode, Layer, LayerTransform, Project, RotoShape
 from roam_core.roto.following import followed, with_moving_layer
 
 ReadFrame = Callable[[int], Any]
@@ -100,14 +100,11 @@ class PlanarTrack(QObject):
         run, (frame, matrix) = self._run, found
         if run is None:
             return
-        project = self._document.project
-        if not run.layer_id:
-            project, run.layer_id = with_moving_layer(project, run.shape_ids, run.start, LAYER_NAME)
-        project = followed(project, run.layer_id, run.start, frame, matrix)
-        layer = project.find(run.layer_id)
+        change = _following(run, self._document.project, frame, matrix)
+        layer = change(self._document.project).find(run.layer_id)
         assert isinstance(layer, Layer)
         run.expected, run.reached = layer.transform, frame
-        self._document.apply("Planar track", project, merge_key=run.merge_key)
+        self._document.amend("Planar track", change, run.merge_key)
         if self._view.frame == run.shown_frame and self._view.preview is None:
             run.shown_frame = frame
             self._view.set_frame(frame)
@@ -133,6 +130,23 @@ class PlanarTrack(QObject):
             sentence = f"The planar track stopped {where}; the finished frames stay."
         self.running_changed.emit()
         self.finished.emit(ending, sentence)
+
+
+def _following(run: _Run, project: Project, frame: int, matrix: Any) -> Callable[[Project], Project]:
+    """The change that a frame makes: to the project, and to those between the steps done since the run began.
+
+    The layer is made with the first frame.
+    """
+    first = not run.layer_id
+    if first:
+        run.layer_id = with_moving_layer(project, run.shape_ids, run.start, LAYER_NAME)[1]
+
+    def change(before: Project) -> Project:
+        if first:
+            before, _ = with_moving_layer(before, run.shape_ids, run.start, LAYER_NAME)
+        return followed(before, run.layer_id, run.start, frame, matrix) if before.has(run.layer_id) else before
+
+    return change
 
 
 def _track(report: Report, read: ReadFrame, shapes: Sequence[RotoShape], frames: range, kind: PlaneMotion) -> str:

@@ -151,6 +151,12 @@ def test_shapes_are_edited_while_it_runs(
         board.true_motion(KIND, LAST - 1), board.BOARD[:, ANCHOR]
     )
     np.testing.assert_allclose(np.hypot(*off.T), 5.0, atol=0.8)  # the correction goes along, turned with the plane
+    assert document.undo_stack.count() == 2  # the whole run, and the correction on top of it
+    document.undo_stack.undo()
+    assert layer(document).transform.frames[-1] == LAST
+    assert miss(document, LAST) < 0.5
+    document.undo_stack.undo()
+    assert not document.project.has("layer-1")
 
 
 def test_undo_ends_the_run(
