@@ -17,6 +17,10 @@ ACCENT = QColor("#e0a030")
 EDGE = QColor(0, 0, 0, 190)
 """Dark rim of every mark, so that it reads on any plate."""
 
+THIN_EDGE, THIN_ASIDE = QColor(0, 0, 0, 180), (0.8, 0.18)
+"""Of the lines that make a thin outline: the rim's colour, and how far beside the path those of rim and core lie, chosen
+so that they give as much ink as `stroke` does at any angle, give or take a third."""
+
 HOLLOW = QColor(24, 24, 24, 210)
 BRIGHT = QColor("#ffffff")
 
@@ -32,6 +36,26 @@ def stroke(painter: QPainter, path: QPainterPath, colour: QColor, width: float) 
     for ink, thickness in ((faded(EDGE, colour.alphaF()), width + 2 * EDGE_WIDTH), (colour, width)):
         painter.setPen(_pen(ink, thickness))
         painter.drawPath(path)
+
+
+def thin_stroke(painter: QPainter, path: QPainterPath, colour: QColor) -> None:
+    """`stroke` of the width `OUTLINE_WIDTH`, an order faster; `path` in widget coordinates.
+
+    Qt strokes a line of one device pixel directly, and any wider one by way of the outlines of its outline. A few such
+    lines beside each other make the width. On denser screens a widget unit is more than a pixel, and a faded colour
+    would add up where lines overlap: there the plain way is taken.
+    """
+    device = painter.device()
+    if colour.alpha() < 255 or device is None or device.devicePixelRatio() != 1.0:
+        stroke(painter, path, colour, OUTLINE_WIDTH)
+        return
+    painter.setBrush(Qt.BrushStyle.NoBrush)
+    for ink, aside in ((THIN_EDGE, THIN_ASIDE[0]), (colour, THIN_ASIDE[1])):
+        painter.setPen(_pen(ink, 1.0))
+        for x, y in ((aside, 0.0), (-aside, 0.0), (0.0, aside), (0.0, -aside)):
+            painter.translate(x, y)
+            painter.drawPath(path)
+            painter.translate(-x, -y)
 
 
 def anchor(painter: QPainter, at: QPointF, colour: QColor, *, round_: bool, filled: bool, grown: bool = False) -> None:

@@ -62,7 +62,9 @@ def paint_onion(
         for shown in shown_shapes(project, ghost):
             if shown.shape.id in wanted:
                 path = viewport.transform.map(paths.whole(shown.shape, ghost))
-                marks.stroke(painter, path, colour, WIDTH)
+                painter.setBrush(Qt.BrushStyle.NoBrush)
+                painter.setPen(QPen(colour, WIDTH))
+                painter.drawPath(path)
                 numbers.append((_top(path), str(ghost), colour))
     if len(wanted) <= MOST_NUMBERED:
         _paint_numbers(painter, numbers)

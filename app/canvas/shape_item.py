@@ -52,8 +52,10 @@ class ShapePainter:
 
 def _paint_outline(painter: QPainter, viewport: Viewport, item: Shown, path: QPainterPath, selected: bool) -> None:
     colour = marks.faded(shape_colour(item.shape), LOCKED_OPACITY if item.locked else 1.0)
-    width = marks.SELECTED_WIDTH if selected else marks.OUTLINE_WIDTH
-    marks.stroke(painter, viewport.transform.map(path), colour, width)
+    if selected:
+        marks.stroke(painter, viewport.transform.map(path), colour, marks.SELECTED_WIDTH)
+    else:
+        marks.thin_stroke(painter, viewport.transform.map(path), colour)
 
 
 def shape_colour(shape: RotoShape) -> QColor:
