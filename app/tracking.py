@@ -16,8 +16,8 @@ from roam_core.params import DEFAULT_CONFIG, DOUBTFUL, params_for
 from roam_core.roto import RotoShape
 
 NO_CLIP = "Open a clip first: drop a folder of images or a movie on the window."
-NO_GAP = "There is no gap to fill here: set a key (S) on two frames, with others between them."
-NO_SHAPE = "Draw a shape first: press B in the viewer."
+NO_GAP = "There is no gap to fill here: set a key (<key.set>) on two frames, with others between them."
+NO_SHAPE = "Draw a shape first: press <tool.bezier> in the viewer."
 
 
 class Scope(StrEnum):
@@ -185,7 +185,7 @@ class Tracking:
         elif not able and shapes[0].locked:
             self._view.say(f"{shapes[0].name} is locked; unlock it to track it.")
         elif not able:
-            self._view.say(f"{shapes[0].name} is open; close it (C in the viewer) to track it.")
+            self._view.say(f"{shapes[0].name} is open; close it (<points.toggle_closed> in the viewer) to track it.")
         return able
 
     def _go_to_doubtful(self, step: int) -> None:

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from PySide6.QtCore import QObject, Signal
+from PySide6.QtCore import QObject, QTimer, Signal
 
 from app.document import Document
 from app.jobs.filling import Filled, FillRequest, Gap, fill
@@ -20,6 +20,9 @@ from roam_core.propagate.result import FrameResult
 from roam_core.roto import Keyframe, Origin, Project, RotoShape, edit
 
 ReadFrame = Callable[[int], Any]
+PATIENCE = 200
+"""Milliseconds that a run that was told to stop may take to end by itself."""
+
 _run_numbers = itertools.count(1)
 
 
@@ -48,6 +51,9 @@ class Propagation(QObject):
         self._document, self._view, self._runner, self._read = document, view_state, runner, read
         self._run: _Run | None = None
         self._memory = TrackMemory()
+        # The very first frame compiles kernels, which nobody can interrupt: the artist need not wait for that.
+        self._patience = QTimer(self, singleShot=True, interval=PATIENCE)
+        self._patience.timeout.connect(self.drop)
         document.changed.connect(self._guard)
         document.replaced.connect(self._forget)
 
@@ -103,9 +109,10 @@ class Propagation(QObject):
             self._start_tracking(ids, rest, run.config, run.merge_key, run)
 
     def stop(self) -> None:
-        """Stop soon; the frames that are finished stay."""
+        """Stop; the frames that are finished stay. What does not listen soon is left to itself, unheard."""
         if self._run is not None:
             self._run.job.cancel()
+            self._patience.start()
 
     def drop(self) -> None:
         """Stop now: nothing that the engine still finds may reach the document."""
@@ -168,6 +175,7 @@ class Propagation(QObject):
         return not project.has(expected.id) or not _same_curves(project.shape(expected.id), expected)
 
     def _end(self, ending: Ending, sentence: str) -> None:
+        self._patience.stop()
         run, self._run = self._run, None
         if run is None:
             return

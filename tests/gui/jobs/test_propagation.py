@@ -28,6 +28,7 @@ SQUARE = polygon_points([(0, 0), (10, 0), (10, 10), (0, 10)])
 class Engine:
     """Stands in for the engine: moves shapes by a pixel a frame, one frame for each `allow`."""
 
+    is_deaf: bool = False
     gate: threading.Semaphore = field(default_factory=lambda: threading.Semaphore(0))
 
     def allow(self, frames: int) -> None:
@@ -38,7 +39,8 @@ class Engine:
     ) -> Iterator[FrameResult]:
         for frame in frames[1:]:
             while not self.gate.acquire(timeout=0.01):
-                token.check()
+                if not self.is_deaf:
+                    token.check()
             results = []
             for shape in shapes:
                 points = shape.at(frames[0]).points + (frame - frames[0])
@@ -109,6 +111,23 @@ def test_stop_keeps_the_frames_that_are_finished(
     assert finished.args == [Ending.CANCELLED, "Tracking stopped at frame 3; the finished frames stay."]
     assert solved(document, [2, 3])()
     assert not propagation.is_running
+
+
+def test_an_engine_that_does_not_listen_is_not_waited_for(
+    qtbot: QtBot, propagation: Propagation, document: Document, engine: Engine
+) -> None:
+    engine.is_deaf = True
+    engine.allow(2)
+    propagation.start(["shape-1"], range(1, 6))
+    qtbot.waitUntil(solved(document, [2, 3]), timeout=WAIT)
+    with qtbot.waitSignal(propagation.finished, timeout=WAIT) as finished:
+        propagation.stop()
+    assert finished.args == [Ending.CANCELLED, "Tracking stopped at frame 3; the finished frames stay."]
+    engine.is_deaf = False
+    engine.allow(6)
+    with qtbot.waitSignal(propagation.finished, timeout=WAIT):
+        propagation.start(["shape-1"], range(3, 6))
+    assert solved(document, [2, 3, 4, 5])()
 
 
 def test_artist_keys_come_back_bit_identical(
