@@ -20,7 +20,7 @@ from roam_core.interchange.reading import PLAIN, Imported, ImportOptions, quietl
 from roam_core.interchange.svg_reading import SvgReader
 from roam_core.interchange.svg_words import INKSCAPE, LABEL, SVG
 from roam_core.interchange.xml import xml_text
-from roam_core.roto import BlendMode, Clip, Layer, Outline, Project, RotoShape
+from roam_core.roto import BlendMode, Clip, Layer, Outline, Project, RotoShape, Spline
 from roam_core.roto.baking import without_transforms
 from roam_core.roto.file import write_atomically
 
@@ -89,6 +89,8 @@ def svg_document(project: Project, frame: int, options: ExportOptions = STANDARD
 class _Writer(ShapeWriter):
     """Turns layers and shapes into elements."""
 
+    KINDS = frozenset(Spline)
+
     frame: int = 0
     ids: dict[str, str] = field(default_factory=dict)
 
@@ -117,6 +119,8 @@ class _Writer(ShapeWriter):
         path.set("stroke", colour)
         if shape.blend is not BlendMode.ADD:
             path.set("data-roam-blend", shape.blend.value)
+        if shape.spline is not Spline.BEZIER:
+            path.set("data-roam-spline", shape.spline.value)
         if shape.feather:
             path.set("data-roam-feather", _decimal(shape.feather))
         if not shape.closed:

@@ -10,12 +10,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from roam_core.errors import RoamError
+from roam_core.geometry import bspline
 from roam_core.geometry.bezier import ANCHOR, IN, OUT
 from roam_core.interchange.reading import Imported, ShapeReader, brief, sensible
 from roam_core.interchange.svg_path import Spline, ellipse, parsed_path, polygon, rectangle
 from roam_core.interchange.svg_words import IDENTITY, LABEL, colour, composed, length, moved, numbers, transform
 from roam_core.interchange.xml import local_name, parsed
-from roam_core.roto import BlendMode, Keyframe, Layer, RotoShape
+from roam_core.roto import BlendMode, Keyframe, Layer, RotoShape, grips
+from roam_core.roto import Spline as SplineKind
 
 Array = NDArray[np.float64]
 
@@ -110,7 +112,7 @@ class SvgReader(ShapeReader):
         if not sensible((key,)):
             raise ValueError("it lies nowhere near the picture")
         blend = element.get("data-roam-blend", "add")
-        return RotoShape(
+        shape = RotoShape(
             id=self.fresh_id("shape"),
             name=name,
             keys=(key,),
@@ -123,6 +125,9 @@ class SvgReader(ShapeReader):
             visible=_is_shown(element),
             locked=element.get("data-roam-locked") == "true",
         )
+        if element.get("data-roam-spline") == SplineKind.BSPLINE.value and _still_b_spline(key.points, spline.closed):
+            return grips.with_spline(shape, SplineKind.BSPLINE)
+        return shape
 
     def _splines(self, element: Element, kind: str, name: str) -> list[Spline]:
         """The outlines of a drawing element in its own coordinates."""
@@ -150,6 +155,11 @@ class SvgReader(ShapeReader):
             return []
         rx, ry = (at[word] if element.get(word) else at[other] for word, other in (("rx", "ry"), ("ry", "rx")))
         return [rectangle(at["x"], at["y"], at["width"], at["height"], rx, ry)]
+
+
+def _still_b_spline(points: Array, closed: bool) -> bool:
+    """False where another program has changed the outline: then its new points count, not what it once was."""
+    return len(points) > 1 and bspline.is_bspline(points, closed, 1e-4)
 
 
 def _viewport(root: Element, size: tuple[int, int]) -> tuple[tuple[float, float], Array]:

@@ -12,7 +12,8 @@ from hypothesis import Phase, given, settings
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
-from roam_core.interchange import EXPORTERS, Imported, read_shapes
+from roam_core.interchange import EXPORTERS, ExportOptions, Imported, read_shapes
+from roam_core.interchange.protocol import STANDARD
 from roam_core.interchange.xml import xml_text
 from roam_core.matte import render_matte
 from roam_core.roto import (
@@ -82,11 +83,11 @@ projects = st.builds(
 )
 
 
-def returned(project: Project, name: str) -> Imported:
+def returned(project: Project, name: str, options: ExportOptions = STANDARD) -> Imported:
     """What the format's reader makes of what its writer wrote."""
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / f"file{EXPORTERS[name].suffix}"
-        EXPORTERS[name].export(project, path)
+        EXPORTERS[name].export(project, path, options)
         return read_shapes(path, project.require_clip())
 
 
@@ -168,3 +169,19 @@ def test_json_gives_everything_back(project: Project) -> None:
             assert isinstance(item, RotoShape)
             assert item == replace(was, id=item.id, keys=item.keys)
             check_motion(was, item, feather=True)
+
+
+@settings(deadline=None, max_examples=25, phases=[Phase.explicit, Phase.reuse, Phase.generate])
+@given(projects, st.integers(-3, 59))
+def test_svg_gives_back_what_a_still_picture_holds(project: Project, frame: int) -> None:
+    clip = project.require_clip()
+    frame = min(max(frame, clip.first), clip.last)
+    imported = returned(project, "svg", ExportOptions(frame=frame))
+    expected = [shape for shape in project.shapes if shape.exists_at(frame)]
+    for shape, was in zip(imported.layer.shapes(), expected, strict=True):
+        assert shape.name == xml_text(was.name)
+        assert (shape.visible, shape.locked, shape.invert) == (was.visible, was.locked, was.invert)
+        assert (shape.closed, shape.blend, shape.spline) == (was.closed, was.blend, was.spline)
+        np.testing.assert_allclose(shape.colour, was.colour, atol=1 / 255)
+        np.testing.assert_allclose([shape.opacity, shape.feather], [was.opacity, was.feather], atol=1e-5)
+        np.testing.assert_allclose(shape.keys[0].points, was.at(frame).points, atol=WITHIN)
