@@ -24,6 +24,11 @@ Vector = tuple[float, float]
 REACH = 7.0
 """Radius of the hit area of a point, and half the width of an outline's, in screen pixels."""
 
+COARSE, REFINEMENTS = 48, 8
+"""How many pieces of a segment are looked at first, and how often the search closes in on the nearest, by a quarter."""
+
+FINE = np.linspace(-1.0, 1.0, 9)
+
 SAME_SPOT = 0.75
 """An anchor wins over a handle that is nearer by less than this, in screen pixels."""
 
@@ -148,11 +153,21 @@ def _on_outline(shape: RotoShape, frame: int, position: Vector, pixel: Vector) -
     target = np.divide(position, pixel)
     # A segment lies inside the box of its control points: only those near the pointer are searched.
     low, high = control.min(axis=1) - REACH, control.max(axis=1) + REACH
-    best: OutlineHit | None = None
-    for segment in np.flatnonzero(((target >= low) & (target <= high)).all(axis=1)).tolist():
-        start, leave, arrive, end = control[segment]
-        alone = np.array([[start, start, leave], [end, arrive, end]])
-        _, t, distance = bezier.nearest(alone, target, closed=False)
-        if distance <= REACH and (best is None or distance < best.distance):
-            best = OutlineHit(shape.id, segment, t, distance)
-    return best
+    near = np.flatnonzero(((target >= low) & (target <= high)).all(axis=1))
+    if not len(near):
+        return None
+    step, t = 1.0 / COARSE, np.linspace(0.0, 1.0, COARSE + 1)
+    gaps = _gaps(control[near], t, target)
+    row, column = np.unravel_index(int(np.argmin(gaps)), gaps.shape)
+    segment, found = int(near[row]), float(t[column])
+    for _ in range(REFINEMENTS):
+        t = np.clip(found + step * FINE, 0.0, 1.0)
+        gaps = _gaps(control[segment : segment + 1], t, target)
+        found, step = float(t[int(np.argmin(gaps))]), step / 4.0
+    distance = float(np.sqrt(gaps.min()))
+    return OutlineHit(shape.id, segment, found, distance) if distance <= REACH else None
+
+
+def _gaps(control: Array, t: Array, target: Array) -> Array:
+    """Squared distances `(S, N)` of `target (2,)` to the places `t (N,)` of segments `(S, 4, 2)`."""
+    return np.asarray(((np.einsum("nb,sbc->snc", bezier.bernstein(t), control) - target) ** 2).sum(axis=2))

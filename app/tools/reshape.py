@@ -12,6 +12,7 @@ from app.canvas.shown import editable_shapes
 from app.view_state import Selection, ViewState
 from roam_core.geometry import affine
 from roam_core.geometry.bezier import ANCHOR, OUT
+from roam_core.geometry.extent import extent
 from roam_core.roto import Outline, Project, RotoShape, edit
 from roam_core.roto.edit import Part
 from roam_core.roto.keying import AUTO_KEY, Change, Keying, held_at, reshape
@@ -125,6 +126,22 @@ def grabbed_weights(
         else:
             weights[shape_id] = falloff(anchors, indices, soft_radius)
     return weights
+
+
+def selection_extent(project: Project, view: ViewState) -> tuple[Vector, Vector] | None:
+    """The least and greatest corner of the box about what an edit of the selection changes, or None for nothing.
+
+    About the selected points, or about the whole outlines of the selected shapes.
+    """
+    found: list[Array] = []
+    for shape_id, indices in grabbed_indices(project, view.frame, view.selection).items():
+        outline = project.shape(shape_id).at(view.frame)
+        points = view.selection.points
+        found.append(outline.grips[indices, ANCHOR] if points else extent(outline.points, outline.closed))
+    if not found:
+        return None
+    (left, top), (right, bottom) = np.concatenate(found).min(axis=0), np.concatenate(found).max(axis=0)
+    return (float(left), float(top)), (float(right), float(bottom))
 
 
 def grab_selection(project: Project, view: ViewState, selection: Selection | None = None) -> Grab:

@@ -3,24 +3,19 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QPainter
 
-from app.canvas.shown import bounds
 from app.canvas.viewport import Viewport
 from app.document import Document
 from app.tools.box_marks import paint_box
 from app.tools.gestures import Edit, Gesture
-from app.tools.reshape import Grab, grab_selection, grabbed_indices
+from app.tools.reshape import Grab, grab_selection, grabbed_indices, selection_extent
 from app.tools.select import INSERT, SelectTool
 from app.tools.tool import Pointer
 from app.tools.transform_box import CENTRE, HANDLES, Act, Box, Part, Pull, pulled
 from app.view_state import Selection, ViewState
-from roam_core.geometry.bezier import ANCHOR
 from roam_core.roto import Project
-
-Array = NDArray[np.float64]
 
 END_KEYS = frozenset({"Return", "Enter", "Esc"})
 PIVOT_SNAP = 6.0
@@ -136,13 +131,8 @@ class TransformTool(SelectTool):
         return view.frame, view.selection, packed
 
     def _around_selection(self, pixel: tuple[float, float], pivot: tuple[float, float]) -> Box | None:
-        project, view = self.document.project, self.view_state
-        found: list[Array] = []
-        for shape_id, indices in grabbed_indices(project, view.frame, view.selection).items():
-            outline = project.shape(shape_id).at(view.frame)
-            found.append(outline.grips[indices, ANCHOR] if view.selection.points else outline.flatten(0.5))
-        box = bounds(found)
-        return box and Box.around(box[:2], box[2:], pixel, pivot)
+        corners = selection_extent(self.document.project, self.view_state)
+        return corners and Box.around(*corners, pixel, pivot)
 
 
 class BoxDrag(Edit):

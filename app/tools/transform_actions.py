@@ -7,13 +7,11 @@ from collections.abc import Callable
 import numpy as np
 from PySide6.QtWidgets import QWidget
 
-from app.canvas.shown import bounds
 from app.document import Document
 from app.tools.numbers import Numbers, NumbersDialog, matrix_of
-from app.tools.reshape import Grab, grab_selection, grabbed_indices
+from app.tools.reshape import Grab, grab_selection, selection_extent
 from app.view_state import ViewState
 from roam_core.geometry import affine
-from roam_core.geometry.bezier import ANCHOR
 
 NOTHING = "Select a shape or some of its points first; locked and hidden ones stay as they are."
 
@@ -67,13 +65,8 @@ class TransformActions:
 
     def _middle(self) -> tuple[float, float]:
         """The middle of the box about the selected points, or about the outlines of whole shapes."""
-        project, view = self._document.project, self._view
-        found = []
-        for shape_id, indices in grabbed_indices(project, view.frame, view.selection).items():
-            outline = project.shape(shape_id).at(view.frame)
-            found.append(outline.grips[indices, ANCHOR] if view.selection.points else outline.flatten(0.5))
-        box = bounds(found)
-        if box is None:
+        corners = selection_extent(self._document.project, self._view)
+        if corners is None:
             return 0.0, 0.0
-        x, y = np.mean([box[:2], box[2:]], axis=0).tolist()
+        x, y = np.mean(corners, axis=0).tolist()
         return x, y
