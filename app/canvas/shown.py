@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from roam_core.geometry.bezier import ANCHOR
+from roam_core.geometry.extent import extent
 from roam_core.roto import Layer, Project, RotoShape
 
 
@@ -46,7 +47,7 @@ def selection_bounds(
     outlines = {s.shape.id: s.shape.at(frame) for s in shown_shapes(project, frame) if s.shape.id in shape_ids}
     if points:
         return bounds([outlines[i].grips[p, ANCHOR] for i, p in points if i in outlines])
-    return bounds([outline.flatten(1.0) for outline in outlines.values()])
+    return bounds([extent(outline.points, outline.closed) for outline in outlines.values()])
 
 
 def _below(layer: Layer, locked: bool) -> Iterator[Shown]:
