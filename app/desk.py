@@ -11,6 +11,7 @@ from app.help_dialogs import AboutDialog, KeysDialog
 from app.jobs import warm_up
 from app.journal import Journal
 from app.keymap_editor import KeymapEditor
+from app.keymaps import told
 from app.palette import Palette
 from app.panels.log import LogPanel
 from app.panels.panel import Panel
@@ -20,7 +21,7 @@ from app.settings_dialog import SettingsDialog
 if TYPE_CHECKING:
     from app.main_window import MainWindow
 
-DRAW_HINT = "Draw a shape: press {}"
+DRAW_HINT = "Draw a shape: press <tool.bezier>"
 
 
 class Desk(QObject):
@@ -81,8 +82,8 @@ class Desk(QObject):
         actions = self._window.actions_by_id
         actions.set_keymap(self._personal.keys.keymap)
         self._window.status.show_stop_keys(actions.keys_of("track.stop"))
-        if keys := actions.keys_of("tool.bezier"):
-            self._window.canvas.empty_hint = DRAW_HINT.format(keys)
+        self._window.view_state.set_keymap(actions.keymap)
+        self._window.canvas.empty_hint = told(DRAW_HINT, actions.keymap)
         self._window.canvas.update()
 
     def _pull_preferences(self) -> None:

@@ -19,6 +19,7 @@ from roam_core.roto import Clip, Project, edit, file
 if TYPE_CHECKING:
     from roam_core.media import PlateSource
 
+DEMO = "The demo shot: press <track.forward> to track the shape, <track.stop> to stop; drag its points to correct it."
 PROJECT_SUFFIX = ".roam"
 
 
@@ -113,7 +114,7 @@ class Files(QObject):
         def work(report: Report) -> str:
             project, source = _demo_project(report)
             report.partial((project, source))
-            return "The demo shot: press ] to track the shape forward, Esc to stop, drag its points to correct it."
+            return DEMO
 
         self._start(work, None)
 

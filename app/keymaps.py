@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cache
@@ -14,7 +15,7 @@ from typing import Any
 
 from PySide6.QtGui import QKeySequence
 
-from app.action_specs import SPECS, Reach
+from app.action_specs import SPECS, ActionSpec, Reach
 from app.keeping import keep_json
 from roam_core.errors import RoamError
 
@@ -29,7 +30,8 @@ US_SHIFTED: Mapping[str, str] = MappingProxyType(
 )
 """Symbols that a US keyboard types with Shift: the same press as the other name of it."""
 
-_REACH: Mapping[str, Reach] = {spec.id: spec.reach for spec in SPECS}
+_SPECS: Mapping[str, ActionSpec] = {spec.id: spec for spec in SPECS}
+_PLACE = re.compile(r"<([a-z_]+\.[a-z_]+)>")
 
 
 @dataclass(frozen=True)
@@ -112,7 +114,7 @@ def _holders(keymap: Keymap) -> dict[str, list[str]]:
 
 def reaches_meet(action: str, other: str) -> bool:
     """True where there is a place in the window in which the keys of both work."""
-    first, second = (_REACH.get(name, Reach.WINDOW) for name in (action, other))
+    first, second = (_SPECS[name].reach if name in _SPECS else Reach.WINDOW for name in (action, other))
     return first is second or Reach.WINDOW in (first, second)
 
 
@@ -127,6 +129,18 @@ def keys_text(keys: tuple[str, ...]) -> str:
     """Keys as a person reads them: `] or F7`."""
     texts = (QKeySequence(key).toString(QKeySequence.SequenceFormat.NativeText) for key in keys)
     return " or ".join(texts)
+
+
+def told(sentence: str, keymap: Keymap) -> str:
+    """A sentence in which `<tool.bezier>` is that action's key; where it has none, its menu and title."""
+
+    def key(match: re.Match[str]) -> str:
+        spec = _SPECS.get(match[1])
+        if spec is None:
+            return match[0]
+        return keys_text(keymap.get(spec.id, ())) or f"“{spec.title.rstrip('…')}” in the menu"
+
+    return _PLACE.sub(key, sentence)
 
 
 # ---- the artist's own file
@@ -151,7 +165,7 @@ def load_own(path: Path) -> OwnKeymap:
         return OwnKeymap()
     try:
         document = json.loads(path.read_text(encoding="utf-8"))
-        keys = {action: tuple(map(str, keys)) for action, keys in document["keys"].items() if action in _REACH}
+        keys = {action: tuple(map(str, keys)) for action, keys in document["keys"].items() if action in _SPECS}
         preset = document["based_on"] if document["based_on"] in presets() else DEFAULT
     except (OSError, ValueError, KeyError, TypeError, AttributeError):
         raise RoamError(f"{path} is no keymap, so ROAM's own keys are used; set yours again in Edit > Keys.") from None

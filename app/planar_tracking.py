@@ -54,6 +54,7 @@ class PlanarTracking:
         elif not able:
             self._view.say(f"{shapes[0].name} is locked; unlock it to track it.")
         elif not any(shape.closed for shape in able):
-            self._view.say(f"{able[0].name} is open; close it (C in the viewer) to track the plane inside.")
+            name = able[0].name
+            self._view.say(f"{name} is open; close it (<points.toggle_closed> in the viewer) to track its plane.")
             return []
         return able

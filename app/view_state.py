@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from PySide6.QtCore import QObject, Signal
 
 from app.editing import EditingModes
+from app.keymaps import Keymap, load_keymap, told
 from roam_core.roto import Project, RotoShape
 from roam_core.roto.edit import Part
 
@@ -31,6 +32,7 @@ class ViewState(QObject):
     preview_changed = Signal()
     range_changed = Signal()
     message_changed = Signal()
+    keymap_changed = Signal()
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -41,6 +43,7 @@ class ViewState(QObject):
         self._preview: Project | None = None
         self._range = (1, 2)
         self._message = ""
+        self._keymap = load_keymap()
         self.editing = EditingModes(self)
         """How edits reach points and keys."""
         self.hovered: tuple[str, int, int] | None = None
@@ -110,12 +113,23 @@ class ViewState(QObject):
             self.range_changed.emit()
 
     @property
+    def keymap(self) -> Keymap:
+        """The keys that hold: sentences tell them."""
+        return self._keymap
+
+    def set_keymap(self, keymap: Keymap) -> None:
+        if keymap != self._keymap:
+            self._keymap = keymap
+            self.keymap_changed.emit()
+
+    @property
     def message(self) -> str:
         """The sentence in the status bar: an error, or what to do next."""
         return self._message
 
     def say(self, sentence: str) -> None:
-        self._message = sentence
+        """Tell the artist something; `<tool.bezier>` in it stands for the key that this action has at present."""
+        self._message = told(sentence, self._keymap)
         self.message_changed.emit()
 
 

@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QLabel, QTreeWidge
 
 from app import shape_verbs, style
 from app.document import Document
+from app.keymaps import told
 from app.view_state import ViewState
 from roam_core.errors import RoamError
 from roam_core.roto import Layer, RotoShape, edit
@@ -17,7 +18,7 @@ from roam_core.roto.layers import moved, top_items
 
 NAME, EYE, LOCK = 0, 1, 2
 ID, IS_LAYER = Qt.ItemDataRole.UserRole, Qt.ItemDataRole.UserRole + 1
-EMPTY = "Draw a shape: press B in the viewer,\nclick for corners, drag for curves."
+EMPTY = "Draw a shape: press <tool.bezier> in the viewer,\nclick for corners, drag for curves."
 NO_CLIP = "Open a clip first: drop a folder of\nimages or a movie on the window."
 
 
@@ -26,7 +27,7 @@ class ShapesPanel(QWidget):
 
     def __init__(self, document: Document, view_state: ViewState, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._document = document
+        self._document, self._view = document, view_state
         self.tree = ShapeTree(document, view_state)
         self._hint = QLabel()
         self._hint.setObjectName("weak")
@@ -38,12 +39,13 @@ class ShapesPanel(QWidget):
         column.addWidget(self._hint, 1)
         document.changed.connect(self._pull)
         document.replaced.connect(self._pull)
+        view_state.keymap_changed.connect(self._pull)
         self._pull()
 
     def _pull(self, _ids: object = None) -> None:
         is_empty = not self._document.project.root.children
         self._hint.setVisible(is_empty)
-        self._hint.setText(NO_CLIP if self._document.project.clip is None else EMPTY)
+        self._hint.setText(NO_CLIP if self._document.project.clip is None else told(EMPTY, self._view.keymap))
         self.tree.setVisible(not is_empty)
 
 

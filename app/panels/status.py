@@ -58,7 +58,7 @@ class StatusBar(QWidget):
 
     def _show_end(self, ending: Ending, sentence: str) -> None:
         if sentence or ending is not Ending.DONE:
-            self._say(sentence)
+            self._view.say(sentence)
 
     def add(self, widget: QWidget) -> None:
         """Give a widget a place of its own, right of the sentence."""

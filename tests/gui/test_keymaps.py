@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from pathlib import Path
 
 import pytest
@@ -20,8 +21,11 @@ from app.keymaps import (
     press,
     reaches_meet,
     save_own,
+    told,
 )
+from app.view_state import ViewState
 from roam_core.errors import RoamError
+from tests.conftest import ROOT
 
 NEEDED = ("tool.", "time.", "track.", "file.save", "edit.undo", "edit.redo", "edit.copy", "edit.paste", "help.")
 """Actions that no preset may leave without a key where ROAM's own keymap has one."""
@@ -87,6 +91,24 @@ def test_two_names_of_one_press_are_one_key() -> None:
 def test_a_key_of_the_whole_window_meets_those_of_every_place() -> None:
     assert reaches_meet("time.play", "tool.select")
     assert reaches_meet("tool.bezier", "tool.select")
+
+
+def test_sentences_tell_the_keys_that_hold() -> None:
+    sentence = "Press <tool.bezier>, then <track.forward>; <no.action> stays, so does 1 < 2."
+    expected = "Press B, then ] or F7; <no.action> stays, so does 1 < 2."
+    assert told(sentence, load_keymap()) == expected
+    assert told("Press <tool.bezier>.", {}) == "Press “Bezier” in the menu."
+    view_state = ViewState()
+    view_state.set_keymap(load_keymap("after-effects"))
+    view_state.say("Press <tool.bezier>.")
+    assert view_state.message == "Press G."
+
+
+def test_sentences_name_actions_that_exist() -> None:
+    texts = [path.read_text(encoding="utf-8") for path in (ROOT / "app").rglob("*.py")]
+    named = {name for text in texts for name in re.findall(r"<([a-z_]+\.[a-z_]+)>", text)}
+    assert named
+    assert named <= {spec.id for spec in SPECS}
 
 
 def test_own_keys_are_those_that_differ_from_the_preset() -> None:
