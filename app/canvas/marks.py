@@ -18,8 +18,8 @@ EDGE = QColor(0, 0, 0, 190)
 """Dark rim of every mark, so that it reads on any plate."""
 
 THIN_EDGE, THIN_ASIDE = QColor(0, 0, 0, 180), (0.8, 0.18)
-"""Of the lines that make a thin outline: the rim's colour, and how far beside the path those of rim and core lie, chosen
-so that they give as much ink as `stroke` does at any angle, give or take a third."""
+"""Of the lines that make a thin outline: the rim's colour, and how far beside the path those of rim and core lie.
+So they give as much ink as `stroke` does at any angle, give or take a third."""
 
 HOLLOW = QColor(24, 24, 24, 210)
 BRIGHT = QColor("#ffffff")
