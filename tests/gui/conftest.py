@@ -14,7 +14,7 @@ import pytest
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 
 from PySide6.QtCore import QCoreApplication, QEvent, QThread, QTimer
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QApplication, QComboBox
 from pytestqt.qtbot import QtBot
 from shiboken6 import isValid
 
@@ -32,6 +32,16 @@ from tests.gui.watchdog import WatchedApplication
 def qapp_cls() -> type[QApplication]:
     """The application of all tests: it notes which events held it up."""
     return WatchedApplication
+
+
+@pytest.fixture(scope="session", autouse=True)
+def first_things(qapp: QApplication) -> None:
+    """Qt makes fonts and the parts of its style when it first shows a widget; the program does so as it starts."""
+    box = QComboBox()
+    box.addItem("first")
+    box.show()
+    qapp.processEvents()
+    box.close()
 
 
 @pytest.fixture(autouse=True)

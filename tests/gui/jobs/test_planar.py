@@ -17,7 +17,7 @@ from app.jobs.planar import PlanarTrack
 from app.jobs.runner import Ending, Runner
 from app.panels.planar import PlanarPanel
 from app.planar_tracking import PlanarTracking
-from app.tracking import NO_CLIP, NO_SHAPE
+from app.tracking import NO_CLIP
 from app.view_state import ViewState
 from roam_core.geometry import projective
 from roam_core.geometry.bezier import ANCHOR
@@ -200,7 +200,7 @@ def test_what_cannot_be_tracked_says_why(
     assert "is locked" in view_state.message
     document.open(Project(clip=document.project.clip), None)
     verbs.forward()
-    assert view_state.message == NO_SHAPE
+    assert view_state.message.startswith("Draw a shape first")
     document.open(Project(), None)
     verbs.forward()
     assert view_state.message == NO_CLIP
