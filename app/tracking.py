@@ -190,14 +190,16 @@ class Tracking:
 
     def _go_to_doubtful(self, step: int) -> None:
         here = self._view.frame
-        doubtful = {
-            key.frame
+        doubtful = [
+            (abs(key.frame - here), key.confidence, key.frame, shape)
             for shape in self._shapes()
             for key in shape.keys
             if key.confidence is not None and key.confidence < DOUBTFUL and (key.frame - here) * step > 0
-        }
+        ]
         if doubtful:
-            self._view.set_frame(min(doubtful) if step > 0 else max(doubtful))
+            _, _, frame, shape = min(doubtful, key=lambda each: each[:2])
+            self._view.set_frame(frame)
+            self._view.say(doubt_sentence(shape, frame))
         else:
             self._view.say(f"No doubtful frame {'after' if step > 0 else 'before'} frame {here}.")
 

@@ -13,7 +13,7 @@ from pytestqt.qtbot import QtBot
 from app.actions import Actions, load_keymap
 from app.document import Document
 from app.panels.tracker import WORDS, TrackerPanel
-from app.tracking import NO_CLIP, NO_GAP, NO_SHAPE, Tracking
+from app.tracking import NO_CLIP, Tracking
 from app.view_state import ViewState
 from roam_core.dials import dials_of
 from roam_core.geometry.bezier import polygon_points
@@ -126,7 +126,7 @@ def test_where_there_is_no_gap_it_is_said(tracking: Tracking, propagation: Propa
     view_state.set_frame(1040)
     tracking.fill()
     assert propagation.filled == []
-    assert view_state.message == NO_GAP
+    assert view_state.message.startswith("There is no gap to fill here: set a key (S)")
 
 
 def test_at_the_clips_end_there_is_nothing_to_track(
@@ -148,7 +148,7 @@ def test_what_cannot_be_tracked_is_said(
         assert word in view_state.message
     document.open(Project(CLIP), None)
     tracking.forward()
-    assert view_state.message == NO_SHAPE
+    assert view_state.message == "Draw a shape first: press B in the viewer."
     document.open(Project(), None)
     tracking.forward()
     assert view_state.message == NO_CLIP
@@ -160,9 +160,28 @@ def test_n_goes_from_one_doubt_to_the_next(tracking: Tracking, view_state: ViewS
     visited = []
     for step in (tracking.next_doubtful, tracking.next_doubtful, tracking.next_doubtful, tracking.previous_doubtful):
         step()
-        visited.append(view_state.frame)
-    assert visited == [1005, 1010, 1010, 1005]
-    assert view_state.message == "No doubtful frame after frame 1010."
+        visited.append((view_state.frame, view_state.message))
+    assert visited == [
+        (1005, "Frame 1005: the confidence of Shape 1 is 0.30."),
+        (1010, "Frame 1010: the confidence of Shape 1 is 0.20."),
+        (1010, "No doubtful frame after frame 1010."),
+        (1005, "Frame 1005: the confidence of Shape 1 is 0.30."),
+    ]
+
+
+def test_n_looks_at_the_selected_shapes_and_tells_the_least_sure_one(
+    tracking: Tracking, document: Document, view_state: ViewState
+) -> None:
+    project, arm = edit.new_shape(document.project, SQUARE, 1001, name="Arm")
+    doubts = {1005: 0.1, 1008: 0.4}
+    keys = [Keyframe(frame, SQUARE, origin=Origin.ENGINE, confidence=value) for frame, value in doubts.items()]
+    document.apply("Arm", project.with_shape(edit.set_engine_keys(arm, keys)))
+    view_state.set_frame(1001)
+    tracking.next_doubtful()
+    assert view_state.message == "Frame 1005: the confidence of Arm is 0.10."
+    view_state.select(frozenset({"shape-1"}))
+    tracking.next_doubtful()
+    assert view_state.frame == 1010
 
 
 def test_the_most_doubtful_frame_is_the_one_that_is_trusted_least(
@@ -182,8 +201,6 @@ def panel(qtbot: QtBot, tracking: Tracking, document: Document, view_state: View
     window = QWidget()
     qtbot.addWidget(window)
     panel = TrackerPanel(document, view_state, tracking, Actions(window, window, load_keymap()), window)
-    window.resize(300, 500)
-    window.show()
     yield panel
     window.close()  # it holds the panel up to here
 
@@ -249,7 +266,7 @@ def test_only_dials_that_turn_something_are_offered_and_each_mode_has_its_own(
     panel.dials.unfold(True)
     tracking.turn("reach", 2.0)
     panel.mode.setCurrentIndex(panel.mode.findData("baseline"))
-    seen = {name for name, field in panel.dials.fields.items() if field.isVisible()}
+    seen = {name for name, field in panel.dials.fields.items() if field.isVisibleTo(panel)}
     assert seen == {dial.name for dial in dials_of(CONFIGS["baseline"])}
     assert tracking.configuration == "baseline"
     panel.mode.setCurrentIndex(panel.mode.findData(DEFAULT_CONFIG))
