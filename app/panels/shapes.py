@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from PySide6.QtCore import QSignalBlocker, Qt
-from PySide6.QtGui import QBrush, QColor, QDropEvent, QIcon, QKeyEvent
+from PySide6.QtGui import QBrush, QColor, QDropEvent, QIcon, QKeyEvent, QMouseEvent
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QLabel, QTreeWidget, QTreeWidgetItem, QVBoxLayout, QWidget
 
 from app import shape_verbs, style
@@ -59,9 +59,8 @@ class ShapeTree(QTreeWidget):
         self._dress()
         self.itemSelectionChanged.connect(self._push_selection)
         self.itemChanged.connect(self._push_name)
-        self.itemClicked.connect(self._push_switch)
         document.changed.connect(self._pull)
-        document.replaced.connect(self._pull)
+        document.replaced.connect(self._begin_anew)
         view_state.selection_changed.connect(self._pull_selection)
         self._pull()
 
@@ -110,6 +109,11 @@ class ShapeTree(QTreeWidget):
             if isinstance(child, Layer):
                 self._add_rows(row, child)
 
+    def _begin_anew(self) -> None:
+        """Another project: its layers are not those that were selected, whatever they are called."""
+        self._view.select(frozenset(), layers=frozenset())
+        self._pull()
+
     def _pull_selection(self) -> None:
         selected = self._view.selection.shapes | self._view.layers
         with QSignalBlocker(self):
@@ -132,9 +136,23 @@ class ShapeTree(QTreeWidget):
         self._shown = None
         self._pull()
 
-    def _push_switch(self, row: QTreeWidgetItem, column: int) -> None:
-        if column in (EYE, LOCK):
-            shape_verbs.toggle(self._document, "visible" if column == EYE else "locked", [row.data(NAME, ID)])
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        """On an eye or a lock: switch it, and those of all selected rows with it; what is selected stays so."""
+        spot = event.position().toPoint()
+        row, column = self.itemAt(spot), self.columnAt(spot.x())
+        if row is None or column not in (EYE, LOCK) or event.button() is not Qt.MouseButton.LeftButton:
+            super().mousePressEvent(event)
+            return
+        pressed = row.data(NAME, ID)
+        others = [item_id for item_id in self.selected_ids() if item_id != pressed] if row.isSelected() else []
+        shape_verbs.toggle(self._document, "visible" if column == EYE else "locked", [pressed, *others])
+
+    def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
+        """Two quick presses on an eye or a lock are two presses."""
+        if self.columnAt(event.position().toPoint().x()) in (EYE, LOCK):
+            self.mousePressEvent(event)
+        else:
+            super().mouseDoubleClickEvent(event)
 
     def selected_ids(self) -> list[str]:
         """The ids of the selected rows, layers included, bottom first; one inside a selected layer is left to it."""

@@ -78,6 +78,26 @@ def test_eye_and_lock_are_one_step_each(
     assert document.undo_stack.count() == 1
 
 
+def test_an_eye_switches_all_that_is_selected_with_it(
+    qtbot: QtBot, panel: ShapesPanel, document: Document, view_state: ViewState
+) -> None:
+    view_state.select(frozenset({"shape-1", "shape-2"}))
+    click(qtbot, panel, panel.tree.item("shape-2"), EYE)
+    assert [each.visible for each in document.project.shapes] == [False, False, True]
+    assert view_state.selection.shapes == {"shape-1", "shape-2"}
+    click(qtbot, panel, panel.tree.item("shape-3"), EYE)  # not one of them: it alone
+    assert [each.visible for each in document.project.shapes] == [False, False, False]
+    assert document.undo_stack.count() == 2
+
+
+def test_another_project_begins_with_no_layer_selected(
+    qtbot: QtBot, panel: ShapesPanel, document: Document, view_state: ViewState
+) -> None:
+    click(qtbot, panel, panel.tree.item("layer-1"), NAME)
+    document.open(edit.add_layer(Project())[0], None)
+    assert view_state.layers == frozenset()
+
+
 def test_a_name_can_be_edited_in_place(qtbot: QtBot, panel: ShapesPanel, document: Document) -> None:
     panel.tree.item("shape-1").setText(NAME, "body")
     assert document.project.shape("shape-1").name == "body"
