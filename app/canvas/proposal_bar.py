@@ -11,6 +11,7 @@ from app.canvas.proposal_item import Side
 from app.canvas.view import CanvasView
 from app.panels.controls import weak_label
 from app.proposals import Proposals, sentence_of
+from roam_core.propagate.offers import Proposal
 
 ANSWERS = ("proposal.keep", "proposal.refuse", "proposal.keep_always", "proposal.refuse_always")
 SIDES = {"proposal.keep": Side.AFTER, "proposal.refuse": Side.BEFORE}
@@ -31,6 +32,7 @@ class ProposalBar(QWidget):
     def __init__(self, proposals: Proposals, actions: Actions, viewer: CanvasView) -> None:
         super().__init__(viewer)
         self._proposals, self._actions, self._viewer = proposals, actions, viewer
+        self._shown: Proposal | None = None
         self.setObjectName("proposalBar")
         self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
         self.setCursor(Qt.CursorShape.ArrowCursor)
@@ -73,7 +75,9 @@ class ProposalBar(QWidget):
         if proposal is not None:
             self.sentence.setText(sentence_of(proposal))
             self._place()
-        self._viewer.show_proposal(Side.BOTH)
+        if proposal is not self._shown:  # in playback nothing is painted twice for a bar that is not there
+            self._shown = proposal
+            self._viewer.show_proposal(Side.BOTH)
 
     def _pull_keys(self) -> None:
         """The keys of the answers that have any, where they are learnt: beside the buttons."""

@@ -105,12 +105,31 @@ class PlateReader(QObject):
         return to_engine(self._cache.read(frame), self._source.colour_space)
 
     def show(self, frame: int) -> None:
-        """Ask for the picture of `frame`. While one is being decoded only the last wish counts."""
+        """Ask for the picture of `frame`. While one is being decoded only the last wish counts.
+
+        What is at hand is told at once: in playback a way over the other thread would cost more than the painting.
+        """
         self._wanted = frame
-        if self._cache is not None and self._runner.running("decode") is None:
+        if self._cache is None or self._runner.running("decode") is not None:
+            return
+        if (picture := self._at_hand(frame)) is None:
             self._decode(frame)
+        else:
+            self._cache.read_ahead(self._ahead(frame))
+            self.picture.emit(frame, picture)
 
     # ---- the rest is private
+
+    def _at_hand(self, frame: int) -> Any:
+        """The picture of a frame that needs neither decoding nor conversion, or None."""
+        from roam_core.media.colour import is_displayed_as_it_is
+
+        if (picture := self._ready.get(frame)) is not None:
+            return picture
+        assert self._cache is not None
+        assert self._source is not None
+        plate = self._cache.get(frame)
+        return plate if plate is not None and is_displayed_as_it_is(plate, self._source.colour_space) else None
 
     def _decode(self, frame: int) -> None:
         cache, source, ready = self._cache, self._source, self._ready

@@ -47,7 +47,12 @@ def to_display(image: Image, colour_space: str) -> NDArray[np.uint8]:
     table = _display_table(_known(colour_space))
     if image.dtype != np.uint8:
         return _looked_up(image, table)
-    return image if colour_space == SRGB else _bytes_looked_up(image, table)
+    return image if is_displayed_as_it_is(image, colour_space) else _bytes_looked_up(image, table)
+
+
+def is_displayed_as_it_is(image: Image, colour_space: str) -> bool:
+    """True where `to_display` would give the image itself."""
+    return image.dtype == np.uint8 and colour_space == SRGB
 
 
 def to_engine(image: Image, colour_space: str) -> Image:

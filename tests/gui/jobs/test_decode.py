@@ -104,6 +104,43 @@ def test_converted_pictures_are_kept(qtbot: QtBot, reader: PlateReader) -> None:
     assert pictures[0] is pictures[2]
 
 
+def test_what_is_at_hand_is_told_at_once(qtbot: QtBot, reader: PlateReader) -> None:
+    shown: list[int] = []
+    reader.open(Plate())
+    reader.picture.connect(lambda frame, _: shown.append(frame))
+    reader.show(1)
+    qtbot.waitUntil(lambda: len(reader.cached_frames()) == 5 and reader._runner.is_idle, timeout=WAIT)
+    shown.clear()
+    for frame in (2, 3, 2):
+        reader.show(frame)
+    assert shown == [2, 3, 2]
+
+
+def test_what_is_at_hand_waits_for_what_is_being_decoded(qtbot: QtBot, reader: PlateReader) -> None:
+    shown: list[int] = []
+    plate = Plate()
+    reader.open(plate)
+    reader.show(4)  # what is read ahead lies behind it
+    qtbot.waitUntil(lambda: 4 in reader.cached_frames() and reader._runner.is_idle, timeout=WAIT)
+    reader.picture.connect(lambda frame, _: shown.append(frame))
+    plate.gate.clear()
+    reader.show(1)
+    reader.show(4)
+    assert shown == []
+    plate.gate.set()
+    qtbot.waitUntil(lambda: shown == [1, 4], timeout=WAIT)
+
+
+def test_the_plates_own_values_are_given_where_they_are_held(qtbot: QtBot, reader: PlateReader) -> None:
+    assert reader.plate(1) is None
+    reader.open(Plate("linear"))
+    with qtbot.waitSignal(reader.picture, timeout=WAIT):
+        reader.show(3)
+    held = reader.plate(3)
+    assert held is not None
+    assert (held.values.dtype, held.colour_space) == (np.uint8, "linear")
+
+
 def test_another_plate_lets_the_old_one_go(qtbot: QtBot, reader: PlateReader) -> None:
     reader.open(Plate())
     with qtbot.waitSignal(reader.plate_changed, timeout=WAIT):
