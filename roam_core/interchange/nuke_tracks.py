@@ -2,26 +2,28 @@
 
 `.nk` holds no motion of a shape but its points; a compositor's artist also wants the motion itself. Each shape gives a
 corner pin, the similarity that carries its outline from its first artist's key, and a tracker with one track for each
-corner of the box around it.
+corner of the box around it. Each layer that moves gives the same for the box around what lies in it, by its own motion:
+the pin is a planar track, perspective and all.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
 from roam_core.errors import RoamError
-from roam_core.geometry import similarity
+from roam_core.geometry import projective, similarity
 from roam_core.interchange.nuke_keys import LAST_EXACT_FRAME
 from roam_core.interchange.nuke_text import tcl_word
 from roam_core.interchange.protocol import FARTHEST, STANDARD, ExportOptions, ShapeWriter, exported_keys
-from roam_core.roto import Clip, Project, RotoShape
+from roam_core.roto import Clip, Layer, Project, RotoShape
 from roam_core.roto.baking import without_transforms
 from roam_core.roto.file import write_atomically
+from roam_core.roto.placement import matrix_at
 
 Array = NDArray[np.float64]
 
@@ -62,7 +64,7 @@ class Track:
 
 
 class NukeTracksExporter:
-    """Writes how each shape moves, as one Tracker4 and one CornerPin2D node for each."""
+    """Writes how each moving layer and each shape moves, as one Tracker4 and one CornerPin2D node for each."""
 
     name = "nuke-tracks"
     title = "Nuke Tracker and CornerPin nodes"
@@ -70,10 +72,13 @@ class NukeTracksExporter:
 
     def export(self, project: Project, path: Path, options: ExportOptions = STANDARD) -> tuple[str, ...]:
         """Write `project` to `path`; a shape with one key does not move and is left out, with a note."""
-        clip, project = project.require_clip(), without_transforms(project)
+        clip, baked = project.require_clip(), without_transforms(project)
         writer = ShapeWriter(clip, options, len(project.shapes))
         nodes = []
-        for shape in project.shapes:
+        for layer in project.root.items():
+            if isinstance(layer, Layer) and layer.transform is not None and len(layer.transform.frames) > 1:
+                nodes += _nodes(layer.name, *layer_motion(project, layer, options), writer)
+        for shape in baked.shapes:
             options.advance(writer.done / writer.total, f"Shape {shape.name}")
             writer.done += 1
             shape = exported_keys(shape, options, writer.notes)
@@ -81,14 +86,54 @@ class NukeTracksExporter:
                 writer.notes.append(f"{shape.name!r} has one key and no motion; it was left out.")
                 continue
             corners, frames = box_motion(shape)
-            names = ("bottom left", "bottom right", "top right", "top left")
-            tracks = [Track(f"{shape.name} {name}", frames, corners[:, index]) for index, name in enumerate(names)]
-            reference = frames.index(reference_frame(shape))
-            nodes.append(tracker_node(tracks, clip, frames[reference], options.frame_offset))
-            nodes.append(corner_pin_node(shape.name, frames, corners, reference, clip, options.frame_offset))
+            reference = reference_frame(shape)
+            nodes += _nodes(shape.name, frames, corners, corners[frames.index(reference)], reference, writer)
         options.advance(1.0, f"Writing {path.name}")
         write_atomically(path, ("version 9.0 v1\n" + "".join(nodes)).encode("utf-8"))
         return tuple(writer.notes)
+
+
+def _nodes(
+    name: str, frames: Sequence[int], corners: Array, pinned: Array, reference: int, writer: ShapeWriter
+) -> list[str]:
+    """The tracker and the pin of `corners (F, 4, 2)` that go out from `pinned (4, 2)`."""
+    sides = ("bottom left", "bottom right", "top right", "top left")
+    tracks = [Track(f"{name} {side}", frames, corners[:, index]) for index, side in enumerate(sides)]
+    clip, offset = writer.clip, writer.options.frame_offset
+    return [
+        tracker_node(tracks, clip, reference, offset),
+        corner_pin_node(name, frames, corners, pinned, clip, offset),
+    ]
+
+
+def layer_motion(
+    project: Project, layer: Layer, options: ExportOptions = STANDARD
+) -> tuple[list[int], Array, Array, int]:
+    """How a layer and those above it move what lies in it.
+
+    Returns
+    -------
+    The frames, F of them; the corners `(F, 4, 2)` of the box around what lies in the layer, as a corner pin lists them;
+    the box itself `(4, 2)`, in the layer's own space; the frame on which the layer puts it nearest to there.
+    """
+    placement = project.placement_in(layer.id)
+    ends = [frame for transform in placement for frame in transform.frames]
+    moving = range(min(ends), max(ends) + 1)
+    written = moving if options.frames is None else options.frames_of(project.require_clip())
+    frames = [frame for frame in moving if frame in written] or [written[0]]
+    box = _box_in(layer, project.require_clip())
+    corners = np.stack([projective.apply(matrix_at(placement, frame), box) for frame in frames])
+    away = np.abs(corners - box).max(axis=(1, 2))
+    return frames, corners, box, frames[int(np.argmin(away))]
+
+
+def _box_in(layer: Layer, clip: Clip) -> Array:
+    """The corners `(4, 2)` of the box around the shapes of a layer, in its own space; of an empty one the picture's."""
+    shapes = replace(layer, transform=None).in_plate_space().shapes()
+    places = [shape.at(reference_frame(shape)).flatten() for shape in shapes] or [np.array([[0, 0], clip.size])]
+    whole = np.concatenate(places)
+    (left, top), (right, bottom) = whole.min(axis=0), whole.max(axis=0)
+    return np.array([[left, bottom], [right, bottom], [right, top], [left, top]], dtype=np.float64)
 
 
 def reference_frame(shape: RotoShape) -> int:
@@ -137,7 +182,7 @@ def tracker_node(tracks: Sequence[Track], clip: Clip, reference: int, frame_offs
 
 
 def corner_pin_node(
-    name: str, frames: Sequence[int], corners: Array, reference: int, clip: Clip, frame_offset: int = 0
+    name: str, frames: Sequence[int], corners: Array, pinned: Array, clip: Clip, frame_offset: int = 0
 ) -> str:
     """The text of a CornerPin2D node.
 
@@ -146,7 +191,7 @@ def corner_pin_node(
     name : of what is pinned, for the node's label.
     frames : F of them.
     corners : (F, 4, 2) bottom left, bottom right, top right, top left; our pixels, y down.
-    reference : index of the frame whose corners are those that are pinned.
+    pinned : (4, 2) where the corners come from, in the same order.
     clip : whose height turns y over.
     frame_offset : added to all frames.
     """
@@ -156,7 +201,7 @@ def corner_pin_node(
         track = Track(name, frames, corners[:, index])
         x, y = (_curve(track.frames, values, frame_offset) for values in _up(track.positions, height).T)
         knobs[f"to{index + 1}"] = f"{{{x} {y}}}"
-    for index, (x, y) in enumerate(_up(corners[reference], height).tolist()):
+    for index, (x, y) in enumerate(_up(pinned, height).tolist()):
         knobs[f"from{index + 1}"] = f"{{{x:.6f} {y:.6f}}}"
     knobs |= {"name": "CornerPin2D1", "label": tcl_word(_label(name))}
     return _node("CornerPin2D", knobs)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import cv2
 import numpy as np
 import pytest
 from numpy.typing import NDArray
@@ -11,8 +12,8 @@ from numpy.typing import NDArray
 from roam_core.errors import RoamError
 from roam_core.geometry.bezier import polygon_points
 from roam_core.interchange import EXPORTERS, ExportOptions
-from roam_core.interchange.nuke_tracks import COLUMNS, Track, box_motion, tracker_node
-from roam_core.roto import Keyframe, Layer, Origin, Project, RotoShape
+from roam_core.interchange.nuke_tracks import COLUMNS, Track, box_motion, layer_motion, tracker_node
+from roam_core.roto import Keyframe, Layer, LayerTransform, Origin, Project, RotoShape
 from tests.unit.interchange import tcl
 from tests.unit.interchange.conftest import CLIP
 
@@ -134,3 +135,45 @@ def test_tracks_may_have_gaps_and_must_have_points() -> None:
         Track("P", [1, 1], np.zeros((2, 2)))
     with pytest.raises(ValueError, match="positions"):
         Track("P", [1, 2], np.zeros((1, 2)))
+
+
+def test_a_moving_layer_is_a_planar_track(tmp_path: Path) -> None:
+    """Its pin is the layer's homography: Nuke solves it from the four corners, and so does OpenCV here."""
+    tilt = np.array([[1.05, 0.02, 30.0], [-0.03, 0.98, -12.0], [1e-5, 2e-5, 1.0]])
+    still = RotoShape("shape-1", "Still", (Keyframe(1001, polygon_points(BOX)),))
+    motion = LayerTransform.of({1001: np.eye(3), 1005: np.eye(3), 1011: tilt})
+    inner = Layer("layer-1", "Plane [x]", (still,), transform=motion)
+    push = np.array([[1.0, 0.0, 7.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]])
+    outer = Layer("layer-2", "Outer", (inner,), transform=LayerTransform.of({1001: push}))
+    path = tmp_path / "tracks.nk"
+    assert EXPORTERS["nuke-tracks"].export(Project(CLIP, Layer("root", "Root", (outer,))), path) == ()
+    words = tcl.available().split(path.read_text(encoding="utf-8"))[3:]
+    assert words[::2] == ["Tracker4", "CornerPin2D"] * 2  # of the layer, and of the shape that it carries
+    rows = tcl.available().split(tcl.available().split(knobs_of(words[1])["tracks"])[2])
+    assert tcl.available().split(rows[0])[1] == "Plane [x] bottom left"
+    assert knobs_of(words[1])["reference_frame"] == "1001"
+    pin = knobs_of(words[3])
+    assert pin["label"] == "Plane (x)"
+    split = tcl.available().split
+    source = [[float(word) for word in split(pin[f"from{k}"])] for k in (1, 2, 3, 4)]
+    curves = [[keys_of(curve) for curve in split(pin[f"to{k}"])] for k in (1, 2, 3, 4)]
+    assert list(curves[0][0]) == list(range(1001, 1012))
+    up = np.array([[1.0, 0.0, 0.0], [0.0, -1.0, 1080.0], [0.0, 0.0, 1.0]])
+    for frame in (1001, 1008, 1011):
+        target = [[across[frame], along[frame]] for across, along in curves]
+        solved = up @ cv2.getPerspectiveTransform(np.float32(source), np.float32(target)) @ up
+        expected = push @ motion.at(frame)
+        np.testing.assert_allclose(solved / solved[2, 2], expected, atol=2e-3)
+
+
+def test_an_empty_layer_pins_the_whole_picture() -> None:
+    moving = Layer(
+        "layer-1", "Empty", (), transform=LayerTransform.of({1001: np.eye(3), 1003: np.diag([2.0, 2.0, 1.0])})
+    )
+    project = Project(CLIP, Layer("root", "Root", (moving,)))
+    frames, corners, box, reference = layer_motion(project, moving)
+    assert (frames, reference) == ([1001, 1002, 1003], 1001)
+    np.testing.assert_array_equal(box, [[0, 1080], [1920, 1080], [1920, 0], [0, 0]])
+    np.testing.assert_allclose(corners[2], 2.0 * box)
+    frames, *_ = layer_motion(project, moving, ExportOptions(frames=range(1002, 1010)))
+    assert frames == [1002, 1003]
