@@ -5,7 +5,7 @@ from __future__ import annotations
 from PySide6.QtCore import QObject, Signal
 
 from app.document import Document
-from roam_core.roto import timing
+from roam_core.roto import Origin
 from roam_core.roto.timing import Place
 
 
@@ -44,4 +44,9 @@ class KeySelection(QObject):
 
     def _prune(self, _ids: object = None) -> None:
         if self._places:
-            self.select(self._places & timing.artist_places(self._document.project))
+            self.select(frozenset(place for place in self._places if self._is_there(*place)))
+
+    def _is_there(self, shape_id: str, frame: int) -> bool:
+        project = self._document.project
+        key = project.shape(shape_id).key_at(frame) if project.has(shape_id) else None
+        return key is not None and key.origin is Origin.ARTIST

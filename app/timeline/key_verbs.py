@@ -31,18 +31,31 @@ class KeyVerbs:
         return {f"key.{each.value}": partial(self.interpolate, each) for each in Interpolation}
 
     def taking_over(self, handlers: Mapping[str, Callable[[], object]]) -> dict[str, Callable[[], object]]:
-        """Handlers that mean the chosen keys while the key rows have the keyboard, and what they meant elsewhere."""
-        own: dict[str, Callable[[], object]] = {
-            "edit.copy": self.copy,
-            "edit.cut": self.cut,
-            "edit.paste": self.paste,
-            "points.delete": self.delete,
-            "points.select_all": self.select_all,
+        """Handlers that mean keys while the key rows have the keyboard, and what they meant elsewhere.
+
+        Where no key is chosen, or was copied, copying and pasting mean shapes in the key rows, too: a click on a
+        shape's name has selected it.
+        """
+        own: dict[str, tuple[Callable[[], object], Callable[[], bool]]] = {
+            "edit.copy": (self.copy, lambda: bool(self._keys.places)),
+            "edit.cut": (self.cut, lambda: bool(self._keys.places)),
+            "edit.paste": (self.paste, lambda: bool(self._copied)),
+            "points.delete": (self.delete, lambda: True),
+            "points.select_all": (self.select_all, lambda: True),
         }
 
         def chosen(action_id: str) -> Callable[[], object]:
-            mine, other = own[action_id], handlers.get(action_id)
-            return lambda: mine() if self._has_keyboard() or other is None else other()
+            (mine, is_meant), other = own[action_id], handlers.get(action_id)
+
+            def call() -> None:
+                if other is None or (self._has_keyboard() and is_meant()):
+                    mine()
+                    return
+                if action_id in ("edit.copy", "edit.cut"):
+                    self._copied = {}  # what was copied last is what is pasted
+                other()
+
+            return call
 
         return {action_id: chosen(action_id) for action_id in own}
 

@@ -18,7 +18,7 @@ HEIGHT = 18
 FLAG = 4.0
 """Half the width of a flag."""
 GRAB = 7
-FIELD_WIDTH = 140
+FIELD_WIDTH = 160
 COLOUR = "#9ec5f0"
 """Of no shape and of no state."""
 
@@ -162,8 +162,8 @@ class MarkField(QLineEdit):
     def __init__(self, band: MarkBand) -> None:
         super().__init__(band)
         self._band, self._frame, self._is_asking = band, 0, False
-        self.setPlaceholderText("a word on this frame")
-        self.setFixedWidth(FIELD_WIDTH)
+        self.setObjectName("markField")
+        self.setPlaceholderText("a word on this mark")
         self.setVisible(False)
         self.editingFinished.connect(self._keep)
 
@@ -171,7 +171,7 @@ class MarkField(QLineEdit):
         """Ask for the word of a mark, `left` pixels from the band's edge."""
         self._frame, self._is_asking = mark.frame, True
         self.setText(mark.text)
-        self.move(round(left), (HEIGHT - self.sizeHint().height()) // 2)
+        self.setGeometry(round(left), 1, FIELD_WIDTH, HEIGHT - 2)
         self.setVisible(True)
         self.selectAll()
         self.setFocus()

@@ -196,12 +196,27 @@ def test_ctrl_a_chooses_the_keys_of_the_selected_shapes(
     assert timeline.keys.places == {("shape-2", 1010), ("shape-2", 1030)}
 
 
-def test_without_the_keyboard_the_keys_mean_what_they_meant_elsewhere(timeline: Timeline) -> None:
+def test_copying_means_what_it_meant_elsewhere_without_the_keyboard_or_without_keys(
+    qtbot: QtBot, timeline: Timeline, document: Document
+) -> None:
     asked: list[str] = []
-    handlers = timeline.verbs.taking_over({"edit.copy": lambda: asked.append("shapes")})
-    timeline.rows.clearFocus()
+    names = ("edit.copy", "edit.paste", "points.delete")
+    handlers = timeline.verbs.taking_over({name: lambda name=name: asked.append(name) for name in names})
+    take_keyboard(qtbot, timeline)
+    for name in names:
+        handlers[name]()
+    assert asked == ["edit.copy", "edit.paste"]  # a shape is not deleted by the way
+    drag(timeline, place(timeline, 1025, 0) - QPoint(0, 8), place(timeline, 1032, 1))
     handlers["edit.copy"]()
-    assert asked == ["shapes"]
+    handlers["edit.paste"]()
+    assert asked == ["edit.copy", "edit.paste"]
+    timeline.rows.clearFocus()
+    for name in names:
+        handlers[name]()
+    assert asked[2:] == list(names)
+    take_keyboard(qtbot, timeline)
+    handlers["edit.paste"]()
+    assert asked[5:] == ["edit.paste"]  # the shapes were copied last
 
 
 def test_the_menu_sets_how_the_shape_moves_on_and_the_mark_tells(
