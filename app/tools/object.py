@@ -17,24 +17,31 @@ from app.jobs.picture_work import Shown
 from app.jobs.runner import Ending, Job, Report
 from app.tools.finishing import put_in
 from app.tools.gestures import DRAG_DISTANCE
-from app.tools.tool import Pointer, Tool
+from app.tools.tool import Modifier, Pointer, Tool
 from app.view_state import ViewState
 from roam_core.roto import RotoShape
 
-DROP_KEYS = frozenset({"Esc", "Ctrl+Z"})
+DROP_KEYS, FIND_KEYS = frozenset({"Esc"}), frozenset({"Return", "Enter"})
+TAKE_BACK_KEYS = frozenset({"Backspace", "Ctrl+Z"})
+Spot = tuple[float, float]
 Cut = Callable[[Report], list[RotoShape]]
 
 
 class ObjectTool(Tool):
-    """A drag boxes the object, a click points at it. The shape appears when it is found; Esc drops box and search."""
+    """A drag boxes the object, a click points at it; the shape appears when it is found.
+
+    Before that, Shift+clicks mark more places of the object and Ctrl+clicks places beside it; Return finds what is
+    marked, Backspace takes the last mark back, Esc drops marks, box and search.
+    """
 
     name = "object"
     title = "Object"
-    hint = "Drag a box around the object, or click on it: a shape is fitted to its outline."
+    hint = "Box the object or click on it; before that, Shift+click marks more of it and Ctrl+click what is not."
 
     def __init__(self, document: Document, view_state: ViewState) -> None:
         super().__init__(document, view_state)
         self._box: tuple[Pointer, Pointer] | None = None
+        self._marks: list[tuple[Spot, bool]] = []
         self._job: Job | None = None
 
     @property
@@ -43,13 +50,15 @@ class ObjectTool(Tool):
 
     @property
     def claimed_keys(self) -> frozenset[str]:
-        return DROP_KEYS if self._box else frozenset()
+        if self._marks and self._job is None:
+            return DROP_KEYS | FIND_KEYS | TAKE_BACK_KEYS
+        return DROP_KEYS if self._box or self._job else frozenset()
 
     def deactivate(self) -> None:
         self.drop()
 
     def drop(self) -> None:
-        job, self._job, self._box = self._job, None, None
+        job, self._job, self._box, self._marks = self._job, None, None, []
         if job is not None:
             job.drop()
 
@@ -63,24 +72,44 @@ class ObjectTool(Tool):
 
     def release(self, pointer: Pointer) -> None:
         self.drag(pointer)
-        if self._box is None or self._job is not None:
+        box = self._box
+        if box is None or self._job is not None:
             return
-        shown = self._shown()
-        if shown is None or self.pictures is None:
-            self._box = None
+        if box[1].screen_distance(box[0].position) >= DRAG_DISTANCE:
+            self._find(box)
             return
-        cut = self._cut(*self._box, shown)
-        self.view_state.say("Finding the object …")
-        self._job = self.pictures.find("object", cut, self._take, ended=self._end)
+        self._box = None
+        outside = pointer.holds(Modifier.ControlModifier)
+        self._marks.append((box[0].position, not outside))
+        if outside or pointer.holds(Modifier.ShiftModifier):
+            self.view_state.say("Click or box the object to find it, Return finds what is marked.")
+        else:
+            self._find(None)
 
     def key(self, name: str) -> None:
-        self.drop()
-        self.view_state.say(self.hint)
+        if name in FIND_KEYS:
+            self._find(None)
+        elif name in TAKE_BACK_KEYS:
+            self._marks.pop()
+        else:
+            self.drop()
+            self.view_state.say(self.hint)
 
     def paint(self, painter: QPainter, viewport: Viewport) -> None:
         if self._box is not None:
             corners = (viewport.to_widget(*pointer.position) for pointer in self._box)
             marks.marquee(painter, QRectF(*corners).normalized())
+        for spot, inside in self._marks:
+            marks.anchor(painter, viewport.to_widget(*spot), marks.ACCENT, round_=True, filled=inside, grown=True)
+
+    def _find(self, box: tuple[Pointer, Pointer] | None) -> None:
+        """Look for the object in a box, or at the marks alone."""
+        shown = self._shown()
+        if shown is None or self.pictures is None:
+            self.drop()
+            return
+        self.view_state.say("Finding the object …")
+        self._job = self.pictures.find("object", self._cut(box, shown), self._take, ended=self._end)
 
     def _shown(self) -> Shown | None:
         """The picture of this frame; says so where there is none."""
@@ -90,21 +119,26 @@ class ObjectTool(Tool):
             return None
         return shown
 
-    def _cut(self, pressed: Pointer, released: Pointer, shown: Shown) -> Cut:
-        """What finds the object: in the box between two places, or around the first where they are one."""
+    def _cut(self, box: tuple[Pointer, Pointer] | None, shown: Shown) -> Cut:
+        """What finds the object: in the box, or where it is marked."""
         scale = np.array(shown.scale(self.document.project.require_clip().size))
-        is_click = released.screen_distance(pressed.position) < DRAG_DISTANCE
-        a, b = np.array(pressed.position) / scale, np.array(released.position) / scale
+        corners = np.array([pointer.position for pointer in box or ()]).reshape(-1, 2) / scale
+        inside, outside = (tuple(_spot(np.array(s) / scale) for s, i in self._marks if i is on) for on in (True, False))
 
         def cut(report: Report) -> list[RotoShape]:
             from roam_core.proposal import cut_out
 
-            told: Any = {"token": report.token, "progress": report.progress}
-            if is_click:
-                found = cut_out.cut_click(shown.pixels, _spot(a), shown.frame, **told)
+            told: Any = {
+                "frame": shown.frame,
+                "marks": cut_out.Marks(inside, outside),
+                "token": report.token,
+                "progress": report.progress,
+            }
+            if len(corners):
+                low, high = _spot(corners.min(axis=0)), _spot(corners.max(axis=0))
+                found = cut_out.cut_box(shown.pixels, low, high, **told)
             else:
-                low, high = np.minimum(a, b), np.maximum(a, b)
-                found = cut_out.cut_box(shown.pixels, _spot(low), _spot(high), shown.frame, **told)
+                found = cut_out.cut_click(shown.pixels, **told)
             return [shape.map_points(lambda points: points * scale) for shape in found]
 
         return cut
@@ -112,15 +146,17 @@ class ObjectTool(Tool):
     def _take(self, shapes: list[RotoShape]) -> None:
         # Laid down first: taking the select tool drops what is looked for.
         self._job = self._box = None
+        self._marks = []
         put_in(self.document, self.view_state, self.name, shapes, "Find object")
 
     def _end(self, ending: Ending, sentence: str) -> None:
         """The search is over; where it found nothing the tool stays in the hand, for another try."""
         self._job = self._box = None
+        self._marks = []
         if ending is Ending.FAILED:
             self.view_state.say(sentence)
 
 
-def _spot(position: NDArray[np.float64]) -> tuple[float, float]:
+def _spot(position: NDArray[np.float64]) -> Spot:
     x, y = position.tolist()
     return x, y

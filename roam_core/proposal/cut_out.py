@@ -9,7 +9,6 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from itertools import pairwise, takewhile
 
 import cv2
 import numpy as np
@@ -18,6 +17,7 @@ from numpy.typing import NDArray
 from roam_core.cancel import CancelToken, Progress
 from roam_core.errors import RoamError
 from roam_core.matte.vectorise import shapes_from_mask
+from roam_core.proposal.growing import grown
 from roam_core.roto import BlendMode, RotoShape
 
 Array = NDArray[np.float64]
@@ -36,6 +36,12 @@ MARGIN = 0.3
 AROUND, NEARBY = 1.0, 0.15
 """The box around a click's region goes so many of its sizes beyond it, and at least this share of the picture's."""
 
+SWELL, ALONG = 3.0, 0.05
+"""A later mark's region is ground where it is so much larger than those before it and has this share of the border."""
+
+MARK = 2
+"""Cells around a mark that are held on its side."""
+
 GROWTHS = 3
 """Times that the box around a click is cut, and made larger where the object runs against its side."""
 
@@ -47,15 +53,6 @@ LEAST_SHARE = 0.08
 
 LEAST_BOX = 6.0
 """Pixels on the shorter side of the smallest box."""
-
-STEPS = (3.0, 4.5, 6.0, 8.0, 10.0, 13.0, 17.0, 22.0)
-"""Lab distances from the colour that was clicked at which its region is grown."""
-
-LEAK = 2.5
-"""A region that grows by more than this from one distance to the next has run out into its surroundings."""
-
-LARGEST, SMALLEST = 0.4, 0.0004
-"""Shares of the picture: a region outside of these is no object that was clicked on."""
 
 TOLERANCE = 1.0
 """Cells by which the shape may stray from the cut."""
@@ -97,8 +94,25 @@ class _Piece:
         return column, row
 
 
+@dataclass(frozen=True)
+class Marks:
+    """Places `(x, y)` in pixels that are known to lie `inside` of the object and `outside` of it."""
+
+    inside: tuple[Spot, ...] = ()
+    outside: tuple[Spot, ...] = ()
+
+
+UNMARKED = Marks()
+
+
 def cut_box(
-    image: Image, low: Spot, high: Spot, frame: int, token: CancelToken | None = None, progress: Progress | None = None
+    image: Image,
+    low: Spot,
+    high: Spot,
+    frame: int,
+    marks: Marks = UNMARKED,
+    token: CancelToken | None = None,
+    progress: Progress | None = None,
 ) -> list[RotoShape]:
     """The object in the box between `low` and `high` as shapes keyed on `frame`: its outline, then its holes.
 
@@ -106,6 +120,7 @@ def cut_box(
     ----------
     image : (h, w, 3) uint8, as on the screen.
     low, high : (x, y) pixels; the object should touch the box's sides, or nearly.
+    marks : what is known of the object beside its box.
 
     Raises
     ------
@@ -121,34 +136,81 @@ def cut_box(
     labels = np.full(piece.pixels.shape[:2], cv2.GC_BGD, dtype=np.uint8)
     (left, top), (right, bottom) = piece.cells(a), piece.cells(b)
     labels[max(top, 0) : bottom + 1, max(left, 0) : right + 1] = cv2.GC_PR_FGD
-    return _fitted(piece, _largest(_cut(piece.pixels, labels, _Told(token, progress))), frame)
+    _put_marks(labels, piece, marks)
+    return _fitted(piece, _chosen(_cut(piece.pixels, labels, _Told(token, progress)), piece, marks), frame)
 
 
 def cut_click(
-    image: Image, spot: Spot, frame: int, token: CancelToken | None = None, progress: Progress | None = None
+    image: Image, frame: int, marks: Marks, token: CancelToken | None = None, progress: Progress | None = None
 ) -> list[RotoShape]:
-    """The object under a click at `spot` (x, y): a region of like colour is grown there, boxed and cut out.
+    """The object at `marks.inside` (clicks on it): regions of like colour are grown there, boxed and cut out.
 
     Raises
     ------
     RoamError
-        when the click is outside of the picture or no region ends around it.
+        when a click is outside of the picture, none is inside of the object, or no region ends around one.
     """
     height, width = image.shape[:2]
-    if not (0.0 <= spot[0] < width and 0.0 <= spot[1] < height):
+    if not marks.inside or not all(0.0 <= x < width and 0.0 <= y < height for x, y in marks.inside):
         raise RoamError("Click on the object, inside of the picture.")
     whole = _Piece.of(image, np.zeros(2), np.array([width, height], dtype=np.float64))
-    region = _grown(whole.pixels, whole.cells(np.array(spot)))
+    region = _marked_region(whole, marks)
     for attempt in range(GROWTHS):
         low, high = _box_of(region, whole)
         piece = _Piece.of(image, low - (high - low) * MARGIN / 2.0, high + (high - low) * MARGIN / 2.0)
         labels = _seeded(piece, _resampled(region, whole, piece), low, high)
-        told = _Told(token, progress, attempt, GROWTHS)
-        cut = _largest(_cut(piece.pixels, labels, told), piece.cells(np.array(spot)))
+        _put_marks(labels, piece, marks)
+        cut = _chosen(_cut(piece.pixels, labels, _Told(token, progress, attempt, GROWTHS)), piece, marks)
         if attempt == GROWTHS - 1 or not _touches(cut, piece, low, high, size=(width, height)):
             break
         region |= _resampled(cut, piece, whole)
     return _fitted(piece, cut, frame)
+
+
+def _marked_region(whole: _Piece, marks: Marks) -> Bools:
+    """The regions of like colour around the marks inside; the first must have one.
+
+    One around a later mark that is much larger than those before it and runs along the picture's border is the ground,
+    which shows through there.
+    """
+    region: Bools | None = None
+    for spot in marks.inside:
+        cell = whole.cells(np.array(spot))
+        found = grown(whole.pixels, cell)
+        if region is None:
+            if found is None:
+                raise RoamError("No object ends around that place; drag a box around it instead.")
+            region = found
+        elif found is not None and not (found.sum() > SWELL * region.sum() and _along_border(found) > ALONG):
+            region = region | found
+        else:
+            region = region.copy()
+            region[cell[1], cell[0]] = True
+    assert region is not None
+    return region
+
+
+def _along_border(region: Bools) -> float:
+    """The share of the picture's border that lies in a region."""
+    border = np.concatenate([region[0], region[-1], region[1:-1, 0], region[1:-1, -1]])
+    return float(border.mean())
+
+
+def _put_marks(labels: Mask, piece: _Piece, marks: Marks) -> None:
+    """Hold the cells around each mark in the labels `(rows, columns)` on its side.
+
+    What is of like colour around a mark beside the object is likely ground, too.
+    """
+    rows, columns = labels.shape
+    for spot in marks.outside:
+        column, row = piece.cells(np.array(spot))
+        if 0 <= row < rows and 0 <= column < columns:
+            found = grown(piece.pixels, (column, row))
+            if found is not None:
+                labels[found & (labels == cv2.GC_PR_FGD)] = cv2.GC_PR_BGD
+    for spots, label in ((marks.inside, cv2.GC_FGD), (marks.outside, cv2.GC_BGD)):
+        for spot in spots:
+            cv2.circle(labels, piece.cells(np.array(spot)), MARK, int(label), -1)
 
 
 @dataclass(frozen=True)
@@ -168,13 +230,16 @@ class _Told:
 
 
 def _fitted(piece: _Piece, cut: Bools, frame: int) -> list[RotoShape]:
-    """What was cut out of a piece as shapes on the picture: its outline, then its holes."""
+    """What was cut out of a piece as shapes on the picture: each outline with its holes after it."""
     soft = cv2.GaussianBlur(_covered(piece.pixels, cut), (0, 0), SOFTNESS, borderType=cv2.BORDER_REPLICATE)
     found = shapes_from_mask(soft, frame, TOLERANCE)
     if not found:
         raise RoamError("Nothing stands out there; drag a closer box around the object.")
-    holes = takewhile(lambda shape: shape.blend is BlendMode.SUBTRACT, found[1:])
-    return [_placed(shape, lambda points: piece.corner + points * piece.cell) for shape in (found[0], *holes)]
+    parts = cv2.connectedComponents(cut.astype(np.uint8), connectivity=4)[0] - 1
+    # Largest first; what the border's mixed cells split off is no part.
+    starts = [k for k, shape in enumerate(found) if shape.blend is not BlendMode.SUBTRACT]
+    kept = found[: starts[parts]] if parts < len(starts) else found
+    return [_placed(shape, lambda points: piece.corner + points * piece.cell) for shape in kept]
 
 
 def _covered(pixels: Image, cut: Bools) -> Float32:
@@ -228,42 +293,15 @@ def _inside(labels: Mask) -> Bools:
     return np.asarray((labels == cv2.GC_FGD) | (labels == cv2.GC_PR_FGD))
 
 
-def _largest(inside: Bools, cell: tuple[int, int] | None = None) -> Bools:
-    """The connected part that holds a cell `(column, row)`, or else the largest one."""
+def _chosen(inside: Bools, piece: _Piece, marks: Marks) -> Bools:
+    """The connected parts that are marked as inside, or else the largest one."""
     count, parts, stats, _ = cv2.connectedComponentsWithStats(inside.astype(np.uint8), connectivity=4)
     if count < 2:
         return inside
-    largest = 1 + int(np.argmax(stats[1:, cv2.CC_STAT_AREA]))
-    chosen = int(parts[cell[1], cell[0]]) if cell is not None else 0
-    return np.asarray(parts == (chosen or largest))
-
-
-def _grown(pixels: Image, cell: tuple[int, int]) -> Bools:
-    """The region of like colour around a cell `(column, row)`, as large as it gets before it leaks out."""
-    colours = cv2.cvtColor(cv2.bilateralFilter(pixels, 5, 30.0, 5.0).astype(np.float32) / 255.0, cv2.COLOR_RGB2Lab)
-    column, row = cell
-    # Like the median of a few cells: a single one may be grain.
-    around = colours[max(row - 2, 0) : row + 3, max(column - 2, 0) : column + 3].reshape(-1, 3)
-    distance = np.sqrt(((colours - np.median(around, axis=0)) ** 2).sum(axis=2))
-    regions = [_part_at(distance <= step, cell) for step in STEPS]
-    total = pixels.shape[0] * pixels.shape[1]
-    fit = [region for region in regions if SMALLEST * total <= region.sum() <= LARGEST * total]
-    if not fit:
-        raise RoamError("No object ends around that place; drag a box around it instead.")
-    for small, large in pairwise(fit):
-        if large.sum() > LEAK * small.sum() and small.sum() > 8 * SMALLEST * total:
-            return small
-    return fit[-1]
-
-
-def _part_at(like: Bools, cell: tuple[int, int]) -> Bools:
-    """The connected part of `like` at a cell `(column, row)`; holes that grain leaves are filled."""
-    column, row = cell
-    like = like.copy()
-    like[max(row - 1, 0) : row + 2, max(column - 1, 0) : column + 2] = True
-    closed = cv2.morphologyEx(like.astype(np.uint8), cv2.MORPH_CLOSE, np.ones((5, 5), dtype=np.uint8))
-    _, parts = cv2.connectedComponents(closed, connectivity=4)
-    return np.asarray(parts == parts[row, column])
+    rows, columns = inside.shape
+    cells = [piece.cells(np.array(spot)) for spot in marks.inside]
+    marked = {int(parts[row, column]) for column, row in cells if 0 <= row < rows and 0 <= column < columns} - {0}
+    return np.isin(parts, list(marked or {1 + int(np.argmax(stats[1:, cv2.CC_STAT_AREA]))}))
 
 
 def _box_of(region: Bools, whole: _Piece) -> tuple[Array, Array]:

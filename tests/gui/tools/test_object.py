@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import threading
 from pathlib import Path
+from typing import Any
 
 import cv2
 import numpy as np
@@ -17,8 +18,8 @@ from app.jobs.picture_work import PictureWork
 from app.jobs.runner import Runner
 from app.view_state import ViewState
 from roam_core.proposal import cut_out
-from roam_core.roto import Clip, Project
-from tests.gui.hand import Hand
+from roam_core.roto import Clip, Project, RotoShape
+from tests.gui.hand import CTRL, SHIFT, Hand
 from tests.gui.tools.conftest import OnlyShape
 
 CENTRE, RADIUS = (100.0, 75.0), 40.0
@@ -63,6 +64,47 @@ def test_the_object_becomes_a_shape(
     assert document.undo_stack.count() == 1
     assert document.undo_stack.undoText() == "Find object"
     assert view_state.message.startswith("Shape 1 is fitted")
+
+
+def test_marks_are_gathered_before_the_search(
+    canvas: CanvasView, hand: Hand, document: Document, pictures: PictureWork, runner: Runner, qtbot: QtBot,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:  # fmt: skip
+    asked: list[cut_out.Marks] = []
+    real = cut_out.cut_click
+
+    def noted(*args: Any, marks: cut_out.Marks, **rest: Any) -> list[RotoShape]:
+        asked.append(marks)
+        return real(*args, marks=marks, **rest)
+
+    monkeypatch.setattr(cut_out, "cut_click", noted)
+    hand.click((90.0, 75.0), SHIFT)
+    hand.click((20.0, 20.0), CTRL)
+    hand.click((30.0, 20.0), CTRL)
+    hand.key(Qt.Key.Key_Backspace)
+    assert runner.is_idle
+    spot = canvas.image_to_widget(20.0, 20.0).toPoint()
+    assert canvas.grab().toImage().pixelColor(spot) != canvas.grab().toImage().pixelColor(spot.x() + 40, spot.y())
+    hand.click(CENTRE)
+    qtbot.waitUntil(lambda: bool(document.project.shapes), timeout=WAIT)
+    assert asked == [cut_out.Marks(((90.0, 75.0), CENTRE), ((20.0, 20.0),))]
+
+
+def test_return_finds_what_is_marked(
+    hand: Hand, document: Document, pictures: PictureWork, only: OnlyShape, qtbot: QtBot
+) -> None:
+    hand.click(CENTRE, SHIFT)
+    hand.key(Qt.Key.Key_Return)
+    qtbot.waitUntil(lambda: bool(document.project.shapes), timeout=WAIT)
+    assert off_circle(only) < 1.5
+
+
+def test_escape_forgets_marks(canvas: CanvasView, hand: Hand, pictures: PictureWork, runner: Runner) -> None:
+    hand.click(CENTRE, SHIFT)
+    assert "Return" in canvas.tool.claimed_keys
+    hand.key(Qt.Key.Key_Escape)
+    assert not canvas.tool.claimed_keys
+    assert runner.is_idle
 
 
 def test_a_proxy_gives_a_shape_of_the_plates_size(

@@ -11,7 +11,7 @@ from roam_core.cancel import Cancelled, CancelToken
 from roam_core.errors import RoamError
 from roam_core.kernels.coverage import coverage
 from roam_core.proposal import cut_out
-from roam_core.proposal.cut_out import cut_box, cut_click
+from roam_core.proposal.cut_out import Marks, cut_box, cut_click
 from roam_core.roto import BlendMode, RotoShape
 
 SIZE = (180, 240)
@@ -64,7 +64,7 @@ def test_a_hole_is_a_subtracting_shape() -> None:
 
 def test_a_click_gives_the_object_around_it() -> None:
     picture, mask = bean()
-    assert overlap(cut_click(picture, (90.0, 100.0), 7), mask) > 0.95
+    assert overlap(cut_click(picture, 7, Marks(((90.0, 100.0),))), mask) > 0.95
 
 
 def test_an_object_that_outgrows_its_first_box_is_found_whole(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -72,8 +72,54 @@ def test_an_object_that_outgrows_its_first_box_is_found_whole(monkeypatch: pytes
     picture, mask = bean()
     small = np.zeros(SIZE, dtype=bool)
     small[85:115, 70:120] = True
-    monkeypatch.setattr(cut_out, "_grown", lambda *_: small.copy())
-    assert overlap(cut_click(picture, (90.0, 100.0), 7), mask) > 0.95
+    monkeypatch.setattr(cut_out, "grown", lambda *_: small.copy())
+    assert overlap(cut_click(picture, 7, Marks(((90.0, 100.0),))), mask) > 0.95
+
+
+def two_coloured() -> tuple[NDArray[np.uint8], NDArray[np.bool_]]:
+    """The bean, its right half in another colour altogether."""
+    picture, mask = bean()
+    picture = picture.copy()
+    right = mask & (np.arange(SIZE[1])[None] > 125)
+    picture[right] = picture[right] // 4 + np.array((30, 60, 150), dtype=np.uint8)
+    return picture, mask
+
+
+def test_a_second_mark_brings_the_part_of_another_colour() -> None:
+    picture, mask = two_coloured()
+    left, right = (90.0, 100.0), (160.0, 100.0)
+    assert overlap(cut_click(picture, 7, Marks((left,))), mask) < 0.7
+    assert overlap(cut_click(picture, 7, Marks((left, right))), mask) > 0.95
+
+
+def test_a_mark_beside_the_object_takes_a_part_away() -> None:
+    picture, mask = two_coloured()
+    left = mask & (np.arange(SIZE[1])[None] <= 125)
+    box = (46.0, 40.0), (194.0, 138.0)
+    assert overlap(cut_box(picture, *box, 7), mask) > 0.95
+    marks = Marks(((90.0, 100.0),), tuple((x, y) for x in (135.0, 160.0, 180.0) for y in (75.0, 100.0, 120.0)))
+    assert overlap(cut_box(picture, *box, 7, marks), left) > 0.9
+
+
+def test_ground_that_shows_through_a_later_mark_is_not_taken_for_the_object() -> None:
+    """The second click lies on ground: the region of its colour is nearly all of the picture."""
+    picture, mask = bean()
+    whole = cut_out._Piece.of(picture, np.zeros(2), np.array(SIZE[::-1], dtype=np.float64))
+    slip = (120.0, 55.0)
+    assert not mask[55, 120]
+    region = cut_out._marked_region(whole, Marks(((90.0, 100.0), slip)))
+    assert region[55, 120]
+    assert (region & ~mask).sum() < 0.1 * mask.sum()
+
+
+def test_marks_on_two_objects_give_a_shape_for_each() -> None:
+    picture = ground()
+    mask = np.zeros(SIZE, dtype=bool)
+    mask[40:140, 30:90] = mask[40:140, 150:210] = True
+    picture[mask] = (190.0, 140.0, 60.0)
+    shapes = cut_click(picture.astype(np.uint8), 7, Marks(((60.0, 90.0), (180.0, 90.0))))
+    assert len(shapes) == 2
+    assert overlap(shapes, mask) > 0.95
 
 
 def test_a_cut_that_collapses_is_taken_back(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -121,12 +167,12 @@ def test_boxes_that_cannot_be_cut_are_refused(low: tuple[float, float], high: tu
 
 def test_a_click_beside_the_picture_is_refused() -> None:
     with pytest.raises(RoamError, match="inside of the picture"):
-        cut_click(bean()[0], (300.0, 20.0), 7)
+        cut_click(bean()[0], 7, Marks(((300.0, 20.0),)))
 
 
 def test_a_click_on_endless_ground_is_refused() -> None:
     with pytest.raises(RoamError, match="No object ends around that place"):
-        cut_click(np.full((*SIZE, 3), 90, dtype=np.uint8), (60.0, 60.0), 7)
+        cut_click(np.full((*SIZE, 3), 90, dtype=np.uint8), 7, Marks(((60.0, 60.0),)))
 
 
 def test_it_stops_when_told_and_says_how_far_it_is() -> None:
@@ -138,4 +184,4 @@ def test_it_stops_when_told_and_says_how_far_it_is() -> None:
     token = CancelToken()
     token.cancel()
     with pytest.raises(Cancelled):
-        cut_click(picture, (90.0, 100.0), 7, token)
+        cut_click(picture, 7, Marks(((90.0, 100.0),)), token)
