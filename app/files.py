@@ -52,7 +52,9 @@ class Files(QObject):
         self._document, self._view, self._reader, self._runner = document, view_state, reader, runner
 
     def new(self) -> None:
-        """Begin an empty project."""
+        """Begin an empty project; what was being opened is wanted no more."""
+        if (job := self._runner.running("open")) is not None:
+            job.drop()
         self._show(Project(), None, None, False)
 
     def open(self, path: Path) -> None:

@@ -28,7 +28,7 @@ class Reopening(QObject):
         super().__init__(window)
         self._window, self._personal = window, window.personal
         self._thumbnails = Thumbnails(self._personal.cache, window.writer, self)
-        self._opened: Path | None = None
+        self._undrawn: list[Path] = []
         self._picture: tuple[int, Any] | None = None
         self.page = StartPage(
             window.canvas,
@@ -55,7 +55,7 @@ class Reopening(QObject):
 
     def _note_opened(self, path: Path) -> None:
         self._personal.note_recent(path)
-        self._opened = path
+        self._undrawn.append(path)
         self._draw()
 
     def _note_saved(self) -> None:
@@ -68,14 +68,15 @@ class Reopening(QObject):
             self._draw()
 
     def _forget_picture(self) -> None:
-        self._opened = self._picture = None
+        self._undrawn, self._picture = [], None
 
     def _draw(self) -> None:
         """Draw the picture of what was opened or saved, once, when both it and a frame are there."""
-        if self._opened is not None and self._picture is not None:
+        if self._picture is not None:
             frame, pixels = self._picture
-            recent, self._opened = Recent(self._opened, time.time()), None
-            self._thumbnails.keep(recent, pixels, self._window.document.project, frame)
+            for path in self._undrawn:
+                self._thumbnails.keep(Recent(path, time.time()), pixels, self._window.document.project, frame)
+            self._undrawn = []
 
     def _fill_menu(self) -> None:
         self.menu.clear()

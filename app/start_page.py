@@ -112,17 +112,20 @@ class StartPage(QWidget):
         right = QVBoxLayout()
         right.addWidget(self._recent_title)
         right.addWidget(self.recent, 1)
-        upper = QHBoxLayout()
+        self._block = QWidget()
+        upper = QHBoxLayout(self._block)
+        upper.setContentsMargins(0, 0, 0, 0)
         upper.setSpacing(4 * style.MARGIN)
         upper.addLayout(offers)
         upper.addLayout(right, 1)
         column = QVBoxLayout(self)
         column.setContentsMargins(*(4 * style.MARGIN,) * 4)
         column.setSpacing(2 * style.MARGIN)
-        column.addLayout(upper, 1)
+        column.addWidget(self._block, 1)
         drop = weak_label(DROP)
         drop.setAlignment(Qt.AlignmentFlag.AlignCenter)
         column.addWidget(drop)
+        self._place(False)
 
     # ---- pulling
 
@@ -133,8 +136,16 @@ class StartPage(QWidget):
         self.recent.clear()
         for sight in sights:
             self.recent.addItem(_card(sight))
+        self._place(bool(sights))
+
+    def _place(self, has_recent: bool) -> None:
+        """Offers and recent projects fill the page; offers alone stand in its middle."""
         for widget in (self._recent_title, self.recent):
-            widget.setVisible(bool(sights))
+            widget.setVisible(has_recent)
+        middle = Qt.AlignmentFlag.AlignCenter
+        layout = self.layout()
+        assert layout is not None
+        layout.setAlignment(self._block, Qt.AlignmentFlag(0) if has_recent else middle)
 
     def _fill_viewer(self) -> None:
         if (viewer := self.parentWidget()) is not None:

@@ -235,6 +235,19 @@ def test_files_are_not_offered_to_the_cache(
     assert [path.parent for path in asked] == [tmp_path, Path.home()]
 
 
+def test_a_new_project_is_not_replaced_by_what_was_being_opened(
+    qtbot: QtBot, window: MainWindow, tmp_path: Path
+) -> None:
+    with qtbot.waitSignal(window.files.finished, timeout=WAIT):
+        window.files.open(write_clip(tmp_path / "other", 3))
+        window.files.new()
+    qtbot.waitUntil(lambda: window.writer.is_idle, timeout=WAIT)
+    with qtbot.waitSignal(window.files.saved, timeout=WAIT):  # the worker has been through what it was given
+        window.files.save(tmp_path / "a.roam")
+    assert window.document.project.clip is None
+    assert not window.under_way.is_any
+
+
 def test_what_cannot_be_opened_is_one_sentence_and_changes_nothing(
     qtbot: QtBot, window: MainWindow, tmp_path: Path
 ) -> None:
