@@ -9,7 +9,6 @@ from PySide6.QtCore import QObject, Signal
 from app.editing import EditingModes
 from app.keymaps import Keymap, load_keymap, told
 from roam_core.roto import Project, RotoShape
-from roam_core.roto.edit import Part
 
 
 @dataclass(frozen=True)
@@ -141,8 +140,3 @@ def selected_shapes(project: Project, selection: Selection) -> list[RotoShape]:
 def shapes_in_hand(project: Project, selection: Selection) -> list[RotoShape]:
     """What tracking and navigation act on: the selected shapes, or all where none is selected; bottom first."""
     return selected_shapes(project, selection) or list(project.shapes)
-
-
-def parts_of(selection: Selection, shape_id: str) -> list[Part]:
-    """The selected anchors of one shape, as the edit verbs want them."""
-    return [(index, 0) for owner, index in sorted(selection.points) if owner == shape_id]

@@ -193,19 +193,6 @@ def toggle_closed(shape: RotoShape) -> RotoShape:
 # ---- points of a shape -----------------------------------------------------------------------------------------------
 
 
-def move_parts(points: Array, parts: Iterable[Part], delta: ArrayLike) -> Array:
-    """Points with the grabbed parts moved by `delta (2,)`; an anchor takes its handles along, once."""
-    result, offset = points.copy(), np.asarray(delta, dtype=np.float64)
-    grabbed = set(parts)
-    anchors = {index for index, part in grabbed if part == ANCHOR}
-    for index in anchors:
-        result[index] += offset
-    for index, part in grabbed:
-        if part != ANCHOR and index not in anchors:
-            result[index, part] += offset
-    return result
-
-
 def drag_handle(points: Array, index: int, part: int, position: ArrayLike, *, keep_smooth: bool = True) -> Array:
     """Points with one handle put at `position`; where the point is smooth the other handle turns with it.
 

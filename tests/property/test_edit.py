@@ -75,21 +75,6 @@ def test_moving_keys_there_and_back_is_nothing(shape: RotoShape, offset: int) ->
     assert edit.move_keys(there, there.frames, -offset) == shape
 
 
-@given(point_arrays(least=3), st.data(), st.tuples(st.floats(-50.0, 50.0), st.floats(-50.0, 50.0)))
-def test_moving_all_anchors_moves_the_outline(points: Array, data: st.DataObject, delta: tuple[float, float]) -> None:
-    parts = [(index, bezier.ANCHOR) for index in range(len(points))]
-    parts += data.draw(st.lists(st.tuples(st.integers(0, len(points) - 1), st.integers(0, 2)), max_size=4))
-    np.testing.assert_allclose(edit.move_parts(points, parts, delta), points + np.array(delta), atol=1e-9)
-
-
-@given(roto_shapes(), st.integers(0, 3))
-def test_every_shape_is_its_key_on_its_frames(shape: RotoShape, which: int) -> None:
-    key: Keyframe = shape.keys[which % len(shape.keys)]
-    outline = shape.at(key.frame)
-    assert outline.points is key.points
-    assert outline.closed == shape.closed
-
-
 def is_curved(points: Array, segment: int, closed: bool) -> bool:
     """True when a handle of the segment lies off its anchor: such a segment keeps its parametrisation when split."""
     a, b, c, d = bezier.segments(points, closed)[segment]

@@ -162,15 +162,6 @@ def test_setting_interpolation() -> None:
 # ---- points ----------------------------------------------------------------------------------------------------------
 
 
-def test_an_anchor_takes_its_handles_along_once() -> None:
-    moved = edit.move_parts(ROUND, [(1, ANCHOR), (1, IN), (3, OUT)], (5.0, -2.0))
-    change = moved - ROUND
-    np.testing.assert_allclose(change[1], [(5.0, -2.0)] * 3)
-    np.testing.assert_allclose(change[3, OUT], (5.0, -2.0))
-    change[1] = change[3, OUT] = 0.0
-    assert not change.any()
-
-
 @pytest.mark.parametrize(("part", "other"), [(OUT, IN), (IN, OUT)])
 def test_a_smooth_points_other_handle_turns_with_the_dragged_one(part: int, other: int) -> None:
     anchor = ROUND[2, ANCHOR]
@@ -304,7 +295,6 @@ def test_verbs_leave_their_arguments_alone() -> None:
     edit.insert_point(before, 0, 0.5)
     edit.delete_points(before, [0])
     edit.set_key(before, 1, ROUND + 1.0)
-    edit.move_parts(points, [(0, ANCHOR)], (1.0, 1.0))
     edit.drag_handle(points, 0, OUT, (0.0, 0.0))
     edit.smooth_points(points, [0])
     edit.cusp_points(points, [0])
