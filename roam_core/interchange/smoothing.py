@@ -118,6 +118,7 @@ def _evened(
     token: CancelToken | None,
 ) -> tuple[Array, Array]:
     """Points of every key, evened out, as `tracked (K, C, P, 3, 2)`; their strays `(K, C, S)`, none above `reach`."""
+    pull = -np.tensordot(stiffness, tracked, axes=1)
     metric = _metric(tracked[:, 0], shape.closed)
     before = places(tracked, shape.closed)
     weights = np.ones(metric.shape[:2])
@@ -125,7 +126,7 @@ def _evened(
     for _ in range(ROUNDS):
         if token is not None:
             token.check()
-        moved = tracked + _displacements(tracked, stiffness, weights[..., None, None] * metric)
+        moved = tracked + _displacements(pull, stiffness, weights[..., None, None] * metric)
         moved[~movable] = tracked[~movable]
         if shape.spline is Spline.BSPLINE:
             moved[movable, 0] = [_settled(points, shape.closed) for points in moved[movable, 0]]
@@ -151,18 +152,17 @@ def _metric(points: Array, closed: bool) -> Array:
     return metric.transpose(1, 0, 2, 3)
 
 
-def _displacements(tracked: Array, stiffness: Array, weights: Array) -> Array:
-    """How far each control point moves, as `tracked (K, C, P, 3, 2)`; `weights (P, K, 2, 2)`, `stiffness (K, K)`.
+def _displacements(pull: Array, stiffness: Array, weights: Array) -> Array:
+    """How far each control point moves under `pull (K, C, P, 3, 2)`; `weights (P, K, 2, 2)`, `stiffness (K, K)`.
 
     One symmetric system of five bands holds the keys of all points one after the other, x and y of each in turn.
     """
-    keys, curves, count = tracked.shape[:3]
+    keys, curves, count = pull.shape[:3]
     bands = np.zeros((5, count, keys, 2))
     bands[4] = np.diagonal(stiffness)[:, None] + np.diagonal(weights, axis1=2, axis2=3)
     bands[3, :, :, 1] = weights[..., 0, 1]
     bands[2, :, 1:] = np.diagonal(stiffness, 1)[:, None]
     bands[0, :, 2:] = np.diagonal(stiffness, 2)[:, None]
-    pull = -np.tensordot(stiffness, tracked, axes=1)
     columns = pull.transpose(2, 0, 4, 1, 3).reshape(count * keys * 2, curves * 3)
     solved = solveh_banded(bands.reshape(5, -1), columns)
     return np.asarray(solved.reshape(count, keys, 2, curves, 3).transpose(1, 3, 0, 4, 2))
