@@ -31,6 +31,8 @@ def bezier_points(control: Array, closed: bool = True) -> Array:
 
     The handles beyond the ends of an open spline lie on their anchors.
     """
+    if len(control) < 2:
+        return bezier.polygon_points(control)
     if closed:
         before, after = np.roll(control, 1, axis=0), np.roll(control, -1, axis=0)
     else:
@@ -51,6 +53,8 @@ def control_polygon(points: Array, closed: bool = True) -> Array:
     Nearest in the least squares of `SAMPLES` places a segment, at equal parameters; the one of a B-spline comes back as
     it was (up to rounding).
     """
+    if len(points) < 2:
+        return points[:, ANCHOR].copy()
     segment, t = _places(len(points), closed)
     return np.asarray(_fitting(len(points), closed) @ bezier.evaluate(points, segment, t, closed))
 

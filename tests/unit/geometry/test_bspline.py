@@ -103,3 +103,12 @@ def test_removing_follows_the_old_outline_better_than_leaving_out(closed: bool) 
 def test_removing_an_end_of_an_open_spline_leaves_the_rest() -> None:
     np.testing.assert_array_equal(bspline.removed(ROUND, 0, closed=False), ROUND[1:])
     np.testing.assert_array_equal(bspline.removed(ROUND, len(ROUND) - 1, closed=False), ROUND[:-1])
+
+
+@pytest.mark.parametrize("closed", [True, False])
+@pytest.mark.parametrize("count", [0, 1, 2])
+def test_few_points_are_taken_as_they_come(count: int, closed: bool) -> None:
+    """A file may hold such shapes; nothing may fail on them."""
+    points = bspline.bezier_points(SQUARE[:count], closed)
+    assert points.shape == (count, 3, 2)
+    np.testing.assert_allclose(bspline.control_polygon(points, closed), SQUARE[:count], atol=1e-9)
