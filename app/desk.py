@@ -41,7 +41,8 @@ class Desk(QObject):
         self._settings: SettingsDialog | None = None
         personal.keys_changed.connect(self._pull_keys)
         personal.preferences_changed.connect(self._pull_preferences)
-        personal.refused.connect(window.view_state.say)
+        for part in (personal, window.autosave):
+            part.refused.connect(window.view_state.say)
         self._pull_keys()
         self._pull_preferences()
         if personal.trouble:

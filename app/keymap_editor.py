@@ -5,6 +5,7 @@ from __future__ import annotations
 from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QColor, QKeyEvent
 from PySide6.QtWidgets import (
+    QCheckBox,
     QComboBox,
     QDialog,
     QHBoxLayout,
@@ -22,7 +23,7 @@ from app import style
 from app.action_specs import SPECS
 from app.canvas.keys import NUDGES, is_modifier, key_name
 from app.fuzzy import fuzzy_score, words_begin
-from app.keymaps import OwnKeymap, holder_of, keys_text, presets
+from app.keymaps import OwnKeymap, holder_of, keys_text, presets, press
 from app.menus import menu_of
 from app.panels.controls import weak_label
 from app.personal import Personal
@@ -101,6 +102,8 @@ class KeymapEditor(QDialog):
         self.word = weak_label("")
         self.word.setWordWrap(True)
         self.word.setMinimumHeight(2 * style.ROW_HEIGHT)
+        self.adds = QCheckBox("Add")
+        self.adds.setToolTip("Keep the keys that the action has, and add the new one")
         self.take = QPushButton("Take it over")
         self.take.setToolTip("Give the key to this action; the other one goes without it")
         self.remove = QPushButton("No key")
@@ -118,7 +121,7 @@ class KeymapEditor(QDialog):
         upper.addWidget(QLabel("Keys of"))
         upper.addWidget(self.preset)
         upper.addWidget(self.search, 1)
-        for widget, stretch in ((self.field, 1), (self.take, 0), (self.remove, 0), (self.reset, 0)):
+        for widget, stretch in ((self.field, 1), (self.adds, 0), (self.take, 0), (self.remove, 0), (self.reset, 0)):
             middle.addWidget(widget, stretch)
         lower.addWidget(self.reset_all)
         lower.addStretch(1)
@@ -192,9 +195,11 @@ class KeymapEditor(QDialog):
         self.take.setEnabled(bool(self._asked))
 
     def _give(self, key: str) -> None:
-        """Make a key the action's only one; whoever had it goes without it."""
-        self._push_keys((key,))
-        self.word.setText(f"“{TITLES[self.selected]}” is {keys_text((key,))} now.")
+        """Make a key the action's only one, or one more of its keys; whoever had it goes without it."""
+        present = self._own.keymap.get(self.selected, ()) if self.adds.isChecked() else ()
+        keys = (*(other for other in present if press(other) != press(key)), key)
+        self._push_keys(keys)
+        self.word.setText(f"“{TITLES[self.selected]}” is {keys_text(keys)} now.")
         self._asked = ""
         self.take.setEnabled(False)
 

@@ -14,10 +14,10 @@ import time
 from dataclasses import dataclass
 from pathlib import Path
 
-from PySide6.QtCore import QLockFile, QObject, QTimer
+from PySide6.QtCore import QLockFile, QObject, QTimer, Signal
 
 from app.document import Document
-from app.jobs.runner import Report, Runner
+from app.jobs.runner import Ending, Report, Runner
 from roam_core.errors import RoamError
 from roam_core.roto import Project, file
 
@@ -42,7 +42,14 @@ class Recovery:
 
 
 class Autosave(QObject):
-    """Writes a snapshot every few minutes and when asked, if there is unsaved work that no snapshot holds yet."""
+    """Writes a snapshot every few minutes and when asked, if there is unsaved work that no snapshot holds yet.
+
+    Signals
+    -------
+    refused(sentence) : why a snapshot could not be written.
+    """
+
+    refused = Signal(str)
 
     def __init__(self, document: Document, runner: Runner, root: Path, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -71,7 +78,13 @@ class Autosave(QObject):
         if self._has_news():
             project, original = self._snapshot()
             folder = self._folder
-            self._runner.start("autosave", lambda report: _write(report, folder, project, original))
+            job = self._runner.start("autosave", lambda report: _write(report, folder, project, original))
+            job.ended.connect(self._end)
+
+    def _end(self, ending: Ending, sentence: str) -> None:
+        if ending is Ending.FAILED:
+            self._kept = None  # the next minute tries again
+            self.refused.emit(f"Your work could not be autosaved; save it yourself. {sentence}")
 
     def save_now(self) -> None:
         """Write a snapshot before this call returns: for the moment in which the program fails."""

@@ -68,6 +68,15 @@ def test_a_conflict_is_told_with_the_other_actions_name_and_can_be_taken_over(
     assert not editor.take.isEnabled()
 
 
+def test_a_key_can_be_added_to_those_that_are_there(qtbot: QtBot, window: MainWindow, editor: KeymapEditor) -> None:
+    editor.select("track.forward")
+    qtbot.keyClick(editor.adds, Qt.Key.Key_Space)
+    for _ in range(2):  # the same key twice is one key
+        qtbot.keyClick(editor.field, Qt.Key.Key_F9)
+    assert window.actions_by_id.keymap["track.forward"] == ("]", "F7", "F9")
+    assert "] or F7 or F9 now" in editor.word.text()
+
+
 def test_keys_with_which_points_are_nudged_are_refused(qtbot: QtBot, editor: KeymapEditor) -> None:
     editor.select("tool.bezier")
     qtbot.keyClick(editor.field, Qt.Key.Key_Left, Qt.KeyboardModifier.AltModifier)

@@ -48,6 +48,22 @@ def test_unsaved_work_is_written_on_the_worker(
     assert threading.main_thread() not in threads
 
 
+def test_a_snapshot_that_cannot_be_written_is_told_and_tried_again(
+    qtbot: QtBot, document: Document, keeper: Autosave, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def refuse(*_: object) -> None:
+        raise RoamError("The disk is full.")
+
+    draw(document)
+    with monkeypatch.context() as full:
+        full.setattr(file, "save", refuse)
+        with qtbot.waitSignal(keeper.refused, timeout=5000) as refused:
+            keeper.save()
+    assert refused.args == ["Your work could not be autosaved; save it yourself. The disk is full."]
+    keeper.save()
+    qtbot.waitUntil(lambda: len(snapshots(tmp_path)) == 1, timeout=5000)
+
+
 def test_nothing_is_written_without_news(document: Document, keeper: Autosave, tmp_path: Path) -> None:
     keeper.save_now()
     assert snapshots(tmp_path) == []
