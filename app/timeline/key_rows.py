@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
-from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt
+from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import (
     QColor,
     QContextMenuEvent,
@@ -19,6 +19,7 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QAbstractScrollArea, QFrame, QMenu, QToolTip, QWidget
 
 from app import style
+from app.canvas.keys import NUDGES, key_name
 from app.document import Document
 from app.timeline.axis import TimeAxis, paint_playhead
 from app.timeline.key_hand import KeyHand
@@ -37,8 +38,14 @@ GRAB = 6
 class KeyRows(QAbstractScrollArea):
     """Click a key to go there, drag it along time, drag a box around several; click a name to select its shape.
 
-    The wheel zooms. A click takes the keyboard: then copy, paste and delete mean keys.
+    The wheel zooms. A click takes the keyboard: then copy, paste and delete mean keys, and Alt with arrows moves them.
+
+    Signals
+    -------
+    nudged(frames, merge_key) : the chosen keys are to move; one held key has one merge key.
     """
+
+    nudged = Signal(int, str)
 
     def __init__(
         self,
@@ -50,7 +57,7 @@ class KeyRows(QAbstractScrollArea):
     ) -> None:
         super().__init__(parent)
         self._document, self._axis, self._marks, self._keys = document, axis, marks, keys
-        self._painter = RowPainter(marks)
+        self._painter, self._presses = RowPainter(marks), 0
         self.menu = QMenu(self)
         """What a right click offers."""
         self.hand = KeyHand(document, axis, keys, self.key_at, self.keys_in, self.viewport().update)
@@ -142,8 +149,13 @@ class KeyRows(QAbstractScrollArea):
         return super().event(event)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Esc drops a drag; what nudges points in the viewer nudges keys here."""
+        frames = NUDGES.get(key_name(event), (0.0, 0.0))[0]
         if event.key() == Qt.Key.Key_Escape:
             self.hand.cancel()
+        elif frames:
+            self._presses += not event.isAutoRepeat()
+            self.nudged.emit(int(frames), f"nudge-keys-{self._presses}")
         else:
             event.ignore()
 

@@ -102,6 +102,17 @@ class KeyVerbs:
         if places := self._unlocked(self._keys.places):
             self._apply("Delete keys", lambda project: timing.delete_keys(project, places))
 
+    def nudge(self, frames: int, merge_key: str = "") -> None:
+        """Move the chosen keys by some frames, not out of the clip; steps with one `merge_key` are one undo step."""
+        project, clip = self._document.project, self._document.project.clip
+        if not (places := self._unlocked(self._keys.places)):
+            return
+        own = [frame for _, frame in places]
+        if clip is not None:
+            frames = max(min(frames, max(clip.last - max(own), 0)), min(clip.first - min(own), 0))
+        self._document.apply("Move keys", timing.move_keys(project, places, frames), merge_key)
+        self._keys.select(frozenset((shape_id, frame + frames) for shape_id, frame in places))
+
     def interpolate(self, interpolation: Interpolation) -> None:
         """Set how shapes move on: from the chosen keys, or from the key before the playhead where none is chosen."""
         chosen = self._keys.places or self._governing()

@@ -48,7 +48,7 @@ class MarkBand(QWidget):
         """Show the field in which the mark of a frame is named, beside its flag."""
         mark = timing.mark_at(self._document.project, frame)
         if mark is not None:
-            left = min(self._axis.scale.x(frame) + FLAG, self.width() - FIELD_WIDTH - 2)
+            left = min(self._axis.scale.x(frame) + FLAG + 2, self.width() - FIELD_WIDTH - 2)
             self.field.begin(mark, max(left, LABEL_WIDTH))
 
     def rename(self, frame: int, text: str) -> None:

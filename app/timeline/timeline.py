@@ -51,6 +51,7 @@ class Timeline(QWidget):
         self.mark_verbs = MarkVerbs(document, view_state, self.marks.edit)
         self.rows = KeyRows(document, self.axis, marks, self.keys)
         self.verbs = KeyVerbs(document, view_state, self.keys, self.rows.hasFocus)
+        self.rows.nudged.connect(self.verbs.nudge)
         self.confidence = ConfidencePlot(document, self.axis, marks)
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)

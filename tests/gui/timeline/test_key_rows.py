@@ -187,6 +187,21 @@ def test_del_and_ctrl_x_delete_the_chosen_keys_but_not_the_last_one(
     assert "at least one key" in view_state.message
 
 
+def test_alt_with_arrows_moves_the_chosen_keys_inside_the_clip(
+    qtbot: QtBot, timeline: Timeline, document: Document, view_state: ViewState
+) -> None:
+    take_keyboard(qtbot, timeline)
+    drag(timeline, place(timeline, 1025, 1), place(timeline, 1032, 1))
+    for key, modifiers in ((Qt.Key.Key_Left, ALT), (Qt.Key.Key_Right, ALT | SHIFT), (Qt.Key.Key_Right, ALT | SHIFT)):
+        qtbot.keyClick(timeline.rows, key, modifiers)
+    assert artist(document, "shape-1") == (1001, 1048)
+    assert timeline.keys.places == {("shape-1", 1048)}
+    assert document.undo_stack.count() == 3
+    timeline.keys.clear()
+    qtbot.keyClick(timeline.rows, Qt.Key.Key_Left, ALT)
+    assert view_state.message.startswith("Choose keys in the timeline first")
+
+
 def test_ctrl_a_chooses_the_keys_of_the_selected_shapes(
     qtbot: QtBot, timeline: Timeline, view_state: ViewState
 ) -> None:
