@@ -27,7 +27,7 @@ def test_a_drag_moves_its_point_and_playback_paints_frames(small: None, tmp_path
     with window.opened_window(tmp_path) as shown:
         laps = window.drag_laps(shown, 10)
         assert len(laps) == 10
-        assert min(laps) > 0.0
+        assert min(min(lap) for lap in laps) > 0.0
         project = shown.document.project
         assert len(project.shapes[0].at(1).points) == window.DRAGGED_POINTS
         frames, spent = window.frames_a_second(shown, 50.0, 0.3)
@@ -45,7 +45,7 @@ def test_the_drawn_plate_glides() -> None:
 
 
 def test_the_table_says_what_was_aimed_at(monkeypatch: pytest.MonkeyPatch, tmp_path: Path, capsys) -> None:
-    found = {"median": 7.25, "ninetieth": 9.0, "shown": 24.0, "spent": 20.0, "most": 31.0}
+    found = {"median": 7.25, "ninetieth": 9.0, "busy": 5.0, "shown": 24.0, "spent": 20.0, "most": 31.0}
     monkeypatch.setattr(window, "_in_a_process", lambda platform: found)
     monkeypatch.setattr(report, "OUT", tmp_path)
     monkeypatch.setattr(report, "ROOT", tmp_path)
