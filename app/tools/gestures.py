@@ -13,11 +13,12 @@ from app.canvas.shown import editable_shapes
 from app.canvas.viewport import Viewport
 from app.document import Document
 from app.tools.hit_test import points_in_box, points_in_lasso
-from app.tools.reshape import Grab, Tangent, Vector, break_tangent, pull_out, turn
+from app.tools.reshape import Grab, Tangent, Vector, break_tangent, keys_changed, pull_out, turn
 from app.tools.tool import Modifier, Pointer
 from app.view_state import Selection, ViewState
 from roam_core.roto import Project, edit
 from roam_core.roto.edit import Part
+from roam_core.roto.keying import AUTO_KEY
 
 LASSO_STEP = 2.0
 """A lasso's line gets a corner after so many screen pixels."""
@@ -119,7 +120,11 @@ class Edit(Gesture, ABC):
         if self.delta != (0.0, 0.0):
             self.grab = self._whole
             where = "" if self.grab.keying.ripple is None else " (ripple)"
+            before = self.document.project
             self.document.apply(self.text + where, self.edited())
+            if self.grab.keying != AUTO_KEY:
+                changed = keys_changed(before, self.document.project, self.grab.start)
+                self.view_state.say(f"{self.text}: {changed} key{'s' * (changed != 1)} changed.")
         self.view_state.set_preview(None)
 
     def drop(self) -> None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -156,6 +156,15 @@ def grab_point(project: Project, view: ViewState, shape_id: str, index: int) -> 
     weights = np.zeros(project.shape(shape_id).point_count)
     weights[index] = 1.0
     return Grab.of(project, view.frame, {shape_id: weights}, view.editing.keying(view.play_range))
+
+
+def keys_changed(before: Project, after: Project, shape_ids: Iterable[str]) -> int:
+    """How many keys of these shapes an edit changed or made."""
+    changed = 0
+    for shape_id in shape_ids:
+        old = before.shape(shape_id)
+        changed += sum(key != old.key_at(key.frame) for key in after.shape(shape_id).keys)
+    return changed
 
 
 def selected_indices(shape: RotoShape, selection: Selection) -> list[int]:

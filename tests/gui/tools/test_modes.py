@@ -55,6 +55,7 @@ def test_without_auto_key_a_drag_between_keys_moves_the_keys_on_both_sides(
     start = at(1, 5)
     hand.drag(start, (start[0], start[1] + 10.0))
     assert shifts(only, 1) == {1: (0.0, 10.0), 9: (0.0, 10.0), 17: (0.0, 0.0)}
+    assert view_state.message == "Move point: 2 keys changed."
     assert document.undo_stack.count() == 1
     document.undo_stack.undo()
     assert set(shifts(only, 1).values()) == {(0.0, 0.0)}
@@ -89,6 +90,7 @@ def test_ripple_moves_a_point_on_all_keys_of_the_range(
     assert shifts(only, 1) == {1: (10.0, -5.0), 9: (10.0, -5.0), 17: (0.0, 0.0)}
     assert shifts(only, 0) == {1: (0.0, 0.0), 9: (0.0, 0.0), 17: (0.0, 0.0)}
     assert document.undo_stack.undoText() == "Move point (ripple)"
+    assert view_state.message == "Move point: 2 keys changed."
     document.undo_stack.undo()
     assert set(shifts(only, 1).values()) == {(0.0, 0.0)}
 
