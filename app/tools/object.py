@@ -7,8 +7,8 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from PySide6.QtCore import QRectF, Qt
-from PySide6.QtGui import QPainter
+from PySide6.QtCore import QPointF, QRectF, Qt
+from PySide6.QtGui import QPainter, QPainterPath
 
 from app.canvas import marks
 from app.canvas.viewport import Viewport
@@ -23,6 +23,9 @@ from roam_core.roto import RotoShape
 
 DROP_KEYS, FIND_KEYS = frozenset({"Esc"}), frozenset({"Return", "Enter"})
 TAKE_BACK_KEYS = frozenset({"Backspace", "Ctrl+Z"})
+SIGN = 11.0
+"""Widget units: the size of the signs at marks."""
+
 Spot = tuple[float, float]
 Cut = Callable[[Report], list[RotoShape]]
 
@@ -100,7 +103,8 @@ class ObjectTool(Tool):
             corners = (viewport.to_widget(*pointer.position) for pointer in self._box)
             marks.marquee(painter, QRectF(*corners).normalized())
         for spot, inside in self._marks:
-            marks.anchor(painter, viewport.to_widget(*spot), marks.ACCENT, round_=True, filled=inside, grown=True)
+            sign = _sign(viewport.to_widget(*spot), plus=inside)
+            marks.stroke(painter, sign, marks.BRIGHT, marks.SELECTED_WIDTH)
 
     def _find(self, box: tuple[Pointer, Pointer] | None) -> None:
         """Look for the object in a box, or at the marks alone."""
@@ -155,6 +159,16 @@ class ObjectTool(Tool):
         self._marks = []
         if ending is Ending.FAILED:
             self.view_state.say(sentence)
+
+
+def _sign(at: QPointF, *, plus: bool) -> QPainterPath:
+    """A plus or a minus, in widget coordinates."""
+    path = QPainterPath(at - QPointF(SIGN / 2, 0.0))
+    path.lineTo(at + QPointF(SIGN / 2, 0.0))
+    if plus:
+        path.moveTo(at - QPointF(0.0, SIGN / 2))
+        path.lineTo(at + QPointF(0.0, SIGN / 2))
+    return path
 
 
 def _spot(position: NDArray[np.float64]) -> Spot:
