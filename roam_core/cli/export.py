@@ -13,8 +13,10 @@ from roam_core.roto import file
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Declare the command's options."""
-    parser.add_argument("project", type=Path, metavar="P.roam")
-    parser.add_argument("out", type=Path, metavar="OUT")
+    parser.add_argument("project", type=Path, metavar="P.roam", help="the project")
+    parser.add_argument(
+        "out", type=Path, metavar="OUT", help="a file; for mattes, and svg of every frame, a pattern such as m.####.exr"
+    )
     parser.add_argument("--to", required=True, metavar="FORMAT", help=" | ".join(EXPORTERS))
     parser.add_argument(
         "--keys",
@@ -30,7 +32,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         type=float,
         default=0.0,
         metavar="E",
-        help="let tracked keys move by up to so many pixels, that shapes move evenly through time (%(default)s)",
+        help="let tracked keys move by up to so many pixels, that shapes move evenly through time (none)",
     )
     parser.add_argument(
         "--frames", type=int, nargs=2, metavar=("FIRST", "LAST"), help="keys and pictures of these frames only (all)"

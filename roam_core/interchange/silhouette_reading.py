@@ -1,4 +1,4 @@
-"""Reads Silhouette's `.fxs`: layers and shapes, their keys, and the transforms of layers."""
+"""Reads Silhouette's shapes, from `.fxs` files and whole `.sfx` projects: their keys, and the transforms of layers."""
 
 from __future__ import annotations
 
@@ -14,6 +14,7 @@ from roam_core.errors import RoamError
 from roam_core.interchange.keying import Key, keys_of
 from roam_core.interchange.reading import PLAIN, Imported, ImportOptions, ShapeReader, brief, quietly, sensible
 from roam_core.interchange.silhouette import MODES, PATH_KINDS
+from roam_core.interchange.silhouette_project import project_session, project_shapes, unpacked
 from roam_core.interchange.silhouette_values import (
     MATRIX,
     TRANSFORMS,
@@ -45,20 +46,22 @@ UNKNOWN_PROPERTIES: dict[str, tuple[str, tuple[float, ...]]] = {
 
 
 class SilhouetteImporter:
-    """Reads Silhouette shape files."""
+    """Reads Silhouette shape files, and the shapes of all Roto nodes of its projects."""
 
     name = "silhouette"
     title = "Silhouette shapes"
-    suffixes = (".fxs",)
+    suffixes = (".fxs", ".sfx")
 
     @quietly
     def read(self, path: Path, clip: Clip, options: ImportOptions = PLAIN) -> Imported:
         """Read all shapes, Bezier ones and B-splines, each as what it is."""
         reader = ShapeReader(path, clip, options)
-        session = parsed(reader)
-        if local_name(session) != "Silhouette":
-            raise RoamError(f"{path} is no Silhouette shape file (it begins with {brief(local_name(session))}).")
-        return _SessionReader(reader, _Session.of(session, clip, path)).read(session)
+        root = parsed(reader, content=unpacked(reader))
+        if local_name(root) == "Project":
+            return _SessionReader(reader, _Session.of(project_session(root), clip, path)).read(project_shapes(root))
+        if local_name(root) != "Silhouette":
+            raise RoamError(f"{path} is no Silhouette shape file (it begins with {brief(local_name(root))}).")
+        return _SessionReader(reader, _Session.of(root, clip, path)).read(root)
 
 
 @dataclass(frozen=True)

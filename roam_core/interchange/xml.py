@@ -18,8 +18,10 @@ def xml_text(text: str) -> str:
     return re.sub(r"[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]", "\ufffd", text)
 
 
-def parsed(reader: ShapeReader, *, doctype: Literal["refused", "ignored"] = "refused") -> Element:
-    """The root element of the reader's file.
+def parsed(
+    reader: ShapeReader, *, doctype: Literal["refused", "ignored"] = "refused", content: bytes | None = None
+) -> Element:
+    """The root element of the reader's file, or of the `content` that was unpacked from it.
 
     A document type without entities, with which many drawing programs begin their SVG, may be `ignored`: it is not
     followed either.
@@ -32,7 +34,7 @@ def parsed(reader: ShapeReader, *, doctype: Literal["refused", "ignored"] = "ref
     """
     parser: Any = DefusedXMLParser(target=_ShallowTree(reader), forbid_dtd=doctype == "refused")
     try:
-        parser.feed(reader.content())
+        parser.feed(reader.content() if content is None else content)
         root = parser.close()
     except DefusedXmlException:
         raise RoamError(
