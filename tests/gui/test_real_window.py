@@ -57,6 +57,13 @@ class Screen:
         self.do("mousemove", round(x), round(y), "click", 1)
         time.sleep(0.05)
 
+    def drag(self, *spots: np.ndarray) -> None:
+        """The left button held down through all places."""
+        for index, (x, y) in enumerate(spots):
+            self.do("mousemove", round(x), round(y), *(("mousedown", 1) if index == 0 else ()))
+            time.sleep(0.05)
+        self.do("mouseup", 1)
+
     def key(self, *keys: str) -> None:
         self.do("key", "--delay", 60, *keys)
 
@@ -142,6 +149,37 @@ def test_a_signal_ends_the_program_and_unsaved_work_waits_for_recovery(
     assert found.original == project_path
     assert len(autosave.load_recovery(found).shapes) == 1
     assert file.load(project_path).shapes == ()
+
+
+def test_a_lasso_and_the_transform_box(screen: Screen, project_path: Path) -> None:
+    program = subprocess.Popen([sys.executable, "-m", "app", str(project_path)], env=screen.environment)
+    try:
+        draw(screen, program, project_path)
+        screen.key("ctrl+s")
+        until(lambda: len(file.load(project_path).shapes) == 1, "the drawn shape", program)
+        (drawn,) = file.load(project_path).shapes
+        spots = np.array(list(outline(FIRST)))
+        middle, reach = spots.mean(axis=0), np.ptp(spots[:, 0])
+        # A free line about the right half, with Ctrl and Alt; then the box about it is dragged to the right.
+        screen.do("keydown", "ctrl", "keydown", "alt")
+        around = middle + reach * np.array([(0.0, -0.8), (0.8, -0.8), (0.8, 0.8), (0.0, 0.8), (0.0, 0.75)])
+        screen.drag(*around)
+        screen.do("keyup", "alt", "keyup", "ctrl")
+        screen.key("t")
+        inside = middle + reach * np.array((0.3, 0.1))
+        screen.drag(inside, inside + np.array((20.0, 0.0)), inside + np.array((40.0, 0.0)))
+        screen.key("Return", "ctrl+s")
+        until(lambda: file.load(project_path).shapes != (drawn,), "the transformed shape", program)
+        screen.key("ctrl+q")
+        assert program.wait(PATIENCE) == 0
+    finally:
+        program.kill()
+    (moved,) = file.load(project_path).shapes
+    shift = moved.at(FIRST).anchors - drawn.at(FIRST).anchors
+    right = drawn.at(FIRST).anchors[:, 0] > drawn.at(FIRST).anchors[:, 0].mean() + 1.0
+    assert (shift[right, 0] > 3.0).all()
+    assert not shift[~right].any()
+    assert not shift[:, 1].any()
 
 
 def work(screen: Screen, program: subprocess.Popen[bytes], project_path: Path) -> None:
