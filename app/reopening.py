@@ -74,8 +74,9 @@ class Reopening(QObject):
         """Draw the picture of what was opened or saved, once, when both it and a frame are there."""
         if self._picture is not None:
             frame, pixels = self._picture
+            project, others = self._window.document.project, self._personal.recent
             for path in self._undrawn:
-                self._thumbnails.keep(Recent(path, time.time()), pixels, self._window.document.project, frame)
+                self._thumbnails.keep(Recent(path, time.time()), pixels, project, frame, others)
             self._undrawn = []
 
     def _fill_menu(self) -> None:

@@ -45,15 +45,23 @@ class Thumbnails(QObject):
         super().__init__(parent)
         self._cache, self._runner = cache, runner
 
-    def keep(self, recent: Recent, pixels: NDArray[Any], project: Project, frame: int) -> None:
-        """Draw a picture of a project: its plate `(h, w, 3)` uint8 on a frame, and the outlines on it."""
+    def keep(
+        self, recent: Recent, pixels: NDArray[Any], project: Project, frame: int, others: tuple[Recent, ...] = ()
+    ) -> None:
+        """Draw a picture of a project: its plate `(h, w, 3)` uint8 on a frame, and the outlines on it.
+
+        Only the pictures of `others` stay beside it.
+        """
         if self._cache is None:
             return
         target = recent.picture_in(self._cache)
+        kept = {target, *(other.picture_in(self._cache) for other in others)}
 
         def work(report: Report) -> str:
             target.parent.mkdir(parents=True, exist_ok=True)
             drawn(pixels, project, frame).save(str(target))
+            for old in set(target.parent.glob("*.png")) - kept:
+                old.unlink(missing_ok=True)
             return ""
 
         self._runner.start(f"thumbnail of {recent.path}", work)

@@ -106,6 +106,17 @@ def test_what_was_opened_and_saved_comes_first_with_its_picture(
     assert (seen.redF(), seen.greenF(), seen.blueF()) == pytest.approx(shape.colour, abs=0.02)
 
 
+def test_pictures_of_what_is_forgotten_go(qtbot: QtBot, window: MainWindow, tmp_path: Path) -> None:
+    first, second = write_clip(tmp_path / "first", 2), write_clip(tmp_path / "second", 2)
+    opened(qtbot, window, first)
+    picture = window.personal.recent[0].picture_in(tmp_path / "cache")
+    qtbot.waitUntil(picture.exists, timeout=WAIT)
+    window.personal.forget_recent(first)
+    opened(qtbot, window, second)
+    qtbot.waitUntil(lambda: not picture.exists(), timeout=WAIT)
+    assert window.personal.recent[0].picture_in(tmp_path / "cache").exists()
+
+
 def test_a_click_opens_it_again_and_what_is_gone_is_dim(qtbot: QtBot, window: MainWindow, tmp_path: Path) -> None:
     clip = write_clip(tmp_path / "plate", 2)
     window.personal.note_recent(tmp_path / "gone.roam")
