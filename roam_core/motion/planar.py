@@ -41,7 +41,7 @@ AGREE, AGREE_CLOSELY = 2.0, 1.0
 from the reference."""
 ENOUGH = 3
 """Times as many corners must agree as fix the motion."""
-LEAST_AGREEMENT = 0.35
+LEAST_AGREEMENT = 0.7
 """Share of the corners that must agree with the motion from the reference for it to be believed."""
 FAR = 3.0
 """Sizes of the picture beyond which no outline is carried: a homography can throw points over the horizon."""
