@@ -46,8 +46,10 @@ def along(axes: ArrayLike, linear: ArrayLike) -> Array:
 
 def shifted(matrix: Array, shift: ArrayLike) -> Array:
     """The same map about a place that lies `shift (2,)` further on: what is there goes the way that it went here."""
-    linear, by = matrix[:, :2], np.asarray(shift, dtype=np.float64)
-    return np.column_stack([linear, matrix[:, 2] + by - linear @ by])
+    by = np.asarray(shift, dtype=np.float64)
+    result = matrix.copy()
+    result[:, 2] += by - matrix[:, :2] @ by
+    return result
 
 
 def chained(first: Array, then: Array) -> Array:
@@ -57,4 +59,6 @@ def chained(first: Array, then: Array) -> Array:
 
 def apply(matrix: Array, positions: ArrayLike) -> Array:
     """`positions (..., 2)` carried by `matrix (2, 3)`."""
-    return np.asarray(np.asarray(positions, dtype=np.float64) @ matrix[:, :2].T + matrix[:, 2])
+    places = np.asarray(positions, dtype=np.float64)
+    # As one long list: numpy multiplies a stack of small matrices many times slower.
+    return np.asarray((places.reshape(-1, 2) @ matrix[:, :2].T + matrix[:, 2]).reshape(places.shape))

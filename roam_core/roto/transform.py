@@ -43,7 +43,8 @@ def transform_like(start: Outline, weights: Array, matrix: Array) -> Change:
 
 def centre(outline: Outline, weights: Array) -> Array:
     """The weighted middle `(2,)` of the anchors; of all alike where no weight is above 0."""
-    return np.asarray(np.average(outline.anchors, axis=0, weights=weights if weights.any() else None))
+    total = float(weights.sum())
+    return np.asarray(weights @ outline.anchors / total if total > 0.0 else outline.anchors.mean(axis=0))
 
 
 def falloff(anchors: Array, chosen: Iterable[int], radius: float) -> Array:
@@ -64,6 +65,8 @@ def bell(distance: Array) -> Array:
 
 
 def _weighted(before: Array, after: Array, weights: Array) -> Array:
+    if weights.all() and weights.min() == 1.0:
+        return after
     w = weights[:, None, None]
     # The ends are exact: a point that follows wholly lands where the map says, one that does not is untouched.
     return np.where(w == 1.0, after, np.where(w == 0.0, before, before + w * (after - before)))
