@@ -35,6 +35,8 @@ class GroundLayer(QObject):
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._picture: tuple[str, Picture | None] = ("", None)
+        # One brush for good: another one, though it looks alike, would be another ground to paint.
+        self._checkers = checkerboard()
         self._thread: threading.Thread | None = None
         self._wanted = ""
         self._read.connect(self._take)
@@ -44,13 +46,13 @@ class GroundLayer(QObject):
         if ground.kind is GroundKind.COLOUR:
             return QBrush(QColor(ground.colour))
         if ground.kind is GroundKind.CHECKER:
-            return checkerboard()
+            return self._checkers
         if ground.image != self._wanted:
             self._wanted = ground.image
             if self._thread is None:
                 self._start()
         path, picture = self._picture
-        return picture if picture is not None and path == ground.image else checkerboard()
+        return picture if picture is not None and path == ground.image else self._checkers
 
     def close(self) -> None:
         """Wait for the picture that is being read."""

@@ -12,6 +12,7 @@ from PySide6.QtCore import QSizeF
 from PySide6.QtGui import QColor, QImage
 from pytestqt.qtbot import QtBot
 
+from app.canvas.backdrop import Backdrop
 from app.canvas.ground import CHECKERS
 from app.canvas.onion_item import ghosts
 from app.canvas.view import CanvasView
@@ -66,6 +67,23 @@ def test_the_cut_out_shows_the_plate_inside_and_the_ground_outside(
     canvas.viewing.set_ground(kind=GroundKind.COLOUR, colour="#104020")
     assert colour_at(canvas, 10.0, 130.0) == QColor("#104020")
     assert colour_at(canvas, 80.0, 70.0) == GREY
+
+
+def test_what_lies_below_is_painted_once_in_every_view(
+    canvas: CanvasView, hand: Hand, shape_id: str, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    rendered: list[object] = []
+    whole = Backdrop._render
+    monkeypatch.setattr(Backdrop, "_render", lambda self, *given: (rendered.append(given), whole(self, *given)))
+    reach(canvas, "4", hand, qtbot)
+    for key in ("2", "3", "4", "5"):
+        hand.key(key)
+        looks(canvas)
+        qtbot.waitUntil(lambda: canvas.stage.matte._running is None, timeout=WAIT)
+        looks(canvas)
+        count = len(rendered)
+        looks(canvas)
+        assert len(rendered) == count, key
 
 
 def test_the_cut_out_lies_on_a_picture(
