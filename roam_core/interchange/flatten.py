@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 
+from roam_core.interchange.stilled import stilled
 from roam_core.roto import BlendMode, Interpolation, Keyframe, Layer, Project, RotoShape
-from roam_core.roto.baking import without_transforms
 
 SCALED_BY_OPACITY = {BlendMode.ADD, BlendMode.DIFFERENCE, BlendMode.MAX}
 """Scaling these shapes scales what their layer adds alike; the others act on what is scaled already."""
@@ -55,7 +55,7 @@ class Flattening:
 
 def flattened(project: Project, program: str) -> Flattening:
     """The project's shapes as one list, for a program of that name."""
-    project = without_transforms(project)
+    project = stilled(project)
     flat = Flattening(program)
     flat.add(project.root)
     return flat

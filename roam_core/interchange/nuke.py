@@ -35,8 +35,8 @@ from roam_core.interchange.nuke_text import (
 )
 from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter
 from roam_core.interchange.reduction import Motion
+from roam_core.interchange.stilled import stilled
 from roam_core.roto import Layer, Project, RotoShape
-from roam_core.roto.baking import without_transforms
 from roam_core.roto.file import write_atomically
 
 Array = NDArray[np.float64]
@@ -64,7 +64,7 @@ def roto_script(project: Project, options: ExportOptions = STANDARD) -> str:
 
 def roto_document(project: Project, options: ExportOptions = STANDARD) -> tuple[str, tuple[str, ...]]:
     """As `roto_script`, and a sentence for each shape whose keys were reduced."""
-    project = without_transforms(project)
+    project = stilled(project)
     clip = project.require_clip()
     width, height = clip.size
     first, last = (frame + options.frame_offset for frame in (clip.first, clip.last))

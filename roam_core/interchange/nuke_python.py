@@ -21,8 +21,8 @@ from roam_core.interchange.nuke_keys import (
 )
 from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter
 from roam_core.interchange.reduction import Motion
+from roam_core.interchange.stilled import stilled
 from roam_core.roto import Layer, Project, RotoShape
-from roam_core.roto.baking import without_transforms
 from roam_core.roto.file import write_atomically
 
 SCRIPT = '''# Shapes from ROAM for Nuke's script editor: makes one Roto node.
@@ -135,7 +135,7 @@ class NukePythonExporter:
 
 def python_document(project: Project, options: ExportOptions = STANDARD) -> tuple[str, tuple[str, ...]]:
     """The text of a script that makes all shapes of `project`, and a sentence for each shape that was reduced."""
-    project = without_transforms(project)
+    project = stilled(project)
     writer = _Writer(project.require_clip(), options, len(project.shapes))
     document = json.dumps(writer.layer(project.root), ensure_ascii=True, allow_nan=False)
     pieces = (document[start : start + 100] for start in range(0, len(document), 100))

@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 from roam_core.errors import RoamError
 from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter
 from roam_core.interchange.reading import PLAIN, Imported, ImportOptions, ShapeReader, brief, sensible
+from roam_core.interchange.stilled import stilled
 from roam_core.roto import (
     BlendMode,
     Clip,
@@ -31,7 +32,6 @@ from roam_core.roto import (
     Spline,
     grips,
 )
-from roam_core.roto.baking import without_transforms
 from roam_core.roto.file import write_atomically
 
 Array = NDArray[np.float64]
@@ -62,7 +62,7 @@ class JsonFormat:
 
 def json_document(project: Project, options: ExportOptions = STANDARD) -> tuple[str, tuple[str, ...]]:
     """The text with all shapes of `project`, and a sentence for each thing that it cannot hold."""
-    project = without_transforms(project)
+    project = stilled(project)
     clip, root = project.require_clip(), project.root
     writer = _Writer(clip, options, len(project.shapes))
     is_plain = root.visible and not root.locked and not root.invert and root.opacity == 1.0

@@ -16,6 +16,7 @@ from roam_core.errors import RoamError
 from roam_core.interchange.matte_style import MatteStyle
 from roam_core.interchange.reduction import Motion, Slopes, reduced
 from roam_core.interchange.smoothing import smoothed
+from roam_core.interchange.stilled import BY_LAYER
 from roam_core.roto import Clip, Interpolation, Keyframe, Layer, Origin, Project, RotoShape, Spline
 
 FARTHEST = 1e7
@@ -186,7 +187,8 @@ def chosen_keys(shape: RotoShape, options: ExportOptions, notes: list[str]) -> R
     away: no program could open it.
     """
     if options.keys is KeyChoice.ARTIST and shape.artist_frames:
-        shape = replace(shape, keys=tuple(key for key in shape.keys if key.origin is Origin.ARTIST))
+        kept = (key for key in shape.keys if key.origin is Origin.ARTIST or key.inputs == BY_LAYER)
+        shape = replace(shape, keys=tuple(kept))
     for key in shape.keys:
         for array in (key.points, key.feather):
             if array is not None and not (np.abs(array) < FARTHEST).all():  # written so that NaN fails too

@@ -17,9 +17,9 @@ from numpy.typing import NDArray
 from roam_core.geometry import bspline
 from roam_core.geometry.bezier import ANCHOR, IN, OUT
 from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter, without_smooth_keys
+from roam_core.interchange.stilled import stilled
 from roam_core.interchange.xml import xml_text
 from roam_core.roto import BlendMode, Clip, Interpolation, Keyframe, Layer, Project, RotoShape, Spline
-from roam_core.roto.baking import without_transforms
 from roam_core.roto.file import write_atomically
 
 Array = NDArray[np.float64]
@@ -57,7 +57,7 @@ def silhouette_document(project: Project, options: ExportOptions = STANDARD) -> 
     The key of frame f is numbered f minus the clip's first frame plus the options' offset; the session's own range
     stays the plate's.
     """
-    project = without_transforms(project)
+    project = stilled(project)
     clip = project.require_clip()
     session = ET.Element(
         "Silhouette",

@@ -17,11 +17,11 @@ from roam_core.geometry.bezier import ANCHOR, IN, OUT
 from roam_core.interchange.naming import file_words, is_numbered, numbering
 from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter, with_chosen_keys
 from roam_core.interchange.reading import PLAIN, Imported, ImportOptions, quietly
+from roam_core.interchange.stilled import stilled
 from roam_core.interchange.svg_reading import SvgReader
 from roam_core.interchange.svg_words import INKSCAPE, LABEL, SVG
 from roam_core.interchange.xml import xml_text
 from roam_core.roto import BlendMode, Clip, Layer, Outline, Project, RotoShape, Spline
-from roam_core.roto.baking import without_transforms
 from roam_core.roto.file import write_atomically
 
 FILL_OPACITY = 0.35
@@ -40,7 +40,7 @@ class SvgFormat:
 
         Where the name of `path` says where a frame's number goes (`####` or `%04d`), one picture for every frame.
         """
-        clip, project = project.require_clip(), without_transforms(project)
+        clip, project = project.require_clip(), stilled(project)
         frames, frame = options.frames_of(clip), options.frame_of(clip)
         options = replace(options, frames=None)  # a picture shows one moment: there is no motion to be cut
         if not is_numbered(path.name):
@@ -67,7 +67,7 @@ class SvgFormat:
 
 def svg_document(project: Project, frame: int, options: ExportOptions = STANDARD) -> tuple[str, tuple[str, ...]]:
     """The picture of all shapes of `project` on one frame, and a sentence for each thing that it cannot hold."""
-    project = without_transforms(project)
+    project = stilled(project)
     clip = project.require_clip()
     width, height = (str(length) for length in clip.size)
     ET.register_namespace("", SVG)

@@ -7,12 +7,16 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from roam_core.geometry import bezier
 from roam_core.interchange.matte_style import Parts
 from roam_core.interchange.mattes import parts_of
+from roam_core.interchange.protocol import ExportOptions, KeyChoice, exported_keys
+from roam_core.interchange.reduction import reduced
 from roam_core.interchange.registry import EXPORTERS
+from roam_core.interchange.stilled import BY_LAYER, stilled
 from roam_core.matte import render_matte
-from roam_core.roto import Layer, LayerTransform, Project, edit
-from roam_core.roto.baking import without_transforms
+from roam_core.roto import Keyframe, Layer, LayerTransform, Project, RotoShape, edit
+from tests.unit.interchange.conftest import CLIP
 
 TILT = np.array([[1.05, 0.02, 30.0], [-0.03, 0.98, -12.0], [1e-5, 2e-5, 1.0]])
 
@@ -22,7 +26,7 @@ def test_a_format_holds_the_motion(name: str, project: Project, tmp_path: Path) 
     moving = edit.set_properties(project, "layer-1", transform=LayerTransform.of({1001: np.eye(3), 1030: TILT}))
     exporter = EXPORTERS[name]
     texts = {}
-    for word, each in (("moving", moving), ("baked", without_transforms(moving)), ("still", project)):
+    for word, each in (("moving", moving), ("baked", stilled(moving)), ("still", project)):
         path = tmp_path / word / f"shapes{exporter.suffix}"
         path.parent.mkdir()
         exporter.export(each, path)
@@ -45,3 +49,19 @@ def test_mattes_of_layers_hold_the_motion_of_those_above() -> None:
             matte = render_matte(content, 1, (16, 32))
             assert matte[8, 18] == 1.0
             assert matte[8, 8] == 0.0
+
+
+def test_keys_that_only_a_layer_asks_for_are_left_out_or_kept_as_the_motion_wants() -> None:
+    """Straight motion of a layer needs two keys when reduced; the artist's keys alone would lose it."""
+    corners = np.array([[100.0, 100.0], [300.0, 100.0], [300.0, 300.0]])
+    shape = RotoShape("shape-1", "S", (Keyframe(1001, bezier.polygon_points(corners)),))
+    push = np.array([[1.0, 0.0, 90.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]])
+    layer = Layer("layer-1", "L", (shape,), transform=LayerTransform.of({1001: np.eye(3), 1031: push}))
+    still = stilled(Project(CLIP, Layer("root", "Root", (layer,))))
+    assert stilled(still) is still
+    (carried,) = still.shapes
+    assert carried.artist_frames == (1001,)
+    assert {key.inputs for key in carried.keys[1:]} == {BY_LAYER}
+    frames = {choice: exported_keys(carried, ExportOptions(keys=choice), []).frames for choice in KeyChoice}
+    assert frames[KeyChoice.ARTIST] == frames[KeyChoice.EVERY] == tuple(range(1001, 1032))
+    assert reduced(carried, 0.5).shape.frames == (1001, 1031)
