@@ -1,37 +1,60 @@
-"""A shot at a glance: some of its frames with the matte's outline drawn on them, in one picture, for the eye alone."""
+"""A shot at a glance: every tenth frame with outlines drawn on it, in one picture, for the eye alone."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 
 import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-COLUMNS, ROWS, WIDTH = 4, 3, 427
-"""Frames across and down, and the width of each in pixels."""
+Picture = NDArray[np.uint8]
+Drawn = tuple[Sequence[NDArray[np.int32]], tuple[int, int, int]]
+"""Closed polylines `(K, 2)` in whole pixels, and their colour."""
+
+EVERY, COLUMNS, WIDTH = 10, 4, 427
+"""Frames from tile to tile, tiles across, and the width of each in pixels."""
+ORANGE, GREEN = (0, 160, 255), (80, 220, 80)
+"""Blue, green, red: what was tracked, what is true."""
 
 
 def contact_sheet(pictures: Path, mattes: Path, path: Path) -> None:
-    """Write to `path` a sheet of frames, spread evenly over the shot, each with the outline of its matte.
+    """Write to `path` a sheet of every tenth frame and the last one, each with the outline of its matte.
 
     `mattes` holds `NAME.png` for the picture `NAME.*`; the first frame has none.
     """
     files = sorted(pictures.iterdir())[1:]
-    chosen = np.unique(np.linspace(0, len(files) - 1, COLUMNS * ROWS).round().astype(int))
-    tiles = [_tile(files[k], mattes / f"{files[k].stem}.png") for k in chosen]
-    tiles += [np.zeros_like(tiles[0])] * (-len(tiles) % COLUMNS)
-    rows = [np.hstack(tiles[k : k + COLUMNS]) for k in range(0, len(tiles), COLUMNS)]
+    write_sheet([_of_files(file, mattes / f"{file.stem}.png") for file in tenths(files)], path)
+
+
+def tenths(frames: Sequence[Path] | Sequence[int]) -> list[Path] | list[int]:
+    """Every tenth of the frames behind the first one, and the last."""
+    chosen = list(frames[EVERY - 1 :: EVERY])
+    return chosen if chosen and chosen[-1] == frames[-1] else [*chosen, frames[-1]]
+
+
+def write_sheet(tiles: Sequence[Picture], path: Path) -> None:
+    """Tiles of one size side by side, row by row."""
+    filled = [*tiles, *[np.zeros_like(tiles[0])] * (-len(tiles) % COLUMNS)]
+    rows = [np.hstack(filled[k : k + COLUMNS]) for k in range(0, len(filled), COLUMNS)]
     cv2.imwrite(str(path), np.vstack(rows), [cv2.IMWRITE_JPEG_QUALITY, 88])
 
 
-def _tile(picture: Path, matte: Path) -> NDArray[np.uint8]:
+def tile(image: Picture, label: str, outlines: Sequence[Drawn]) -> Picture:
+    """A picture (h, w, 3) in OpenCV's order of channels, smaller, with closed polylines in their colours."""
+    drawn = np.ascontiguousarray(image)
+    for lines, colour in outlines:
+        cv2.polylines(drawn, list(lines), True, colour, 2, cv2.LINE_AA)
+    small = cv2.resize(drawn, (WIDTH, round(drawn.shape[0] * WIDTH / drawn.shape[1])), interpolation=cv2.INTER_AREA)
+    cv2.putText(small, label, (8, 18), cv2.FONT_HERSHEY_SIMPLEX, 0.5, (255, 255, 255), 1, cv2.LINE_AA)
+    return np.asarray(small, dtype=np.uint8)
+
+
+def _of_files(picture: Path, matte: Path) -> Picture:
     image, mask = cv2.imread(str(picture)), cv2.imread(str(matte), cv2.IMREAD_GRAYSCALE)
     assert image is not None
     assert mask is not None
-    outline, _ = cv2.findContours((mask > 127).astype(np.uint8), cv2.RETR_CCOMP, cv2.CHAIN_APPROX_NONE)
-    cv2.drawContours(image, outline, -1, (0, 160, 255), 2)
-    height = round(image.shape[0] * WIDTH / image.shape[1])
-    tile = cv2.resize(image, (WIDTH, height), interpolation=cv2.INTER_AREA)
-    cv2.putText(tile, picture.stem, (8, 18), cv2.FONT_HERSHEY_SIMPLEX, 0.5, (255, 255, 255), 1, cv2.LINE_AA)
-    return np.asarray(tile, dtype=np.uint8)
+    rings, _ = cv2.findContours((mask > 127).astype(np.uint8), cv2.RETR_CCOMP, cv2.CHAIN_APPROX_NONE)
+    whole = [np.asarray(ring, dtype=np.int32) for ring in rings]
+    return tile(np.asarray(image, dtype=np.uint8), picture.stem, [(whole, ORANGE)])

@@ -11,10 +11,12 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
+import cv2
 import numpy as np
 from numpy.typing import NDArray
 
 from benchmarks import demo_shot, processes, report, shots, variants
+from benchmarks.contact_sheet import GREEN, ORANGE, Picture, tenths, tile, write_sheet
 from benchmarks.shots import first_shapes
 from resources import demo
 from roam_core import track
@@ -28,6 +30,8 @@ AIM_FRAME, AIM_SHOT = 2.0, 6.0
 """Pixels asked for: the mean drift a frame, and the mean offset of the points on the worst frame of the shot."""
 DENSITY = 0.25
 """Pixels between the places of the true outline that points are projected onto."""
+PICTURE = report.ROOT / "docs" / "images" / "demo-tracked.jpg"
+"""Every tenth frame of the demo: the true outline green, the tracked one and its points orange."""
 EDGES = 0.1
 """Pixels by which the polyline that is searched for crossings may stray from the spline."""
 
@@ -69,7 +73,13 @@ def run(given: argparse.Namespace) -> None:
     shot = demo_shot.load(count=min(given.frames + 1, demo_shot.LONGEST))
     rows, result = [], dict[str, Any]()
     for config in configs:
-        drift = tracked(shot, demo_shot.true_shape(shot.first), demo.true_points, config)
+        drift, carried = tracked(shot, demo_shot.true_shape(shot.first), demo.true_points, config)
+        pictures = [report.OUT / f"demo-{config}.jpg"]
+        if given.publish and config == DEFAULT_CONFIG:
+            pictures.append(PICTURE)
+        for path in pictures:
+            path.parent.mkdir(parents=True, exist_ok=True)
+            write_sheet([_drawn(shot, carried, frame) for frame in tenths(shot.frames[1:])], path)
         found = processes.each(crossings, [(name, config) for name in chosen])
         crossed, outlines = (sum(each[k] for each in found) for k in (0, 1))
         cells = [f"{value:.2f}" for value in (drift.a_frame, drift.over_the_shot, drift.worst_point)]
@@ -85,12 +95,23 @@ def run(given: argparse.Namespace) -> None:
     report.write("drift" if whole else "drift some", text, result, publish=given.publish and whole)
 
 
-def tracked(shot: shots.Shot, given: RotoShape, truth: Callable[[int], Array], config: str) -> Drift:
-    """Track a shape whose first key is its true outline, and compare its points with the true ones of every frame."""
-    rows = []
+def tracked(shot: shots.Shot, given: RotoShape, truth: Callable[[int], Array], config: str) -> tuple[Drift, RotoShape]:
+    """Track a shape whose first key is its true outline; compare its points with the true ones of every frame."""
+    rows, shape = [], given
     for result in track(shot.read, [given], shot.frames, config):
-        rows.append(offsets(result.results[0].shape.at(result.frame).points, truth(result.frame)))
-    return Drift(np.array(rows))
+        shape = result.results[0].shape
+        rows.append(offsets(shape.at(result.frame).points, truth(result.frame)))
+    return Drift(np.array(rows)), shape
+
+
+def _drawn(shot: shots.Shot, shape: RotoShape, frame: int) -> Picture:
+    """A frame of the demo with the true outline, the tracked one over it, and its points."""
+    outline = shape.at(frame)
+    lines = [np.round(line).astype(np.int32) for line in (bezier.flatten(demo.true_points(frame)), outline.flatten())]
+    picture = shot.read(frame)[..., ::-1].copy()
+    for x, y in outline.anchors:
+        cv2.circle(picture, (round(x), round(y)), 5, ORANGE, -1, cv2.LINE_AA)
+    return tile(picture, str(frame), [([lines[0]], GREEN), ([lines[1]], ORANGE)])
 
 
 def offsets(found: Array, true: Array) -> Array:

@@ -42,8 +42,8 @@ def test_a_steady_slide_is_told_from_an_offset() -> None:
 
 def test_what_is_tracked_is_measured_against_the_truth(gliding: Shot) -> None:
     true = drawn.gliding(drawn.blob([30.0, 24.0, 20.0, 26.0, 32.0, 22.0]), 8, (55.0, 50.0), (3.3, 1.7))
-    found = drift.tracked(gliding, true.shape(), true.truth, "best")
+    found, _ = drift.tracked(gliding, true.shape(), true.truth, "best")
     assert found.offsets.shape == (7, 6)
     assert 0.0 < found.a_frame < 1.0
-    aside = drift.tracked(gliding, true.shape(), lambda frame: true.truth(frame) + np.array([0.0, 8.0]), "best")
+    aside, _ = drift.tracked(gliding, true.shape(), lambda frame: true.truth(frame) + np.array([0.0, 8.0]), "best")
     assert aside.over_the_shot > 3.0
