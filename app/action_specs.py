@@ -118,7 +118,7 @@ SPECS: tuple[ActionSpec, ...] = (
     ActionSpec("track.stop", "Stop", icon="track-stop", tip="Stop; the frames that are finished stay"),
     ActionSpec("track.forward_one", "Track one frame forward", icon="track-forward-one"),
     ActionSpec("track.forward", "Track forward", icon="track-forward"),
-    ActionSpec("track.to_next_key", "Track to the next key"),
+    ActionSpec("track.to_next_key", "Track to the next key", icon="track-to-key"),
     ActionSpec(
         "track.fill", "Fill between keys", icon="track-fill", tip="Track the frames between two keys from both at once"
     ),

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 from PySide6.QtCore import QObject, QTimer, Signal
@@ -100,7 +100,12 @@ class Propagation(QObject):
             self._document.apply("Track", project)
             return
         ids, rest = [*run.expected, *more], range(frame, run.frames.stop, run.frames.step)
-        self._document.apply(run.verb, project, merge_key=run.merge_key)
+        now = self._document.project
+
+        def joined(state: Project) -> Project:
+            return project if state is now else _with_curves_of(state, project, ids)
+
+        self._document.amend(run.verb, joined, run.merge_key)
         if len(rest) < 2:
             run.expected = {shape_id: self._document.project.shape(shape_id) for shape_id in ids}
             self._run = run
@@ -278,6 +283,16 @@ def _with_engine_keys(project: Project, made: Mapping[str, Sequence[Keyframe]]) 
     for shape_id, keys in made.items():
         if project.has(shape_id):
             project = project.with_shape(edit.set_engine_keys(project.shape(shape_id), keys))
+    return project
+
+
+def _with_curves_of(project: Project, other: Project, ids: Sequence[str]) -> Project:
+    """The project with the keys that its shapes have in another one, and with those of the shapes that it lacks."""
+    for shape in (other.shape(shape_id) for shape_id in ids):
+        if project.has(shape.id):
+            project = project.with_shape(replace(project.shape(shape.id), keys=shape.keys))
+        else:
+            project = edit.add_shape(project, shape)
     return project
 
 

@@ -14,7 +14,15 @@ from app.tracking import Scope, Tracking
 from app.view_state import ViewState, shapes_in_hand
 from roam_core.params import CONFIGS, DOUBTFUL
 
-BUTTONS = ("track.backward", "track.backward_one", "track.stop", "track.forward_one", "track.forward", "track.fill")
+BUTTONS = (
+    "track.backward",
+    "track.backward_one",
+    "track.stop",
+    "track.forward_one",
+    "track.forward",
+    "track.to_next_key",
+    "track.fill",
+)
 
 WORDS = {
     "best": "Follows the whole object by colour and motion: the surest on most shots, and the quickest.",
@@ -127,6 +135,6 @@ def _button_row(actions: Actions) -> QHBoxLayout:
     row.setSpacing(4)
     for action_id in BUTTONS:
         button = tool_button(actions, action_id, name="raised")
-        button.setMinimumWidth(30)
+        button.setMinimumWidth(28)
         row.addWidget(button, 1)
     return row

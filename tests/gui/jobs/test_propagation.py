@@ -210,6 +210,31 @@ def test_a_run_stays_one_step_and_edits_made_meanwhile_are_steps_of_their_own(
     assert shape(document).colour == (1.0, 0.0, 0.0)
 
 
+def test_a_change_taken_into_the_run_joins_its_step_below_what_the_artist_did(
+    qtbot: QtBot, propagation: Propagation, document: Document, engine: Engine
+) -> None:
+    before, stack = document.project, document.undo_stack
+    engine.allow(1)
+    propagation.start(["shape-1"], range(1, 6))
+    qtbot.waitUntil(solved(document, [2]), timeout=WAIT)
+    document.apply("Colour", edit.set_properties(document.project, "shape-1", colour=(1.0, 0.0, 0.0)))
+    split = document.project.with_shape(edit.set_key(shape(document), 2, SQUARE * 2))
+    split, part = edit.new_shape(split, SQUARE, 2)
+    propagation.go_on_from(split, 2, [part.id])
+    assert document.project is split
+    engine.allow(4)  # the run before may still take one, and is not listened to
+    with qtbot.waitSignal(propagation.finished, timeout=WAIT):
+        pass
+    assert [stack.text(index) for index in range(stack.count())] == ["Track", "Colour"]
+    assert document.project.shape(part.id).frames == (2, 3, 4, 5)
+    stack.undo()
+    assert shape(document).colour == before.shape("shape-1").colour
+    assert (shape(document).artist_frames, shape(document).frames) == ((1, 2), (1, 2, 3, 4, 5))
+    assert document.project.shape(part.id).frames == (2, 3, 4, 5)
+    stack.undo()
+    assert document.project is before
+
+
 def test_the_playhead_stays_where_the_artist_scrubbed_to(
     qtbot: QtBot, propagation: Propagation, document: Document, view_state: ViewState, engine: Engine
 ) -> None:
