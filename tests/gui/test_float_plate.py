@@ -1,0 +1,39 @@
+"""A scene-linear plate in the whole window: its own values in the status bar, light above white by less exposure."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import OpenImageIO as oiio  # noqa: N813
+from PySide6.QtGui import QColor
+from pytestqt.qtbot import QtBot
+
+from app.panels.readout import Readout
+from tests.gui.windows import opened_window
+
+SIZE, LIGHT = (64, 48), (3.0, 0.5, 0.25)
+
+
+def write_light(folder: Path) -> Path:
+    """Three frames of one colour, half floats, brighter than white in red."""
+    folder.mkdir()
+    pixels = np.full((SIZE[1], SIZE[0], 3), LIGHT, dtype=np.float32)
+    for frame in range(1001, 1004):
+        target = oiio.ImageOutput.create(str(folder / f"light.{frame}.exr"))
+        target.open(str(folder / f"light.{frame}.exr"), oiio.ImageSpec(*SIZE, 3, "half"))
+        target.write_image(pixels)
+        target.close()
+    return folder
+
+
+def test_what_lies_above_white_is_told_and_brought_back(qtbot: QtBot, tmp_path: Path) -> None:
+    with opened_window(qtbot, write_light(tmp_path / "light"), tmp_path / "autosave") as window:
+        canvas, readout = window.canvas, window.findChild(Readout)
+        spot = canvas.image_to_widget(20.5, 30.5).toPoint()
+        qtbot.mouseMove(canvas, spot)
+        assert readout.text().split()[4:] == ["R", "3.000", "G", "0.500", "B", "0.250"]
+        assert canvas.grab().toImage().pixelColor(spot) == QColor(255, 188, 137)
+        canvas.viewing.set_look(exposure=-2.0)
+        assert canvas.grab().toImage().pixelColor(spot) == QColor(225, 99, 71)
+        assert readout.text().split()[4:] == ["R", "3.000", "G", "0.500", "B", "0.250"]
