@@ -9,7 +9,10 @@ from benchmarks.methods.method import Array, MovingPoints
 from benchmarks.shots import Shot
 from roam_core.geometry import projective
 from roam_core.geometry.plane_motion import PlaneMotion, ransac
-from roam_core.motion.planar import AGREE, ENOUGH, FAR, corners_in, followed, inside
+from roam_core.motion.planar import ENOUGH, FAR, corners_in, followed, inside
+
+AGREE = 2.0
+"""Pixels by which a corner may disagree: generous, for most of the objects are no planes."""
 
 
 class Planar(MovingPoints):

@@ -36,9 +36,9 @@ WINDOW, WINDOW_CLOSELY = 21, 11
 small one takes in less of what lies beside the plane."""
 RETURN = 0.5
 """Pixels of the reduced picture by which a corner that is followed there and back again may miss its place."""
-AGREE, AGREE_CLOSELY = 2.0, 1.0
+AGREE, AGREE_CLOSELY = 1.0, 0.6
 """Pixels of the reduced picture by which a corner may disagree with the motion from the last picture, and with the one
-from the reference."""
+from the reference. Two surfaces that go apart by twice as much are told apart; grain moves a corner by far less."""
 ENOUGH = 3
 """Times as many corners must agree as fix the motion."""
 LEAST_AGREEMENT = 0.7
