@@ -59,6 +59,7 @@ class DialForm(QWidget):
             self._form.setRowVisible(field, name in offered)
         is_turned = self._tracking.configuration != self._tracking.config
         self.reset.setEnabled(is_turned)
+        self.reset.setVisible(is_turned or self.is_unfolded)
         self.arrow.setText("Fine tuning, changed" if is_turned else "Fine tuning")
         self.arrow.setIcon(style.icon("chevron-down" if self.is_unfolded else "chevron-right"))
 
