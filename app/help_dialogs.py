@@ -103,6 +103,7 @@ class AboutDialog(QDialog):
         for library in libraries():
             item = QTreeWidgetItem(self.libraries, [library.name, f"  {library.version}  ", library.licence])
             item.setForeground(1, QColor(style.WEAK))
+            item.setToolTip(2, library.licence)
         column = QVBoxLayout(self)
         column.setSpacing(style.MARGIN)
         column.addWidget(name)
