@@ -2,17 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import numpy as np
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
 
 from roam_core.geometry import bspline
 from roam_core.geometry.bezier import ANCHOR, polygon_points
-from roam_core.roto import Keyframe, Origin, Project, RotoShape, Spline, edit, grips
-from tests.property.strategies import bspline_shapes, roto_shapes
+from roam_core.roto import Keyframe, Origin, Project, RotoShape, Spline, edit
 
 CONTROL = np.array([(0.0, 0.0), (60.0, 0.0), (70.0, 50.0), (40.0, 80.0), (0.0, 60.0)])
 
@@ -88,24 +83,3 @@ def test_opening_and_closing_keep_the_control_polygon(shape: RotoShape) -> None:
     assert turned.closed is not shape.closed
     np.testing.assert_allclose(turned.at(1).grips[:, ANCHOR], CONTROL, atol=1e-9)
     assert is_sound(turned)
-
-
-@given(bspline_shapes())
-def test_to_bezier_changes_no_outline(shape: RotoShape) -> None:
-    after = grips.with_spline(shape, Spline.BEZIER)
-    assert after == replace(shape, spline=Spline.BEZIER)
-
-
-@given(roto_shapes())
-def test_to_bspline_and_again_is_once(shape: RotoShape) -> None:
-    once = grips.with_spline(shape, Spline.BSPLINE)
-    assert is_sound(once)
-    again = grips.with_spline(once, Spline.BSPLINE)
-    for key, same in zip(once.keys, again.keys, strict=True):
-        np.testing.assert_allclose(same.points, key.points, atol=1e-6)
-
-
-@given(bspline_shapes(), st.floats(-100.0, 2100.0))
-def test_grips_give_back_the_outline_at_any_time(shape: RotoShape, frame: float) -> None:
-    outline = shape.at(frame)
-    np.testing.assert_allclose(grips.points_of(outline.grips, shape.spline, shape.closed), outline.points, atol=1e-6)
