@@ -66,6 +66,7 @@ class Backdrop:
         if not image:
             return
         painter = QPainter(self._pixmap)
+        painter.setClipRect(QRectF(QPointF(), QSizeF(widget)))  # a painter's window counts the pixels of dense screens
         if below.ground is not None:
             paint_ground(painter, below.ground, viewport, image, ratio)
         if isinstance(below.picture, Picture):

@@ -56,14 +56,15 @@ class Picture:
     def paint(
         self, painter: QPainter, viewport: Viewport, size: QSizeF, device_ratio: float, look: Look = NEUTRAL
     ) -> None:
-        """Paint into widget coordinates what lies inside the painter's window.
+        """Paint into widget coordinates what lies inside the painter's clip, or else its window.
 
         `size` is what the image covers in full-resolution pixels: a proxy has fewer pixels than that. `device_ratio`
         is the number of device pixels for a widget unit.
         """
         across = viewport.scale * viewport.pixel_aspect * size.width() / self.size.width()
         down = viewport.scale * size.height() / self.size.height()
-        window = QRectF(painter.window())
+        area = painter.clipBoundingRect() if painter.hasClipping() else QRectF(painter.window())
+        window = QRectF(0.0, 0.0, area.right(), area.bottom())
         if max(across, down) * device_ratio < NEAREST_ABOVE:
             self._paint_smooth(painter, (viewport.x, viewport.y), (across, down), window, device_ratio, look)
         else:

@@ -36,7 +36,7 @@ def paint_pixel_marks(painter: QPainter, viewport: Viewport, picture: Picture, s
     down = viewport.scale * size.height() / rows
     if min(across, down) < GRID_ABOVE:
         return
-    window = painter.window()
+    window = painter.clipBoundingRect() if painter.hasClipping() else QRectF(painter.window())
     left, right = in_sight(viewport.x, across, int(columns), window.width())
     top, bottom = in_sight(viewport.y, down, int(rows), window.height())
     box = QRectF(viewport.x, viewport.y, across, down)

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import cv2
 import numpy as np
 import pytest
 from numpy.typing import NDArray
 from PySide6.QtCore import QSizeF
 from PySide6.QtGui import QImage, QPainter
 
+from app.canvas.backdrop import Backdrop, Below
 from app.canvas.picture import Picture
 from app.canvas.viewport import Viewport
 from roam_core.media.colour import LINEAR, to_display
@@ -90,6 +92,28 @@ def test_a_picture_stays_in_its_place_at_every_zoom() -> None:
         rows, columns = np.nonzero(shown > 125)
         assert columns.mean() + 0.5 == pytest.approx(5.0 + 40.0 * scale, abs=0.75)
         assert rows.mean() + 0.5 == pytest.approx(9.0 + 32.0 * scale, abs=0.75)
+
+
+@pytest.mark.parametrize("ratio", [1.0, 1.5, 2.0])
+def test_no_more_is_resampled_than_the_screen_has_pixels(monkeypatch: pytest.MonkeyPatch, ratio: float) -> None:
+    sizes: list[tuple[int, int]] = []
+    warp = cv2.warpAffine
+
+    def counted(pixels: NDArray[np.uint8], matrix: NDArray[np.float64], size: tuple[int, int], **how: int) -> object:
+        sizes.append(size)
+        return warp(pixels, matrix, size, **how)
+
+    monkeypatch.setattr(cv2, "warpAffine", counted)
+    screen = QImage(round(100 * ratio), round(80 * ratio), QImage.Format.Format_RGB32)
+    screen.fill(0)
+    painter = QPainter(screen)
+    painter.setWindow(0, 0, 100, 80)
+    picture = Picture(noise(600, 800))
+    Backdrop().paint(painter, Below(picture), Viewport(0.6, -90.0, -70.0), picture.size, ratio)
+    painter.end()
+    ((across, down),) = sizes
+    assert 100 * ratio <= across <= 100 * ratio + 1
+    assert 80 * ratio <= down <= 80 * ratio + 1
 
 
 @pytest.mark.parametrize("scale", [0.5, 1.0, 4.0])
