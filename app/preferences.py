@@ -23,7 +23,7 @@ class Preferences:
     Parameters
     ----------
     cache_gigabytes : the most memory that decoded frames may take, in GB of 2**30 bytes.
-    threads : threads that the libraries for pictures may use; 0 leaves it to them.
+    threads : threads that the engine and the libraries for pictures may use; 0 leaves it to them.
     autosave_minutes : minutes between two snapshots of unsaved work.
     config : the engine's configuration at the start; empty for the one used last.
     scale : size of everything in the window, times what the desktop says; holds from the next start on.

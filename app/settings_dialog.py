@@ -84,7 +84,7 @@ class SettingsDialog(QDialog):
     def _lay_out(self) -> None:
         form = dense_form()
         _row(form, "Memory for frames", self.cache, "More keeps more of a clip ready to play")
-        _row(form, "Threads", self.threads, "For decoding and optical flow")
+        _row(form, "Threads", self.threads, "For decoding pictures and for the engine")
         _row(form, "Autosave every", self.minutes, "Snapshots of unsaved work, kept apart from your files")
         _row(form, "Mode at the start", self.config, "How the engine works")
         _row(form, "Keys", self.preset, None, self.change_keys)

@@ -8,7 +8,7 @@ from app.jobs.runner import Job, Report, Runner
 
 
 def use_threads(runner: Runner, count: int) -> Job:
-    """Let the libraries for pictures use so many threads; 0 leaves it to them."""
+    """Let the engine and the libraries for pictures use so many threads; 0 leaves it to them."""
 
     def work(report: Report) -> str:
         cv2, oiio = import_module("cv2"), import_module("OpenImageIO")
