@@ -123,6 +123,10 @@ class KeyRows(QAbstractScrollArea):
         if shape is not None and self.key_at(event.position()) is not None:
             self._select(shape, event.modifiers(), keep_selected=True)
 
+    def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
+        """A press like any other: whoever clicks a key and drags it at once presses twice."""
+        self.mousePressEvent(event)
+
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         if event.buttons() & Qt.MouseButton.LeftButton:
             self.hand.move(event)

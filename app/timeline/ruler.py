@@ -101,7 +101,10 @@ class Ruler(QWidget):
         return f"Frame {frame} is missing from the plate" if frame in set(self._missing()) else HINT
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
-        self._axis.fit()
+        if self._handles.at(event.position()) is None:
+            self._axis.fit()
+        else:
+            self.mousePressEvent(event)
 
     def wheelEvent(self, event: QWheelEvent) -> None:
         self._axis.wheel(event, event.position().x())

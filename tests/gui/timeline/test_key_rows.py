@@ -85,6 +85,15 @@ def test_what_was_tracked_from_a_key_that_moved_is_stale(timeline: Timeline, doc
     assert all(is_stale(shape, key, CLIP) for key in shape.keys if key.origin is Origin.ENGINE)
 
 
+def test_a_key_that_is_clicked_and_dragged_at_once_moves(timeline: Timeline, document: Document) -> None:
+    start, end = place(timeline, 1030, 1), place(timeline, 1035, 1)
+    drag(timeline, start, start)
+    send(timeline, QEvent.Type.MouseButtonDblClick, start)
+    send(timeline, QEvent.Type.MouseMove, end)
+    send(timeline, QEvent.Type.MouseButtonRelease, end)
+    assert artist(document, "shape-1") == (1001, 1035)
+
+
 def test_no_key_is_dragged_out_of_the_clip(timeline: Timeline, document: Document) -> None:
     drag(timeline, place(timeline, 1030, 1), QPoint(5000, row_middle(1)))
     assert artist(document, "shape-1") == (1001, 1048)
