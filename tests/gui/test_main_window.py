@@ -12,6 +12,7 @@ from pytestqt.qtbot import QtBot
 
 from app import dialogs, settings
 from app.action_specs import SPECS
+from app.canvas.viewing import GroundKind
 from app.clip_dialog import ClipDialog
 from app.dialogs import Unsaved
 from app.main_window import MainWindow
@@ -304,10 +305,14 @@ def test_the_last_used_settings_come_back(qtbot: QtBot, window: MainWindow, tmp_
     sizes = window.splitters["halves"].sizes()
     window.actions_by_id["edit.history"].trigger()
     window.history_panel.toggle()
+    window.canvas.viewing.set_onion(before=7)
+    window.canvas.viewing.set_ground(kind=GroundKind.COLOUR, colour="#203040")
     settings.keep(window, tmp_path / "window.ini")
     with opened_window(qtbot, None, tmp_path / "other") as other:
         settings.restore(other, tmp_path / "window.ini")
         assert not other.playback.is_looping
+        assert other.canvas.viewing.onion == window.canvas.viewing.onion
+        assert other.canvas.viewing.ground == window.canvas.viewing.ground
         assert other.size() == window.size()
         assert not other.history_panel.isHidden()
         folded = [panel.title for panel in other.panel_column.findChildren(Panel) if panel.is_folded]
