@@ -16,6 +16,7 @@ import numpy as np
 import pytest
 
 from app.jobs import autosave
+from app.recent import Recent, save_recent
 from roam_core.roto import Origin, file
 from scripts.virtual_display import virtual_display
 from tests.gui.windows import COUNT, FIRST, SIZE, centre, write_clip
@@ -26,6 +27,8 @@ LAST, CORNERS, RADIUS = FIRST + COUNT - 1, 10, 24.0
 WINDOW = (1200, 760)
 TOOLS, MENU, PANELS, TIMELINE = 36, 30, 275, 229
 """Pixels of the window that are not the viewer, at its four sides."""
+FIRST_CARD = (380, 150)
+"""Where the start page shows what was opened last."""
 PATIENCE = 120.0
 """Seconds after which the program is thought to be stuck; the first track may compile kernels."""
 
@@ -180,6 +183,36 @@ def test_a_lasso_and_the_transform_box(screen: Screen, project_path: Path) -> No
     assert (shift[right, 0] > 3.0).all()
     assert not shift[~right].any()
     assert not shift[:, 1].any()
+
+
+def test_a_project_of_before_is_opened_from_the_start_page_and_an_action_found(
+    screen: Screen, project_path: Path, tmp_path: Path
+) -> None:
+    (tmp_path / "state" / "roam").mkdir(parents=True)
+    save_recent([Recent(project_path, 0.0)], tmp_path / "state" / "roam" / "recent.json")
+    program = subprocess.Popen([sys.executable, "-m", "app"], env=screen.environment)
+    try:
+        until(lambda: bool(screen.windows("untitled")), "the empty window", program)
+
+        def is_open() -> bool:
+            screen.click(*FIRST_CARD)  # again until the list is filled
+            return bool(screen.windows(project_path.name))
+
+        until(is_open, "the project of before", program)
+        (window,) = screen.windows(project_path.name)
+        screen.do("windowfocus", window)
+        screen.key("ctrl+k")
+        screen.do("type", "--delay", 60, "about")
+        screen.key("Return")
+        until(lambda: bool(screen.windows("About ROAM")), "the dialog that the palette found", program)
+        screen.do("windowfocus", screen.windows("About ROAM")[0])
+        screen.key("Escape")
+        until(lambda: not screen.windows("About ROAM"), "the dialog's end", program)
+        screen.do("windowfocus", window)
+        screen.key("ctrl+q")
+        assert program.wait(PATIENCE) == 0
+    finally:
+        program.kill()
 
 
 def work(screen: Screen, program: subprocess.Popen[bytes], project_path: Path) -> None:
