@@ -24,6 +24,7 @@ from numpy.typing import NDArray
 
 from benchmarks import report
 from benchmarks.mattes import scene
+from roam_core.errors import RoamError
 from roam_core.roto import Clip, Keyframe, Layer, Project, RotoShape
 
 if TYPE_CHECKING:
@@ -227,7 +228,7 @@ def _live_until(condition: Callable[[], object], what: str, patience: float = 12
     deadline = time.monotonic() + patience
     while not condition():
         if time.monotonic() > deadline:
-            raise SystemExit(f"window: waited in vain for {what}")
+            raise RoamError(f"waited in vain for {what}")
         loop = QEventLoop()
         QTimer.singleShot(20, loop.quit)
         loop.exec()
@@ -239,6 +240,6 @@ def _in_a_process(platform: str) -> dict[str, float]:
     environment = os.environ | {"QT_QPA_PLATFORM": platform}
     done = subprocess.run(command, env=environment, cwd=report.ROOT, capture_output=True, text=True, check=False)
     if done.returncode:
-        raise SystemExit(f"window: measuring {platform} failed\n{done.stderr}")
+        raise RoamError(f"the window could not be measured on {platform}:\n{done.stderr.strip()}")
     result: dict[str, float] = json.loads(done.stdout.splitlines()[-1])
     return result
