@@ -12,6 +12,9 @@ from app import style
 from app.timeline.scale import RIGHT_MARGIN, TimeScale
 from app.view_state import ViewState
 
+FARTHEST = 3.0
+"""Frames that time is panned by while a drag is held beyond an end of the strip, a move of the pointer."""
+
 ZOOM, PAN = 1.25, 0.1
 """A notch of the wheel: the factor of zoom, the share of the strip."""
 
@@ -65,6 +68,13 @@ class TimeAxis(QObject):
         else:
             self.set_scale(scale.zoomed(ZOOM ** (turn.y() / 120), x))
         event.accept()
+
+    def bring_in(self, x: float) -> None:
+        """Pan by what the pointer is beyond an end of the strip, a few frames at most: a drag goes on out of sight."""
+        scale = self._scale
+        beyond = max(x - scale.right, 0.0) + min(x - scale.left, 0.0)
+        if beyond:
+            self.set_scale(scale.panned(max(min(beyond / scale.pixels, FARTHEST), -FARTHEST)))
 
     def scrub(self, x: float) -> None:
         """Put the playhead on the frame under the pixel `x`."""

@@ -43,6 +43,7 @@ class KeyHand:
         self._document, self._axis, self._keys = document, axis, keys
         self._key_at, self._keys_in, self._show = key_at, keys_in, show
         self._start: QPointF | None = None
+        self._start_time = 0.0
         self._held: Place | None = None
         self._before: frozenset[Place] = frozenset()
         self._is_drag = False
@@ -67,6 +68,7 @@ class KeyHand:
         """Take hold of the key under the pointer, or begin a box beside the keys."""
         at = event.position()
         self._start, self._before, self._is_drag = at, self._keys.places, False
+        self._start_time = self._axis.scale.time(at.x())
         self._held = self._key_at(at)
         if self._held is not None:
             self._keys.select(_with(self._keys.places, self._held, event.modifiers()))
@@ -103,6 +105,7 @@ class KeyHand:
     # ---- the rest is private
 
     def _drag(self, event: QMouseEvent) -> None:
+        self._axis.bring_in(event.position().x())
         places, offset = self._moving(), self._offset(event.position().x())
         copies, before = bool(event.modifiers() & COPIES), self._document.project
         if self._made == (before, offset, copies):
@@ -150,14 +153,13 @@ class KeyHand:
 
     def _offset(self, x: float) -> int:
         """Whole frames from the held key to the pointer, such that no key leaves the clip."""
-        assert self._start is not None
         scale = self._axis.scale
         frames, (first, stop) = [frame for _, frame in self._moving()], scale.clip
         if not frames:
             return 0
         # A key that lies outside of the clip already may come in, and goes no further out.
         least, most = min(first - min(frames), 0), max(stop - 1 - max(frames), 0)
-        return max(min(round((x - self._start.x()) / scale.pixels), most), least)
+        return max(min(round(scale.time(x) - self._start_time), most), least)
 
     def _tell(self, places: frozenset[Place], offset: int, word: str) -> None:
         assert self._held is not None

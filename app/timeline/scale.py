@@ -40,9 +40,13 @@ class TimeScale:
         """The middle of a frame, in pixels."""
         return self.left + (frame - self.first + 0.5) * self.pixels
 
+    def time(self, x: float) -> float:
+        """The frame under a pixel, with the fraction of it that lies left of the pixel."""
+        return self.first + (x - self.left) / self.pixels
+
     def frame(self, x: float) -> int:
         """The frame under a pixel, held inside the clip."""
-        return self.held(math.floor(self.first + (x - self.left) / self.pixels))
+        return self.held(math.floor(self.time(x)))
 
     def held(self, frame: int) -> int:
         return min(max(frame, self.clip[0]), self.clip[1] - 1)
@@ -56,7 +60,7 @@ class TimeScale:
         """Zoomed by `factor` with the time under the pixel `x` held in place."""
         least = self.fitted().pixels
         pixels = min(max(self.pixels * factor, least), max(WIDEST_FRAME, least))
-        time = self.first + (x - self.left) / self.pixels
+        time = self.time(x)
         return replace(self, pixels=pixels, first=time - (x - self.left) / pixels).bounded()
 
     def panned(self, frames: float) -> TimeScale:

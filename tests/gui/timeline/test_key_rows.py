@@ -99,6 +99,21 @@ def test_no_key_is_dragged_out_of_the_clip(timeline: Timeline, document: Documen
     assert artist(document, "shape-1") == (1001, 1048)
 
 
+def test_a_drag_goes_on_out_of_sight(timeline: Timeline, document: Document) -> None:
+    timeline.axis.set_scale(timeline.axis.scale.zoomed(4.0, x_of(timeline, 1001)))
+    last = timeline.axis.scale.last
+    assert last < 1025
+    drag(timeline, place(timeline, 1001, 1), place(timeline, 1005, 1), ALT)  # a key in sight
+    grab(timeline, place(timeline, 1005, 1), place(timeline, 1010, 1))
+    outside = QPoint(round(timeline.axis.scale.right) + 60, row_middle(1))
+    for _ in range(4):
+        send(timeline, QEvent.Type.MouseMove, outside)
+    send(timeline, QEvent.Type.MouseButtonRelease, outside)
+    moved = artist(document, "shape-1")[1]
+    assert moved > last
+    assert moved == timeline.axis.scale.frame(outside.x())
+
+
 def test_esc_leaves_keys_where_they_were(qtbot: QtBot, timeline: Timeline, document: Document) -> None:
     before = document.project
     take_keyboard(qtbot, timeline)
