@@ -38,6 +38,10 @@ KEYS = {
     KeyChoice.ARTIST: "My keys only",
     KeyChoice.REDUCED: "As few as hold the outline",
 }
+SMOOTHING = (
+    "How far tracked keys may move so that shapes move evenly through time, in pixels of the plate;\n"
+    "your own keys stay where they are, and so does the project"
+)
 MATTES = "mattes"
 """The name of the format whose files are pictures: it is written to a folder, and knows nothing of fewer keys."""
 
@@ -88,6 +92,13 @@ class ExportDialog(QDialog):
         self.tolerance.setValue(0.5)
         self.tolerance.setSuffix(" px")
         self.tolerance.setToolTip("How far the outline may stray from the tracked one when keys are left out")
+        self.smoothing = QDoubleSpinBox()
+        self.smoothing.setRange(0.0, 100.0)
+        self.smoothing.setSingleStep(0.1)
+        self.smoothing.setSuffix(" px")
+        self.smoothing.setSpecialValueText("Off")
+        self.smoothing.setToolTip(SMOOTHING)
+        self.smoothing.setMinimumWidth(90)
         self.first, self.last = number_field("The first frame to export"), number_field("The last frame to export")
         self.all_frames, self.in_out = QPushButton("All"), QPushButton("In to out")
         self.mattes = MatteForm()
@@ -108,6 +119,8 @@ class ExportDialog(QDialog):
         form.addRow(form_label("Keys"), self.keys)
         self._tolerance_label = form_label("Within")
         form.addRow(self._tolerance_label, self.tolerance)
+        self._smoothing_label, self._smoothing_word = form_label("Smooth"), weak_label("through time")
+        form.addRow(self._smoothing_label, _row(self.smoothing, self._smoothing_word, None))
         form.addRow(form_label("Frames"), _row(self.first, QLabel("to"), self.last, self.all_frames, self.in_out, None))
         right = QVBoxLayout()
         right.setSpacing(6)
@@ -131,7 +144,7 @@ class ExportDialog(QDialog):
 
     def _connect(self) -> None:
         self.formats.currentItemChanged.connect(lambda *_: self._pull_format())
-        self.keys.currentIndexChanged.connect(lambda _: self._pull_tolerance())
+        self.keys.currentIndexChanged.connect(lambda _: self._pull_keys())
         self.target.textChanged.connect(lambda _: self._pull_hint())
         self.mattes.file.currentIndexChanged.connect(lambda _: self._pull_hint())
         self.first.valueChanged.connect(lambda _: self._pull_hint())
@@ -170,6 +183,7 @@ class ExportDialog(QDialog):
             keys=KeyChoice(self.keys.currentData()),
             tolerance=self.tolerance.value(),
             frames=None if clip is None or frames == clip.frame_range else frames,
+            smoothing=self.smoothing.value() if self.smoothing.isEnabled() else 0.0,
             mattes=self.mattes.chosen,
         )
 
@@ -208,7 +222,7 @@ class ExportDialog(QDialog):
         self.keys.setCurrentIndex(max(self.keys.findData(chosen), 0))
         self.mattes.setVisible(self._is_folder)
         self.target.setText(str(self._renamed()))
-        self._pull_tolerance()
+        self._pull_keys()
 
     def _renamed(self) -> Path:
         """The target for the format that is selected now: the artist's own name with another suffix."""
@@ -219,10 +233,15 @@ class ExportDialog(QDialog):
         suffix = self.exporter.suffix
         return Path(own).with_suffix(suffix) if Path(own).suffix else self._suggested(suffix)
 
-    def _pull_tolerance(self) -> None:
-        is_used = self.keys.currentData() == KeyChoice.REDUCED
-        for widget in (self._tolerance_label, self.tolerance):
-            widget.setEnabled(is_used)
+    def _pull_keys(self) -> None:
+        """What is asked about keys depends on which are written: the artist's own are never moved."""
+        keys = self.keys.currentData()
+        for widgets, is_used in (
+            ((self._tolerance_label, self.tolerance), keys == KeyChoice.REDUCED),
+            ((self._smoothing_label, self.smoothing, self._smoothing_word), keys != KeyChoice.ARTIST),
+        ):
+            for widget in widgets:
+                widget.setEnabled(is_used)
 
     def _pull_hint(self) -> None:
         is_named = bool(self.target.text().strip())

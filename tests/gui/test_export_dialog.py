@@ -6,7 +6,9 @@ import json
 import threading
 from pathlib import Path
 
+import numpy as np
 import pytest
+from numpy.typing import NDArray
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QComboBox
 from pytestqt.qtbot import QtBot
@@ -94,6 +96,30 @@ def test_keys_tolerance_and_frames_reach_the_file(qtbot: QtBot, dialog: ExportDi
     assert dialog.hint.text() == "Replaces the file that is there."
     qtbot.mouseClick(dialog.all_frames, LEFT)
     assert dialog.options.frames is None
+
+
+def test_tracked_keys_are_smoothed_through_time_as_far_as_is_typed(
+    qtbot: QtBot, dialog: ExportDialog, document: Document, tmp_path: Path
+) -> None:
+    (shape,) = document.project.shapes
+    shaken = [Keyframe(f, SQUARE + 2.0 * (f % 2), origin=Origin.ENGINE) for f in range(1002, 1011)]
+    document.open(document.project.with_shape(edit.set_engine_keys(shape, shaken)), None)
+    dialog.choose("json")
+    export(qtbot, dialog)
+    as_tracked = corners_in(tmp_path / "shot.json")
+    dialog.smoothing.setFocus()
+    dialog.smoothing.selectAll()
+    qtbot.keyClicks(dialog.smoothing, "0.5")
+    told = export(qtbot, dialog)
+    strays = np.abs(corners_in(tmp_path / "shot.json") - as_tracked)
+    assert strays[0].max() == 0.0  # the artist's own
+    assert 0.3 < strays[1:].max() <= 0.51
+    assert "smoothed through time" in told
+    pick(dialog.keys, KeyChoice.ARTIST)
+    assert not dialog.smoothing.isEnabled()
+    assert dialog.options.smoothing == 0.0
+    pick(dialog.keys, KeyChoice.EVERY)
+    assert dialog.options.smoothing == 0.5
 
 
 def test_the_artists_name_stays_when_the_format_changes(qtbot: QtBot, dialog: ExportDialog, tmp_path: Path) -> None:
@@ -189,3 +215,9 @@ def frames_in(path: Path) -> list[int]:
     """The frames of the keys of the only shape."""
     (shape,) = json.loads(path.read_text())["items"]
     return [key["frame"] for key in shape["keys"]]
+
+
+def corners_in(path: Path) -> NDArray[np.float64]:
+    """The anchors of the only shape on each of its keys, `(K, P, 2)`."""
+    (shape,) = json.loads(path.read_text())["items"]
+    return np.array([key["points"] for key in shape["keys"]], dtype=np.float64)
