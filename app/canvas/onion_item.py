@@ -15,8 +15,8 @@ from app.canvas.viewport import Viewport
 from app.view_state import Selection
 from roam_core.roto import Project, RotoShape
 
-WIDTH = 1.0
-NEAREST, FARTHEST = 0.95, 0.3
+WIDTH, SHADOW = 1.0, 0.6
+NEAREST, FARTHEST = 1.0, 0.45
 """Opacity of the outlines of the nearest and of the farthest frame."""
 MOST_NUMBERED = 2
 """So many shapes carry the frames' numbers; more of them would be a heap of figures."""
@@ -62,9 +62,7 @@ def paint_onion(
         for shown in shown_shapes(project, ghost):
             if shown.shape.id in wanted:
                 path = viewport.transform.map(paths.whole(shown.shape, ghost))
-                painter.setBrush(Qt.BrushStyle.NoBrush)
-                painter.setPen(QPen(colour, WIDTH))
-                painter.drawPath(path)
+                _paint_ghost(painter, path, colour)
                 numbers.append((_top(path), str(ghost), colour))
     if len(wanted) <= MOST_NUMBERED:
         _paint_numbers(painter, numbers)
@@ -74,6 +72,16 @@ def _faded(frames: list[int]) -> Iterator[tuple[int, float]]:
     """Each of the frames, the nearest first, with its opacity."""
     for index, frame in enumerate(frames):
         yield frame, NEAREST + (FARTHEST - NEAREST) * index / max(len(frames) - 1, 1)
+
+
+def _paint_ghost(painter: QPainter, path: QPainterPath, colour: QColor) -> None:
+    """A thin line with a shadow beside it: it reads on bright plates, and many of them do not darken the picture."""
+    painter.setBrush(Qt.BrushStyle.NoBrush)
+    for ink, aside in ((marks.faded(marks.EDGE, SHADOW * colour.alphaF()), WIDTH), (colour, 0.0)):
+        painter.setPen(QPen(ink, WIDTH))
+        painter.translate(aside, aside)
+        painter.drawPath(path)
+        painter.translate(-aside, -aside)
 
 
 def _top(path: QPainterPath) -> QPointF:
