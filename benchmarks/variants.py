@@ -26,11 +26,15 @@ class Variant:
         return replace(changed, config=self.name)
 
 
+SHORT_EDGES: Mapping[str, Any] = {"mu": 0.06, "l2_rest": 0.0}
+"""The l2 term of equation 3 as the paper has it: it draws every edge towards length zero."""
+
 ABLATION = (
     Variant("baseline, no pre-warp", "baseline", {"warp": "none"}),
     Variant("baseline", "baseline"),
-    Variant("lean, the paper's ribbon", "lean", {"appearance.term": "ribbon", "lambda_local": 0.3}),
+    Variant("lean, the paper's ribbon", "lean", {"appearance.term": "ribbon", "lambda_local": 0.3} | SHORT_EDGES),
     Variant("lean", "lean"),
+    Variant("lean, edges drawn to length zero as in the paper", "lean", SHORT_EDGES),
     Variant("medium, the paper's pre-warp", "medium", {"warp": "landmarks"}),
     Variant("medium, landmarks not tied to the curve", "medium", {"landmarks.joint": 0.0}),
     Variant("medium", "medium"),
@@ -44,6 +48,7 @@ ABLATION = (
     Variant("best without the last region as prior", "best", {"region.prior_weight": 0.0}),
     Variant("best without smoothing by contrast", "best", {"region.diffusion": 0.0}),
     Variant("best without adaptation", "best", {"region.adaptation": 0.0}),
+    Variant("best without re-detection", "best", {"region.doubted": 0.0}),
     Variant("best", "best"),
 )
 """The paper's configurations with their steps taken apart, and `best` with one of its cues taken away at a time."""

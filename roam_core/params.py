@@ -31,6 +31,8 @@ class RegionParams:
     prior_weight : nats a cell of depth inside the region carried from the last frame.
     blur : Gaussian on the ratio. diffusion, contrast, sweeps : contrast-dependent smoothing (`kernels.diffusion`).
     overlap : share of a detached part that must lie where the object was expected.
+    doubted : expected IoU under which the object is looked for as it was on the key (`propagate.refinding`); 0: never.
+    better : by how much more must be expected of what is found for it to be believed.
     """
 
     grid_factor: float = 0.5
@@ -57,6 +59,8 @@ class RegionParams:
     contrast: float = 12.0
     sweeps: int = 20
     overlap: float = 0.3
+    doubted: float = 0.6
+    better: float = 0.05
 
 
 @dataclass(frozen=True)

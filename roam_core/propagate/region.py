@@ -32,10 +32,6 @@ Float32 = NDArray[np.float32]
 
 TRUSTED = 0.3
 """Steadiness below which a frame teaches the colour model nothing."""
-DOUBTED = 0.6
-"""Expected IoU under which the object is looked for where it may be instead, ..."""
-BETTER = 0.05
-"""... which must promise this much more to be believed."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -101,13 +97,13 @@ def step(
     """
     carried = _carried(state, frame, params, token)
     after = carried[0]
-    if after.trust >= DOUBTED:
+    if after.trust >= params.doubted:
         return carried
     elsewhere = _at_sighting(state, after.sighting, frame, params)
     if elsewhere is None:
         return carried
     again = _carried(elsewhere, frame, params, token)
-    return again if again[0].trust > after.trust + BETTER else carried
+    return again if again[0].trust > after.trust + params.better else carried
 
 
 def _at_sighting(
