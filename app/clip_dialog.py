@@ -195,6 +195,7 @@ def _number(least: float, most: float, value: float) -> QDoubleSpinBox:
     field.setDecimals(3)
     field.setRange(least, most)
     field.setValue(value)
+    field.setAlignment(Qt.AlignmentFlag.AlignRight)
     return field
 
 

@@ -42,6 +42,7 @@ SMOOTHING = (
     "How far tracked keys may move so that shapes move evenly through time, in pixels of the plate;\n"
     "your own keys stay where they are, and so does the project"
 )
+FIELD_WIDTH = 90
 MATTES = "mattes"
 """The name of the format whose files are pictures: it is written to a folder, and knows nothing of fewer keys."""
 
@@ -98,7 +99,9 @@ class ExportDialog(QDialog):
         self.smoothing.setSuffix(" px")
         self.smoothing.setSpecialValueText("Off")
         self.smoothing.setToolTip(SMOOTHING)
-        self.smoothing.setMinimumWidth(90)
+        for field in (self.tolerance, self.smoothing):
+            field.setFixedWidth(FIELD_WIDTH)
+            field.setAlignment(Qt.AlignmentFlag.AlignRight)
         self.first, self.last = number_field("The first frame to export"), number_field("The last frame to export")
         self.all_frames, self.in_out = QPushButton("All"), QPushButton("In to out")
         self.mattes = MatteForm()
@@ -118,7 +121,7 @@ class ExportDialog(QDialog):
         form = dense_form()
         form.addRow(form_label("Keys"), self.keys)
         self._tolerance_label = form_label("Within")
-        form.addRow(self._tolerance_label, self.tolerance)
+        form.addRow(self._tolerance_label, _row(self.tolerance, None))
         self._smoothing_label, self._smoothing_word = form_label("Smooth"), weak_label("through time")
         form.addRow(self._smoothing_label, _row(self.smoothing, self._smoothing_word, None))
         form.addRow(form_label("Frames"), _row(self.first, QLabel("to"), self.last, self.all_frames, self.in_out, None))

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Any
 
-from PySide6.QtCore import Signal
+from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import (
     QCheckBox,
     QComboBox,
@@ -80,6 +80,8 @@ class SettingsDialog(QDialog):
             button.setAutoDefault(False)
         for widget in (self.cache, self.threads, self.minutes, self.config, self.preset, self.scale):
             widget.setFixedWidth(FIELD_WIDTH)
+        for number in (self.cache, self.threads, self.minutes):
+            number.setAlignment(Qt.AlignmentFlag.AlignRight)
 
     def _lay_out(self) -> None:
         form = dense_form()

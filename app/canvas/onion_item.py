@@ -20,7 +20,7 @@ NEAREST, FARTHEST = 1.0, 0.45
 """Opacity of the outlines of the nearest and of the farthest frame."""
 MOST_NUMBERED = 2
 """So many shapes carry the frames' numbers; more of them would be a heap of figures."""
-FIGURES = 10
+FIGURES = 11
 
 
 def ghosts(project: Project, frame: int, onion: Onion, shapes: list[RotoShape]) -> list[tuple[int, float]]:
@@ -98,6 +98,7 @@ def _paint_numbers(painter: QPainter, numbers: list[tuple[QPointF, str, QColor]]
     painter.save()
     font = painter.font()
     font.setPixelSize(FIGURES)
+    font.setBold(True)  # thin figures drown in their dark edge
     edge = QPen(marks.EDGE, 2.0, Qt.PenStyle.SolidLine, Qt.PenCapStyle.RoundCap, Qt.PenJoinStyle.RoundJoin)
     taken: list[QRectF] = []
     for top, text, colour in reversed(numbers):

@@ -18,8 +18,6 @@ SIDES = {"proposal.keep": Side.AFTER, "proposal.refuse": Side.BEFORE}
 """What the viewer shows while the pointer rests on an answer."""
 
 LEGEND = "line: before, white dashes: after, hatched: what differs"
-WIDE = 900
-"""Width of a viewer in which the legend has room, in widget units."""
 GAIN = (
     "The energy is the engine's measure of how badly outlines agree with the picture:\n"
     "the farther it falls, the more speaks for the change."
@@ -87,8 +85,11 @@ class ProposalBar(QWidget):
 
     def _place(self) -> None:
         # Where the viewer is narrow the legend gives way: the question and its answers do not.
-        self.legend.setVisible(self._viewer.width() >= WIDE)
+        self.legend.setVisible(True)
         self.adjustSize()
+        if self.width() > self._viewer.width():
+            self.legend.setVisible(False)
+            self.adjustSize()
         x = max((self._viewer.width() - self.width()) // 2, 0)
         self.move(x, self._viewer.height() - self.height() - 2 * style.MARGIN)
 

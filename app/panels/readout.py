@@ -10,7 +10,8 @@ from PySide6.QtWidgets import QLabel, QWidget
 from app.canvas.pixel_marks import values_text
 from app.canvas.view import CanvasView
 
-WIDTH = 236
+WIDTH = 276
+"""Holds positions of four figures and four values of eight bits, in widget units."""
 
 
 class Readout(QLabel):

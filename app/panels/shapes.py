@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from PySide6.QtCore import QSignalBlocker, Qt
+from PySide6.QtCore import QSignalBlocker, QSize, Qt
 from PySide6.QtGui import QBrush, QColor, QDropEvent, QIcon, QKeyEvent, QMouseEvent
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QLabel, QTreeWidget, QTreeWidgetItem, QVBoxLayout, QWidget
 
@@ -17,6 +17,7 @@ from roam_core.roto import Layer, RotoShape, edit
 from roam_core.roto.layers import moved, top_items
 
 NAME, EYE, LOCK = 0, 1, 2
+LEAST_ROWS, MOST_ROWS = 4, 9
 ID, IS_LAYER = Qt.ItemDataRole.UserRole, Qt.ItemDataRole.UserRole + 1
 EMPTY = "Draw a shape: press <tool.bezier> in the viewer,\nclick for corners, drag for curves."
 NO_CLIP = "Open a clip first: drop a folder of\nimages or a movie on the window."
@@ -82,6 +83,11 @@ class ShapeTree(QTreeWidget):
             header.setSectionResizeMode(column, QHeaderView.ResizeMode.Fixed)
             header.resizeSection(column, 26)
 
+    def sizeHint(self) -> QSize:
+        """As high as its rows ask for, within bounds: what the tree leaves, the panels below it need."""
+        rows = min(max(len(list(self._rows())), LEAST_ROWS), MOST_ROWS)
+        return QSize(super().sizeHint().width(), rows * style.ROW_HEIGHT)
+
     def item(self, item_id: str) -> QTreeWidgetItem:
         """The row of a layer or shape."""
         return next(row for row in self._rows() if row.data(NAME, ID) == item_id)
@@ -94,6 +100,7 @@ class ShapeTree(QTreeWidget):
         if (shown := _summary(root)) == self._shown:
             return
         self._shown = shown
+        self.updateGeometry()
         closed = {row.data(NAME, ID) for row in self._rows() if row.childCount() and not row.isExpanded()}
         with QSignalBlocker(self):
             self.clear()

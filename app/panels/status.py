@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from PySide6.QtCore import Qt
+from PySide6.QtGui import QPainter, QPaintEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QProgressBar, QWidget
 
 from app import style
@@ -10,6 +11,18 @@ from app.jobs.runner import Ending
 from app.jobs.under_way import UnderWay
 from app.panels.controls import icon_button
 from app.view_state import ViewState
+
+
+class Sentence(QLabel):
+    """A line of text that ends in an ellipsis where it lacks room; what it says is in its tip as a whole."""
+
+    def paintEvent(self, _event: QPaintEvent) -> None:
+        painter, place = QPainter(self), self.contentsRect()
+        text = self.fontMetrics().elidedText(self.text(), Qt.TextElideMode.ElideRight, place.width())
+        self.style().drawItemText(
+            painter, place, self.alignment().value, self.palette(), self.isEnabled(), text, self.foregroundRole()
+        )
+        painter.end()
 
 
 class StatusBar(QWidget):
@@ -21,7 +34,7 @@ class StatusBar(QWidget):
         self.setObjectName("statusBar")
         self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
         self.setFixedHeight(26)
-        self.sentence, self._hint, self._memory = QLabel(), QLabel(), QLabel()
+        self.sentence, self._hint, self._memory = Sentence(), QLabel(), QLabel()
         self.bar = QProgressBar()
         self.stop = icon_button("track-stop", "", size=20)
         self.stop.clicked.connect(under_way.stop)
@@ -38,7 +51,7 @@ class StatusBar(QWidget):
         self.sentence.setMinimumWidth(100)
         self.bar.setRange(0, 1000)
         self.bar.setTextVisible(False)
-        self.bar.setFixedWidth(180)
+        self.bar.setFixedWidth(120)
         row = QHBoxLayout(self)
         row.setContentsMargins(style.MARGIN, 0, style.MARGIN, 0)
         row.setSpacing(12)

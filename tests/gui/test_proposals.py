@@ -153,6 +153,22 @@ def test_an_answer_shows_what_it_would_leave_while_the_pointer_rests_on_it(qtbot
         assert looks() == both
 
 
+def test_the_bar_fits_into_the_viewer_with_its_answers_whatever_the_windows_width(
+    qtbot: QtBot, window: MainWindow
+) -> None:
+    track(qtbot, window)
+    window.view_state.set_frame(OFFERED[0])
+    bar, canvas = window.proposal_bar, window.canvas
+    has_legend = []
+    for width in (1100, 1280, 1700):
+        window.resize(width, 800)
+        qtbot.waitUntil(lambda: canvas.rect().contains(bar.geometry()))
+        has_legend.append(bar.legend.isVisible())
+        assert bar.buttons["proposal.refuse_always"].isVisible()
+    assert has_legend[0] is False
+    assert has_legend[-1] is True
+
+
 def test_the_bar_tells_its_keys_and_what_the_gain_means(qtbot: QtBot, window: MainWindow) -> None:
     bar = window.proposal_bar
     assert [label.text() for label in bar._keys.values()] == ["Return", "Backspace"]

@@ -8,6 +8,7 @@ from PySide6.QtGui import QDropEvent
 from PySide6.QtWidgets import QAbstractItemView, QTreeWidgetItem
 from pytestqt.qtbot import QtBot
 
+from app import style
 from app.document import Document
 from app.panels.shapes import EYE, LOCK, NAME, ShapesPanel
 from app.view_state import ViewState
@@ -51,6 +52,14 @@ def test_an_empty_project_says_what_to_do(qtbot: QtBot, document: Document, view
     assert panel.tree.isHidden()
     document.apply("Draw", edit.new_shape(document.project, SQUARE, 1)[0])
     assert not panel.tree.isHidden()
+
+
+def test_the_list_asks_for_the_height_of_its_rows_within_bounds(panel: ShapesPanel, document: Document) -> None:
+    heights = [panel.tree.sizeHint().height()]
+    for _ in range(8):
+        document.apply("Draw", edit.new_shape(document.project, SQUARE, 1)[0])
+        heights.append(panel.tree.sizeHint().height())
+    assert heights == [max(4, min(rows, 9)) * style.ROW_HEIGHT for rows in range(4, 13)]
 
 
 def test_the_top_most_stands_on_top(panel: ShapesPanel) -> None:

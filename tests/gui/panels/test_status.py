@@ -1,12 +1,13 @@
-"""The status bar's right end: the memory that frames take, in a unit that shows it."""
+"""The status bar: a sentence that is cut with a sign of it, the memory of the frames in a unit that shows it."""
 
 from __future__ import annotations
 
 import pytest
+from PySide6.QtGui import QImage
 from pytestqt.qtbot import QtBot
 
 from app.jobs.under_way import UnderWay
-from app.panels.status import StatusBar
+from app.panels.status import Sentence, StatusBar
 from app.view_state import ViewState
 
 MB, GB = 2**20, 2**30
@@ -27,3 +28,16 @@ def test_the_memory_of_the_frames(qtbot: QtBot, view_state: ViewState, used: int
     qtbot.addWidget(status)
     status.show_memory(used, limit)
     assert status._memory.text() == told
+
+
+def test_a_sentence_without_room_ends_in_an_ellipsis(qtbot: QtBot) -> None:
+    sentence = Sentence()
+    qtbot.addWidget(sentence)
+
+    def looks(text: str, width: int) -> QImage:
+        sentence.setText(text)
+        sentence.resize(width, 26)
+        return sentence.grab().toImage()
+
+    assert looks("Tracking Manta forward: one", 120) == looks("Tracking Manta forward: two", 120)
+    assert looks("Tracking Manta forward: one", 600) != looks("Tracking Manta forward: two", 600)
