@@ -7,29 +7,37 @@ person who runs it stay untouched: the window gets a state folder of its own.
 from __future__ import annotations
 
 import os
-import shutil
 import sys
 import tempfile
-import time
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from scripts.virtual_display import virtual_display
+from scripts.camera import (
+    IMAGES,
+    anchors_of,
+    close_up,
+    display,
+    drag,
+    drag_on_screen,
+    hover,
+    live,
+    on_screen,
+    opened,
+    photograph,
+    save,
+    show_frame,
+    until,
+    window,
+)
 
 if TYPE_CHECKING:
-    from PySide6.QtWidgets import QWidget
-
     from app.main_window import MainWindow
+    from roam_core.propagate.offers import Proposal
+    from roam_core.roto import Project, RotoShape
 
-IMAGES = Path(__file__).resolve().parent.parent / "docs" / "images"
-SIZE = (1440, 900)
-TRACKED_TO, LOOKED_AT = 1024, 1012
+TRACKED_TO, LOOKED_AT, STOPPED_AT, DOUBTED_AFTER = 1024, 1012, 1016, 1030
 DRAWN_POINTS = 11
 """Points of the outline that are drawn when the picture of drawing is taken."""
-PATIENCE = 120.0
-"""Seconds after which the window is thought to be stuck; the first run compiles kernels and renders the shot."""
 
 
 def main() -> int:
@@ -43,113 +51,179 @@ def main() -> int:
         os.environ["XDG_STATE_HOME"] = state
         IMAGES.mkdir(parents=True, exist_ok=True)
         with window(Path(state)) as shown:
-            photograph_drawing(shown)
-            photograph_tracking(shown)
-            photograph_doubt(shown)
-            photograph_export(shown)
+            for scene in SCENES:
+                scene(shown)
     return 0
 
 
-@contextmanager
-def display() -> Iterator[bool]:
-    """A display for Qt: the one that is there, or a virtual one. Gives False when there is neither."""
-    from app.launch import has_display
+def photograph_opening(shown: MainWindow) -> None:
+    """What was found out about a clip before it opens."""
+    from app.clip_dialog import ClipDialog
+    from roam_core.cli.demo import demo_frames
 
-    if has_display():
-        yield True
-        return
-    if shutil.which("Xvfb") is None:
-        yield False
-        return
-    with virtual_display(1600, 1000) as name:
-        os.environ["DISPLAY"] = name
-        yield True
-
-
-@contextmanager
-def window(state: Path) -> Iterator[MainWindow]:
-    """The application's window, as `roam` opens it."""
-    from PySide6.QtTest import QTest
-    from PySide6.QtWidgets import QApplication
-
-    from app import style
-    from app.jobs import warm_up
-    from app.main_window import MainWindow
-
-    application = QApplication(sys.argv[:1])
-    application.setApplicationName("ROAM")
-    style.apply(application)
-    shown = MainWindow(state / "autosave")
-    shown.resize(*SIZE)
-    shown.show()
-    QTest.qWaitForWindowExposed(shown)
-    warm_up.start(shown.solver, shown.tracking.config)
-    until(lambda: shown.solver.is_idle, "the engine to be compiled")
-    try:
-        yield shown
-    finally:
-        shown._leave()
-        until(lambda: not shown.isVisible(), "the window to close")
+    assert shown.personal.folder is not None
+    plates = shown.personal.folder.with_name("plates")
+    plates.mkdir()
+    (plates / "manta").symlink_to(demo_frames(), target_is_directory=True)  # no one's own folders in the picture
+    shown.file_actions.open_dropped(plates / "manta")
+    until(lambda: shown.findChild(ClipDialog), "the clip to be looked at")
+    dialog = shown.findChild(ClipDialog)
+    assert dialog is not None
+    photograph(dialog, "clip.jpg")
+    opened(shown, dialog.buttons.accepted.emit)
 
 
 def photograph_drawing(shown: MainWindow) -> None:
     """A Bezier shape around the manta, half drawn with real presses and drags."""
-    from PySide6.QtCore import QPoint, Qt
-    from PySide6.QtTest import QTest
-
     from resources import demo
-    from roam_core.cli.demo import demo_frames
 
-    frames = demo_frames()
-    opened(shown, lambda: shown.files.open(frames))
     shown.actions_by_id["tool.bezier"].trigger()
-    canvas, left = shown.canvas, Qt.MouseButton.LeftButton
-
-    def on_screen(position: tuple[float, float]) -> QPoint:
-        return canvas.image_to_widget(*position).toPoint()
-
     points = demo.true_points(demo.FIRST)
     for anchor, _, out in points[:DRAWN_POINTS]:
-        QTest.mouseMove(canvas, on_screen(anchor))
-        QTest.mousePress(canvas, left, pos=on_screen(anchor))
-        QTest.mouseMove(canvas, (on_screen(anchor) + on_screen(out)) / 2)
-        QTest.mouseMove(canvas, on_screen(out))
-        QTest.mouseRelease(canvas, left, pos=on_screen(out))
-    QTest.mouseMove(canvas, on_screen(points[DRAWN_POINTS, 0]))
-    photograph(shown, "drawing")
+        drag(shown, anchor, out)
+    hover(shown, points[DRAWN_POINTS, 0])
+    photograph(shown, "drawing.jpg")
     shown.actions_by_id["tool.select"].trigger()
 
 
 def photograph_tracking(shown: MainWindow) -> None:
-    """The demo as it opens, tracked part of the way: the plate with the shape, and the matte."""
+    """The demo as it opens while it is tracked, and when part of it is."""
     from resources import demo
 
     opened(shown, shown.files.open_demo)
+    run = shown.propagation
     shown.view_state.set_play_range(demo.FIRST, TRACKED_TO + 1)
     shown.actions_by_id["track.forward"].trigger()
-    until(lambda: shown.propagation.is_running, "the engine to begin")
-    until(lambda: not shown.propagation.is_running, "the engine to end")
+    until(lambda: shown.view_state.frame >= STOPPED_AT and run.is_running, "the engine to come this far")
+    save(shown, "tracking.jpg")
+    until(lambda: not run.is_running, "the engine to end")
     shown.view_state.set_play_range(demo.FIRST, demo.LAST + 1)
-    seen: list[int] = []
-    shown.reader.picture.connect(lambda frame, _: seen.append(frame))
-    shown.view_state.set_frame(LOOKED_AT)
-    until(lambda: LOOKED_AT in seen, "the frame")
-    photograph(shown, "window")
-    rendered: list[bool] = []
-    shown.canvas.matte_ready.connect(lambda: rendered.append(True))
-    shown.actions_by_id["view.matte"].trigger()
-    until(lambda: rendered, "the matte")
-    photograph(shown, "matte")
+    show_frame(shown, LOOKED_AT)
+    photograph(shown, "window.jpg")
+
+
+def photograph_views(shown: MainWindow) -> None:
+    """Cut-out, matte, onion skin; the matte beside the outline by a wipe."""
+    from PySide6.QtCore import QPoint
+
+    for view in ("cutout", "matte"):
+        shown.actions_by_id[f"view.{view}"].trigger()
+        live(1200)  # a matte that was rendered for the view before is not rendered again
+        photograph(shown, f"{view}.jpg")
+    shown.actions_by_id["view.wipe"].trigger()
+    shown.actions_by_id["view.overlay"].trigger()
+    middle = QPoint(shown.canvas.width() // 2, shown.canvas.height() // 2)
+    drag_on_screen(shown, middle, on_screen(shown, anchors_of(shown).mean(axis=0)))
+    photograph(shown, "wipe.jpg")
+    shown.actions_by_id["view.wipe"].trigger()
+    shown.canvas.viewing.set_onion(step=4)
+    shown.actions_by_id["view.onion"].trigger()
+    close_up(shown)
+    photograph(shown, "onion.jpg")
+    shown.actions_by_id["view.fit"].trigger()
 
 
 def photograph_doubt(shown: MainWindow) -> None:
-    """The frame of the tracked demo that the engine trusts least, in the confidence view."""
+    """The next frame worth fixing, in the confidence view: tracked on to where the engine has doubts."""
+    from resources import demo
+
+    show_frame(shown, TRACKED_TO)
+    shown.view_state.set_play_range(demo.FIRST, demo.LAST + 1)
+    shown.actions_by_id["track.forward"].trigger()
+    until(lambda: shown.propagation.is_running, "the engine to begin")
+    until(lambda: not shown.propagation.is_running, "the engine to end")
     shown.actions_by_id["view.confidence"].trigger()
-    shown.actions_by_id["track.most_doubtful"].trigger()
+    show_frame(shown, DOUBTED_AFTER)
+    shown.actions_by_id["track.next_doubtful"].trigger()
     frame = shown.view_state.frame
     until(lambda: frame in shown.reader.cached_frames(), "the most doubtful frame")
-    photograph(shown, "confidence")
+    photograph(shown, "confidence.jpg")
+    photograph(shown.timeline, "timeline.png")
     shown.actions_by_id["view.overlay"].trigger()
+    show_frame(shown, LOOKED_AT)
+
+
+def photograph_editing(shown: MainWindow) -> None:
+    """The transform box about the whole shape; feather pulled out of one point with the hand."""
+    shown.actions_by_id["tool.transform"].trigger()
+    photograph(shown, "transform.jpg")
+    shown.actions_by_id["tool.feather"].trigger()
+    anchors = anchors_of(shown)
+    centre = anchors.mean(axis=0)
+    for anchor in anchors[:3]:
+        away = anchor - centre
+        drag(shown, anchor, anchor + 28.0 * away / float((away @ away) ** 0.5))
+    close_up(shown)
+    photograph(shown, "feather.jpg")
+    shown.actions_by_id["view.fit"].trigger()
+    shown.actions_by_id["tool.select"].trigger()
+    while shown.document.undo_stack.canUndo() and "feather" in shown.document.undo_stack.undoText().lower():
+        shown.actions_by_id["edit.undo"].trigger()
+
+
+def photograph_proposal(shown: MainWindow) -> None:
+    """A proposal to part the tail from the body. Posed: the engine has no doubt of this kind about the demo."""
+    from roam_core.propagate.result import FrameResult, Termination, TrackResult
+
+    (shape,) = shown.document.project.shapes
+    proposal = posed_proposal(shape, shown.document.project)
+    result = TrackResult(LOOKED_AT, shape, 0.9, {}, Termination.CONVERGED, 0.0, (proposal,))
+    shown.proposals.take(FrameResult(LOOKED_AT, (result,)), 1)
+    close_up(shown)
+    photograph(shown, "proposal.jpg")
+    shown.actions_by_id["view.fit"].trigger()
+    shown.actions_by_id["proposal.refuse"].trigger()
+
+
+def posed_proposal(shape: RotoShape, project: Project) -> Proposal:
+    """The shape's region on the frame, parted where it is thin."""
+    import cv2
+    import numpy as np
+
+    from roam_core import render_matte
+    from roam_core.propagate.offers import Proposal
+    from roam_core.proposal.topology import TopologyChange, TopologyKind
+
+    assert project.clip is not None
+    width, height = project.clip.size
+    whole = (render_matte([shape], LOOKED_AT, (height, width)) > 0.5).astype(np.uint8)
+    body = cv2.morphologyEx(whole, cv2.MORPH_OPEN, cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (25, 25)))
+    rings = []
+    for part in (body, whole - body):
+        found, _ = cv2.findContours(part, cv2.RETR_EXTERNAL, cv2.CHAIN_APPROX_NONE)
+        rings.append(max(found, key=cv2.contourArea)[:, 0].astype(np.float64) + 0.5)
+    return Proposal.of(TopologyChange(TopologyKind.SPLIT, tuple(rings), 41.6), shape, LOOKED_AT, height / 480.0)
+
+
+def photograph_planar(shown: MainWindow) -> None:
+    """A layer that moves as the surface in the shape does: the planar track of some frames, the layer selected."""
+    from resources import demo
+
+    show_frame(shown, demo.FIRST)
+    shown.view_state.set_play_range(demo.FIRST, LOOKED_AT + 1)
+    shown.actions_by_id["planar.forward"].trigger()
+    until(lambda: shown.planar.is_running, "the planar track to begin")
+    until(lambda: not shown.planar.is_running, "the planar track to end")
+    shown.view_state.set_play_range(demo.FIRST, demo.LAST + 1)
+    photograph(shown, "planar.jpg")
+    shown.actions_by_id["edit.undo"].trigger()
+    show_frame(shown, LOOKED_AT)
+
+
+def photograph_finding(shown: MainWindow) -> None:
+    """The command palette with a few letters typed; the keymap editor, the settings."""
+    from PySide6.QtTest import QTest
+
+    shown.actions_by_id["help.palette"].trigger()
+    QTest.keyClicks(shown.desk.palette.field, "doub")
+    photograph(shown, "palette.jpg")
+    shown.desk.palette.leave()
+    shown.actions_by_id["edit.keymap"].trigger()
+    shown.actions_by_id["edit.settings"].trigger()
+    for dialog, name in ((shown.desk._editor, "keymap"), (shown.desk._settings, "settings")):
+        assert dialog is not None
+        photograph(dialog, f"{name}.png")
+        dialog.close()
 
 
 def photograph_export(shown: MainWindow) -> None:
@@ -159,47 +233,40 @@ def photograph_export(shown: MainWindow) -> None:
     shown.actions_by_id["file.export"].trigger()
     dialog = shown.findChild(ExportDialog)
     assert dialog is not None
-    dialog.target.setText("shots/demo/demo.nk")
     dialog.choose(MATTES)
     dialog.target.setText("shots/demo/mattes")
-    photograph(dialog, "export")
+    photograph(dialog, "export.png")
     dialog.close()
 
 
-def opened(shown: MainWindow, begin: Callable[[], object]) -> None:
-    """Open something and wait until its first frame is there."""
-    before = shown.document.project
-    begin()
-    until(lambda: shown.document.project is not before, "the project")
-    until(lambda: shown.view_state.frame in shown.reader.cached_frames(), "the first frame")
+def photograph_start(shown: MainWindow) -> None:
+    """The start page, with a project and a clip that were opened before."""
+    folder = shown.personal.folder
+    assert folder is not None
+    folder.mkdir(exist_ok=True)
+    saved: list[bool] = []
+    shown.files.saved.connect(lambda: saved.append(True))
+    shown.files.save(folder / "manta.roam")
+    until(lambda: saved, "the project to be saved")
+    live(1200)  # its picture is drawn beside the window's thread
+    shown.files.new()
+    shown.reopening.page.begin()
+    photograph(shown, "start.jpg")
 
 
-def photograph(shown: QWidget, name: str) -> None:
-    """Write the window's picture when what it began to show is painted."""
-    live(600)
-    path = IMAGES / f"{name}.png"
-    picture = shown.grab()
-    if not picture.save(str(path)):
-        raise SystemExit(f"screenshots: {path} cannot be written")
-    print(f"Wrote {path.relative_to(IMAGES.parent.parent)}, {picture.width()}x{picture.height()}.")
-
-
-def until(condition: Callable[[], object], what: str) -> None:
-    """Let the window live until a condition holds."""
-    deadline = time.monotonic() + PATIENCE
-    while not condition():
-        if time.monotonic() > deadline:
-            raise SystemExit(f"screenshots: waited in vain for {what}")
-        live(20)
-
-
-def live(milliseconds: int) -> None:
-    """Let the window live for a while. Unlike `QTest.qWait`, a loop of Qt's lets the other threads run meanwhile."""
-    from PySide6.QtCore import QEventLoop, QTimer
-
-    loop = QEventLoop()
-    QTimer.singleShot(milliseconds, loop.quit)
-    loop.exec()
+SCENES = (
+    photograph_opening,
+    photograph_drawing,
+    photograph_tracking,
+    photograph_views,
+    photograph_doubt,
+    photograph_editing,
+    photograph_proposal,
+    photograph_planar,
+    photograph_finding,
+    photograph_export,
+    photograph_start,
+)
 
 
 if __name__ == "__main__":
