@@ -6,7 +6,7 @@ import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
-from roam_core.kernels.halves import in_halves
+from roam_core.threads import in_halves
 
 Float32 = NDArray[np.float32]
 UInt8 = NDArray[np.uint8]

@@ -10,7 +10,7 @@ from roam_core.propagate import step as outline
 from roam_core.propagate.region import RegionState
 from roam_core.propagate.result import Part, StepResult
 from roam_core.propagate.step import TrackerState
-from roam_core.propagate.threads import each
+from roam_core.threads import each
 
 State = RegionState | tuple[TrackerState, ...]
 """What is known of an object after a frame."""

@@ -17,8 +17,8 @@ from roam_core.propagate.group import GroupTracker, parts_at
 from roam_core.propagate.memory import TrackMemory, take_up
 from roam_core.propagate.objects import objects
 from roam_core.propagate.result import FrameResult, TrackResult
-from roam_core.propagate.threads import each
 from roam_core.roto import RotoShape
+from roam_core.threads import each
 
 NEAR = 20.0
 """Pixels of a 480-line image between outlines that still belong to one object."""

@@ -21,10 +21,10 @@ from roam_core.propagate.objects import objects
 from roam_core.propagate.passage import Passage, passage
 from roam_core.propagate.result import Part
 from roam_core.propagate.run import NEAR
-from roam_core.propagate.threads import each
 from roam_core.propagate.witness import Key, Span
 from roam_core.roto import BlendMode, Keyframe, Origin, RotoShape
 from roam_core.roto.edit import set_engine_keys
+from roam_core.threads import each
 
 
 def fill_span(

@@ -9,6 +9,7 @@ from hypothesis.extra.numpy import arrays
 from numpy.typing import NDArray
 
 from roam_core.geometry import bezier
+from roam_core.kernels.flattening import step_counts
 from tests.property.strategies import coordinates, point_arrays
 
 Array = NDArray[np.float64]
@@ -63,7 +64,7 @@ def test_nothing_sampled_is_nearer_than_the_nearest(points: Array, position: Arr
 @given(point_arrays(), st.sampled_from([0.02, 0.1, 1.0]), st.booleans())
 def test_a_flattened_spline_is_within_its_tolerance(points: Array, tolerance: float, closed: bool) -> None:
     control = bezier.segments(points, closed)
-    counts = bezier.flatten_counts(control, tolerance)
+    counts = step_counts(control, tolerance)
     line = bezier.flatten(points, closed, tolerance)
     assert len(line) == counts.sum() + (not closed)
     for polygon, count in zip(control, counts, strict=True):

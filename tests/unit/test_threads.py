@@ -1,4 +1,4 @@
-"""Rows shared between two threads: every row once, the same bits."""
+"""Work shared between two threads: everything once, in order, the same bits."""
 
 from __future__ import annotations
 
@@ -8,8 +8,8 @@ import cv2
 import numpy as np
 import pytest
 
-from roam_core.kernels.halves import WORTH_A_THREAD, in_halves
 from roam_core.kernels.local_match import local_match
+from roam_core.threads import WORTH_A_THREAD, each, in_halves
 
 
 @pytest.fixture
@@ -45,3 +45,16 @@ def test_two_threads_give_the_bits_of_one(two_threads: object) -> None:
     both = local_match(*arguments)
     cv2.setNumThreads(1)
     np.testing.assert_array_equal(local_match(*arguments), both)
+
+
+def test_results_come_in_the_order_of_the_items(two_threads: object) -> None:
+    assert each(lambda item: -item, range(20)) == [-item for item in range(20)]
+    assert each(str, []) == []
+
+
+def test_the_first_exception_comes_out(two_threads: object) -> None:
+    def refuse(item: int) -> int:
+        raise ValueError(f"item {item}")
+
+    with pytest.raises(ValueError, match="item 0"):
+        each(refuse, range(4))

@@ -1,0 +1,49 @@
+"""Work shared between two threads, as far as the engine was given more than one; results never depend on it.
+
+The engine has as many threads as OpenCV (`cv2.setNumThreads`).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from threading import Thread
+from typing import Any, TypeVar
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+Item = TypeVar("Item")
+Result = TypeVar("Result")
+
+WORTH_A_THREAD = 2000
+"""Pixels below which starting a thread takes longer than it saves."""
+
+
+def each(work: Callable[[Item], Result], items: Sequence[Item]) -> list[Result]:
+    """`[work(item) for item in items]`, two at a time: objects, outlines, directions, frames.
+
+    Results come in the order of `items`; the first exception, in that order, is raised when all work has ended.
+    """
+    if len(items) < 2 or cv2.getNumThreads() < 2:
+        return [work(item) for item in items]
+    with ThreadPoolExecutor(2) as pool:
+        return list(pool.map(work, items))
+
+
+def in_halves(work: Callable[[int, int], object], wanted: NDArray[Any]) -> None:
+    """Call `work(first, stop)` for all rows of `wanted (h, w)`: in two parts of as many wanted pixels at the same time.
+
+    In one part where little is wanted. `work` must release the interpreter's lock, treat each row alone and raise
+    nothing.
+    """
+    rows, pixels = len(wanted), np.cumsum(np.count_nonzero(wanted, axis=1))
+    if cv2.getNumThreads() < 2 or rows == 0 or pixels[-1] < WORTH_A_THREAD:
+        work(0, rows)
+        return
+    middle = int(np.searchsorted(pixels, pixels[-1] / 2)) + 1
+    other = Thread(target=work, args=(middle, rows), name="rows")
+    other.start()
+    work(0, middle)
+    other.join()
