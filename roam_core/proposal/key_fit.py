@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.sparse import csr_array, eye_array, vstack
+from scipy.sparse.linalg import spsolve
 
+from roam_core.geometry import bezier, polyline
 from roam_core.geometry.bezier import ANCHOR, IN, OUT
 from roam_core.geometry.simple import crossing_segments
 from roam_core.proposal.anchors import spread
 from roam_core.proposal.outline_match import matched
-from roam_core.proposal.refine import refined
 from roam_core.roto.edit import is_smooth
 
 Array = NDArray[np.float64]
@@ -17,10 +19,16 @@ IntArray = NDArray[np.int64]
 
 SPREADS = 6
 """Rounds in which anchors move along the outline."""
-ROUNDS = 9
-"""Rounds of least squares over the whole spline, samples at their nearest places from the second on."""
+ROUNDS = 8
+"""Rounds of refinement: samples to their nearest place on the curve, curve to its samples."""
+WINDOW = 20
+"""Places to both sides in which a sample's nearest place is looked for."""
 SLIDE = 0.05
-"""Weight, against the samples of one segment, that holds an anchor to its matched place along the outline."""
+"""Weight, against one sample of the outline, that holds an anchor to its matched place along the outline."""
+SMOOTH = 1.0
+"""Weight of a smooth point's handles leaving their common line."""
+HOLD = 0.002
+"""Weight of handles against those matched first."""
 
 
 def fitted(points: Array, ring: Array, poses: list[Array], scale: float = 1.0) -> Array:
@@ -32,9 +40,13 @@ def fitted(points: Array, ring: Array, poses: list[Array], scale: float = 1.0) -
     match = matched(points, ring, poses, scale)
     anchors = spread(points, match.samples, match.anchors, SPREADS, scale)
     prior = _carried(points, match.samples[anchors])
-    smooth = np.array([is_smooth(point, degrees=12.0) for point in points], dtype=bool)
-    result = refined(prior, match.samples, anchors, smooth, ROUNDS, SLIDE)
-    return _untangled(result, match.samples[anchors], scale)
+    fit = _Fit(points, prior, match.samples)
+    places = _places(anchors, match.samples)
+    result = fit.solve(places, prior)
+    for _ in range(ROUNDS):
+        places = fit.projected(result, places)
+        result = fit.solve(places, result)
+    return _untangled(bezier.aligned(result, fit.smooth), match.samples[anchors], scale)
 
 
 def _untangled(points: Array, anchors: Array, scale: float) -> Array:
@@ -81,6 +93,20 @@ def _straight(points: Array) -> Array:
     return np.where(corner[..., None], result[:, :1], result)
 
 
+def _places(at: IntArray, samples: Array) -> Array:
+    """For each sample the spline parameter `segment + t`, in [0, P), by length between the anchors' samples `at`."""
+    total = len(samples)
+    steps = (np.roll(at, -1) - at) % total
+    along = np.concatenate([[0.0], np.cumsum(np.hypot(*(np.roll(samples, -1, axis=0) - samples).T))])
+    knots = np.concatenate([[0], np.cumsum(steps)])
+    order = (at[0] + np.arange(total)) % total
+    length = np.where(order >= at[0], along[order], along[order] + along[-1])
+    stops = np.append(length, along[at[0]] + along[-1])[knots]
+    places = np.empty(total)
+    places[order] = np.interp(length, stops, np.arange(len(at) + 1))
+    return places
+
+
 def _carried(points: Array, anchors: Array) -> Array:
     """The spline with its anchors put at `anchors (P, 2)`; each handle turns and grows with its segment's chord."""
     result = np.empty_like(points)
@@ -94,3 +120,144 @@ def _carried(points: Array, anchors: Array) -> Array:
         handle = new + (old[1] - old[0]) * turn
         result[:, part] = np.stack([handle.real, handle.imag], axis=1)
     return result
+
+
+class _Fit:
+    """Least squares for the control points of a spline, given where on it the samples of an outline lie."""
+
+    def __init__(self, points: Array, prior: Array, samples: Array) -> None:
+        self.count = len(points)
+        self.samples = samples
+        self.step = polyline.length(samples) / len(samples)
+        self.prior = prior
+        self.smooth = np.array([is_smooth(point, degrees=12.0) for point in points], dtype=bool)
+        self.tie = _ties(points)
+        self.tangent = _tangents(prior)
+
+    def solve(self, places: Array, points: Array) -> Array:
+        """Control points for samples at `places (M,)`, starting from `points`."""
+        segment = np.minimum(places.astype(np.intp), self.count - 1)
+        design = _design(self.count, segment, places - segment)
+        both = _both(design)
+        rows = [both, self._slide(), self._common_lines(points), self._hold()]
+        prior = self.prior.ravel()
+        wanted = [self.samples.ravel(), rows[1] @ prior, np.zeros(rows[2].shape[0]), rows[3] @ prior]
+        matrix = vstack(rows) @ self.tie
+        normal = (matrix.T @ matrix + 1e-6 * eye_array(matrix.shape[1])).tocsc()
+        solution = spsolve(normal, matrix.T @ np.concatenate(wanted))
+        return self._bounded(np.asarray((self.tie @ solution).reshape(-1, 3, 2)), places)
+
+    def _bounded(self, points: Array, places: Array) -> Array:
+        """No handle longer than the piece of outline beside it: where samples are few a cubic could loop."""
+        spans = np.bincount(np.minimum(places.astype(np.intp), self.count - 1), minlength=self.count) + 1.0
+        longest = spans * self.step
+        result = points.copy()
+        for part, most in ((OUT, longest), (IN, np.roll(longest, 1))):
+            handle = points[:, part] - points[:, ANCHOR]
+            reach = np.maximum(np.hypot(*handle.T), 1e-12)
+            result[:, part] = points[:, ANCHOR] + handle * np.minimum(1.0, most / reach)[:, None]
+        return result
+
+    def _slide(self) -> csr_array:
+        rows = np.arange(self.count)
+        weight = np.sqrt(SLIDE * len(self.samples) / self.count)
+        return _rows(self.count, [(rows, ANCHOR, weight * self.tangent)])
+
+    def _hold(self) -> csr_array:
+        rows = np.arange(self.count)
+        weight = np.sqrt(HOLD * len(self.samples) / self.count)
+        parts = []
+        for axis in (0, 1):
+            unit = np.zeros((self.count, 2))
+            unit[:, axis] = weight
+            for part in (IN, OUT):
+                parts.append(_rows(self.count, [(rows, part, unit), (rows, ANCHOR, -unit)]))
+        return vstack(parts)
+
+    def _common_lines(self, points: Array) -> csr_array:
+        rows = np.flatnonzero(self.smooth)
+        tangent = _tangents(points)[rows]
+        normal = np.sqrt(SMOOTH) * np.stack([-tangent[:, 1], tangent[:, 0]], axis=1)
+        parts = [_rows(self.count, [(rows, part, normal), (rows, ANCHOR, -normal)]) for part in (IN, OUT)]
+        return vstack(parts)
+
+    def projected(self, points: Array, places: Array) -> Array:
+        """The places of the samples moved to the nearest ones on the spline, in order."""
+        fine = 12
+        segment = np.repeat(np.arange(self.count), fine)
+        t = np.tile(np.arange(fine) / fine, self.count)
+        line = bezier.evaluate(points, segment, t)
+        total = len(line)
+        index = np.round(places * fine).astype(np.intp)[:, None] + np.arange(-WINDOW, WINDOW + 1)
+        away = ((line[index % total] - self.samples[:, None]) ** 2).sum(axis=2)
+        facing = polyline.outward_normals(line)[index % total] @ polyline.outward_normals(self.samples)[:, :, None]
+        cost = away + 9.0 * (1.0 - facing[..., 0])
+        best = np.argmin(cost, axis=1)
+        rows = np.arange(len(best))
+        nearest = index[rows, best]
+        a, b = line[nearest % total], line[(nearest + 1) % total]
+        c = line[(nearest - 1) % total]
+        ahead = _foot(a, b, self.samples) - _foot(a, c, self.samples)
+        moved = (nearest + np.clip(ahead, -1.0, 1.0)) / fine
+        start = int(np.argmin(places))
+        order = (start + np.arange(len(places))) % len(places)
+        run = np.maximum.accumulate(moved[order])
+        run = np.clip(run, run[0], run[0] + self.count)
+        result = np.empty_like(run)
+        result[order] = run % self.count
+        return result
+
+
+def _foot(a: Array, b: Array, position: Array) -> Array:
+    along = b - a
+    return np.asarray(
+        np.clip(((position - a) * along).sum(axis=1) / np.maximum((along**2).sum(axis=1), 1e-12), 0.0, 1.0)
+    )
+
+
+def _tangents(points: Array) -> Array:
+    direction = points[:, OUT] - points[:, IN]
+    chord = np.roll(points[:, ANCHOR], -1, axis=0) - np.roll(points[:, ANCHOR], 1, axis=0)
+    reach = np.hypot(*direction.T)[:, None]
+    direction = np.where(reach > 1e-6, direction, chord)
+    return np.asarray(direction / np.maximum(np.hypot(*direction.T)[:, None], 1e-12))
+
+
+def _design(count: int, segment: NDArray[np.intp], t: Array) -> csr_array:
+    following = (segment + 1) % count
+    columns = np.stack([3 * segment + ANCHOR, 3 * segment + OUT, 3 * following + IN, 3 * following + ANCHOR], axis=1)
+    rows = np.repeat(np.arange(len(segment)), 4)
+    return csr_array((bezier.bernstein(t).ravel(), (rows, columns.ravel())), shape=(len(segment), 3 * count))
+
+
+def _both(design: csr_array) -> csr_array:
+    """The same rows for x and for y, interleaved."""
+    found = design.tocoo()
+    rows = np.concatenate([2 * found.row, 2 * found.row + 1])
+    columns = np.concatenate([2 * found.col, 2 * found.col + 1])
+    shape = 2 * design.shape[0], 2 * design.shape[1]
+    return csr_array((np.tile(found.data, 2), (rows, columns)), shape=shape)
+
+
+def _rows(count: int, terms: list[tuple[NDArray[np.intp], int, Array]]) -> csr_array:
+    """One row a point: the sum over `terms` of `vector . control point (index, part)`."""
+    values, rows, columns = [], [], []
+    for index, part, vector in terms:
+        for axis in (0, 1):
+            values.append(vector[:, axis])
+            rows.append(np.arange(len(index)))
+            columns.append(2 * (3 * index + part) + axis)
+    shape = len(terms[0][0]), 6 * count
+    return csr_array((np.concatenate(values), (np.concatenate(rows), np.concatenate(columns))), shape=shape)
+
+
+def _ties(points: Array) -> csr_array:
+    """The linear map from free coordinates to all: a handle that lies on its anchor stays there."""
+    count = len(points)
+    owner = np.arange(3 * count)
+    for part in (IN, OUT):
+        corner = (points[:, part] == points[:, ANCHOR]).all(axis=1)
+        owner[3 * np.flatnonzero(corner) + part] = 3 * np.flatnonzero(corner) + ANCHOR
+    free, column = np.unique(owner, return_inverse=True)
+    single = csr_array((np.ones(3 * count), (np.arange(3 * count), column)), shape=(3 * count, len(free)))
+    return _both(single)

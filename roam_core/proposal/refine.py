@@ -28,14 +28,11 @@ LINE = 1.0
 """Weight, against one sample, of a smooth point's handle off the common line."""
 
 
-def refined(
-    points: Array, samples: Array, at: IntArray, smooth: NDArray[np.bool_], rounds: int, stay: float = STAY
-) -> Array:
+def refined(points: Array, samples: Array, at: IntArray, smooth: NDArray[np.bool_], rounds: int) -> Array:
     """The closed spline `points (P, 3, 2)` with all control points fitted to the ring `samples (M, 2)`.
 
     Its anchors lie on `samples[at]`, in order, to begin with; they may leave them as far as the curve gains by it.
-    `stay` is the price of that, against the samples of one segment. Handles that lie on their anchor stay there;
-    points marked `smooth (P,)` keep theirs on one line.
+    Handles that lie on their anchor stay there; points marked `smooth (P,)` keep theirs on one line.
     """
     facing = polyline.outward_normals(samples)
     owner = _owners(points)
@@ -45,7 +42,7 @@ def refined(
             places = _nearest(result, places, samples, facing)
         share = len(samples) / len(points)
         band, right = normal_band(
-            samples, places, points.reshape(-1, 2), owner, _tangents(result), smooth, (stay * share, HOLD * share, LINE)
+            samples, places, points.reshape(-1, 2), owner, _tangents(result), smooth, (STAY * share, HOLD * share, LINE)
         )
         free = solveh_banded(band, right, lower=True, check_finite=False).reshape(-1, 2)
         result = _bounded(free[owner].reshape(-1, 3, 2), places, samples)
