@@ -260,7 +260,7 @@ def _track(report: Report, request: _Request) -> str:
         _make_ready(result)
         report.partial(result)
         done += 1
-        seconds += sum(r.seconds for r in result.results)
+        seconds += result.seconds
         pace = f"{1000 * seconds / done:.0f} ms a frame"
         place = f"frame {result.frame} of {frames[-1]}"
         report.progress(done / max(len(frames) - 1, 1), f"Tracking {names} {direction}: {place} · {pace}")

@@ -14,14 +14,13 @@ from app.canvas.outline_paths import outline_path
 from app.canvas.viewport import Viewport
 from app.document import Document
 from app.tools.finishing import finish_shape, next_colour
+from app.tools.gesture_tool import DROP_KEYS
 from app.tools.gestures import DRAG_DISTANCE
 from app.tools.tool import Modifier, Pointer, Tool
 from app.view_state import ViewState
 from roam_core.geometry import primitives
 
 Array = NDArray[np.float64]
-
-DROP_KEYS = frozenset({"Esc", "Ctrl+Z"})
 
 
 class BoxTool(Tool, ABC):

@@ -13,10 +13,11 @@ from PySide6.QtGui import QPainter
 from app.canvas.shown import editable_shapes
 from app.canvas.viewport import Viewport
 from app.document import Document
+from app.tools.gesture_tool import GROWTH, GestureTool
 from app.tools.gestures import Edit, Gesture
 from app.tools.reshape import Grab
 from app.tools.soft_marks import paint_reach, paint_weights
-from app.tools.tool import Modifier, Pointer, Tool
+from app.tools.tool import Modifier, Pointer
 from app.view_state import ViewState
 from roam_core.geometry.bezier import ANCHOR
 from roam_core.roto import Outline, Project
@@ -24,15 +25,12 @@ from roam_core.roto.transform import bell
 
 Array = NDArray[np.float64]
 
-DROP_KEYS = frozenset({"Esc", "Ctrl+Z"})
-GROWTH = 1.12
-"""How much a notch of the wheel widens a radius."""
 
 LIGHTEST = 0.1
 """The part of the radius that the lightest touch of a pen has."""
 
 
-class ReshapeTool(Tool):
+class ReshapeTool(GestureTool):
     """A drag pulls the points of the selected shapes (of all, where none is selected) that the brush covers.
 
     Ctrl and the wheel, or a drag with Ctrl, change its radius; with a pen it is as wide as the pen is pressed.
@@ -44,20 +42,11 @@ class ReshapeTool(Tool):
 
     def __init__(self, document: Document, view_state: ViewState) -> None:
         super().__init__(document, view_state)
-        self._gesture: Gesture | None = None
         self._pointer: Pointer | None = None
 
     @property
     def cursor(self) -> Qt.CursorShape:
         return Qt.CursorShape.CrossCursor
-
-    @property
-    def claimed_keys(self) -> frozenset[str]:
-        return DROP_KEYS if self._gesture else frozenset()
-
-    def deactivate(self) -> None:
-        self.drop()
-        self.leave()
 
     def press(self, pointer: Pointer) -> None:
         self._pointer = pointer
@@ -73,14 +62,7 @@ class ReshapeTool(Tool):
 
     def drag(self, pointer: Pointer) -> None:
         self._pointer = pointer
-        if self._gesture:
-            self._gesture.move(pointer)
-
-    def release(self, pointer: Pointer) -> None:
-        gesture, self._gesture = self._gesture, None
-        if gesture:
-            gesture.release(pointer)
-        self._pointer = pointer
+        super().drag(pointer)
 
     def hover(self, pointer: Pointer) -> None:
         self._pointer = pointer
@@ -92,22 +74,6 @@ class ReshapeTool(Tool):
         editing = self.view_state.editing
         editing.set(brush_radius=editing.modes.brush_radius * GROWTH**notches)
         return True
-
-    def refresh(self) -> None:
-        gesture = self._gesture
-        if gesture and not gesture.is_valid:
-            self.drop()
-            self.view_state.say("The drag was dropped: its shape or the frame changed meanwhile.")
-        elif gesture and gesture.is_dragging:
-            gesture.drag(gesture.last)
-
-    def drop(self) -> None:
-        gesture, self._gesture = self._gesture, None
-        if gesture:
-            gesture.drop()
-
-    def key(self, name: str) -> None:
-        self.drop()
 
     def paint(self, painter: QPainter, viewport: Viewport) -> None:
         gesture, view = self._gesture, self.view_state

@@ -13,17 +13,17 @@ from app.canvas.feather_item import feather_grips, paint_feather_points
 from app.canvas.shown import editable_shapes
 from app.canvas.viewport import Viewport
 from app.document import Document
+from app.tools.gesture_tool import GestureTool
 from app.tools.gestures import Edit, Gesture, Marquee
 from app.tools.hit_test import REACH, SAME_SPOT, OutlineHit, PointHit, hit_outline
 from app.tools.reshape import Grab, break_tangent, selected_indices
-from app.tools.tool import Modifier, Pointer, Tool
+from app.tools.tool import Modifier, Pointer
 from app.view_state import Selection, ViewState
 from roam_core.geometry.bezier import ANCHOR
 from roam_core.roto import Project, RotoShape, edit, feather
 
 Array = NDArray[np.float64]
 
-DROP_KEYS = frozenset({"Esc", "Ctrl+Z"})
 NOTHING_SELECTED = "Select a shape or some of its points first."
 
 
@@ -67,7 +67,7 @@ class TurnFeather(Edit):
         )
 
 
-class FeatherTool(Tool):
+class FeatherTool(GestureTool):
     """A drag from a point of a selected shape pulls its feather out; one from the outline pulls both of its ends."""
 
     name = "feather"
@@ -76,21 +76,12 @@ class FeatherTool(Tool):
 
     def __init__(self, document: Document, view_state: ViewState) -> None:
         super().__init__(document, view_state)
-        self._gesture: Gesture | None = None
         self._hover: PointHit | None = None
         self._cursor = Qt.CursorShape.ArrowCursor
 
     @property
     def cursor(self) -> Qt.CursorShape:
         return self._cursor
-
-    @property
-    def claimed_keys(self) -> frozenset[str]:
-        return DROP_KEYS if self._gesture else frozenset()
-
-    def deactivate(self) -> None:
-        self.drop()
-        self.leave()
 
     def press(self, pointer: Pointer) -> None:
         found = self._hit(pointer)
@@ -120,17 +111,6 @@ class FeatherTool(Tool):
             "Reset feather", grab.changed(self.document.project, lambda _: feather.reset([found.index]))
         )
 
-    def drag(self, pointer: Pointer) -> None:
-        if self._gesture:
-            self._gesture.move(pointer)
-
-    def release(self, pointer: Pointer) -> None:
-        # Laid down first: the edit that it makes comes back as a change of the document.
-        gesture, self._gesture = self._gesture, None
-        if gesture:
-            gesture.release(pointer)
-        self.hover(pointer)
-
     def hover(self, pointer: Pointer) -> None:
         found = self._hit(pointer)
         self._hover = found if isinstance(found, PointHit) else None
@@ -140,22 +120,6 @@ class FeatherTool(Tool):
 
     def leave(self) -> None:
         self._hover, self._cursor = None, Qt.CursorShape.ArrowCursor
-
-    def refresh(self) -> None:
-        gesture = self._gesture
-        if gesture and not gesture.is_valid:
-            self.drop()
-            self.view_state.say("The drag was dropped: its shape or the frame changed meanwhile.")
-        elif gesture and gesture.is_dragging:
-            gesture.drag(gesture.last)
-
-    def drop(self) -> None:
-        gesture, self._gesture = self._gesture, None
-        if gesture:
-            gesture.drop()
-
-    def key(self, name: str) -> None:
-        self.drop()
 
     def paint(self, painter: QPainter, viewport: Viewport) -> None:
         view = self.view_state

@@ -7,23 +7,20 @@ from PySide6.QtGui import QPainter
 
 from app.canvas.viewport import Viewport
 from app.document import Document
+from app.tools.gesture_tool import GROWTH, GestureTool
 from app.tools.gestures import Edit, Gesture, Lasso, Marquee, Move, PullOut, Turn
 from app.tools.hit_test import OutlineHit, PointHit, hit, hit_outline
 from app.tools.reshape import grab_point, grab_selection, grabbed_weights, with_point_inserted
 from app.tools.soft_marks import paint_reach, paint_weights
-from app.tools.tool import Modifier, Pointer, Tool
+from app.tools.tool import Modifier, Pointer
 from app.view_state import Selection, ViewState
 from roam_core.geometry.bezier import ANCHOR, OUT
 from roam_core.roto import Spline
 
 INSERT = Modifier.ControlModifier | Modifier.AltModifier
-GROWTH = 1.12
-"""How much a notch of the wheel widens the reach of soft selection."""
-
-DROP_KEYS = frozenset({"Esc", "Ctrl+Z"})
 
 
-class SelectTool(Tool):
+class SelectTool(GestureTool):
     """Click selects, drag moves. A press on a shape that is not selected selects it and moves nothing."""
 
     name = "select"
@@ -31,20 +28,11 @@ class SelectTool(Tool):
 
     def __init__(self, document: Document, view_state: ViewState) -> None:
         super().__init__(document, view_state)
-        self._gesture: Gesture | None = None
         self._cursor = Qt.CursorShape.ArrowCursor
 
     @property
     def cursor(self) -> Qt.CursorShape:
         return self._cursor
-
-    @property
-    def claimed_keys(self) -> frozenset[str]:
-        return DROP_KEYS if self._gesture else frozenset()
-
-    def deactivate(self) -> None:
-        self.drop()
-        self.leave()
 
     def press(self, pointer: Pointer) -> None:
         if pointer.holds(INSERT) and self._insert_point(pointer):
@@ -67,17 +55,6 @@ class SelectTool(Tool):
         count = self.document.project.shape(found.shape_id).point_count
         self.view_state.select(frozenset(), frozenset((found.shape_id, index) for index in range(count)))
 
-    def drag(self, pointer: Pointer) -> None:
-        if self._gesture:
-            self._gesture.move(pointer)
-
-    def release(self, pointer: Pointer) -> None:
-        # Laid down first: the edit that it makes comes back as a change of the document.
-        gesture, self._gesture = self._gesture, None
-        if gesture:
-            gesture.release(pointer)
-        self.hover(pointer)
-
     def hover(self, pointer: Pointer) -> None:
         found = self._hit_insertion(pointer) if pointer.holds(INSERT) else self._hit(pointer)
         self.view_state.hovered = (found.shape_id, found.index, found.part) if isinstance(found, PointHit) else None
@@ -93,22 +70,6 @@ class SelectTool(Tool):
     def leave(self) -> None:
         self.view_state.hovered = None
         self._cursor = Qt.CursorShape.ArrowCursor
-
-    def refresh(self) -> None:
-        gesture = self._gesture
-        if gesture and not gesture.is_valid:
-            self.drop()
-            self.view_state.say("The drag was dropped: its shape or the frame changed meanwhile.")
-        elif gesture and gesture.is_dragging:
-            gesture.drag(gesture.last)
-
-    def drop(self) -> None:
-        gesture, self._gesture = self._gesture, None
-        if gesture:
-            gesture.drop()
-
-    def key(self, name: str) -> None:
-        self.drop()
 
     def wheel(self, pointer: Pointer, notches: float) -> bool:
         """Widen or narrow the reach of soft selection, while it is on."""

@@ -16,7 +16,7 @@ from roam_core.cli.track import Report, frame_range, print_line, require_target,
 from roam_core.errors import RoamError
 from roam_core.matte import render_matte
 from roam_core.params import DEFAULT_CONFIG, params_for
-from roam_core.propagate import TrackResult
+from roam_core.propagate import FrameResult
 from roam_core.roto import Clip, Project, RotoShape, edit, file
 
 
@@ -37,10 +37,10 @@ def run(arguments: argparse.Namespace) -> int:
     folder = demo_frames(arguments.frames)
     truth: list[float] = []
 
-    def scored(frame: int, results: tuple[TrackResult, ...]) -> None:
-        truth.append(overlap(results[0].shape, frame))
+    def scored(solved: FrameResult) -> None:
+        truth.append(overlap(solved.results[0].shape, solved.frame))
         if arguments.json:
-            print_line(frame, results)
+            print_line(solved)
 
     with opened(str(folder)) as plate:
         project = track_demo(plate, arguments.config, scored)

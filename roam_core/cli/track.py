@@ -21,7 +21,7 @@ from roam_core.propagate import FrameResult, Termination, TrackResult, track, wa
 from roam_core.propagate.provenance import clip_stamp
 from roam_core.roto import Clip, Layer, Project, RotoShape, file
 
-Report = Callable[[int, tuple[TrackResult, ...]], None]
+Report = Callable[[FrameResult], None]
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -51,7 +51,7 @@ def run(arguments: argparse.Namespace) -> int:
             require_target(arguments.save)
         if arguments.matte is not None:
             require_writable(arguments.matte, create=True)
-        report = print_line if arguments.json else _silent
+        report = print_line if arguments.json else None
 
         def save(tracked: Project) -> None:
             if arguments.save is not None:
@@ -78,7 +78,7 @@ def track_project(
 ) -> Project:
     """Track all closed, unlocked shapes of a project through `frames` of its plate.
 
-    `report` is called with each frame's results; `mattes` is a folder for a PNG of each frame, written as it is solved.
+    `report` is called with each solved frame; `mattes` is a folder for a PNG of each frame, written as it is solved.
     When the user interrupts, `keep` is given what is finished.
     """
     shapes = [shape for shape in project.shapes if shape.closed and not shape.locked]
@@ -86,22 +86,24 @@ def track_project(
     warm_up(config)
     width, height = plate.source.size
 
-    def finished(frame: int, results: tuple[TrackResult, ...]) -> None:
+    def finished(solved: FrameResult) -> None:
+        frame = solved.frame
         if mattes is not None and frame in plate.source.frames:
             name = f"{plate.source.frame_name(frame)}.png"
             write_matte(project.root, frame, mattes / name, (height, width))
         if report is not None:
-            report(frame, results)
+            report(solved)
 
     plate.read(frames[0])
     plate.ahead_of(frames[0], frames)
-    finished(frames[0], tuple(TrackResult(frames[0], s, 1.0, {}, Termination.ARTIST_KEY) for s in shapes))
+    keys = tuple(TrackResult(frames[0], shape, 1.0, {}, Termination.ARTIST_KEY) for shape in shapes)
+    finished(FrameResult(frames[0], keys))
     solved = track(plate.read, shapes, frames, config, clip=stamp)
     quiet = not sys.stderr.isatty()
     try:
         for result in tqdm(solved, total=len(frames) - 1, unit="frame", disable=quiet, leave=False):
             project = with_results(project, result)
-            finished(result.frame, result.results)
+            finished(result)
             plate.ahead_of(result.frame, frames)
     except KeyboardInterrupt:
         if keep is not None:
@@ -185,18 +187,14 @@ def require_writable(folder: Path, *, create: bool) -> None:
         raise RoamError(f"The folder {folder} cannot be written to; choose another or change its permissions.")
 
 
-def print_line(frame: int, results: tuple[TrackResult, ...]) -> None:
-    """One line of JSON: the frame's seconds and energy summed over shapes, its least confidence and what it doubts."""
-    worst = min(results, key=lambda result: result.confidence)
+def print_line(solved: FrameResult) -> None:
+    """One line of JSON: the frame's seconds by the clock, energy over all shapes, least confidence, what it doubts."""
+    worst = min(solved.results, key=lambda result: result.confidence)
     line = {
-        "frame": frame,
-        "seconds": round(sum(result.seconds for result in results), 6),
-        "energy": round(sum(result.energies.get("total", 0.0) for result in results), 6),
+        "frame": solved.frame,
+        "seconds": round(solved.seconds, 6),
+        "energy": round(sum(result.energies.get("total", 0.0) for result in solved.results), 6),
         "confidence": round(worst.confidence, 4),
         "termination": worst.termination.value,
     }
     print(json.dumps(line), flush=True)
-
-
-def _silent(frame: int, results: tuple[TrackResult, ...]) -> None:
-    """No line a frame."""

@@ -82,7 +82,8 @@ class TrackResult:
 
 @dataclass(frozen=True)
 class FrameResult:
-    """All tracked shapes on one frame, in the order in which they were given."""
+    """All tracked shapes on one frame, in the order in which they were given; `seconds` by the clock for all."""
 
     frame: int
     results: tuple[TrackResult, ...]
+    seconds: float = 0.0

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 from typing import Any
@@ -71,11 +72,13 @@ def track(
         except MissingFrame:
             yield _in_order(frame, groups, [tracker.skip(frame) for tracker in trackers])
             continue
+        began = time.perf_counter()
         solved = each(partial(_stepped, picture, frame, token), trackers)
+        seconds = time.perf_counter() - began
         if memory is not None:
             for tracker in trackers:
                 memory.keep(tracker.standing, tracker.params)
-        yield _in_order(frame, groups, solved)
+        yield _in_order(frame, groups, solved, seconds)
 
 
 def _stepped(
@@ -84,10 +87,12 @@ def _stepped(
     return tracker.step(picture, frame, token)
 
 
-def _in_order(frame: int, groups: list[list[int]], solved: list[tuple[TrackResult, ...]]) -> FrameResult:
+def _in_order(
+    frame: int, groups: list[list[int]], solved: list[tuple[TrackResult, ...]], seconds: float = 0.0
+) -> FrameResult:
     by_shape = {
         index: result
         for members, results in zip(groups, solved, strict=True)
         for index, result in zip(members, results, strict=True)
     }
-    return FrameResult(frame, tuple(by_shape[index] for index in sorted(by_shape)))
+    return FrameResult(frame, tuple(by_shape[index] for index in sorted(by_shape)), seconds)

@@ -47,7 +47,7 @@ class Engine:
                 key = Keyframe(frame, points, origin=Origin.ENGINE, confidence=0.4 if frame == 3 else 0.9)
                 moved = edit.set_engine_keys(shape, [key])
                 results.append(TrackResult(frame, moved, 0.4 if frame == 3 else 0.9, {}, Termination.CONVERGED, 0.01))
-            yield FrameResult(frame, tuple(results))
+            yield FrameResult(frame, tuple(results), 0.01)
 
 
 @pytest.fixture
