@@ -227,7 +227,7 @@ def _by_energy(bare: Explanation, state: TrackerState, picture: PreparedFrame, p
 def _by_cues(bare: Explanation, state: RegionState, picture: PreparedFrame, params: RoamParams) -> Explanation:
     """What each cue says on the two sides of the outline."""
     assert params.region is not None
-    sight = region.sighted(state, picture, params.region)
+    sight = region.sighted(region.setting_out(state, picture, params.region), picture, params.region)
     if sight is None:
         return bare
     sources = sight.sources

@@ -95,15 +95,29 @@ def step(
     Where that leaves the object lost or in doubt it is looked for around its last place, and taken from there if that
     promises more.
     """
+    return _decided(state, frame, params, token)[1]
+
+
+def setting_out(
+    state: RegionState, frame: PreparedFrame, params: RegionParams, token: CancelToken | None = None
+) -> RegionState:
+    """The state that `step` carries on to `frame`: the one given, or the object as on the key where it was found."""
+    return _decided(state, frame, params, token)[0]
+
+
+def _decided(
+    state: RegionState, frame: PreparedFrame, params: RegionParams, token: CancelToken | None
+) -> tuple[RegionState, tuple[RegionState, tuple[StepResult, ...]]]:
+    """The state from which the shapes are carried on, and what comes of it."""
     carried = _carried(state, frame, params, token)
     after = carried[0]
     if after.trust >= params.doubted:
-        return carried
+        return state, carried
     elsewhere = _at_sighting(state, after.sighting, frame, params)
     if elsewhere is None:
-        return carried
+        return state, carried
     again = _carried(elsewhere, frame, params, token)
-    return again if again[0].trust > after.trust + params.better else carried
+    return (elsewhere, again) if again[0].trust > after.trust + params.better else (state, carried)
 
 
 def _at_sighting(

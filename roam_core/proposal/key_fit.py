@@ -12,6 +12,7 @@ from roam_core.geometry.bezier import ANCHOR, IN, OUT
 from roam_core.geometry.simple import crossing_segments
 from roam_core.proposal.anchors import spread
 from roam_core.proposal.outline_match import matched
+from roam_core.proposal.refine import bounded, places_between, tangents
 from roam_core.roto.edit import is_smooth
 
 Array = NDArray[np.float64]
@@ -41,7 +42,7 @@ def fitted(points: Array, ring: Array, poses: list[Array], scale: float = 1.0) -
     anchors = spread(points, match.samples, match.anchors, SPREADS, scale)
     prior = _carried(points, match.samples[anchors])
     fit = _Fit(points, prior, match.samples)
-    places = _places(anchors, match.samples)
+    places = places_between(anchors, match.samples)
     result = fit.solve(places, prior)
     for _ in range(ROUNDS):
         places = fit.projected(result, places)
@@ -93,20 +94,6 @@ def _straight(points: Array) -> Array:
     return np.where(corner[..., None], result[:, :1], result)
 
 
-def _places(at: IntArray, samples: Array) -> Array:
-    """For each sample the spline parameter `segment + t`, in [0, P), by length between the anchors' samples `at`."""
-    total = len(samples)
-    steps = (np.roll(at, -1) - at) % total
-    along = np.concatenate([[0.0], np.cumsum(np.hypot(*(np.roll(samples, -1, axis=0) - samples).T))])
-    knots = np.concatenate([[0], np.cumsum(steps)])
-    order = (at[0] + np.arange(total)) % total
-    length = np.where(order >= at[0], along[order], along[order] + along[-1])
-    stops = np.append(length, along[at[0]] + along[-1])[knots]
-    places = np.empty(total)
-    places[order] = np.interp(length, stops, np.arange(len(at) + 1))
-    return places
-
-
 def _carried(points: Array, anchors: Array) -> Array:
     """The spline with its anchors put at `anchors (P, 2)`; each handle turns and grows with its segment's chord."""
     result = np.empty_like(points)
@@ -128,11 +115,10 @@ class _Fit:
     def __init__(self, points: Array, prior: Array, samples: Array) -> None:
         self.count = len(points)
         self.samples = samples
-        self.step = polyline.length(samples) / len(samples)
         self.prior = prior
         self.smooth = np.array([is_smooth(point, degrees=12.0) for point in points], dtype=bool)
         self.tie = _ties(points)
-        self.tangent = _tangents(prior)
+        self.tangent = tangents(prior)
 
     def solve(self, places: Array, points: Array) -> Array:
         """Control points for samples at `places (M,)`, starting from `points`."""
@@ -145,18 +131,7 @@ class _Fit:
         matrix = vstack(rows) @ self.tie
         normal = (matrix.T @ matrix + 1e-6 * eye_array(matrix.shape[1])).tocsc()
         solution = spsolve(normal, matrix.T @ np.concatenate(wanted))
-        return self._bounded(np.asarray((self.tie @ solution).reshape(-1, 3, 2)), places)
-
-    def _bounded(self, points: Array, places: Array) -> Array:
-        """No handle longer than the piece of outline beside it: where samples are few a cubic could loop."""
-        spans = np.bincount(np.minimum(places.astype(np.intp), self.count - 1), minlength=self.count) + 1.0
-        longest = spans * self.step
-        result = points.copy()
-        for part, most in ((OUT, longest), (IN, np.roll(longest, 1))):
-            handle = points[:, part] - points[:, ANCHOR]
-            reach = np.maximum(np.hypot(*handle.T), 1e-12)
-            result[:, part] = points[:, ANCHOR] + handle * np.minimum(1.0, most / reach)[:, None]
-        return result
+        return bounded(np.asarray((self.tie @ solution).reshape(-1, 3, 2)), places, self.samples)
 
     def _slide(self) -> csr_array:
         rows = np.arange(self.count)
@@ -176,7 +151,7 @@ class _Fit:
 
     def _common_lines(self, points: Array) -> csr_array:
         rows = np.flatnonzero(self.smooth)
-        tangent = _tangents(points)[rows]
+        tangent = tangents(points)[rows]
         normal = np.sqrt(SMOOTH) * np.stack([-tangent[:, 1], tangent[:, 0]], axis=1)
         parts = [_rows(self.count, [(rows, part, normal), (rows, ANCHOR, -normal)]) for part in (IN, OUT)]
         return vstack(parts)
@@ -213,14 +188,6 @@ def _foot(a: Array, b: Array, position: Array) -> Array:
     return np.asarray(
         np.clip(((position - a) * along).sum(axis=1) / np.maximum((along**2).sum(axis=1), 1e-12), 0.0, 1.0)
     )
-
-
-def _tangents(points: Array) -> Array:
-    direction = points[:, OUT] - points[:, IN]
-    chord = np.roll(points[:, ANCHOR], -1, axis=0) - np.roll(points[:, ANCHOR], 1, axis=0)
-    reach = np.hypot(*direction.T)[:, None]
-    direction = np.where(reach > 1e-6, direction, chord)
-    return np.asarray(direction / np.maximum(np.hypot(*direction.T)[:, None], 1e-12))
 
 
 def _design(count: int, segment: NDArray[np.intp], t: Array) -> csr_array:

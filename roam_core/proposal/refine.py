@@ -36,16 +36,16 @@ def refined(points: Array, samples: Array, at: IntArray, smooth: NDArray[np.bool
     """
     facing = polyline.outward_normals(samples)
     owner = _owners(points)
-    places, result = _between(at, samples), points
+    places, result = places_between(at, samples), points
     for turn in range(rounds):
         if turn > 0:
             places = _nearest(result, places, samples, facing)
         share = len(samples) / len(points)
         band, right = normal_band(
-            samples, places, points.reshape(-1, 2), owner, _tangents(result), smooth, (STAY * share, HOLD * share, LINE)
+            samples, places, points.reshape(-1, 2), owner, tangents(result), smooth, (STAY * share, HOLD * share, LINE)
         )
         free = solveh_banded(band, right, lower=True, check_finite=False).reshape(-1, 2)
-        result = _bounded(free[owner].reshape(-1, 3, 2), places, samples)
+        result = bounded(free[owner].reshape(-1, 3, 2), places, samples)
     return bezier.aligned(result, smooth)
 
 
@@ -64,7 +64,7 @@ def _owners(points: Array) -> IntArray:
     return np.unique(owner.ravel(), return_inverse=True)[1].astype(np.int64)
 
 
-def _tangents(points: Array) -> Array:
+def tangents(points: Array) -> Array:
     """The unit direction `(P, 2)` of the outline at each anchor."""
     between = points[:, OUT] - points[:, IN]
     chord = polyline.following(points[:, ANCHOR]) - polyline.preceding(points[:, ANCHOR])
@@ -72,7 +72,7 @@ def _tangents(points: Array) -> Array:
     return np.asarray(direction / np.maximum(np.hypot(*direction.T), 1e-12)[:, None])
 
 
-def _between(at: IntArray, samples: Array) -> Array:
+def places_between(at: IntArray, samples: Array) -> Array:
     """For each sample its place `segment + t` by length between the anchors' samples."""
     total = len(samples)
     along = np.concatenate([[0.0], np.cumsum(np.hypot(*(polyline.following(samples) - samples).T))])
@@ -100,7 +100,7 @@ def _nearest(points: Array, places: Array, samples: Array, normals: Array) -> Ar
     return result
 
 
-def _bounded(points: Array, places: Array, samples: Array) -> Array:
+def bounded(points: Array, places: Array, samples: Array) -> Array:
     """No handle longer than the piece of outline beside it: where samples are few a cubic could loop."""
     step = polyline.length(samples) / len(samples)
     pieces = np.bincount(np.minimum(places.astype(np.intp), len(points) - 1), minlength=len(points))
