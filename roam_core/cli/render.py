@@ -52,7 +52,7 @@ def run(arguments: argparse.Namespace) -> int:
     frames = [frame for frame in range(first, last + 1) if frame in names]
     named = {frame: f"{names[frame]}{style.suffix}" for frame in frames}
     with tqdm(total=len(frames), unit="frame", disable=not sys.stderr.isatty(), leave=False) as bar:
-        paths = write_mattes(
+        written = write_mattes(
             project,
             frames,
             arguments.out,
@@ -62,9 +62,9 @@ def run(arguments: argparse.Namespace) -> int:
             pixel_aspect=clip.pixel_aspect,
             progress=lambda share, _: show(bar, share),
         )
-    if frames and not paths:
+    if frames and not (written.made or written.kept):
         raise RoamError(f"Nothing is visible in {arguments.project} that could have a matte of its own.")
-    print(f"Wrote {len(paths)} matte(s) to {arguments.out}.", file=sys.stderr)
+    print(written.report(f" to {arguments.out}"), file=sys.stderr)
     return 0
 
 

@@ -65,7 +65,7 @@ class MatteExporter:
             folder, pattern = path, f"matte.####{style.suffix}"
         notes: list[str] = []
         shown = replace(project, root=with_chosen_keys(project.root, options, notes))
-        write_mattes(
+        written = write_mattes(
             shown,
             options.frames_of(clip),
             folder,
@@ -75,7 +75,7 @@ class MatteExporter:
             progress=options.progress,
             token=options.token,
         )
-        return tuple(notes)
+        return (*notes, written.report()) if written.kept else tuple(notes)
 
 
 def style_for(path: Path, style: MatteStyle) -> MatteStyle:
@@ -122,6 +122,19 @@ def parts_of(shapes: Shapes, parts: Parts) -> list[Part]:
     return [Part(word, name, content) for word, (name, content) in zip(words, found, strict=True)]
 
 
+@dataclass(frozen=True)
+class Written:
+    """The pictures of a run, in the order of the frames: those `made` now, and those `kept` as they were."""
+
+    made: tuple[Path, ...]
+    kept: tuple[Path, ...] = ()
+
+    def report(self, place: str = "") -> str:
+        """One sentence on how many there are of each; `place` tells where, such as " to mattes"."""
+        kept = f"; {len(self.kept)} there already" if self.kept else ""
+        return f"Wrote {len(self.made)} matte(s){place}{kept}."
+
+
 def write_mattes(
     shapes: Shapes,
     frames: Iterable[int],
@@ -133,7 +146,7 @@ def write_mattes(
     pixel_aspect: float = 1.0,
     progress: Progress | None = None,
     token: CancelToken | None = None,
-) -> tuple[Path, ...]:
+) -> Written:
     """Render and write the pictures of each frame; each appears under its name only when it is whole.
 
     Parameters
@@ -150,7 +163,7 @@ def write_mattes(
 
     Returns
     -------
-    The files, in the order of the frames, with those that were there already.
+    The files that were written and those that were there already.
 
     Raises
     ------
@@ -163,16 +176,22 @@ def write_mattes(
     plan = _plan(frames, folder, name_for, parts, style)
     for place in sorted({path.parent for paths in plan.values() for path in paths} | {folder}):
         _make(place)
+    made: list[Path] = []
+    kept: list[Path] = []
     for done, (frame, paths) in enumerate(plan.items()):
         if token is not None:
             token.check()
         if progress is not None:
             progress(done / len(plan), f"Matte of frame {frame}")
-        if not (style.resumes and all(path.is_file() and path.stat().st_size > 0 for path in paths)):
+        if style.resumes and all(path.is_file() and path.stat().st_size > 0 for path in paths):
+            kept += paths
+        else:
             _write_frame(shapes, frame, size, parts, paths, style, pixel_aspect)
+            made += paths
+    written = Written(tuple(made), tuple(kept))
     if progress is not None:
-        progress(1.0, f"{len(plan)} mattes written")
-    return tuple(path for paths in plan.values() for path in paths)
+        progress(1.0, written.report())
+    return written
 
 
 def write_matte(shapes: Shapes, frame: int, path: Path, size: tuple[int, int], *, bits: int = 8) -> None:

@@ -59,9 +59,20 @@ def test_sixteen_bit_tiffs_are_written_when_asked_for(roam: Roam, project: Path,
 
 def test_a_run_is_taken_up_where_it_ended(roam: Roam, project: Path, tmp_path: Path) -> None:
     (tmp_path / "0008.png").write_bytes(b"there")
-    assert roam("render", project, "--out", tmp_path, "--resume").status == 0
+    done = roam("render", project, "--out", tmp_path, "--resume")
+    assert (done.status, done.err) == (0, f"Wrote 2 matte(s) to {tmp_path}; 1 there already.\n")
     assert (tmp_path / "0008.png").read_bytes() == b"there"
     assert read_matte(tmp_path / "0009.png")[5, 5] == 255
+    done = roam("render", project, "--out", tmp_path, "--resume")
+    assert (done.status, done.err) == (0, f"Wrote 0 matte(s) to {tmp_path}; 3 there already.\n")
+    assert roam("render", project, "--out", tmp_path).err == f"Wrote 3 matte(s) to {tmp_path}.\n"
+
+
+def test_an_export_that_is_taken_up_tells_what_was_there(roam: Roam, project: Path, tmp_path: Path) -> None:
+    words = ("export", project, tmp_path / "m.####.png", "--to", "mattes")
+    (tmp_path / "m.0008.png").write_bytes(b"there")
+    assert roam(*words, "--resume").err.splitlines()[1:] == ["Wrote 2 matte(s); 1 there already."]
+    assert len(roam(*words).err.splitlines()) == 1
 
 
 @pytest.mark.parametrize(

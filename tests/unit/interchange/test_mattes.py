@@ -60,7 +60,7 @@ def name_for(frame: int) -> str:
 
 @pytest.mark.parametrize(("depth", "dtype", "white"), [("8", np.uint8, 255), ("16", np.uint16, 65535)])
 def test_pixels_are_the_rendered_matte(shape: RotoShape, tmp_path: Path, depth: str, dtype: type, white: int) -> None:
-    paths = write_mattes([shape], [1001, 1004], tmp_path, name_for, SIZE, style=MatteStyle(depth=Depth(depth)))
+    paths = write_mattes([shape], [1001, 1004], tmp_path, name_for, SIZE, style=MatteStyle(depth=Depth(depth))).made
     assert [path.name for path in paths] == ["m.1001.png", "m.1004.png"]
     for frame, path in zip([1001, 1004], paths, strict=True):
         picture = cv2.imread(str(path), cv2.IMREAD_UNCHANGED)
@@ -93,7 +93,7 @@ def test_a_cancelled_run_leaves_whole_files_only(shape: RotoShape, tmp_path: Pat
 def test_progress_rises_to_one(shape: RotoShape, tmp_path: Path) -> None:
     told: list[tuple[float, str]] = []
     write_mattes([shape], [1001, 1002], tmp_path, name_for, SIZE, progress=lambda *news: told.append(news))
-    assert told == [(0.0, "Matte of frame 1001"), (0.5, "Matte of frame 1002"), (1.0, "2 mattes written")]
+    assert told == [(0.0, "Matte of frame 1001"), (0.5, "Matte of frame 1002"), (1.0, "Wrote 2 matte(s).")]
 
 
 @pytest.mark.parametrize("name", ["", "..", "a/b.png", "/a.png", "nul\0.png"])
@@ -141,7 +141,7 @@ def read(path: Path) -> tuple[dict[str, Array], oiio.ImageSpec]:
 
 @pytest.mark.parametrize("style", STYLES, ids=lambda s: f"{s.file}-{s.depth}-{s.compression}")
 def test_every_kind_depth_and_compression_holds_the_matte(shape: RotoShape, tmp_path: Path, style: MatteStyle) -> None:
-    (path,) = write_mattes([shape], [1004], tmp_path, name_for, SIZE, style=style, pixel_aspect=1.5)
+    (path,) = write_mattes([shape], [1004], tmp_path, name_for, SIZE, style=style, pixel_aspect=1.5).made
     (matte,), spec = (*read(path)[0].values(),), read(path)[1]
     step = {"8": 0.5 / 255, "16": 0.5 / 65535, "half": 2.0**-12, "float": 0.0}[style.depth_or_own]
     np.testing.assert_allclose(matte, render_matte([shape], 1004, SIZE), atol=1.0001 * step)
@@ -164,7 +164,7 @@ def group(shape: RotoShape) -> Layer:
 
 
 def test_every_shape_has_a_file_in_a_folder_of_its_own_that_shows_it_alone(group: Layer, tmp_path: Path) -> None:
-    paths = write_mattes(group, [1002], tmp_path, name_for, SIZE, style=MatteStyle(parts=Parts.SHAPE))
+    paths = write_mattes(group, [1002], tmp_path, name_for, SIZE, style=MatteStyle(parts=Parts.SHAPE)).made
     names = [path.relative_to(tmp_path).as_posix() for path in paths]
     assert names == ["Triangle/m.1002.png", "Triangle_2/m.1002.png", "H_lle_name/m.1002.png"]
     alone = [shape for shape in group.shapes() if shape.name not in ("Unseen", "In the dark")]
@@ -178,7 +178,7 @@ def test_every_layer_has_a_file_that_shows_what_it_joins(group: Layer, tmp_path:
     loose = RotoShape("shape-6", "Loose", next(group.shapes()).keys)
     root = replace(group, children=(*group.children, loose))
     style = MatteStyle(MatteFile.EXR, Depth.FLOAT, parts=Parts.LAYER)
-    paths = write_mattes(root, [1002], tmp_path, lambda frame: f"{{name}}.{frame}.exr", SIZE, style=style)
+    paths = write_mattes(root, [1002], tmp_path, lambda frame: f"{{name}}.{frame}.exr", SIZE, style=style).made
     assert [path.name for path in paths] == ["Root.1002.exr", "Outer.1002.exr", "Inner.1002.exr"]
     outer = group.children[0]
     assert isinstance(outer, Layer)
@@ -192,7 +192,7 @@ def test_a_file_of_channels_holds_every_shape_by_name_and_the_joint_matte(
     group: Layer, tmp_path: Path, window: DataWindow
 ) -> None:
     style = MatteStyle(MatteFile.EXR, Depth.FLOAT, None, Parts.SHAPE, Gathering.CHANNELS, window)
-    (path,) = write_mattes(group, [1002], tmp_path, name_for, SIZE, style=style)
+    (path,) = write_mattes(group, [1002], tmp_path, name_for, SIZE, style=style).made
     channels, spec = read(path)
     assert set(channels) == {"A", "Triangle.A", "Triangle_2.A", "H_lle_name.A"}
     np.testing.assert_array_equal(channels["A"], render_matte(group, 1002, SIZE))
@@ -205,7 +205,7 @@ def test_a_file_of_channels_holds_every_shape_by_name_and_the_joint_matte(
 
 def test_a_tight_window_leaves_out_the_black(shape: RotoShape, tmp_path: Path) -> None:
     style = MatteStyle(MatteFile.EXR, Depth.FLOAT, window=DataWindow.TIGHT)
-    (path,) = write_mattes([shape], [1001], tmp_path, name_for, SIZE, style=style)
+    (path,) = write_mattes([shape], [1001], tmp_path, name_for, SIZE, style=style).made
     (matte,), spec = (*read(path)[0].values(),), read(path)[1]
     expected = render_matte([shape], 1001, SIZE)
     np.testing.assert_array_equal(matte, expected)
@@ -218,7 +218,7 @@ def test_a_tight_window_leaves_out_the_black(shape: RotoShape, tmp_path: Path) -
 def test_a_tight_window_of_nothing_is_one_pixel(shape: RotoShape, tmp_path: Path) -> None:
     away = replace(shape, lifetime=(2000, 2001))
     style = MatteStyle(MatteFile.EXR, window=DataWindow.TIGHT)
-    (path,) = write_mattes([away], [1001], tmp_path, name_for, SIZE, style=style)
+    (path,) = write_mattes([away], [1001], tmp_path, name_for, SIZE, style=style).made
     (matte,), spec = (*read(path)[0].values(),), read(path)[1]
     assert (spec.width, spec.height, matte.max()) == (1, 1, 0.0)
 
@@ -226,7 +226,16 @@ def test_a_tight_window_of_nothing_is_one_pixel(shape: RotoShape, tmp_path: Path
 def test_resuming_skips_what_is_there_and_only_that(shape: RotoShape, tmp_path: Path) -> None:
     (tmp_path / "m.1001.png").write_bytes(b"finished before")
     (tmp_path / "m.1002.png").write_bytes(b"")
-    write_mattes([shape], [1001, 1002, 1003], tmp_path, name_for, SIZE, style=MatteStyle(resumes=True))
+    told: list[str] = []
+
+    def progress(_: float, text: str) -> None:
+        told.append(text)
+
+    style, frames = MatteStyle(resumes=True), [1001, 1002, 1003]
+    written = write_mattes([shape], frames, tmp_path, name_for, SIZE, style=style, progress=progress)
+    assert [path.name for path in written.made] == ["m.1002.png", "m.1003.png"]
+    assert [path.name for path in written.kept] == ["m.1001.png"]
+    assert told[-1] == "Wrote 2 matte(s); 1 there already."
     assert (tmp_path / "m.1001.png").read_bytes() == b"finished before"
     assert all(cv2.imread(str(tmp_path / name_for(frame))) is not None for frame in (1002, 1003))
     write_mattes([shape], [1001], tmp_path, name_for, SIZE)
