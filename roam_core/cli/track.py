@@ -15,9 +15,10 @@ from tqdm import tqdm
 from roam_core.cli.plate import Plate, opened
 from roam_core.errors import RoamError
 from roam_core.interchange.mattes import write_matte
+from roam_core.interchange.nuke_landmarks import LandmarkPaths, write_landmarks
 from roam_core.matte.vectorise import read_mask, shapes_from_mask
 from roam_core.params import CONFIGS, DEFAULT_CONFIG, params_for
-from roam_core.propagate import FrameResult, Termination, TrackResult, track, warm_up
+from roam_core.propagate import FrameResult, track, warm_up
 from roam_core.propagate.provenance import clip_stamp
 from roam_core.roto import Clip, Layer, Project, RotoShape, file
 
@@ -34,6 +35,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--backward", action="store_true", help="track to earlier frames, by default from the last")
     parser.add_argument("--matte", type=Path, metavar="DIR", help="write 8-bit PNG mattes named as the frames")
     parser.add_argument("--save", type=Path, metavar="P.roam", help="write a project")
+    parser.add_argument("--landmarks", type=Path, metavar="OUT.nk", help="write the landmarks as Nuke Tracker4 nodes")
     parser.add_argument("--json", action="store_true", help="print one line of JSON a frame")
 
 
@@ -41,6 +43,8 @@ def run(arguments: argparse.Namespace) -> int:
     """Carry out the command."""
     # Everything that can be refused is refused before anything is written.
     params_for(arguments.config)
+    if arguments.landmarks is not None:
+        require_landmarks(arguments.config, arguments.landmarks, arguments.save)
     given = given_project(Path(arguments.init))
     with opened(arguments.clip, given.clip if given else None) as plate:
         start = first_key(given, backward=arguments.backward) if arguments.start is None else arguments.start
@@ -51,11 +55,19 @@ def run(arguments: argparse.Namespace) -> int:
             require_target(arguments.save)
         if arguments.matte is not None:
             require_writable(arguments.matte, create=True)
-        report = print_line if arguments.json else None
+        landmarks = LandmarkPaths()
+
+        def report(solved: FrameResult) -> None:
+            landmarks.add(solved)
+            if arguments.json:
+                print_line(solved)
 
         def save(tracked: Project) -> None:
             if arguments.save is not None:
                 file.save(tracked, arguments.save)
+            if arguments.landmarks is not None and landmarks.shapes:
+                for note in write_landmarks(landmarks, tracked.require_clip(), arguments.landmarks):
+                    print(note, file=sys.stderr)
 
         project = track_project(
             plate, project, frames, arguments.config, report=report, mattes=arguments.matte, keep=save
@@ -78,8 +90,8 @@ def track_project(
 ) -> Project:
     """Track all closed, unlocked shapes of a project through `frames` of its plate.
 
-    `report` is called with each solved frame; `mattes` is a folder for a PNG of each frame, written as it is solved.
-    When the user interrupts, `keep` is given what is finished.
+    `report` is called with the first frame, as it was given, and with each solved one; `mattes` is a folder for a PNG
+    of each frame, written as it is solved. When the user interrupts, `keep` is given what is finished.
     """
     shapes = [shape for shape in project.shapes if shape.closed and not shape.locked]
     stamp = clip_stamp(project.clip)
@@ -96,9 +108,7 @@ def track_project(
 
     plate.read(frames[0])
     plate.ahead_of(frames[0], frames)
-    keys = tuple(TrackResult(frames[0], shape, 1.0, {}, Termination.ARTIST_KEY) for shape in shapes)
-    finished(FrameResult(frames[0], keys))
-    solved = track(plate.read, shapes, frames, config, clip=stamp)
+    solved = track(plate.read, shapes, frames, config, clip=stamp, begun=finished)
     quiet = not sys.stderr.isatty()
     try:
         for result in tqdm(solved, total=len(frames) - 1, unit="frame", disable=quiet, leave=False):
@@ -167,10 +177,22 @@ def initial_project(init: Path, given: Project | None, plate: Plate, start: int)
     return Project(clip, Layer("root", "Root", tuple(shapes)))
 
 
+def require_landmarks(config: str, path: Path, project: Path | None) -> None:
+    """Refuse a file for landmarks that a run could not fill or write at its end."""
+    if params_for(config).landmarks is None:
+        able = " and ".join(name for name, params in CONFIGS.items() if params.landmarks is not None)
+        raise RoamError(f"The configuration {config} has no landmarks to write; those of {able} do (--config).")
+    if path.suffix.lower() != ".nk":
+        raise RoamError(f"Landmarks are written as a Nuke script; {path.name} does not end in .nk.")
+    if project is not None and project.absolute() == path.absolute():
+        raise RoamError(f"--save and --landmarks both name {path}; give each a file of its own.")
+    require_target(path)
+
+
 def require_target(path: Path) -> None:
     """Refuse a file that could not be written at the end, before any work is done for it."""
     if path.is_dir():
-        raise RoamError(f"{path} is a folder; name the project file to write.")
+        raise RoamError(f"{path} is a folder; name the file to write.")
     require_writable(path.parent, create=False)
 
 

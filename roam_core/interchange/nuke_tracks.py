@@ -8,7 +8,7 @@ the pin is a planar track, perspective and all.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -157,8 +157,19 @@ def box_motion(shape: RotoShape) -> tuple[Array, list[int]]:
     return np.stack(corners), frames
 
 
-def tracker_node(tracks: Sequence[Track], clip: Clip, reference: int, frame_offset: int = 0) -> str:
+def tracker_node(
+    tracks: Sequence[Track],
+    clip: Clip,
+    reference: int,
+    frame_offset: int = 0,
+    frames: Iterable[int] = (),
+    label: str | None = None,
+) -> str:
     """The text of a Tracker4 node.
+
+    A track is enabled on the frames that it has and not on others that the node knows; between its places goes a
+    straight line, before and after them it rests. T, R and S are ticked for tracks that have all of those frames: one
+    that is missing somewhere would move the picture there by what it does not know.
 
     Parameters
     ----------
@@ -166,11 +177,14 @@ def tracker_node(tracks: Sequence[Track], clip: Clip, reference: int, frame_offs
     clip : whose height turns y over.
     reference : the plate's frame at which the tracker's transform is none.
     frame_offset : added to all frames.
+    frames : that the node knows besides those of its tracks: on which any of them was looked for.
+    label : of the node; any text.
     """
     if not tracks:
         raise RoamError("There is no track to export.")
     columns = "\n".join(f"{{ {kind} {name} {heading} 1 }}" for kind, name, heading in COLUMNS)
-    rows = "\n".join(_row(track, clip.size[1], frame_offset) for track in tracks)
+    known = sorted({frame for track in tracks for frame in track.frames}.union(frames))
+    rows = "\n".join(_row(track, known, clip.size[1], frame_offset) for track in tracks)
     first = np.mean([np.asarray(track.positions)[0] for track in tracks], axis=0)
     knobs = {
         "tracks": f"{{ {{ 1 {len(COLUMNS)} {len(tracks)} }}\n{{ {columns}\n}}\n{{\n{rows}\n}}\n}}",
@@ -178,6 +192,8 @@ def tracker_node(tracks: Sequence[Track], clip: Clip, reference: int, frame_offs
         "center": f"{{{first[0]:.6f} {clip.size[1] - first[1]:.6f}}}",
         "name": "Tracker1",
     }
+    if label is not None:
+        knobs["label"] = tcl_word(_label(label))
     return _node("Tracker4", knobs)
 
 
@@ -217,15 +233,27 @@ def _label(name: str) -> str:
     return name.translate({ord("["): "(", ord("]"): ")"})
 
 
-def _row(track: Track, height: int, frame_offset: int) -> str:
-    """One row of the tracker's table, one entry for each of its columns."""
+def _row(track: Track, frames: Sequence[int], height: int, frame_offset: int) -> str:
+    """One row of the table of a tracker that knows `frames`, one entry for each of its columns."""
     first = track.frames[0] + frame_offset
     x, y = (_curve(track.frames, values, frame_offset) for values in _up(np.asarray(track.positions), height).T)
     still = f"{{curve K x{first} 0}}"
     boxes = "-15 -15 15 15 -25 -25 25 25"
     empty = " ".join(["{}"] * 11)
-    start = f"{{curve K x{first} 1}} {tcl_word(track.name)}"
-    return f"{{ {start} {x} {y} {still} {still} 1 1 1 {{curve x{first} 0}} 0 0 {boxes} {empty} }}"
+    start = f"{_enabled(track, frames, frame_offset)} {tcl_word(track.name)}"
+    moves = " ".join(["1" if len(track.frames) == len(frames) else "0"] * 3)
+    return f"{{ {start} {x} {y} {still} {still} {moves} {{curve x{first} 0}} 0 0 {boxes} {empty} }}"
+
+
+def _enabled(track: Track, frames: Sequence[int], frame_offset: int) -> str:
+    """The steps of a track's switch: on where it has a place, off on others of `frames`, as before in between."""
+    known = set(track.frames)
+    keys, last = [], None
+    for frame in frames:
+        if (frame in known) != last:
+            last = frame in known
+            keys.append(f"K x{frame + frame_offset} {last:d}")
+    return f"{{curve {' '.join(keys)}}}"
 
 
 def _up(positions: Array, height: int) -> Array:

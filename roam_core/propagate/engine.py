@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from roam_core.cancel import CancelToken
 from roam_core.features import PreparedFrame
+from roam_core.landmarks.pool import Pool
 from roam_core.params import RoamParams
 from roam_core.propagate import region
 from roam_core.propagate import step as outline
@@ -32,6 +33,13 @@ def step(
         return region.step(state, picture, params.region, token)
     pairs = each(lambda outline_state: outline.step(outline_state, picture, params, token), state)
     return tuple(after for after, _ in pairs), tuple(result for _, result in pairs)
+
+
+def landmarks(state: State) -> tuple[Pool | None, ...]:
+    """The landmarks of each outline, in their order; None where the configuration has none."""
+    if isinstance(state, RegionState):
+        return (None,) * len(state.parts)
+    return tuple(None if each.landmarks is None else each.landmarks.pool for each in state)
 
 
 def picture(state: State) -> PreparedFrame:

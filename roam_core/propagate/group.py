@@ -16,7 +16,7 @@ from roam_core.params import DEFAULT_CONFIG, RoamParams, params_for, scale_for
 from roam_core.propagate import engine, provenance
 from roam_core.propagate.engine import State
 from roam_core.propagate.offers import Proposal
-from roam_core.propagate.result import Part, StepResult, Termination, TrackResult
+from roam_core.propagate.result import Landmarks, Part, StepResult, Termination, TrackResult
 from roam_core.roto import BlendMode, Keyframe, Origin, RotoShape
 from roam_core.roto.edit import set_engine_keys
 
@@ -26,11 +26,15 @@ MIN_POINTS = 2
 
 @dataclass(frozen=True, eq=False)
 class Standing:
-    """Where a group stands: the frame, the shapes with all their keys so far, and the engine's state."""
+    """Where a group stands: the frame, the shapes with all their keys so far, and the engine's state.
+
+    `began` is the frame whose outlines the state goes back to.
+    """
 
     frame: int
     shapes: tuple[RotoShape, ...]
     state: State
+    began: int
 
     @property
     def picture(self) -> PreparedFrame:
@@ -72,7 +76,15 @@ class GroupTracker:
             if shape.point_count < MIN_POINTS:
                 raise RoamError(f"{shape.name!r} is a single point; draw an outline around the object to track it.")
         self._standing = Standing(
-            frame, tuple(shapes), engine.begin(_prepared(image), parts_at(shapes, frame), self.params)
+            frame, tuple(shapes), engine.begin(_prepared(image), parts_at(shapes, frame), self.params), frame
+        )
+
+    def given(self) -> tuple[TrackResult, ...]:
+        """The shapes on the frame where the group stands, as they were given there, with what was learned of them."""
+        standing = self.standing
+        return tuple(
+            _as_given(shape, standing.frame, 0.0, landmarks)
+            for shape, landmarks in zip(standing.shapes, self._landmarks(), strict=True)
         )
 
     def step(
@@ -97,7 +109,7 @@ class GroupTracker:
         if all(given):
             self.start(picture, standing.shapes, frame)
             seconds = (time.perf_counter() - began) / len(given)
-            return tuple(_as_given(shape, frame, seconds) for shape in standing.shapes)
+            return tuple(replace(result, seconds=seconds) for result in self.given())
         state, solved = engine.step(standing.state, picture, self.params, token)
         shapes = tuple(
             shape if key else self._keyed(shape, standing.frame, frame, each)
@@ -106,21 +118,13 @@ class GroupTracker:
         if any(given):
             self.start(picture, shapes, frame)
         else:
-            self._standing = Standing(frame, shapes, state)
+            self._standing = Standing(frame, shapes, state, standing.began)
         seconds = (time.perf_counter() - began) / len(shapes)
         return tuple(
-            _as_given(shape, frame, seconds)
+            _as_given(shape, frame, seconds, landmarks)
             if key
-            else TrackResult(
-                frame,
-                shape,
-                each.confidence,
-                each.energies,
-                each.termination,
-                seconds,
-                tuple(Proposal.of(change, shape, frame, scale_for(picture.size)) for change in each.proposals),
-            )
-            for shape, key, each in zip(shapes, given, solved, strict=True)
+            else _as_solved(shape, frame, seconds, landmarks, each, scale_for(picture.size))
+            for shape, key, each, landmarks in zip(shapes, given, solved, self._landmarks(), strict=True)
         )
 
     def resume(self, standing: Standing, shapes: Sequence[RotoShape]) -> None:
@@ -134,6 +138,12 @@ class GroupTracker:
     def correct(self, shapes: Sequence[RotoShape]) -> None:
         """Take over the artist's edits on the current frame; the next step starts from them."""
         self.start(self.standing.picture, shapes, self.standing.frame)
+
+    def _landmarks(self) -> tuple[Landmarks | None, ...]:
+        """The landmarks of each shape where the group stands."""
+        standing = self.standing
+        pools = engine.landmarks(standing.state)
+        return tuple(None if p is None else Landmarks(p.ids, p.positions, standing.began) for p in pools)
 
     def _keyed(self, shape: RotoShape, before: int, frame: int, solved: StepResult) -> RotoShape:
         """The shape with an ENGINE key for what was solved; feather goes on as it was."""
@@ -165,5 +175,21 @@ def _artist_key(shape: RotoShape, frame: int) -> bool:
     return key is not None and key.origin is Origin.ARTIST
 
 
-def _as_given(shape: RotoShape, frame: int, seconds: float) -> TrackResult:
-    return TrackResult(frame, shape, 1.0, {}, Termination.ARTIST_KEY, seconds)
+def _as_given(shape: RotoShape, frame: int, seconds: float, landmarks: Landmarks | None) -> TrackResult:
+    return TrackResult(frame, shape, 1.0, {}, Termination.ARTIST_KEY, seconds, landmarks=landmarks)
+
+
+def _as_solved(
+    shape: RotoShape, frame: int, seconds: float, landmarks: Landmarks | None, solved: StepResult, scale: float
+) -> TrackResult:
+    return TrackResult(
+        frame,
+        shape,
+        solved.confidence,
+        solved.energies,
+        solved.termination,
+        seconds,
+        tuple(Proposal.of(change, shape, frame, scale) for change in solved.proposals),
+        # Of an outline that left the picture the state still has the landmarks, but where they last were.
+        None if solved.termination is Termination.LEFT_FRAME else landmarks,
+    )

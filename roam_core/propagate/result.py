@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from enum import StrEnum
 
 import numpy as np
@@ -51,6 +51,23 @@ class StepResult:
     proposals: tuple[TopologyChange, ...] = ()
 
 
+@dataclass(frozen=True, eq=False)
+class Landmarks:
+    """The landmarks of one shape on one frame, for those who want the motion of places on the object.
+
+    Attributes
+    ----------
+    ids : (M,) who they are: never given twice among those that go back to one outline.
+    positions : (M, 2) pixels of the whole picture.
+    learned_on : the frame of the outline, the artist's, that they go back to. With the shape and the id it tells who a
+        landmark is, in whichever direction and however often a run passed it.
+    """
+
+    ids: NDArray[np.intp]
+    positions: Array
+    learned_on: int
+
+
 @dataclass(frozen=True)
 class TrackResult:
     """One shape on one frame.
@@ -64,6 +81,7 @@ class TrackResult:
     termination : why the engine stopped or what it doubts.
     seconds : the engine's time for this shape and frame, without decoding.
     proposals : changes of topology that are offered, the greatest gain first; none of them was made.
+    landmarks : those that were found on the frame; None where the configuration has none, or nothing was looked at.
     """
 
     frame: int
@@ -73,6 +91,7 @@ class TrackResult:
     termination: Termination
     seconds: float = 0.0
     proposals: tuple[Proposal, ...] = ()
+    landmarks: Landmarks | None = field(default=None, compare=False)
 
     @property
     def key(self) -> Keyframe | None:

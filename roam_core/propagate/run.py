@@ -36,12 +36,14 @@ def track(
     token: CancelToken | None = None,
     clip: str = "",
     memory: TrackMemory | None = None,
+    begun: Callable[[FrameResult], None] | None = None,
 ) -> Iterator[FrameResult]:
     """Carry `shapes` from `frames[0]`, where they are given, through the other frames, in their order.
 
     Shapes near each other are tracked as one object; all share one preparation of each picture. Results come one
     frame at a time; a caller that stops early keeps what it has. The first frame yields nothing: it is the artist's, or
     an engine frame from which the run goes on as if it had never been stopped (`memory` spares it the way there).
+    `begun` is told of it before the others are solved: the shapes as given, and the landmarks to start with.
 
     Raises
     ------
@@ -64,6 +66,8 @@ def track(
             memory,
             token,
         )
+    if begun is not None:
+        begun(_in_order(frames[0], groups, [tracker.given() for tracker in trackers]))
     for frame in frames[1:]:
         if token is not None:
             token.check()

@@ -60,6 +60,10 @@ class Tracker:
         """
         self._group.start(image, [shape], frame)
 
+    def given(self) -> TrackResult:
+        """The shape on the frame where the tracker stands, as it was given there, with what was learned of it."""
+        return self._group.given()[0]
+
     def step(self, image: NDArray[Any] | PreparedFrame, frame: int, token: CancelToken | None = None) -> TrackResult:
         """Carry the shape to `frame`. A frame that holds an artist's key is taken as the artist made it.
 
