@@ -71,12 +71,77 @@ class LostPlane(RoamError):
 
 
 @dataclass(frozen=True, eq=False)
-class _Reference:
+class Match:
+    """How a reference picture was met again.
+
+    Attributes
+    ----------
+    matrix : (3, 3) from the first picture to the one that was matched, full-size pixels.
+    sought : (K, 2) the corners of the reference that the motion leaves in the picture.
+    agreeing : (J, 2) those of them that were found where it says. there : (J, 2) where that is.
+    followed : how many were found at all.
+    """
+
+    matrix: Array
+    sought: Array
+    agreeing: Array
+    there: Array
+    followed: int
+
+    @property
+    def agreement(self) -> float:
+        """Share of the corners that should be seen that are, where they should be."""
+        return len(self.agreeing) / max(len(self.sought), 1)
+
+
+@dataclass(frozen=True, eq=False)
+class Reference:
     """A picture that later ones are matched to: its grey levels and corners in it, and where it is from the first."""
 
     grey: Grey
     corners: Array
     matrix: Array
+
+    @classmethod
+    def of(
+        cls,
+        picture: PreparedFrame,
+        outlines: Sequence[Array],
+        holes: Sequence[Array] = (),
+        matrix: Array = projective.IDENTITY,
+        count: int = CORNERS,
+    ) -> Reference:
+        """With up to `count` corners between the closed splines `(P, 3, 2)`, which lie on the picture."""
+        return cls(picture.grey, corners_in(picture.grey, inside(outlines, holes, picture.size), count), matrix)
+
+    def matched(
+        self,
+        picture: PreparedFrame,
+        guess: Array,
+        kind: PlaneMotion,
+        tolerance: float | None = None,
+        check: Callable[[], None] | None = None,
+    ) -> Match | None:
+        """The motion `guess (3, 3)`, from the first picture to this one, refined; None where too few corners tell it.
+
+        A corner agrees within `tolerance` pixels, by default `AGREE_CLOSELY` of the reduced picture.
+        """
+        least = ENOUGH * kind.pairs
+        since = guess @ np.linalg.inv(self.matrix)
+        height, width = picture.size
+        there = projective.apply(since, self.corners)
+        margin = 8.0 * scale_for(picture.size)
+        seen = ((there >= margin) & (there <= np.array([width, height]) - margin)).all(axis=1)
+        if seen.sum() < least:
+            return None
+        source, target, shrunk = _matched(self.grey, picture.grey, self.corners[seen], since)
+        if check is not None:
+            check()
+        residual, agree = ransac(kind, source, target, AGREE_CLOSELY / shrunk if tolerance is None else tolerance)
+        if residual is None or agree.sum() < least:
+            return None
+        matrix = projective.normalised(since @ residual @ self.matrix)
+        return Match(matrix, self.corners[seen], source[agree], projective.apply(since, target[agree]), len(source))
 
 
 class PlanarTracker:
@@ -96,7 +161,7 @@ class PlanarTracker:
         self._outlines, self._holes = list(outlines), list(holes)
         self._before, self._matrix = picture, projective.IDENTITY
         self._scale = scale_for(picture.size)
-        self._reference = self._begun(picture, projective.IDENTITY)
+        self._reference = Reference.of(picture, self._outlines, self._holes)
         self._check: Callable[[], None] = _go_on
 
     def step(self, picture: PreparedFrame, frame: int, token: CancelToken | None = None) -> PlaneStep:
@@ -109,22 +174,19 @@ class PlanarTracker:
         """
         self._check = token.check if token is not None else _go_on
         guess, agreement, count = self._from_last(picture, frame)
-        matched = self._from_reference(self._reference, picture, guess)
+        matched = self._from_reference(picture, guess)
         if matched is None and self._reference.grey is not self._before.grey:
             # The plane looks different by now: go on from the last picture, which was still believed.
-            self._reference = self._begun(self._before, self._matrix)
-            matched = self._from_reference(self._reference, picture, guess)
+            outlines, holes = (self._carried(curves, self._matrix) for curves in (self._outlines, self._holes))
+            self._reference = Reference.of(self._before, outlines, holes, self._matrix)
+            matched = self._from_reference(picture, guess)
         if matched is not None:
-            guess, agreement, count = matched
+            guess, agreement, count = matched.matrix, matched.agreement, matched.followed
         self._refuse_far(guess, frame, picture)
         self._before, self._matrix = picture, guess
         return PlaneStep(frame, guess, agreement, count)
 
     # ---- the rest is private
-
-    def _begun(self, picture: PreparedFrame, matrix: Array) -> _Reference:
-        mask = inside(self._carried(self._outlines, matrix), self._carried(self._holes, matrix), picture.size)
-        return _Reference(picture.grey, corners_in(picture.grey, mask), matrix)
 
     def _from_last(self, picture: PreparedFrame, frame: int) -> tuple[Array, float, int]:
         outlines = self._carried(self._outlines, self._matrix)
@@ -141,26 +203,10 @@ class PlanarTracker:
             )
         return projective.normalised(motion @ self._matrix), float(agree.mean()), len(source)
 
-    def _from_reference(
-        self, reference: _Reference, picture: PreparedFrame, guess: Array
-    ) -> tuple[Array, float, int] | None:
+    def _from_reference(self, picture: PreparedFrame, guess: Array) -> Match | None:
         """The motion refined by the reference, or None where they do not look alike."""
-        corners = reference.corners
-        if len(corners) < ENOUGH * self.kind.pairs:
-            return None
-        since = guess @ np.linalg.inv(reference.matrix)
-        height, width = picture.size
-        there = projective.apply(since, corners)
-        margin = 8.0 * self._scale
-        seen = ((there >= margin) & (there <= np.array([width, height]) - margin)).all(axis=1)
-        if seen.sum() < ENOUGH * self.kind.pairs:
-            return None
-        source, target, shrunk = _matched(reference.grey, picture.grey, corners[seen], since)
-        self._check()
-        residual, agree = ransac(self.kind, source, target, AGREE_CLOSELY / shrunk)
-        if residual is None or agree.sum() < max(ENOUGH * self.kind.pairs, LEAST_AGREEMENT * seen.sum()):
-            return None
-        return projective.normalised(since @ residual @ reference.matrix), float(agree.sum() / seen.sum()), len(source)
+        match = self._reference.matched(picture, guess, self.kind, check=self._check)
+        return match if match is not None and match.agreement >= LEAST_AGREEMENT else None
 
     def _refuse_far(self, matrix: Array, frame: int, picture: PreparedFrame) -> None:
         points = np.concatenate([outline.reshape(-1, 2) for outline in self._outlines])

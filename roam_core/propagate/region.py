@@ -23,6 +23,7 @@ from roam_core.propagate.laying import enclosed, laid
 from roam_core.propagate.nodes import smooth_points
 from roam_core.propagate.refinding import WHOLE, Lookout, Sighting, area_of, middle_of
 from roam_core.propagate.result import Part, StepResult, Termination
+from roam_core.propagate.rigid import Pose, Rigidity
 from roam_core.proposal import region as proposed
 from roam_core.proposal.evidence import SURE, Expectation, Field, KeyMemory, Sources, gathered
 from roam_core.proposal.motion_cue import motion_on
@@ -38,8 +39,9 @@ TRUSTED = 0.3
 class RegionState:
     """After a frame: its picture, the region, each shape where it was last seen, and what is known of the object.
 
-    `drawn` are the shapes on the key, `lookout` what it looked like there, `sighting` tells when it was last whole;
-    `steps` counts the frames since the key; `signs` tell how well the last of them went.
+    `drawn` are the shapes on the key, `lookout` what it looked like there, `sighting` tells when it was last whole,
+    `rigidity` whether it may still move as one piece; `steps` counts the frames since the key; `signs` tell how well
+    the last of them went.
     """
 
     frame: PreparedFrame
@@ -51,6 +53,7 @@ class RegionState:
     drawn: tuple[Part, ...]
     lookout: Lookout
     sighting: Sighting
+    rigidity: Rigidity
     steps: int = 0
     signs: Signs | None = None
 
@@ -69,7 +72,8 @@ def begin(frame: PreparedFrame, parts: tuple[Part, ...], params: RegionParams) -
     key = KeyMemory(frame, region, colours, np.eye(3))
     smooth = tuple(smooth_points(part.points) for part in parts)
     seen = Sighting(key.to_now, area_of(region), middle_of(region))
-    return RegionState(frame, region, parts, smooth, key, colours, parts, Lookout(frame, region), seen)
+    rigidity = Rigidity.learned(frame, parts)
+    return RegionState(frame, region, parts, smooth, key, colours, parts, Lookout(frame, region), seen, rigidity)
 
 
 @dataclass(frozen=True, eq=False)
@@ -134,16 +138,23 @@ def _at_sighting(
     grid = grid_around(spots, frame.size, params, scale_for(frame.size))
     region = Field(grid, (2.0 * SURE * (state.key.region.on(grid, to_now) - 0.5)).astype(np.float32))
     key = replace(state.key, to_now=to_now)
-    return replace(state, frame=picture, region=region, parts=parts, key=key, colours=key.colours)
+    rigidity = state.rigidity.at(to_now)
+    return replace(state, frame=picture, region=region, parts=parts, key=key, colours=key.colours, rigidity=rigidity)
 
 
 def _carried(
     state: RegionState, frame: PreparedFrame, params: RegionParams, token: CancelToken | None
 ) -> tuple[RegionState, tuple[StepResult, ...]]:
-    """All shapes carried on from where the state has them."""
+    """All shapes carried on from where the state has them: as one piece where that is to be seen, else by regions."""
     sight = sighted(state, frame, params, token)
     if sight is None:
         return _left(state, frame)
+    rigidity, pose = state.rigidity.step(frame, sight.moved, params.rigid)
+    state = replace(state, rigidity=rigidity)
+    if token is not None:
+        token.check()
+    if pose is not None:
+        return _as_one_piece(state, sight, pose, params)
     expected = sight.sources.expected
     ratio = gathered(sight.sources, params)
     if token is not None:
@@ -155,25 +166,60 @@ def _carried(
     signs = Signs.of(outlines, found, expected, state.steps + 1)
     confidence = expected_overlap(signs)
     results = tuple(_result(part, seen, found, confidence) for part, (_, seen) in zip(outlines, placed, strict=True))
-    colours = state.colours
-    steadiness = overlap(expected.rigid, found.inside) * (0.5 + 0.5 * sight.agreement)
-    if steadiness > TRUSTED and found.inside.any():
-        colours = colours.adapted(_learned(frame, found), params.adaptation)
     parts = tuple(
         replace(part, points=points) if seen else part for part, (points, seen) in zip(parts, placed, strict=True)
     )
-    after = replace(
+    return _after(state, sight, sight.sources.key, found, parts, signs, params), results
+
+
+def _as_one_piece(
+    state: RegionState, sight: Sight, pose: Pose, params: RegionParams
+) -> tuple[RegionState, tuple[StepResult, ...]]:
+    """The shapes as drawn on the key, carried by the motion of a plane."""
+    grid, parts = sight.sources.grid, pose.carried(state.drawn)
+    found = Field(grid, (2.0 * SURE * (enclosed(parts, grid) - 0.5)).astype(np.float32))
+    signs = pose.signs(state.steps + 1)
+    confidence = expected_overlap(signs)
+    energy = {"rigid": signs.disagreeing, "total": signs.disagreeing}
+    results = tuple(
+        StepResult(
+            points=part.points,
+            confidence=confidence,
+            vertex_confidence=vertex_confidence(pose.support(drawn), confidence),
+            energies=energy,
+            termination=Termination.CONVERGED if confidence >= DOUBTFUL else Termination.LOW_CONFIDENCE,
+        )
+        for part, drawn in zip(parts, state.drawn, strict=True)
+    )
+    key = replace(sight.sources.key, to_now=pose.similarity)
+    return _after(state, sight, key, found, parts, signs, params), results
+
+
+def _after(
+    state: RegionState,
+    sight: Sight,
+    key: KeyMemory,
+    found: Field,
+    parts: tuple[Part, ...],
+    signs: Signs,
+    params: RegionParams,
+) -> RegionState:
+    """The state after a frame on which `found` is the object's region and `parts` are its shapes."""
+    frame, colours = sight.sources.after, state.colours
+    steadiness = overlap(sight.sources.expected.rigid, found.inside) * (0.5 + 0.5 * sight.agreement)
+    if steadiness > TRUSTED and found.inside.any():
+        colours = colours.adapted(_learned(frame, found), params.adaptation)
+    return replace(
         state,
         frame=frame,
         region=found,
         parts=parts,
-        key=sight.sources.key,
+        key=key,
         colours=colours,
-        sighting=_seen(state, sight.sources.key, found),
+        sighting=_seen(state, key, found),
         steps=state.steps + 1,
         signs=signs,
     )
-    return after, results
 
 
 def _seen(state: RegionState, key: KeyMemory, found: Field) -> Sighting:

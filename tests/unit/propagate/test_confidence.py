@@ -62,13 +62,13 @@ def test_a_frame_without_a_flaw_is_given_nearly_one() -> None:
 
 
 def test_the_model_is_logistic() -> None:
-    assert expected_overlap(Signs(0.0, 0.0, 0.0, 1.0, 0.0), (1.0, 0.0, 0.0, 0.0, 1.0, 0.0)) == pytest.approx(0.5)
+    assert expected_overlap(HALF_WAY, (0.05, 1.0, 0.0, 0.0, 0.0)) == pytest.approx(0.5)
 
 
 def test_signs_of_a_region_that_is_found_as_expected() -> None:
     sure = box(SURE)
     signs = Signs.of([square(20, 10, 40, 30)], sure, everywhere(sure), 1)
-    np.testing.assert_allclose(astuple(signs), 0.0, atol=1e-9)
+    np.testing.assert_allclose(astuple(signs), astuple(WELL), atol=1e-9)
 
 
 def test_curves_that_enclose_half_the_region() -> None:

@@ -1,0 +1,144 @@
+"""A rigid mode: as long as an object's inside looks as on the artist's key, moved as a plane moves, so do its curves.
+
+Beyond the paper. Curves that are laid along a region anew on every frame lose what is thinner than its cells, and what
+is lost does not come back; a motion that is matched to the key itself adds nothing up. It is believed where most of the
+key's corners are found where it says (`RegionParams.rigid`), so each object, on each frame, chooses for itself.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from roam_core.features import PreparedFrame
+from roam_core.geometry import bezier, projective, similarity
+from roam_core.geometry.plane_motion import PlaneMotion, fit
+from roam_core.motion.planar import Match, Reference
+from roam_core.params import scale_for
+from roam_core.propagate.confidence import Signs
+from roam_core.propagate.result import Part
+
+Array = NDArray[np.float64]
+
+CORNERS = 250
+"""Corners of the key that are looked for."""
+TOLERANCE = 1.2
+"""Pixels of a 480-line image by which a corner may disagree."""
+AS_ONE = 0.88
+"""Share of the corners that are found at all that must agree: of what is hidden or blurred nothing is found, what moves
+otherwise is found elsewhere."""
+SIMPLER = 1.15
+"""Factor by which a simpler motion may miss the agreeing corners more (root mean square) to be taken all the same: few
+corners bend a plane."""
+FEWEST = 20
+"""Corners that must agree: fewer tell too little of what lies between and around them."""
+LEAST_SEEN = 0.4
+"""Share of the corners that must be in the picture."""
+STILL = 0.75
+"""Factor on the least share while the object was one piece on the frame before: what was so mostly stays so."""
+GIVEN_UP = 6
+"""Frames in a row without a match after which the object is no longer asked to be rigid."""
+RESIZED = 1.3
+"""Factor by which the area may differ from the one that the motion since the last frame lets one expect."""
+NEAREST = 12
+"""Corners around a place that speak for it."""
+
+
+@dataclass(frozen=True, eq=False)
+class Pose:
+    """Where the object lies as one piece: the motion of a plane `matrix (3, 3)` from the key, and what it rests on."""
+
+    matrix: Array
+    match: Match
+
+    @property
+    def similarity(self) -> Array:
+        """The similarity `(3, 3)` from the key that comes nearest to it."""
+        fitted = similarity.fit(self.match.agreeing, projective.apply(self.matrix, self.match.agreeing))
+        return np.vstack([fitted, [0.0, 0.0, 1.0]])
+
+    def carried(self, drawn: tuple[Part, ...]) -> tuple[Part, ...]:
+        """The parts as `drawn` on the key, where they lie now."""
+        return tuple(replace(part, points=projective.apply(self.matrix, part.points)) for part in drawn)
+
+    def support(self, drawn: Part) -> Array:
+        """For each anchor `(P,)` of a part as drawn, the share of the corners around it that agree, in [0, 1]."""
+        anchors, match = drawn.points[:, bezier.ANCHOR], self.match
+        away = _distances(anchors, match.sought)
+        reach = np.sort(away, axis=1)[:, min(NEAREST, away.shape[1]) - 1]
+        all_of = np.exp(-((away / reach[:, None]) ** 2)).sum(axis=1)
+        agreeing = np.exp(-((_distances(anchors, match.agreeing) / reach[:, None]) ** 2)).sum(axis=1)
+        return np.asarray(np.clip(agreeing / all_of, 0.0, 1.0))
+
+    def signs(self, frames: int) -> Signs:
+        """What speaks against it, so many frames after the key."""
+        return Signs.of_one_piece(1.0 - self.match.agreement, frames)
+
+
+@dataclass(frozen=True, eq=False)
+class Rigidity:
+    """The key's corners, where the object was expected as one piece on the last frame, and since when in vain."""
+
+    reference: Reference
+    matrix: Array
+    missed: int = 0
+    held: bool = False
+
+    @classmethod
+    def learned(cls, key: PreparedFrame, parts: tuple[Part, ...]) -> Rigidity:
+        """From the key's picture and its outlines."""
+        solid, holes = ([part.points for part in parts if part.subtracts is cut] for cut in (False, True))
+        return cls(Reference.of(key, solid, holes, count=CORNERS), projective.IDENTITY)
+
+    def at(self, matrix: Array) -> Rigidity:
+        """The same with the object elsewhere, by `matrix (3, 3)` from the key."""
+        return replace(self, matrix=matrix, missed=0, held=False)
+
+    def step(self, frame: PreparedFrame, moved: Array, least: float) -> tuple[Rigidity, Pose | None]:
+        """Look for the object as one piece on `frame`, to which it `moved (3, 3)`; None where it is not to be seen.
+
+        `least` is the share of the corners that must agree.
+        """
+        if self.missed >= GIVEN_UP:
+            return self, None
+        guess = projective.normalised(moved @ self.matrix)
+        match = self.reference.matched(frame, guess, PlaneMotion.HOMOGRAPHY, TOLERANCE * scale_for(frame.size))
+        if match is None or not self._is_believed(match, guess, least * (STILL if self.held else 1.0)):
+            return replace(self, matrix=guess, missed=self.missed + 1, held=False), None
+        matrix = _simplest(match)
+        return replace(self, matrix=matrix, missed=0, held=True), Pose(matrix, match)
+
+    def _is_believed(self, match: Match, guess: Array, least: float) -> bool:
+        corners = self.reference.corners
+        if match.agreement < least or len(match.agreeing) < max(FEWEST, AS_ONE * match.followed):
+            return False
+        if len(match.sought) < LEAST_SEEN * len(corners) or (projective.depth(match.matrix, corners) <= 0.0).any():
+            return False
+        before, after = (_extent(projective.apply(way, corners)) for way in (guess, match.matrix))
+        return before / RESIZED < after < before * RESIZED
+
+
+def _simplest(match: Match) -> Array:
+    """The simplest motion `(3, 3)` that says nearly as well as the matched one where the agreeing corners are."""
+    least = _missed(match.matrix, match)
+    for kind in (PlaneMotion.SIMILARITY, PlaneMotion.AFFINE):
+        matrix = fit(kind, match.agreeing, match.there)
+        if matrix is not None and _missed(matrix, match) <= SIMPLER * least:
+            return matrix
+    return match.matrix
+
+
+def _missed(matrix: Array, match: Match) -> float:
+    """Root mean square, in pixels, of how far a motion misses where the agreeing corners are."""
+    return float(np.sqrt(np.mean((projective.apply(matrix, match.agreeing) - match.there) ** 2)))
+
+
+def _extent(corners: Array) -> float:
+    """How far points spread, as an area."""
+    return float(np.prod(np.std(corners, axis=0)))
+
+
+def _distances(a: Array, b: Array) -> Array:
+    return np.asarray(np.hypot(a[:, None, 0] - b[:, 0], a[:, None, 1] - b[:, 1]))
