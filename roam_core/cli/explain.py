@@ -120,6 +120,7 @@ def line_of(each: Explanation) -> dict[str, object]:
         "config": each.config,
         "unit": "nats for the outline" if each.more_is_better else "energy",
         "apart": round(each.apart, 6),
+        "as_one_piece": None if each.as_one_piece is None else round(each.as_one_piece, 6),
         "sums": {name: round(value, 6) for name, value in each.sums.items()},
         "nodes": node_rows(each),
         "landmarks": landmark_rows(each),
@@ -177,7 +178,7 @@ def text_of(each: Explanation) -> list[str]:
         return [f"{head}. The shape had left the picture: it was carried on as it moved."]
     if each.landmarks is not None:
         head += f", {len(each.landmarks.ids)} landmarks"
-    lines = [head, *_apart_lines(each), "", *_sum_lines(each), ""]
+    lines = [head, *_apart_lines(each), *_piece_lines(each), "", *_sum_lines(each), ""]
     if each.more_is_better:
         lines.append("Nats for the object just inside / just outside of the outline at each node; their difference:")
         lines += table([_beside(row) for row in node_rows(each)])
@@ -194,6 +195,15 @@ def _apart_lines(each: Explanation) -> list[str]:
         return []
     way = ", for it was filled from both sides" if each.key.inputs.startswith("fill:") else ""
     return [f"The key lies up to {each.apart:.1f} px from what a run from the artist's key finds here and now{way}."]
+
+
+def _piece_lines(each: Explanation) -> list[str]:
+    if each.as_one_piece is None:
+        return []
+    return [
+        f"It was carried as one piece, whatever the cues say: {each.as_one_piece:.0%} of the corners of the key "
+        "were found where its motion puts them."
+    ]
 
 
 def _sum_lines(each: Explanation) -> list[str]:

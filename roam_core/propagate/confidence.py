@@ -43,8 +43,8 @@ class Signs:
     undecided : cells under one nat to either side, per cell of the region; at most 3.
     new : the share of the region that lies outside the key's, carried all the way.
     age : ln of the frames since the key. Errors add up, and what was lost seldom comes back.
-    anew : 1 where the curves were laid along a region anew; 0 where they moved as one piece, with none of the above but
-        the age. disagreeing : where they did, the share of the key's corners that are not found where they should be.
+    disagreeing : where the curves moved as one piece, with none of the above but the age, the share of the key's
+        corners that are not found where they should be.
     """
 
     unenclosed: float
@@ -52,13 +52,12 @@ class Signs:
     undecided: float
     new: float
     age: float
-    anew: float = 1.0
     disagreeing: float = 0.0
 
     @classmethod
     def of_one_piece(cls, disagreeing: float, frames: int) -> Signs:
         """Of an object that moved as one piece, so many frames after the key."""
-        return cls(0.0, 0.0, 0.0, 0.0, float(np.log(frames)), 0.0, disagreeing)
+        return cls(0.0, 0.0, 0.0, 0.0, float(np.log(frames)), disagreeing)
 
     @classmethod
     def of(cls, parts: Sequence[Part], found: Field, expected: Expectation, frames: int) -> Signs:
@@ -78,7 +77,7 @@ class Signs:
         )
 
 
-SIGNS = (3.90, 2.20, 5.71, 0.29, 0.75, 0.139, 0.48, 3.4)
+SIGNS = (3.39, 2.90, 5.21, 0.57, 0.64, 0.130, 0.93)
 """The constant of the logistic model, and the weight of each of the `Signs` in their order."""
 
 
@@ -115,7 +114,7 @@ class SpanSigns:
         return cls(missed, -float(np.log(max(nearer, LEAST))), middle, float(np.log(frames)))
 
 
-SPAN_SIGNS = (4.42, 2.63, 1.32, 0.72, 0.44)
+SPAN_SIGNS = (3.99, 3.54, 0.94, 0.84, 0.226)
 """As `SIGNS`, of the `SpanSigns`."""
 
 

@@ -66,6 +66,8 @@ class Explanation:
     landmarks : the landmarks' pieces, where the configuration has any.
     apart : how far, in pixels, the key's control points lie from those that the run to this frame finds; 0 unless the
         key was filled from both sides, its shapes were tracked in other company, or on a machine that rounds otherwise.
+    as_one_piece : where the object was carried as one piece, whatever its cues said, the share of the artist's key's
+        corners that were found where its motion puts them; else None.
     """
 
     shape: RotoShape
@@ -78,6 +80,7 @@ class Explanation:
     sides: Mapping[str, tuple[Array, Array]] = field(default_factory=dict)
     landmarks: LandmarkPieces | None = None
     apart: float = 0.0
+    as_one_piece: float | None = None
 
     @property
     def more_is_better(self) -> bool:
@@ -186,7 +189,7 @@ def _taken_apart(
     token: CancelToken | None,
 ) -> list[Explanation]:
     """Every shape of an object on `frame`, seen from the `state` on the frame before."""
-    _, solved = engine.step(state, picture, params, token)
+    after, solved = engine.step(state, picture, params, token)
     scale = scale_for(picture.size)
     result = []
     for index, (shape, now) in enumerate(zip(shapes, solved, strict=True)):
@@ -196,6 +199,8 @@ def _taken_apart(
             _bare(shape, key, params, params.config, scale), apart=float(np.hypot(*(key.points - now.points).T).max())
         )
         if isinstance(state, RegionState):
+            assert isinstance(after, RegionState)
+            bare = replace(bare, as_one_piece=after.agreement_as_one_piece)
             result.append(_by_cues(bare, state, picture, params))
         else:
             result.append(_by_energy(bare, state[index], picture, params))

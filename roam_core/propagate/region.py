@@ -62,6 +62,11 @@ class RegionState:
         """The IoU to be expected of the last frame; 0 where the object was lost on it."""
         return 0.0 if self.signs is None or self.sighting.since > 0 else expected_overlap(self.signs)
 
+    @property
+    def agreement_as_one_piece(self) -> float | None:
+        """The share of the key's corners that agreed, where the last frame was carried as one piece; else None."""
+        return 1.0 - self.signs.disagreeing if self.signs is not None and self.rigidity.held else None
+
 
 def begin(frame: PreparedFrame, parts: tuple[Part, ...], params: RegionParams) -> RegionState:
     """The state on a frame whose outlines are given: they enclose the region, and the models are learned from it."""

@@ -10,11 +10,13 @@ import pytest
 from numpy.typing import NDArray
 
 from roam_core import track
+from roam_core.cli.explain import text_of
 from roam_core.features import PreparedFrame
 from roam_core.geometry import projective, similarity
 from roam_core.geometry.bezier import ANCHOR, polygon_points
 from roam_core.motion.planar import Match
 from roam_core.params import RoamParams, params_for
+from roam_core.propagate.explain import explain
 from roam_core.propagate.result import Part
 from roam_core.propagate.rigid import GIVEN_UP, Pose, Rigidity
 from roam_core.roto import Keyframe, RotoShape
@@ -121,6 +123,15 @@ def test_what_is_hidden_is_left_to_the_region() -> None:
     assert held[:3] == [True] * 3
     assert not any(held[3:5])
     assert held[-1]
+
+
+def test_an_explanation_tells_it() -> None:
+    *_, last = track(picture, [ship()], range(4), "best")
+    (told,) = explain(lambda frame: PreparedFrame(picture(frame)), [last.results[0].shape], 3, None)
+    assert told.apart == 0.0
+    assert told.as_one_piece is not None
+    assert told.as_one_piece == pytest.approx(1.0 - last.results[0].energies["rigid"])
+    assert "as one piece" in "\n".join(text_of(told))
 
 
 def learned() -> Rigidity:
