@@ -49,6 +49,7 @@ ABLATION = (
     Variant("best without smoothing by contrast", "best", {"region.diffusion": 0.0}),
     Variant("best without adaptation", "best", {"region.adaptation": 0.0}),
     Variant("best without re-detection", "best", {"region.doubted": 0.0}),
+    Variant("best without the rigid mode", "best", {"region.rigid": 1.1}),
     Variant("best", "best"),
 )
 """The paper's configurations with their steps taken apart, and `best` with one of its cues taken away at a time."""
