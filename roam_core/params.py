@@ -28,6 +28,8 @@ class RegionParams:
     clip : bound on each cue, nats. bias : nats towards the outside where nothing is known.
     motion_weight, motion_sigma : ground that moves with the surroundings and not with the object is not taken in; the
         weight counts in full where the object moves as one. sigma in pixels of a 480-line image.
+    uncovered_weight : the same against what only the flow carries along: where neither the similarity nor the key
+        expects the object, what moves with the surroundings is the ground that it has uncovered.
     prior_weight : nats a cell of depth inside the region carried from the last frame.
     blur : Gaussian on the ratio. diffusion, contrast, sweeps : contrast-dependent smoothing (`kernels.diffusion`).
     overlap : share of a detached part that must lie where the object was expected.
@@ -55,6 +57,7 @@ class RegionParams:
     bias: float = -0.2
     motion_weight: float = 1.0
     motion_sigma: float = 1.5
+    uncovered_weight: float = 1.5
     prior_weight: float = 0.05
     blur: float = 0.6
     diffusion: float = 2.0
@@ -261,7 +264,9 @@ CONFIGS: dict[str, RoamParams] = {
     ),
     "full": RoamParams(
         config="full",
-        appearance=AppearanceParams(local_kind="both", cues=RegionParams(motion_weight=0.0), global_kind="histogram"),
+        appearance=AppearanceParams(
+            local_kind="both", cues=RegionParams(motion_weight=0.0, uncovered_weight=0.0), global_kind="histogram"
+        ),
         lambda_local=0.03,
         lambda_global=0.03,
         warp="landmarks+klt",

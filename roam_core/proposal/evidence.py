@@ -188,12 +188,16 @@ def cues(sources: Sources, params: RegionParams) -> Iterator[tuple[str, Float32]
 
 
 def motion_cue(sources: Sources, params: RegionParams) -> Float32:
-    """The weighted motion ratio `(rows, columns)`, nats, as far as it speaks against new ground.
+    """The weighted motion ratio `(rows, columns)`, nats, as far as it speaks against ground, new or uncovered.
 
-    Limbs move in their own ways: never does it speak against what was inside already.
+    Limbs move in their own ways: where the similarity or the key expects the object it never speaks against what was
+    inside already.
     """
-    against = np.minimum(np.where(sources.carried, np.float32(0.0), sources.motion), np.float32(0.0))
-    return np.asarray(params.motion_weight * against, dtype=np.float32)
+    expected = sources.expected
+    uncovered = expected.fluid & ~expected.rigid & ~(expected.remembered > 0.5)
+    weight = np.where(sources.carried, np.float32(0.0), np.float32(params.motion_weight))
+    weight[uncovered] = params.uncovered_weight
+    return np.asarray(weight * np.minimum(sources.motion, np.float32(0.0)))
 
 
 def gathered(sources: Sources, params: RegionParams) -> Field:
