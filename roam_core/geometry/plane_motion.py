@@ -46,7 +46,7 @@ def fit(kind: PlaneMotion, source: Array, target: Array) -> Array | None:
             return None
         matrix = _matrix(kind, unknown[None])[0]
         weights = 1.0 / np.maximum(projective.depth(matrix, s), 1e-3)
-    return _usable(np.linalg.inv(after) @ matrix @ before)
+    return projective.usable(np.linalg.inv(after) @ matrix @ before)
 
 
 def ransac(
@@ -134,10 +134,3 @@ def _errors(matrices: Array, source: Array, target: Array) -> Array:
     carried = lifted @ matrices.transpose(0, 2, 1)
     deep = np.maximum(carried[..., 2], projective.HORIZON)
     return np.asarray(np.hypot(carried[..., 0] / deep - target[:, 0], carried[..., 1] / deep - target[:, 1]))
-
-
-def _usable(matrix: Array) -> Array | None:
-    try:
-        return projective.normalised(matrix)
-    except ValueError:
-        return None

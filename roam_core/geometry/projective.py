@@ -33,6 +33,14 @@ def normalised(matrix: ArrayLike) -> Array:
     return np.asarray(result)
 
 
+def usable(matrix: ArrayLike) -> Array | None:
+    """The same map with 1 in its last corner; None for what is no usable map (`normalised`)."""
+    try:
+        return normalised(matrix)
+    except ValueError:
+        return None
+
+
 def depth(matrix: Array, positions: ArrayLike) -> Array:
     """How far in front of the viewer `positions (..., 2)` lie, `(...)`; 1 everywhere under an affine map."""
     return np.asarray(np.asarray(positions, dtype=np.float64) @ matrix[2, :2] + matrix[2, 2])

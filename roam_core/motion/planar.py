@@ -140,7 +140,9 @@ class Reference:
         residual, agree = ransac(kind, source, target, AGREE_CLOSELY / shrunk if tolerance is None else tolerance)
         if residual is None or agree.sum() < least:
             return None
-        matrix = projective.normalised(since @ residual @ self.matrix)
+        matrix = projective.usable(since @ residual @ self.matrix)
+        if matrix is None:
+            return None
         return Match(matrix, self.corners[seen], source[agree], projective.apply(since, target[agree]), len(source))
 
 
@@ -197,11 +199,12 @@ class PlanarTracker:
         self._check()
         motion, agree = ransac(self.kind, source, target, AGREE / shrunk)
         self._check()
-        if motion is None or agree.sum() < max(ENOUGH * self.kind.pairs, 4):
+        matrix = None if motion is None else projective.usable(motion @ self._matrix)
+        if matrix is None or agree.sum() < max(ENOUGH * self.kind.pairs, 4):
             raise LostPlane(
                 f"The plane was lost on frame {frame}: too few corners inside the shapes go one way; start again there."
             )
-        return projective.normalised(motion @ self._matrix), float(agree.mean()), len(source)
+        return matrix, float(agree.mean()), len(source)
 
     def _from_reference(self, picture: PreparedFrame, guess: Array) -> Match | None:
         """The motion refined by the reference, or None where they do not look alike."""

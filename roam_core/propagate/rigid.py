@@ -103,7 +103,9 @@ class Rigidity:
         """
         if self.missed >= GIVEN_UP:
             return self, None
-        guess = projective.normalised(moved @ self.matrix)
+        guess = projective.usable(moved @ self.matrix)
+        if guess is None:
+            return replace(self, missed=GIVEN_UP, held=False), None
         match = self.reference.matched(frame, guess, PlaneMotion.HOMOGRAPHY, TOLERANCE * scale_for(frame.size))
         if match is None or not self._is_believed(match, guess, least * (STILL if self.held else 1.0)):
             return replace(self, matrix=guess, missed=self.missed + 1, held=False), None

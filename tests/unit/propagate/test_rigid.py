@@ -163,6 +163,12 @@ def test_it_is_given_up_in_the_end() -> None:
     assert eye.at(np.eye(3)).step(PreparedFrame(picture(0)), np.eye(3), LEAST)[1] is not None
 
 
+def test_an_object_that_shrank_to_nothing_is_given_up() -> None:
+    after, found = learned().step(PreparedFrame(picture(0)), np.diag([1e-9, 1e-9, 1.0]), LEAST)
+    assert found is None
+    assert after.missed == GIVEN_UP
+
+
 def test_few_corners_are_not_believed() -> None:
     small = polygon_points([(90, 112), (97, 112), (97, 119), (90, 119)])
     eye = Rigidity.learned(PreparedFrame(picture(0)), (Part(small),))
