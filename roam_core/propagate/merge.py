@@ -33,6 +33,8 @@ SLOPE = 2.0
 """Nats that planar motion gives a pixel of depth inside its region."""
 DEPTH = 40.0
 """Pixels of a 480-line image beyond which depth counts no more."""
+AGREED = 0.85
+"""Overlap of two passages that each moved the object as one piece from which they are taken at their word."""
 APART_BY = 0.5
 """Distance of the two passages of an outline, in its own size, from which their mean is a place of neither."""
 APART = 4.0
@@ -71,6 +73,16 @@ class _Moment:
         u = (frame - span.first.frame) / (span.last.frame - span.first.frame)
         return cls(span, u, onwards, back, there, here)
 
+    @property
+    def is_one_piece(self) -> bool:
+        """True where both passages only moved what was drawn, to the same place: laid along a region it would lose."""
+        regions = [stop.region for stop in (self.onwards, self.back) if stop is not None and stop.as_one_piece]
+        fields = [region for region in regions if region is not None]
+        if len(fields) < 2:
+            return False
+        grid = _common([field.grid for field in fields])
+        return overlap(fields[0].on(grid) > 0.5, fields[1].on(grid) > 0.5) >= AGREED
+
     def weights(self, onwards: Any, back: Any, planar_there: Any, planar_here: Any) -> list[Any]:
         """How much each witness counts where it missed by so many pixels: the passages from both ends, planar motion.
 
@@ -94,7 +106,7 @@ def merged(span: Span, frame: int) -> list[Merged | None]:
         return result
     parts = tuple(Part(_expected(moment, k), span.subtracts(k)) for k in known)
     points = [part.points for part in parts]
-    region = None if span.is_planar else _region(moment, parts)
+    region = None if span.is_planar or moment.is_one_piece else _region(moment, parts)
     if region is not None:
         smooth = tuple(smooth_points(span.drawn(k)) for k in known)
         points = [each for each, _ in laid(parts, smooth, region, span.scale)]

@@ -34,12 +34,14 @@ class Stop:
     confidence : for each outline, in [0, 1].
     carried : `(3, 3)` the similarity, image to image, of the object since the key.
     region : the object's region, where the engine works with regions.
+    as_one_piece : the outlines are as they are on the key, only moved (`propagate.rigid`).
     """
 
     points: tuple[Array, ...]
     confidence: tuple[float, ...]
     carried: Array
     region: Field | None
+    as_one_piece: bool = False
 
 
 @dataclass(frozen=True, eq=False)
@@ -85,7 +87,7 @@ def passage(
         picture = following
         points = tuple(result.points for result in results)
         confidence = tuple(result.confidence for result in results)
-        stops[frame] = Stop(points, confidence, carried, _region(state))
+        stops[frame] = Stop(points, confidence, carried, _region(state), _is_one_piece(state))
         if passed is not None:
             passed()
     return Passage(stops)
@@ -93,6 +95,10 @@ def passage(
 
 def _region(state: State) -> Field | None:
     return state.region if isinstance(state, RegionState) else None
+
+
+def _is_one_piece(state: State) -> bool:
+    return isinstance(state, RegionState) and state.agreement_as_one_piece is not None
 
 
 def _moved(before: PreparedFrame, after: PreparedFrame, points: tuple[Array, ...], params: RoamParams) -> Array:

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from roam_core import track
+from roam_core import fill_span, track
 from roam_core.cli.explain import text_of
 from roam_core.features import PreparedFrame
 from roam_core.geometry import projective, similarity
@@ -123,6 +123,15 @@ def test_what_is_hidden_is_left_to_the_region() -> None:
     assert held[:3] == [True] * 3
     assert not any(held[3:5])
     assert held[-1]
+
+
+def test_between_two_keys_it_keeps_its_mast() -> None:
+    last = COUNT - 1
+    shape = RotoShape("ship", "Ship", tuple(Keyframe(k, projective.apply(pose(k), HULL)) for k in (0, last)))
+    (filled,) = fill_span({frame: picture(frame) for frame in range(COUNT)}, [shape], 0, last)
+    for frame in range(1, last):
+        true = projective.apply(pose(frame), HULL)
+        assert float(np.hypot(*(filled.at(frame).points - true).T).max()) < 1.5
 
 
 def test_an_explanation_tells_it() -> None:
