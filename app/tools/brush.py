@@ -25,7 +25,6 @@ from roam_core.roto.transform import bell
 
 Array = NDArray[np.float64]
 
-
 LIGHTEST = 0.1
 """The part of the radius that the lightest touch of a pen has."""
 

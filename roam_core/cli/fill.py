@@ -22,7 +22,7 @@ from roam_core.cli.plate import Plate, opened
 from roam_core.cli.track import require_target, require_writable
 from roam_core.errors import RoamError
 from roam_core.interchange.mattes import write_matte
-from roam_core.params import CONFIGS, DEFAULT_CONFIG, DOUBTFUL, RoamParams, params_for
+from roam_core.params import CONFIGS, DEFAULT_CONFIG, RoamParams, params_for
 from roam_core.propagate import Termination, warm_up
 from roam_core.propagate.provenance import clip_stamp, fill_stamp, is_stale
 from roam_core.propagate.span import fill_span
@@ -211,7 +211,7 @@ def line_of(project: Project, frame: int, seconds: float) -> dict[str, object]:
     keys = [key for shape in fillable(project) if shape.exists_at(frame) and (key := shape.key_at(frame))]
     made = [key.confidence or 0.0 for key in keys if key.origin is Origin.ENGINE]
     if made:
-        termination = Termination.CONVERGED if min(made) >= DOUBTFUL else Termination.LOW_CONFIDENCE
+        termination = Termination.of(min(made))
     else:
         termination = Termination.ARTIST_KEY if keys else Termination.MISSING_FRAME
     return {

@@ -17,7 +17,7 @@ from roam_core.features import PreparedFrame, Region
 from roam_core.features.grid import Grid
 from roam_core.geometry import bezier, similarity
 from roam_core.motion.flow import carried_by_flow, dense_flow, flow_similarity, on_grid
-from roam_core.params import DOUBTFUL, RegionParams, scale_for
+from roam_core.params import RegionParams, scale_for
 from roam_core.propagate.confidence import Signs, edge_support, expected_overlap, overlap, vertex_confidence
 from roam_core.propagate.laying import enclosed, laid
 from roam_core.propagate.nodes import smooth_points
@@ -72,7 +72,7 @@ def begin(frame: PreparedFrame, parts: tuple[Part, ...], params: RegionParams) -
     """The state on a frame whose outlines are given: they enclose the region, and the models are learned from it."""
     scale = scale_for(frame.size)
     grid = grid_around(np.vstack([part.points.reshape(-1, 2) for part in parts]), frame.size, params, scale)
-    region = Field(grid, (2.0 * SURE * (enclosed(parts, grid) - 0.5)).astype(np.float32))
+    region = Field.of_coverage(grid, enclosed(parts, grid))
     colours = _learned(frame, region)
     key = KeyMemory(frame, region, colours, np.eye(3))
     smooth = tuple(smooth_points(part.points) for part in parts)
@@ -141,7 +141,7 @@ def _at_sighting(
     parts = tuple(replace(part, points=similarity.apply(to_now[:2], part.points)) for part in state.drawn)
     spots = np.vstack([part.points.reshape(-1, 2) for part in parts])
     grid = grid_around(spots, frame.size, params, scale_for(frame.size))
-    region = Field(grid, (2.0 * SURE * (state.key.region.on(grid, to_now) - 0.5)).astype(np.float32))
+    region = Field.of_coverage(grid, state.key.region.on(grid, to_now))
     key = replace(state.key, to_now=to_now)
     rigidity = state.rigidity.at(to_now)
     return replace(state, frame=picture, region=region, parts=parts, key=key, colours=key.colours, rigidity=rigidity)
@@ -182,7 +182,7 @@ def _as_one_piece(
 ) -> tuple[RegionState, tuple[StepResult, ...]]:
     """The shapes as drawn on the key, carried by the motion of a plane."""
     grid, parts = sight.sources.grid, pose.carried(state.drawn)
-    found = Field(grid, (2.0 * SURE * (enclosed(parts, grid) - 0.5)).astype(np.float32))
+    found = Field.of_coverage(grid, enclosed(parts, grid))
     signs = pose.signs(state.steps + 1)
     confidence = expected_overlap(signs)
     energy = {"rigid": signs.disagreeing, "total": signs.disagreeing}
@@ -192,7 +192,7 @@ def _as_one_piece(
             confidence=confidence,
             vertex_confidence=vertex_confidence(pose.support(drawn), confidence),
             energies=energy,
-            termination=Termination.CONVERGED if confidence >= DOUBTFUL else Termination.LOW_CONFIDENCE,
+            termination=Termination.of(confidence),
         )
         for part, drawn in zip(parts, state.drawn, strict=True)
     )
@@ -292,7 +292,7 @@ def _result(part: Part, seen: bool, found: Field, confidence: float) -> StepResu
         confidence=trust,
         vertex_confidence=vertices,
         energies={"region": energy, "total": energy},
-        termination=Termination.CONVERGED if trust >= DOUBTFUL else Termination.LOW_CONFIDENCE,
+        termination=Termination.of(trust),
     )
 
 

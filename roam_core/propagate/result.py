@@ -9,6 +9,7 @@ from enum import StrEnum
 import numpy as np
 from numpy.typing import NDArray
 
+from roam_core.params import DOUBTFUL
 from roam_core.propagate.offers import Proposal
 from roam_core.proposal.topology import TopologyChange
 from roam_core.roto import Keyframe, RotoShape
@@ -26,6 +27,11 @@ class Termination(StrEnum):
     MISSING_FRAME = "missing_frame"
     ARTIST_KEY = "artist_key"
     CANCELLED = "cancelled"
+
+    @classmethod
+    def of(cls, confidence: float) -> Termination:
+        """How a frame ends that was carried or filled without more ado: doubted or not."""
+        return cls.CONVERGED if confidence >= DOUBTFUL else cls.LOW_CONFIDENCE
 
 
 @dataclass(frozen=True, eq=False)

@@ -32,6 +32,11 @@ class Field:
     grid: Grid
     values: Float32
 
+    @classmethod
+    def of_coverage(cls, grid: Grid, coverage: Float32) -> Field:
+        """The region that covers these shares `(rows, columns)` of the cells: sure where they are whole or none."""
+        return cls(grid, (2.0 * SURE * (coverage - 0.5)).astype(np.float32))
+
     @property
     def inside(self) -> Bools:
         return np.asarray(self.values > 0)

@@ -115,4 +115,4 @@ def _enclosed(frame: PreparedFrame, nodes: Array, params: RegionParams) -> Field
         area = Region(x, y, x + 1, y + 1)
     grid = Grid.over(area, params.grid_factor / scale)
     inside = coverage(grid.to_grid(nodes), grid.shape)
-    return Field(grid, (2.0 * SURE * (inside - 0.5)).astype(np.float32))
+    return Field.of_coverage(grid, inside)

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import cv2
 import numpy as np
@@ -12,6 +13,7 @@ import pytest
 from numpy.typing import NDArray
 
 from roam_core.cli import main
+from roam_core.propagate import FrameResult, track
 from tests.golden.shots import Shot, blob, gliding
 
 SHOT = gliding(blob([24.0, 20.0, 18.0, 22.0, 26.0]), 6, (60.0, 55.0), (1.7, 0.8), size=(110, 130), drift=(-0.5, 0.3))
@@ -51,6 +53,24 @@ def roam(capsys: pytest.CaptureFixture[str]) -> Roam:
         return Outcome(status, said.out, said.err)
 
     return run
+
+
+@pytest.fixture
+def interrupt(monkeypatch: pytest.MonkeyPatch) -> Callable[[int], None]:
+    """`interrupt(1003)`: the user presses Ctrl+C when tracking has come to that frame, at once if it is no frame."""
+
+    def at(frame: int) -> None:
+        def interrupting(*arguments: Any, **options: Any) -> Iterator[FrameResult]:
+            if frame not in SHOT.frames:
+                raise KeyboardInterrupt
+            for result in track(*arguments, **options):
+                yield result
+                if result.frame == frame:
+                    raise KeyboardInterrupt
+
+        monkeypatch.setattr("roam_core.cli.track.track", interrupting)
+
+    return at
 
 
 @pytest.fixture

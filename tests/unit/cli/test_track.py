@@ -3,15 +3,13 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator
-from typing import Any
+from collections.abc import Callable
 
 import cv2
 import numpy as np
 import pytest
 
 from roam_core.params import CONFIGS
-from roam_core.propagate import FrameResult, track
 from roam_core.roto import Origin, edit, file
 from tests.golden.shots import overlap
 from tests.unit.cli.conftest import SHOT, Plate, Roam, read_matte
@@ -147,15 +145,9 @@ def test_a_project_starts_on_its_first_key(roam: Roam, plate: Plate) -> None:
 
 
 def test_an_interrupted_run_keeps_its_finished_frames(
-    roam: Roam, plate: Plate, monkeypatch: pytest.MonkeyPatch
+    roam: Roam, plate: Plate, interrupt: Callable[[int], None]
 ) -> None:
-    def interrupting(*arguments: Any, **options: Any) -> Iterator[FrameResult]:
-        for result in track(*arguments, **options):
-            yield result
-            if result.frame == 1003:
-                raise KeyboardInterrupt
-
-    monkeypatch.setattr("roam_core.cli.track.track", interrupting)
+    interrupt(1003)
     path = plate.folder.parent / "p.roam"
     done = roam("track", plate.folder, "--init", plate.mask, "--save", path)
     assert done.status == 130

@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator
+from collections.abc import Callable
 from pathlib import Path
-from typing import Any
 
 import cv2
 import numpy as np
@@ -13,7 +12,6 @@ import pytest
 
 from roam_core.geometry import similarity
 from roam_core.params import CONFIGS
-from roam_core.propagate import FrameResult, track
 from roam_core.roto import edit, file
 from tests.golden.shots import inverse
 from tests.unit.cli.conftest import SHOT, Plate, Roam
@@ -70,14 +68,8 @@ def test_the_start_frame_alone(roam: Roam, plate: Plate) -> None:
     assert {tuple(row.places) for row in node.rows} == {(1001,)}
 
 
-def test_an_interrupted_run_writes_what_is_finished(roam: Roam, plate: Plate, monkeypatch: pytest.MonkeyPatch) -> None:
-    def interrupting(*arguments: Any, **options: Any) -> Iterator[FrameResult]:
-        for result in track(*arguments, **options):
-            yield result
-            if result.frame == 1003:
-                raise KeyboardInterrupt
-
-    monkeypatch.setattr("roam_core.cli.track.track", interrupting)
+def test_an_interrupted_run_writes_what_is_finished(roam: Roam, plate: Plate, interrupt: Callable[[int], None]) -> None:
+    interrupt(1003)
     out = plate.folder.parent / "landmarks.nk"
     done = roam("track", plate.folder, "--init", plate.mask, "--config", "medium", "--landmarks", out)
     assert done.status == 130
@@ -86,13 +78,9 @@ def test_an_interrupted_run_writes_what_is_finished(roam: Roam, plate: Plate, mo
 
 
 def test_an_interruption_before_the_first_frame_writes_nothing(
-    roam: Roam, plate: Plate, monkeypatch: pytest.MonkeyPatch
+    roam: Roam, plate: Plate, interrupt: Callable[[int], None]
 ) -> None:
-    def interrupting(*arguments: Any, **options: Any) -> Iterator[FrameResult]:
-        raise KeyboardInterrupt
-        yield
-
-    monkeypatch.setattr("roam_core.cli.track.track", interrupting)
+    interrupt(0)
     out = plate.folder.parent / "landmarks.nk"
     assert roam("track", plate.folder, "--init", plate.mask, "--config", "medium", "--landmarks", out).status == 130
     assert not out.exists()
