@@ -10,7 +10,7 @@ import pytest
 
 from roam_core.geometry.bezier import segments
 from roam_core.geometry.polyline import outward_normals
-from roam_core.kernels.alignment import align
+from roam_core.kernels.alignment import align, prices
 from roam_core.kernels.anchoring import anchored
 from roam_core.kernels.coverage import coverage, distance, swept_coverage
 from roam_core.kernels.crossing import crossing_edges
@@ -27,6 +27,7 @@ from roam_core.kernels.nearest_edges import nearest_edges
 from roam_core.kernels.region_sums import region_sums, row_sums
 from roam_core.kernels.ribbon_means import ribbon_means
 from roam_core.kernels.spline_fit import nearest_places, normal_band
+from roam_core.proposal.tips import surroundings
 
 Case = tuple[Callable[..., Any], tuple[Any, ...], dict[str, Any]]
 
@@ -85,10 +86,16 @@ def _moving(frames: int = 40, places: int = 120) -> Any:
     return (_outline(places) + swing)[:, None]
 
 
+def _pricing() -> Case:
+    lines = _outline(60), _outline(360, 93.0)
+    ours, theirs = ((line, outward_normals(line), surroundings(line)) for line in lines)
+    return _call(prices, ours, theirs, 12.0, 1.0, 60.0)
+
+
 def _alignment() -> Case:
-    line, samples = _outline(60), _outline(240, 93.0)
+    line, samples = _outline(60), _outline(360, 93.0)
     apart = np.square(line[:, None] - samples).sum(axis=2) / 144.0
-    return _call(align, apart, np.full(60, 4.0), 6.0, np.arange(3))
+    return _call(align, apart, np.full(60, 6.0), 6.0, np.arange(3))
 
 
 def _anchoring() -> Case:
@@ -193,6 +200,7 @@ CASES: dict[str, Callable[[], Case]] = {
     "nearest_places": _nearest,
     "normal_band": _band,
     "outline_distances": lambda: _call(outline_distances, _moving(), _moving() + 1.5, True),
+    "prices": _pricing,
     "region_sums": lambda: _call(region_sums, row_sums(_field()), _outline(), _moves()),
     "ribbon_means": lambda: _call(ribbon_means, _field(), _field(), _outline(), _moves(), 8.0),
     "row_sums": lambda: _call(row_sums, _field()),

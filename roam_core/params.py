@@ -57,7 +57,7 @@ class RegionParams:
     bias: float = -0.2
     motion_weight: float = 1.0
     motion_sigma: float = 1.5
-    uncovered_weight: float = 1.5
+    uncovered_weight: float = 3.0
     prior_weight: float = 0.05
     blur: float = 0.6
     diffusion: float = 2.0

@@ -40,6 +40,13 @@ def resample(line: Array, count: int, closed: bool = True) -> Array:
     return np.stack([np.interp(targets, s, whole[:, 0]), np.interp(targets, s, whole[:, 1])], axis=1)
 
 
+def at(ring: Array, places: Array) -> Array:
+    """Positions on a closed ring `(K, 2)` at `places (N,)`: 1.5 is midway between the second and the third vertex."""
+    before = np.floor(places).astype(np.intp)
+    share = (places - before)[:, None]
+    return np.asarray((1.0 - share) * ring[before % len(ring)] + share * ring[(before + 1) % len(ring)])
+
+
 def outward_normals(line: Array) -> Array:
     """Unit normals `(K, 2)` at the vertices of a closed polyline, pointing out of it; zero where it is degenerate."""
     tangent = following(line) - preceding(line)

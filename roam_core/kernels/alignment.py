@@ -13,6 +13,36 @@ BEAM = 16.0
 """A matching found within this of the best beginnings bounds the exact search from above."""
 ROUNDING = 1.0 + 1e-9
 """Sums in another order must not cut off the optimum itself."""
+FARTHEST = 9.0
+"""Most that distance costs: what is lost is lost."""
+
+Places = tuple[Float64, Float64, Float64]
+"""What is compared of K places of an outline: positions (K, 2), outward normals (K, 2), surroundings (K, R)."""
+
+
+def prices(nodes: Places, samples: Places, near: float, turn: float, bulge: float) -> Float64:
+    """What it costs `(N, M)` to put each node on each sample.
+
+    The squared distance in units of `near`, at most `FARTHEST`; `turn` where the normals are opposite, half of it where
+    they are at right angles; `bulge` times the mean squared difference of the surroundings (`proposal.tips`).
+    """
+    ours, theirs = (np.hstack([places[0] / near, *places[1:]]) for places in (nodes, samples))
+    cost = np.empty((len(ours), len(theirs)))
+    _prices(ours, theirs, turn, bulge, cost)
+    return cost
+
+
+@njit(nogil=True, cache=True)
+def _prices(nodes, samples, turn, bulge, cost):  # type: ignore[no-untyped-def]
+    columns = nodes.shape[1]
+    for n in range(len(nodes)):
+        for m in range(len(samples)):
+            away = (nodes[n, 0] - samples[m, 0]) ** 2 + (nodes[n, 1] - samples[m, 1]) ** 2
+            cosine = nodes[n, 2] * samples[m, 2] + nodes[n, 3] * samples[m, 3]
+            unlike = 0.0
+            for r in range(4, columns):
+                unlike += (nodes[n, r] - samples[m, r]) ** 2
+            cost[n, m] = min(away, FARTHEST) + 0.5 * turn * (1.0 - cosine) + bulge * unlike / (columns - 4)
 
 
 def align(cost: Float64, expected: Float64, stretch: float, starts: IntArray) -> tuple[IntArray, float]:

@@ -14,7 +14,7 @@ from roam_core.geometry.simple import simplified
 from roam_core.kernels.coverage import coverage
 from roam_core.propagate.result import Part
 from roam_core.proposal import region as proposed
-from roam_core.proposal.contour import follow
+from roam_core.proposal.contour import Traits, follow
 from roam_core.proposal.evidence import Field
 
 Array = NDArray[np.float64]
@@ -39,13 +39,11 @@ def enclosed(parts: Sequence[Part], grid: Grid) -> Float32:
     return share
 
 
-def laid(
-    parts: tuple[Part, ...], smooth: tuple[NDArray[np.bool_], ...], found: Field, scale: float
-) -> list[tuple[Array, bool]]:
+def laid(parts: tuple[Part, ...], traits: Sequence[Traits], found: Field, scale: float) -> list[tuple[Array, bool]]:
     """Each shape's points `(P, 3, 2)` along the outline that it claims, and whether it found one.
 
-    `parts` lie where they are expected; a shape that finds nothing stays there. `smooth` says which of its points keep
-    their handles on one line. A hole without room in the region closes to almost nothing.
+    `parts` lie where they are expected, `traits` are what they keep of their key; a shape that finds nothing stays
+    there. A hole without room in the region closes to almost nothing.
     """
     inside = found.inside
     solid = [k for k, part in enumerate(parts) if not part.subtracts]
@@ -59,7 +57,7 @@ def laid(
         for k, mine in zip(members, proposed.shares(area, claims), strict=True):
             rings = proposed.outlines(field, mine) if mine.any() else []
             if rings:
-                points = follow(parts[k].points, rings[0][0], smooth[k], scale)
+                points = follow(parts[k].points, rings[0][0], traits[k], scale)
                 placed[k] = simplified(points, parts[k].points, scale), True
     for k in holes:
         points, seen = placed[k]

@@ -15,7 +15,6 @@ from roam_core.geometry import bezier, similarity
 from roam_core.geometry.simple import simplified
 from roam_core.propagate.confidence import SpanSigns, expected_overlap, overlap, vertex_confidence
 from roam_core.propagate.laying import enclosed, laid
-from roam_core.propagate.nodes import smooth_points
 from roam_core.propagate.passage import Stop
 from roam_core.propagate.result import Part
 from roam_core.propagate.witness import Span, carried, grid_over, stop_at
@@ -108,8 +107,7 @@ def merged(span: Span, frame: int) -> list[Merged | None]:
     points = [part.points for part in parts]
     region = None if span.is_planar or moment.is_one_piece else _region(moment, parts)
     if region is not None:
-        smooth = tuple(smooth_points(span.drawn(k)) for k in known)
-        points = [each for each, _ in laid(parts, smooth, region, span.scale)]
+        points = [each for each, _ in laid(parts, [span.traits(k, moment.u) for k in known], region, span.scale)]
     outlines = [
         replace(part, points=simplified(each, part.points, span.scale))
         for each, part in zip(points, parts, strict=True)

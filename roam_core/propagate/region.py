@@ -25,6 +25,7 @@ from roam_core.propagate.refinding import WHOLE, Lookout, Sighting, area_of, mid
 from roam_core.propagate.result import Part, StepResult, Termination
 from roam_core.propagate.rigid import Pose, Rigidity
 from roam_core.proposal import region as proposed
+from roam_core.proposal.contour import Traits
 from roam_core.proposal.evidence import SURE, Expectation, Field, KeyMemory, Sources, gathered
 from roam_core.proposal.motion_cue import motion_on
 
@@ -39,15 +40,15 @@ TRUSTED = 0.3
 class RegionState:
     """After a frame: its picture, the region, each shape where it was last seen, and what is known of the object.
 
-    `drawn` are the shapes on the key, `lookout` what it looked like there, `sighting` tells when it was last whole,
-    `rigidity` whether it may still move as one piece; `steps` counts the frames since the key; `signs` tell how well
-    the last of them went.
+    `drawn` are the shapes on the key and `traits` what they keep of it, `lookout` what the object looked like there,
+    `sighting` tells when it was last whole, `rigidity` whether it may still move as one piece; `steps` counts the
+    frames since the key; `signs` tell how well the last of them went.
     """
 
     frame: PreparedFrame
     region: Field
     parts: tuple[Part, ...]
-    smooth: tuple[NDArray[np.bool_], ...]
+    traits: tuple[Traits, ...]
     key: KeyMemory
     colours: GlobalModel
     drawn: tuple[Part, ...]
@@ -75,10 +76,10 @@ def begin(frame: PreparedFrame, parts: tuple[Part, ...], params: RegionParams) -
     region = Field.of_coverage(grid, enclosed(parts, grid))
     colours = _learned(frame, region)
     key = KeyMemory(frame, region, colours, np.eye(3))
-    smooth = tuple(smooth_points(part.points) for part in parts)
+    traits = tuple(Traits.of(part.points, smooth_points(part.points), scale) for part in parts)
     seen = Sighting(key.to_now, area_of(region), middle_of(region))
     rigidity = Rigidity.learned(frame, parts)
-    return RegionState(frame, region, parts, smooth, key, colours, parts, Lookout(frame, region), seen, rigidity)
+    return RegionState(frame, region, parts, traits, key, colours, parts, Lookout(frame, region), seen, rigidity)
 
 
 @dataclass(frozen=True, eq=False)
@@ -166,7 +167,7 @@ def _carried(
         token.check()
     found = proposed.cleaned(ratio, expected.possible, params.overlap)
     parts = tuple(replace(part, points=similarity.apply(sight.moved[:2], part.points)) for part in state.parts)
-    placed = laid(parts, state.smooth, found, scale_for(frame.size))
+    placed = laid(parts, state.traits, found, scale_for(frame.size))
     outlines = [replace(part, points=points) for part, (points, _) in zip(parts, placed, strict=True)]
     signs = Signs.of(outlines, found, expected, state.steps + 1)
     confidence = expected_overlap(signs)

@@ -15,7 +15,7 @@ from roam_core.geometry.simple import simplified
 from roam_core.inference.contour_dp import Unary
 from roam_core.params import RoamParams
 from roam_core.propagate.nodes import NodeMap
-from roam_core.proposal.contour import NEAR, follow
+from roam_core.proposal.contour import NEAR, Traits, follow
 from roam_core.proposal.reparametrise import Reshaped, energy_of, reshaped, untouched
 from roam_core.proposal.segmentation import Segmentation, segmented
 from roam_core.proposal.topology import TopologyChange, topology_changes
@@ -87,7 +87,7 @@ def reshape(
 
 def _laid(points: Array, new: Reshaped, found: Segmentation, nodes: NodeMap, scale: float) -> Array:
     """The control points along the new ring; those whose segments did not change are put back where they were."""
-    result = follow(points, new.ring, nodes.smooth, scale)
+    result = follow(points, new.ring, Traits.of(points, nodes.smooth, scale), scale)
     slid = np.hypot(*(result[:, bezier.ANCHOR] - points[:, bezier.ANCHOR]).T)
     keep = untouched(points, new.changed, found.grid) & (slid < NEAR * scale)
     result[keep] = points[keep]

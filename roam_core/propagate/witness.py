@@ -19,8 +19,10 @@ from roam_core.features import Region
 from roam_core.features.grid import Grid
 from roam_core.geometry import bezier, similarity
 from roam_core.propagate.laying import enclosed
+from roam_core.propagate.nodes import smooth_points
 from roam_core.propagate.passage import Passage, Stop
 from roam_core.propagate.result import Part
+from roam_core.proposal.contour import Traits
 
 Array = NDArray[np.float64]
 Float32 = NDArray[np.float32]
@@ -106,9 +108,11 @@ class Span:
         onwards, back, planar_there, planar_here = self.misses
         return planar_there.loss + planar_here.loss < onwards.loss + back.loss
 
-    def drawn(self, k: int) -> Array:
-        """The points of an outline as the artist drew them, on the first key that has it."""
-        return self._part(k).points
+    def traits(self, k: int, u: float) -> Traits:
+        """What an outline keeps of both keys, or of the one that has it, `u` of the way between them."""
+        first, last = (key.parts[k] or self._part(k) for key in (self.first, self.last))
+        smooth = smooth_points(first.points) & smooth_points(last.points)
+        return Traits.between(first.points, last.points, u, smooth, self.scale)
 
     def subtracts(self, k: int) -> bool:
         """Whether an outline cuts a hole."""

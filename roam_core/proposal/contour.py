@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
 from numpy.typing import NDArray
+from scipy.linalg import solveh_banded
 
 from roam_core.geometry import bezier, polyline
 from roam_core.geometry.bezier import ANCHOR, IN, OUT
-from roam_core.kernels.alignment import align
-from roam_core.proposal.refine import refined
+from roam_core.kernels.alignment import align, prices
+from roam_core.proposal.refine import from_both_ends, refined
+from roam_core.proposal.tips import surroundings
 
 Array = NDArray[np.float64]
 IntArray = NDArray[np.int64]
@@ -18,10 +22,14 @@ STRETCH = 6.0
 NEAR = 12.0
 """... a node that lies this many pixels (of a 480-line image) from where it was expected, and against ..."""
 TURN = 1.0
-"""... a node whose outline runs the opposite way."""
+"""... a node whose outline runs the opposite way, and against ..."""
+BULGE = 60.0
+"""... one that was all tip on the key and now is all bay (`proposal.tips`)."""
 SPACING = 9.0
 """Pixels of a 480-line image between the nodes that are matched."""
-STEP = 3.0
+CHORDS = 4
+"""Chords by which the length from node to node is told."""
+STEP = 1.5
 """Pixels of a 480-line image between the places where a node may come to lie."""
 FINER = 2
 """Samples of the outline for each such place, for the fit of the handles."""
@@ -29,41 +37,118 @@ ROUNDS = 2
 """Rounds of least squares over the whole spline."""
 STARTS = 3
 """Samples tried for the node that is surest of its place."""
+SETTLING = 3
+"""Rounds in which the matched nodes settle between the samples, ..."""
+LOOSE = 0.95
+"""... and the samples by which they may: none overtakes its neighbour."""
 
 
-def follow(points: Array, ring: Array, smooth: NDArray[np.bool_], scale: float = 1.0) -> Array:
+@dataclass(frozen=True, eq=False)
+class Traits:
+    """What a shape keeps of its key, however it moves.
+
+    Attributes
+    ----------
+    smooth : (P,) which points keep their handles on one line.
+    counts : (P,) into how many pieces each segment is cut; nodes lie at equal steps of its parameter.
+    bulges : (N, R) which nodes are tips, and which are bays: points that sat at a tip do not slide off it little by
+        little, for every frame is compared with the key.
+    """
+
+    smooth: NDArray[np.bool_]
+    counts: NDArray[np.intp]
+    bulges: Array
+
+    @classmethod
+    def of(cls, points: Array, smooth: NDArray[np.bool_], scale: float = 1.0) -> Traits:
+        """Of the closed spline `points (P, 3, 2)` as it is on the key, pixels, of which those `smooth (P,)` stay so."""
+        counts = _counts(points, scale)
+        return cls(smooth, counts, surroundings(_nodes(points, counts)))
+
+    @classmethod
+    def between(cls, first: Array, last: Array, u: float, smooth: NDArray[np.bool_], scale: float = 1.0) -> Traits:
+        """Of a spline between two keys, `u` of the way from the one to the other."""
+        counts = np.maximum(_counts(first, scale), _counts(last, scale))
+        there, here = (surroundings(_nodes(points, counts)) for points in (first, last))
+        return cls(smooth, counts, (1.0 - u) * there + u * here)
+
+    @property
+    def anchors(self) -> NDArray[np.intp]:
+        """Which nodes are anchors, `(P,)`."""
+        return np.asarray(np.cumsum(self.counts) - self.counts)
+
+
+def follow(points: Array, ring: Array, traits: Traits, scale: float = 1.0) -> Array:
     """The closed spline `points (P, 3, 2)` laid along the closed polyline `ring (K, 2)`, its points in correspondence.
 
     Nodes of the spline, the anchors among them, are matched to the outline in order (`kernels.alignment`): near where
-    they are expected, with the outline running the same way, every piece keeping its share of the length. Each segment
-    is then fitted to its piece of the outline, and all of them together (`proposal.refine`). Points marked
-    `smooth (P,)` keep their handles on one line; handles that lie on their anchor stay there.
+    they are expected, with the outline running the same way, tips on tips, every piece keeping its share of the length.
+    Between the places of the matching they settle by least squares. Each segment is then fitted to its piece of the
+    outline, and all of them together (`proposal.refine`). Points that are smooth keep their handles on one line;
+    handles that lie on their anchor stay there.
     """
-    lengths = bezier.segment_lengths(points)
-    counts = np.maximum(1, np.round(lengths / (SPACING * scale))).astype(np.intp)
-    segment = np.repeat(np.arange(len(points)), counts)
-    first = np.cumsum(counts) - counts
-    nodes = bezier.evaluate(points, segment, (np.arange(len(segment)) - first[segment]) / counts[segment])
+    fine = _nodes(points, CHORDS * traits.counts)
+    nodes = fine[::CHORDS]
+    share = np.hypot(*(polyline.following(fine) - fine).T).reshape(-1, CHORDS).sum(axis=1)
+    share /= max(float(share.sum()), 1e-9)
     if polyline.signed_area(ring) * polyline.signed_area(nodes) < 0:
         ring = ring[::-1]
     places = max(2 * len(nodes), int(polyline.length(ring) / (STEP * scale)))
     samples = polyline.resample(ring, FINER * places)
-    matched = _matched(nodes, samples[::FINER], (lengths / counts)[segment], scale)
-    anchors = FINER * matched[first]
-    return refined(_laid(points, samples, anchors, smooth), samples, anchors, smooth, ROUNDS)
+    at = FINER * _matched(nodes, samples[::FINER], share, traits.bulges, scale)
+    anchors = at[traits.anchors]
+    laid = _laid(points, samples, anchors, traits.smooth)
+    laid += (_settled(nodes, samples, at, share, scale)[traits.anchors] - laid[:, ANCHOR])[:, None]
+    return refined(laid, samples, anchors, traits.smooth, ROUNDS)
 
 
-def _matched(nodes: Array, samples: Array, share: Array, scale: float) -> IntArray:
-    away = (nodes[:, :1] - samples[:, 0]) ** 2 + (nodes[:, 1:] - samples[:, 1]) ** 2
-    away /= (NEAR * scale) ** 2
-    facing = polyline.outward_normals(nodes) @ polyline.outward_normals(samples).T
-    cost = np.minimum(away, 9.0) + TURN * 0.5 * (1.0 - facing)
-    expected = np.maximum(share / share.sum() * len(samples), 1.0)
+def _counts(points: Array, scale: float) -> NDArray[np.intp]:
+    """The pieces `(P,)` of each segment, about `SPACING` long."""
+    return np.maximum(1, np.round(bezier.segment_lengths(points) / (SPACING * scale))).astype(np.intp)
+
+
+def _nodes(points: Array, counts: NDArray[np.intp]) -> Array:
+    """The spline at equal steps of its parameter `(N, 2)`, `counts (P,)` of them in each segment."""
+    segment = np.repeat(np.arange(len(points)), counts)
+    first = np.cumsum(counts) - counts
+    return bezier.evaluate(points, segment, (np.arange(len(segment)) - first[segment]) / counts[segment])
+
+
+def _matched(nodes: Array, samples: Array, share: Array, bulges: Array, scale: float) -> IntArray:
+    ours = nodes, polyline.outward_normals(nodes), bulges
+    theirs = samples, polyline.outward_normals(samples), surroundings(samples)
+    cost = prices(ours, theirs, NEAR * scale, TURN, BULGE)
+    expected = np.maximum(share * len(samples), 1.0)
     surest = int(np.argmin(cost.min(axis=1)))
     place = int(np.argmin(cost[surest]))
     starts = (place + np.arange(STARTS) - STARTS // 2) % len(samples)
     indices, _ = align(np.roll(cost, -surest, axis=0), np.roll(expected, -surest), STRETCH, starts)
     return np.asarray(np.roll(indices, surest), dtype=np.int64)
+
+
+def _settled(nodes: Array, samples: Array, at: IntArray, share: Array, scale: float) -> Array:
+    """Where `(N, 2)` on the ring the nodes lie best, near the samples that they were matched to.
+
+    Matched to whole steps only, points would stray by a step's half on every frame. Of the prices of the matching only
+    those of distance and of stretching tell such small differences; they are minimised by Gauss and Newton.
+    """
+    count, total = len(nodes), len(samples)
+    order = from_both_ends(count)
+    ahead, behind = np.maximum(order, np.roll(order, -1)), np.minimum(order, np.roll(order, -1))
+    expected = np.maximum(share * total, 1e-6)
+    stiff, near = STRETCH / expected**2, 1.0 / (NEAR * scale) ** 2
+    place = at.astype(np.float64)
+    for _ in range(SETTLING):
+        here = polyline.at(samples, place)
+        along = (polyline.at(samples, place + 1.5) - polyline.at(samples, place - 1.5)) / 3.0
+        lacking = stiff * (expected - (np.roll(place, -1) - place) % total)
+        band, right = np.zeros((3, count)), np.empty(count)
+        band[0, order] = near * (along**2).sum(axis=1) + stiff + np.roll(stiff, 1) + 1e-9
+        np.subtract.at(band, (ahead - behind, behind), stiff)
+        right[order] = near * (along * (nodes - here)).sum(axis=1) + np.roll(lacking, 1) - lacking
+        place = place + solveh_banded(band, right, lower=True, check_finite=False)[order]
+        place = np.clip(place, at - LOOSE, at + LOOSE)
+    return polyline.at(samples, place)
 
 
 def _laid(points: Array, samples: Array, at: IntArray, smooth: NDArray[np.bool_]) -> Array:

@@ -4,13 +4,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
-import cv2
 import numpy as np
 from numpy.typing import NDArray
 
 from roam_core.geometry import bezier, polyline, similarity
-from roam_core.kernels.alignment import align
-from roam_core.kernels.coverage import coverage
+from roam_core.kernels.alignment import align, prices
+from roam_core.proposal.tips import surroundings
 
 Array = NDArray[np.float64]
 IntArray = NDArray[np.int64]
@@ -28,9 +27,7 @@ STRETCH = 2.0
 TURN = 1.5
 """Price of a node whose outline runs the opposite way."""
 BULGE = 12.0
-"""Price of a node that is all tip on a sample that is all bay, averaged over ..."""
-RADII = (0.04, 0.1, 0.25)
-"""... neighbourhoods of these sizes, as shares of the square root of the area."""
+"""Price of a node that is all tip on a sample that is all bay (`proposal.tips`)."""
 DOUBT = 0.01
 """Price a node that says nothing for or against a pose."""
 TURNED = 4.0
@@ -61,7 +58,7 @@ class Match:
     first: NDArray[np.intp]
     share: Array
     samples: Array
-    unlike: Array
+    around: tuple[Array, Array]
     at: IntArray
     energy: float
 
@@ -99,7 +96,7 @@ def _unmatched(points: Array, ring: Array, coarse: float, scale: float) -> Match
         ring = ring[::-1]
     samples = polyline.resample(ring, max(3 * len(nodes), int(polyline.length(ring) / (coarse * STEP * scale))))
     at = np.zeros(len(nodes), dtype=np.int64)
-    return Match(points, nodes, first, share, samples, _unlike(nodes, samples), at, np.inf)
+    return Match(points, nodes, first, share, samples, (surroundings(nodes), surroundings(samples)), at, np.inf)
 
 
 def _posed(start: Match, pose: Array, scale: float) -> Match:
@@ -120,10 +117,14 @@ def _nodes(points: Array, spacing: float) -> tuple[Array, NDArray[np.intp], Arra
 
 
 def _again(match: Match, nodes: Array, near: float) -> Match:
-    away = (nodes[:, :1] - match.samples[:, 0]) ** 2 + (nodes[:, 1:] - match.samples[:, 1]) ** 2
-    away /= near**2
-    facing = polyline.outward_normals(nodes) @ polyline.outward_normals(match.samples).T
-    cost = np.minimum(away, 9.0) + TURN * 0.5 * (1.0 - facing) + BULGE * match.unlike
+    ours, theirs = match.around
+    cost = prices(
+        (nodes, polyline.outward_normals(nodes), ours),
+        (match.samples, polyline.outward_normals(match.samples), theirs),
+        near,
+        TURN,
+        BULGE,
+    )
     expected = np.maximum(match.share / match.share.sum() * len(match.samples), 1.0)
     surest = int(np.argmin(cost.min(axis=1)))
     starts = (int(np.argmin(cost[surest])) + np.arange(-2, 3)) % len(match.samples)
@@ -149,33 +150,6 @@ def _turned(nodes: Array, samples: Array) -> list[Array]:
         b = there - a * here
         poses.append(np.array([[a.real, -a.imag, b.real], [a.imag, a.real, b.imag]]))
     return poses
-
-
-def _unlike(nodes: Array, samples: Array) -> Array:
-    """`(N, M)`: how little the surroundings of a node and of a sample are alike, whichever way they are turned.
-
-    The share of a neighbourhood that lies inside tells tips from bays and says nothing of direction (an integral
-    invariant: Manay et al., "Integral Invariant Signatures", 2004).
-    """
-    a, b = _inside_around(nodes), _inside_around(samples)
-    return np.asarray(((a[:, None] - b[None]) ** 2).mean(axis=2))
-
-
-def _inside_around(line: Array) -> Array:
-    """`(K, R)`: the share of a Gaussian neighbourhood of each vertex that lies inside the closed polyline."""
-    size = np.sqrt(max(abs(polyline.signed_area(line)), 1e-6))
-    cell = size / 64.0
-    margin = 3.0 * RADII[-1] * size
-    low = line.min(axis=0) - margin
-    extent = np.ceil((line.max(axis=0) + margin - low) / cell).astype(int)
-    placed = (line - low) / cell
-    inside = coverage(placed, (int(extent[1]), int(extent[0])))
-    return np.stack([_sampled(cv2.GaussianBlur(inside, (0, 0), radius * 64.0), placed) for radius in RADII], axis=1)
-
-
-def _sampled(values: NDArray[np.float32], positions: Array) -> Array:
-    x, y = (positions - 0.5).astype(np.float32).T
-    return np.asarray(cv2.remap(values, x[None], y[None], cv2.INTER_LINEAR)[0], dtype=np.float64)
 
 
 def _smoothed(shift: Array, share: Array, reach: float) -> Array:

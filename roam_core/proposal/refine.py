@@ -50,18 +50,18 @@ def refined(points: Array, samples: Array, at: IntArray, smooth: NDArray[np.bool
 
 
 def _owners(points: Array) -> IntArray:
-    """Which free position each control point `(3 P,)` is: corners have one for all three.
-
-    The points are numbered from both ends of the spline in turn, so that neighbours lie close on a closed one, too.
-    """
-    count = len(points)
-    order = np.arange(count)
-    turn = np.where(order < (count + 1) // 2, 2 * order, 2 * (count - 1 - order) + 1)
-    owner = 3 * turn[:, None] + np.arange(3)
+    """Which free position each control point `(3 P,)` is: corners have one for all three."""
+    owner = 3 * from_both_ends(len(points))[:, None] + np.arange(3)
     for part in (IN, OUT):
         corner = (points[:, part] == points[:, ANCHOR]).all(axis=1)
         owner[corner, part] = owner[corner, ANCHOR]
-    return np.unique(owner.ravel(), return_inverse=True)[1].astype(np.int64)
+    return np.asarray(np.unique(owner.ravel(), return_inverse=True)[1], dtype=np.int64)
+
+
+def from_both_ends(count: int) -> IntArray:
+    """Numbers `(count,)` for what lies on a ring, from both of its ends in turn: neighbours differ by two at most."""
+    order = np.arange(count)
+    return np.asarray(np.where(order < (count + 1) // 2, 2 * order, 2 * (count - 1 - order) + 1), dtype=np.int64)
 
 
 def tangents(points: Array) -> Array:

@@ -6,7 +6,7 @@ import numpy as np
 import numpy.testing as npt
 import pytest
 
-from roam_core.kernels.alignment import align
+from roam_core.kernels.alignment import FARTHEST, align, prices
 from roam_core.kernels.diffusion import diffuse
 from roam_core.kernels.local_match import local_match
 from tests.reference.local_match import ref_align, ref_local_match, smoothing_energy
@@ -55,6 +55,19 @@ def test_smoothing_holds_what_is_not_wanted() -> None:
     result = diffuse(field, np.zeros((6, 6, 3), np.float32), wanted, 5.0, 12.0, 10)
     npt.assert_array_equal(result[~wanted], field[~wanted])
     assert (result[wanted] != field[wanted]).all()
+
+
+def test_prices_are_those_of_each_pair_by_itself() -> None:
+    rng = np.random.default_rng(2)
+    nodes, samples = ((rng.uniform(0, 30, (k, 2)), rng.normal(size=(k, 2)), rng.random((k, 3))) for k in (5, 8))
+    cost = prices(nodes, samples, 6.0, 1.5, 20.0)
+    for n in range(5):
+        for m in range(8):
+            away = min(float(np.square((nodes[0][n] - samples[0][m]) / 6.0).sum()), FARTHEST)
+            opposite = 0.5 * (1.0 - float(nodes[1][n] @ samples[1][m]))
+            unlike = float(np.square(nodes[2][n] - samples[2][m]).mean())
+            assert cost[n, m] == pytest.approx(away + 1.5 * opposite + 20.0 * unlike)
+    assert (cost > FARTHEST).any()
 
 
 @pytest.mark.parametrize("seed", range(6))

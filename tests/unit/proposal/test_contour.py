@@ -5,19 +5,27 @@ from __future__ import annotations
 import numpy as np
 import numpy.testing as npt
 import pytest
+from numpy.typing import NDArray
 
 from roam_core.geometry import bezier
 from roam_core.geometry.bezier import polygon_points
 from roam_core.propagate.nodes import smooth_points
-from roam_core.proposal.contour import follow
+from roam_core.proposal import contour
+from roam_core.proposal.contour import Traits, follow
 from tests.golden.shots import blob, outline_distance
+
+Array = NDArray[np.float64]
 
 RADII = [40.0, 52.0, 38.0, 45.0, 55.0, 43.0, 37.0]
 
 
+def traits(points: Array) -> Traits:
+    return Traits.of(points, smooth_points(points))
+
+
 def test_laid_along_its_own_outline_a_shape_stays_where_it_is() -> None:
     points = blob(RADII) + np.array([100.0, 90.0])
-    result = follow(points, bezier.flatten(points), smooth_points(points))
+    result = follow(points, bezier.flatten(points), traits(points))
     assert outline_distance(result, points) < 0.5
     assert np.hypot(*(result[:, 0] - points[:, 0]).T).max() < 3.0
 
@@ -29,7 +37,7 @@ def test_points_keep_their_places_on_an_outline_that_moved(backwards: bool) -> N
     turn = np.array([[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]])
     truth = (points - np.array([100.0, 90.0])) @ turn.T * 1.02 + np.array([102.0, 89.0])
     ring = bezier.flatten(truth)
-    result = follow(points, ring[::-1] if backwards else ring, smooth_points(points))
+    result = follow(points, ring[::-1] if backwards else ring, traits(points))
     assert outline_distance(result, truth) < 0.6
     assert np.hypot(*(result[:, 0] - truth[:, 0]).T).mean() < 2.5
 
@@ -37,7 +45,36 @@ def test_points_keep_their_places_on_an_outline_that_moved(backwards: bool) -> N
 def test_a_polygon_stays_a_polygon() -> None:
     square = polygon_points([(20, 20), (80, 20), (80, 80), (20, 80)])
     ring = bezier.flatten(square + np.array([4.0, 3.0]))
-    result = follow(square, ring, smooth_points(square))
+    result = follow(square, ring, traits(square))
     npt.assert_array_equal(result[:, 1], result[:, 0])
     npt.assert_array_equal(result[:, 2], result[:, 0])
     assert np.hypot(*(result[:, 0] - square[:, 0] - np.array([4.0, 3.0])).T).max() < 6.0
+
+
+def test_points_do_not_creep_from_frame_to_frame() -> None:
+    middle = np.array([100.0, 90.0])
+    points = truth = blob(RADII) + middle
+    kept = traits(points)
+    for frame in range(30):
+        angle = np.radians(0.7)
+        turn = np.array([[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]])
+        truth = (truth - middle) @ turn.T + middle
+        # Another first vertex on every frame: the places of the matching lie elsewhere each time.
+        ring = np.roll(bezier.flatten(truth), 3 * frame, axis=0)
+        points = follow((points - middle) @ turn.T + middle, ring, kept)
+    assert np.hypot(*(points[:, 0] - truth[:, 0]).T).mean() < 1.0
+
+
+def test_what_sat_at_a_tip_goes_back_to_it(monkeypatch: pytest.MonkeyPatch) -> None:
+    points = blob([80.0, 30.0] * 4) + np.array([100.0, 90.0])
+    kept, ring = traits(points), bezier.flatten(points)
+    angle = np.radians(14.0)
+    turn = np.array([[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]])
+    slid = (points - [100.0, 90.0]) @ turn.T + [100.0, 90.0]
+
+    def off() -> float:
+        return float(np.hypot(*(follow(slid, ring, kept)[:, 0] - points[:, 0]).T)[::2].mean())
+
+    with_tips = off()
+    monkeypatch.setattr(contour, "BULGE", 0.0)
+    assert with_tips < 0.7 * off()
