@@ -29,7 +29,7 @@ SPACING = 9.0
 """Pixels of a 480-line image between the nodes that are matched."""
 CHORDS = 4
 """Chords by which the length from node to node is told."""
-STEP = 1.5
+STEP = 3.0
 """Pixels of a 480-line image between the places where a node may come to lie."""
 FINER = 2
 """Samples of the outline for each such place, for the fit of the handles."""

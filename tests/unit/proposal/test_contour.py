@@ -62,7 +62,7 @@ def test_points_do_not_creep_from_frame_to_frame() -> None:
         # Another first vertex on every frame: the places of the matching lie elsewhere each time.
         ring = np.roll(bezier.flatten(truth), 3 * frame, axis=0)
         points = follow((points - middle) @ turn.T + middle, ring, kept)
-    assert np.hypot(*(points[:, 0] - truth[:, 0]).T).mean() < 1.0
+    assert np.hypot(*(points[:, 0] - truth[:, 0]).T).mean() < 1.5
 
 
 def test_what_sat_at_a_tip_goes_back_to_it(monkeypatch: pytest.MonkeyPatch) -> None:
