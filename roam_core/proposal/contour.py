@@ -135,7 +135,7 @@ def _settled(nodes: Array, samples: Array, at: IntArray, share: Array, scale: fl
     count, total = len(nodes), len(samples)
     order = from_both_ends(count)
     ahead, behind = np.maximum(order, np.roll(order, -1)), np.minimum(order, np.roll(order, -1))
-    expected = np.maximum(share * total, 1e-6)
+    expected = np.maximum(share * total, 1.0)
     stiff, near = STRETCH / expected**2, 1.0 / (NEAR * scale) ** 2
     place = at.astype(np.float64)
     for _ in range(SETTLING):

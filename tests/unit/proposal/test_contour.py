@@ -78,3 +78,11 @@ def test_what_sat_at_a_tip_goes_back_to_it(monkeypatch: pytest.MonkeyPatch) -> N
     with_tips = off()
     monkeypatch.setattr(contour, "BULGE", 0.0)
     assert with_tips < 0.7 * off()
+
+
+def test_points_that_had_shrunk_to_nothing_are_laid_apart() -> None:
+    nothing = np.full((4, 3, 2), 50.0)
+    square = polygon_points([(20, 20), (80, 20), (80, 80), (20, 80)])
+    result = follow(nothing, bezier.flatten(square), traits(square))
+    assert np.isfinite(result).all()
+    assert np.ptp(result[:, 0], axis=0).min() > 10.0
