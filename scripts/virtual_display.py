@@ -10,9 +10,13 @@ from contextlib import contextmanager
 
 @contextmanager
 def virtual_display(width: int, height: int) -> Iterator[str]:
-    """Xvfb on a display number of its own choosing; gives the value for `DISPLAY` and ends the server afterwards."""
+    """Xvfb on a display number of its own choosing; gives the value for `DISPLAY` and ends the server afterwards.
+
+    It does not begin anew when its last client leaves: while it did, it would turn the next one away.
+    """
     reading, writing = os.pipe()
-    command = ["Xvfb", "-displayfd", str(writing), "-screen", "0", f"{width}x{height}x24", "-nolisten", "tcp"]
+    screen = ["-screen", "0", f"{width}x{height}x24"]
+    command = ["Xvfb", "-displayfd", str(writing), *screen, "-nolisten", "tcp", "-noreset"]
     server = subprocess.Popen(command, pass_fds=[writing], stderr=subprocess.DEVNULL)
     os.close(writing)
     try:
