@@ -87,15 +87,15 @@ def _moving(frames: int = 40, places: int = 120) -> Any:
 
 
 def _pricing() -> Case:
-    lines = _outline(60), _outline(360, 93.0)
+    lines = _outline(60), _outline(240, 93.0)
     ours, theirs = ((line, outward_normals(line), surroundings(line)) for line in lines)
     return _call(prices, ours, theirs, 12.0, 1.0, 60.0)
 
 
 def _alignment() -> Case:
-    line, samples = _outline(60), _outline(360, 93.0)
+    line, samples = _outline(60), _outline(240, 93.0)
     apart = np.square(line[:, None] - samples).sum(axis=2) / 144.0
-    return _call(align, apart, np.full(60, 6.0), 6.0, np.arange(3))
+    return _call(align, apart, np.full(60, 4.0), 6.0, np.arange(3))
 
 
 def _anchoring() -> Case:

@@ -10,7 +10,8 @@ from scipy.linalg import solveh_banded
 
 from roam_core.geometry import bezier, polyline
 from roam_core.geometry.bezier import ANCHOR, IN, OUT
-from roam_core.kernels.alignment import align, prices
+from roam_core.kernels.alignment import prices
+from roam_core.proposal.monotone import in_order
 from roam_core.proposal.refine import from_both_ends, refined
 from roam_core.proposal.tips import surroundings
 
@@ -119,11 +120,8 @@ def _matched(nodes: Array, samples: Array, share: Array, bulges: Array, scale: f
     theirs = samples, polyline.outward_normals(samples), surroundings(samples)
     cost = prices(ours, theirs, NEAR * scale, TURN, BULGE)
     expected = np.maximum(share * len(samples), 1.0)
-    surest = int(np.argmin(cost.min(axis=1)))
-    place = int(np.argmin(cost[surest]))
-    starts = (place + np.arange(STARTS) - STARTS // 2) % len(samples)
-    indices, _ = align(np.roll(cost, -surest, axis=0), np.roll(expected, -surest), STRETCH, starts)
-    return np.asarray(np.roll(indices, surest), dtype=np.int64)
+    at, _ = in_order(cost, expected, STRETCH, STARTS)
+    return at
 
 
 def _settled(nodes: Array, samples: Array, at: IntArray, share: Array, scale: float) -> Array:

@@ -8,7 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from roam_core.geometry import bezier, polyline, similarity
-from roam_core.kernels.alignment import align, prices
+from roam_core.kernels.alignment import prices
+from roam_core.proposal.monotone import in_order
 from roam_core.proposal.tips import surroundings
 
 Array = NDArray[np.float64]
@@ -28,6 +29,8 @@ TURN = 1.5
 """Price of a node whose outline runs the opposite way."""
 BULGE = 12.0
 """Price of a node that is all tip on a sample that is all bay (`proposal.tips`)."""
+STARTS = 5
+"""Samples tried for the node that is surest of its place."""
 DOUBT = 0.01
 """Price a node that says nothing for or against a pose."""
 TURNED = 4.0
@@ -50,7 +53,8 @@ class Match:
     ----------
     points : (P, 3, 2) the spline, where it was expected. nodes : (N, 2) on it, where the outline was last expected.
     first : (P,) the nodes that are anchors. share : (N,) lengths from each node to the next.
-    samples : (M, 2) the outline at equal steps. at : (N,) the sample of each node. energy : mean price of a node.
+    samples : (M, 2) the outline at equal steps. around : the surroundings (`proposal.tips`) of nodes and of samples.
+    at : (N,) the sample of each node. energy : mean price of a node.
     """
 
     points: Array
@@ -126,10 +130,7 @@ def _again(match: Match, nodes: Array, near: float) -> Match:
         BULGE,
     )
     expected = np.maximum(match.share / match.share.sum() * len(match.samples), 1.0)
-    surest = int(np.argmin(cost.min(axis=1)))
-    starts = (int(np.argmin(cost[surest])) + np.arange(-2, 3)) % len(match.samples)
-    indices, energy = align(np.roll(cost, -surest, axis=0), np.roll(expected, -surest), STRETCH, starts)
-    at = np.asarray(np.roll(indices, surest), dtype=np.int64)
+    at, energy = in_order(cost, expected, STRETCH, STARTS)
     return replace(match, nodes=nodes, at=at, energy=energy / len(nodes))
 
 
