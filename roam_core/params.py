@@ -31,6 +31,8 @@ class RegionParams:
     uncovered_weight : the same against what only the flow carries along: where neither the similarity nor the key
         expects the object, what moves with the surroundings is the ground that it has uncovered.
     prior_weight : nats a cell of depth inside the region carried from the last frame.
+    lineage_weight : nats of the side that a cell brings along from the key by sound flow (`proposal.lineage`); 0: it is
+        not asked. beside_lineage : share of the other cues that is heard where the flow has been sound all the way.
     blur : Gaussian on the ratio. diffusion, contrast, sweeps : contrast-dependent smoothing (`kernels.diffusion`).
     overlap : share of a detached part that must lie where the object was expected.
     doubted : expected IoU under which the object is looked for as it was on the key (`propagate.refinding`); 0: never.
@@ -59,6 +61,8 @@ class RegionParams:
     motion_sigma: float = 1.5
     uncovered_weight: float = 3.0
     prior_weight: float = 0.05
+    lineage_weight: float = 8.0
+    beside_lineage: float = 0.2
     blur: float = 0.6
     diffusion: float = 2.0
     contrast: float = 12.0
@@ -265,7 +269,9 @@ CONFIGS: dict[str, RoamParams] = {
     "full": RoamParams(
         config="full",
         appearance=AppearanceParams(
-            local_kind="both", cues=RegionParams(motion_weight=0.0, uncovered_weight=0.0), global_kind="histogram"
+            local_kind="both",
+            cues=RegionParams(motion_weight=0.0, uncovered_weight=0.0, lineage_weight=0.0),
+            global_kind="histogram",
         ),
         lambda_local=0.03,
         lambda_global=0.03,

@@ -13,6 +13,7 @@ from roam_core.features.frame import Region
 
 Array = NDArray[np.float64]
 Float32 = NDArray[np.float32]
+Bools = NDArray[np.bool_]
 
 
 @dataclass(frozen=True)
@@ -64,3 +65,11 @@ class Grid:
         half = np.array([[1.0, 0.0, 0.5], [0.0, 1.0, 0.5], [0.0, 0.0, 1.0]])
         centred = (np.linalg.inv(half) @ to_grid @ half)[:2]
         return np.asarray(cv2.warpAffine(image, centred, (self.columns, self.rows), flags=cv2.INTER_LINEAR))
+
+
+def signed_distance(inside: Bools, reach: float) -> Float32:
+    """Distance to the border in cells, positive inside, clipped to +-`reach`."""
+    mask = inside.astype(np.uint8)
+    inner = cv2.distanceTransform(mask, cv2.DIST_L2, 3)
+    outer = cv2.distanceTransform(1 - mask, cv2.DIST_L2, 3)
+    return np.asarray(np.clip(inner - outer, -reach, reach), dtype=np.float32)

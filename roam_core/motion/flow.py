@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import cv2
 import numpy as np
 from numpy.typing import NDArray
@@ -9,6 +11,7 @@ from numpy.typing import NDArray
 from roam_core.features import PreparedFrame
 from roam_core.features.grid import Grid
 from roam_core.geometry import similarity
+from roam_core.threads import each
 
 Array = NDArray[np.float64]
 Float32 = NDArray[np.float32]
@@ -17,14 +20,27 @@ LEAST_SIDE = 48
 """Cells to which a narrower region is padded: under 32 OpenCV's DIS reads beyond its pyramid (opencv issue 14554)."""
 
 
-def dense_flow(before: PreparedFrame, after: PreparedFrame, grid: Grid) -> tuple[Float32, Float32]:
-    """Flow `(rows, columns, 2)` from `before` to `after` and back, in cells of the grid (Kroeger et al., ECCV 2016)."""
+def dense_flow(
+    before: PreparedFrame, after: PreparedFrame, grid: Grid, is_exact: bool = False
+) -> tuple[Float32, Float32]:
+    """Flow `(rows, columns, 2)` from `before` to `after` and back, in cells of the grid (Kroeger et al., ECCV 2016).
+
+    At the fastest preset; `is_exact` takes about three times as long, and follows outlines closely.
+    """
     old, new = (_padded(grid.of(frame.grey)) for frame in (before, after))
-    # A new instance a call: it keeps buffers, and results must not depend on what it saw before.
-    solver = cv2.DISOpticalFlow.create(cv2.DISOPTICAL_FLOW_PRESET_ULTRAFAST)
-    forward = np.asarray(solver.calc(old, new, None), dtype=np.float32)
-    backward = np.asarray(solver.calc(new, old, None), dtype=np.float32)
-    return forward[: grid.rows, : grid.columns], backward[: grid.rows, : grid.columns]
+
+    def flow(pictures: tuple[NDArray[np.uint8], NDArray[np.uint8]]) -> Float32:
+        # A new instance a call: it keeps buffers, and results must not depend on what it saw before.
+        if is_exact:
+            solver = cv2.DISOpticalFlow.create(cv2.DISOPTICAL_FLOW_PRESET_FAST)
+            solver.setFinestScale(1)
+            solver.setVariationalRefinementIterations(0)  # they would take as long again, and gain nothing
+        else:
+            solver = cv2.DISOpticalFlow.create(cv2.DISOPTICAL_FLOW_PRESET_ULTRAFAST)
+        return np.asarray(solver.calc(*pictures, None), dtype=np.float32)[: grid.rows, : grid.columns]
+
+    forward, backward = each(flow, [(old, new), (new, old)])
+    return forward, backward
 
 
 def _padded(grey: NDArray[np.uint8]) -> NDArray[np.uint8]:
@@ -55,10 +71,8 @@ def on_grid(flow: Float32, grid: Grid, coarse: Grid) -> Float32:
     return np.asarray(smaller * (coarse.factor / grid.factor), dtype=np.float32)
 
 
-def carried_by_flow(coverage_before: Float32, backward: Float32) -> Float32:
-    """Coverage `(rows, columns)` of the frame before where `backward (rows, columns, 2)` takes it, on one grid."""
-    rows, columns = coverage_before.shape
+def carried_by_flow(before: NDArray[Any], backward: Float32) -> NDArray[Any]:
+    """What was `(rows, columns, ...)` on the frame before, where `backward (rows, columns, 2)` takes it; 0 beyond."""
+    rows, columns = before.shape[:2]
     x, y = np.meshgrid(np.arange(columns, dtype=np.float32), np.arange(rows, dtype=np.float32))
-    return np.asarray(
-        cv2.remap(coverage_before, x + backward[..., 0], y + backward[..., 1], interpolation=cv2.INTER_LINEAR)
-    )
+    return np.asarray(cv2.remap(before, x + backward[..., 0], y + backward[..., 1], interpolation=cv2.INTER_LINEAR))

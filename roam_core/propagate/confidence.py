@@ -43,6 +43,7 @@ class Signs:
     undecided : cells under one nat to either side, per cell of the region; at most 3.
     new : the share of the region that lies outside the key's, carried all the way.
     age : ln of the frames since the key. Errors add up, and what was lost seldom comes back.
+    broken : how little of the key's word the flow has brought to the border of the region (`proposal.lineage`).
     disagreeing : where the curves moved as one piece, with none of the above but the age, the share of the key's
         corners that are not found where they should be.
     """
@@ -52,16 +53,22 @@ class Signs:
     undecided: float
     new: float
     age: float
+    broken: float = 0.0
     disagreeing: float = 0.0
 
     @classmethod
     def of_one_piece(cls, disagreeing: float, frames: int) -> Signs:
         """Of an object that moved as one piece, so many frames after the key."""
-        return cls(0.0, 0.0, 0.0, 0.0, float(np.log(frames)), disagreeing)
+        return cls(0.0, 0.0, 0.0, 0.0, float(np.log(frames)), disagreeing=disagreeing)
 
     @classmethod
-    def of(cls, parts: Sequence[Part], found: Field, expected: Expectation, frames: int) -> Signs:
-        """Of the outlines laid along the region `found`, so many frames after the key."""
+    def of(
+        cls, parts: Sequence[Part], found: Field, expected: Expectation, unbroken: NDArray[np.float32], frames: int
+    ) -> Signs:
+        """Of the outlines laid along the region `found`, so many frames after the key.
+
+        `unbroken (rows, columns)`, on the region's grid, is how sound the flow has been since the key.
+        """
         inside = found.inside
         nats = np.abs(np.clip(found.values, -SURE, SURE))
         cells = max(int(np.count_nonzero(inside)), 1)
@@ -74,10 +81,11 @@ class Signs:
             undecided=min(int(np.count_nonzero(nats < 1.0)) / cells, 3.0),
             new=int(np.count_nonzero(inside & (expected.remembered <= 0.5))) / cells,
             age=float(np.log(frames)),
+            broken=1.0 - float(unbroken[near].mean()) if near.any() else 1.0,
         )
 
 
-SIGNS = (3.39, 2.90, 5.21, 0.57, 0.64, 0.130, 0.93)
+SIGNS = (3.76, 2.94, 5.37, 0.38, 0.52, 0.118, 0.47, 2.10)
 """The constant of the logistic model, and the weight of each of the `Signs` in their order."""
 
 
@@ -114,7 +122,7 @@ class SpanSigns:
         return cls(missed, -float(np.log(max(nearer, LEAST))), middle, float(np.log(frames)))
 
 
-SPAN_SIGNS = (3.99, 3.54, 0.94, 0.84, 0.226)
+SPAN_SIGNS = (3.67, 3.48, 1.35, 0.855, 0.071)
 """As `SIGNS`, of the `SpanSigns`."""
 
 

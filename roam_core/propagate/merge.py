@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from roam_core.features import Region
-from roam_core.features.grid import Grid
+from roam_core.features.grid import Grid, signed_distance
 from roam_core.geometry import bezier, similarity
 from roam_core.geometry.simple import simplified
 from roam_core.propagate.confidence import SpanSigns, expected_overlap, overlap, vertex_confidence
@@ -19,7 +19,7 @@ from roam_core.propagate.passage import Stop
 from roam_core.propagate.result import Part
 from roam_core.propagate.witness import Span, carried, grid_over, stop_at
 from roam_core.proposal import region as proposed
-from roam_core.proposal.evidence import SURE, Field, signed_distance
+from roam_core.proposal.evidence import SURE, Field
 
 Array = NDArray[np.float64]
 Float32 = NDArray[np.float32]

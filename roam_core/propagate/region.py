@@ -27,11 +27,14 @@ from roam_core.propagate.rigid import Pose, Rigidity
 from roam_core.proposal import region as proposed
 from roam_core.proposal.contour import Traits
 from roam_core.proposal.evidence import SURE, Expectation, Field, KeyMemory, Sources, gathered
+from roam_core.proposal.lineage import Lineage, lineage
 from roam_core.proposal.motion_cue import motion_on
 
 Array = NDArray[np.float64]
 Float32 = NDArray[np.float32]
 
+FOUND = 0.0
+"""How unbroken the lines are that begin where the object was found again: it lies there roughly."""
 TRUSTED = 0.3
 """Steadiness below which a frame teaches the colour model nothing."""
 
@@ -41,8 +44,9 @@ class RegionState:
     """After a frame: its picture, the region, each shape where it was last seen, and what is known of the object.
 
     `drawn` are the shapes on the key and `traits` what they keep of it, `lookout` what the object looked like there,
-    `sighting` tells when it was last whole, `rigidity` whether it may still move as one piece; `steps` counts the
-    frames since the key; `signs` tell how well the last of them went.
+    `sighting` tells when it was last whole, `rigidity` whether it may still move as one piece; `unbroken`, on the
+    region's grid, how far each cell's side still is the key's word (`proposal.lineage`); `steps` counts the frames
+    since the key; `signs` tell how well the last of them went.
     """
 
     frame: PreparedFrame
@@ -55,6 +59,7 @@ class RegionState:
     lookout: Lookout
     sighting: Sighting
     rigidity: Rigidity
+    unbroken: Float32
     steps: int = 0
     signs: Signs | None = None
 
@@ -79,7 +84,8 @@ def begin(frame: PreparedFrame, parts: tuple[Part, ...], params: RegionParams) -
     traits = tuple(Traits.of(part.points, smooth_points(part.points), scale) for part in parts)
     seen = Sighting(key.to_now, area_of(region), middle_of(region))
     rigidity = Rigidity.learned(frame, parts)
-    return RegionState(frame, region, parts, traits, key, colours, parts, Lookout(frame, region), seen, rigidity)
+    lookout, unbroken = Lookout(frame, region), np.ones(grid.shape, np.float32)
+    return RegionState(frame, region, parts, traits, key, colours, parts, lookout, seen, rigidity, unbroken)
 
 
 @dataclass(frozen=True, eq=False)
@@ -145,7 +151,16 @@ def _at_sighting(
     region = Field.of_coverage(grid, state.key.region.on(grid, to_now))
     key = replace(state.key, to_now=to_now)
     rigidity = state.rigidity.at(to_now)
-    return replace(state, frame=picture, region=region, parts=parts, key=key, colours=key.colours, rigidity=rigidity)
+    return replace(
+        state,
+        frame=picture,
+        region=region,
+        parts=parts,
+        key=key,
+        colours=key.colours,
+        rigidity=rigidity,
+        unbroken=np.full(grid.shape, FOUND, np.float32),
+    )
 
 
 def _carried(
@@ -169,13 +184,14 @@ def _carried(
     parts = tuple(replace(part, points=similarity.apply(sight.moved[:2], part.points)) for part in state.parts)
     placed = laid(parts, state.traits, found, scale_for(frame.size))
     outlines = [replace(part, points=points) for part, (points, _) in zip(parts, placed, strict=True)]
-    signs = Signs.of(outlines, found, expected, state.steps + 1)
+    unbroken = _unbroken(sight, found)
+    signs = Signs.of(outlines, found, expected, unbroken, state.steps + 1)
     confidence = expected_overlap(signs)
     results = tuple(_result(part, seen, found, confidence) for part, (_, seen) in zip(outlines, placed, strict=True))
     parts = tuple(
         replace(part, points=points) if seen else part for part, (points, seen) in zip(parts, placed, strict=True)
     )
-    return _after(state, sight, sight.sources.key, found, parts, signs, params), results
+    return _after(state, sight, sight.sources.key, found, unbroken, parts, signs, params), results
 
 
 def _as_one_piece(
@@ -198,7 +214,7 @@ def _as_one_piece(
         for part, drawn in zip(parts, state.drawn, strict=True)
     )
     key = replace(sight.sources.key, to_now=pose.similarity)
-    return _after(state, sight, key, found, parts, signs, params), results
+    return _after(state, sight, key, found, _unbroken(sight, found), parts, signs, params), results
 
 
 def _after(
@@ -206,6 +222,7 @@ def _after(
     sight: Sight,
     key: KeyMemory,
     found: Field,
+    unbroken: Float32,
     parts: tuple[Part, ...],
     signs: Signs,
     params: RegionParams,
@@ -224,6 +241,7 @@ def _after(
         colours=colours,
         sighting=_seen(state, key, found),
         steps=state.steps + 1,
+        unbroken=unbroken,
         signs=signs,
     )
 
@@ -250,7 +268,8 @@ def sighted(
     if min(grid.shape) < 4:
         return None
     fine = Grid.over(grid.region, 1.0 / scale)
-    forward, backward = dense_flow(state.frame, frame, fine)
+    has_lineage = params.lineage_weight > 0
+    forward, backward = dense_flow(state.frame, frame, fine, is_exact=has_lineage)
     inside = state.region.on(fine) > 0.5
     moved, agreement = flow_similarity(forward, inside, fine)
     surroundings, _ = flow_similarity(forward, ~inside, fine)
@@ -263,8 +282,22 @@ def sighted(
         last, state.region.on(grid, moved) > 0.5, carried_by_flow(last, back) > 0.5, key.region.on(grid, key.to_now)
     )
     motion = motion_on(grid, back, moved, surroundings, agreement, params.motion_sigma * scale, params.clip)
-    sources = Sources(state.frame, frame, grid, expected, back, key, state.colours, motion, params.band)
+    lines = _lineage(state, frame, (forward, backward), fine, grid) if has_lineage else None
+    sources = Sources(state.frame, frame, grid, expected, back, key, state.colours, motion, params.band, lines)
     return Sight(sources, moved, agreement)
+
+
+def _lineage(
+    state: RegionState, frame: PreparedFrame, flows: tuple[Float32, Float32], fine: Grid, grid: Grid
+) -> Lineage:
+    unbroken = grid.warped(state.unbroken, state.region.grid.map_to_image())
+    return lineage((state.frame, frame), state.region.nats_on(fine), flows, unbroken, fine, grid)
+
+
+def _unbroken(sight: Sight, found: Field) -> Float32:
+    """How far each cell's side still is the key's word, once `found` was decided."""
+    lines = sight.sources.lineage
+    return np.ones(found.grid.shape, np.float32) if lines is None else lines.after(found.inside)
 
 
 def grid_around(positions: Array, size: tuple[int, int], params: RegionParams, scale: float) -> Grid:

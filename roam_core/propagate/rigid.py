@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from roam_core.features import PreparedFrame
-from roam_core.geometry import bezier, projective, similarity
+from roam_core.geometry import bezier, polyline, projective, similarity
 from roam_core.geometry.plane_motion import PlaneMotion, fit
 from roam_core.motion.planar import Match, Reference
 from roam_core.params import scale_for
@@ -44,6 +44,11 @@ RESIZED = 1.3
 """Factor by which the area may differ from the one that the motion since the last frame lets one expect."""
 NEAREST = 12
 """Corners around a place that speak for it."""
+CUT = 2.0
+"""Distance from the edge of the key's picture within which an outline runs there because the picture ends. This and
+the next: pixels of a 480-line image."""
+OPENED = 6.0
+"""How far into the picture such a stretch may come before what it cut off must be in sight."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -79,9 +84,13 @@ class Pose:
 
 @dataclass(frozen=True, eq=False)
 class Rigidity:
-    """The key's corners, where the object was expected as one piece on the last frame, and since when in vain."""
+    """The key's corners, where the object was expected as one piece on the last frame, and since when in vain.
+
+    `cut (K, 2)` are places, a pixel apart, where the edge of the key's picture cut the object off.
+    """
 
     reference: Reference
+    cut: Array
     matrix: Array
     missed: int = 0
     held: bool = False
@@ -90,7 +99,7 @@ class Rigidity:
     def learned(cls, key: PreparedFrame, parts: tuple[Part, ...]) -> Rigidity:
         """From the key's picture and its outlines."""
         solid, holes = ([part.points for part in parts if part.subtracts is cut] for cut in (False, True))
-        return cls(Reference.of(key, solid, holes, count=CORNERS), projective.IDENTITY)
+        return cls(Reference.of(key, solid, holes, count=CORNERS), _cut_off(solid, key.size), projective.IDENTITY)
 
     def at(self, matrix: Array) -> Rigidity:
         """The same with the object elsewhere, by `matrix (3, 3)` from the key."""
@@ -107,7 +116,8 @@ class Rigidity:
         if guess is None:
             return replace(self, missed=GIVEN_UP, held=False), None
         match = self.reference.matched(frame, guess, PlaneMotion.HOMOGRAPHY, TOLERANCE * scale_for(frame.size))
-        if match is None or not self._is_believed(match, guess, least * (STILL if self.held else 1.0)):
+        least *= STILL if self.held else 1.0
+        if match is None or not self._is_believed(match, guess, least) or self._is_opened(match, frame.size):
             return replace(self, matrix=guess, missed=self.missed + 1, held=False), None
         matrix = _simplest(match)
         return replace(self, matrix=matrix, missed=0, held=True), Pose(matrix, match)
@@ -120,6 +130,27 @@ class Rigidity:
             return False
         before, after = (_extent(projective.apply(way, corners)) for way in (guess, match.matrix))
         return before / RESIZED < after < before * RESIZED
+
+    def _is_opened(self, match: Match, size: tuple[int, int]) -> bool:
+        """True where more of the object has come into the picture than the key knows of."""
+        within = _depth_in(projective.apply(match.matrix, self.cut), size)
+        return bool((within > OPENED * scale_for(size)).any())
+
+
+def _cut_off(outlines: list[Array], size: tuple[int, int]) -> Array:
+    """Places `(K, 2)` of closed splines along the edge of a picture of `size` (h, w)."""
+    places = [np.zeros((0, 2))]
+    for points in outlines:
+        line = bezier.flatten(points)
+        steps = polyline.resample(line, max(round(polyline.length(line)), 4))
+        places.append(steps[np.abs(_depth_in(steps, size)) < CUT * scale_for(size)])
+    return np.vstack(places)
+
+
+def _depth_in(places: Array, size: tuple[int, int]) -> Array:
+    """How far `(K, 2)` places lie from the edge of a picture of `size` (h, w), negative outside of it."""
+    x, y = places.T
+    return np.asarray(np.min([x, size[1] - x, y, size[0] - y], axis=0))
 
 
 def _simplest(match: Match) -> Array:

@@ -12,10 +12,11 @@ from numpy.typing import NDArray
 
 from roam_core.appearance.global_model import GlobalModel
 from roam_core.features import PreparedFrame
-from roam_core.features.grid import Grid
+from roam_core.features.grid import Grid, signed_distance
 from roam_core.kernels.diffusion import diffuse
 from roam_core.kernels.local_match import INSIDE, OUTSIDE, UNKNOWN, local_match
 from roam_core.params import RegionParams
+from roam_core.proposal.lineage import Lineage
 
 Array = NDArray[np.float64]
 Float32 = NDArray[np.float32]
@@ -107,14 +108,6 @@ def uncertain_band(certain: Bools, possible: Bools, reach: int) -> Bools:
     return np.asarray((outer > 0) & (inner == 0))
 
 
-def signed_distance(inside: Bools, reach: float) -> Float32:
-    """Distance to the border in cells, positive inside, clipped to +-`reach`."""
-    mask = inside.astype(np.uint8)
-    inner = cv2.distanceTransform(mask, cv2.DIST_L2, 3)
-    outer = cv2.distanceTransform(1 - mask, cv2.DIST_L2, 3)
-    return np.asarray(np.clip(inner - outer, -reach, reach), dtype=np.float32)
-
-
 @dataclass(frozen=True, eq=False)
 class Sources:
     """What the cues of one frame are drawn from.
@@ -125,6 +118,7 @@ class Sources:
     backward : (rows, columns, 2) flow from `after` to `before` in cells. motion : (rows, columns) its log-ratio.
     key, colours : the artist's key, and the global colours as they have become since.
     band_reach : cells to both sides of the expected outline in which pixels are in doubt.
+    lineage : what the cells bring along from the frame before; None where that is not asked.
     """
 
     before: PreparedFrame
@@ -136,6 +130,7 @@ class Sources:
     colours: GlobalModel
     motion: Float32
     band_reach: int
+    lineage: Lineage | None = None
 
     @cached_property
     def picture(self) -> NDArray[np.uint8]:
@@ -182,8 +177,21 @@ def cues(sources: Sources, params: RegionParams) -> Iterator[tuple[str, Float32]
     """Each cue by name with its weighted log-ratio `(rows, columns)`, nats, one after the other.
 
     "local" and "key": nearest colours of the last and of the key frame; "global key" and "global": the histograms;
-    "motion", "prior" and "bias". Only their sum in the band means anything to the region.
+    "motion", "prior" and "bias"; "lineage", the more the less the others are heard. Only their sum in the band means
+    anything to the region.
     """
+    lineage = sources.lineage
+    if lineage is None:
+        yield from _own_cues(sources, params)
+        return
+    heard = np.float32(1.0) - np.float32(1.0 - params.beside_lineage) * lineage.unbroken
+    for name, cue in _own_cues(sources, params):
+        yield name, heard * cue
+    yield "lineage", np.float32(params.lineage_weight) * lineage.log_ratio
+
+
+def _own_cues(sources: Sources, params: RegionParams) -> Iterator[tuple[str, Float32]]:
+    """The cues that this frame gives by itself."""
     yield from local_cues(sources, params)
     yield "global key", params.global_key_weight * sources.key.colours.log_ratio(sources.picture, params.clip)
     yield "global", params.global_weight * sources.colours.log_ratio(sources.picture, params.clip)
@@ -206,14 +214,19 @@ def motion_cue(sources: Sources, params: RegionParams) -> Float32:
 
 
 def gathered(sources: Sources, params: RegionParams) -> Field:
-    """The smoothed log-ratio on the sources' grid, all cues added; surely in or out beyond the band."""
+    """The smoothed log-ratio on the sources' grid, all cues added; surely in or out beyond the band.
+
+    What the lineage carries on unbroken is not smoothed: it is as fine as it was drawn.
+    """
     each = cues(sources, params)
     _, ratio = next(each)
     for _, cue in each:
         ratio += cue
-    ratio = cv2.GaussianBlur(ratio, (0, 0), params.blur)
     expected, band = sources.expected, sources.band
     sure = np.where(expected.rigid & expected.fluid, np.float32(SURE), np.float32(-SURE))
-    ratio = np.where(band, ratio, sure).astype(np.float32)
-    smoothed = diffuse(ratio, sources.lab, band, params.diffusion, params.contrast, params.sweeps)
+    blurred = np.where(band, cv2.GaussianBlur(ratio, (0, 0), params.blur), sure).astype(np.float32)
+    smoothed = diffuse(blurred, sources.lab, band, params.diffusion, params.contrast, params.sweeps)
+    if sources.lineage is not None:
+        held = np.where(band, sources.lineage.unbroken, np.float32(0.0))
+        smoothed += held * (ratio - smoothed)
     return Field(sources.grid, smoothed)

@@ -10,11 +10,11 @@ from numpy.typing import NDArray
 
 from roam_core.energy.colour_fields import ColourFields
 from roam_core.features import PreparedFrame
-from roam_core.features.grid import Grid
+from roam_core.features.grid import Grid, signed_distance
 from roam_core.geometry import bezier
 from roam_core.kernels.coverage import coverage
 from roam_core.params import ProposalParams
-from roam_core.proposal.evidence import Field, lab, signed_distance, uncertain_band
+from roam_core.proposal.evidence import Field, lab, uncertain_band
 from roam_core.proposal.graph_cut import contrast_weights, minimum_cut
 from roam_core.proposal.region import cleaned
 

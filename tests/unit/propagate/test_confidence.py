@@ -33,6 +33,9 @@ def square(x0: float, y0: float, x1: float, y1: float) -> Part:
     return Part(bezier.polygon_points([(x0, y0), (x1, y0), (x1, y1), (x0, y1)]))
 
 
+UNBROKEN = np.ones(GRID.shape, np.float32)
+
+
 def box(nats: float) -> Field:
     """A region of 20 by 20 cells that is so sure of itself inside and outside."""
     values = np.full(GRID.shape, -nats, dtype=np.float32)
@@ -67,20 +70,20 @@ def test_the_model_is_logistic() -> None:
 
 def test_signs_of_a_region_that_is_found_as_expected() -> None:
     sure = box(SURE)
-    signs = Signs.of([square(20, 10, 40, 30)], sure, everywhere(sure), 1)
+    signs = Signs.of([square(20, 10, 40, 30)], sure, everywhere(sure), UNBROKEN, 1)
     np.testing.assert_allclose(astuple(signs), astuple(WELL), atol=1e-9)
 
 
 def test_curves_that_enclose_half_the_region() -> None:
     sure = box(SURE)
-    signs = Signs.of([square(20, 10, 30, 30)], sure, everywhere(sure), 1)
+    signs = Signs.of([square(20, 10, 30, 30)], sure, everywhere(sure), UNBROKEN, 1)
     assert signs.unenclosed == pytest.approx(np.log(2.0))
 
 
 def test_faint_evidence_is_flat_and_undecided() -> None:
     faint, signs = box(0.5), []
     for field in (faint, box(2.0)):
-        signs.append(Signs.of([square(20, 10, 40, 30)], field, everywhere(field), 1))
+        signs.append(Signs.of([square(20, 10, 40, 30)], field, everywhere(field), UNBROKEN, 1))
     assert signs[0].flat == pytest.approx(1.0 - 0.5 / SURE)
     assert signs[1].flat == pytest.approx(0.5)
     assert signs[0].undecided == 3.0  # of 2400 cells, for 400 inside, capped
@@ -92,12 +95,19 @@ def test_what_the_key_did_not_have_is_new() -> None:
     known = found.inside.astype(np.float32)
     known[:, 30:] = 0.0
     expected = replace(everywhere(found), remembered=known)
-    assert Signs.of([square(20, 10, 40, 30)], found, expected, 1).new == pytest.approx(0.5)
+    assert Signs.of([square(20, 10, 40, 30)], found, expected, UNBROKEN, 1).new == pytest.approx(0.5)
+
+
+def test_what_the_flow_did_not_bring_from_the_key_is_broken() -> None:
+    found, unbroken = box(SURE), UNBROKEN.copy()
+    unbroken[:, 30:] = 0.2  # half of the border
+    signs = Signs.of([square(20, 10, 40, 30)], found, everywhere(found), unbroken, 1)
+    assert signs.broken == pytest.approx(0.4, abs=0.01)
 
 
 def test_nothing_found_leaves_no_confidence() -> None:
     nothing = Field(GRID, np.full(GRID.shape, -SURE, dtype=np.float32))
-    signs = Signs.of([square(20, 10, 40, 30)], nothing, everywhere(nothing), 1)
+    signs = Signs.of([square(20, 10, 40, 30)], nothing, everywhere(nothing), UNBROKEN, 1)
     assert np.isfinite(astuple(signs)).all()
     assert expected_overlap(signs) < 0.05
 

@@ -184,6 +184,22 @@ def test_few_corners_are_not_believed() -> None:
     assert eye.step(PreparedFrame(picture(0)), np.eye(3), LEAST)[1] is None
 
 
+def test_what_the_picture_cut_off_is_no_piece_once_it_comes_into_sight() -> None:
+    cut = polygon_points([(60, 110), (0, 110), (0, 150), (75, 150), (165, 150), (180, 110)])
+    eye, still = Rigidity.learned(PreparedFrame(picture(0)), (Part(cut),)), np.eye(3)
+    assert eye.step(PreparedFrame(picture(0)), still, LEAST)[1] is not None
+    for x, is_one_piece in ((-8.0, True), (3.0, True), (8.0, False)):
+        glide = np.array([[1.0, 0.0, x], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]])
+        moved = cv2.warpPerspective(picture(0), glide, SIZE[::-1], borderMode=cv2.BORDER_REFLECT)
+        assert (eye.step(PreparedFrame(moved), glide, LEAST)[1] is not None) is is_one_piece
+
+
+def test_holes_alone_are_cut_off_nowhere() -> None:
+    eye = Rigidity.learned(PreparedFrame(picture(0)), (Part(HULL, subtracts=True),))
+    assert eye.cut.shape == (0, 2)
+    eye.step(PreparedFrame(picture(0)), np.eye(3), LEAST)
+
+
 def test_a_motion_without_perspective_is_found_without_it() -> None:
     glide = np.array([[1.0, 0.0, 5.0], [0.0, 1.0, -3.0], [0.0, 0.0, 1.0]])
     _, found = learned().step(PreparedFrame(drawn([(glide, HULL)])), np.eye(3), LEAST)

@@ -1,0 +1,94 @@
+"""Lineage: on which side of the outline each cell lay before, along the flow, and how surely that is the key's word.
+
+Right after a key, and wherever the flow is sound, carrying along what the artist drew is more exact than any colour.
+Further on, and on limbs that swing, it is not. So every cell keeps how sound the flow was on its whole way from the
+key, and is held to its side as far as that: what is passed on unbroken stays; the rest is for colours to say.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from roam_core.features import PreparedFrame
+from roam_core.features.grid import Grid, signed_distance
+from roam_core.motion.flow import carried_by_flow, on_grid
+
+Float32 = NDArray[np.float32]
+Bools = NDArray[np.bool_]
+
+EDGE = 3.0
+"""Depth at which a cell's side is nearly as sure as it can be. This and the next two: pixels of a 480-line image."""
+REACH = 20.0
+"""Depth beyond which it counts no more."""
+LIKE = 8.0
+"""Difference of a colour channel at which a cell is hardly taken for the one that it came from."""
+RETURNED = 1.0
+"""Distance, after following the flow back and forth, from which the same is so."""
+LIKE_ENOUGH = 50.0
+"""Difference of colour at which a line is half broken."""
+RETURNED_ENOUGH = 8.0
+"""Distance, after following the flow back and forth, at which the same is so."""
+MEAN = np.full((1, 3), 1.0 / 3.0, dtype=np.float32)
+"""Of the channels."""
+CONTRADICTED = 0.3
+"""What is left of the line of a cell that was decided otherwise than it was carried."""
+
+
+@dataclass(frozen=True, eq=False)
+class Lineage:
+    """What each cell of a grid brings along from the frame before, `(rows, columns)` each.
+
+    `depth` is how deep inside the last region, carried by the flow, it lies (pixels of a 480-line image, negative
+    outside); `likeness`, in [0, 1], how well the flow explains it; `unbroken`, in [0, 1], how sound the flow has been
+    on its way since the key.
+    """
+
+    depth: Float32
+    likeness: Float32
+    unbroken: Float32
+
+    @property
+    def log_ratio(self) -> Float32:
+        """How much it speaks for the side that the cell lay on: between -1, outside, and 1."""
+        return np.asarray(self.unbroken * self.likeness * np.tanh(self.depth / EDGE), dtype=np.float32)
+
+    def after(self, inside: Bools) -> Float32:
+        """How unbroken the lines are once `inside (rows, columns)` was decided."""
+        kept = inside == (self.depth > 0)
+        return np.where(kept, self.unbroken, np.float32(CONTRADICTED) * self.unbroken)
+
+
+def lineage(
+    pictures: tuple[PreparedFrame, PreparedFrame],
+    sides: Float32,
+    flows: tuple[Float32, Float32],
+    unbroken: Float32,
+    fine: Grid,
+    grid: Grid,
+) -> Lineage:
+    """What the cells of `grid` bring along from the first of two pictures to the second.
+
+    Parameters
+    ----------
+    sides : (rows, columns) a field on `fine` that is positive where the object was on the first picture.
+    flows : (rows, columns, 2) from the first to the second and back, in cells of `fine`; these are about a pixel of a
+        480-line image.
+    unbroken : on `grid`, how unbroken the lines were that led to the first picture, where they were.
+    """
+    forth, back = (on_grid(flow, fine, grid) for flow in flows)
+    came = carried_by_flow(grid.of(pictures[0].image), back)
+    unlike = cv2.transform(cv2.absdiff(came, grid.of(pictures[1].image)).astype(np.float32), MEAN)
+    astray = cv2.magnitude(*cv2.split(carried_by_flow(forth, back) + back)) * np.float32(
+        fine.factor.mean() / grid.factor.mean()
+    )
+    depth = signed_distance(carried_by_flow(sides, flows[1]) > 0, REACH)
+    sound = 1.0 / ((1.0 + (unlike / LIKE_ENOUGH) ** 2) * (1.0 + (astray / RETURNED_ENOUGH) ** 2))
+    return Lineage(
+        depth=cv2.resize(depth, (grid.columns, grid.rows), interpolation=cv2.INTER_AREA),
+        likeness=0.5 * (np.exp(-unlike / LIKE) + np.exp(-astray / RETURNED)),
+        unbroken=np.asarray(carried_by_flow(unbroken, back) * sound, dtype=np.float32),
+    )

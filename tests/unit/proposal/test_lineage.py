@@ -1,0 +1,128 @@
+"""The sides that cells bring along from the key by the flow, and what breaks their lines."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import cv2
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from roam_core.features import PreparedFrame, Region
+from roam_core.features.grid import Grid
+from roam_core.geometry.bezier import polygon_points
+from roam_core.motion.flow import dense_flow
+from roam_core.params import RegionParams
+from roam_core.propagate.region import begin, sighted
+from roam_core.propagate.result import Part
+from roam_core.proposal.evidence import Sources, cues, gathered
+from roam_core.proposal.lineage import CONTRADICTED, Lineage, lineage
+
+SIZE = (120, 160)
+WHOLE = Region(0, 0, SIZE[1], SIZE[0])
+FINE, COARSE = Grid.over(WHOLE, 1.0), Grid.over(WHOLE, 0.5)
+
+Float32 = NDArray[np.float32]
+
+
+def noise(seed: int) -> NDArray[np.uint8]:
+    rough = np.random.default_rng(seed).integers(0, 256, (*SIZE, 3)).astype(np.uint8)
+    soft = cv2.GaussianBlur(rough, (0, 0), 2.5)
+    return np.asarray(cv2.normalize(soft, None, 0, 255, cv2.NORM_MINMAX), dtype=np.uint8)  # type: ignore[call-overload]
+
+
+def picture(x: int, hidden: bool = False) -> PreparedFrame:
+    """A card of 60 by 50 pixels before a wall, its left side at `x`; a stranger may hide its right half."""
+    image = noise(1)
+    image[30:80, x : x + 60] = noise(2)[30:80, 40:100]
+    if hidden:
+        image[20:90, x + 30 : x + 70] = noise(3)[20:90, :40]
+    return PreparedFrame(image)
+
+
+def sides(x: int) -> Float32:
+    field = np.full(SIZE, -1.0, dtype=np.float32)
+    field[30:80, x : x + 60] = 1.0
+    return field
+
+
+def brought(before: PreparedFrame, after: PreparedFrame, unbroken: float = 1.0) -> Lineage:
+    flows = dense_flow(before, after, FINE, is_exact=True)
+    return lineage((before, after), sides(40), flows, np.full(COARSE.shape, unbroken, np.float32), FINE, COARSE)
+
+
+def test_a_card_that_glides_brings_its_outline_along() -> None:
+    found = brought(picture(40), picture(46))
+    inside = cv2.resize(sides(46), COARSE.shape[::-1], interpolation=cv2.INTER_AREA) > 0
+    seen = found.depth > 0
+    assert np.count_nonzero(seen & inside) / np.count_nonzero(seen | inside) > 0.92
+    middle = found.unbroken[20:35, 28:48]
+    assert middle.min() > 0.9
+    assert found.likeness[20:35, 28:48].mean() > 0.8
+    assert found.log_ratio[20:35, 28:48].min() > 0.5
+    assert found.log_ratio[2:8, 2:10].max() < -0.5
+
+
+def test_depth_is_told_in_pixels_of_the_finer_grid() -> None:
+    found = brought(picture(40), picture(40))
+    assert found.depth[27, 35] == pytest.approx(20.0)  # at most
+    assert found.depth[27, 22] == pytest.approx(5.0, abs=1.0)
+    assert found.depth[27, 17] == pytest.approx(-5.0, abs=1.0)
+
+
+def test_what_is_hidden_breaks_the_lines_there_only() -> None:
+    found = brought(picture(40), picture(42, hidden=True))
+    free, hidden = (slice(20, 35), slice(25, 33)), (slice(20, 35), slice(40, 52))
+    assert found.unbroken[free].mean() > 0.9
+    assert found.unbroken[hidden].mean() < 0.8
+    assert found.likeness[hidden].mean() < 0.5 * found.likeness[free].mean()
+
+
+def test_a_broken_line_stays_broken() -> None:
+    fresh, old = (brought(picture(40), picture(42), unbroken) for unbroken in (1.0, 0.3))
+    np.testing.assert_allclose(old.unbroken, 0.3 * fresh.unbroken, rtol=1e-4, atol=1e-6)
+    np.testing.assert_array_equal(old.likeness, fresh.likeness)
+
+
+def test_a_cell_that_is_decided_otherwise_forgets_most_of_the_key() -> None:
+    depth = np.array([[5.0, 5.0, -5.0, -5.0]], dtype=np.float32)
+    found = Lineage(depth, np.ones_like(depth), np.full_like(depth, 0.8))
+    after = found.after(np.array([[True, False, False, True]]))
+    np.testing.assert_allclose(after, [[0.8, 0.8 * CONTRADICTED, 0.8, 0.8 * CONTRADICTED]])
+
+
+def test_where_the_lines_are_broken_the_other_cues_speak_alone() -> None:
+    params, sources = RegionParams(), seen()
+    assert sources.lineage is not None
+    broken = replace(sources.lineage, unbroken=np.zeros(sources.grid.shape, np.float32))
+    alone = gathered(replace(sources, lineage=None), params)
+    np.testing.assert_array_equal(gathered(replace(sources, lineage=broken), params).values, alone.values)
+
+
+def test_unbroken_lines_outweigh_colours_and_are_not_smoothed() -> None:
+    params, sources = RegionParams(), seen()
+    ones = np.ones(sources.grid.shape, np.float32)
+    checks = np.where(np.indices(sources.grid.shape).sum(axis=0) % 2 == 0, 6.0, -6.0).astype(np.float32)
+    field = gathered(replace(sources, lineage=Lineage(checks, ones, ones)), params)
+    assert sources.band.any()
+    np.testing.assert_array_equal(field.inside[sources.band], checks[sources.band] > 0)
+
+
+def test_each_cue_is_told_with_the_share_that_is_heard() -> None:
+    params, sources = RegionParams(beside_lineage=0.25), seen()
+    ones = np.ones(sources.grid.shape, np.float32)
+    heard = dict(cues(replace(sources, lineage=Lineage(ones, ones, ones)), params))
+    alone = dict(cues(replace(sources, lineage=None), params))
+    assert set(heard) == {*alone, "lineage"}
+    for name, cue in alone.items():
+        np.testing.assert_allclose(heard[name], 0.25 * cue, rtol=1e-6)
+
+
+def seen() -> Sources:
+    """The card a frame after its key, in the eyes of the engine."""
+    params = RegionParams()
+    card = Part(polygon_points([(40, 30), (100, 30), (100, 80), (40, 80)]))
+    sight = sighted(begin(picture(40), (card,), params), picture(43), params)
+    assert sight is not None
+    return sight.sources
