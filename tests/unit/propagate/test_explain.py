@@ -53,13 +53,13 @@ def test_the_cues_speak_for_the_object_inside_and_against_it_outside(blob_shot: 
     (told,) = explained(blob_shot, [result.shape])
     assert told.apart == 0.0
     assert told.more_is_better
-    assert set(told.sides) == {"local", "key", "global key", "global", "motion", "prior", "bias", REGION}
+    assert set(told.sides) == {"local", "key", "global key", "global", "motion", "prior", "bias", "lineage", REGION}
     inside, outside = told.sides[REGION]
     assert (inside > 0).mean() > 0.95
     assert (outside < 0).mean() > 0.95
     npt.assert_array_equal(told.terms["key"], told.sides["key"][0] - told.sides["key"][1])
     npt.assert_allclose(told.total, sum(v for name, v in told.terms.items() if name != REGION))
-    npt.assert_array_equal(told.terms["bias"], 0.0)
+    assert np.abs(told.terms["bias"]).max() <= 0.2  # on both sides the same, but for how much of it is heard
 
 
 def test_at_a_hole_the_object_lies_outside(blob_shot: Shot) -> None:
