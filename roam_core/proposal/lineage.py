@@ -3,6 +3,8 @@
 Right after a key, and wherever the flow is sound, carrying along what the artist drew is more exact than any colour.
 Further on, and on limbs that swing, it is not. So every cell keeps how sound the flow was on its whole way from the
 key, and is held to its side as far as that: what is passed on unbroken stays; the rest is for colours to say.
+
+Lengths are pixels of a 480-line image, differences of colour the mean over the channels of 8 bits.
 """
 
 from __future__ import annotations
@@ -21,19 +23,19 @@ Float32 = NDArray[np.float32]
 Bools = NDArray[np.bool_]
 
 EDGE = 3.0
-"""Depth at which a cell's side is nearly as sure as it can be. This and the next two: pixels of a 480-line image."""
+"""Depth at which a cell is three quarters as sure of its side as it can be."""
 REACH = 20.0
 """Depth beyond which it counts no more."""
 LIKE = 8.0
-"""Difference of a colour channel at which a cell is hardly taken for the one that it came from."""
+"""Difference of colour at which a cell is hardly taken for the one that it came from."""
 RETURNED = 1.0
-"""Distance, after following the flow back and forth, from which the same is so."""
+"""Distance from itself, after following the flow back and forth, at which the same is so."""
 LIKE_ENOUGH = 50.0
 """Difference of colour at which a line is half broken."""
 RETURNED_ENOUGH = 8.0
-"""Distance, after following the flow back and forth, at which the same is so."""
+"""Distance from itself at which the same is so."""
 MEAN = np.full((1, 3), 1.0 / 3.0, dtype=np.float32)
-"""Of the channels."""
+"""What `cv2.transform` takes to add channels up to their mean."""
 CONTRADICTED = 0.3
 """What is left of the line of a cell that was decided otherwise than it was carried."""
 
