@@ -17,19 +17,21 @@ def textured(height: int, width: int) -> np.ndarray:
 
 
 @pytest.mark.parametrize("size", [(1, 1), (7, 200), (28, 300), (300, 28), (31, 31), (33, 90), (120, 160)])
-def test_no_region_is_too_small_or_too_narrow(size: tuple[int, int]) -> None:
+@pytest.mark.parametrize("is_exact", [False, True])
+def test_no_region_is_too_small_or_too_narrow(size: tuple[int, int], is_exact: bool) -> None:
     image = textured(*size)
     grid = Grid(Region(0, 0, size[1], size[0]), *size)
-    for flow in dense_flow(PreparedFrame(image), PreparedFrame(image), grid):
+    for flow in dense_flow(PreparedFrame(image), PreparedFrame(image), grid, is_exact):
         assert flow.shape == (*size, 2)
         assert np.abs(flow).max() < 0.1
 
 
-def test_a_shift_is_found_both_ways_and_as_a_similarity_of_the_image() -> None:
+@pytest.mark.parametrize("is_exact", [False, True])
+def test_a_shift_is_found_both_ways_and_as_a_similarity_of_the_image(is_exact: bool) -> None:
     image = textured(150, 200)
     moved = cv2.warpAffine(image, np.array([[1.0, 0, 5.0], [0, 1.0, -3.0]]), (200, 150), borderMode=cv2.BORDER_REFLECT)
     grid = Grid(Region(20, 10, 180, 140), 130, 160)
-    forward, backward = dense_flow(PreparedFrame(image), PreparedFrame(moved), grid)
+    forward, backward = dense_flow(PreparedFrame(image), PreparedFrame(moved), grid, is_exact)
     assert np.median(forward, axis=(0, 1)) == pytest.approx((5.0, -3.0), abs=0.3)
     assert np.median(backward, axis=(0, 1)) == pytest.approx((-5.0, 3.0), abs=0.3)
     inside = np.zeros(grid.shape, dtype=bool)
