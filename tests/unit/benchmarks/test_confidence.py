@@ -35,8 +35,8 @@ def test_no_weight_is_negative() -> None:
 
 
 def test_the_model_is_that_of_the_engine() -> None:
-    signs = Signs(0.1, 0.2, 0.05, 0.1, 1.5)
-    weights = np.array([3.0, 2.0, 5.0, 0.3, 0.7, 0.1, 2.0])
+    signs = Signs(0.1, 0.2, 0.05, 0.1, 1.5, 0.4)
+    weights = np.array([3.0, 2.0, 5.0, 0.3, 0.7, 0.1, 0.5, 2.0])
     assert logistic.expected(np.array(astuple(signs)), weights) == pytest.approx(
         expected_overlap(signs, weights.tolist())
     )
