@@ -27,14 +27,12 @@ from roam_core.propagate.rigid import Pose, Rigidity
 from roam_core.proposal import region as proposed
 from roam_core.proposal.contour import Traits
 from roam_core.proposal.evidence import SURE, Expectation, Field, KeyMemory, Sources, gathered
-from roam_core.proposal.lineage import Lineage, lineage
+from roam_core.proposal.lineage import lineage
 from roam_core.proposal.motion_cue import motion_on
 
 Array = NDArray[np.float64]
 Float32 = NDArray[np.float32]
 
-FOUND = 0.0
-"""How unbroken the lines are that begin where the object was found again: it lies there roughly."""
 TRUSTED = 0.3
 """Steadiness below which a frame teaches the colour model nothing."""
 
@@ -159,7 +157,7 @@ def _at_sighting(
         key=key,
         colours=key.colours,
         rigidity=rigidity,
-        unbroken=np.full(grid.shape, FOUND, np.float32),
+        unbroken=np.zeros(grid.shape, np.float32),  # it lies there roughly
     )
 
 
@@ -275,23 +273,20 @@ def sighted(
     surroundings, _ = flow_similarity(forward, ~inside, fine)
     if token is not None:
         token.check()
-    back = on_grid(backward, fine, grid)
+    forth, back = (on_grid(flow, fine, grid) for flow in (forward, backward))
     key = replace(state.key, to_now=moved @ state.key.to_now)
     last = state.region.on(grid)
     expected = Expectation(
         last, state.region.on(grid, moved) > 0.5, carried_by_flow(last, back) > 0.5, key.region.on(grid, key.to_now)
     )
     motion = motion_on(grid, back, moved, surroundings, agreement, params.motion_sigma * scale, params.clip)
-    lines = _lineage(state, frame, (forward, backward), fine, grid) if has_lineage else None
+    lines = None
+    if has_lineage:
+        sides = carried_by_flow(state.region.nats_on(fine), backward)
+        unbroken = grid.warped(state.unbroken, state.region.grid.map_to_image())
+        lines = lineage((state.frame, frame), sides, (forth, back), unbroken, grid, scale)
     sources = Sources(state.frame, frame, grid, expected, back, key, state.colours, motion, params.band, lines)
     return Sight(sources, moved, agreement)
-
-
-def _lineage(
-    state: RegionState, frame: PreparedFrame, flows: tuple[Float32, Float32], fine: Grid, grid: Grid
-) -> Lineage:
-    unbroken = grid.warped(state.unbroken, state.region.grid.map_to_image())
-    return lineage((state.frame, frame), state.region.nats_on(fine), flows, unbroken, fine, grid)
 
 
 def _unbroken(sight: Sight, found: Field) -> Float32:

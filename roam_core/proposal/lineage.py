@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from roam_core.features import PreparedFrame
 from roam_core.features.grid import Grid, signed_distance
-from roam_core.motion.flow import carried_by_flow, on_grid
+from roam_core.motion.flow import carried_by_flow
 
 Float32 = NDArray[np.float32]
 Bools = NDArray[np.bool_]
@@ -69,25 +69,26 @@ def lineage(
     sides: Float32,
     flows: tuple[Float32, Float32],
     unbroken: Float32,
-    fine: Grid,
     grid: Grid,
+    scale: float,
 ) -> Lineage:
     """What the cells of `grid` bring along from the first of two pictures to the second.
 
     Parameters
     ----------
-    sides : (rows, columns) a field on `fine` that is positive where the object was on the first picture.
-    flows : (rows, columns, 2) from the first to the second and back, in cells of `fine`; these are about a pixel of a
-        480-line image.
-    unbroken : on `grid`, how unbroken the lines were that led to the first picture, where they were.
+    sides : a field over the same region in cells of about a pixel of a 480-line image, carried to the second picture by
+        the flow: positive where the object is then.
+    flows : (rows, columns, 2) from the first picture to the second and back, in cells of `grid`.
+    unbroken : (rows, columns) how unbroken the lines were that led to the first picture, where they were.
+    scale : `params.scale_for(size)`.
     """
-    forth, back = (on_grid(flow, fine, grid) for flow in flows)
+    forth, back = flows
     came = carried_by_flow(grid.of(pictures[0].image), back)
     unlike = cv2.transform(cv2.absdiff(came, grid.of(pictures[1].image)).astype(np.float32), MEAN)
     astray = cv2.magnitude(*cv2.split(carried_by_flow(forth, back) + back)) * np.float32(
-        fine.factor.mean() / grid.factor.mean()
+        1.0 / (scale * grid.factor.mean())
     )
-    depth = signed_distance(carried_by_flow(sides, flows[1]) > 0, REACH)
+    depth = signed_distance(sides > 0, REACH)
     sound = 1.0 / ((1.0 + (unlike / LIKE_ENOUGH) ** 2) * (1.0 + (astray / RETURNED_ENOUGH) ** 2))
     return Lineage(
         depth=cv2.resize(depth, (grid.columns, grid.rows), interpolation=cv2.INTER_AREA),

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from roam_core.features import PreparedFrame, Region
 from roam_core.features.grid import Grid
 from roam_core.geometry.bezier import polygon_points
-from roam_core.motion.flow import dense_flow
+from roam_core.motion.flow import carried_by_flow, dense_flow, on_grid
 from roam_core.params import RegionParams
 from roam_core.propagate.region import begin, sighted
 from roam_core.propagate.result import Part
@@ -48,8 +48,10 @@ def sides(x: int) -> Float32:
 
 
 def brought(before: PreparedFrame, after: PreparedFrame, unbroken: float = 1.0) -> Lineage:
-    flows = dense_flow(before, after, FINE, is_exact=True)
-    return lineage((before, after), sides(40), flows, np.full(COARSE.shape, unbroken, np.float32), FINE, COARSE)
+    forward, backward = dense_flow(before, after, FINE, is_exact=True)
+    flows = on_grid(forward, FINE, COARSE), on_grid(backward, FINE, COARSE)
+    there = carried_by_flow(sides(40), backward)
+    return lineage((before, after), there, flows, np.full(COARSE.shape, unbroken, np.float32), COARSE, 1.0)
 
 
 def test_a_card_that_glides_brings_its_outline_along() -> None:
