@@ -117,7 +117,7 @@ def _diffusion() -> Case:
 
 def _matching() -> Case:
     rng = _rng()
-    now, then = (100.0 * rng.random((*GRID, 3), dtype=np.float32) for _ in range(2))
+    now, then = (rng.integers(0, 256, (*GRID, 3)).astype(np.float32) for _ in range(2))
     labels = np.full(GRID, OUTSIDE, dtype=np.uint8)
     labels[30:90, 40:120] = INSIDE
     wanted = np.zeros(GRID, bool)

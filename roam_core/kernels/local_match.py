@@ -10,9 +10,15 @@ from roam_core.threads import in_halves
 
 Float32 = NDArray[np.float32]
 UInt8 = NDArray[np.uint8]
+Int32 = NDArray[np.int32]
 
 OUTSIDE, INSIDE, UNKNOWN = 0, 1, 2
-FAR = np.float32(1e9)
+PARTS = 100
+"""Distances are counted in whole parts of a squared Lab unit: a processor compares many whole numbers at a time."""
+FAR = np.int32(1 << 28)
+"""More parts than any two colours are apart; thrice as many still fit."""
+LANES = 8
+"""Columns of a window are filled up to a multiple of this."""
 
 
 def local_match(
@@ -34,47 +40,75 @@ def local_match(
 
     Parameters
     ----------
-    colours, memory : (h, w, 3) Lab of the new and of the labelled frame, on one grid.
+    colours, memory : (h, w, 3) Lab of the new and of the labelled frame, on one grid: whole numbers, as in 8 bits.
     labels : (h, w) `OUTSIDE`, `INSIDE` or `UNKNOWN` for each pixel of `memory`.
     wanted : (h, w) pixels to rate; the others get 0.
     shift : (h, w, 2) where a pixel is expected in `memory`, as an offset (x, y).
-    radius : half side of the window. sigma : Lab units. clip : nats. spread : Lab units squared a pixel squared.
+    radius : half side of the window. sigma : Lab units. clip : nats. spread : Lab units squared a pixel squared, to
+        hundredths.
     """
     ratio = np.zeros(labels.shape, dtype=np.float32)
+    now, then, away = colours.astype(np.int32), _planes(memory, labels, radius), _away(radius, spread)
 
     def match_rows(first: int, stop: int) -> None:
-        _local_match(
-            colours, memory, labels, wanted, shift, radius, np.float32(sigma * sigma), np.float32(spread),
-            np.float32(clip), first, stop, ratio,
-        )  # fmt: skip
+        bounds = np.float32(sigma * sigma), np.float32(clip)
+        _local_match(now, then, away, wanted, shift, radius, *bounds, first, stop, ratio)
 
     in_halves(match_rows, wanted)
     return ratio
 
 
-@njit(nogil=True, cache=True)
-def _local_match(colours, memory, labels, wanted, shift, radius, variance, spread, clip, first, stop, ratio):  # type: ignore[no-untyped-def]
+def _padded(radius: int) -> int:
+    """The columns of a window, those to fill it up included."""
+    return -(-(2 * radius + 1) // LANES) * LANES
+
+
+def _planes(memory: Float32, labels: UInt8, radius: int) -> Int32:
+    """`(5, h + m, w + n)`: Lab, then `FAR` where a pixel is not inside, and where it is not outside.
+
+    All around there is room for windows that reach beyond the picture, or lie there.
+    """
     rows, columns = labels.shape
-    enough = 4.0 * variance * clip  # beyond this a distance changes nothing any more
+    room = 2 * radius + 1
+    planes = np.full((5, rows + 2 * room, columns + 2 * room + _padded(radius)), FAR, dtype=np.int32)
+    planes[:3] = 0
+    seen = planes[:, room : room + rows, room : room + columns]
+    seen[:3] = memory.transpose(2, 0, 1)
+    seen[3][labels == INSIDE] = 0
+    seen[4][labels == OUTSIDE] = 0
+    return planes
+
+
+def _away(radius: int, spread: float) -> Int32:
+    """What each place of a window `(2 radius + 1, n)` adds to a distance; `FAR` in the columns that fill it up."""
+    steps = np.arange(-radius, radius + 1)
+    away = np.full((len(steps), _padded(radius)), FAR, dtype=np.int32)
+    away[:, : len(steps)] = np.round(PARTS * spread * (steps[:, None] ** 2 + steps**2))
+    return away
+
+
+@njit(nogil=True, cache=True)
+def _local_match(colours, planes, away, wanted, shift, radius, variance, clip, first, stop, ratio):  # type: ignore[no-untyped-def]
+    rows, columns = ratio.shape
+    height, width = np.uint64(away.shape[0]), np.uint64(away.shape[1])  # unsigned: no index counts from the end
+    enough = np.float32(4.0) * variance * clip  # beyond this a distance changes nothing any more
     for y in range(first, stop):
         for x in range(columns):
             if not wanted[y, x]:
                 continue
             cx, cy = int(np.round(x + shift[y, x, 0])), int(np.round(y + shift[y, x, 1]))
+            left = np.uint64(min(max(cx, -radius - 1), columns + radius) + radius + 1)
+            top = np.uint64(min(max(cy, -radius - 1), rows + radius) + radius + 1)
             c0, c1, c2 = colours[y, x, 0], colours[y, x, 1], colours[y, x, 2]
             inside, outside = FAR, FAR
-            for v in range(max(cy - radius, 0), min(cy + radius + 1, rows)):
-                for u in range(max(cx - radius, 0), min(cx + radius + 1, columns)):
-                    label = labels[v, u]
-                    if label == UNKNOWN:
-                        continue
-                    d0, d1, d2 = c0 - memory[v, u, 0], c1 - memory[v, u, 1], c2 - memory[v, u, 2]
-                    away = np.float32((v - cy) * (v - cy) + (u - cx) * (u - cx))
-                    distance = d0 * d0 + d1 * d1 + d2 * d2 + spread * away
-                    if label == INSIDE:
-                        inside = min(inside, distance)
-                    else:
-                        outside = min(outside, distance)
+            for v in range(height):
+                for u in range(width):
+                    d0 = np.int32(c0 - planes[0, top + v, left + u])
+                    d1 = np.int32(c1 - planes[1, top + v, left + u])
+                    d2 = np.int32(c2 - planes[2, top + v, left + u])
+                    parts = np.int32(PARTS * np.int32(d0 * d0 + d1 * d1 + d2 * d2) + away[v, u])
+                    inside = min(inside, np.int32(parts + planes[3, top + v, left + u]))
+                    outside = min(outside, np.int32(parts + planes[4, top + v, left + u]))
             if inside < FAR or outside < FAR:
-                value = (min(outside, enough) - min(inside, enough)) / (np.float32(2.0) * variance)
-                ratio[y, x] = min(max(value, -clip), clip)
+                value = min(np.float32(outside) / PARTS, enough) - min(np.float32(inside) / PARTS, enough)
+                ratio[y, x] = min(max(value / (np.float32(2.0) * variance), -clip), clip)

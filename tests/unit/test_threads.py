@@ -36,7 +36,7 @@ def test_every_row_is_worked_on_once(two_threads: object, rows: int, full: str) 
 
 def test_two_threads_give_the_bits_of_one(two_threads: object) -> None:
     rng = np.random.default_rng(3)
-    colours, memory = rng.random((2, 90, 80, 3), dtype=np.float32) * 60
+    colours, memory = rng.integers(0, 60, (2, 90, 80, 3)).astype(np.float32)
     labels = rng.integers(0, 3, (90, 80)).astype(np.uint8)
     shift = rng.normal(0, 3, (90, 80, 2)).astype(np.float32)
     wanted = rng.random((90, 80)) < 0.7

@@ -12,12 +12,13 @@ from roam_core.kernels.local_match import local_match
 from tests.reference.local_match import ref_align, ref_local_match, smoothing_energy
 
 
+@pytest.mark.parametrize("reach", [3, 40])
 @pytest.mark.parametrize("seed", range(4))
-def test_local_match_is_the_plain_search_through_the_window(seed: int) -> None:
+def test_local_match_is_the_plain_search_through_the_window(seed: int, reach: int) -> None:
     rng = np.random.default_rng(seed)
-    colours, memory = rng.uniform(0, 40, (2, 9, 11, 3)).astype(np.float32)
+    colours, memory = rng.integers(0, 40, (2, 9, 11, 3)).astype(np.float32)
     labels = rng.integers(0, 3, (9, 11)).astype(np.uint8)
-    shift = rng.uniform(-3, 3, (9, 11, 2)).astype(np.float32)
+    shift = rng.uniform(-reach, reach, (9, 11, 2)).astype(np.float32)
     wanted = np.ones((9, 11), dtype=bool)
     comp = local_match(colours, memory, labels, wanted, shift, 2, 3.0, 0.3, 2.5)
     ref = ref_local_match(colours, memory, labels, shift, 2, 3.0, 0.3, 2.5)
