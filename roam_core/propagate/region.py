@@ -29,6 +29,7 @@ from roam_core.proposal.contour import Traits
 from roam_core.proposal.evidence import SURE, Expectation, Field, KeyMemory, Sources, gathered
 from roam_core.proposal.lineage import lineage
 from roam_core.proposal.motion_cue import motion_on
+from roam_core.threads import both, each
 
 Array = NDArray[np.float64]
 Float32 = NDArray[np.float32]
@@ -94,11 +95,14 @@ class Sight:
     ----------
     sources : what the cues are drawn from; they know the key, carried on to the frame.
     moved : (3, 3) similarity by which the object went as a whole. agreement : how much of it did, in [0, 1].
+    rigidity : whether it may still move as one piece. pose : where it lies as one piece, if that is to be seen.
     """
 
     sources: Sources
     moved: Array
     agreement: float
+    rigidity: Rigidity
+    pose: Pose | None
 
 
 def step(
@@ -168,19 +172,19 @@ def _carried(
     sight = sighted(state, frame, params, token)
     if sight is None:
         return _left(state, frame)
-    rigidity, pose = state.rigidity.step(frame, sight.moved, params.rigid)
-    state = replace(state, rigidity=rigidity)
     if token is not None:
         token.check()
-    if pose is not None:
-        return _as_one_piece(state, sight, pose, params)
+    if sight.pose is not None:
+        return _as_one_piece(state, frame, sight, sight.pose, params)
     expected = sight.sources.expected
     ratio = gathered(sight.sources, params)
     if token is not None:
         token.check()
     found = proposed.cleaned(ratio, expected.possible, params.overlap)
     parts = tuple(replace(part, points=similarity.apply(sight.moved[:2], part.points)) for part in state.parts)
-    placed = laid(parts, state.traits, found, scale_for(frame.size))
+    placed, colours = both(
+        lambda: laid(parts, state.traits, found, scale_for(frame.size)), lambda: _adapted(state, sight, found, params)
+    )
     outlines = [replace(part, points=points) for part, (points, _) in zip(parts, placed, strict=True)]
     unbroken = _unbroken(sight, found)
     signs = Signs.of(outlines, found, expected, unbroken, state.steps + 1)
@@ -189,11 +193,11 @@ def _carried(
     parts = tuple(
         replace(part, points=points) if seen else part for part, (points, seen) in zip(parts, placed, strict=True)
     )
-    return _after(state, sight, sight.sources.key, found, unbroken, parts, signs, params), results
+    return _after(state, frame, sight, found, unbroken, parts, colours, signs), results
 
 
 def _as_one_piece(
-    state: RegionState, sight: Sight, pose: Pose, params: RegionParams
+    state: RegionState, frame: PreparedFrame, sight: Sight, pose: Pose, params: RegionParams
 ) -> tuple[RegionState, tuple[StepResult, ...]]:
     """The shapes as drawn on the key, carried by the motion of a plane."""
     grid, parts = sight.sources.grid, pose.carried(state.drawn)
@@ -211,25 +215,33 @@ def _as_one_piece(
         )
         for part, drawn in zip(parts, state.drawn, strict=True)
     )
-    key = replace(sight.sources.key, to_now=pose.similarity)
-    return _after(state, sight, key, found, _unbroken(sight, found), parts, signs, params), results
+    colours = _adapted(state, sight, found, params)
+    return _after(state, frame, sight, found, _unbroken(sight, found), parts, colours, signs), results
+
+
+def _adapted(state: RegionState, sight: Sight, found: Field, params: RegionParams) -> GlobalModel:
+    """The global colours after a frame on which `found` is the object's region."""
+    steadiness = overlap(sight.sources.expected.rigid, found.inside) * (0.5 + 0.5 * sight.agreement)
+    if steadiness <= TRUSTED or not found.inside.any():
+        return state.colours
+    seen = GlobalModel.learned(sight.sources.after, found.inside, ~found.inside)
+    return state.colours.adapted(seen, params.adaptation)
 
 
 def _after(
     state: RegionState,
+    frame: PreparedFrame,
     sight: Sight,
-    key: KeyMemory,
     found: Field,
     unbroken: Float32,
     parts: tuple[Part, ...],
+    colours: GlobalModel,
     signs: Signs,
-    params: RegionParams,
 ) -> RegionState:
     """The state after a frame on which `found` is the object's region and `parts` are its shapes."""
-    frame, colours = sight.sources.after, state.colours
-    steadiness = overlap(sight.sources.expected.rigid, found.inside) * (0.5 + 0.5 * sight.agreement)
-    if steadiness > TRUSTED and found.inside.any():
-        colours = colours.adapted(_learned(frame, found), params.adaptation)
+    key = sight.sources.key
+    if sight.pose is not None:
+        key = replace(key, to_now=sight.pose.similarity)
     return replace(
         state,
         frame=frame,
@@ -238,8 +250,9 @@ def _after(
         key=key,
         colours=colours,
         sighting=_seen(state, key, found),
-        steps=state.steps + 1,
+        rigidity=sight.rigidity,
         unbroken=unbroken,
+        steps=state.steps + 1,
         signs=signs,
     )
 
@@ -260,33 +273,63 @@ def sighted(
 ) -> Sight | None:
     """Where the object should be on `frame`, and what may be asked about it; None where it has left the picture."""
     scale = scale_for(frame.size)
-    seen = state.region.grid.to_image(np.argwhere(state.region.inside)[:, ::-1].astype(np.float64) + 0.5)
-    spots = np.vstack([seen, *(part.points[:, bezier.ANCHOR] for part in state.parts)])
+    spots = np.vstack([_corners(state.region), *(part.points[:, bezier.ANCHOR] for part in state.parts)])
     grid = grid_around(spots, frame.size, params, scale)
     if min(grid.shape) < 4:
         return None
     fine = Grid.over(grid.region, 1.0 / scale)
-    has_lineage = params.lineage_weight > 0
-    forward, backward = dense_flow(state.frame, frame, fine, is_exact=has_lineage)
+    flows = dense_flow(state.frame, frame, fine, is_exact=params.lineage_weight > 0)
     inside = state.region.on(fine) > 0.5
-    moved, agreement = flow_similarity(forward, inside, fine)
-    surroundings, _ = flow_similarity(forward, ~inside, fine)
+    moved, agreement = flow_similarity(flows[0], inside, fine)
     if token is not None:
         token.check()
-    forth, back = (on_grid(flow, fine, grid) for flow in (forward, backward))
+    (rigidity, pose), sources = both(
+        lambda: state.rigidity.step(frame, moved, params.rigid),
+        lambda: _sources(state, frame, (fine, grid), flows, inside, (moved, agreement), params),
+    )
+    return Sight(sources, moved, agreement, rigidity, pose)
+
+
+def _sources(
+    state: RegionState,
+    frame: PreparedFrame,
+    grids: tuple[Grid, Grid],
+    flows: tuple[Float32, Float32],
+    inside: NDArray[np.bool_],
+    motion: tuple[Array, float],
+    params: RegionParams,
+) -> Sources:
+    """What may be asked about the coarser of two grids: the flows, there and back, and `inside` are on the finer.
+
+    `motion` is the similarity of the object, and the share of it that agrees.
+    """
+    fine, grid = grids
+    moved, agreement = motion
+    scale = scale_for(frame.size)
+    surroundings, _ = flow_similarity(flows[0], ~inside, fine)
+    forth, back = each(lambda flow: on_grid(flow, fine, grid), flows)
     key = replace(state.key, to_now=moved @ state.key.to_now)
     last = state.region.on(grid)
     expected = Expectation(
         last, state.region.on(grid, moved) > 0.5, carried_by_flow(last, back) > 0.5, key.region.on(grid, key.to_now)
     )
-    motion = motion_on(grid, back, moved, surroundings, agreement, params.motion_sigma * scale, params.clip)
+    speaks = motion_on(grid, back, moved, surroundings, agreement, params.motion_sigma * scale, params.clip)
+    pictures = grid.of(state.frame.image), grid.of(frame.image)
     lines = None
-    if has_lineage:
-        sides = carried_by_flow(state.region.nats_on(fine), backward)
+    if params.lineage_weight > 0:
+        sides = carried_by_flow(state.region.nats_on(fine), flows[1])
         unbroken = grid.warped(state.unbroken, state.region.grid.map_to_image())
-        lines = lineage((state.frame, frame), sides, (forth, back), unbroken, grid, scale)
-    sources = Sources(state.frame, frame, grid, expected, back, key, state.colours, motion, params.band, lines)
-    return Sight(sources, moved, agreement)
+        lines = lineage(pictures, sides, (forth, back), unbroken, grid, scale)
+    return Sources(*pictures, grid, expected, back, key, state.colours, speaks, params.band, lines)
+
+
+def _corners(region: Field) -> Array:
+    """The first and the last cell `(2, 2)` of a region along x and y, in pixels of the image; `(0, 2)` of none."""
+    inside = region.inside
+    rows, columns = (np.flatnonzero(inside.any(axis=axis)) for axis in (1, 0))
+    if len(rows) == 0:
+        return np.zeros((0, 2))
+    return region.grid.to_image(np.array([[columns[0], rows[0]], [columns[-1], rows[-1]]]) + 0.5)
 
 
 def _unbroken(sight: Sight, found: Field) -> Float32:
@@ -303,7 +346,8 @@ def grid_around(positions: Array, size: tuple[int, int], params: RegionParams, s
         return Grid(Region(x, y, x + 1, y + 1), 1, 1)
     extent = np.ptp(positions, axis=0)
     side = max(float(np.sqrt(extent[0] * extent[1])), 1.0)
-    return Grid.over(area, float(np.clip(params.least_cells / side, params.grid_factor / scale, 1.0 / scale)))
+    factor = float(np.clip(params.least_cells / side, params.grid_factor / scale, 1.0 / scale))
+    return Grid.over(area.widened_to(round(1.0 / factor), size), factor)
 
 
 def _learned(frame: PreparedFrame, region: Field) -> GlobalModel:

@@ -20,6 +20,7 @@ from roam_core.proposal.lineage import Lineage
 
 Array = NDArray[np.float64]
 Float32 = NDArray[np.float32]
+UInt8 = NDArray[np.uint8]
 Bools = NDArray[np.bool_]
 
 SURE = 4.0
@@ -87,7 +88,7 @@ class Expectation:
         return np.asarray(self.rigid & self.fluid & (self.remembered > 0.5))
 
 
-def trimap(coverage: Float32) -> NDArray[np.uint8]:
+def trimap(coverage: Float32) -> UInt8:
     """Coverage as labels of `local_match`: mixed pixels teach nothing."""
     labels = np.full(coverage.shape, UNKNOWN, dtype=np.uint8)
     labels[coverage > 0.8] = INSIDE
@@ -95,7 +96,7 @@ def trimap(coverage: Float32) -> NDArray[np.uint8]:
     return labels
 
 
-def lab(image: NDArray[np.uint8]) -> Float32:
+def lab(image: UInt8) -> Float32:
     """CIE Lab in OpenCV's 8-bit scale, as float `(h, w, 3)`."""
     return np.asarray(cv2.cvtColor(image, cv2.COLOR_RGB2LAB), dtype=np.float32)
 
@@ -114,15 +115,15 @@ class Sources:
 
     Attributes
     ----------
-    before, after : the pictures of the last and of the new frame. grid : cells of the new one that are looked at.
+    before, after : (rows, columns, 3) RGB of the last and of the new frame, in the cells of `grid`.
     backward : (rows, columns, 2) flow from `after` to `before` in cells. motion : (rows, columns) its log-ratio.
     key, colours : the artist's key, and the global colours as they have become since.
     band_reach : cells to both sides of the expected outline in which pixels are in doubt.
     lineage : what the cells bring along from the frame before; None where that is not asked.
     """
 
-    before: PreparedFrame
-    after: PreparedFrame
+    before: UInt8
+    after: UInt8
     grid: Grid
     expected: Expectation
     backward: Float32
@@ -133,14 +134,9 @@ class Sources:
     lineage: Lineage | None = None
 
     @cached_property
-    def picture(self) -> NDArray[np.uint8]:
-        """The new frame in cells, `(rows, columns, 3)` RGB."""
-        return self.grid.of(self.after.image)
-
-    @cached_property
     def lab(self) -> Float32:
-        """The same in CIE Lab."""
-        return lab(self.picture)
+        """The new frame in CIE Lab."""
+        return lab(self.after)
 
     @cached_property
     def carried(self) -> Bools:
@@ -160,7 +156,7 @@ def local_cues(sources: Sources, params: RegionParams) -> Iterator[tuple[str, Fl
     """
     expected, grid = sources.expected, sources.grid
     local = local_match(
-        sources.lab, lab(grid.of(sources.before.image)), trimap(expected.last), sources.band, sources.backward,
+        sources.lab, lab(sources.before), trimap(expected.last), sources.band, sources.backward,
         params.local_radius, params.local_sigma, params.local_spread, params.clip,
     )  # fmt: skip
     yield "local", params.local_weight * local
@@ -193,8 +189,8 @@ def cues(sources: Sources, params: RegionParams) -> Iterator[tuple[str, Float32]
 def _own_cues(sources: Sources, params: RegionParams) -> Iterator[tuple[str, Float32]]:
     """The cues that this frame gives by itself."""
     yield from local_cues(sources, params)
-    yield "global key", params.global_key_weight * sources.key.colours.log_ratio(sources.picture, params.clip)
-    yield "global", params.global_weight * sources.colours.log_ratio(sources.picture, params.clip)
+    yield "global key", params.global_key_weight * sources.key.colours.log_ratio(sources.after, params.clip)
+    yield "global", params.global_weight * sources.colours.log_ratio(sources.after, params.clip)
     yield "motion", motion_cue(sources, params)
     yield "prior", params.prior_weight * signed_distance(sources.carried, 20.0)
     yield "bias", np.full(sources.grid.shape, params.bias, dtype=np.float32)

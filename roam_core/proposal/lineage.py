@@ -15,11 +15,11 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from roam_core.features import PreparedFrame
 from roam_core.features.grid import Grid, signed_distance
 from roam_core.motion.flow import carried_by_flow
 
 Float32 = NDArray[np.float32]
+UInt8 = NDArray[np.uint8]
 Bools = NDArray[np.bool_]
 
 EDGE = 3.0
@@ -65,7 +65,7 @@ class Lineage:
 
 
 def lineage(
-    pictures: tuple[PreparedFrame, PreparedFrame],
+    pictures: tuple[UInt8, UInt8],
     sides: Float32,
     flows: tuple[Float32, Float32],
     unbroken: Float32,
@@ -76,6 +76,7 @@ def lineage(
 
     Parameters
     ----------
+    pictures : (rows, columns, 3) RGB of the cells.
     sides : a field over the same region in cells of about a pixel of a 480-line image, carried to the second picture by
         the flow: positive where the object is then.
     flows : (rows, columns, 2) from the first picture to the second and back, in cells of `grid`.
@@ -83,11 +84,11 @@ def lineage(
     scale : `params.scale_for(size)`.
     """
     forth, back = flows
-    came = carried_by_flow(grid.of(pictures[0].image), back)
-    unlike = cv2.transform(cv2.absdiff(came, grid.of(pictures[1].image)).astype(np.float32), MEAN)
-    astray = cv2.magnitude(*cv2.split(carried_by_flow(forth, back) + back)) * np.float32(
-        1.0 / (scale * grid.factor.mean())
-    )
+    came = carried_by_flow(pictures[0], back)
+    unlike = cv2.transform(cv2.absdiff(came, pictures[1]).astype(np.float32), MEAN)
+    returned = carried_by_flow(forth, back) + back
+    # Not OpenCV's: its last bit depends on where in memory the numbers lie.
+    astray = np.hypot(returned[..., 0], returned[..., 1]) * np.float32(1.0 / (scale * grid.factor.mean()))
     depth = signed_distance(sides > 0, REACH)
     sound = 1.0 / ((1.0 + (unlike / LIKE_ENOUGH) ** 2) * (1.0 + (astray / RETURNED_ENOUGH) ** 2))
     return Lineage(

@@ -21,13 +21,16 @@ def motion_ratio(backward: Float32, inside_back: Array, outside_back: Array, sig
     of this frame to those of the frame before.
     """
     rows, columns = backward.shape[:2]
-    x, y = np.meshgrid(np.arange(columns) + 0.5, np.arange(rows) + 0.5)
-    misfits = []
-    for transform in (outside_back, inside_back):
-        u = transform[0, 0] * x + transform[0, 1] * y + transform[0, 2] - x
-        v = transform[1, 0] * x + transform[1, 1] * y + transform[1, 2] - y
-        misfits.append((backward[..., 0] - u) ** 2 + (backward[..., 1] - v) ** 2)
-    return np.asarray(np.clip((misfits[0] - misfits[1]) / (2.0 * sigma * sigma), -clip, clip), dtype=np.float32)
+    x, y = np.arange(columns, dtype=np.float32) + 0.5, np.arange(rows, dtype=np.float32)[:, None] + 0.5
+
+    def misfit(transform: Array) -> Float32:
+        step = np.asarray(transform - np.eye(3), dtype=np.float32)
+        u = backward[..., 0] - (step[0, 0] * x + (step[0, 1] * y + step[0, 2]))
+        v = backward[..., 1] - (step[1, 0] * x + (step[1, 1] * y + step[1, 2]))
+        return np.asarray(u * u + v * v)
+
+    nats = (misfit(outside_back) - misfit(inside_back)) / np.float32(2.0 * sigma * sigma)
+    return np.asarray(np.clip(nats, np.float32(-clip), np.float32(clip)))
 
 
 def motion_on(

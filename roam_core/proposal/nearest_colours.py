@@ -88,7 +88,8 @@ class NearestColours:
         fluid = carried_by_flow(last, backward) > 0.5
         expected = Expectation(last, rigid, fluid, key.region.on(cells, key.to_now))
         motion = self._motion(cells, flow, backward, fine, scale_for(frame.size))
-        return Sources(self.frame, frame, cells, expected, backward, key, key.colours, motion, self.params.band)
+        pictures = cells.of(self.frame.image), cells.of(frame.image)
+        return Sources(*pictures, cells, expected, backward, key, key.colours, motion, self.params.band)
 
     def _motion(self, cells: Grid, flow: Float32, backward: Float32, fine: Grid, scale: float) -> Float32:
         """What moves with the object: hurdles as white as the horse are told from it by nothing else."""

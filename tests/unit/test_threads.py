@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from roam_core.kernels.local_match import local_match
-from roam_core.threads import WORTH_A_THREAD, each, in_halves
+from roam_core.threads import WORTH_A_THREAD, both, each, in_halves
 
 
 @pytest.fixture
@@ -58,3 +58,19 @@ def test_the_first_exception_comes_out(two_threads: object) -> None:
 
     with pytest.raises(ValueError, match="item 0"):
         each(refuse, range(4))
+
+
+def test_both_give_what_each_gives(two_threads: object) -> None:
+    assert both(lambda: "first", lambda: 2) == ("first", 2)
+    cv2.setNumThreads(1)
+    assert both(lambda: "first", lambda: 2) == ("first", 2)
+
+
+def test_if_both_fail_the_first_is_told(two_threads: object) -> None:
+    def refuse(which: str) -> int:
+        raise ValueError(which)
+
+    with pytest.raises(ValueError, match="first"):
+        both(lambda: refuse("first"), lambda: refuse("second"))
+    with pytest.raises(ValueError, match="second"):
+        both(lambda: 1, lambda: refuse("second"))

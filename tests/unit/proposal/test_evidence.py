@@ -28,7 +28,7 @@ def sources(rigid: Bools, fluid: Bools, remembered: Bools, motion: list[float]) 
     expected = Expectation(nothing, rigid, fluid, remembered.astype(np.float32))
     flow = np.zeros((1, 8, 2), dtype=np.float32)
     return Sources(
-        picture, picture, GRID, expected, flow, key, None, np.array([motion], np.float32), 3  # type: ignore[arg-type]
+        picture.image, picture.image, GRID, expected, flow, key, None, np.array([motion], np.float32), 3  # type: ignore[arg-type]
     )  # fmt: skip
 
 

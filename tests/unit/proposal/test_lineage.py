@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import astuple, replace
 
 import cv2
 import numpy as np
@@ -51,7 +51,8 @@ def brought(before: PreparedFrame, after: PreparedFrame, unbroken: float = 1.0) 
     forward, backward = dense_flow(before, after, FINE, is_exact=True)
     flows = on_grid(forward, FINE, COARSE), on_grid(backward, FINE, COARSE)
     there = carried_by_flow(sides(40), backward)
-    return lineage((before, after), there, flows, np.full(COARSE.shape, unbroken, np.float32), COARSE, 1.0)
+    pictures = COARSE.of(before.image), COARSE.of(after.image)
+    return lineage(pictures, there, flows, np.full(COARSE.shape, unbroken, np.float32), COARSE, 1.0)
 
 
 def test_a_card_that_glides_brings_its_outline_along() -> None:
@@ -79,6 +80,15 @@ def test_what_is_hidden_breaks_the_lines_there_only() -> None:
     assert found.unbroken[free].mean() > 0.9
     assert found.unbroken[hidden].mean() < 0.8
     assert found.likeness[hidden].mean() < 0.5 * found.likeness[free].mean()
+
+
+def test_the_same_pictures_bring_the_same_bits_wherever_in_memory_they_lie() -> None:
+    first, kept = brought(picture(40), picture(46)), []
+    for size in range(1, 2000, 97):
+        kept.append(np.zeros(size, np.uint8))
+        again = brought(picture(40), picture(46))
+        for one, other in zip(astuple(first), astuple(again), strict=True):
+            np.testing.assert_array_equal(one, other)
 
 
 def test_a_broken_line_stays_broken() -> None:
