@@ -37,13 +37,10 @@ class Region:
         y0, y1 = (int(np.clip(v, 0, height)) for v in (low[1], high[1]))
         return cls(x0, y0, x1, y1)
 
-    def widened_to(self, step: int, size: tuple[int, int]) -> Region:
-        """The least box around this one whose sides are multiples of `step`, in an image of `size` (h, w).
-
-        Pixels are averaged into cells fastest where each has as many. A side that would leave the image stays as it is.
-        """
-        x0, x1 = _widened(self.x0, self.x1, step, size[1])
-        y0, y1 = _widened(self.y0, self.y1, step, size[0])
+    def aligned(self, step: int, size: tuple[int, int]) -> Region:
+        """The least box around this one whose sides lie on multiples of `step`, or on the edge of a picture (h, w)."""
+        x0, y0 = (low - low % step for low in (self.x0, self.y0))
+        x1, y1 = (min(high + -high % step, end) for high, end in ((self.x1, size[1]), (self.y1, size[0])))
         return Region(x0, y0, x1, y1)
 
     @property
@@ -123,10 +120,3 @@ def _squared_gradient(image: UInt8, region: Region, sigma: float) -> Float32:
     power = power[region.y0 - y0 : region.y1 - y0, region.x0 - x0 : region.x1 - x0]
     top = max(float(np.percentile(power, 98.0)), FLOOR) if power.size else FLOOR
     return np.ascontiguousarray(np.minimum(power / np.float32(top), np.float32(1.0)))
-
-
-def _widened(low: int, high: int, step: int, end: int) -> tuple[int, int]:
-    """`low:high`, within `0:end`, made a multiple of `step` long; at the end it grows to the other side."""
-    wider = high + (low - high) % step
-    shifted = low - max(wider - end, 0)
-    return (low, high) if shifted < 0 else (shifted, min(wider, end))

@@ -7,6 +7,7 @@ frame: all shapes that are tracked together are one object; its region is carrie
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from fractions import Fraction
 
 import numpy as np
 from numpy.typing import NDArray
@@ -34,6 +35,8 @@ from roam_core.threads import both, each
 Array = NDArray[np.float64]
 Float32 = NDArray[np.float32]
 
+WHOLE_CELLS = 2
+"""Cells, at most, after which a whole pixel begins."""
 TRUSTED = 0.3
 """Steadiness below which a frame teaches the colour model nothing."""
 
@@ -339,7 +342,10 @@ def _unbroken(sight: Sight, found: Field) -> Float32:
 
 
 def grid_around(positions: Array, size: tuple[int, int], params: RegionParams, scale: float) -> Grid:
-    """The region of interest, with finer cells for a small object."""
+    """The region of interest, with finer cells for a small object.
+
+    Cells lie where they lay on other frames: what is carried from grid to grid is not blurred by it.
+    """
     area = Region.around(positions, params.margin * scale, size)
     if area.is_empty:  # wholly outside: the nearest pixel stands for a picture without the object
         x, y = min(area.x0, size[1] - 1), min(area.y0, size[0] - 1)
@@ -347,7 +353,8 @@ def grid_around(positions: Array, size: tuple[int, int], params: RegionParams, s
     extent = np.ptp(positions, axis=0)
     side = max(float(np.sqrt(extent[0] * extent[1])), 1.0)
     factor = float(np.clip(params.least_cells / side, params.grid_factor / scale, 1.0 / scale))
-    return Grid.over(area.widened_to(round(1.0 / factor), size), factor)
+    cell = Fraction(1.0 / factor).limit_denominator(WHOLE_CELLS)
+    return Grid.over(area.aligned(cell.numerator, size), float(1 / cell))
 
 
 def _learned(frame: PreparedFrame, region: Field) -> GlobalModel:

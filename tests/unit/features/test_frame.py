@@ -52,12 +52,12 @@ def test_a_region_ends_at_the_image() -> None:
     assert Region.around(np.array([(-30.0, -30.0), (-20.0, -25.0)]), 5.0, (12, 34)).is_empty
 
 
-def test_a_region_grows_to_whole_cells_and_stays_in_the_picture() -> None:
-    size = (100, 200)
-    assert Region(10, 20, 31, 40).widened_to(2, size) == Region(10, 20, 32, 40)
-    assert Region(169, 20, 200, 41).widened_to(4, size) == Region(168, 20, 200, 44)
-    assert Region(0, 0, 199, 100).widened_to(6, size) == Region(0, 0, 199, 100)
-    assert Region(3, 5, 8, 9).widened_to(1, size) == Region(3, 5, 8, 9)
+def test_a_region_is_aligned_with_others_and_stays_in_the_picture() -> None:
+    size = (100, 199)
+    assert Region(11, 20, 31, 41).aligned(2, size) == Region(10, 20, 32, 42)
+    assert Region(170, 3, 198, 100).aligned(9, size) == Region(162, 0, 198, 100)
+    assert Region(170, 3, 199, 99).aligned(8, size) == Region(168, 0, 199, 100)
+    assert Region(3, 5, 8, 9).aligned(1, size) == Region(3, 5, 8, 9)
 
 
 def test_the_gradient_is_strongest_on_the_border_between_two_flats() -> None:
