@@ -20,11 +20,15 @@ def diffuse(
 
     `field (h, w)`, `colours (h, w, 3)` in Lab, `contrast` in Lab units.
     """
-    result = field.copy()
     right, down = np.zeros_like(field), np.zeros_like(field)
     _weights(colours, wanted, np.float32(strength), np.float32(2.0 * contrast * contrast), right, down)
-    _diffuse(field, right, down, wanted, sweeps, result)
-    return result
+    framed = np.pad(field, 1)  # cells on the rim have four neighbours, too
+    count = int(np.count_nonzero(wanted))
+    halves = [_half(field, right, down, wanted, parity, count) for parity in (0, 1)]
+    for _ in range(sweeps):
+        for places, shares in halves:  # red and black cells in turn: no order within a sweep
+            _settle(places, shares, np.uint64(framed.shape[1]), framed.ravel())
+    return framed[1:-1, 1:-1]
 
 
 @njit(nogil=True, cache=True)
@@ -46,24 +50,38 @@ def _squared(one, other):  # type: ignore[no-untyped-def]
 
 
 @njit(nogil=True, cache=True)
-def _diffuse(field, right, down, wanted, sweeps, result):  # type: ignore[no-untyped-def]
+def _half(field, right, down, wanted, parity, count):  # type: ignore[no-untyped-def]
+    """Red or black cells: places `(K,)` in the flat frame, and the shares of field and neighbours in each `(K, 5)`."""
     rows, columns = field.shape
-    for sweep in range(2 * sweeps):
-        for y in range(rows):
-            for x in range((y + sweep) % 2, columns, 2):  # red and black cells in turn: no order within a sweep
-                if not wanted[y, x]:
-                    continue
-                total, weight = field[y, x], np.float32(1.0)
-                if x + 1 < columns:
-                    total += right[y, x] * result[y, x + 1]
-                    weight += right[y, x]
-                if x > 0:
-                    total += right[y, x - 1] * result[y, x - 1]
-                    weight += right[y, x - 1]
-                if y + 1 < rows:
-                    total += down[y, x] * result[y + 1, x]
-                    weight += down[y, x]
-                if y > 0:
-                    total += down[y - 1, x] * result[y - 1, x]
-                    weight += down[y - 1, x]
-                result[y, x] = total / weight
+    places, shares = np.empty(count, np.uint64), np.empty((count, 5), np.float32)
+    k = 0
+    for y in range(rows):
+        for x in range((y + parity) % 2, columns, 2):
+            if not wanted[y, x]:
+                continue
+            left = right[y, x - 1] if x > 0 else np.float32(0.0)
+            above = down[y - 1, x] if y > 0 else np.float32(0.0)
+            share = np.float32(1.0) / (np.float32(1.0) + left + right[y, x] + above + down[y, x])
+            places[k] = (y + 1) * (columns + 2) + x + 1
+            shares[k, 0] = share * field[y, x]
+            shares[k, 1] = share * left
+            shares[k, 2] = share * right[y, x]
+            shares[k, 3] = share * above
+            shares[k, 4] = share * down[y, x]
+            k += 1
+    return places[:k], shares[:k]
+
+
+@njit(nogil=True, cache=True)
+def _settle(places, shares, width, framed):  # type: ignore[no-untyped-def]
+    """Put every cell where its field and its neighbours want it."""
+    one = np.uint64(1)  # unsigned: no place counts from the end
+    for k in range(len(places)):
+        p = places[k]
+        framed[p] = (
+            shares[k, 0]
+            + shares[k, 1] * framed[p - one]
+            + shares[k, 2] * framed[p + one]
+            + shares[k, 3] * framed[p - width]
+            + shares[k, 4] * framed[p + width]
+        )

@@ -53,7 +53,7 @@ def _padded(grey: NDArray[np.uint8]) -> NDArray[np.uint8]:
 def flow_similarity(flow: Float32, inside: NDArray[np.bool_], grid: Grid, samples: int = 400) -> tuple[Array, float]:
     """The similarity `(3, 3)`, image to image, that most of the flow inside agrees with, and the share that does."""
     core = cv2.erode(inside.astype(np.uint8), np.ones((3, 3), np.uint8))
-    cells = np.flatnonzero(core if np.count_nonzero(core) >= 20 else inside)
+    cells = np.flatnonzero(core.view(np.bool_) if np.count_nonzero(core) >= 20 else inside)
     if len(cells) < 3:
         return np.eye(3), 0.0
     if len(cells) > samples:
@@ -69,7 +69,7 @@ def flow_similarity(flow: Float32, inside: NDArray[np.bool_], grid: Grid, sample
 def on_grid(flow: Float32, grid: Grid, coarse: Grid) -> Float32:
     """Flow in cells of `grid` as flow in those of a coarser one over the same region, `(rows, columns, 2)`."""
     smaller = cv2.resize(flow, (coarse.columns, coarse.rows), interpolation=cv2.INTER_AREA)
-    return np.asarray(smaller * (coarse.factor / grid.factor), dtype=np.float32)
+    return np.asarray(smaller * (coarse.factor / grid.factor).astype(np.float32))
 
 
 def carried_by_flow(before: NDArray[Any], backward: Float32) -> NDArray[Any]:

@@ -49,10 +49,10 @@ def laid(parts: tuple[Part, ...], traits: Sequence[Traits], found: Field, scale:
     solid = [k for k, part in enumerate(parts) if not part.subtracts]
     holes = [k for k, part in enumerate(parts) if part.subtracts]
     placed: list[tuple[Array, bool]] = [(part.points, False) for part in parts]
-    for members, area, field in (
-        (solid, inside, found),
-        (holes, _enclosed(~inside), Field(found.grid, -found.values)),
-    ):
+    for members, field in ((solid, found), (holes, Field(found.grid, -found.values))):
+        if not members:
+            continue
+        area = inside if field is found else _enclosed(~inside)
         claims = [spline_coverage(parts[k].points, found.grid) for k in members]
         for k, mine in zip(members, proposed.shares(area, claims), strict=True):
             rings = proposed.outlines(field, mine) if mine.any() else []

@@ -28,7 +28,7 @@ from roam_core.propagate.rigid import Pose, Rigidity
 from roam_core.proposal import region as proposed
 from roam_core.proposal.contour import Traits
 from roam_core.proposal.evidence import SURE, Expectation, Field, KeyMemory, Sources, gathered
-from roam_core.proposal.lineage import lineage
+from roam_core.proposal.lineage import Lineage, lineage
 from roam_core.proposal.motion_cue import motion_on
 from roam_core.threads import both, each
 
@@ -282,48 +282,33 @@ def sighted(
         return None
     fine = Grid.over(grid.region, 1.0 / scale)
     flows = dense_flow(state.frame, frame, fine, is_exact=params.lineage_weight > 0)
+    forth, back = each(lambda flow: on_grid(flow, fine, grid), flows)
     inside = state.region.on(fine) > 0.5
     moved, agreement = flow_similarity(flows[0], inside, fine)
+    pictures = grid.of(state.frame.image), grid.of(frame.image)
     if token is not None:
         token.check()
-    (rigidity, pose), sources = both(
-        lambda: state.rigidity.step(frame, moved, params.rigid),
-        lambda: _sources(state, frame, (fine, grid), flows, inside, (moved, agreement), params),
-    )
-    return Sight(sources, moved, agreement, rigidity, pose)
 
+    def as_a_whole() -> tuple[tuple[Rigidity, Pose | None], Float32]:
+        surroundings, _ = flow_similarity(flows[0], ~inside, fine)
+        motion = motion_on(grid, back, moved, surroundings, agreement, params.motion_sigma * scale, params.clip)
+        return state.rigidity.step(frame, moved, params.rigid), motion
 
-def _sources(
-    state: RegionState,
-    frame: PreparedFrame,
-    grids: tuple[Grid, Grid],
-    flows: tuple[Float32, Float32],
-    inside: NDArray[np.bool_],
-    motion: tuple[Array, float],
-    params: RegionParams,
-) -> Sources:
-    """What may be asked about the coarser of two grids: the flows, there and back, and `inside` are on the finer.
+    def cell_by_cell() -> Lineage | None:
+        if params.lineage_weight == 0:
+            return None
+        sides = carried_by_flow(state.region.nats_on(fine), flows[1])
+        unbroken = grid.warped(state.unbroken, state.region.grid.map_to_image())
+        return lineage(pictures, sides, (forth, back), unbroken, grid, scale)
 
-    `motion` is the similarity of the object, and the share of it that agrees.
-    """
-    fine, grid = grids
-    moved, agreement = motion
-    scale = scale_for(frame.size)
-    surroundings, _ = flow_similarity(flows[0], ~inside, fine)
-    forth, back = each(lambda flow: on_grid(flow, fine, grid), flows)
+    ((rigidity, pose), motion), lines = both(as_a_whole, cell_by_cell)
     key = replace(state.key, to_now=moved @ state.key.to_now)
     last = state.region.on(grid)
     expected = Expectation(
         last, state.region.on(grid, moved) > 0.5, carried_by_flow(last, back) > 0.5, key.region.on(grid, key.to_now)
     )
-    speaks = motion_on(grid, back, moved, surroundings, agreement, params.motion_sigma * scale, params.clip)
-    pictures = grid.of(state.frame.image), grid.of(frame.image)
-    lines = None
-    if params.lineage_weight > 0:
-        sides = carried_by_flow(state.region.nats_on(fine), flows[1])
-        unbroken = grid.warped(state.unbroken, state.region.grid.map_to_image())
-        lines = lineage(pictures, sides, (forth, back), unbroken, grid, scale)
-    return Sources(*pictures, grid, expected, back, key, state.colours, speaks, params.band, lines)
+    sources = Sources(*pictures, grid, expected, back, key, state.colours, motion, params.band, lines)
+    return Sight(sources, moved, agreement, rigidity, pose)
 
 
 def _corners(region: Field) -> Array:

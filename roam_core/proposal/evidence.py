@@ -17,6 +17,7 @@ from roam_core.kernels.diffusion import diffuse
 from roam_core.kernels.local_match import INSIDE, OUTSIDE, UNKNOWN, local_match
 from roam_core.params import RegionParams
 from roam_core.proposal.lineage import Lineage
+from roam_core.threads import both
 
 Array = NDArray[np.float64]
 Float32 = NDArray[np.float32]
@@ -188,7 +189,13 @@ def cues(sources: Sources, params: RegionParams) -> Iterator[tuple[str, Float32]
 
 def _own_cues(sources: Sources, params: RegionParams) -> Iterator[tuple[str, Float32]]:
     """The cues that this frame gives by itself."""
-    yield from local_cues(sources, params)
+    local, other = both(lambda: list(local_cues(sources, params)), lambda: list(_other_cues(sources, params)))
+    yield from local
+    yield from other
+
+
+def _other_cues(sources: Sources, params: RegionParams) -> Iterator[tuple[str, Float32]]:
+    """Those that look at no neighbours: histograms, motion, the last region."""
     yield "global key", params.global_key_weight * sources.key.colours.log_ratio(sources.after, params.clip)
     yield "global", params.global_weight * sources.colours.log_ratio(sources.after, params.clip)
     yield "motion", motion_cue(sources, params)
