@@ -36,7 +36,7 @@ class RegionParams:
     blur : Gaussian on the ratio. diffusion, contrast, sweeps : contrast-dependent smoothing (`kernels.diffusion`).
     overlap : share of a detached part that must lie where the object was expected.
     doubted : expected IoU under which the object is looked for as it was on the key (`propagate.refinding`); 0: never.
-    better : by how much more must be expected of what is found for it to be believed.
+    better : by how much more must be expected of what is found for it to be believed. believed : how much, at least.
     rigid : share of the key's corners that must be found where the motion of a plane puts them for the object to be
         carried as one piece (`propagate.rigid`); above 1: never.
     """
@@ -70,6 +70,7 @@ class RegionParams:
     overlap: float = 0.3
     doubted: float = 0.6
     better: float = 0.05
+    believed: float = 0.5
     rigid: float = 0.6
 
 

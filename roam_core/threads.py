@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from threading import Thread
+from threading import Thread, local
 from typing import Any, TypeVar
 
 import cv2
@@ -23,15 +23,28 @@ WORTH_A_THREAD = 2000
 """Pixels below which starting a thread takes longer than it saves."""
 
 
+_here = local()
+
+
+def _is_alone() -> bool:
+    """True where nothing is to be shared: the engine has one thread, or both of its threads have work already."""
+    return cv2.getNumThreads() < 2 or getattr(_here, "is_shared", False)
+
+
 def each(work: Callable[[Item], Result], items: Sequence[Item]) -> list[Result]:
     """`[work(item) for item in items]`, two at a time: objects, outlines, directions, frames.
 
     Results come in the order of `items`; the first exception, in that order, is raised when all work has ended.
     """
-    if len(items) < 2 or cv2.getNumThreads() < 2:
+    if len(items) < 2 or _is_alone():
         return [work(item) for item in items]
+
+    def shared(item: Item) -> Result:
+        _here.is_shared = True
+        return work(item)
+
     with ThreadPoolExecutor(2) as pool:
-        return list(pool.map(work, items))
+        return list(pool.map(shared, items))
 
 
 def both(first: Callable[[], First], second: Callable[[], Second]) -> tuple[First, Second]:
@@ -39,7 +52,7 @@ def both(first: Callable[[], First], second: Callable[[], Second]) -> tuple[Firs
 
     If both fail, the exception of the first is raised.
     """
-    if cv2.getNumThreads() < 2:
+    if _is_alone():
         return first(), second()
     with ThreadPoolExecutor(1) as pool:
         meanwhile = pool.submit(second)
@@ -53,7 +66,7 @@ def in_halves(work: Callable[[int, int], object], wanted: NDArray[Any]) -> None:
     nothing.
     """
     rows, pixels = len(wanted), np.cumsum(np.count_nonzero(wanted, axis=1))
-    if cv2.getNumThreads() < 2 or rows == 0 or pixels[-1] < WORTH_A_THREAD:
+    if _is_alone() or rows == 0 or pixels[-1] < WORTH_A_THREAD:
         work(0, rows)
         return
     middle = int(np.searchsorted(pixels, pixels[-1] / 2)) + 1

@@ -17,6 +17,7 @@ from roam_core.appearance.global_model import GlobalModel
 from roam_core.features import PreparedFrame, Region
 from roam_core.features.grid import Grid
 from roam_core.proposal.evidence import Field
+from roam_core.threads import each
 
 Array = NDArray[np.float64]
 Float32 = NDArray[np.float32]
@@ -38,6 +39,8 @@ LOST = 0.1
 """Share of the area that it should have under which an object is lost."""
 WHOLE = 0.5
 """Share of it from which its size and turn are sure."""
+LONG_GONE, SOMETIMES = 8, 4
+"""Frames unseen after which an object is looked for on every fourth frame only."""
 NEAR, PACE = 2.0, 0.5
 """Roots of its area around its last place within which an object is looked for, and by how many more a frame unseen."""
 
@@ -62,6 +65,11 @@ class Sighting:
         """Pixels around `middle` in which the object may be."""
         return float(np.sqrt(self.area) * (NEAR + PACE * self.since))
 
+    @property
+    def is_worth_a_look(self) -> bool:
+        """Whether to look for it on this frame: what has long been gone is looked for on some frames only."""
+        return self.since <= LONG_GONE or self.since % SOMETIMES == 0
+
     def is_lost(self, region: Field) -> bool:
         """True when too little is left of the object to carry it on."""
         return area_of(region) <= LOST * self.area
@@ -79,14 +87,20 @@ class Likeness:
 
         `beyond`, a place and a distance, leaves out what lies around that place.
         """
-        rows, columns = np.indices(self.scores.shape)
-        places = self.grid.to_image(np.stack([columns + 0.5, rows + 0.5], axis=-1))
-        allowed = _away(places, near) <= reach
+        allowed = self._away(near) <= reach
         if beyond is not None:
-            allowed &= _away(places, beyond[0]) > beyond[1]
+            allowed &= self._away(beyond[0]) > beyond[1]
         scores = np.where(allowed, self.scores, -np.inf)
         row, column = np.unravel_index(int(np.argmax(scores)), scores.shape)
-        return float(scores[row, column]), places[row, column]
+        return float(scores[row, column]), self.grid.to_image(np.array([column + 0.5, row + 0.5]))
+
+    def _away(self, near: Array) -> Array:
+        """The distance `(rows, columns)` of each cell's centre from a place `(2,)`, in pixels."""
+        rows, columns = self.scores.shape
+        corner, cell = np.asarray(self.grid.region.origin), 1.0 / self.grid.factor
+        x = corner[0] + cell[0] * (np.arange(columns) + 0.5) - near[0]
+        y = corner[1] + cell[1] * (np.arange(rows) + 0.5) - near[1]
+        return np.asarray(np.hypot(x, y[:, None]))
 
 
 @dataclass(frozen=True, eq=False)
@@ -100,6 +114,14 @@ class Lookout:
     def middle(self) -> Array:
         """The centroid `(2,)` on the key."""
         return middle_of(self.region)
+
+    @cached_property
+    def rim(self) -> Array:
+        """The places `(K, 2)` on the key between which all others of the object lie."""
+        inside = self.region.inside
+        rows = np.flatnonzero(inside.any(axis=1))
+        ends = [inside[rows].argmax(axis=1), inside.shape[1] - 1 - inside[rows, ::-1].argmax(axis=1)]
+        return self.region.grid.to_image(np.vstack([np.stack([end, rows], axis=1) for end in ends]) + 0.5)
 
     @cached_property
     def extent(self) -> float:
@@ -129,8 +151,8 @@ class Lookout:
             return None
         near, reach = sighting.middle, sighting.reach
         turns = [size * sighting.carried[:2, :2] for size in SIZES]
-        tried = [self._likeness(frame, turn, near, reach) for turn in turns]
-        seen = [each.best(near, reach) for each in tried]
+        tried = each(lambda turn: self._likeness(frame, turn, near, reach), turns)
+        seen = [likeness.best(near, reach) for likeness in tried]
         chosen = int(np.argmax([score for score, _ in seen]))
         score, place = seen[chosen]
         if not score >= max(ALIKE * self.own_score, 0.0):
@@ -146,7 +168,7 @@ class Lookout:
     def _likeness(self, frame: PreparedFrame, turn: Array, near: Array, reach: float) -> Likeness:
         """Mean log-ratio inside the outline, under `turn (2, 2)` and put everywhere, less that of its surroundings."""
         extent = self.extent * float(np.sqrt(abs(np.linalg.det(turn))))
-        corners = (_cells(self.region) - self.middle) @ turn.T
+        corners = (self.rim - self.middle) @ turn.T
         room = np.abs(corners).max(axis=0) + (RING + 2.0 / ACROSS) * extent
         spots = np.stack([near - reach - room, near + reach + room])
         area = Region.around(spots, 0.0, frame.size)
@@ -186,14 +208,5 @@ def middle_of(region: Field) -> Array:
     return region.grid.to_image(np.array([np.average(np.arange(len(count)), weights=count) for count in counts]) + 0.5)
 
 
-def _cells(region: Field) -> Array:
-    """The centres `(K, 2)`, in the image, of the cells inside."""
-    return region.grid.to_image(np.argwhere(region.inside)[:, ::-1].astype(np.float64) + 0.5)
-
-
 def _whole(frame: PreparedFrame) -> Region:
     return Region(0, 0, frame.size[1], frame.size[0])
-
-
-def _away(places: Array, near: Array) -> Array:
-    return np.asarray(np.hypot(places[..., 0] - near[0], places[..., 1] - near[1]))

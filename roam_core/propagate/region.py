@@ -132,13 +132,14 @@ def _decided(
     """The state from which the shapes are carried on, and what comes of it."""
     carried = _carried(state, frame, params, token)
     after = carried[0]
-    if after.trust >= params.doubted:
+    if after.trust >= params.doubted or not after.sighting.is_worth_a_look:
         return state, carried
     elsewhere = _at_sighting(state, after.sighting, frame, params)
     if elsewhere is None:
         return state, carried
     again = _carried(elsewhere, frame, params, token)
-    return (elsewhere, again) if again[0].trust > after.trust + params.better else (state, carried)
+    is_better = again[0].trust > max(after.trust + params.better, params.believed)
+    return (elsewhere, again) if is_better else (state, carried)
 
 
 def _at_sighting(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from threading import get_ident
 
 import cv2
 import numpy as np
@@ -50,6 +51,15 @@ def test_two_threads_give_the_bits_of_one(two_threads: object) -> None:
 def test_results_come_in_the_order_of_the_items(two_threads: object) -> None:
     assert each(lambda item: -item, range(20)) == [-item for item in range(20)]
     assert each(str, []) == []
+
+
+def test_two_who_have_work_share_no_more(two_threads: object) -> None:
+    def inner(item: int) -> bool:
+        outer, (first, second) = get_ident(), both(get_ident, get_ident)
+        return {outer} == {first, second, *each(lambda _: get_ident(), range(2))}
+
+    assert each(inner, range(4)) == [True] * 4
+    assert not inner(0)
 
 
 def test_the_first_exception_comes_out(two_threads: object) -> None:

@@ -13,7 +13,10 @@ from roam_core import shapes_from_mask, track
 from roam_core.features import PreparedFrame
 from roam_core.features.grid import Grid, Region
 from roam_core.matte.compose import render_matte
-from roam_core.propagate.refinding import Lookout, Sighting
+from roam_core.params import RegionParams
+from roam_core.propagate.refinding import LONG_GONE, Lookout, Sighting
+from roam_core.propagate.region import begin, setting_out, step
+from roam_core.propagate.result import Part
 from roam_core.proposal.evidence import Field
 
 SIZE = (140, 260)
@@ -92,6 +95,30 @@ def test_a_place_beyond_the_picture_shows_nothing() -> None:
     eye, sighting = lookout()
     beyond = replace(sighting, middle=np.array([9000.0, 9000.0]))
     assert eye.found(PreparedFrame(picture(60.0)), beyond) is None
+
+
+def test_what_is_long_gone_is_looked_for_now_and_then() -> None:
+    _, sighting = lookout()
+    looks = [frames for frames in range(25) if replace(sighting, since=frames).is_worth_a_look]
+    assert looks == [*range(LONG_GONE + 1), 12, 16, 20, 24]
+
+
+def test_what_is_found_is_left_where_too_little_is_to_be_expected_of_it() -> None:
+    columns = [FIRST + STEP * k for k in range(24)]
+    frames = [PreparedFrame(picture(column, post=True)) for column in columns]
+    parts = tuple(Part(shape.at(0).points) for shape in shapes_from_mask(disc(columns[0])))
+
+    def sightings(believed: float) -> list[int]:
+        params = RegionParams(believed=believed)
+        state, found = begin(frames[0], parts, params), []
+        for number, frame in enumerate(frames[1:], 1):
+            if setting_out(state, frame, params) is not state:
+                found.append(number)
+            state, _ = step(state, frame, params)
+        return found
+
+    assert sightings(0.5)
+    assert not sightings(1.0)
 
 
 def test_a_ball_that_went_behind_a_post_is_carried_on_behind_it() -> None:
