@@ -22,7 +22,7 @@ from roam_core.kernels.flattening import step_counts, vertices
 from roam_core.kernels.gmm_density import em_steps, log_densities, matches
 from roam_core.kernels.hypotheses import best_hypothesis
 from roam_core.kernels.key_spans import cubic_span_errors, linear_span_errors, outline_distances
-from roam_core.kernels.local_match import INSIDE, OUTSIDE, local_match
+from roam_core.kernels.local_match import INSIDE, OUTSIDE, local_match, log_ratio, nearest_colours
 from roam_core.kernels.nearest_edges import nearest_edges
 from roam_core.kernels.region_sums import region_sums, row_sums
 from roam_core.kernels.ribbon_means import ribbon_means
@@ -116,6 +116,19 @@ def _diffusion() -> Case:
 
 
 def _matching() -> Case:
+    return _call(local_match, *_matched(), 5, 2.0, 0.3, 3.0)
+
+
+def _nearest() -> Case:
+    return _call(nearest_colours, *_matched(), 5, 0.3)
+
+
+def _log_ratio() -> Case:
+    inside, outside = 400.0 * _rng().random((2, *GRID), dtype=np.float32)
+    return _call(log_ratio, inside, outside, 2.0, 3.0)
+
+
+def _matched() -> tuple[Any, ...]:
     rng = _rng()
     now, then = (rng.integers(0, 256, (*GRID, 3)).astype(np.float32) for _ in range(2))
     labels = np.full(GRID, OUTSIDE, dtype=np.uint8)
@@ -123,7 +136,7 @@ def _matching() -> Case:
     wanted = np.zeros(GRID, bool)
     wanted[20:100, 30:130] = True
     shift = np.zeros((*GRID, 2), dtype=np.float32)
-    return _call(local_match, now, then, labels, wanted, shift, 5, 2.0, 0.3, 3.0)
+    return now, then, labels, wanted, shift
 
 
 def _densities() -> Case:
@@ -194,6 +207,8 @@ CASES: dict[str, Callable[[], Case]] = {
     "em_steps": _em,
     "linear_span_errors": lambda: _call(linear_span_errors, _moving(), True, 0, 50.0),
     "local_match": _matching,
+    "log_ratio": _log_ratio,
+    "nearest_colours": _nearest,
     "log_densities": _densities,
     "matches": _matches,
     "nearest_edges": lambda: _call(nearest_edges, _outline(centre=(80.0, 60.0), radius=45.0), GRID, 20.0),

@@ -17,12 +17,10 @@ from roam_core.geometry import bezier
 from roam_core.params import CONFIGS, params_for, scale_for
 from roam_core.propagate.confidence import Signs, SpanSigns
 from roam_core.propagate.group import GroupTracker, parts_at
-from roam_core.propagate.merge import merged
 from roam_core.propagate.objects import objects
-from roam_core.propagate.passage import passage
 from roam_core.propagate.region import RegionState
 from roam_core.propagate.run import NEAR
-from roam_core.propagate.witness import Key, Span
+from roam_core.propagate.span import Filling, Reader, spans
 from roam_core.roto import Keyframe, RotoShape
 
 CARRIED = ("whole", "restarts")
@@ -77,35 +75,22 @@ def filled(shot: Shot, gap: int) -> Iterator[Rated]:
     """The frames between keys so many frames apart, from the true masks there."""
     keys = list(shot.frames[::gap])
     shapes = true_keys.of(shot).over(keys)
+    filling = Filling(Reader({frame: shot.read(frame) for frame in shot.frames}), params_for(CONFIGS["best"]))
     for start, stop in pairwise(keys):
-        both = [shape for shape in shapes if {start, stop} <= set(shape.artist_frames)]
-        if not both:
+        gaps = spans(shapes, start, stop)
+        if not gaps:
             continue
-        groups = [[both[k] for k in each] for each in objects(parts_at(both, start), NEAR * scale_for(shot.size))]
-        made = [_span(shot, group, start, stop) for group in groups]
+        members = [shapes[k] for k in gaps[0][2]]
+        made = [([members[k] for k in each], span) for each, span in filling.objects(members, start, stop)]
         for frame in range(start + 1, stop):
             known, outlines = [], list[RotoShape]()
-            for group, span in zip(groups, made, strict=True):
-                pairs = [(s, each) for s, each in zip(group, merged(span, frame), strict=True) if each is not None]
+            for group, span in made:
+                solved = filling.solved(span, group, frame)
+                pairs = [(s, each) for s, each in zip(group, solved, strict=True) if each is not None]
                 here = [RotoShape(s.id, s.name, (Keyframe(frame, m.points),), blend=s.blend) for s, m in pairs]
                 outlines += here
                 known.append((_area(here, frame), pairs[0][1].signs if pairs else None))
             yield _rated(shot, frame, outlines, known)
-
-
-def _span(shot: Shot, shapes: Sequence[RotoShape], start: int, stop: int) -> Span:
-    """The same passages as `propagate.span` makes."""
-    frames, params = range(start, stop + 1), params_for(CONFIGS["best"])
-    first, last = (Key(frame, parts_at(shapes, frame)) for frame in (start, stop))
-
-    def read(frame: int) -> PreparedFrame:
-        return PreparedFrame(shot.read(frame))
-
-    ways = [
-        passage(read, parts_at(shapes, key.frame), order, params)
-        for key, order in ((first, frames), (last, frames[::-1]))
-    ]
-    return Span(first, last, ways[0], ways[1], shot.size, scale_for(shot.size))
 
 
 def _rated(

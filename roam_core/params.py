@@ -33,6 +33,7 @@ class RegionParams:
     prior_weight : nats a cell of depth inside the region carried from the last frame.
     lineage_weight : nats of the side that a cell brings along from the key by sound flow (`proposal.lineage`); 0: it is
         not asked. beside_lineage : share of the other cues that is heard where the flow has been sound all the way.
+    keys_weight : between two keys, of what the colours of both say (`proposal.key_colours`); 0: they are not asked.
     blur : Gaussian on the ratio. diffusion, contrast, sweeps : contrast-dependent smoothing (`kernels.diffusion`).
     overlap : share of a detached part that must lie where the object was expected.
     doubted : expected IoU under which the object is looked for as it was on the key (`propagate.refinding`); 0: never.
@@ -63,6 +64,7 @@ class RegionParams:
     prior_weight: float = 0.05
     lineage_weight: float = 8.0
     beside_lineage: float = 0.2
+    keys_weight: float = 1.0
     blur: float = 0.6
     diffusion: float = 2.0
     contrast: float = 12.0

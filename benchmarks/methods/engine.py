@@ -37,5 +37,6 @@ class Engine:
         if stop - start < 2:
             return []
         images = {frame: shot.read(frame) for frame in range(start, stop + 1)}
-        filled = roam_core.fill_span(images, there, start, stop, self.params)
+        keyed = [shape for shape in shapes if shape in there or shape.exists_at(stop)]  # what begins there tells, too
+        filled = roam_core.fill_span(images, keyed, start, stop, self.params)
         return [shots.matte(filled, frame, shot.size) for frame in range(start + 1, stop)]

@@ -32,30 +32,54 @@ def local_match(
     spread: float,
     clip: float,
 ) -> Float32:
-    """ln p(inside) / p(outside) of each wanted pixel, from its nearest colours among labelled pixels of another frame.
+    """ln p(inside) / p(outside) of each wanted pixel, from its `nearest_colours` in another frame; 0 for the others.
 
-    With `d` the squared colour distance plus `spread` times the squared displacement, least over the pixels of a label
-    in the window, the ratio is `(d_outside - d_inside) / (2 sigma^2)`, clipped: two kernel densities, each reduced to
-    its nearest sample.
+    `sigma` in Lab units, `clip` in nats.
+    """
+    return log_ratio(*nearest_colours(colours, memory, labels, wanted, shift, radius, spread), sigma, clip)
+
+
+def log_ratio(inside: Float32, outside: Float32, sigma: float, clip: float) -> Float32:
+    """`(outside - inside) / (2 sigma^2)` of squared distances, clipped: the log-ratio of two kernel densities, each
+    reduced to its nearest sample.
+    """
+    variance = np.float32(sigma * sigma)
+    enough = np.float32(4.0) * variance * np.float32(clip)  # beyond this a distance changes nothing any more
+    nats = (np.minimum(outside, enough) - np.minimum(inside, enough)) / (np.float32(2.0) * variance)
+    return np.asarray(np.clip(nats, np.float32(-clip), np.float32(clip)))
+
+
+def nearest_colours(
+    colours: Float32,
+    memory: Float32,
+    labels: UInt8,
+    wanted: NDArray[np.bool_],
+    shift: Float32,
+    radius: int,
+    spread: float,
+) -> tuple[Float32, Float32]:
+    """How far each wanted pixel is from its nearest colour labelled inside, and from that outside, `(h, w)` each.
+
+    The squared colour distance plus `spread` times the squared displacement, least over the pixels of a label in the
+    window; more than any two colours are apart where there is none, and for pixels that are not wanted.
 
     Parameters
     ----------
     colours, memory : (h, w, 3) Lab of the new and of the labelled frame, on one grid: whole numbers, as in 8 bits.
     labels : (h, w) `OUTSIDE`, `INSIDE` or `UNKNOWN` for each pixel of `memory`.
-    wanted : (h, w) pixels to rate; the others get 0.
+    wanted : (h, w) pixels to rate.
     shift : (h, w, 2) where a pixel is expected in `memory`, as an offset (x, y).
-    radius : half side of the window. sigma : Lab units. clip : nats. spread : Lab units squared a pixel squared, to
-        hundredths.
+    radius : half side of the window. spread : Lab units squared a pixel squared, to hundredths.
     """
-    ratio = np.zeros(labels.shape, dtype=np.float32)
     now, then, away = colours.astype(np.int32), _planes(memory, labels, radius), _away(radius, spread)
+    nearest = np.full((2, *labels.shape), FAR, dtype=np.int32)
 
     def match_rows(first: int, stop: int) -> None:
-        bounds = np.float32(sigma * sigma), np.float32(clip)
-        _local_match(now, then, away, wanted, shift, radius, *bounds, first, stop, ratio)
+        _nearest(now, then, away, wanted, shift, radius, first, stop, nearest)
 
     in_halves(match_rows, wanted)
-    return ratio
+    inside, outside = nearest.astype(np.float32) / np.float32(PARTS)
+    return inside, outside
 
 
 def _padded(radius: int) -> int:
@@ -88,10 +112,9 @@ def _away(radius: int, spread: float) -> Int32:
 
 
 @njit(nogil=True, cache=True)
-def _local_match(colours, planes, away, wanted, shift, radius, variance, clip, first, stop, ratio):  # type: ignore[no-untyped-def]
-    rows, columns = ratio.shape
+def _nearest(colours, planes, away, wanted, shift, radius, first, stop, nearest):  # type: ignore[no-untyped-def]
+    rows, columns = wanted.shape
     height, width = np.uint64(away.shape[0]), np.uint64(away.shape[1])  # unsigned: no index counts from the end
-    enough = np.float32(4.0) * variance * clip  # beyond this a distance changes nothing any more
     for y in range(first, stop):
         for x in range(columns):
             if not wanted[y, x]:
@@ -109,6 +132,4 @@ def _local_match(colours, planes, away, wanted, shift, radius, variance, clip, f
                     parts = np.int32(PARTS * np.int32(d0 * d0 + d1 * d1 + d2 * d2) + away[v, u])
                     inside = min(inside, np.int32(parts + planes[3, top + v, left + u]))
                     outside = min(outside, np.int32(parts + planes[4, top + v, left + u]))
-            if inside < FAR or outside < FAR:
-                value = min(np.float32(outside) / PARTS, enough) - min(np.float32(inside) / PARTS, enough)
-                ratio[y, x] = min(max(value / (np.float32(2.0) * variance), -clip), clip)
+            nearest[0, y, x], nearest[1, y, x] = inside, outside

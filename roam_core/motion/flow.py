@@ -15,6 +15,7 @@ from roam_core.threads import each
 
 Array = NDArray[np.float64]
 Float32 = NDArray[np.float32]
+UInt8 = NDArray[np.uint8]
 
 LEAST_SIDE = 48
 """Cells to which a narrower region is padded: under 32 OpenCV's DIS reads beyond its pyramid (opencv issue 14554)."""
@@ -27,24 +28,27 @@ def dense_flow(
 
     At the fastest preset; `is_exact` takes about three times as long, and follows outlines closely.
     """
-    old, new = (_padded(grid.of(frame.grey)) for frame in (before, after))
-
-    def flow(pictures: tuple[NDArray[np.uint8], NDArray[np.uint8]]) -> Float32:
-        # A new instance a call: it keeps buffers, and results must not depend on what it saw before.
-        if is_exact:
-            solver = cv2.DISOpticalFlow.create(cv2.DISOPTICAL_FLOW_PRESET_FAST)
-            solver.setFinestScale(1)
-            solver.setPatchStride(5)  # a quarter faster than the preset's 4, and as good
-            solver.setVariationalRefinementIterations(0)  # they would take as long again, and gain nothing
-        else:
-            solver = cv2.DISOpticalFlow.create(cv2.DISOPTICAL_FLOW_PRESET_ULTRAFAST)
-        return np.asarray(solver.calc(*pictures, None), dtype=np.float32)[: grid.rows, : grid.columns]
-
-    forward, backward = each(flow, [(old, new), (new, old)])
+    old, new = (grid.of(frame.grey) for frame in (before, after))
+    forward, backward = each(lambda pair: cell_flow(*pair, is_exact), [(old, new), (new, old)])
     return forward, backward
 
 
-def _padded(grey: NDArray[np.uint8]) -> NDArray[np.uint8]:
+def cell_flow(before: UInt8, after: UInt8, is_exact: bool = False) -> Float32:
+    """Flow `(rows, columns, 2)` from one grey picture `(rows, columns)` to another, as in `dense_flow`."""
+    rows, columns = before.shape
+    # A new instance a call: it keeps buffers, and results must not depend on what it saw before.
+    if is_exact:
+        solver = cv2.DISOpticalFlow.create(cv2.DISOPTICAL_FLOW_PRESET_FAST)
+        solver.setFinestScale(1)
+        solver.setPatchStride(5)  # a quarter faster than the preset's 4, and as good
+        solver.setVariationalRefinementIterations(0)  # they would take as long again, and gain nothing
+    else:
+        solver = cv2.DISOpticalFlow.create(cv2.DISOPTICAL_FLOW_PRESET_ULTRAFAST)
+    flow = solver.calc(_padded(before), _padded(after), None)
+    return np.asarray(flow, dtype=np.float32)[:rows, :columns]
+
+
+def _padded(grey: UInt8) -> UInt8:
     """The picture with its last row and column repeated up to `LEAST_SIDE`."""
     below, right = (max(LEAST_SIDE - side, 0) for side in grey.shape)
     return np.asarray(cv2.copyMakeBorder(grey, 0, below, 0, right, cv2.BORDER_REPLICATE), dtype=np.uint8)

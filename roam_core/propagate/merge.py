@@ -2,27 +2,30 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from roam_core.features import Region
+from roam_core.features import PreparedFrame, Region
 from roam_core.features.grid import Grid, signed_distance
 from roam_core.geometry import bezier, similarity
 from roam_core.geometry.simple import simplified
+from roam_core.kernels.diffusion import diffuse
 from roam_core.propagate.confidence import SpanSigns, expected_overlap, overlap, vertex_confidence
-from roam_core.propagate.laying import enclosed, laid
+from roam_core.propagate.laying import enclosed, laid, spline_coverage
 from roam_core.propagate.passage import Stop
 from roam_core.propagate.result import Part
-from roam_core.propagate.witness import Span, carried, grid_over, stop_at
+from roam_core.propagate.witness import Key, Span, carried, grid_over, stop_at
 from roam_core.proposal import region as proposed
-from roam_core.proposal.evidence import SURE, Field
+from roam_core.proposal.evidence import SURE, Field, lab, uncertain_band
+from roam_core.proposal.key_colours import KeyView, key_colours
 
 Array = NDArray[np.float64]
 Float32 = NDArray[np.float32]
+Bools = NDArray[np.bool_]
 
 SURE_OF = 0.5
 """Pixels of a 480-line image by which even a witness that met the other key may be wrong between."""
@@ -32,12 +35,26 @@ SLOPE = 2.0
 """Nats that planar motion gives a pixel of depth inside its region."""
 DEPTH = 40.0
 """Pixels of a 480-line image beyond which depth counts no more."""
+BAND, BESIDE = 10, 2
+"""Cells to both sides of the merged border, and of where the passages disagree, in which the picture is asked."""
+DISPUTED = 0.5
+"""Share of what the witnesses say that counts where the passages disagree."""
+DIFFUSION, CONTRAST, SWEEPS = 2.0, 12.0, 20
+"""Of the smoothing after that, as for one direction (`RegionParams`)."""
 AGREED = 0.85
 """Overlap of two passages that each moved the object as one piece from which they are taken at their word."""
 APART_BY = 0.5
 """Distance of the two passages of an outline, in its own size, from which their mean is a place of neither."""
 APART = 4.0
 """Pixels of a 480-line image between the witnesses of a point at which half the trust in it is gone."""
+
+
+@dataclass(frozen=True, eq=False)
+class Colours:
+    """The picture of the frame, and how much it says that its colours are those of either key (`key_colours`)."""
+
+    picture: PreparedFrame
+    weight: float
 
 
 @dataclass(frozen=True, eq=False)
@@ -96,17 +113,25 @@ class _Moment:
         ]
 
 
-def merged(span: Span, frame: int) -> list[Merged | None]:
-    """Every outline of the span on a frame between the keys; None for one that neither passage brought there."""
+def merged(
+    span: Span, frame: int, alive: Collection[int] | None = None, colours: Colours | None = None
+) -> list[Merged | None]:
+    """Every outline of the span on a frame between the keys; None for one that neither passage brought there.
+
+    `alive` are those that there are on the frame; None: all. What the others enclosed on a key belongs to the object
+    all the same, and goes to these. `colours` make the frame's picture speak; None: what was drawn and carried does.
+    """
     moment = _Moment.of(span, frame)
-    known = [k for k in range(len(span.first.parts)) if k in moment.there or k in moment.here]
+    wanted = range(len(span.first.parts)) if alive is None else sorted(alive)
+    known = [k for k in wanted if k in moment.there or k in moment.here]
     result: list[Merged | None] = [None] * len(span.first.parts)
     if not known:
         return result
     parts = tuple(Part(_expected(moment, k), span.subtracts(k)) for k in known)
     points = [part.points for part in parts]
-    region = None if span.is_planar or moment.is_one_piece else _region(moment, parts)
+    region = None if span.is_planar or moment.is_one_piece else _region(moment, parts, colours)
     if region is not None:
+        parts = tuple(_where_more_is(moment, k, part, region) for k, part in zip(known, parts, strict=True))
         points = [each for each, _ in laid(parts, [span.traits(k, moment.u) for k in known], region, span.scale)]
     outlines = [
         replace(part, points=simplified(each, part.points, span.scale))
@@ -152,6 +177,15 @@ def _expected(moment: _Moment, k: int) -> Array:
     return _mean([weight[:, None, None] for weight in weights], [there, here, planar])
 
 
+def _where_more_is(moment: _Moment, k: int, part: Part, region: Field) -> Part:
+    """An outline that the passages took to different pieces of an object goes to the greater of them."""
+    places = [points[k] for points in (moment.there, moment.here) if k in points]
+    if len(places) < 2 or not _are_apart(*places):
+        return part
+    shares = [float(spline_coverage(points, region.grid)[region.inside].sum()) for points in places]
+    return replace(part, points=places[int(np.argmax(shares))])
+
+
 def _are_apart(there: Array, here: Array) -> bool:
     """True where the passages followed different pieces of an object that is in pieces: between them lies nothing."""
     middles = [points[:, bezier.ANCHOR].mean(axis=0) for points in (there, here)]
@@ -159,8 +193,8 @@ def _are_apart(there: Array, here: Array) -> bool:
     return bool(np.hypot(*(middles[0] - middles[1])) > APART_BY * size)
 
 
-def _region(moment: _Moment, parts: tuple[Part, ...]) -> Field | None:
-    """The region that the witnesses agree on; None where the engine works without regions."""
+def _region(moment: _Moment, parts: tuple[Part, ...], colours: Colours | None) -> Field | None:
+    """The region that the witnesses agree on, and the picture; None where the engine works without regions."""
     span = moment.span
     fields = [stop.region for stop in (moment.onwards, moment.back) if stop is not None and stop.region is not None]
     if not fields:
@@ -179,20 +213,49 @@ def _region(moment: _Moment, parts: tuple[Part, ...]) -> Field | None:
         planar_there.on(grid, to_last),
         planar_here.on(grid, to_first),
     )
-    values = _mean(weights, [*(field.nats_on(grid) for field in fields), _depth(moment, grid)]).astype(np.float32)
-    witnessed = np.any([field.on(grid) > 0.5 for field in fields], axis=0) | (enclosed(parts, grid) > 0.5)
-    return proposed.cleaned(Field(grid, values), witnessed, 0.0)
+    coverages = [
+        _coverage(span, key, stop, grid) for key, stop in ((span.first, moment.onwards), (span.last, moment.back))
+    ]
+    values = _mean(weights, [*(field.nats_on(grid) for field in fields), _depth(moment, coverages, grid)])
+    sides = [field.on(grid) > 0.5 for field in fields]
+    witnessed = sides[0] | sides[1] | (enclosed(parts, grid) > 0.5)
+    found = proposed.cleaned(Field(grid, values.astype(np.float32)), witnessed, 0.0)
+    return found if colours is None else _seen(moment, found, sides, coverages, colours)
 
 
-def _depth(moment: _Moment, grid: Grid) -> Float32:
+def _seen(
+    moment: _Moment, found: Field, sides: Sequence[Bools], coverages: Sequence[Float32], colours: Colours
+) -> Field:
+    """The region when the picture has spoken, too: near its border, and wherever the passages disagree."""
+    span, grid, frame = moment.span, found.grid, colours.picture
+    views = [
+        KeyView(passage.picture, stop.carried, coverage, away)
+        for passage, stop, coverage, away in zip(
+            (span.onwards, span.back), (moment.onwards, moment.back), coverages, (moment.u, 1.0 - moment.u), strict=True
+        )
+        if passage is not None and stop is not None
+    ]
+    near = uncertain_band(found.inside, found.inside, BAND)
+    wanted = near | uncertain_band(sides[0] & sides[1], sides[0] | sides[1], BESIDE)
+    carried_here = np.where(sides[0] ^ sides[1], np.float32(DISPUTED) * found.values, found.values)
+    values = carried_here + np.float32(colours.weight) * key_colours(frame, grid, views, wanted)
+    smooth = diffuse(
+        np.where(wanted, values, found.values), lab(grid.of(frame.image)), wanted, DIFFUSION, CONTRAST, SWEEPS
+    )
+    return proposed.cleaned(Field(grid, smooth), found.inside, 0.0)
+
+
+def _coverage(span: Span, key: Key, stop: Stop | None, grid: Grid) -> Float32:
+    """The share of each cell that the outlines of a key enclose, carried as one piece to where a passage stands."""
+    assert stop is not None
+    there = zip(key.members, carried(key, stop.carried), strict=True)
+    return enclosed([Part(points, span.subtracts(k)) for k, points in there], grid)
+
+
+def _depth(moment: _Moment, coverages: Sequence[Float32], grid: Grid) -> Float32:
     """Nats of planar motion: the depth inside both keys' regions, each carried as one piece."""
     cells = float(grid.factor.mean()) * moment.span.scale
-    depths = []
-    for key, stop in ((moment.span.first, moment.onwards), (moment.span.last, moment.back)):
-        assert stop is not None
-        there = zip(key.members, carried(key, stop.carried), strict=True)
-        inside = enclosed([Part(points, moment.span.subtracts(k)) for k, points in there], grid) > 0.5
-        depths.append(signed_distance(inside, DEPTH * cells) / np.float32(cells))
+    depths = [signed_distance(coverage > 0.5, DEPTH * cells) / np.float32(cells) for coverage in coverages]
     depth = (1.0 - moment.u) * depths[0] + moment.u * depths[1]
     return np.asarray(np.clip(SLOPE * depth, -SURE, SURE), dtype=np.float32)
 

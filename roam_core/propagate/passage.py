@@ -46,9 +46,13 @@ class Stop:
 
 @dataclass(frozen=True, eq=False)
 class Passage:
-    """All stops of one direction: `stops[frame]`, the key's own among them; frames without a picture are left out."""
+    """All stops of one direction: `stops[frame]`, the key's own among them; frames without a picture are left out.
+
+    `picture` is the key's.
+    """
 
     stops: dict[int, Stop]
+    picture: PreparedFrame
 
     def at(self, frame: int) -> Stop | None:
         """The stop on a frame, or None where the picture is missing."""
@@ -67,7 +71,7 @@ def passage(
 
     `passed` is called after each frame.
     """
-    picture = read(frames[0])
+    key = picture = read(frames[0])
     state = engine.begin(picture, tuple(parts), params)
     carried = np.eye(3)
     stops = {frames[0]: Stop(tuple(part.points for part in parts), (1.0,) * len(parts), carried, _region(state))}
@@ -90,7 +94,7 @@ def passage(
         stops[frame] = Stop(points, confidence, carried, _region(state), _is_one_piece(state))
         if passed is not None:
             passed()
-    return Passage(stops)
+    return Passage(stops, key)
 
 
 def _region(state: State) -> Field | None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import threading
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 from itertools import pairwise
@@ -14,9 +14,10 @@ from numpy.typing import NDArray
 from roam_core.cancel import CancelToken, Progress
 from roam_core.errors import RoamError
 from roam_core.features import PreparedFrame
+from roam_core.media.source import MissingFrame
 from roam_core.params import RoamParams, params_for, scale_for
 from roam_core.propagate import provenance
-from roam_core.propagate.merge import Merged, merged
+from roam_core.propagate.merge import Colours, Merged, merged
 from roam_core.propagate.objects import objects
 from roam_core.propagate.passage import Passage, passage
 from roam_core.propagate.result import Part
@@ -41,13 +42,14 @@ def fill_span(
 
     Each gap between two neighbouring artist keys is one span: the object is carried forward from the first and
     backward from the second, each on a thread of its own, and both are merged with the motion of the object as one
-    piece, each believed as far as it met the other key (`propagate.witness`). Shapes of one object with the same keys
+    piece, each believed as far as it met the other key (`propagate.witness`), and with what the colours of both keys
+    say (`proposal.key_colours`). Shapes of one object with the same keys
     are filled together. A shape that ends between two keys of its object is carried on from its last key.
 
     Parameters
     ----------
-    images : gives the picture of a frame, (h, w, 3) RGB, uint8 or float32 in [0, 1]; each is asked for twice, in no
-        particular order, by one thread at a time. A `MissingFrame` is passed over.
+    images : gives the picture of a frame, (h, w, 3) RGB, uint8 or float32 in [0, 1]; each is asked for three times,
+        in no particular order, by one thread at a time. A `MissingFrame` is passed over.
     start, stop : the first and the last frame, both of which hold artist keys. Artist keys come back as they were.
 
     Raises
@@ -64,7 +66,7 @@ def fill_span(
             "range. Set a key at both ends first."
         )
     meter = _Meter(sum(2 * (last - first) for first, last, _ in gaps), progress)
-    filling = _Filling(_Reader(images), params_for(config), clip, meter, token)
+    filling = Filling(Reader(images), params_for(config), clip, meter, token)
     result = list(shapes)
     for first, last, members in gaps:
         for k, shape in zip(members, filling.filled([result[k] for k in members], first, last), strict=True):
@@ -73,7 +75,10 @@ def fill_span(
 
 
 def spans(shapes: Sequence[RotoShape], start: int, stop: int) -> list[tuple[int, int, list[int]]]:
-    """`(first, last, which shapes)` for every gap between neighbouring artist keys in the range."""
+    """`(first, last, which shapes)` for every gap between neighbouring artist keys in the range.
+
+    With the shapes that have keys on both ends go those that end, or begin, there.
+    """
     gaps: dict[tuple[int, int], list[int]] = {}
     for k, shape in enumerate(shapes):
         frames = [frame for frame in shape.artist_frames if start <= frame <= stop]
@@ -82,21 +87,24 @@ def spans(shapes: Sequence[RotoShape], start: int, stop: int) -> list[tuple[int,
                 gaps.setdefault(pair, []).append(k)
     for k, shape in enumerate(shapes):
         for gap, members in gaps.items():
-            if k not in members and _passes_into(shape, gap):
+            if k not in members and _is_on_one_end(shape, gap):
                 members.append(k)
     return [(first, last, sorted(members)) for (first, last), members in sorted(gaps.items())]
 
 
-def _passes_into(shape: RotoShape, gap: tuple[int, int]) -> bool:
-    """True for a shape that is keyed on one end of the gap only, and lives on into it, but not to the other end."""
+def _is_on_one_end(shape: RotoShape, gap: tuple[int, int]) -> bool:
+    """True for a shape that is keyed on one end of the gap only, and does not live on to the other.
+
+    If it does not even live within, it still says which part of the object the others do not show there.
+    """
     first, last = (frame in shape.artist_frames for frame in gap)
     if first == last or not shape.closed:
         return False
-    alive = [shape.exists_at(frame) for frame in gap]
-    return alive[0] != alive[1] and shape.exists_at(gap[0] + 1 if first else gap[1] - 1)
+    there, here = (shape.exists_at(frame) for frame in gap)
+    return there != here
 
 
-class _Reader:
+class Reader:
     """Pictures made ready, asked for by one thread at a time; none is kept, for a span may be long and its plate 4K."""
 
     def __init__(self, images: Mapping[int, NDArray[Any]]) -> None:
@@ -127,37 +135,51 @@ class _Meter:
 
 
 @dataclass(frozen=True, eq=False)
-class _Filling:
+class Filling:
     """What all spans of one call share."""
 
-    read: _Reader
+    read: Reader
     params: RoamParams
-    clip: str
-    meter: _Meter
-    token: CancelToken | None
+    clip: str = ""
+    meter: _Meter | None = None
+    token: CancelToken | None = None
 
     def filled(self, shapes: Sequence[RotoShape], first: int, last: int) -> list[RotoShape]:
         """The shapes of one gap with its ENGINE keys, solved object by object."""
         result = list(shapes)
-        keys = _key(shapes, first), _key(shapes, last)
-        size = self.read(first).size
-        for members in _grouped(keys, NEAR * scale_for(size)):
-            ends = [Key(key.frame, tuple(key.parts[k] for k in members)) for key in keys]
-            span = self._passed(ends[0], ends[1], size)
+        for members, span in self.objects(shapes, first, last):
             made: list[list[Keyframe]] = [[] for _ in members]
             between = range(first + 1, last)
-            for frame, solved in zip(between, each(partial(self._merged, span), between), strict=True):
-                for k, keyed, found in zip(members, made, solved, strict=True):
-                    if found is not None and shapes[k].exists_at(frame):
-                        keyed.append(_engine_key(shapes[k], frame, found, self.params, self.clip))
+            ours = [shapes[k] for k in members]
+            for frame, solved in zip(between, each(partial(self.solved, span, ours), between), strict=True):
+                for shape, keyed, found in zip(ours, made, solved, strict=True):
+                    if found is not None:
+                        keyed.append(_engine_key(shape, frame, found, self.params, self.clip))
             for k, keyed in zip(members, made, strict=True):
                 result[k] = set_engine_keys(shapes[k], keyed)
         return result
 
-    def _merged(self, span: Span, frame: int) -> list[Merged | None]:
+    def objects(self, shapes: Sequence[RotoShape], first: int, last: int) -> Iterator[tuple[list[int], Span]]:
+        """Each object of a gap that lives in it, by the indices of its shapes, with both of its passages."""
+        keys = _key(shapes, first), _key(shapes, last)
+        size = self.read(first).size
+        for members in _grouped(keys, NEAR * scale_for(size)):
+            if not any(shapes[k].exists_at(frame) for k in members for frame in range(first + 1, last)):
+                continue
+            ends = [Key(key.frame, tuple(key.parts[k] for k in members)) for key in keys]
+            yield members, self._passed(ends[0], ends[1], size)
+
+    def solved(self, span: Span, shapes: Sequence[RotoShape], frame: int) -> list[Merged | None]:
+        """The outlines of an object's shapes on a frame between its keys; None for those that are not there."""
         if self.token is not None:
             self.token.check()
-        return merged(span, frame)
+        alive = [k for k, shape in enumerate(shapes) if shape.exists_at(frame)]
+        weight = 0.0 if self.params.region is None else self.params.region.keys_weight
+        try:
+            colours = Colours(self.read(frame), weight) if weight > 0 and alive else None
+        except MissingFrame:
+            colours = None
+        return merged(span, frame, alive, colours)
 
     def _passed(self, first: Key, last: Key, size: tuple[int, int]) -> Span:
         """Both passages of one object, side by side."""
@@ -169,7 +191,9 @@ class _Filling:
         parts = [part for part in key.parts if part is not None]
         if not parts:
             return None
-        return passage(self.read, parts, frames, self.params, self.token, self.meter.passed)
+        return passage(
+            self.read, parts, frames, self.params, self.token, None if self.meter is None else self.meter.passed
+        )
 
 
 def _key(shapes: Sequence[RotoShape], frame: int) -> Key:
