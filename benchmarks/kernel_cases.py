@@ -119,7 +119,7 @@ def _matching() -> Case:
     return _call(local_match, *_matched(), 5, 2.0, 0.3, 3.0)
 
 
-def _nearest() -> Case:
+def _colours() -> Case:
     return _call(nearest_colours, *_matched(), 5, 0.3)
 
 
@@ -208,7 +208,7 @@ CASES: dict[str, Callable[[], Case]] = {
     "linear_span_errors": lambda: _call(linear_span_errors, _moving(), True, 0, 50.0),
     "local_match": _matching,
     "log_ratio": _log_ratio,
-    "nearest_colours": _nearest,
+    "nearest_colours": _colours,
     "log_densities": _densities,
     "matches": _matches,
     "nearest_edges": lambda: _call(nearest_edges, _outline(centre=(80.0, 60.0), radius=45.0), GRID, 20.0),
