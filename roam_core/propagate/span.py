@@ -43,8 +43,9 @@ def fill_span(
     Each gap between two neighbouring artist keys is one span: the object is carried forward from the first and
     backward from the second, each on a thread of its own, and both are merged with the motion of the object as one
     piece, each believed as far as it met the other key (`propagate.witness`), and with what the colours of both keys
-    say (`proposal.key_colours`). Shapes of one object with the same keys
-    are filled together. A shape that ends between two keys of its object is carried on from its last key.
+    say (`proposal.key_colours`). Shapes of one object with the same keys are filled together. A shape that ends between
+    two keys of its object is carried on from its last key; one that begins or ends on a key gets no keys, but tells how
+    much of the object the others do not show there.
 
     Parameters
     ----------
