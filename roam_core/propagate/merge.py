@@ -14,6 +14,7 @@ from roam_core.features.grid import Grid, signed_distance
 from roam_core.geometry import bezier, similarity
 from roam_core.geometry.simple import simplified
 from roam_core.kernels.diffusion import diffuse
+from roam_core.params import RegionParams
 from roam_core.propagate.confidence import SpanSigns, expected_overlap, overlap, vertex_confidence
 from roam_core.propagate.laying import enclosed, laid, spline_coverage
 from roam_core.propagate.passage import Stop
@@ -35,12 +36,10 @@ SLOPE = 2.0
 """Nats that planar motion gives a pixel of depth inside its region."""
 DEPTH = 40.0
 """Pixels of a 480-line image beyond which depth counts no more."""
-BAND, BESIDE = 10, 2
-"""Cells to both sides of the merged border, and of where the passages disagree, in which the picture is asked."""
+BESIDE = 2
+"""Cells around those on which the passages disagree in which the picture is asked, too."""
 DISPUTED = 0.5
 """Share of what the witnesses say that counts where the passages disagree."""
-DIFFUSION, CONTRAST, SWEEPS = 2.0, 12.0, 20
-"""Of the smoothing after that, as for one direction (`RegionParams`)."""
 AGREED = 0.85
 """Overlap of two passages that each moved the object as one piece from which they are taken at their word."""
 APART_BY = 0.5
@@ -51,10 +50,10 @@ APART = 4.0
 
 @dataclass(frozen=True, eq=False)
 class Colours:
-    """The picture of the frame, and how much it says that its colours are those of either key (`key_colours`)."""
+    """The picture of the frame, to be compared with both keys (`key_colours`), and how much it is heard, and how far."""
 
     picture: PreparedFrame
-    weight: float
+    params: RegionParams
 
 
 @dataclass(frozen=True, eq=False)
@@ -220,14 +219,15 @@ def _region(moment: _Moment, parts: tuple[Part, ...], colours: Colours | None) -
     sides = [field.on(grid) > 0.5 for field in fields]
     witnessed = sides[0] | sides[1] | (enclosed(parts, grid) > 0.5)
     found = proposed.cleaned(Field(grid, values.astype(np.float32)), witnessed, 0.0)
-    return found if colours is None else _seen(moment, found, sides, coverages, colours)
+    return found if colours is None else _compared(moment, found, sides, coverages, colours)
 
 
-def _seen(
+def _compared(
     moment: _Moment, found: Field, sides: Sequence[Bools], coverages: Sequence[Float32], colours: Colours
 ) -> Field:
     """The region when the picture has spoken, too: near its border, and wherever the passages disagree."""
-    span, grid, frame = moment.span, found.grid, colours.picture
+    span, grid, params = moment.span, found.grid, colours.params
+    picture = grid.of(colours.picture.image)
     views = [
         KeyView(passage.picture, stop.carried, coverage, away)
         for passage, stop, coverage, away in zip(
@@ -235,13 +235,12 @@ def _seen(
         )
         if passage is not None and stop is not None
     ]
-    near = uncertain_band(found.inside, found.inside, BAND)
+    near = uncertain_band(found.inside, found.inside, params.band)
     wanted = near | uncertain_band(sides[0] & sides[1], sides[0] | sides[1], BESIDE)
     carried_here = np.where(sides[0] ^ sides[1], np.float32(DISPUTED) * found.values, found.values)
-    values = carried_here + np.float32(colours.weight) * key_colours(frame, grid, views, wanted)
-    smooth = diffuse(
-        np.where(wanted, values, found.values), lab(grid.of(frame.image)), wanted, DIFFUSION, CONTRAST, SWEEPS
-    )
+    values = carried_here + np.float32(params.keys_weight) * key_colours(picture, grid, views, wanted)
+    rough = np.where(wanted, values, found.values)
+    smooth = diffuse(rough, lab(picture), wanted, params.diffusion, params.contrast, params.sweeps)
     return proposed.cleaned(Field(grid, smooth), found.inside, 0.0)
 
 

@@ -175,12 +175,17 @@ class Filling:
         if self.token is not None:
             self.token.check()
         alive = [k for k, shape in enumerate(shapes) if shape.exists_at(frame)]
-        weight = 0.0 if self.params.region is None else self.params.region.keys_weight
+        return merged(span, frame, alive, self._colours(frame) if alive else None)
+
+    def _colours(self, frame: int) -> Colours | None:
+        """The picture of a frame as something to go by; None where it is missing, or not asked."""
+        params = self.params.region
+        if params is None or params.keys_weight == 0:
+            return None
         try:
-            colours = Colours(self.read(frame), weight) if weight > 0 and alive else None
+            return Colours(self.read(frame), params)
         except MissingFrame:
-            colours = None
-        return merged(span, frame, alive, colours)
+            return None
 
     def _passed(self, first: Key, last: Key, size: tuple[int, int]) -> Span:
         """Both passages of one object, side by side."""

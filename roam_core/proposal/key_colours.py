@@ -22,6 +22,7 @@ from roam_core.proposal.evidence import lab, trimap
 
 Array = NDArray[np.float64]
 Float32 = NDArray[np.float32]
+UInt8 = NDArray[np.uint8]
 Bools = NDArray[np.bool_]
 
 RADIUS, SPREAD = 5, 0.1
@@ -49,18 +50,18 @@ class KeyView:
     away: float
 
 
-def key_colours(frame: PreparedFrame, grid: Grid, views: Sequence[KeyView], wanted: Bools) -> Float32:
+def key_colours(picture: UInt8, grid: Grid, views: Sequence[KeyView], wanted: Bools) -> Float32:
     """ln p(inside) / p(outside) of the `wanted (rows, columns)` cells of a frame, from the nearest colours of all keys.
 
-    Zero where no key has anything like it, and where none was asked.
+    `picture (rows, columns, 3)` is the frame's, RGB in the cells of `grid`. Zero where no key has anything like it, and
+    where none was asked.
     """
-    picture = grid.of(frame.image)
     distances = [_nearest(picture, grid, view, wanted) for view in views]
     inside, outside = (np.min([each[side] for each in distances], axis=0) for side in (0, 1))
     return log_ratio(inside, outside, SIGMA, CLIP)
 
 
-def _nearest(picture: NDArray[np.uint8], grid: Grid, view: KeyView, wanted: Bools) -> tuple[Float32, Float32]:
+def _nearest(picture: UInt8, grid: Grid, view: KeyView, wanted: Bools) -> tuple[Float32, Float32]:
     key = view.picture.image
     seen = grid.warped(key, view.carried)
     is_in_sight = grid.warped(np.full(key.shape[:2], 255, np.uint8), view.carried) == 255

@@ -33,6 +33,10 @@ def picture(post: bool, shift: int = 0) -> PreparedFrame:
     return PreparedFrame(np.roll(image, shift, axis=1))
 
 
+def said_of(frame: PreparedFrame, keys: list[KeyView], wanted: NDArray[np.bool_] = ALL) -> NDArray[np.float32]:
+    return key_colours(GRID.of(frame.image), GRID, keys, wanted)
+
+
 def view(post: bool, away: float = 0.5, shift: int = 0) -> KeyView:
     inside = np.zeros(SIZE, dtype=np.float32)
     inside[CARD] = 1.0
@@ -54,20 +58,20 @@ BEHIND = cells(CARD[0], POST[1])
 @pytest.mark.parametrize("views", [(False, True), (True, False)])
 def test_what_one_key_hides_is_told_by_the_other(views: tuple[bool, bool]) -> None:
     keys = [view(post) for post in views]
-    assert np.median(key_colours(picture(post=False), GRID, keys, ALL)[BEHIND]) == CLIP
-    assert np.median(key_colours(picture(post=True), GRID, keys, ALL)[BEHIND]) == -CLIP
+    assert np.median(said_of(picture(post=False), keys)[BEHIND]) == CLIP
+    assert np.median(said_of(picture(post=True), keys)[BEHIND]) == -CLIP
 
 
 def test_of_what_no_key_has_anything_like_nothing_is_said() -> None:
     strange = picture(post=False).image.copy()
     strange[POST] = (255, 255, 255)
-    said = key_colours(PreparedFrame(strange), GRID, [view(True), view(False)], ALL)
+    said = said_of(PreparedFrame(strange), [view(True), view(False)])
     assert not said[BEHIND].any()
 
 
 def test_a_key_is_seen_where_its_object_came_to() -> None:
     moved = view(False, shift=12)
-    said = key_colours(picture(post=False, shift=12), GRID, [moved], ALL)
+    said = said_of(picture(post=False, shift=12), [moved])
     inside = np.roll(view(False).coverage, 6, axis=1) > 0.5
     assert np.mean(said[:, 8:][inside[:, 8:]] > 0) > 0.95
     assert np.mean(said[:, 8:][~inside[:, 8:]] < 0) > 0.95
@@ -76,7 +80,7 @@ def test_a_key_is_seen_where_its_object_came_to() -> None:
 def test_only_wanted_cells_are_rated() -> None:
     wanted = np.zeros(GRID.shape, dtype=bool)
     wanted[10:20, 10:20] = True
-    said = key_colours(picture(post=False), GRID, [view(False)], wanted)
+    said = said_of(picture(post=False), [view(False)], wanted)
     assert not said[~wanted].any()
     assert said[wanted].any()
 
@@ -87,7 +91,7 @@ def test_the_nearer_key_counts_more() -> None:
     empty = KeyView(none.picture, none.carried, np.zeros_like(none.coverage), none.away)
     frame = PreparedFrame(cv2.convertScaleAbs(picture(post=False).image, alpha=1.0, beta=3))
     middle = cells(*CARD)
-    assert np.median(key_colours(frame, GRID, [card, empty], ALL)[middle]) > 0
+    assert np.median(said_of(frame, [card, empty])[middle]) > 0
     full = KeyView(card.picture, card.carried, card.coverage, 0.9)
     near = KeyView(empty.picture, empty.carried, empty.coverage, 0.1)
-    assert np.median(key_colours(frame, GRID, [full, near], ALL)[middle]) < 0
+    assert np.median(said_of(frame, [full, near])[middle]) < 0
