@@ -50,7 +50,7 @@ APART = 4.0
 
 @dataclass(frozen=True, eq=False)
 class Colours:
-    """The picture of the frame, to be compared with both keys (`key_colours`), and how much it is heard, and how far."""
+    """The picture of the frame, to be compared with both keys (`key_colours`), and how far that is heard."""
 
     picture: PreparedFrame
     params: RegionParams
