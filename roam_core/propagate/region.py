@@ -37,6 +37,10 @@ Float32 = NDArray[np.float32]
 
 WHOLE_CELLS = 2
 """Cells, at most, after which a whole pixel begins."""
+HELD = 0.1
+"""How far points are expected to have gone back, on each frame, to where the key carried as one piece has them, ..."""
+HELD_WITHIN = 50.0
+"""... and pixels of a 480-line image from there at which it is half as far: limbs swing."""
 TRUSTED = 0.3
 """Steadiness below which a frame teaches the colour model nothing."""
 
@@ -185,7 +189,7 @@ def _carried(
     if token is not None:
         token.check()
     found = proposed.cleaned(ratio, expected.possible, params.overlap)
-    parts = tuple(replace(part, points=similarity.apply(sight.moved[:2], part.points)) for part in state.parts)
+    parts = _expected(state, sight, scale_for(frame.size))
     placed, colours = both(
         lambda: laid(parts, state.traits, found, scale_for(frame.size)), lambda: _adapted(state, sight, found, params)
     )
@@ -198,6 +202,22 @@ def _carried(
         replace(part, points=points) if seen else part for part, (points, seen) in zip(parts, placed, strict=True)
     )
     return _after(state, frame, sight, found, unbroken, parts, colours, signs), results
+
+
+def _expected(state: RegionState, sight: Sight, scale: float) -> tuple[Part, ...]:
+    """The shapes where they are expected: carried on from the last frame, then a little towards the key's.
+
+    What points slide by from frame to frame would add up otherwise.
+    """
+    to_now, moved = sight.sources.key.to_now[:2], sight.moved[:2]
+    expected = []
+    for part, drawn, traits in zip(state.parts, state.drawn, state.traits, strict=True):
+        points = similarity.apply(moved, part.points)
+        way = similarity.apply(to_now, drawn.points) - points
+        length = np.hypot(*way[:, bezier.ANCHOR].T) / (HELD_WITHIN * scale)
+        points = points + (HELD / (1.0 + length**2))[:, None, None] * way
+        expected.append(replace(part, points=bezier.aligned(points, traits.smooth)))
+    return tuple(expected)
 
 
 def _as_one_piece(

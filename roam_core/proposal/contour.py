@@ -28,6 +28,8 @@ BULGE = 60.0
 """... one that was all tip on the key and now is all bay (`proposal.tips`)."""
 SPACING = 9.0
 """Pixels of a 480-line image between the nodes that are matched."""
+KEPT = 0.5
+"""How far a piece's share of the length is the one that it had on the key (1), and not that of the last frame (0)."""
 CHORDS = 4
 """Chords by which the length from node to node is told."""
 STEP = 3.0
@@ -52,26 +54,33 @@ class Traits:
     ----------
     smooth : (P,) which points keep their handles on one line.
     counts : (P,) into how many pieces each segment is cut; nodes lie at equal steps of its parameter.
-    bulges : (N, R) which nodes are tips, and which are bays: points that sat at a tip do not slide off it little by
-        little, for every frame is compared with the key.
+    bulges : (N, R) which nodes are tips, and which are bays. shares : (N,) of the outline's length, from node to node.
+        Points do not slide off their places little by little, for every frame is compared with the key.
     """
 
     smooth: NDArray[np.bool_]
     counts: NDArray[np.intp]
     bulges: Array
+    shares: Array
 
     @classmethod
     def of(cls, points: Array, smooth: NDArray[np.bool_], scale: float = 1.0) -> Traits:
         """Of the closed spline `points (P, 3, 2)` as it is on the key, pixels, of which those `smooth (P,)` stay so."""
         counts = _counts(points, scale)
-        return cls(smooth, counts, surroundings(_nodes(points, counts)))
+        return cls._of(points, smooth, counts)
+
+    @classmethod
+    def _of(cls, points: Array, smooth: NDArray[np.bool_], counts: NDArray[np.intp]) -> Traits:
+        nodes, shares = _nodes_and_shares(points, counts)
+        return cls(smooth, counts, surroundings(nodes), shares)
 
     @classmethod
     def between(cls, first: Array, last: Array, u: float, smooth: NDArray[np.bool_], scale: float = 1.0) -> Traits:
         """Of a spline between two keys, `u` of the way from the one to the other."""
         counts = np.maximum(_counts(first, scale), _counts(last, scale))
-        there, here = (surroundings(_nodes(points, counts)) for points in (first, last))
-        return cls(smooth, counts, (1.0 - u) * there + u * here)
+        there, here = (Traits._of(points, smooth, counts) for points in (first, last))
+        bulges, shares = ((1.0 - u) * a + u * b for a, b in ((there.bulges, here.bulges), (there.shares, here.shares)))
+        return cls(smooth, counts, bulges, shares)
 
     @property
     def anchors(self) -> NDArray[np.intp]:
@@ -83,14 +92,14 @@ def follow(points: Array, ring: Array, traits: Traits, scale: float = 1.0) -> Ar
     """The closed spline `points (P, 3, 2)` laid along the closed polyline `ring (K, 2)`, its points in correspondence.
 
     Nodes of the spline, the anchors among them, are matched to the outline in order (`kernels.alignment`): near where
-    they are expected, with the outline running the same way, tips on tips, every piece keeping its share of the length.
+    they are expected, with the outline running the same way, tips on tips, every piece keeping its share of the length,
+    on the last frame and on the key.
     Between the places of the matching they settle by least squares. Each segment is then fitted to its piece of the
     outline, and all of them together (`proposal.refine`). Points that are smooth keep their handles on one line;
     handles that lie on their anchor stay there.
     """
-    fine = _nodes(points, CHORDS * traits.counts)
-    nodes = fine[::CHORDS]
-    share = np.hypot(*(polyline.following(fine) - fine).T).reshape(-1, CHORDS).sum(axis=1)
+    nodes, last = _nodes_and_shares(points, traits.counts)
+    share = last ** (1.0 - KEPT) * traits.shares**KEPT
     share /= max(float(share.sum()), 1e-9)
     if polyline.signed_area(ring) * polyline.signed_area(nodes) < 0:
         ring = ring[::-1]
@@ -113,6 +122,13 @@ def _nodes(points: Array, counts: NDArray[np.intp]) -> Array:
     segment = np.repeat(np.arange(len(points)), counts)
     first = np.cumsum(counts) - counts
     return bezier.evaluate(points, segment, (np.arange(len(segment)) - first[segment]) / counts[segment])
+
+
+def _nodes_and_shares(points: Array, counts: NDArray[np.intp]) -> tuple[Array, Array]:
+    """The nodes `(N, 2)` of a spline, and which share of its length lies between each and the next, `(N,)`."""
+    fine = _nodes(points, CHORDS * counts)
+    lengths = np.hypot(*(polyline.following(fine) - fine).T).reshape(-1, CHORDS).sum(axis=1)
+    return fine[::CHORDS], lengths / max(float(lengths.sum()), 1e-9)
 
 
 def _matched(nodes: Array, samples: Array, share: Array, bulges: Array, scale: float) -> IntArray:

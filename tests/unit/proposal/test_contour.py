@@ -86,3 +86,19 @@ def test_points_that_had_shrunk_to_nothing_are_laid_apart() -> None:
     result = follow(nothing, bezier.flatten(square), traits(square))
     assert np.isfinite(result).all()
     assert np.ptp(result[:, 0], axis=0).min() > 10.0
+
+
+def test_every_piece_goes_back_to_its_share_of_the_length(monkeypatch: pytest.MonkeyPatch) -> None:
+    points = blob([50.0] * 8) + np.array([100.0, 90.0])
+    kept, ring = traits(points), bezier.flatten(points)
+
+    def off() -> float:
+        slid = points.copy()
+        slid[0] += [[-3.0, 12.0]]
+        for _ in range(20):
+            slid = follow(slid, ring, kept)
+        return float(np.hypot(*(slid[:, 0] - points[:, 0]).T).max())
+
+    with_key = off()
+    monkeypatch.setattr(contour, "KEPT", 0.0)
+    assert with_key < 0.5 * off()

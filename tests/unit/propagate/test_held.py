@@ -1,0 +1,41 @@
+"""Points of a shape that is carried by regions do not slide away from where the key, carried along, has them."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from roam_core.features import PreparedFrame
+from roam_core.geometry.bezier import ANCHOR
+from roam_core.params import params_for
+from roam_core.propagate import region
+from roam_core.propagate.region import HELD, begin, step
+from roam_core.propagate.result import Part
+from tests.golden.shots import blob, gliding
+
+PARAMS = replace(params_for("best").region, rigid=2.0)  # never as one piece
+SHOT = gliding(blob([32.0] * 8), 12, (60.0, 60.0), (2.0, 0.5))
+SLID = 15.0
+"""Degrees by which all points of a disc are turned along its outline."""
+
+
+def off(held: float, monkeypatch: pytest.MonkeyPatch) -> float:
+    """Mean pixels by which points that slid once are still away from their places when the shot ends."""
+    monkeypatch.setattr(region, "HELD", held)
+    first, *others = SHOT.frames
+    drawn = SHOT.truth(first)
+    state = begin(PreparedFrame(SHOT.read(first)), (Part(drawn, False),), PARAMS)
+    angle, middle = np.radians(SLID), drawn[:, ANCHOR].mean(axis=0)
+    turn = np.array([[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]])
+    state = replace(state, parts=(Part((drawn - middle) @ turn.T + middle, False),))
+    for frame in others:
+        state, (result,) = step(state, PreparedFrame(SHOT.read(frame)), PARAMS)
+    return float(np.hypot(*(result.points - SHOT.truth(others[-1]))[:, ANCHOR].T).mean())
+
+
+def test_points_that_slid_go_back_to_their_places(monkeypatch: pytest.MonkeyPatch) -> None:
+    slid = np.radians(SLID) * 32.0
+    assert off(0.0, monkeypatch) > 0.8 * slid
+    assert off(HELD, monkeypatch) < 0.6 * slid
