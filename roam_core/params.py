@@ -22,7 +22,9 @@ class RegionParams:
     band : cells to both sides of the expected outline in which pixels are in doubt.
     local_weight, local_radius, local_sigma, local_spread : nearest colours of the last frame, along the flow; sigma in
         Lab units, spread in Lab units squared a cell squared.
-    key_weight, key_radius, key_spread : the same on the key frame, carried by the accumulated similarity.
+    key_weight, key_radius, key_spread : the same on the key frame, carried by the accumulated similarity and the flow
+        that is left. key_aged : by how much more a difference counts on the key than on the last frame, where the
+        nearest colour of either is taken; 0: of the last frame alone.
     global_key_weight, global_weight : histograms of the key frame, and those adapted since.
     adaptation : rate of that adaptation, a frame.
     clip : bound on each cue, nats. bias : nats towards the outside where nothing is known.
@@ -53,6 +55,7 @@ class RegionParams:
     key_weight: float = 0.5
     key_radius: int = 5
     key_spread: float = 0.1
+    key_aged: float = 2.0
     global_key_weight: float = 0.5
     global_weight: float = 0.7
     adaptation: float = 0.1
@@ -273,7 +276,7 @@ CONFIGS: dict[str, RoamParams] = {
         config="full",
         appearance=AppearanceParams(
             local_kind="both",
-            cues=RegionParams(motion_weight=0.0, uncovered_weight=0.0, lineage_weight=0.0),
+            cues=RegionParams(motion_weight=0.0, uncovered_weight=0.0, lineage_weight=0.0, key_aged=0.0),
             global_kind="histogram",
         ),
         lambda_local=0.03,

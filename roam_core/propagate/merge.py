@@ -21,8 +21,9 @@ from roam_core.propagate.passage import Stop
 from roam_core.propagate.result import Part
 from roam_core.propagate.witness import Key, Span, carried, grid_over, stop_at
 from roam_core.proposal import region as proposed
-from roam_core.proposal.evidence import SURE, Field, lab, uncertain_band
-from roam_core.proposal.key_colours import KeyView, key_colours
+from roam_core.proposal.evidence import SURE, Field, uncertain_band
+from roam_core.proposal.key_colours import key_colours
+from roam_core.proposal.key_view import KeyView, lab
 
 Array = NDArray[np.float64]
 Float32 = NDArray[np.float32]
@@ -229,7 +230,7 @@ def _compared(
     span, grid, params = moment.span, found.grid, colours.params
     picture = grid.of(colours.picture.image)
     views = [
-        KeyView(passage.picture, stop.carried, coverage, away)
+        (KeyView(passage.picture, stop.carried, coverage), away)
         for passage, stop, coverage, away in zip(
             (span.onwards, span.back), (moment.onwards, moment.back), coverages, (moment.u, 1.0 - moment.u), strict=True
         )

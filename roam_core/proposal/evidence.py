@@ -14,8 +14,9 @@ from roam_core.appearance.global_model import GlobalModel
 from roam_core.features import PreparedFrame
 from roam_core.features.grid import Grid, signed_distance
 from roam_core.kernels.diffusion import diffuse
-from roam_core.kernels.local_match import INSIDE, OUTSIDE, UNKNOWN, local_match
+from roam_core.kernels.local_match import log_ratio, nearest_colours
 from roam_core.params import RegionParams
+from roam_core.proposal.key_view import KeyView, lab, trimap
 from roam_core.proposal.lineage import Lineage
 from roam_core.threads import both
 
@@ -89,19 +90,6 @@ class Expectation:
         return np.asarray(self.rigid & self.fluid & (self.remembered > 0.5))
 
 
-def trimap(coverage: Float32) -> UInt8:
-    """Coverage as labels of `local_match`: mixed pixels teach nothing."""
-    labels = np.full(coverage.shape, UNKNOWN, dtype=np.uint8)
-    labels[coverage > 0.8] = INSIDE
-    labels[coverage < 0.2] = OUTSIDE
-    return labels
-
-
-def lab(image: UInt8) -> Float32:
-    """CIE Lab in OpenCV's 8-bit scale, as float `(h, w, 3)`."""
-    return np.asarray(cv2.cvtColor(image, cv2.COLOR_RGB2LAB), dtype=np.float32)
-
-
 def uncertain_band(certain: Bools, possible: Bools, reach: int) -> Bools:
     """Pixels within `reach` cells of the border of a region known only to lie between two bounds."""
     disc = cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (2 * reach + 1, 2 * reach + 1))
@@ -153,21 +141,24 @@ class Sources:
 def local_cues(sources: Sources, params: RegionParams) -> Iterator[tuple[str, Float32]]:
     """The cues by nearest colours, by name with their weighted log-ratios `(rows, columns)`, nats.
 
-    "local": nearest colours of the last frame along the flow; "key": those of the key frame, carried by the similarity.
+    "local": nearest colours of the last frame along the flow and of the key together, where the key's, which is older,
+    must be the nearer ones by `key_aged`; "key": those of the key alone, carried by the similarity.
     """
-    expected, grid = sources.expected, sources.grid
-    local = local_match(
-        sources.lab, lab(sources.before), trimap(expected.last), sources.band, sources.backward,
-        params.local_radius, params.local_sigma, params.local_spread, params.clip,
+    expected, band, sigma = sources.expected, sources.band, params.local_sigma
+    inside, outside = nearest_colours(
+        sources.lab, lab(sources.before), trimap(expected.last), band, sources.backward,
+        params.local_radius, params.local_spread,
     )  # fmt: skip
-    yield "local", params.local_weight * local
-    if params.key_weight > 0:
-        key, still = sources.key, np.zeros((*grid.shape, 2), dtype=np.float32)
-        remembered = local_match(
-            sources.lab, lab(grid.warped(key.frame.image, key.to_now)), trimap(expected.remembered), sources.band,
-            still, params.key_radius, 1.5 * params.local_sigma, params.key_spread, params.clip,
-        )  # fmt: skip
-        yield "key", params.key_weight * remembered
+    is_key_asked = params.key_weight > 0 or params.key_aged > 0
+    if is_key_asked:
+        view = KeyView(sources.key.frame, sources.key.to_now, expected.remembered)
+        there = view.nearest(sources.after, sources.grid, band, params.key_radius, params.key_spread)
+    if params.key_aged > 0:
+        aged = np.float32(params.key_aged)
+        inside, outside = np.minimum(inside, aged * there[0]), np.minimum(outside, aged * there[1])
+    yield "local", params.local_weight * log_ratio(inside, outside, sigma, params.clip)
+    if is_key_asked:
+        yield "key", params.key_weight * log_ratio(*there, 1.5 * sigma, params.clip)
 
 
 def cues(sources: Sources, params: RegionParams) -> Iterator[tuple[str, Float32]]:

@@ -14,8 +14,9 @@ from roam_core.features.grid import Grid, signed_distance
 from roam_core.geometry import bezier
 from roam_core.kernels.coverage import coverage
 from roam_core.params import ProposalParams
-from roam_core.proposal.evidence import Field, lab, uncertain_band
+from roam_core.proposal.evidence import Field, uncertain_band
 from roam_core.proposal.graph_cut import contrast_weights, minimum_cut
+from roam_core.proposal.key_view import lab
 from roam_core.proposal.region import cleaned
 
 Array = NDArray[np.float64]

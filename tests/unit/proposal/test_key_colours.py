@@ -9,7 +9,8 @@ from numpy.typing import NDArray
 
 from roam_core.features import PreparedFrame, Region
 from roam_core.features.grid import Grid
-from roam_core.proposal.key_colours import CLIP, KeyView, key_colours
+from roam_core.proposal.key_colours import CLIP, key_colours
+from roam_core.proposal.key_view import KeyView
 
 SIZE = (90, 140)
 GRID = Grid.over(Region(0, 0, SIZE[1], SIZE[0]), 0.5)
@@ -33,11 +34,13 @@ def picture(post: bool, shift: int = 0) -> PreparedFrame:
     return PreparedFrame(np.roll(image, shift, axis=1))
 
 
-def said_of(frame: PreparedFrame, keys: list[KeyView], wanted: NDArray[np.bool_] = ALL) -> NDArray[np.float32]:
+def said_of(
+    frame: PreparedFrame, keys: list[tuple[KeyView, float]], wanted: NDArray[np.bool_] = ALL
+) -> NDArray[np.float32]:
     return key_colours(GRID.of(frame.image), GRID, keys, wanted)
 
 
-def view(post: bool, away: float = 0.5, shift: int = 0) -> KeyView:
+def view(post: bool, shift: int = 0) -> KeyView:
     inside = np.zeros(SIZE, dtype=np.float32)
     inside[CARD] = 1.0
     if post:
@@ -45,7 +48,7 @@ def view(post: bool, away: float = 0.5, shift: int = 0) -> KeyView:
     carried = np.eye(3)
     carried[0, 2] = shift
     coverage = np.roll(GRID.of(inside), shift // 2, axis=1)
-    return KeyView(picture(post), carried, coverage, away)
+    return KeyView(picture(post), carried, coverage)
 
 
 def cells(rows: slice, columns: slice) -> tuple[slice, slice]:
@@ -57,7 +60,7 @@ BEHIND = cells(CARD[0], POST[1])
 
 @pytest.mark.parametrize("views", [(False, True), (True, False)])
 def test_what_one_key_hides_is_told_by_the_other(views: tuple[bool, bool]) -> None:
-    keys = [view(post) for post in views]
+    keys = [(view(post), 0.5) for post in views]
     assert np.median(said_of(picture(post=False), keys)[BEHIND]) == CLIP
     assert np.median(said_of(picture(post=True), keys)[BEHIND]) == -CLIP
 
@@ -65,13 +68,13 @@ def test_what_one_key_hides_is_told_by_the_other(views: tuple[bool, bool]) -> No
 def test_of_what_no_key_has_anything_like_nothing_is_said() -> None:
     strange = picture(post=False).image.copy()
     strange[POST] = (255, 255, 255)
-    said = said_of(PreparedFrame(strange), [view(True), view(False)])
+    said = said_of(PreparedFrame(strange), [(view(True), 0.5), (view(False), 0.5)])
     assert not said[BEHIND].any()
 
 
 def test_a_key_is_seen_where_its_object_came_to() -> None:
     moved = view(False, shift=12)
-    said = said_of(picture(post=False, shift=12), [moved])
+    said = said_of(picture(post=False, shift=12), [(moved, 0.5)])
     inside = np.roll(view(False).coverage, 6, axis=1) > 0.5
     assert np.mean(said[:, 8:][inside[:, 8:]] > 0) > 0.95
     assert np.mean(said[:, 8:][~inside[:, 8:]] < 0) > 0.95
@@ -80,18 +83,16 @@ def test_a_key_is_seen_where_its_object_came_to() -> None:
 def test_only_wanted_cells_are_rated() -> None:
     wanted = np.zeros(GRID.shape, dtype=bool)
     wanted[10:20, 10:20] = True
-    said = said_of(picture(post=False), [view(False)], wanted)
+    said = said_of(picture(post=False), [(view(False), 0.5)], wanted)
     assert not said[~wanted].any()
     assert said[wanted].any()
 
 
 def test_the_nearer_key_counts_more() -> None:
     # Alike on both keys but for the label: the cell goes with the key that is nearer.
-    card, none = view(False, away=0.1), view(False, away=0.9)
-    empty = KeyView(none.picture, none.carried, np.zeros_like(none.coverage), none.away)
+    card = view(False)
+    empty = KeyView(card.picture, card.carried, np.zeros_like(card.coverage))
     frame = PreparedFrame(cv2.convertScaleAbs(picture(post=False).image, alpha=1.0, beta=3))
     middle = cells(*CARD)
-    assert np.median(said_of(frame, [card, empty])[middle]) > 0
-    full = KeyView(card.picture, card.carried, card.coverage, 0.9)
-    near = KeyView(empty.picture, empty.carried, empty.coverage, 0.1)
-    assert np.median(said_of(frame, [full, near])[middle]) < 0
+    assert np.median(said_of(frame, [(card, 0.1), (empty, 0.9)])[middle]) > 0
+    assert np.median(said_of(frame, [(card, 0.9), (empty, 0.1)])[middle]) < 0

@@ -51,15 +51,15 @@ def test_the_object_is_seen_where_it_went_and_not_where_it_was() -> None:
     assert ratio[gone].mean() < -1.0
 
 
-@pytest.mark.parametrize("weight", [0.0, 0.5])
-def test_a_colour_that_only_the_key_had_is_known_by_the_key(weight: float) -> None:
-    params = replace(PARAMS, key_weight=weight)
+@pytest.mark.parametrize(("weight", "aged"), [(0.0, 0.0), (0.5, 0.0), (0.0, 2.0)])
+def test_a_colour_that_only_the_key_had_is_known_by_the_key(weight: float, aged: float) -> None:
+    params = replace(PARAMS, key_weight=weight, key_aged=aged)
     key = NearestColours.learned(picture(60, RED), box(60.0), params)
     later = key.adapted(picture(60, BLUE), box(60.0), IDENTITY)
     border = inside(60.0)
     border[38:62, 48:72] = False  # deeper than the band nothing is asked
     ratio = later.log_ratio(picture(60, RED), GRID, IDENTITY)
-    assert (ratio[border].mean() > 0.5) == (weight > 0.0)
+    assert (ratio[border].mean() > 0.5) == (weight > 0.0 or aged > 0.0)
 
 
 def test_the_key_grows_with_the_object() -> None:
