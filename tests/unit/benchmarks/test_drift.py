@@ -34,9 +34,11 @@ def test_the_way_round_is_the_shorter_one() -> None:
 def test_a_steady_slide_is_told_from_an_offset() -> None:
     sliding = drift.Drift(np.array([[1.0, -1.0], [2.0, -2.0], [3.0, -3.0]]))
     assert sliding.a_frame == pytest.approx(1.0)
-    assert sliding.over_the_shot == pytest.approx(3.0)
-    standing = drift.Drift(np.array([[3.0, 0.0], [3.0, 0.0], [3.0, 0.0]]))
-    assert standing.a_frame == pytest.approx(0.5)
+    assert sliding.worst_frame == pytest.approx(3.0)
+    assert sliding.at_the_end == pytest.approx(3.0)
+    standing = drift.Drift(np.array([[3.0, 0.0], [3.0, 0.0], [1.0, 0.0]]))
+    assert standing.a_frame == pytest.approx(5.0 / 6.0)
+    assert (standing.at_the_end, standing.worst_frame) == pytest.approx((0.5, 1.5))
     assert standing.worst_point == pytest.approx(3.0)
 
 
@@ -46,4 +48,4 @@ def test_what_is_tracked_is_measured_against_the_truth(gliding: Shot) -> None:
     assert found.offsets.shape == (7, 6)
     assert 0.0 < found.a_frame < 1.0
     aside, _ = drift.tracked(gliding, true.shape(), lambda frame: true.truth(frame) + np.array([0.0, 8.0]), "best")
-    assert aside.over_the_shot > 3.0
+    assert aside.worst_frame > 3.0
