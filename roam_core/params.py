@@ -18,6 +18,7 @@ class RegionParams:
     Attributes
     ----------
     grid_factor : cells a pixel of a 480-line image; `least_cells`: cells across a small object, whose grid is finer.
+        fill_factor : the same between two keys, where nobody waits for the next frame.
     margin : pixels of a 480-line image around the object that are looked at.
     band : cells to both sides of the expected outline in which pixels are in doubt.
     local_weight, local_radius, local_sigma, local_spread : nearest colours of the last frame, along the flow; sigma in
@@ -45,6 +46,7 @@ class RegionParams:
     """
 
     grid_factor: float = 0.5
+    fill_factor: float = 2.0 / 3.0
     least_cells: float = 40.0
     margin: float = 44.0
     band: int = 10

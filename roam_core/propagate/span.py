@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
-from functools import partial
+from dataclasses import dataclass, replace
+from functools import cached_property, partial
 from itertools import pairwise
 from typing import Any
 
@@ -160,6 +160,14 @@ class Filling:
                 result[k] = set_engine_keys(shapes[k], keyed)
         return result
 
+    @cached_property
+    def finer(self) -> RoamParams:
+        """The parameters for cells as they are between keys."""
+        region = self.params.region
+        if region is None:
+            return self.params
+        return replace(self.params, region=replace(region, grid_factor=region.fill_factor))
+
     def objects(self, shapes: Sequence[RotoShape], first: int, last: int) -> Iterator[tuple[list[int], Span]]:
         """Each object of a gap that lives in it, by the indices of its shapes, with both of its passages."""
         keys = _key(shapes, first), _key(shapes, last)
@@ -179,7 +187,7 @@ class Filling:
 
     def _colours(self, frame: int) -> Colours | None:
         """The picture of a frame as something to go by; None where it is missing, or not asked."""
-        params = self.params.region
+        params = self.finer.region
         if params is None or params.keys_weight == 0:
             return None
         try:
@@ -198,7 +206,7 @@ class Filling:
         if not parts:
             return None
         return passage(
-            self.read, parts, frames, self.params, self.token, None if self.meter is None else self.meter.passed
+            self.read, parts, frames, self.finer, self.token, None if self.meter is None else self.meter.passed
         )
 
 

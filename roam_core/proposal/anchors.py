@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -15,36 +17,66 @@ CHOICES = np.array([s * n for n in (1, 2, 3, 4, 6, 8, 11, 15, 20, 27, 36) for s 
 """Samples by which an anchor may move along the outline in one round."""
 FREE = 6.0
 """Pixels of a 480-line image that an anchor may move for the price of ..."""
-PRICE = 25.0
-"""... this much error, square pixels times pixels; it grows with the square, up to ..."""
+PRICES = (25.0, 5.0, 1.0, 0.2, 0.04)
+"""... this much error, square pixels times pixels: the highest of these with which the curve follows well enough."""
 MOST = 20.0
-"""... this many times."""
+"""It grows with the square, up to this many times."""
+WORSE = 1.5
+"""How many times as large as with the lowest price the error may be, ..."""
+EXACT = 0.1
+"""... or mean square pixels of a 480-line image that are no error: the outline of a mask is as coarse."""
 
 
 def spread(points: Array, samples: Array, matched: IntArray, rounds: int, scale: float = 1.0) -> IntArray:
-    """The sample `(P,)` of each anchor, moved from the `matched (P,)` one as far as the curve follows the ring better.
+    """The sample `(P,)` of each anchor, moved from the `matched (P,)` one as far as the curve has to follow the ring.
 
-    `points (P, 3, 2)` is the spline that was matched to the ring `samples (M, 2)`, which has equal steps. Each round is
-    exact over all choices of the anchors' moves (`kernels.anchoring`) with another anchor held still.
+    `points (P, 3, 2)` is the spline that was matched to the ring `samples (M, 2)`, which has equal steps. What only
+    moved keeps its points in their places; where limbs appear that no points were drawn for, they come from elsewhere.
     """
-    total, count = len(samples), len(points)
-    if count < 3:
+    if len(samples) == 0 or len(points) < 3:
         return matched
-    home_at = np.maximum.accumulate(matched[0] + (matched - matched[0]) % total)
-    step = polyline.length(samples) / total
+    ring = _Ring(samples, _straight(points), scale)
+    home = np.maximum.accumulate(matched[0] + (matched - matched[0]) % len(samples))
+    choices = [ring.spread(home, price, rounds) for price in PRICES]
+    errors = np.array([ring.error(at) for at in choices])
+    enough = max(WORSE * float(errors.min()), EXACT * scale**2 * polyline.length(samples))
+    return np.asarray(choices[int(np.argmax(errors <= enough))] % len(samples))
+
+
+def _straight(points: Array) -> NDArray[np.bool_]:
+    """Which segments of a spline `(P, 3, 2)` have no handles."""
     control = bezier.segments(points)
-    straight = (control[:, 0] == control[:, 1]).all(axis=1) & (control[:, 2] == control[:, 3]).all(axis=1)
-    at = home_at
-    for turn in range(rounds):
-        first = turn * count // rounds
-        here, home = (np.roll(places, -first) for places in (at, home_at))
-        here[count - first :] += total
-        home[count - first :] += total
-        choices = here[:, None] + np.append(0, CHOICES)
-        away = (choices - home[:, None]) * (step / (FREE * scale))
-        price = PRICE * scale**3 * np.minimum(away**2, MOST)
-        places, least = anchored(samples, choices, price, np.roll(straight, -first))
-        if np.isfinite(least):
-            at = np.roll(places, first)
-            at[:first] -= total
-    return np.asarray(at % total)
+    return np.asarray((control[:, 0] == control[:, 1]).all(axis=1) & (control[:, 2] == control[:, 3]).all(axis=1))
+
+
+@dataclass(frozen=True, eq=False)
+class _Ring:
+    """An outline `samples (M, 2)` to be followed by segments of which some are `straight (P,)`."""
+
+    samples: Array
+    straight: NDArray[np.bool_]
+    scale: float
+
+    def spread(self, home: IntArray, price: float, rounds: int) -> IntArray:
+        """Anchors near `home (P,)`, samples that run on past the last. Each round is exact over all choices of the
+        anchors' moves (`kernels.anchoring`) with another anchor held still.
+        """
+        total, count, at = len(self.samples), len(home), home
+        step = polyline.length(self.samples) / total
+        for turn in range(rounds):
+            first = turn * count // rounds
+            here, there = (np.roll(places, -first) for places in (at, home))
+            here[count - first :] += total
+            there[count - first :] += total
+            choices = here[:, None] + np.append(0, CHOICES)
+            away = (choices - there[:, None]) * (step / (FREE * self.scale))
+            prices = price * self.scale**3 * np.minimum(away**2, MOST)
+            places, least = anchored(self.samples, choices, prices, np.roll(self.straight, -first))
+            if np.isfinite(least):
+                at = np.roll(places, first)
+                at[:first] -= total
+        return at
+
+    def error(self, at: IntArray) -> float:
+        """The integral of the squared distance of the outline to its segments, cubic pixels."""
+        return anchored(self.samples, at[:, None], np.zeros((len(at), 1)), self.straight)[1]
