@@ -22,7 +22,7 @@ from roam_core.kernels.flattening import step_counts, vertices
 from roam_core.kernels.gmm_density import em_steps, log_densities, matches
 from roam_core.kernels.hypotheses import best_hypothesis
 from roam_core.kernels.key_spans import cubic_span_errors, linear_span_errors, outline_distances
-from roam_core.kernels.local_match import INSIDE, OUTSIDE, local_match, log_ratio, nearest_colours
+from roam_core.kernels.local_match import INSIDE, OUTSIDE, log_ratio, nearest_colours
 from roam_core.kernels.nearest_edges import nearest_edges
 from roam_core.kernels.region_sums import region_sums, row_sums
 from roam_core.kernels.ribbon_means import ribbon_means
@@ -115,10 +115,6 @@ def _diffusion() -> Case:
     return _call(diffuse, _field(GRID), colours, np.ones(GRID, bool), 2.0, 12.0, 20)
 
 
-def _matching() -> Case:
-    return _call(local_match, *_matched(), 5, 2.0, 0.3, 3.0)
-
-
 def _colours() -> Case:
     return _call(nearest_colours, *_matched(), 5, 0.3)
 
@@ -206,7 +202,6 @@ CASES: dict[str, Callable[[], Case]] = {
     "edge_means": lambda: _call(edge_means, _field(), _outline(), _moves()),
     "em_steps": _em,
     "linear_span_errors": lambda: _call(linear_span_errors, _moving(), True, 0, 50.0),
-    "local_match": _matching,
     "log_ratio": _log_ratio,
     "nearest_colours": _colours,
     "log_densities": _densities,

@@ -25,7 +25,7 @@ from roam_core.geometry.simple import simplified
 from roam_core.inference.landmark_dp import best_star
 from roam_core.kernels.cyclic_viterbi import cyclic_viterbi
 from roam_core.kernels.diffusion import diffuse
-from roam_core.kernels.local_match import local_match
+from roam_core.kernels.local_match import nearest_colours
 from roam_core.landmarks.pool import Pool
 from roam_core.matte import render_matte
 from roam_core.media import PlateSource, open_clip
@@ -54,7 +54,7 @@ STAGES: dict[str, Sequence[Callable[..., Any]]] = {
     "landmarks": (Pool.located, Pool.adapted, joint_total.leaf_table, joint_total.node_table, best_star),
     "reparametrisation": (reshape,),
     "fit back to the control points": (NodeMap.points,),
-    "local colours": (local_match,),
+    "local colours": (nearest_colours,),
     "smoothing of the evidence": (diffuse,),
     "the other evidence": (gathered,),
     "the region": (cleaned, shares, outlines),

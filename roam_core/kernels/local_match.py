@@ -21,27 +21,9 @@ LANES = 8
 """Columns of a window are filled up to a multiple of this."""
 
 
-def local_match(
-    colours: Float32,
-    memory: Float32,
-    labels: UInt8,
-    wanted: NDArray[np.bool_],
-    shift: Float32,
-    radius: int,
-    sigma: float,
-    spread: float,
-    clip: float,
-) -> Float32:
-    """ln p(inside) / p(outside) of each wanted pixel, from its `nearest_colours` in another frame; 0 for the others.
-
-    `sigma` in Lab units, `clip` in nats.
-    """
-    return log_ratio(*nearest_colours(colours, memory, labels, wanted, shift, radius, spread), sigma, clip)
-
-
 def log_ratio(inside: Float32, outside: Float32, sigma: float, clip: float) -> Float32:
     """`(outside - inside) / (2 sigma^2)` of squared distances, clipped: the log-ratio of two kernel densities, each
-    reduced to its nearest sample.
+    reduced to its nearest sample. `sigma` in Lab units, `clip` in nats.
     """
     variance = np.float32(sigma * sigma)
     enough = np.float32(4.0) * variance * np.float32(clip)  # beyond this a distance changes nothing any more

@@ -9,7 +9,7 @@ import cv2
 import numpy as np
 import pytest
 
-from roam_core.kernels.local_match import local_match
+from roam_core.kernels.local_match import nearest_colours
 from roam_core.threads import WORTH_A_THREAD, both, each, in_halves
 
 
@@ -42,10 +42,10 @@ def test_two_threads_give_the_bits_of_one(two_threads: object) -> None:
     shift = rng.normal(0, 3, (90, 80, 2)).astype(np.float32)
     wanted = rng.random((90, 80)) < 0.7
     assert wanted.sum() > WORTH_A_THREAD
-    arguments = (colours, memory, labels, wanted, shift, 4, 2.0, 0.3, 3.0)
-    both = local_match(*arguments)
+    arguments = (colours, memory, labels, wanted, shift, 4, 0.3)
+    both = nearest_colours(*arguments)
     cv2.setNumThreads(1)
-    np.testing.assert_array_equal(local_match(*arguments), both)
+    np.testing.assert_array_equal(nearest_colours(*arguments), both)
 
 
 def test_results_come_in_the_order_of_the_items(two_threads: object) -> None:
