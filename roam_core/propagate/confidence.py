@@ -122,7 +122,7 @@ class SpanSigns:
         return cls(missed, -float(np.log(max(nearer, LEAST))), middle, float(np.log(frames)))
 
 
-SPAN_SIGNS = (3.67, 3.48, 1.35, 0.855, 0.071)
+SPAN_SIGNS = (4.03, 1.87, 3.24, 0.86, 0.21)
 """As `SIGNS`, of the `SpanSigns`."""
 
 
