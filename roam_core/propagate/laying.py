@@ -39,15 +39,23 @@ def enclosed(parts: Sequence[Part], grid: Grid) -> Float32:
     return share
 
 
-def laid(parts: tuple[Part, ...], traits: Sequence[Traits], found: Field, scale: float) -> list[tuple[Array, bool]]:
+def laid(
+    parts: Sequence[Part],
+    traits: Sequence[Traits],
+    found: Field,
+    scale: float,
+    expected: Sequence[Array] | None = None,
+) -> list[tuple[Array, bool]]:
     """Each shape's points `(P, 3, 2)` along the outline that it claims, and whether it found one.
 
-    `parts` lie where they are expected, `traits` are what they keep of their key; a shape that finds nothing stays
-    there. A hole without room in the region closes to almost nothing.
+    `parts` lie where they were carried, and do not cross themselves: a shape that finds nothing stays there. `expected`
+    tells where along the outline their points should come to lie, if not just there; `traits` are what they keep of
+    their key. A hole without room in the region closes to almost nothing.
     """
     inside = found.inside
     solid = [k for k, part in enumerate(parts) if not part.subtracts]
     holes = [k for k, part in enumerate(parts) if part.subtracts]
+    wanted = [part.points for part in parts] if expected is None else expected
     placed: list[tuple[Array, bool]] = [(part.points, False) for part in parts]
     for members, field in ((solid, found), (holes, Field(found.grid, -found.values))):
         if not members:
@@ -57,7 +65,7 @@ def laid(parts: tuple[Part, ...], traits: Sequence[Traits], found: Field, scale:
         for k, mine in zip(members, proposed.shares(area, claims), strict=True):
             rings = proposed.outlines(field, mine) if mine.any() else []
             if rings:
-                points = follow(parts[k].points, rings[0][0], traits[k], scale)
+                points = follow(wanted[k], rings[0][0], traits[k], scale)
                 placed[k] = simplified(points, parts[k].points, scale), True
     for k in holes:
         points, seen = placed[k]

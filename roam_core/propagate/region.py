@@ -189,9 +189,11 @@ def _carried(
     if token is not None:
         token.check()
     found = proposed.cleaned(ratio, expected.possible, params.overlap)
-    parts = _expected(state, sight, scale_for(frame.size))
+    scale = scale_for(frame.size)
+    parts = tuple(replace(part, points=similarity.apply(sight.moved[:2], part.points)) for part in state.parts)
+    held = [_held(*shape, sight.sources.key, scale) for shape in zip(parts, state.drawn, state.traits, strict=True)]
     placed, colours = both(
-        lambda: laid(parts, state.traits, found, scale_for(frame.size)), lambda: _adapted(state, sight, found, params)
+        lambda: laid(parts, state.traits, found, scale, held), lambda: _adapted(state, sight, found, params)
     )
     outlines = [replace(part, points=points) for part, (points, _) in zip(parts, placed, strict=True)]
     unbroken = _unbroken(sight, found)
@@ -204,20 +206,14 @@ def _carried(
     return _after(state, frame, sight, found, unbroken, parts, colours, signs), results
 
 
-def _expected(state: RegionState, sight: Sight, scale: float) -> tuple[Part, ...]:
-    """The shapes where they are expected: carried on from the last frame, then a little towards the key's.
+def _held(part: Part, drawn: Part, traits: Traits, key: KeyMemory, scale: float) -> Array:
+    """The points `(P, 3, 2)` of a shape that was carried on from the last frame, drawn a little towards the key's.
 
     What points slide by from frame to frame would add up otherwise.
     """
-    to_now, moved = sight.sources.key.to_now[:2], sight.moved[:2]
-    expected = []
-    for part, drawn, traits in zip(state.parts, state.drawn, state.traits, strict=True):
-        points = similarity.apply(moved, part.points)
-        way = similarity.apply(to_now, drawn.points) - points
-        length = np.hypot(*way[:, bezier.ANCHOR].T) / (HELD_WITHIN * scale)
-        points = points + (HELD / (1.0 + length**2))[:, None, None] * way
-        expected.append(replace(part, points=bezier.aligned(points, traits.smooth)))
-    return tuple(expected)
+    way = similarity.apply(key.to_now[:2], drawn.points) - part.points
+    length = np.hypot(*way[:, bezier.ANCHOR].T) / (HELD_WITHIN * scale)
+    return bezier.aligned(part.points + (HELD / (1.0 + length**2))[:, None, None] * way, traits.smooth)
 
 
 def _as_one_piece(

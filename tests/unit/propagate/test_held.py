@@ -7,12 +7,16 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from roam_core.features import PreparedFrame
+from roam_core.features import PreparedFrame, Region
+from roam_core.features.grid import Grid
 from roam_core.geometry.bezier import ANCHOR
 from roam_core.params import params_for
 from roam_core.propagate import region
+from roam_core.propagate.laying import laid
 from roam_core.propagate.region import HELD, begin, step
 from roam_core.propagate.result import Part
+from roam_core.proposal.contour import Traits
+from roam_core.proposal.evidence import Field
 from tests.golden.shots import blob, gliding
 
 PARAMS = replace(params_for("best").region, rigid=2.0)  # never as one piece
@@ -39,3 +43,13 @@ def test_points_that_slid_go_back_to_their_places(monkeypatch: pytest.MonkeyPatc
     slid = np.radians(SLID) * 32.0
     assert off(0.0, monkeypatch) > 0.8 * slid
     assert off(HELD, monkeypatch) < 0.6 * slid
+
+
+def test_a_shape_that_finds_no_region_stays_where_it_was_carried() -> None:
+    part = Part(SHOT.truth(SHOT.first), False)
+    grid = Grid.over(Region(0, 0, SHOT.size[1], SHOT.size[0]), 0.5)
+    nothing = Field.of_coverage(grid, np.zeros(grid.shape, dtype=np.float32))
+    traits = Traits.of(part.points, np.ones(8, dtype=bool))
+    ((points, seen),) = laid([part], [traits], nothing, 1.0, [part.points + 9.0])
+    assert not seen
+    np.testing.assert_array_equal(points, part.points)
