@@ -23,9 +23,9 @@ class RegionParams:
     band : cells to both sides of the expected outline in which pixels are in doubt.
     local_weight, local_radius, local_sigma, local_spread : nearest colours of the last frame, along the flow; sigma in
         Lab units, spread in Lab units squared a cell squared.
-    key_weight, key_radius, key_spread : the same on the key frame, carried by the accumulated similarity and the flow
-        that is left. key_aged : by how much more a difference counts on the key than on the last frame, where the
-        nearest colour of either is taken; 0: of the last frame alone.
+    key_weight, key_radius, key_spread : the same on the key frame, carried by the accumulated similarity.
+    key_aged : the nearest colour of the last frame or of the key is taken, that of the key along the flow that is left;
+        by how much more a difference counts there. 0: the last frame is asked alone, and the key where it is carried.
     global_key_weight, global_weight : histograms of the key frame, and those adapted since.
     adaptation : rate of that adaptation, a frame.
     clip : bound on each cue, nats. bias : nats towards the outside where nothing is known.

@@ -16,7 +16,7 @@ from roam_core.features.grid import Grid, signed_distance
 from roam_core.kernels.diffusion import diffuse
 from roam_core.kernels.local_match import log_ratio, nearest_colours
 from roam_core.params import RegionParams
-from roam_core.proposal.key_view import KeyView, lab, trimap
+from roam_core.proposal.key_view import KeyFlow, KeyView, lab, trimap
 from roam_core.proposal.lineage import Lineage
 from roam_core.threads import both
 
@@ -152,7 +152,8 @@ def local_cues(sources: Sources, params: RegionParams) -> Iterator[tuple[str, Fl
     is_key_asked = params.key_weight > 0 or params.key_aged > 0
     if is_key_asked:
         view = KeyView(sources.key.frame, sources.key.to_now, expected.remembered)
-        there = view.nearest(sources.after, sources.grid, band, params.key_radius, params.key_spread)
+        flow: KeyFlow = "fast" if params.key_aged > 0 else "none"
+        there = view.nearest(sources.after, sources.grid, band, params.key_radius, params.key_spread, flow)
     if params.key_aged > 0:
         aged = np.float32(params.key_aged)
         inside, outside = np.minimum(inside, aged * there[0]), np.minimum(outside, aged * there[1])

@@ -36,7 +36,7 @@ def key_colours(picture: UInt8, grid: Grid, views: Sequence[tuple[KeyView, float
     """
     distances = []
     for view, away in views:
-        sides = view.nearest(picture, grid, wanted, RADIUS, SPREAD, is_exact=True)
+        sides = view.nearest(picture, grid, wanted, RADIUS, SPREAD, "exact")
         distances.append([np.float32(1.0 + AGED * away) * side for side in sides])
     inside, outside = np.min(distances, axis=0)
     return log_ratio(inside, outside, SIGMA, CLIP)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Literal
 
 import cv2
 import numpy as np
@@ -17,6 +18,8 @@ Array = NDArray[np.float64]
 Float32 = NDArray[np.float32]
 UInt8 = NDArray[np.uint8]
 Bools = NDArray[np.bool_]
+KeyFlow = Literal["none", "fast", "exact"]
+"""Whether flow is looked for between a carried key and a picture, and how closely (`motion.flow.cell_flow`)."""
 
 
 def trimap(coverage: Float32) -> UInt8:
@@ -47,17 +50,19 @@ class KeyView:
     coverage: Float32
 
     def nearest(
-        self, picture: UInt8, grid: Grid, wanted: Bools, radius: int, spread: float, is_exact: bool = False
+        self, picture: UInt8, grid: Grid, wanted: Bools, radius: int, spread: float, flow: KeyFlow
     ) -> tuple[Float32, Float32]:
         """`nearest_colours` of `picture (rows, columns, 3)`, RGB in the cells of `grid`, inside and outside of the key.
 
-        Each wanted cell looks around the place that the flow between the carried key and the picture leads it to
-        (`is_exact` as in `motion.flow`). What lies beyond the key's picture is like nothing.
+        Each wanted cell looks around its own place in the carried key, or around the one that the `flow` between the
+        two leads it to. What lies beyond the key's picture is like nothing.
         """
         key = self.picture.image
         seen = grid.warped(key, self.carried)
         is_in_sight = grid.warped(np.full(key.shape[:2], 255, np.uint8), self.carried) == 255
         labels = np.where(is_in_sight, trimap(self.coverage), np.uint8(UNKNOWN))
-        grey, grey_there = (cv2.cvtColor(each, cv2.COLOR_RGB2GRAY) for each in (picture, seen))
-        backward = cell_flow(np.asarray(grey, dtype=np.uint8), np.asarray(grey_there, dtype=np.uint8), is_exact)
+        backward = np.zeros((*grid.shape, 2), dtype=np.float32)
+        if flow != "none":
+            grey, grey_there = (cv2.cvtColor(each, cv2.COLOR_RGB2GRAY) for each in (picture, seen))
+            backward = cell_flow(np.asarray(grey, np.uint8), np.asarray(grey_there, np.uint8), flow == "exact")
         return nearest_colours(lab(picture), lab(seen), labels, wanted, backward, radius, spread)
