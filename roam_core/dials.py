@@ -63,8 +63,9 @@ def _learning(params: Any, factor: float) -> Any:
 
 def _key_colours(params: Any, factor: float) -> Any:
     if params.region is not None:
-        weights = {name: getattr(params.region, name) * factor for name in ("key_weight", "global_key_weight")}
-        return replace(params, region=replace(params.region, **weights))
+        turned = {name: getattr(params.region, name) * factor for name in ("key_weight", "global_key_weight")}
+        turned["key_aged"] = params.region.key_aged / factor if factor > 0 else 0.0  # older the less it counts; 0: off
+        return replace(params, region=replace(params.region, **turned))
     if params.appearance is None:
         return params
     share = min(params.appearance.key_share * factor, 0.95)

@@ -142,7 +142,8 @@ def local_cues(sources: Sources, params: RegionParams) -> Iterator[tuple[str, Fl
     """The cues by nearest colours, by name with their weighted log-ratios `(rows, columns)`, nats.
 
     "local": nearest colours of the last frame along the flow and of the key together, where the key's, which is older,
-    must be the nearer ones by `key_aged`; "key": those of the key alone, carried by the similarity.
+    must be the nearer ones by `key_aged`; "key": those of the key alone, carried by the similarity and, where the two
+    are taken together, along the flow that is left.
     """
     expected, band, sigma = sources.expected, sources.band, params.local_sigma
     inside, outside = nearest_colours(

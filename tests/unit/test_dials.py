@@ -61,3 +61,13 @@ def test_a_frame_made_with_turned_dials_is_fresh_until_its_key_changes() -> None
     assert is_stale(edit.set_key(tracked, 1, SQUARE + 1), made, clip)
     other = Keyframe(2, SQUARE, origin=Origin.ENGINE, inputs=inputs.replace("reach=2", "reach=3"))
     assert is_stale(tracked, other, clip)
+
+
+def test_key_colours_at_nothing_leave_the_key_out() -> None:
+    region, usual = params_for("best+key=0").region, params_for("best").region
+    assert region is not None
+    assert usual is not None
+    assert (region.key_weight, region.key_aged, region.global_key_weight) == (0.0, 0.0, 0.0)
+    louder = params_for("best+key=2").region
+    assert louder is not None
+    assert 0.0 < louder.key_aged < usual.key_aged
