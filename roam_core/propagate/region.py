@@ -37,10 +37,6 @@ Float32 = NDArray[np.float32]
 
 WHOLE_CELLS = 2
 """Cells, at most, after which a whole pixel begins."""
-HELD = 0.1
-"""How far points are expected to have gone back, on each frame, to where the key carried as one piece has them, ..."""
-HELD_WITHIN = 50.0
-"""... and pixels of a 480-line image from there at which it is half as far: limbs swing."""
 TRUSTED = 0.3
 """Steadiness below which a frame teaches the colour model nothing."""
 
@@ -87,7 +83,8 @@ def begin(frame: PreparedFrame, parts: tuple[Part, ...], params: RegionParams) -
     region = Field.of_coverage(grid, enclosed(parts, grid))
     colours = _learned(frame, region)
     key = KeyMemory(frame, region, colours, np.eye(3))
-    traits = tuple(Traits.of(part.points, smooth_points(part.points), scale) for part in parts)
+    kept = params.kept_shares
+    traits = tuple(Traits.of(part.points, smooth_points(part.points), scale, kept) for part in parts)
     seen = Sighting(key.to_now, area_of(region), middle_of(region))
     rigidity = Rigidity.learned(frame, parts)
     lookout, unbroken = Lookout(frame, region), np.ones(grid.shape, np.float32)
@@ -191,7 +188,8 @@ def _carried(
     found = proposed.cleaned(ratio, expected.possible, params.overlap)
     scale = scale_for(frame.size)
     parts = tuple(replace(part, points=similarity.apply(sight.moved[:2], part.points)) for part in state.parts)
-    held = [_held(*shape, sight.sources.key, scale) for shape in zip(parts, state.drawn, state.traits, strict=True)]
+    shapes = zip(parts, state.drawn, state.traits, strict=True)
+    held = [_held(*shape, sight.sources.key, params, scale) for shape in shapes]
     placed, colours = both(
         lambda: laid(parts, state.traits, found, scale, held), lambda: _adapted(state, sight, found, params)
     )
@@ -206,14 +204,14 @@ def _carried(
     return _after(state, frame, sight, found, unbroken, parts, colours, signs), results
 
 
-def _held(part: Part, drawn: Part, traits: Traits, key: KeyMemory, scale: float) -> Array:
+def _held(part: Part, drawn: Part, traits: Traits, key: KeyMemory, params: RegionParams, scale: float) -> Array:
     """The points `(P, 3, 2)` of a shape that was carried on from the last frame, drawn a little towards the key's.
 
     What points slide by from frame to frame would add up otherwise.
     """
     way = similarity.apply(key.to_now[:2], drawn.points) - part.points
-    length = np.hypot(*way[:, bezier.ANCHOR].T) / (HELD_WITHIN * scale)
-    return bezier.aligned(part.points + (HELD / (1.0 + length**2))[:, None, None] * way, traits.smooth)
+    length = np.hypot(*way[:, bezier.ANCHOR].T) / (params.held_within * scale)
+    return bezier.aligned(part.points + (params.held / (1.0 + length**2))[:, None, None] * way, traits.smooth)
 
 
 def _as_one_piece(

@@ -15,7 +15,7 @@ from roam_core.cancel import CancelToken, Progress
 from roam_core.errors import RoamError
 from roam_core.features import PreparedFrame
 from roam_core.media.source import MissingFrame
-from roam_core.params import RoamParams, params_for, scale_for
+from roam_core.params import RegionParams, RoamParams, params_for, scale_for
 from roam_core.propagate import provenance
 from roam_core.propagate.merge import Colours, Merged, merged
 from roam_core.propagate.objects import objects
@@ -199,7 +199,8 @@ class Filling:
         """Both passages of one object, side by side."""
         frames = range(first.frame, last.frame + 1)
         ahead, behind = each(lambda way: self._passage(*way), [(first, frames), (last, frames[::-1])])
-        return Span(first, last, ahead, behind, size, scale_for(size))
+        kept = (self.params.region or RegionParams()).kept_shares
+        return Span(first, last, ahead, behind, size, scale_for(size), kept)
 
     def _passage(self, key: Key, frames: range) -> Passage | None:
         parts = [part for part in key.parts if part is not None]

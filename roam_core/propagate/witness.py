@@ -75,6 +75,7 @@ class Span:
     ----------
     first, last : the keys. onwards, back : the passages that start on them; None for a key without a part.
     size : (h, w) of the pictures. scale : `params.scale_for(size)`.
+    kept : how far outlines keep the keys' shares of their length (`RegionParams.kept_shares`).
     """
 
     first: Key
@@ -83,6 +84,7 @@ class Span:
     back: Passage | None
     size: tuple[int, int]
     scale: float
+    kept: float
 
     @cached_property
     def misses(self) -> tuple[Miss, Miss, Miss, Miss] | None:
@@ -112,7 +114,7 @@ class Span:
         """What an outline keeps of both keys, or of the one that has it, `u` of the way between them."""
         first, last = (key.parts[k] or self._part(k) for key in (self.first, self.last))
         smooth = smooth_points(first.points) & smooth_points(last.points)
-        return Traits.between(first.points, last.points, u, smooth, self.scale)
+        return Traits.between(first.points, last.points, u, smooth, self.scale, self.kept)
 
     def subtracts(self, k: int) -> bool:
         """Whether an outline cuts a hole."""

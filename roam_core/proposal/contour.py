@@ -28,8 +28,6 @@ BULGE = 60.0
 """... one that was all tip on the key and now is all bay (`proposal.tips`)."""
 SPACING = 9.0
 """Pixels of a 480-line image between the nodes that are matched."""
-KEPT = 0.5
-"""How far a piece's share of the length is the one that it had on the key (1), and not that of the last frame (0)."""
 CHORDS = 4
 """Chords by which the length from node to node is told."""
 STEP = 3.0
@@ -56,31 +54,35 @@ class Traits:
     counts : (P,) into how many pieces each segment is cut; nodes lie at equal steps of its parameter.
     bulges : (N, R) which nodes are tips, and which are bays. shares : (N,) of the outline's length, from node to node.
         Points do not slide off their places little by little, for every frame is compared with the key.
+    kept : how far a piece's share of the length is to be the one that it had on the key (1), and not that of the last
+        frame (0).
     """
 
     smooth: NDArray[np.bool_]
     counts: NDArray[np.intp]
     bulges: Array
     shares: Array
+    kept: float = 0.0
 
     @classmethod
-    def of(cls, points: Array, smooth: NDArray[np.bool_], scale: float = 1.0) -> Traits:
+    def of(cls, points: Array, smooth: NDArray[np.bool_], scale: float = 1.0, kept: float = 0.0) -> Traits:
         """Of the closed spline `points (P, 3, 2)` as it is on the key, pixels, of which those `smooth (P,)` stay so."""
-        counts = _counts(points, scale)
-        return cls._of(points, smooth, counts)
+        return cls._of(points, smooth, _counts(points, scale), kept)
 
     @classmethod
-    def _of(cls, points: Array, smooth: NDArray[np.bool_], counts: NDArray[np.intp]) -> Traits:
+    def _of(cls, points: Array, smooth: NDArray[np.bool_], counts: NDArray[np.intp], kept: float) -> Traits:
         nodes, shares = _nodes_and_shares(points, counts)
-        return cls(smooth, counts, surroundings(nodes), shares)
+        return cls(smooth, counts, surroundings(nodes), shares, kept)
 
     @classmethod
-    def between(cls, first: Array, last: Array, u: float, smooth: NDArray[np.bool_], scale: float = 1.0) -> Traits:
+    def between(
+        cls, first: Array, last: Array, u: float, smooth: NDArray[np.bool_], scale: float = 1.0, kept: float = 0.0
+    ) -> Traits:
         """Of a spline between two keys, `u` of the way from the one to the other."""
         counts = np.maximum(_counts(first, scale), _counts(last, scale))
-        there, here = (Traits._of(points, smooth, counts) for points in (first, last))
+        there, here = (Traits._of(points, smooth, counts, kept) for points in (first, last))
         bulges, shares = ((1.0 - u) * a + u * b for a, b in ((there.bulges, here.bulges), (there.shares, here.shares)))
-        return cls(smooth, counts, bulges, shares)
+        return cls(smooth, counts, bulges, shares, kept)
 
     @property
     def anchors(self) -> NDArray[np.intp]:
@@ -99,7 +101,7 @@ def follow(points: Array, ring: Array, traits: Traits, scale: float = 1.0) -> Ar
     handles that lie on their anchor stay there.
     """
     nodes, last = _nodes_and_shares(points, traits.counts)
-    share = last ** (1.0 - KEPT) * traits.shares**KEPT
+    share = last ** (1.0 - traits.kept) * traits.shares**traits.kept
     share /= max(float(share.sum()), 1e-9)
     if polyline.signed_area(ring) * polyline.signed_area(nodes) < 0:
         ring = ring[::-1]

@@ -5,15 +5,13 @@ from __future__ import annotations
 from dataclasses import replace
 
 import numpy as np
-import pytest
 
 from roam_core.features import PreparedFrame, Region
 from roam_core.features.grid import Grid
 from roam_core.geometry.bezier import ANCHOR
 from roam_core.params import params_for
-from roam_core.propagate import region
 from roam_core.propagate.laying import laid
-from roam_core.propagate.region import HELD, begin, step
+from roam_core.propagate.region import begin, step
 from roam_core.propagate.result import Part
 from roam_core.proposal.contour import Traits
 from roam_core.proposal.evidence import Field
@@ -25,24 +23,24 @@ SLID = 15.0
 """Degrees by which all points of a disc are turned along its outline."""
 
 
-def off(held: float, monkeypatch: pytest.MonkeyPatch) -> float:
+def off(held: float) -> float:
     """Mean pixels by which points that slid once are still away from their places when the shot ends."""
-    monkeypatch.setattr(region, "HELD", held)
+    params = replace(PARAMS, held=held)
     first, *others = SHOT.frames
     drawn = SHOT.truth(first)
-    state = begin(PreparedFrame(SHOT.read(first)), (Part(drawn, False),), PARAMS)
+    state = begin(PreparedFrame(SHOT.read(first)), (Part(drawn, False),), params)
     angle, middle = np.radians(SLID), drawn[:, ANCHOR].mean(axis=0)
     turn = np.array([[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]])
     state = replace(state, parts=(Part((drawn - middle) @ turn.T + middle, False),))
     for frame in others:
-        state, (result,) = step(state, PreparedFrame(SHOT.read(frame)), PARAMS)
+        state, (result,) = step(state, PreparedFrame(SHOT.read(frame)), params)
     return float(np.hypot(*(result.points - SHOT.truth(others[-1]))[:, ANCHOR].T).mean())
 
 
-def test_points_that_slid_go_back_to_their_places(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_points_that_slid_go_back_to_their_places() -> None:
     slid = np.radians(SLID) * 32.0
-    assert off(0.0, monkeypatch) > 0.8 * slid
-    assert off(HELD, monkeypatch) < 0.6 * slid
+    assert off(0.0) > 0.8 * slid
+    assert off(PARAMS.held) < 0.6 * slid
 
 
 def test_a_shape_that_finds_no_region_stays_where_it_was_carried() -> None:
