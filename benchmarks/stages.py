@@ -40,7 +40,8 @@ from roam_core.propagate.reshaping import reshape
 from roam_core.propagate.step import curve_context
 from roam_core.proposal.contour import follow
 from roam_core.proposal.evidence import gathered
-from roam_core.proposal.region import cleaned, outlines, shares
+from roam_core.proposal.pieces import ring_around, shares
+from roam_core.proposal.region import cleaned, largest
 from roam_core.roto import RotoShape
 
 Image = NDArray[np.uint8]
@@ -57,7 +58,7 @@ STAGES: dict[str, Sequence[Callable[..., Any]]] = {
     "local colours": (nearest_colours,),
     "smoothing of the evidence": (diffuse,),
     "the other evidence": (gathered,),
-    "the region": (cleaned, shares, outlines),
+    "the region": (cleaned, largest, shares, ring_around),
     "curves along the region": (follow, simplified),
     "confidence and energies": (node_support, frame_confidence, total.energies),
 }

@@ -49,6 +49,7 @@ ABLATION = (
     Variant("best, motion against new ground only", "best", {"region.uncovered_weight": 0.0}),
     Variant("best without the last region as prior", "best", {"region.prior_weight": 0.0}),
     Variant("best without the lineage from the key", "best", {"region.lineage_weight": 0.0}),
+    Variant("best, one piece an outline", "best", {"region.longest_thread": 0.0}),
     Variant("best, points not held to the key", "best", {"region.kept_shares": 0.0, "region.held": 0.0}),
     Variant("best without smoothing by contrast", "best", {"region.diffusion": 0.0}),
     Variant("best without adaptation", "best", {"region.adaptation": 0.0}),

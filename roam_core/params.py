@@ -38,6 +38,8 @@ class RegionParams:
         not asked. beside_lineage : share of the other cues that is heard where the flow has been sound all the way.
     keys_weight : between two keys, of what the colours of both say (`proposal.key_colours`); 0: they are not asked.
     kept_shares : how far each piece's share of an outline's length is to be the key's (1), not the last frame's (0).
+    longest_thread : by which pieces of a region hang together in one outline (`proposal.pieces`), in the square root of
+        a piece's area; 0: each outline has one piece.
     held : how far points are expected to have gone back, on each frame, to where the key carried as one piece has them;
         half as far `held_within` pixels of a 480-line image from there, for limbs swing.
     blur : Gaussian on the ratio. diffusion, contrast, sweeps : contrast-dependent smoothing (`kernels.diffusion`).
@@ -73,6 +75,7 @@ class RegionParams:
     lineage_weight: float = 8.0
     beside_lineage: float = 0.2
     keys_weight: float = 1.0
+    longest_thread: float = 2.0
     kept_shares: float = 0.5
     held: float = 0.1
     held_within: float = 50.0

@@ -1,4 +1,4 @@
-"""The curves of an object laid along its region: who claims which part, points in correspondence, holes that close."""
+"""The curves of an object laid along its region, points in correspondence; what finds no place of its own closes."""
 
 from __future__ import annotations
 
@@ -13,16 +13,16 @@ from roam_core.geometry import bezier
 from roam_core.geometry.simple import simplified
 from roam_core.kernels.coverage import coverage
 from roam_core.propagate.result import Part
-from roam_core.proposal import region as proposed
 from roam_core.proposal.contour import Traits, follow
 from roam_core.proposal.evidence import Field
+from roam_core.proposal.pieces import ring_around, shares
 
 Array = NDArray[np.float64]
 Float32 = NDArray[np.float32]
 Bools = NDArray[np.bool_]
 
 CLOSED = 0.02
-"""Size, of its last one, to which a hole shrinks while the region leaves no room for it."""
+"""Size, of its last one, to which an outline shrinks while the region has no place for it."""
 
 
 def spline_coverage(points: Array, grid: Grid) -> Float32:
@@ -44,13 +44,16 @@ def laid(
     traits: Sequence[Traits],
     found: Field,
     scale: float,
+    longest_thread: float,
     expected: Sequence[Array] | None = None,
 ) -> list[tuple[Array, bool]]:
     """Each shape's points `(P, 3, 2)` along the outline that it claims, and whether it found one.
 
     `parts` lie where they were carried, and do not cross themselves: a shape that finds nothing stays there. `expected`
     tells where along the outline their points should come to lie, if not just there; `traits` are what they keep of
-    their key. A hole without room in the region closes to almost nothing.
+    their key. Pieces of the region hang together by threads up to `longest_thread` (`RegionParams`), or, at 0, not at
+    all. What finds nothing while others do is out of sight and closes to almost nothing, as does a hole that the
+    region fills.
     """
     inside = found.inside
     solid = [k for k, part in enumerate(parts) if not part.subtracts]
@@ -62,14 +65,16 @@ def laid(
             continue
         area = inside if field is found else _enclosed(~inside)
         claims = [spline_coverage(parts[k].points, found.grid) for k in members]
-        for k, mine in zip(members, proposed.shares(area, claims), strict=True):
-            rings = proposed.outlines(field, mine) if mine.any() else []
-            if rings:
-                points = follow(wanted[k], rings[0][0], traits[k], scale)
+        for k, mine in zip(members, shares(area, claims, strays=field is found and longest_thread > 0), strict=True):
+            ring = ring_around(field, mine, longest_thread)
+            if ring is not None:
+                points = follow(wanted[k], ring, traits[k], scale)
                 placed[k] = simplified(points, parts[k].points, scale), True
-    for k in holes:
-        points, seen = placed[k]
-        if not seen and spline_coverage(points, found.grid)[inside].sum() > 0:
+    is_in_sight = any(placed[k][1] for k in solid)
+    for k, (points, seen) in enumerate(placed):
+        if seen:
+            continue
+        if is_in_sight if k in solid else spline_coverage(points, found.grid)[inside].sum() > 0:
             middle = points[:, bezier.ANCHOR].mean(axis=0)
             placed[k] = middle + CLOSED * (points - middle), False
     return placed

@@ -132,7 +132,8 @@ def merged(
     region = None if span.is_planar or moment.is_one_piece else _region(moment, parts, colours)
     if region is not None:
         parts = tuple(_where_more_is(moment, k, part, region) for k, part in zip(known, parts, strict=True))
-        points = [each for each, _ in laid(parts, [span.traits(k, moment.u) for k in known], region, span.scale)]
+        traits = [span.traits(k, moment.u) for k in known]
+        points = [each for each, _ in laid(parts, traits, region, span.scale, span.params.longest_thread)]
     outlines = [
         replace(part, points=simplified(each, part.points, span.scale))
         for each, part in zip(points, parts, strict=True)

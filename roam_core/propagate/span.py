@@ -199,8 +199,7 @@ class Filling:
         """Both passages of one object, side by side."""
         frames = range(first.frame, last.frame + 1)
         ahead, behind = each(lambda way: self._passage(*way), [(first, frames), (last, frames[::-1])])
-        kept = (self.params.region or RegionParams()).kept_shares
-        return Span(first, last, ahead, behind, size, scale_for(size), kept)
+        return Span(first, last, ahead, behind, size, scale_for(size), self.params.region or RegionParams())
 
     def _passage(self, key: Key, frames: range) -> Passage | None:
         parts = [part for part in key.parts if part is not None]

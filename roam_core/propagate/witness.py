@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 from roam_core.features import Region
 from roam_core.features.grid import Grid
 from roam_core.geometry import bezier, similarity
+from roam_core.params import RegionParams
 from roam_core.propagate.laying import enclosed
 from roam_core.propagate.nodes import smooth_points
 from roam_core.propagate.passage import Passage, Stop
@@ -75,7 +76,7 @@ class Span:
     ----------
     first, last : the keys. onwards, back : the passages that start on them; None for a key without a part.
     size : (h, w) of the pictures. scale : `params.scale_for(size)`.
-    kept : how far outlines keep the keys' shares of their length (`RegionParams.kept_shares`).
+    params : how outlines are laid along regions.
     """
 
     first: Key
@@ -84,7 +85,7 @@ class Span:
     back: Passage | None
     size: tuple[int, int]
     scale: float
-    kept: float
+    params: RegionParams
 
     @cached_property
     def misses(self) -> tuple[Miss, Miss, Miss, Miss] | None:
@@ -114,7 +115,7 @@ class Span:
         """What an outline keeps of both keys, or of the one that has it, `u` of the way between them."""
         first, last = (key.parts[k] or self._part(k) for key in (self.first, self.last))
         smooth = smooth_points(first.points) & smooth_points(last.points)
-        return Traits.between(first.points, last.points, u, smooth, self.scale, self.kept)
+        return Traits.between(first.points, last.points, u, smooth, self.scale, self.params.kept_shares)
 
     def subtracts(self, k: int) -> bool:
         """Whether an outline cuts a hole."""

@@ -85,6 +85,11 @@ class Expectation:
         return np.asarray(self.rigid | self.fluid | (self.remembered > 0.5))
 
     @property
+    def likely(self) -> Bools:
+        """Where either the last frame or the key puts it as a whole."""
+        return np.asarray(self.rigid | (self.remembered > 0.5))
+
+    @property
     def certain(self) -> Bools:
         """Where all three do."""
         return np.asarray(self.rigid & self.fluid & (self.remembered > 0.5))

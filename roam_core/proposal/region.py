@@ -1,4 +1,4 @@
-"""The proposed region: parts that hang together with the object, small holes closed, and its outlines."""
+"""The proposed region: what belongs to the object, small holes closed, and its outlines."""
 
 from __future__ import annotations
 
@@ -41,14 +41,16 @@ def cleaned(field: Field, expected: Bools, overlap: float) -> Field:
     return Field(field.grid, values)
 
 
-def outlines(field: Field, within: Bools | None = None) -> list[list[Array]]:
-    """The region's parts as rings in image coordinates, largest first: each its outer ring, then its holes.
+def largest(region: Bools) -> Bools:
+    """The largest connected part of a region."""
+    _, labels, stats, _ = cv2.connectedComponentsWithStats(region.astype(np.uint8), connectivity=4)
+    return np.asarray(region & (labels == 1 + stats[1:, cv2.CC_STAT_AREA].argmax())) if len(stats) > 1 else region
 
-    With `within`, only that part of the region.
-    """
-    values = field.values if within is None else np.where(within, field.values, np.float32(-1.0))
+
+def outlines(field: Field) -> list[list[Array]]:
+    """The region's parts as rings in image coordinates, largest first: each its outer ring, then its holes."""
     generator: Any = contour_generator(
-        z=np.pad(np.clip(values, -1.0, 1.0), 1, constant_values=-1.0), fill_type=FillType.OuterOffset
+        z=np.pad(np.clip(field.values, -1.0, 1.0), 1, constant_values=-1.0), fill_type=FillType.OuterOffset
     )
     points, offsets = generator.filled(0.0, np.inf)
     parts = []
@@ -63,38 +65,3 @@ def outlines(field: Field, within: Bools | None = None) -> list[list[Array]]:
 def _extent(ring: Array) -> float:
     x, y = ring.T
     return abs(float((x * np.roll(y, -1) - np.roll(x, -1) * y).sum()))
-
-
-def shares(region: Bools, claims: list[Float32]) -> list[Bools]:
-    """Which part of the region belongs to each shape.
-
-    `claims` are the shapes' expected coverages on the grid. A connected part goes to the shape that claims most of it;
-    where several shapes claim a part they divide it, each pixel to the shape whose expected region it lies deepest in.
-    """
-    count, labels, _, _ = cv2.connectedComponentsWithStats(region.astype(np.uint8), connectivity=4)
-    claimed = [np.bincount(labels.ravel(), weights=claim.ravel(), minlength=count) for claim in claims]
-    parts = []
-    for number, amount in enumerate(claimed):
-        amount[0] = 0.0
-        chosen = int(np.argmax(amount))
-        if amount[chosen] <= 0:
-            parts.append(np.zeros_like(region))
-            continue
-        mine = labels == chosen
-        rivals = [
-            k
-            for k, other in enumerate(claimed)
-            if k != number and int(np.argmax(other)) == chosen and other[chosen] > 0
-        ]
-        if rivals:
-            depth = _depth(claims[number])
-            for rival in rivals:
-                theirs = _depth(claims[rival])
-                mine &= (depth > theirs) | ((depth == theirs) & (number < rival))
-        parts.append(mine)
-    return parts
-
-
-def _depth(coverage: Float32) -> Float32:
-    mask = (coverage > 0.5).astype(np.uint8)
-    return np.asarray(cv2.distanceTransform(mask, cv2.DIST_L2, 3) - cv2.distanceTransform(1 - mask, cv2.DIST_L2, 3))

@@ -5,23 +5,10 @@ from __future__ import annotations
 import numpy as np
 import numpy.testing as npt
 
-from roam_core.features import Region
-from roam_core.features.grid import Grid
-from roam_core.proposal.evidence import Field, uncertain_band
+from roam_core.proposal.evidence import uncertain_band
 from roam_core.proposal.motion_cue import motion_ratio
-from roam_core.proposal.region import cleaned, outlines, shares
-
-
-def field_of(inside: np.ndarray) -> Field:
-    rows, columns = inside.shape
-    grid = Grid(Region(10, 20, 10 + 2 * columns, 20 + 2 * rows), rows, columns)
-    return Field(grid, np.where(inside, 2.0, -2.0).astype(np.float32))
-
-
-def box(shape: tuple[int, int], rows: slice, columns: slice) -> np.ndarray:
-    inside = np.zeros(shape, dtype=bool)
-    inside[rows, columns] = True
-    return inside
+from roam_core.proposal.region import cleaned, largest, outlines
+from tests.unit.proposal.cells import box, field_of
 
 
 def test_a_part_on_the_background_is_dropped_and_one_where_the_object_was_is_kept() -> None:
@@ -46,24 +33,6 @@ def test_outlines_come_in_image_coordinates_with_holes_after_their_part() -> Non
     npt.assert_allclose([hole.min(axis=0), hole.max(axis=0)], [(34, 44), (50, 60)], atol=0.1)
 
 
-def test_shapes_that_claim_one_part_divide_it_and_others_get_their_own() -> None:
-    whole = box((20, 60), slice(5, 15), slice(2, 40)) | box((20, 60), slice(5, 15), slice(48, 58))
-    claims = [
-        box((20, 60), slice(5, 15), slice(2, 20)).astype(np.float32),
-        box((20, 60), slice(5, 15), slice(22, 40)).astype(np.float32),
-        box((20, 60), slice(5, 15), slice(48, 58)).astype(np.float32),
-        box((20, 60), slice(17, 19), slice(2, 8)).astype(np.float32),
-    ]
-    left, right, alone, none = shares(whole, claims)
-    assert (left | right | alone == whole).all()
-    assert not (left & right).any()
-    assert left[10, 5]
-    assert right[10, 35]
-    assert alone[10, 50]
-    assert not alone[10, 5]
-    assert not none.any()
-
-
 def test_the_band_lies_around_the_border_and_not_along_the_image_edge() -> None:
     inside = box((30, 30), slice(0, 30), slice(0, 15))
     band = uncertain_band(inside, inside, 3)
@@ -81,3 +50,9 @@ def test_the_motion_cue_tells_what_moves_with_the_object() -> None:
     npt.assert_allclose(ratio[:, :10], 3.0)
     npt.assert_allclose(ratio[:, 10:], -3.0)
     npt.assert_allclose(motion_ratio(backward, still, still, 1.5, 3.0), 0.0)
+
+
+def test_the_largest_part() -> None:
+    body, speck = box((40, 60), slice(5, 25), slice(5, 25)), box((40, 60), slice(30, 33), slice(50, 53))
+    assert (largest(speck | body) == body).all()
+    assert not largest(np.zeros_like(body)).any()
