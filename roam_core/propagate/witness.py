@@ -113,9 +113,17 @@ class Span:
 
     def traits(self, k: int, u: float) -> Traits:
         """What an outline keeps of both keys, or of the one that has it, `u` of the way between them."""
-        first, last = (key.parts[k] or self._part(k) for key in (self.first, self.last))
-        smooth = smooth_points(first.points) & smooth_points(last.points)
-        return Traits.between(first.points, last.points, u, smooth, self.scale, self.params.kept_shares)
+        first, last = self._traits[k]
+        return first.towards(last, u)
+
+    @cached_property
+    def _traits(self) -> list[tuple[Traits, Traits]]:
+        made = []
+        for k in range(len(self.first.parts)):
+            first, last = (key.parts[k] or self._part(k) for key in (self.first, self.last))
+            smooth = smooth_points(first.points) & smooth_points(last.points)
+            made.append(Traits.of_keys(first.points, last.points, smooth, self.scale, self.params.kept_shares))
+        return made
 
     def subtracts(self, k: int) -> bool:
         """Whether an outline cuts a hole."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -75,14 +75,20 @@ class Traits:
         return cls(smooth, counts, surroundings(nodes), shares, kept)
 
     @classmethod
-    def between(
-        cls, first: Array, last: Array, u: float, smooth: NDArray[np.bool_], scale: float = 1.0, kept: float = 0.0
-    ) -> Traits:
-        """Of a spline between two keys, `u` of the way from the one to the other."""
+    def of_keys(
+        cls, first: Array, last: Array, smooth: NDArray[np.bool_], scale: float = 1.0, kept: float = 0.0
+    ) -> tuple[Traits, Traits]:
+        """Of a spline on two keys, with the same nodes."""
         counts = np.maximum(_counts(first, scale), _counts(last, scale))
-        there, here = (Traits._of(points, smooth, counts, kept) for points in (first, last))
-        bulges, shares = ((1.0 - u) * a + u * b for a, b in ((there.bulges, here.bulges), (there.shares, here.shares)))
-        return cls(smooth, counts, bulges, shares, kept)
+        return cls._of(first, smooth, counts, kept), cls._of(last, smooth, counts, kept)
+
+    def towards(self, other: Traits, u: float) -> Traits:
+        """Of a spline `u` of the way from the one key to the other (`of_keys`)."""
+        return replace(
+            self,
+            bulges=(1.0 - u) * self.bulges + u * other.bulges,
+            shares=(1.0 - u) * self.shares + u * other.shares,
+        )
 
     @property
     def anchors(self) -> NDArray[np.intp]:

@@ -7,7 +7,6 @@ by threads, along the shortest ways between them.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from functools import cache
 
 import cv2
 import numpy as np
@@ -15,7 +14,7 @@ from numpy.typing import NDArray
 from scipy.spatial import KDTree
 
 from roam_core.proposal.evidence import Field
-from roam_core.proposal.region import outlines
+from roam_core.proposal.region import contours
 
 Array = NDArray[np.float64]
 Float32 = NDArray[np.float32]
@@ -33,40 +32,37 @@ def shares(region: Bools, claims: Sequence[Float32], *, strays: bool) -> list[Bo
     that none of them wants most goes to the one that claims most of it, or to the nearest.
     """
     count, labels, _, _ = cv2.connectedComponentsWithStats(region.astype(np.uint8), connectivity=4)
-    claimed = np.array([np.bincount(labels.ravel(), weights=claim.ravel(), minlength=count) for claim in claims])
+    claimed = np.zeros((len(claims), count))
+    for number, claim in enumerate(claims):
+        window = _window(claim > 0)
+        claimed[number] = np.bincount(labels[window].ravel(), weights=claim[window].ravel(), minlength=count)
     claimed[:, 0] = 0.0
     wanted = claimed.argmax(axis=1)  # 0, the outside: nothing
-
-    @cache
-    def depth(number: int) -> Float32:
-        return _depth(claims[number])
-
-    parts = []
-    for number, piece in enumerate(wanted):
-        mine = (labels == piece) & (piece > 0)
-        for rival in np.flatnonzero(wanted == piece) if piece > 0 else ():
-            ours, theirs = depth(number), depth(int(rival))
-            if rival != number:
-                mine &= (ours > theirs) | ((ours == theirs) & (number < rival))
-        parts.append(mine)
-    for piece in np.setdiff1d(np.arange(1, count), wanted) if strays else ():
-        stray = labels == piece
-        owner = int(claimed[:, piece].argmax())
-        if claimed[owner, piece] == 0.0:
-            owner = int(np.argmax([depth(number)[stray].max() for number in range(len(claims))]))
-        parts[owner] = parts[owner] | stray
-    return parts
+    owner = np.full(region.shape, -1)
+    for piece in np.unique(wanted[wanted > 0]):
+        rivals = np.flatnonzero(wanted == piece)
+        here = labels == piece
+        owner[here] = rivals[0] if len(rivals) == 1 else rivals[_deepest([claims[int(k)] for k in rivals])[here]]
+    loose = np.setdiff1d(np.arange(1, count), wanted) if strays else np.empty(0, np.intp)
+    if len(loose) > 0 and any((claim > 0.5).any() for claim in claims):
+        far, nearest = _nearest(claims)
+        for piece in loose:
+            here = labels == piece
+            best = int(claimed[:, piece].argmax())
+            owner[here] = best if claimed[best, piece] > 0 else nearest[here][far[here].argmin()]
+    return [owner == number for number in range(len(claims))]
 
 
 def ring_around(field: Field, mine: Bools, longest: float) -> Array | None:
     """The one outline `(K, 2)`, in pixels, around the pieces `mine` of a region that hang together (`joined`)."""
     if not mine.any():
         return None
-    body, threads = joined(mine, longest)
-    values = np.where(body, field.values, np.float32(-1.0))
+    window = _window(mine)
+    body, threads = joined(mine[window], longest)
+    values = np.where(body, field.values[window], np.float32(-1.0))
     values[threads] = 1.0
-    rings = outlines(Field(field.grid, values))
-    return rings[0][0] if rings else None
+    rings = contours(values)
+    return field.grid.to_image(rings[0][0] + [window[1].start, window[0].start]) if rings else None
 
 
 def joined(mine: Bools, longest: float) -> tuple[Bools, Bools]:
@@ -106,6 +102,39 @@ def _rim(piece: Bools) -> NDArray[np.intp]:
     return np.argwhere(piece & (inner == 0))[:, ::-1]
 
 
-def _depth(coverage: Float32) -> Float32:
-    mask = (coverage > 0.5).astype(np.uint8)
-    return np.asarray(cv2.distanceTransform(mask, cv2.DIST_L2, 3) - cv2.distanceTransform(1 - mask, cv2.DIST_L2, 3))
+def _deepest(claims: Sequence[Float32]) -> NDArray[np.intp]:
+    """For each cell which claim it lies deepest in, or, outside all, is nearest to; the first of equals."""
+    _, result = _nearest(claims)
+    depth = np.zeros(result.shape, np.float32)
+    for number, claim in enumerate(claims):
+        window = _window(claim > 0.5)
+        if claim[window].size == 0:
+            continue
+        inside = np.pad((claim[window] > 0.5).astype(np.uint8), 1)
+        ours = cv2.distanceTransform(inside, cv2.DIST_L2, 3)[1:-1, 1:-1]
+        deeper = ours > depth[window]
+        depth[window][deeper] = ours[deeper]
+        result[window][deeper] = number
+    return result
+
+
+def _nearest(claims: Sequence[Float32]) -> tuple[Float32, NDArray[np.intp]]:
+    """For each cell `(rows, columns)` how far the nearest claim is, in cells, and whose it is."""
+    taken = np.full(claims[0].shape, -1)
+    for number, claim in reversed(list(enumerate(claims))):
+        window = _window(claim > 0.5)
+        taken[window][claim[window] > 0.5] = number
+    far, source = cv2.distanceTransformWithLabels(
+        (taken < 0).astype(np.uint8), cv2.DIST_L2, 5, labelType=cv2.DIST_LABEL_PIXEL
+    )
+    whose = np.zeros(int(source.max()) + 1, np.intp)
+    whose[source[taken >= 0]] = taken[taken >= 0]
+    return np.asarray(far), whose[source]
+
+
+def _window(cells: Bools) -> tuple[slice, slice]:
+    """The rows and columns that hold all of these cells; nothing of none."""
+    rows, columns = (np.flatnonzero(cells.any(axis=axis)) for axis in (1, 0))
+    if len(rows) == 0:
+        return slice(0, 0), slice(0, 0)
+    return slice(int(rows[0]), int(rows[-1]) + 1), slice(int(columns[0]), int(columns[-1]) + 1)

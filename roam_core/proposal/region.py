@@ -49,14 +49,19 @@ def largest(region: Bools) -> Bools:
 
 def outlines(field: Field) -> list[list[Array]]:
     """The region's parts as rings in image coordinates, largest first: each its outer ring, then its holes."""
+    return [[field.grid.to_image(ring) for ring in rings] for rings in contours(field.values)]
+
+
+def contours(values: Float32) -> list[list[Array]]:
+    """The same of `values (rows, columns)`, positive inside, in cells."""
     generator: Any = contour_generator(
-        z=np.pad(np.clip(field.values, -1.0, 1.0), 1, constant_values=-1.0), fill_type=FillType.OuterOffset
+        z=np.pad(np.clip(values, -1.0, 1.0), 1, constant_values=-1.0), fill_type=FillType.OuterOffset
     )
     points, offsets = generator.filled(0.0, np.inf)
     parts = []
     for vertices, starts in zip(points, offsets, strict=True):
         rings = [vertices[a : b - 1] - 0.5 for a, b in pairwise(starts)]
-        parts.append([field.grid.to_image(ring) for ring in rings if len(ring) >= 4])
+        parts.append([ring for ring in rings if len(ring) >= 4])
     parts = [rings for rings in parts if rings]
     parts.sort(key=lambda rings: -_extent(rings[0]))
     return parts
