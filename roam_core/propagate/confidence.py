@@ -85,7 +85,7 @@ class Signs:
         )
 
 
-SIGNS = (3.76, 2.94, 5.37, 0.38, 0.52, 0.118, 0.47, 2.10)
+SIGNS = (3.73, 1.01, 3.74, 3.64, 0.67, 0.089, 0.65, 2.26)
 """The constant of the logistic model, and the weight of each of the `Signs` in their order."""
 
 
@@ -122,7 +122,7 @@ class SpanSigns:
         return cls(missed, -float(np.log(max(nearer, LEAST))), middle, float(np.log(frames)))
 
 
-SPAN_SIGNS = (4.03, 1.87, 3.24, 0.86, 0.21)
+SPAN_SIGNS = (3.92, 1.76, 3.35, 0.80, 0.18)
 """As `SIGNS`, of the `SpanSigns`."""
 
 
