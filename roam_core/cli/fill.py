@@ -26,6 +26,7 @@ from roam_core.params import CONFIGS, DEFAULT_CONFIG, RoamParams, params_for
 from roam_core.propagate import Termination, warm_up
 from roam_core.propagate.provenance import clip_stamp, fill_stamp, is_stale
 from roam_core.propagate.span import fill_span
+from roam_core.propagate.whole import whole_confidence
 from roam_core.roto import Clip, Origin, Project, RotoShape, file
 
 Gap = tuple[int, int]
@@ -207,16 +208,18 @@ def write_mattes(plate: Plate, project: Project, frames: range, folder: Path) ->
 
 
 def line_of(project: Project, frame: int, seconds: float) -> dict[str, object]:
-    """What a line of JSON says of a frame: how long it took now, the least confidence, and what is doubted."""
-    keys = [key for shape in fillable(project) if shape.exists_at(frame) and (key := shape.key_at(frame))]
-    made = [key.confidence or 0.0 for key in keys if key.origin is Origin.ENGINE]
+    """What a line of JSON says of a frame: how long it took now, its confidence, and whether it is doubted."""
+    keyed = [(shape, key) for shape in fillable(project) if shape.exists_at(frame) and (key := shape.key_at(frame))]
+    made = [(shape, key.confidence or 0.0) for shape, key in keyed if key.origin is Origin.ENGINE]
     if made:
-        termination = Termination.of(min(made))
+        confidence, _ = whole_confidence(made, frame)
+        termination = Termination.of(confidence)
     else:
-        termination = Termination.ARTIST_KEY if keys else Termination.MISSING_FRAME
+        confidence = 1.0 if keyed else 0.0
+        termination = Termination.ARTIST_KEY if keyed else Termination.MISSING_FRAME
     return {
         "frame": frame,
         "seconds": round(seconds, 6),
-        "confidence": round(min(made, default=1.0 if keys else 0.0), 4),
+        "confidence": round(confidence, 4),
         "termination": termination.value,
     }

@@ -20,6 +20,7 @@ from roam_core.matte.vectorise import read_mask, shapes_from_mask
 from roam_core.params import CONFIGS, DEFAULT_CONFIG, params_for
 from roam_core.propagate import FrameResult, track, warm_up
 from roam_core.propagate.provenance import clip_stamp
+from roam_core.propagate.whole import whole_confidence
 from roam_core.roto import Clip, Layer, Project, RotoShape, file
 
 Report = Callable[[FrameResult], None]
@@ -210,13 +211,14 @@ def require_writable(folder: Path, *, create: bool) -> None:
 
 
 def print_line(solved: FrameResult) -> None:
-    """One line of JSON: the frame's seconds by the clock, energy over all shapes, least confidence, what it doubts."""
-    worst = min(solved.results, key=lambda result: result.confidence)
+    """One line of JSON: the frame's seconds by the clock, energy over all shapes, confidence, and what costs most."""
+    results = solved.results
+    confidence, worst = whole_confidence([(result.shape, result.confidence) for result in results], solved.frame)
     line = {
         "frame": solved.frame,
         "seconds": round(solved.seconds, 6),
-        "energy": round(sum(result.energies.get("total", 0.0) for result in solved.results), 6),
-        "confidence": round(worst.confidence, 4),
-        "termination": worst.termination.value,
+        "energy": round(sum(result.energies.get("total", 0.0) for result in results), 6),
+        "confidence": round(confidence, 4),
+        "termination": results[worst].termination.value,
     }
     print(json.dumps(line), flush=True)

@@ -6,6 +6,7 @@ frame: all shapes that are tracked together are one object; its region is carrie
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 
@@ -16,7 +17,7 @@ from roam_core.appearance.global_model import GlobalModel
 from roam_core.cancel import CancelToken
 from roam_core.features import PreparedFrame, Region
 from roam_core.features.grid import Grid
-from roam_core.geometry import bezier, similarity
+from roam_core.geometry import bezier, polyline, similarity
 from roam_core.motion.flow import carried_by_flow, dense_flow, flow_similarity, on_grid
 from roam_core.params import RegionParams, scale_for
 from roam_core.propagate.confidence import Signs, edge_support, expected_overlap, overlap, vertex_confidence
@@ -199,7 +200,9 @@ def _carried(
     unbroken = _unbroken(sight, found)
     signs = Signs.of(outlines, found, expected, unbroken, state.steps + 1)
     confidence = expected_overlap(signs)
-    results = tuple(_result(part, seen, found, confidence) for part, (_, seen) in zip(outlines, placed, strict=True))
+    seen = [seen for _, seen in placed]
+    trusts = trusts_of(state.drawn, seen, confidence)
+    results = tuple(_result(*each, found) for each in zip(outlines, seen, trusts, strict=True))
     parts = tuple(
         replace(part, points=points) if seen else part for part, (points, seen) in zip(parts, placed, strict=True)
     )
@@ -363,9 +366,23 @@ def _learned(frame: PreparedFrame, region: Field) -> GlobalModel:
     return GlobalModel.learned(region.grid.of(frame.image), region.inside, ~region.inside)
 
 
-def _result(part: Part, seen: bool, found: Field, confidence: float) -> StepResult:
-    # A hole that closed is no reason to doubt the object; a shape that finds no place of its own is lost.
-    trust = confidence if seen or part.subtracts else 0.0
+def trusts_of(drawn: Sequence[Part], seen: Sequence[bool], confidence: float) -> list[float]:
+    """How far each shape is trusted, where the object is trusted as far as `confidence`.
+
+    A hole that closed is no reason to doubt. A shape out of sight is one by the share of the object, as it was `drawn`,
+    that would be missing if it should be there.
+    """
+    solid = [not part.subtracts for part in drawn]
+    if not any(is_seen for is_seen, is_solid in zip(seen, solid, strict=True) if is_solid):
+        return [confidence if is_seen or not is_solid else 0.0 for is_seen, is_solid in zip(seen, solid, strict=True)]
+    if all(seen):
+        return [confidence] * len(seen)
+    areas = np.array([abs(polyline.signed_area(bezier.flatten(part.points))) for part in drawn]) * solid
+    share = areas / max(float(areas.sum()), 1e-9)
+    return [confidence if is_seen else confidence * (1.0 - float(s)) for is_seen, s in zip(seen, share, strict=True)]
+
+
+def _result(part: Part, seen: bool, trust: float, found: Field) -> StepResult:
     anchors = part.points[:, bezier.ANCHOR]
     vertices = vertex_confidence(edge_support(anchors, found), trust) if seen else np.zeros(len(anchors))
     energy = -float(np.abs(np.clip(found.values, -SURE, SURE)).mean())

@@ -10,6 +10,7 @@ from roam_core.features.grid import Grid
 from roam_core.geometry import bezier, polyline
 from roam_core.propagate.laying import enclosed, laid
 from roam_core.propagate.nodes import smooth_points
+from roam_core.propagate.region import trusts_of
 from roam_core.propagate.result import Part
 from roam_core.proposal.contour import Traits
 from roam_core.proposal.evidence import Field
@@ -48,3 +49,19 @@ def test_where_nothing_is_seen_all_stays_as_it_was() -> None:
     for part, (points, seen) in zip([BODY, HAND], along([BODY, HAND], np.zeros(GRID.shape, dtype=bool)), strict=True):
         assert not seen
         np.testing.assert_array_equal(points, part.points)
+
+
+@pytest.mark.parametrize(
+    ("seen", "trusts"),
+    [
+        ((True, True), (0.9, 0.9)),
+        ((True, False), (0.9, 0.9 * 0.96)),
+        ((False, False), (0.0, 0.0)),
+    ],
+)
+def test_who_is_out_of_sight_is_doubted_by_what_would_be_missing(
+    seen: tuple[bool, bool], trusts: tuple[float, float]
+) -> None:
+    hole = Part(HAND.points, subtracts=True)
+    found = trusts_of([BODY, HAND, hole], [*seen, False], 0.9)
+    np.testing.assert_allclose(found, [*trusts, 0.9], atol=0.01)
