@@ -191,7 +191,7 @@ def _carried(
     parts = tuple(replace(part, points=similarity.apply(sight.moved[:2], part.points)) for part in state.parts)
     shapes = zip(parts, state.drawn, state.traits, strict=True)
     held = [_held(*shape, sight.sources.key, params, scale) for shape in shapes]
-    hanging = proposed.cleaned(found, expected.likely | proposed.largest(found.inside), params.overlap)
+    hanging = proposed.without_strays(found, expected.likely, params.overlap)
     placed, colours = both(
         lambda: laid(parts, state.traits, hanging, scale, params.longest_thread, held),
         lambda: _adapted(state, sight, found, params),

@@ -15,6 +15,7 @@ from roam_core.proposal.evidence import Field
 Array = NDArray[np.float64]
 Float32 = NDArray[np.float32]
 Bools = NDArray[np.bool_]
+IntArray = NDArray[np.integer[Any]]
 
 SPECK = 6
 """Cells: smaller parts and holes are noise."""
@@ -26,13 +27,10 @@ def cleaned(field: Field, expected: Bools, overlap: float) -> Field:
     A part that breaks off onto the background must not become an object of its own: at least `overlap` of it has to
     lie in `expected`.
     """
-    inside = field.inside
-    count, labels, stats, _ = cv2.connectedComponentsWithStats(inside.astype(np.uint8), connectivity=4)
-    area = stats[:, cv2.CC_STAT_AREA]
-    shared = np.bincount(labels[expected], minlength=count)
+    labels, area, shared = _parts(field, expected)
     wrong = (area < SPECK) | (shared < overlap * area)
     wrong[0] = False
-    count, holes, stats, _ = cv2.connectedComponentsWithStats((~inside).astype(np.uint8), connectivity=4)
+    _, holes, stats, _ = cv2.connectedComponentsWithStats((~field.inside).astype(np.uint8), connectivity=4)
     small = stats[:, cv2.CC_STAT_AREA] < SPECK
     small[0] = False
     values = field.values.copy()
@@ -41,10 +39,20 @@ def cleaned(field: Field, expected: Bools, overlap: float) -> Field:
     return Field(field.grid, values)
 
 
-def largest(region: Bools) -> Bools:
-    """The largest connected part of a region."""
-    _, labels, stats, _ = cv2.connectedComponentsWithStats(region.astype(np.uint8), connectivity=4)
-    return np.asarray(region & (labels == 1 + stats[1:, cv2.CC_STAT_AREA].argmax())) if len(stats) > 1 else region
+def without_strays(field: Field, expected: Bools, overlap: float) -> Field:
+    """The field without the parts, other than the largest, of which less than `overlap` lies in `expected`."""
+    labels, area, shared = _parts(field, expected)
+    if len(area) <= 2:
+        return field
+    stray = shared < overlap * area
+    stray[[0, 1 + int(area[1:].argmax())]] = False
+    return Field(field.grid, np.where(stray[labels], np.float32(-1.0), field.values))
+
+
+def _parts(field: Field, expected: Bools) -> tuple[IntArray, IntArray, IntArray]:
+    """The region's connected parts, 0 being the outside: each cell's, and of each its area and what `expected` has."""
+    count, labels, stats, _ = cv2.connectedComponentsWithStats(field.inside.astype(np.uint8), connectivity=4)
+    return labels, stats[:, cv2.CC_STAT_AREA], np.bincount(labels[expected], minlength=count)
 
 
 def outlines(field: Field) -> list[list[Array]]:
