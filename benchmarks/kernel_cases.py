@@ -26,6 +26,7 @@ from roam_core.kernels.local_match import INSIDE, OUTSIDE, log_ratio, nearest_co
 from roam_core.kernels.nearest_edges import nearest_edges
 from roam_core.kernels.region_sums import region_sums, row_sums
 from roam_core.kernels.ribbon_means import ribbon_means
+from roam_core.kernels.settling import settled
 from roam_core.kernels.spline_fit import nearest_places, normal_band
 from roam_core.proposal.tips import surroundings
 
@@ -181,6 +182,13 @@ def _band() -> Case:
     )
 
 
+def _settling() -> Case:
+    at = np.arange(0, 480, 6)
+    return _call(
+        settled, _outline(480, 93.0)[at] + 1.0, _outline(480, 93.0), at, np.full(80, 6.0), (0.007, 6.0), 3, 0.95
+    )
+
+
 def _hypotheses() -> Case:
     rng = _rng()
     source = rng.normal(0, 50, (400, 2)) @ [1, 1j]
@@ -214,6 +222,7 @@ CASES: dict[str, Callable[[], Case]] = {
     "region_sums": lambda: _call(region_sums, row_sums(_field()), _outline(), _moves()),
     "ribbon_means": lambda: _call(ribbon_means, _field(), _field(), _outline(), _moves(), 8.0),
     "row_sums": lambda: _call(row_sums, _field()),
+    "settled": _settling,
     "step_counts": lambda: _call(step_counts, segments(_spline()), 0.05),
     "swept_coverage": lambda: _call(swept_coverage, _outline(), _outline() + 8.0, SIZE),
     "vertices": lambda: _call(vertices, segments(_spline()), step_counts(segments(_spline()), 0.05)),

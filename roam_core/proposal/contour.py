@@ -6,13 +6,13 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.linalg import solveh_banded
 
 from roam_core.geometry import bezier, polyline
 from roam_core.geometry.bezier import ANCHOR, IN, OUT
 from roam_core.kernels.alignment import prices
+from roam_core.kernels.settling import settled
 from roam_core.proposal.monotone import in_order
-from roam_core.proposal.refine import from_both_ends, refined
+from roam_core.proposal.refine import refined
 from roam_core.proposal.tips import surroundings
 
 Array = NDArray[np.float64]
@@ -152,25 +152,11 @@ def _settled(nodes: Array, samples: Array, at: IntArray, share: Array, scale: fl
     """Where `(N, 2)` on the ring the nodes lie best, near the samples that they were matched to.
 
     Matched to whole steps only, points would stray by a step's half on every frame. Of the prices of the matching only
-    those of distance and of stretching tell such small differences; they are minimised by Gauss and Newton.
+    those of distance and of stretching tell such small differences; they are minimised (`kernels.settling`).
     """
-    count, total = len(nodes), len(samples)
-    order = from_both_ends(count)
-    ahead, behind = np.maximum(order, np.roll(order, -1)), np.minimum(order, np.roll(order, -1))
-    expected = np.maximum(share * total, 1.0)
-    stiff, near = STRETCH / expected**2, 1.0 / (NEAR * scale) ** 2
-    place = at.astype(np.float64)
-    for _ in range(SETTLING):
-        here = polyline.at(samples, place)
-        along = (polyline.at(samples, place + 1.5) - polyline.at(samples, place - 1.5)) / 3.0
-        lacking = stiff * (expected - (np.roll(place, -1) - place) % total)
-        band, right = np.zeros((3, count)), np.empty(count)
-        band[0, order] = near * (along**2).sum(axis=1) + stiff + np.roll(stiff, 1) + 1e-9
-        np.subtract.at(band, (ahead - behind, behind), stiff)
-        right[order] = near * (along * (nodes - here)).sum(axis=1) + np.roll(lacking, 1) - lacking
-        place = place + solveh_banded(band, right, lower=True, check_finite=False)[order]
-        place = np.clip(place, at - LOOSE, at + LOOSE)
-    return polyline.at(samples, place)
+    expected = np.maximum(share * len(samples), 1.0)
+    weights = 1.0 / (NEAR * scale) ** 2, STRETCH
+    return polyline.at(samples, settled(nodes, samples, at, expected, weights, SETTLING, LOOSE))
 
 
 def _laid(points: Array, samples: Array, at: IntArray, smooth: NDArray[np.bool_]) -> Array:
