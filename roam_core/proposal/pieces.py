@@ -43,13 +43,16 @@ def shares(region: Bools, claims: Sequence[Float32], *, strays: bool) -> list[Bo
         rivals = np.flatnonzero(wanted == piece)
         here = labels == piece
         owner[here] = rivals[0] if len(rivals) == 1 else rivals[_deepest([claims[int(k)] for k in rivals])[here]]
-    loose = np.setdiff1d(np.arange(1, count), wanted) if strays else np.empty(0, np.intp)
-    if len(loose) > 0 and any((claim > 0.5).any() for claim in claims):
-        far, nearest = _nearest(claims)
-        for piece in loose:
-            here = labels == piece
-            best = int(claimed[:, piece].argmax())
-            owner[here] = best if claimed[best, piece] > 0 else nearest[here][far[here].argmin()]
+    if strays:
+        loose = np.setdiff1d(np.arange(1, count), wanted)
+        is_claimed = claimed[:, loose].max(axis=0, initial=0.0) > 0.0
+        for piece in loose[is_claimed]:
+            owner[labels == piece] = claimed[:, piece].argmax()
+        if not is_claimed.all() and any((claim > 0.5).any() for claim in claims):
+            far, nearest = _nearest(claims)
+            for piece in loose[~is_claimed]:
+                here = labels == piece
+                owner[here] = nearest[here][far[here].argmin()]
     return [owner == number for number in range(len(claims))]
 
 
