@@ -372,14 +372,13 @@ def trusts_of(drawn: Sequence[Part], seen: Sequence[bool], confidence: float) ->
     A hole that closed is no reason to doubt. A shape out of sight is one by the share of the object, as it was `drawn`,
     that would be missing if it should be there.
     """
-    solid = [not part.subtracts for part in drawn]
-    if not any(is_seen for is_seen, is_solid in zip(seen, solid, strict=True) if is_solid):
-        return [confidence if is_seen or not is_solid else 0.0 for is_seen, is_solid in zip(seen, solid, strict=True)]
-    if all(seen):
-        return [confidence] * len(seen)
-    areas = np.array([abs(polyline.signed_area(bezier.flatten(part.points))) for part in drawn]) * solid
-    share = areas / max(float(areas.sum()), 1e-9)
-    return [confidence if is_seen else confidence * (1.0 - float(s)) for is_seen, s in zip(seen, share, strict=True)]
+    solid = np.array([not part.subtracts for part in drawn])
+    out = solid & ~np.array(seen)
+    if not out.any():
+        return [confidence] * len(out)
+    areas = solid * [abs(polyline.signed_area(bezier.flatten(part.points))) for part in drawn]
+    missing = out * (areas / max(float(areas.sum()), 1e-9)) if (solid & ~out).any() else out
+    return [confidence * (1.0 - float(share)) for share in missing]
 
 
 def _result(part: Part, seen: bool, trust: float, found: Field) -> StepResult:
