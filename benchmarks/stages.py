@@ -41,7 +41,7 @@ from roam_core.propagate.step import curve_context
 from roam_core.proposal.contour import follow
 from roam_core.proposal.evidence import gathered
 from roam_core.proposal.pieces import ring_around, shares
-from roam_core.proposal.region import cleaned, without_strays
+from roam_core.proposal.region import cleaned
 from roam_core.roto import RotoShape
 
 Image = NDArray[np.uint8]
@@ -58,7 +58,7 @@ STAGES: dict[str, Sequence[Callable[..., Any]]] = {
     "local colours": (nearest_colours,),
     "smoothing of the evidence": (diffuse,),
     "the other evidence": (gathered,),
-    "the region": (cleaned, without_strays, shares, ring_around),
+    "the region": (cleaned, shares, ring_around),
     "curves along the region": (follow, simplified),
     "confidence and energies": (node_support, frame_confidence, total.energies),
 }

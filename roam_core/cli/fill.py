@@ -210,9 +210,9 @@ def write_mattes(plate: Plate, project: Project, frames: range, folder: Path) ->
 def line_of(project: Project, frame: int, seconds: float) -> dict[str, object]:
     """What a line of JSON says of a frame: how long it took now, its confidence, and whether it is doubted."""
     keyed = [(shape, key) for shape in fillable(project) if shape.exists_at(frame) and (key := shape.key_at(frame))]
-    made = [(shape, key.confidence or 0.0) for shape, key in keyed if key.origin is Origin.ENGINE]
-    if made:
-        confidence, _ = whole_confidence(made, frame)
+    if any(key.origin is Origin.ENGINE for _, key in keyed):
+        rated = [(shape, 1.0 if key.origin is Origin.ARTIST else key.confidence or 0.0) for shape, key in keyed]
+        confidence, _ = whole_confidence(rated, frame)
         termination = Termination.of(confidence)
     else:
         confidence = 1.0 if keyed else 0.0

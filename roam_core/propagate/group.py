@@ -7,11 +7,13 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
+import numpy as np
 from numpy.typing import NDArray
 
 from roam_core.cancel import CancelToken
 from roam_core.errors import RoamError
 from roam_core.features import PreparedFrame
+from roam_core.geometry.bezier import ANCHOR
 from roam_core.params import DEFAULT_CONFIG, RoamParams, params_for, scale_for
 from roam_core.propagate import engine, provenance
 from roam_core.propagate.engine import State
@@ -22,6 +24,8 @@ from roam_core.roto.edit import set_engine_keys
 
 MIN_POINTS = 2
 """Points from which a closed spline encloses anything."""
+SHUT = 0.05
+"""Size, of that on its key, under which an engine's outline has closed (`laying.CLOSED`)."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -162,8 +166,20 @@ class GroupTracker:
 
 
 def parts_at(shapes: Sequence[RotoShape], frame: int) -> tuple[Part, ...]:
-    """The shapes' outlines on a frame."""
-    return tuple(Part(shape.at(frame).points, shape.blend is BlendMode.SUBTRACT) for shape in shapes)
+    """The shapes' outlines on a frame; what was out of sight and closed there is as drawn, in its place."""
+    return tuple(Part(_opened(shape, frame), shape.blend is BlendMode.SUBTRACT) for shape in shapes)
+
+
+def _opened(shape: RotoShape, frame: int) -> NDArray[np.float64]:
+    points, key = shape.at(frame).points, shape.key_at(frame)
+    drawn = shape.artist_frames
+    if key is None or key.origin is Origin.ARTIST or not drawn or shape.blend is BlendMode.SUBTRACT:
+        return points
+    source = shape.at(max((each for each in drawn if each < frame), default=drawn[0])).points
+    ours, theirs = points[:, ANCHOR], source[:, ANCHOR]
+    if np.ptp(ours, axis=0).max() > SHUT * np.ptp(theirs, axis=0).max():
+        return points
+    return np.asarray(source + ours.mean(axis=0) - theirs.mean(axis=0))
 
 
 def _prepared(image: NDArray[Any] | PreparedFrame) -> PreparedFrame:

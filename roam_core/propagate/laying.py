@@ -46,16 +46,19 @@ def laid(
     scale: float,
     longest_thread: float,
     expected: Sequence[Array] | None = None,
+    likely: Bools | None = None,
 ) -> list[tuple[Array, bool]]:
     """Each shape's points `(P, 3, 2)` along the outline that it claims, and whether it found one.
 
-    `parts` lie where they were carried, and do not cross themselves: a shape that finds nothing stays there. `expected`
-    tells where along the outline their points should come to lie, if not just there; `traits` are what they keep of
-    their key. Pieces of the region hang together by threads up to `longest_thread` (`RegionParams`), or, at 0, not at
-    all. What finds nothing while others do is out of sight and closes to almost nothing, as does a hole that the
-    region fills.
+    `parts` lie where they were carried, and do not cross themselves: where no shape finds anything all stay there.
+    `expected` tells where along the outline their points should come to lie, if not just there; `traits` are what they
+    keep of their key. Pieces of the region hang together by threads up to `longest_thread` (`RegionParams`), or, at 0,
+    not at all; `likely` is where pieces belong to the object that no shape claims, everywhere if it is None. A shape
+    that finds nothing while others do, and lies mostly outside the region, is out of sight and closes to almost
+    nothing, as does a hole that the region fills.
     """
     inside = found.inside
+    hanging = likely if likely is not None else np.ones_like(inside)
     solid = [k for k, part in enumerate(parts) if not part.subtracts]
     holes = [k for k, part in enumerate(parts) if part.subtracts]
     wanted = [part.points for part in parts] if expected is None else expected
@@ -65,7 +68,8 @@ def laid(
             continue
         area = inside if field is found else _enclosed(~inside)
         claims = [spline_coverage(parts[k].points, found.grid) for k in members]
-        for k, mine in zip(members, shares(area, claims, strays=field is found and longest_thread > 0), strict=True):
+        strays = hanging if field is found and longest_thread > 0 else np.zeros_like(inside)
+        for k, mine in zip(members, shares(area, claims, strays), strict=True):
             ring = ring_around(field, mine, longest_thread)
             if ring is not None:
                 points = follow(wanted[k], ring, traits[k], scale)
@@ -74,7 +78,9 @@ def laid(
     for k, (points, seen) in enumerate(placed):
         if seen:
             continue
-        if is_in_sight if k in solid else spline_coverage(points, found.grid)[inside].sum() > 0:
+        cover = spline_coverage(points, found.grid)
+        within, outside = float(cover[inside].sum()), float(cover[~inside].sum())
+        if is_in_sight and within <= outside if k in solid else within > 0:
             middle = points[:, bezier.ANCHOR].mean(axis=0)
             placed[k] = middle + CLOSED * (points - middle), False
     return placed

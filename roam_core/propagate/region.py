@@ -191,9 +191,8 @@ def _carried(
     parts = tuple(replace(part, points=similarity.apply(sight.moved[:2], part.points)) for part in state.parts)
     shapes = zip(parts, state.drawn, state.traits, strict=True)
     held = [_held(*shape, sight.sources.key, params, scale) for shape in shapes]
-    hanging = proposed.without_strays(found, expected.likely, params.overlap)
     placed, colours = both(
-        lambda: laid(parts, state.traits, hanging, scale, params.longest_thread, held),
+        lambda: laid(parts, state.traits, found, scale, params.longest_thread, held, expected.likely),
         lambda: _adapted(state, sight, found, params),
     )
     outlines = [replace(part, points=points) for part, (points, _) in zip(parts, placed, strict=True)]

@@ -14,8 +14,8 @@ def whole_confidence(rated: Sequence[tuple[RotoShape, float]], frame: int) -> tu
     """How far a frame is trusted as a whole, in [0, 1], and which of its shapes costs most of that.
 
     It is the IoU to be expected of the frame: the mean of the shapes' confidences by the area, each by itself, that
-    they have on the artist's key they come from. A shape that has shrunk to nothing by mistake so weighs what is
-    missing, and a scrap weighs little. Subtracting shapes weigh nothing, unless there are no others.
+    they have on the artist's key before the frame, or on their first. A shape that has shrunk to nothing by mistake so
+    weighs what is missing, and a scrap weighs little. Subtracting shapes weigh nothing, unless there are no others.
 
     Parameters
     ----------
@@ -25,10 +25,10 @@ def whole_confidence(rated: Sequence[tuple[RotoShape, float]], frame: int) -> tu
     added = areas * [shape.blend is not BlendMode.SUBTRACT for shape, _ in rated]
     weights = next((each for each in (added, areas) if each.any()), np.ones(len(rated)))
     lacking = weights / weights.sum() * [1.0 - confidence for _, confidence in rated]
-    return float(1.0 - lacking.sum()), int(lacking.argmax())
+    return max(0.0, float(1.0 - lacking.sum())), int(lacking.argmax())
 
 
 def _area(shape: RotoShape, frame: int) -> float:
     drawn = shape.artist_frames
-    key = max((each for each in drawn if each <= frame), default=drawn[0] if drawn else frame)
+    key = max((each for each in drawn if each <= frame), default=drawn[0] if drawn else shape.frames[0])
     return abs(polyline.signed_area(bezier.flatten(shape.at(key).points)))

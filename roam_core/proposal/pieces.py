@@ -22,16 +22,19 @@ Bools = NDArray[np.bool_]
 
 LEAST = 0.02
 """Share of all that a shape has from which a piece hangs on to it."""
+LIKELY = 0.3
+"""Share of a piece that no shape wants most that must lie where the object is likely to be, for a shape to have it."""
 
 
-def shares(region: Bools, claims: Sequence[Float32], *, strays: bool) -> list[Bools]:
+def shares(region: Bools, claims: Sequence[Float32], likely: Bools) -> list[Bools]:
     """Which pieces `(rows, columns)` of the region belong to each shape.
 
     `claims` are the shapes' expected coverages on the grid. Each shape has the piece that it claims most of; shapes
-    that want the same divide it, each cell to the one whose expected region it lies deepest in. With `strays`, a piece
-    that none of them wants most goes to the one that claims most of it, or to the nearest.
+    that want the same divide it, each cell to the one whose expected region it lies deepest in. A piece that none of
+    them wants most goes to the one that claims most of it, or to the nearest, if it lies where the object is `likely`
+    to be `(rows, columns)`.
     """
-    count, labels, _, _ = cv2.connectedComponentsWithStats(region.astype(np.uint8), connectivity=4)
+    count, labels, stats, _ = cv2.connectedComponentsWithStats(region.astype(np.uint8), connectivity=4)
     claimed = np.zeros((len(claims), count))
     for number, claim in enumerate(claims):
         window = _window(claim > 0)
@@ -43,16 +46,16 @@ def shares(region: Bools, claims: Sequence[Float32], *, strays: bool) -> list[Bo
         rivals = np.flatnonzero(wanted == piece)
         here = labels == piece
         owner[here] = rivals[0] if len(rivals) == 1 else rivals[_deepest([claims[int(k)] for k in rivals])[here]]
-    if strays:
-        loose = np.setdiff1d(np.arange(1, count), wanted)
-        is_claimed = claimed[:, loose].max(axis=0, initial=0.0) > 0.0
-        for piece in loose[is_claimed]:
-            owner[labels == piece] = claimed[:, piece].argmax()
-        if not is_claimed.all() and any((claim > 0.5).any() for claim in claims):
-            far, nearest = _nearest(claims)
-            for piece in loose[~is_claimed]:
-                here = labels == piece
-                owner[here] = nearest[here][far[here].argmin()]
+    expected = np.bincount(labels[likely], minlength=count) >= LIKELY * stats[:, cv2.CC_STAT_AREA]
+    loose = np.setdiff1d(np.flatnonzero(expected), [0, *wanted])
+    is_claimed = claimed[:, loose].max(axis=0, initial=0.0) > 0.0
+    for piece in loose[is_claimed]:
+        owner[labels == piece] = claimed[:, piece].argmax()
+    if not is_claimed.all() and any((claim > 0.5).any() for claim in claims):
+        far, nearest = _nearest(claims)
+        for piece in loose[~is_claimed]:
+            here = labels == piece
+            owner[here] = nearest[here][far[here].argmin()]
     return [owner == number for number in range(len(claims))]
 
 
@@ -96,7 +99,7 @@ def joined(mine: Bools, longest: float) -> tuple[Bools, Bools]:
         cv2.line(lines, start.tolist(), stop.tolist(), 1, 1, cv2.LINE_4)
         body |= labels == nearest
         shore = np.vstack([shore, rim])
-    return body, (lines > 0) & ~mine
+    return body, (lines > 0) & ~body
 
 
 def _rim(piece: Bools) -> NDArray[np.intp]:
@@ -110,11 +113,10 @@ def _deepest(claims: Sequence[Float32]) -> NDArray[np.intp]:
     _, result = _nearest(claims)
     depth = np.zeros(result.shape, np.float32)
     for number, claim in enumerate(claims):
-        window = _window(claim > 0.5)
+        window = _window(claim > 0.5, margin=1)
         if claim[window].size == 0:
             continue
-        inside = np.pad((claim[window] > 0.5).astype(np.uint8), 1)
-        ours = cv2.distanceTransform(inside, cv2.DIST_L2, 3)[1:-1, 1:-1]
+        ours = cv2.distanceTransform((claim[window] > 0.5).astype(np.uint8), cv2.DIST_L2, 3)
         deeper = ours > depth[window]
         depth[window][deeper] = ours[deeper]
         result[window][deeper] = number
@@ -135,9 +137,10 @@ def _nearest(claims: Sequence[Float32]) -> tuple[Float32, NDArray[np.intp]]:
     return np.asarray(far), whose[source]
 
 
-def _window(cells: Bools) -> tuple[slice, slice]:
-    """The rows and columns that hold all of these cells; nothing of none."""
+def _window(cells: Bools, margin: int = 0) -> tuple[slice, slice]:
+    """The rows and columns that hold all of these cells, and a margin as far as there is one; nothing of none."""
     rows, columns = (np.flatnonzero(cells.any(axis=axis)) for axis in (1, 0))
     if len(rows) == 0:
         return slice(0, 0), slice(0, 0)
-    return slice(int(rows[0]), int(rows[-1]) + 1), slice(int(columns[0]), int(columns[-1]) + 1)
+    top, left = max(int(rows[0]) - margin, 0), max(int(columns[0]) - margin, 0)
+    return slice(top, int(rows[-1]) + margin + 1), slice(left, int(columns[-1]) + margin + 1)

@@ -15,7 +15,6 @@ from roam_core.proposal.evidence import Field
 Array = NDArray[np.float64]
 Float32 = NDArray[np.float32]
 Bools = NDArray[np.bool_]
-IntArray = NDArray[np.integer[Any]]
 
 SPECK = 6
 """Cells: smaller parts and holes are noise."""
@@ -27,7 +26,9 @@ def cleaned(field: Field, expected: Bools, overlap: float) -> Field:
     A part that breaks off onto the background must not become an object of its own: at least `overlap` of it has to
     lie in `expected`.
     """
-    labels, area, shared = _parts(field, expected)
+    count, labels, stats, _ = cv2.connectedComponentsWithStats(field.inside.astype(np.uint8), connectivity=4)
+    area = stats[:, cv2.CC_STAT_AREA]
+    shared = np.bincount(labels[expected], minlength=count)
     wrong = (area < SPECK) | (shared < overlap * area)
     wrong[0] = False
     _, holes, stats, _ = cv2.connectedComponentsWithStats((~field.inside).astype(np.uint8), connectivity=4)
@@ -37,22 +38,6 @@ def cleaned(field: Field, expected: Bools, overlap: float) -> Field:
     values[wrong[labels]] = -np.abs(values[wrong[labels]]) - np.float32(1e-3)
     values[small[holes]] = np.abs(values[small[holes]]) + np.float32(1e-3)
     return Field(field.grid, values)
-
-
-def without_strays(field: Field, expected: Bools, overlap: float) -> Field:
-    """The field without the parts, other than the largest, of which less than `overlap` lies in `expected`."""
-    labels, area, shared = _parts(field, expected)
-    if len(area) <= 2:
-        return field
-    stray = shared < overlap * area
-    stray[[0, 1 + int(area[1:].argmax())]] = False
-    return Field(field.grid, np.where(stray[labels], np.float32(-1.0), field.values))
-
-
-def _parts(field: Field, expected: Bools) -> tuple[IntArray, IntArray, IntArray]:
-    """The region's connected parts, 0 being the outside: each cell's, and of each its area and what `expected` has."""
-    count, labels, stats, _ = cv2.connectedComponentsWithStats(field.inside.astype(np.uint8), connectivity=4)
-    return labels, stats[:, cv2.CC_STAT_AREA], np.bincount(labels[expected], minlength=count)
 
 
 def outlines(field: Field) -> list[list[Array]]:

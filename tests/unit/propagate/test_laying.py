@@ -45,6 +45,13 @@ def test_what_is_out_of_sight_closes_while_the_rest_is_seen() -> None:
     np.testing.assert_allclose(hand[0][:, 0].mean(axis=0), [200.0, 40.0], atol=0.5)
 
 
+def test_a_shape_before_another_stays_though_it_has_no_piece_of_its_own() -> None:
+    arm = Part(blob([12.0] * 6) + np.array([140.0, 80.0]))
+    _, (points, seen) = along([BODY, arm], enclosed([BODY, arm], GRID) > 0.5)
+    assert not seen
+    np.testing.assert_array_equal(points, arm.points)
+
+
 def test_where_nothing_is_seen_all_stays_as_it_was() -> None:
     for part, (points, seen) in zip([BODY, HAND], along([BODY, HAND], np.zeros(GRID.shape, dtype=bool)), strict=True):
         assert not seen

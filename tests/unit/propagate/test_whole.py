@@ -39,3 +39,8 @@ def test_holes_count_only_where_there_is_nothing_else() -> None:
 def test_shapes_without_area_count_alike() -> None:
     confidence, _ = whole_confidence([(square(0.0), 0.2), (square(0.0), 0.6)], 2)
     assert np.isclose(confidence, 0.4)
+
+
+def test_nothing_is_trusted_less_than_not_at_all() -> None:
+    sides = np.random.default_rng(1).uniform(1.0, 90.0, (200, 5))
+    assert min(whole_confidence([(square(side), 0.0) for side in each], 2)[0] for each in sides) >= 0.0

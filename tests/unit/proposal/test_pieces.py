@@ -13,6 +13,7 @@ from tests.unit.proposal.cells import box, field_of
 SHAPE = (40, 120)
 LEFT, RIGHT = box(SHAPE, slice(5, 35), slice(5, 45)), box(SHAPE, slice(8, 30), slice(60, 100))
 """A body with a post before it."""
+EVERYWHERE = np.ones(SHAPE, dtype=bool)
 SPECK = box(SHAPE, slice(20, 23), slice(108, 111))
 
 
@@ -24,7 +25,7 @@ def test_shapes_that_claim_one_part_divide_it_and_others_get_their_own() -> None
         box((20, 60), slice(5, 15), slice(48, 58)).astype(np.float32),
         box((20, 60), slice(17, 19), slice(2, 8)).astype(np.float32),
     ]
-    left, right, alone, none = shares(whole, claims, strays=True)
+    left, right, alone, none = shares(whole, claims, np.ones_like(whole))
     assert (left | right | alone == whole).all()
     assert not (left & right).any()
     assert left[10, 5]
@@ -38,14 +39,28 @@ def test_a_piece_that_nobody_wants_most_goes_to_who_claims_most_of_it_or_is_near
     far = box(SHAPE, slice(2, 6), slice(104, 118))
     one = (LEFT | box(SHAPE, slice(10, 20), slice(60, 70))).astype(np.float32)
     other = box(SHAPE, slice(33, 38), slice(112, 118)).astype(np.float32)
-    mine, lost = shares(LEFT | RIGHT | far, [one, other], strays=True)
+    mine, lost = shares(LEFT | RIGHT | far, [one, other], EVERYWHERE)
     assert (mine == LEFT | RIGHT).all()
     assert (lost == far).all()
 
 
-def test_strays_may_be_left_alone() -> None:
-    (mine,) = shares(LEFT | RIGHT, [LEFT.astype(np.float32)], strays=False)
+def test_a_stray_is_left_alone_where_the_object_is_not_likely_to_be() -> None:
+    (mine,) = shares(LEFT | RIGHT, [LEFT.astype(np.float32)], LEFT)
     assert (mine == LEFT).all()
+
+
+def test_what_a_shape_claims_most_of_is_its_own_wherever_it_lies() -> None:
+    body, hand = shares(LEFT | RIGHT, [LEFT.astype(np.float32), RIGHT.astype(np.float32)], LEFT)
+    assert (body == LEFT).all()
+    assert (hand == RIGHT).all()
+
+
+def test_rivals_divide_evenly_up_to_the_border_of_the_grid() -> None:
+    whole = box((20, 80), slice(0, 20), slice(0, 80))
+    claims = [box((20, 80), slice(0, 20), columns).astype(np.float32) for columns in (slice(0, 50), slice(30, 80))]
+    left, right = shares(whole, claims, whole)
+    assert (left[:, :39]).all()
+    assert (right[:, 41:]).all()
 
 
 def test_pieces_hang_together_by_the_shortest_way() -> None:
@@ -64,6 +79,15 @@ def test_specks_and_what_is_far_off_do_not_hang_on(apart: np.ndarray) -> None:
     body, threads = joined(near | apart, 2.0)
     assert (body == near).all()
     assert not threads.any()
+
+
+def test_a_speck_on_the_way_does_not_cut_the_thread() -> None:
+    nose = box(SHAPE, slice(18, 22), slice(44, 48)) | box(SHAPE, slice(18, 22), slice(57, 61))
+    speck = box(SHAPE, slice(18, 22), slice(51, 54))
+    field = field_of(LEFT | RIGHT | nose | speck)
+    ring = ring_around(field, field.inside, 2.0)
+    assert ring is not None
+    assert abs(polyline.signed_area(ring)) / 4.0 > 0.97 * (LEFT | RIGHT | nose).sum()
 
 
 def test_one_outline_goes_around_all_pieces_and_does_not_cross_itself() -> None:

@@ -7,7 +7,7 @@ import numpy.testing as npt
 
 from roam_core.proposal.evidence import uncertain_band
 from roam_core.proposal.motion_cue import motion_ratio
-from roam_core.proposal.region import cleaned, outlines, without_strays
+from roam_core.proposal.region import cleaned, outlines
 from tests.unit.proposal.cells import box, field_of
 
 
@@ -50,11 +50,3 @@ def test_the_motion_cue_tells_what_moves_with_the_object() -> None:
     npt.assert_allclose(ratio[:, :10], 3.0)
     npt.assert_allclose(ratio[:, 10:], -3.0)
     npt.assert_allclose(motion_ratio(backward, still, still, 1.5, 3.0), 0.0)
-
-
-def test_a_stray_goes_and_the_largest_part_stays_wherever_it_lies() -> None:
-    body, stray = box((40, 60), slice(5, 25), slice(5, 25)), box((40, 60), slice(10, 20), slice(40, 55))
-    field, nowhere = field_of(body | stray), np.zeros_like(body)
-    assert (without_strays(field, nowhere, 0.3).inside == body).all()
-    assert (without_strays(field, stray, 0.3).inside == (body | stray)).all()
-    assert without_strays(field_of(body), nowhere, 0.3).inside.sum() == body.sum()

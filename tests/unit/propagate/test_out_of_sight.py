@@ -1,0 +1,68 @@
+"""A hand that goes behind something and comes back, beside a body that is always seen."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from roam_core.matte import shape_matte
+from roam_core.params import params_for
+from roam_core.propagate.group import GroupTracker
+from roam_core.propagate.result import TrackResult
+from roam_core.roto import Keyframe, RotoShape
+from tests.golden.shots import blob, texture
+
+Array = NDArray[np.float64]
+
+BEST = params_for("best")
+PARAMS = replace(BEST, region=replace(BEST.region, rigid=1.1))  # never as one piece
+SIZE = (160, 240)
+BODY, HAND = blob([45.0, 38.0] * 5) + np.array([90.0, 80.0]), blob([16.0] * 6) + np.array([160.0, 70.0])
+HIDDEN = range(4, 8)
+LAST = 11
+CELLS = np.stack(np.meshgrid(np.arange(SIZE[1]) + 0.5, np.arange(SIZE[0]) + 0.5), axis=-1)
+SKIN, SLEEVE, GROUND = (texture(*each) for each in ((7, 0.7, 1.0), (9, 0.6, 1.0), (8, 0.0, 0.3)))
+
+
+def moved(frame: int) -> Array:
+    return np.array([frame - 1.0, 0.0])
+
+
+def cover(points: Array) -> Array:
+    return np.asarray(shape_matte(RotoShape("x", "x", (Keyframe(1, points),)), 1, SIZE)[..., None])
+
+
+def picture(frame: int) -> NDArray[np.uint8]:
+    image = GROUND.at(CELLS)
+    for points, surface in ((BODY, SKIN), (HAND, SLEEVE)):
+        if points is BODY or frame not in HIDDEN:
+            share = cover(points + moved(frame))
+            image = share * surface.at(CELLS - moved(frame)) + (1.0 - share) * image
+    return np.round(255.0 * image).astype(np.uint8)
+
+
+def tracked(body_keys: Sequence[int]) -> dict[int, TrackResult]:
+    """The hand on every frame, with artist's keys of the body on these frames."""
+    body = RotoShape("body", "body", tuple(Keyframe(frame, BODY + moved(frame)) for frame in (1, *body_keys)))
+    tracker = GroupTracker(PARAMS)
+    tracker.start(picture(1), [body, RotoShape("hand", "hand", (Keyframe(1, HAND),))], 1)
+    return {frame: tracker.step(picture(frame), frame)[1] for frame in range(2, LAST + 1)}
+
+
+@pytest.mark.parametrize("body_keys", [(), (6,)], ids=["tracked through", "the body corrected meanwhile"])
+def test_a_shape_out_of_sight_closes_and_opens_again(body_keys: Sequence[int]) -> None:
+    hand = tracked(body_keys)
+    for frame in (2, 3, 9, 10, 11):
+        key = hand[frame].key
+        assert key is not None
+        ours, true = cover(key.points) > 0.5, cover(HAND + moved(frame)) > 0.5
+        assert (ours & true).sum() / (ours | true).sum() > 0.85
+    for frame in (4, 5, 6):
+        key = hand[frame].key
+        assert key is not None
+        assert np.ptp(key.points[:, 0], axis=0).max() < 2.0
+        assert hand[frame].confidence < hand[3].confidence
