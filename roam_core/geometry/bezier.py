@@ -98,6 +98,13 @@ def flatten(points: Array, closed: bool = True, tolerance: float = 0.05) -> Arra
     return line if closed else np.vstack([line, control[-1, 3]])
 
 
+def area(points: Array) -> float:
+    """What a closed spline `(P, 3, 2)` encloses, square units, whichever way it runs."""
+    from roam_core.geometry.polyline import signed_area  # numba, too
+
+    return abs(float(signed_area(flatten(points))))
+
+
 def arc_length_pairs(points: Array, count: int, closed: bool = True) -> tuple[IntArray, Array]:
     """`count` pairs `(segment, t)` at equal arc length along the spline, the first at its first anchor."""
     fine = 32

@@ -172,14 +172,13 @@ def parts_at(shapes: Sequence[RotoShape], frame: int) -> tuple[Part, ...]:
 
 def _opened(shape: RotoShape, frame: int) -> NDArray[np.float64]:
     points, key = shape.at(frame).points, shape.key_at(frame)
-    drawn = shape.artist_frames
-    if key is None or key.origin is Origin.ARTIST or not drawn or shape.blend is BlendMode.SUBTRACT:
+    drawn = None if key is None else provenance.source_of(shape, key)
+    if drawn is None or shape.blend is BlendMode.SUBTRACT:
         return points
-    source = shape.at(max((each for each in drawn if each < frame), default=drawn[0])).points
-    ours, theirs = points[:, ANCHOR], source[:, ANCHOR]
+    ours, theirs = points[:, ANCHOR], drawn.points[:, ANCHOR]
     if np.ptp(ours, axis=0).max() > SHUT * np.ptp(theirs, axis=0).max():
         return points
-    return np.asarray(source + ours.mean(axis=0) - theirs.mean(axis=0))
+    return np.asarray(drawn.points + ours.mean(axis=0) - theirs.mean(axis=0))
 
 
 def _prepared(image: NDArray[Any] | PreparedFrame) -> PreparedFrame:

@@ -80,7 +80,8 @@ def laid(
             continue
         cover = spline_coverage(points, found.grid)
         within, outside = float(cover[inside].sum()), float(cover[~inside].sum())
-        if is_in_sight and within <= outside if k in solid else within > 0:
+        is_out_of_place = within > 0 if parts[k].subtracts else is_in_sight and within <= outside
+        if is_out_of_place:
             middle = points[:, bezier.ANCHOR].mean(axis=0)
             placed[k] = middle + CLOSED * (points - middle), False
     return placed

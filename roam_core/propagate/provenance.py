@@ -53,6 +53,17 @@ def governing_key(shape: RotoShape, frame: int, forward: bool) -> Keyframe | Non
     return next((key for key in keys if key.frame >= frame), None)
 
 
+def source_of(shape: RotoShape, key: Keyframe) -> Keyframe | None:
+    """The artist's key that a key goes back to: itself, or the one that its stamp's direction passes (a fill: before).
+
+    None for a shape without artist keys; the one on the other side where there is none on that.
+    """
+    if key.origin is Origin.ARTIST:
+        return key
+    forward = key.inputs.partition(":")[0] != "backward"
+    return governing_key(shape, key.frame, forward) or governing_key(shape, key.frame, not forward)
+
+
 def is_stale(shape: RotoShape, key: Keyframe, clip: Clip | None) -> bool:
     """True for an ENGINE key whose artist key, parameters or clip have changed since it was made."""
     if key.origin is not Origin.ENGINE:

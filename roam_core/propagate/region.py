@@ -17,7 +17,7 @@ from roam_core.appearance.global_model import GlobalModel
 from roam_core.cancel import CancelToken
 from roam_core.features import PreparedFrame, Region
 from roam_core.features.grid import Grid
-from roam_core.geometry import bezier, polyline, similarity
+from roam_core.geometry import bezier, similarity
 from roam_core.motion.flow import carried_by_flow, dense_flow, flow_similarity, on_grid
 from roam_core.params import RegionParams, scale_for
 from roam_core.propagate.confidence import Signs, edge_support, expected_overlap, overlap, vertex_confidence
@@ -375,7 +375,7 @@ def trusts_of(drawn: Sequence[Part], seen: Sequence[bool], confidence: float) ->
     out = solid & ~np.array(seen)
     if not out.any():
         return [confidence] * len(out)
-    areas = solid * [abs(polyline.signed_area(bezier.flatten(part.points))) for part in drawn]
+    areas = solid * [bezier.area(part.points) for part in drawn]
     missing = out * (areas / max(float(areas.sum()), 1e-9)) if (solid & ~out).any() else out
     return [confidence * (1.0 - float(share)) for share in missing]
 

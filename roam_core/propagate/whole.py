@@ -6,7 +6,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from roam_core.geometry import bezier, polyline
+from roam_core.geometry import bezier
+from roam_core.propagate.provenance import source_of
 from roam_core.roto import BlendMode, RotoShape
 
 
@@ -14,8 +15,9 @@ def whole_confidence(rated: Sequence[tuple[RotoShape, float]], frame: int) -> tu
     """How far a frame is trusted as a whole, in [0, 1], and which of its shapes costs most of that.
 
     It is the IoU to be expected of the frame: the mean of the shapes' confidences by the area, each by itself, that
-    they have on the artist's key before the frame, or on their first. A shape that has shrunk to nothing by mistake so
-    weighs what is missing, and a scrap weighs little. Subtracting shapes weigh nothing, unless there are no others.
+    they have on the artist's key that they go back to (`provenance.source_of`), or on their first key. A shape that has
+    shrunk to nothing by mistake so weighs what is missing, and a scrap weighs little. Subtracting shapes weigh nothing,
+    unless there are no others.
 
     Parameters
     ----------
@@ -29,6 +31,6 @@ def whole_confidence(rated: Sequence[tuple[RotoShape, float]], frame: int) -> tu
 
 
 def _area(shape: RotoShape, frame: int) -> float:
-    drawn = shape.artist_frames
-    key = max((each for each in drawn if each <= frame), default=drawn[0] if drawn else shape.frames[0])
-    return abs(polyline.signed_area(bezier.flatten(shape.at(key).points)))
+    key = shape.key_at(frame)
+    source = None if key is None else source_of(shape, key)
+    return bezier.area((source or shape.keys[0]).points)

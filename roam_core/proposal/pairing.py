@@ -58,7 +58,7 @@ def paired(splines: list[Array], rings: list[Array], size: tuple[int, int], comm
         return Pairing(common if common is not None else similarity.IDENTITY, [None] * len(splines), {})
     spots = [_spots(points) for points in splines]
     labels = _labels(rings, size)
-    areas = [abs(polyline.signed_area(bezier.flatten(points))) for points in splines]
+    areas = [bezier.area(points) for points in splines]
     wanted = [abs(polyline.signed_area(ring)) for ring in rings]
     pose = common if common is not None else _common_pose(splines, rings, spots, labels, areas, sum(wanted))
     moved = [similarity.apply(pose, points) for points in splines]
@@ -157,7 +157,7 @@ def _assigned(moved: list[Array], rings: list[Array], seen: Array, areas: Array,
     n, m = len(moved), len(rings)
     here = np.stack([centre([bezier.flatten(points)])[0] for points in moved])
     there = np.stack([centre([ring])[0] for ring in rings])
-    grown = np.array([abs(polyline.signed_area(bezier.flatten(points))) for points in moved])
+    grown = np.array([bezier.area(points) for points in moved])
     shared = seen * grown[:, None]
     overlap = shared / np.maximum(grown[:, None] + wanted - shared, 1e-9)
     away = np.hypot(*np.moveaxis(here[:, None] - there[None], 2, 0)) / np.sqrt(grown[:, None] + wanted + 1e-9)

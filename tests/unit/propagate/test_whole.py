@@ -44,3 +44,12 @@ def test_shapes_without_area_count_alike() -> None:
 def test_nothing_is_trusted_less_than_not_at_all() -> None:
     sides = np.random.default_rng(1).uniform(1.0, 90.0, (200, 5))
     assert min(whole_confidence([(square(side), 0.0) for side in each], 2)[0] for each in sides) >= 0.0
+
+
+def test_a_shape_tracked_backward_counts_by_the_key_that_it_comes_from() -> None:
+    corners = polygon_points([(0, 0), (1, 0), (1, 1), (0, 1)])
+    lost = Keyframe(9, corners, origin=Origin.ENGINE, inputs="backward:best:0")
+    small_before = RotoShape("a", "a", (Keyframe(1, 2.0 * corners), lost, Keyframe(10, 60.0 * corners)))
+    found = Keyframe(9, 60.0 * corners, origin=Origin.ENGINE, inputs="backward:best:0")
+    other = RotoShape("b", "b", (found, Keyframe(10, 60.0 * corners)))
+    assert whole_confidence([(small_before, 0.0), (other, 1.0)], 9)[0] == pytest.approx(0.5)
