@@ -12,6 +12,7 @@ from roam_core.geometry.bezier import segments
 from roam_core.geometry.polyline import outward_normals
 from roam_core.kernels.alignment import align, prices
 from roam_core.kernels.anchoring import anchored
+from roam_core.kernels.colour_bins import bin_counts, looked_up
 from roam_core.kernels.coverage import coverage, distance, swept_coverage
 from roam_core.kernels.crossing import crossing_edges
 from roam_core.kernels.cyclic_viterbi import cyclic_viterbi
@@ -61,6 +62,10 @@ def _moves() -> Any:
 
 def _field(size: tuple[int, int] = SIZE) -> Any:
     return _rng().random(size, dtype=np.float32)
+
+
+def _picture() -> Any:
+    return np.clip(_rng().normal(120, 30, (*GRID, 3)), 0, 255).astype(np.uint8)
 
 
 def _mixtures() -> tuple[Any, Any, Any]:
@@ -200,6 +205,7 @@ CASES: dict[str, Callable[[], Case]] = {
     "align": _alignment,
     "anchored": _anchoring,
     "best_hypothesis": _hypotheses,
+    "bin_counts": lambda: _call(bin_counts, _picture(), np.ones(GRID, dtype=bool)),
     "coverage": lambda: _call(coverage, _outline(), SIZE),
     "crossing_edges": lambda: _call(crossing_edges, _outline(400), True),
     "cubic_span_errors": lambda: _call(cubic_span_errors, _moving(), True, 0, 50.0),
@@ -213,6 +219,7 @@ CASES: dict[str, Callable[[], Case]] = {
     "log_ratio": _log_ratio,
     "nearest_colours": _colours,
     "log_densities": _densities,
+    "looked_up": lambda: _call(looked_up, _picture(), _rng().random(32**3).astype(np.float32)),
     "matches": _matches,
     "nearest_edges": lambda: _call(nearest_edges, _outline(centre=(80.0, 60.0), radius=45.0), GRID, 20.0),
     "nearest_places": _nearest,

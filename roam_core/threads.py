@@ -14,8 +14,6 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-First = TypeVar("First")
-Second = TypeVar("Second")
 Item = TypeVar("Item")
 Result = TypeVar("Result")
 
@@ -45,18 +43,6 @@ def each(work: Callable[[Item], Result], items: Sequence[Item]) -> list[Result]:
 
     with ThreadPoolExecutor(2) as pool:
         return list(pool.map(shared, items))
-
-
-def both(first: Callable[[], First], second: Callable[[], Second]) -> tuple[First, Second]:
-    """What two pieces of work that do not touch each other give, done at the same time.
-
-    If both fail, the exception of the first is raised.
-    """
-    if _is_alone():
-        return first(), second()
-    with ThreadPoolExecutor(1) as pool:
-        meanwhile = pool.submit(second)
-        return first(), meanwhile.result()
 
 
 def in_halves(work: Callable[[int, int], object], wanted: NDArray[Any]) -> None:

@@ -6,12 +6,12 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.ndimage import convolve1d
+
+from roam_core.kernels.colour_bins import bin_counts, looked_up
 
 Float32 = NDArray[np.float32]
 UInt8 = NDArray[np.uint8]
 
-BINS = 32
 FLOOR = 2e-5
 """Density of a colour that was never seen."""
 
@@ -26,8 +26,7 @@ class GlobalModel:
     @classmethod
     def learned(cls, image: UInt8, inside: NDArray[np.bool_], outside: NDArray[np.bool_]) -> GlobalModel:
         """From an image `(h, w, 3)` and the pixels that lie inside and outside."""
-        index = _bins(image)
-        return cls(_density(index[inside]), _density(index[outside]))
+        return cls(_density(image, inside), _density(image, outside))
 
     def adapted(self, other: GlobalModel, rate: float) -> GlobalModel:
         """Moved towards another model by `rate` (exponential forgetting, after Stauffer and Grimson, 1999)."""
@@ -38,16 +37,9 @@ class GlobalModel:
     def log_ratio(self, image: UInt8, clip: float) -> Float32:
         """ln p_f / p_b of each pixel `(h, w)`, clipped to +-`clip` nats."""
         table = np.log((self.inside + np.float32(FLOOR)) / (self.outside + np.float32(FLOOR)))
-        return np.asarray(np.clip(table, -clip, clip)[_bins(image)], dtype=np.float32)
+        return looked_up(image, np.clip(table, np.float32(-clip), np.float32(clip)))
 
 
-def _bins(image: UInt8) -> NDArray[np.int32]:
-    levels = (image >> 3).astype(np.int32)
-    return np.asarray((levels[..., 0] << 10) | (levels[..., 1] << 5) | levels[..., 2])
-
-
-def _density(index: NDArray[np.int32]) -> Float32:
-    counts = np.bincount(index, minlength=BINS**3).astype(np.float32).reshape(BINS, BINS, BINS)
-    for axis in range(3):
-        counts = convolve1d(counts, [0.25, 0.5, 0.25], axis=axis, mode="nearest")
-    return np.asarray(counts.ravel() / max(float(counts.sum()), 1.0), dtype=np.float32)
+def _density(image: UInt8, wanted: NDArray[np.bool_]) -> Float32:
+    counts = bin_counts(image, wanted)
+    return np.asarray(counts / max(float(counts.sum()), 1.0), dtype=np.float32)

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 import cv2
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from roam_core.features.frame import Region
 
@@ -34,24 +35,30 @@ class Grid:
     def shape(self) -> tuple[int, int]:
         return self.rows, self.columns
 
-    @property
+    @cached_property
     def factor(self) -> Array:
         """Cells a pixel, along x and y."""
         width, height = self.region.x1 - self.region.x0, self.region.y1 - self.region.y0
-        return np.array([self.columns / width, self.rows / height])
+        return _constant([self.columns / width, self.rows / height])
 
     def to_grid(self, positions: Array) -> Array:
         """Image positions `(..., 2)` in cells; cell `[row, column]` has its centre at `(column + .5, row + .5)`."""
-        return np.asarray((positions - np.asarray(self.region.origin)) * self.factor)
+        return np.asarray((positions - self.region.origin) * self.factor)
 
     def to_image(self, positions: Array) -> Array:
         """Grid positions `(..., 2)` in pixels of the image."""
-        return np.asarray(positions / self.factor + np.asarray(self.region.origin))
+        return np.asarray(positions / self.factor + self.region.origin)
 
+    @cached_property
     def map_to_image(self) -> Array:
         """The affine map `(3, 3)` from grid to image positions."""
         sx, sy = 1.0 / self.factor
-        return np.array([[sx, 0.0, self.region.x0], [0.0, sy, self.region.y0], [0.0, 0.0, 1.0]])
+        return _constant([[sx, 0.0, self.region.x0], [0.0, sy, self.region.y0], [0.0, 0.0, 1.0]])
+
+    @cached_property
+    def map_from_image(self) -> Array:
+        """The affine map `(3, 3)` from image to grid positions."""
+        return _constant(np.linalg.inv(self.map_to_image))
 
     def of(self, image: NDArray[Any]) -> NDArray[Any]:
         """The region's pixels averaged into cells."""
@@ -60,11 +67,20 @@ class Grid:
 
     def warped(self, image: NDArray[Any], transform: Array) -> NDArray[Any]:
         """A picture carried into the image by `transform (3, 3)`, seen in cells; zero where nothing was."""
-        to_grid = np.linalg.inv(self.map_to_image()) @ transform
-        # OpenCV counts from pixel centres, we from the corner.
-        half = np.array([[1.0, 0.0, 0.5], [0.0, 1.0, 0.5], [0.0, 0.0, 1.0]])
-        centred = (np.linalg.inv(half) @ to_grid @ half)[:2]
+        centred = (TO_CENTRES @ (self.map_from_image @ transform) @ FROM_CENTRES)[:2]
         return np.asarray(cv2.warpAffine(image, centred, (self.columns, self.rows), flags=cv2.INTER_LINEAR))
+
+
+def _constant(values: ArrayLike) -> Array:
+    array = np.asarray(values, dtype=np.float64)
+    array.setflags(write=False)
+    return array
+
+
+FROM_CENTRES = _constant([[1.0, 0.0, 0.5], [0.0, 1.0, 0.5], [0.0, 0.0, 1.0]])
+"""From positions as OpenCV counts them, from pixels' centres, to ours, from the corner; ..."""
+TO_CENTRES = _constant([[1.0, 0.0, -0.5], [0.0, 1.0, -0.5], [0.0, 0.0, 1.0]])
+"""... and back."""
 
 
 def signed_distance(inside: Bools, reach: float) -> Float32:

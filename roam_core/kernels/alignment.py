@@ -67,9 +67,11 @@ def align(cost: Float64, expected: Float64, stretch: float, starts: IntArray) ->
     best, bound, chosen = np.inf, np.inf, np.zeros(count, dtype=np.int64)
     indices = np.empty(count, dtype=np.int64)
     table = np.ascontiguousarray(cost, dtype=np.float64)
-    ratio = np.arange(samples + 1) / expected[:, None] - 1.0
-    most = np.ceil(4.0 * expected).astype(np.int64) + 1
-    problem = table, stretch * ratio * ratio, most, np.append(np.cumsum(table.min(axis=1)[::-1])[::-1], 0.0)
+    most = np.minimum(np.ceil(4.0 * expected).astype(np.int64) + 1, samples)
+    ratio = np.arange(int(most.max()) + 1) / expected[:, None] - 1.0
+    closing = np.arange(samples + 1) / expected[-1] - 1.0  # the last node goes on to the first, however far that is
+    stretching = stretch * ratio * ratio, stretch * closing * closing
+    problem = table, *stretching, most, np.append(np.cumsum(table.min(axis=1)[::-1])[::-1], 0.0)
     if len(starts) > 0:
         bound = _align(*problem, int(starts[len(starts) // 2]), np.inf, BEAM, indices)
     for start in starts:
@@ -80,12 +82,13 @@ def align(cost: Float64, expected: Float64, stretch: float, starts: IntArray) ->
 
 
 @njit(nogil=True, cache=True)
-def _align(cost, price, most, rest, start, bound, beam, indices):  # type: ignore[no-untyped-def]
+def _align(cost, price, closing, most, rest, start, bound, beam, indices):  # type: ignore[no-untyped-def]
     """The least matching from `start` that costs no more than `bound`; infinity where there is none.
 
-    `price[n, k]` is what k samples behind node n cost, `most[n]` the most of them; `rest[n]` bounds what nodes n and on
-    cost from below, so a beginning that cannot end under `bound` is dropped: that keeps the search exact. What is
-    dearer by `beam` than the best beginning is dropped, too: with a finite one any matching may come out.
+    `price[n, k]` is what k samples behind node n cost, `most[n]` the most of them, and `closing[k]` what they cost
+    behind the last node. `rest[n]` bounds what nodes n and on cost from below, so a beginning that cannot end under
+    `bound` is dropped: that keeps the search exact. What is dearer by `beam` than the best beginning is dropped, too:
+    with a finite one any matching may come out.
     """
     count, samples = cost.shape
     reach, following = np.full(samples + 1, np.inf), np.full(samples + 1, np.inf)
@@ -114,7 +117,7 @@ def _align(cost, price, most, rest, start, bound, beam, indices):  # type: ignor
             least = min(least, reach[o])
     total, end = np.inf, samples - 1
     for o in range(low, min(high + 1, samples)):
-        value = reach[o] + price[count - 1, samples - o]
+        value = reach[o] + closing[samples - o]
         if value < total:
             total, end = value, o
     for n in range(count - 1, -1, -1):

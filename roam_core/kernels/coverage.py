@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 from numba import njit
 from numpy.typing import NDArray
@@ -44,7 +46,7 @@ def coverage(line: Float64, size: tuple[int, int]) -> Float32:
         return result
     top, bottom, left, right = box
     sums = np.zeros((bottom - top, right - left + 1))
-    _sum_areas(line - np.array([left, top], dtype=np.float64), sums)
+    _sum_areas(line - (float(left), float(top)), sums)
     _wind(sums, result[top:bottom, left:right])
     return result
 
@@ -113,7 +115,7 @@ def _checked(line: Float64) -> Float64:
     line = np.ascontiguousarray(line, dtype=np.float64)
     if line.ndim != 2 or line.shape[1] != 2:
         raise ValueError(f"a polyline has shape {line.shape}, not (K, 2)")
-    if not np.isfinite(line).all():
+    if not math.isfinite(line.sum()) and not np.isfinite(line).all():
         raise ValueError("a polyline has a vertex that is not finite")
     return line
 
@@ -122,12 +124,23 @@ def _box(line: Float64, size: tuple[int, int], margin: float) -> tuple[int, int,
     """Rows and columns (top, bottom, left, right; half open) that the polyline reaches inside the image, or None."""
     if len(line) == 0:
         return None
-    shape = np.array([size[1], size[0]], dtype=np.float64)
-    low = np.clip(np.floor(line.min(axis=0) - margin), 0.0, shape).astype(np.intp)
-    high = np.clip(np.ceil(line.max(axis=0) + margin), 0.0, shape).astype(np.intp)
-    if (low >= high).any():
-        return None
-    return int(low[1]), int(high[1]), int(low[0]), int(high[0])
+    (left, top), (right, bottom) = _corners(line)
+    height, width = size
+    rows = max(math.floor(top - margin), 0), min(math.ceil(bottom + margin), height)
+    columns = max(math.floor(left - margin), 0), min(math.ceil(right + margin), width)
+    return (*rows, *columns) if rows[0] < rows[1] and columns[0] < columns[1] else None
+
+
+@njit(nogil=True, cache=True)
+def _corners(line):  # type: ignore[no-untyped-def]
+    """The least and the greatest x and y of a polyline with at least one vertex."""
+    left, top = line[0]
+    right, bottom = left, top
+    for k in range(1, len(line)):
+        x, y = line[k]
+        left, right = min(left, x), max(right, x)
+        top, bottom = min(top, y), max(bottom, y)
+    return (left, top), (right, bottom)
 
 
 @njit(nogil=True, cache=True)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 from numba import njit
 from numpy.typing import NDArray
@@ -10,7 +12,7 @@ Float32 = NDArray[np.float32]
 
 
 def diffuse(
-    field: Float32, colours: Float32, wanted: NDArray[np.bool_], strength: float, contrast: float, sweeps: int
+    field: Float32, colours: NDArray[Any], wanted: NDArray[np.bool_], strength: float, contrast: float, sweeps: int
 ) -> Float32:
     """The field x that lowers `sum (x_p - f_p)^2 + sum w_pq (x_p - x_q)^2` on the wanted pixels, the others held.
 
@@ -21,7 +23,9 @@ def diffuse(
     `field (h, w)`, `colours (h, w, 3)` in Lab, `contrast` in Lab units.
     """
     right, down = np.zeros_like(field), np.zeros_like(field)
-    _weights(colours, wanted, np.float32(strength), np.float32(2.0 * contrast * contrast), right, down)
+    _weights(
+        colours.astype(np.float32), wanted, np.float32(strength), np.float32(2.0 * contrast * contrast), right, down
+    )
     framed = np.pad(field, 1)  # cells on the rim have four neighbours, too
     count = int(np.count_nonzero(wanted))
     halves = [_half(field, right, down, wanted, parity, count) for parity in (0, 1)]

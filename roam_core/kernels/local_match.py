@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 from numba import njit
 from numpy.typing import NDArray
@@ -32,8 +34,8 @@ def log_ratio(inside: Float32, outside: Float32, sigma: float, clip: float) -> F
 
 
 def nearest_colours(
-    colours: Float32,
-    memory: Float32,
+    colours: NDArray[Any],
+    memory: NDArray[Any],
     labels: UInt8,
     wanted: NDArray[np.bool_],
     shift: Float32,
@@ -69,7 +71,7 @@ def _padded(radius: int) -> int:
     return -(-(2 * radius + 1) // LANES) * LANES
 
 
-def _planes(memory: Float32, labels: UInt8, radius: int) -> Int32:
+def _planes(memory: NDArray[Any], labels: UInt8, radius: int) -> Int32:
     """`(5, h + m, w + n)`: Lab, then `FAR` where a pixel is not inside, and where it is not outside.
 
     All around there is room for windows that reach beyond the picture, or lie there.

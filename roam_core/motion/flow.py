@@ -11,7 +11,6 @@ from numpy.typing import NDArray
 from roam_core.features import PreparedFrame
 from roam_core.features.grid import Grid
 from roam_core.geometry import similarity
-from roam_core.threads import each
 
 Array = NDArray[np.float64]
 Float32 = NDArray[np.float32]
@@ -29,8 +28,7 @@ def dense_flow(
     At the fastest preset; `is_exact` takes about three times as long, and follows outlines closely.
     """
     old, new = (grid.of(frame.grey) for frame in (before, after))
-    forward, backward = each(lambda pair: cell_flow(*pair, is_exact), [(old, new), (new, old)])
-    return forward, backward
+    return cell_flow(old, new, is_exact), cell_flow(new, old, is_exact)  # each on all threads that OpenCV has
 
 
 def cell_flow(before: UInt8, after: UInt8, is_exact: bool = False) -> Float32:
@@ -66,8 +64,8 @@ def flow_similarity(flow: Float32, inside: NDArray[np.bool_], grid: Grid, sample
     source = np.stack([columns, rows], axis=1) + 0.5
     target = source + flow[rows, columns]
     fitted, inliers = similarity.ransac(source.astype(np.float64), target.astype(np.float64), 2.0)
-    to_image = grid.map_to_image()
-    return to_image @ np.vstack([fitted, [0.0, 0.0, 1.0]]) @ np.linalg.inv(to_image), float(inliers.mean())
+    in_image = grid.map_to_image @ np.vstack([fitted, [0.0, 0.0, 1.0]]) @ grid.map_from_image
+    return in_image, float(inliers.mean())
 
 
 def on_grid(flow: Float32, grid: Grid, coarse: Grid) -> Float32:
@@ -79,5 +77,6 @@ def on_grid(flow: Float32, grid: Grid, coarse: Grid) -> Float32:
 def carried_by_flow(before: NDArray[Any], backward: Float32) -> NDArray[Any]:
     """What was `(rows, columns, ...)` on the frame before, where `backward (rows, columns, 2)` takes it; 0 beyond."""
     rows, columns = before.shape[:2]
-    x, y = np.meshgrid(np.arange(columns, dtype=np.float32), np.arange(rows, dtype=np.float32))
-    return np.asarray(cv2.remap(before, x + backward[..., 0], y + backward[..., 1], interpolation=cv2.INTER_LINEAR))
+    x = backward[..., 0] + np.arange(columns, dtype=np.float32)
+    y = backward[..., 1] + np.arange(rows, dtype=np.float32)[:, None]
+    return np.asarray(cv2.remap(before, x, y, interpolation=cv2.INTER_LINEAR))

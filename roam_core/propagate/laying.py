@@ -63,13 +63,13 @@ def laid(
     holes = [k for k, part in enumerate(parts) if part.subtracts]
     wanted = [part.points for part in parts] if expected is None else expected
     placed: list[tuple[Array, bool]] = [(part.points, False) for part in parts]
+    covers = [spline_coverage(part.points, found.grid) for part in parts]
     for members, field in ((solid, found), (holes, Field(found.grid, -found.values))):
         if not members:
             continue
         area = inside if field is found else _enclosed(~inside)
-        claims = [spline_coverage(parts[k].points, found.grid) for k in members]
         strays = hanging if field is found and longest_thread > 0 else np.zeros_like(inside)
-        for k, mine in zip(members, shares(area, claims, strays), strict=True):
+        for k, mine in zip(members, shares(area, [covers[k] for k in members], strays), strict=True):
             ring = ring_around(field, mine, longest_thread)
             if ring is not None:
                 points = follow(wanted[k], ring, traits[k], scale)
@@ -78,8 +78,7 @@ def laid(
     for k, (points, seen) in enumerate(placed):
         if seen:
             continue
-        cover = spline_coverage(points, found.grid)
-        within, outside = float(cover[inside].sum()), float(cover[~inside].sum())
+        within, outside = float(covers[k][inside].sum()), float(covers[k][~inside].sum())
         is_out_of_place = within > 0 if parts[k].subtracts else is_in_sight and within <= outside
         if is_out_of_place:
             middle = points[:, bezier.ANCHOR].mean(axis=0)

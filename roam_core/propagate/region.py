@@ -29,9 +29,8 @@ from roam_core.propagate.rigid import Pose, Rigidity
 from roam_core.proposal import region as proposed
 from roam_core.proposal.contour import Traits
 from roam_core.proposal.evidence import SURE, Expectation, Field, KeyMemory, Sources, gathered
-from roam_core.proposal.lineage import Lineage, lineage
+from roam_core.proposal.lineage import lineage
 from roam_core.proposal.motion_cue import motion_on
-from roam_core.threads import both, each
 
 Array = NDArray[np.float64]
 Float32 = NDArray[np.float32]
@@ -191,10 +190,8 @@ def _carried(
     parts = tuple(replace(part, points=similarity.apply(sight.moved[:2], part.points)) for part in state.parts)
     shapes = zip(parts, state.drawn, state.traits, strict=True)
     held = [_held(*shape, sight.sources.key, params, scale) for shape in shapes]
-    placed, colours = both(
-        lambda: laid(parts, state.traits, found, scale, params.longest_thread, held, expected.likely),
-        lambda: _adapted(state, sight, found, params),
-    )
+    placed = laid(parts, state.traits, found, scale, params.longest_thread, held, expected.likely)
+    colours = _adapted(state, sight, found, params)
     outlines = [replace(part, points=points) for part, (points, _) in zip(parts, placed, strict=True)]
     unbroken = _unbroken(sight, found)
     signs = Signs.of(outlines, found, expected, unbroken, state.steps + 1)
@@ -301,26 +298,20 @@ def sighted(
         return None
     fine = Grid.over(grid.region, 1.0 / scale)
     flows = dense_flow(state.frame, frame, fine, is_exact=params.lineage_weight > 0)
-    forth, back = each(lambda flow: on_grid(flow, fine, grid), flows)
+    forth, back = (on_grid(flow, fine, grid) for flow in flows)
     inside = state.region.on(fine) > 0.5
     moved, agreement = flow_similarity(flows[0], inside, fine)
     pictures = grid.of(state.frame.image), grid.of(frame.image)
     if token is not None:
         token.check()
-
-    def as_a_whole() -> tuple[tuple[Rigidity, Pose | None], Float32]:
-        surroundings, _ = flow_similarity(flows[0], ~inside, fine)
-        motion = motion_on(grid, back, moved, surroundings, agreement, params.motion_sigma * scale, params.clip)
-        return state.rigidity.step(frame, moved, params.rigid), motion
-
-    def cell_by_cell() -> Lineage | None:
-        if params.lineage_weight == 0:
-            return None
+    surroundings, _ = flow_similarity(flows[0], ~inside, fine)
+    motion = motion_on(grid, back, moved, surroundings, agreement, params.motion_sigma * scale, params.clip)
+    rigidity, pose = state.rigidity.step(frame, moved, params.rigid)
+    lines = None
+    if params.lineage_weight > 0:
         sides = carried_by_flow(state.region.nats_on(fine), flows[1])
-        unbroken = grid.warped(state.unbroken, state.region.grid.map_to_image())
-        return lineage(pictures, sides, (forth, back), unbroken, grid, scale)
-
-    ((rigidity, pose), motion), lines = both(as_a_whole, cell_by_cell)
+        unbroken = grid.warped(state.unbroken, state.region.grid.map_to_image)
+        lines = lineage(pictures, sides, (forth, back), unbroken, grid, scale)
     key = replace(state.key, to_now=moved @ state.key.to_now)
     last = state.region.on(grid)
     expected = Expectation(
@@ -375,7 +366,7 @@ def trusts_of(drawn: Sequence[Part], seen: Sequence[bool], confidence: float) ->
     out = solid & ~np.array(seen)
     if not out.any():
         return [confidence] * len(out)
-    areas = solid * [bezier.area(part.points) for part in drawn]
+    areas = solid * [part.area for part in drawn]
     missing = out * (areas / max(float(areas.sum()), 1e-9)) if (solid & ~out).any() else out
     return [confidence * (1.0 - float(share)) for share in missing]
 

@@ -5,10 +5,12 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from enum import StrEnum
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
 
+from roam_core.geometry import bezier
 from roam_core.params import DOUBTFUL
 from roam_core.propagate.offers import Proposal
 from roam_core.proposal.topology import TopologyChange
@@ -40,6 +42,11 @@ class Part:
 
     points: Array
     subtracts: bool = False
+
+    @cached_property
+    def area(self) -> float:
+        """What the outline encloses, square pixels."""
+        return bezier.area(self.points)
 
 
 @dataclass(frozen=True, eq=False)

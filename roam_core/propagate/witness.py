@@ -65,7 +65,7 @@ class Miss:
 
     def on(self, grid: Grid, transform: Array) -> Float32:
         """The misses on another grid, carried by a similarity `(3, 3)`."""
-        return np.asarray(grid.warped(self.around, transform @ self.grid.map_to_image()))
+        return np.asarray(grid.warped(self.around, transform @ self.grid.map_to_image))
 
 
 @dataclass(frozen=True, eq=False)

@@ -18,7 +18,6 @@ from roam_core.kernels.local_match import log_ratio, nearest_colours
 from roam_core.params import RegionParams
 from roam_core.proposal.key_view import KeyFlow, KeyView, lab, trimap
 from roam_core.proposal.lineage import Lineage
-from roam_core.threads import both
 
 Array = NDArray[np.float64]
 Float32 = NDArray[np.float32]
@@ -48,12 +47,12 @@ class Field:
     def on(self, grid: Grid, transform: Array | None = None) -> Float32:
         """Coverage `(rows, columns)` in [0, 1] of the region on another grid, carried by `transform (3, 3)` first."""
         carry = np.eye(3) if transform is None else transform
-        return np.asarray(grid.warped(self.inside.astype(np.float32), carry @ self.grid.map_to_image()))
+        return np.asarray(grid.warped(self.inside.astype(np.float32), carry @ self.grid.map_to_image))
 
     def nats_on(self, grid: Grid) -> Float32:
         """The field itself `(rows, columns)` on another grid, clipped to +-SURE; surely outside beyond its own."""
         clipped = np.clip(self.values, -SURE, SURE) + np.float32(SURE)
-        return np.asarray(grid.warped(clipped, self.grid.map_to_image()) - np.float32(SURE), dtype=np.float32)
+        return np.asarray(grid.warped(clipped, self.grid.map_to_image) - np.float32(SURE), dtype=np.float32)
 
 
 @dataclass(frozen=True, eq=False)
@@ -128,7 +127,7 @@ class Sources:
     lineage: Lineage | None = None
 
     @cached_property
-    def lab(self) -> Float32:
+    def lab(self) -> UInt8:
         """The new frame in CIE Lab."""
         return lab(self.after)
 
@@ -187,9 +186,8 @@ def cues(sources: Sources, params: RegionParams) -> Iterator[tuple[str, Float32]
 
 def _own_cues(sources: Sources, params: RegionParams) -> Iterator[tuple[str, Float32]]:
     """The cues that this frame gives by itself."""
-    local, other = both(lambda: list(local_cues(sources, params)), lambda: list(_other_cues(sources, params)))
-    yield from local
-    yield from other
+    yield from local_cues(sources, params)
+    yield from _other_cues(sources, params)
 
 
 def _other_cues(sources: Sources, params: RegionParams) -> Iterator[tuple[str, Float32]]:

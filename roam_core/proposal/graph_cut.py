@@ -10,6 +10,7 @@ over neighbours p, q, ratio_p = ln p_f / p_b in nats. It only proposes; the curv
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -41,7 +42,7 @@ class Cut:
     cost: float
 
 
-def contrast_weights(colours: Float32, strength: float, contrast: float, neighbours: int = 8) -> Float32:
+def contrast_weights(colours: NDArray[Any], strength: float, contrast: float, neighbours: int = 8) -> Float32:
     """`w_pq = strength exp(-|colour_p - colour_q|^2 / (2 contrast^2)) / |p - q|`, in nats.
 
     Parameters
@@ -56,9 +57,10 @@ def contrast_weights(colours: Float32, strength: float, contrast: float, neighbo
     if neighbours not in (4, 8):
         raise ValueError(f"cells have 4 or 8 neighbours, not {neighbours}")
     weights = np.zeros((neighbours // 2, *colours.shape[:2]), dtype=np.float32)
+    lab = colours.astype(np.float32)
     for weight, offset in zip(weights, OFFSETS, strict=False):
         here, there = _ends(colours.shape[:2], offset)
-        step = colours[here] - colours[there]
+        step = lab[here] - lab[there]
         away = strength / np.hypot(*offset)
         weight[here] = np.float32(away) * np.exp(np.einsum("rcl,rcl->rc", step, step) / np.float32(-2.0 * contrast**2))
     return weights

@@ -30,9 +30,9 @@ def trimap(coverage: Float32) -> UInt8:
     return labels
 
 
-def lab(image: UInt8) -> Float32:
-    """CIE Lab in OpenCV's 8-bit scale, as float `(h, w, 3)`."""
-    return np.asarray(cv2.cvtColor(image, cv2.COLOR_RGB2LAB), dtype=np.float32)
+def lab(image: UInt8) -> UInt8:
+    """CIE Lab in OpenCV's 8-bit scale, `(h, w, 3)`."""
+    return np.asarray(cv2.cvtColor(image, cv2.COLOR_RGB2LAB), dtype=np.uint8)
 
 
 @dataclass(frozen=True, eq=False)

@@ -41,8 +41,8 @@ def motion_on(
     `moved` and `surroundings (3, 3)` are similarities of the image, `agreement` in [0, 1] the share of the object that
     follows `moved`, `sigma` in pixels; `backward (rows, columns, 2)` in cells.
     """
-    to_image = grid.map_to_image()
-    to_grid = np.linalg.inv(to_image)
-    inside_back, outside_back = (to_grid @ np.linalg.inv(t) @ to_image for t in (moved, surroundings))
+    inside_back, outside_back = (
+        grid.map_from_image @ np.linalg.inv(t) @ grid.map_to_image for t in (moved, surroundings)
+    )
     ratio = motion_ratio(backward, inside_back, outside_back, sigma * float(grid.factor.mean()), clip)
     return np.asarray(np.float32(np.clip(2.5 * agreement - 1.0, 0.0, 1.0)) * ratio)

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from roam_core.kernels.local_match import nearest_colours
-from roam_core.threads import WORTH_A_THREAD, both, each, in_halves
+from roam_core.threads import WORTH_A_THREAD, each, in_halves
 
 
 @pytest.fixture
@@ -55,8 +55,8 @@ def test_results_come_in_the_order_of_the_items(two_threads: object) -> None:
 
 def test_two_who_have_work_share_no_more(two_threads: object) -> None:
     def inner(item: int) -> bool:
-        outer, (first, second) = get_ident(), both(get_ident, get_ident)
-        return {outer} == {first, second, *each(lambda _: get_ident(), range(2))}
+        outer = get_ident()
+        return {outer} == set(each(lambda _: get_ident(), range(2)))
 
     assert each(inner, range(4)) == [True] * 4
     assert not inner(0)
@@ -68,19 +68,3 @@ def test_the_first_exception_comes_out(two_threads: object) -> None:
 
     with pytest.raises(ValueError, match="item 0"):
         each(refuse, range(4))
-
-
-def test_both_give_what_each_gives(two_threads: object) -> None:
-    assert both(lambda: "first", lambda: 2) == ("first", 2)
-    cv2.setNumThreads(1)
-    assert both(lambda: "first", lambda: 2) == ("first", 2)
-
-
-def test_if_both_fail_the_first_is_told(two_threads: object) -> None:
-    def refuse(which: str) -> int:
-        raise ValueError(which)
-
-    with pytest.raises(ValueError, match="first"):
-        both(lambda: refuse("first"), lambda: refuse("second"))
-    with pytest.raises(ValueError, match="second"):
-        both(lambda: 1, lambda: refuse("second"))
