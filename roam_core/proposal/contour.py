@@ -24,7 +24,7 @@ NEAR = 12.0
 """... a node that lies this many pixels (of a 480-line image) from where it was expected, and against ..."""
 TURN = 1.0
 """... a node whose outline runs the opposite way, and against ..."""
-BULGE = 180.0
+BULGE = 240.0
 """... one that was all tip on the key and now is all bay (`proposal.tips`)."""
 SPACING = 9.0
 """Pixels of a 480-line image between the nodes that are matched."""

@@ -11,7 +11,7 @@ from roam_core.kernels.coverage import coverage
 
 Array = NDArray[np.float64]
 
-RADII = (0.04, 0.1, 0.25)
+RADII = (0.1, 0.2)
 """Neighbourhoods that are looked at, as shares of the square root of the area."""
 CELLS = 32.0
 """Cells along that root."""
