@@ -23,6 +23,7 @@ from roam_core.errors import RoamError
 from roam_core.features import PreparedFrame
 from roam_core.geometry.simple import simplified
 from roam_core.inference.landmark_dp import best_star
+from roam_core.kernels.colour_bins import bin_counts, looked_up
 from roam_core.kernels.cyclic_viterbi import cyclic_viterbi
 from roam_core.kernels.diffusion import diffuse
 from roam_core.kernels.local_match import nearest_colours
@@ -34,12 +35,15 @@ from roam_core.motion.flow import dense_flow, flow_similarity
 from roam_core.motion.klt import similarity_warp
 from roam_core.params import CONFIGS
 from roam_core.propagate import track, warm_up
-from roam_core.propagate.confidence import frame_confidence, node_support
+from roam_core.propagate.confidence import edge_support, frame_confidence, node_support
+from roam_core.propagate.laying import enclosed, laid
 from roam_core.propagate.nodes import NodeMap
 from roam_core.propagate.reshaping import reshape
+from roam_core.propagate.rigid import Rigidity
 from roam_core.propagate.step import curve_context
 from roam_core.proposal.contour import follow
 from roam_core.proposal.evidence import gathered
+from roam_core.proposal.lineage import lineage
 from roam_core.proposal.pieces import ring_around, shares
 from roam_core.proposal.region import cleaned
 from roam_core.roto import RotoShape
@@ -55,12 +59,15 @@ STAGES: dict[str, Sequence[Callable[..., Any]]] = {
     "landmarks": (Pool.located, Pool.adapted, joint_total.leaf_table, joint_total.node_table, best_star),
     "reparametrisation": (reshape,),
     "fit back to the control points": (NodeMap.points,),
+    "one piece": (Rigidity.step,),
+    "lineage": (lineage,),
     "local colours": (nearest_colours,),
     "smoothing of the evidence": (diffuse,),
     "the other evidence": (gathered,),
     "the region": (cleaned, shares, ring_around),
-    "curves along the region": (follow, simplified),
-    "confidence and energies": (node_support, frame_confidence, total.energies),
+    "curves along the region": (laid, follow, simplified),
+    "confidence and energies": (node_support, frame_confidence, total.energies, edge_support, enclosed),
+    "histograms": (bin_counts, looked_up),
 }
 """What a frame's time is spent on: functions that `propagate.step` or `propagate.region` call. A configuration takes
 one way or the other; stages that it never enters stay out of its table."""

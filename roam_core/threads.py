@@ -32,6 +32,9 @@ def _is_alone() -> bool:
 def each(work: Callable[[Item], Result], items: Sequence[Item]) -> list[Result]:
     """`[work(item) for item in items]`, two at a time: objects, outlines, directions, frames.
 
+    Worth it for work as long as that. Shorter pieces wait for the interpreter's lock more than they gain: a frame of
+    one object in two threads took as long as in one, and a quarter more of the processor.
+
     Results come in the order of `items`; the first exception, in that order, is raised when all work has ended.
     """
     if len(items) < 2 or _is_alone():
