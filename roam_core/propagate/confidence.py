@@ -30,6 +30,8 @@ AROUND = 9
 """Cells across the neighbourhood of an anchor."""
 LEAST = 0.02
 """Overlap below which all is lost."""
+FAR_APART = 0.5
+"""Overlap with both passages below which a filled frame is no worse for being farther from them."""
 
 
 @dataclass(frozen=True)
@@ -105,7 +107,8 @@ class SpanSigns:
     Attributes
     ----------
     missed : share of both regions in which the object, carried from one key all the way, differs from the other key.
-    apart : -ln of the overlap of the outlines with the nearer of what the two keys, each carried, say on this frame.
+    apart : -ln of the overlap of the outlines with the nearer of what the two keys, each carried, say on this frame; at
+        most that of `FAR_APART`: what comes out from behind something is on neither.
     middle : 0 beside a key, 1 half way between them.
     length : ln of the frames from key to key.
     """
@@ -119,10 +122,10 @@ class SpanSigns:
     def of(cls, missed: float, nearer: float, u: float, frames: int) -> SpanSigns:
         """From the miss at the keys, the overlap with the `nearer` passage, and the place in a span of `frames`."""
         middle = 2.0 * float(np.sqrt(u * (1.0 - u)))
-        return cls(missed, -float(np.log(max(nearer, LEAST))), middle, float(np.log(frames)))
+        return cls(missed, -float(np.log(max(nearer, FAR_APART))), middle, float(np.log(frames)))
 
 
-SPAN_SIGNS = (3.92, 1.76, 3.35, 0.80, 0.18)
+SPAN_SIGNS = (3.94, 1.64, 3.30, 0.74, 0.21)
 """As `SIGNS`, of the `SpanSigns`."""
 
 
