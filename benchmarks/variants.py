@@ -40,6 +40,7 @@ ABLATION = (
     Variant("medium", "medium"),
     Variant("full without the global model", "full", {"lambda_global": 0.0, "proposals.global_weight": 0.0}),
     Variant("full without proposals", "full", {"proposals": None}),
+    Variant("full without re-detection", "full", {"appearance.cues.doubted": 0.0}),
     Variant("full", "full"),
     Variant("best without the last frame's colours", "best", {"region.local_weight": 0.0}),
     Variant("best without the key frame's colours", "best", {"region.key_weight": 0.0, "region.key_aged": 0.0}),
@@ -92,10 +93,13 @@ def field_of(params: RoamParams, name: str) -> Any:
 def with_field(params: RoamParams, name: str, value: Any) -> RoamParams:
     """The parameters with one field changed; a name that they do not have is refused as by `field_of`."""
     field_of(params, name)
+    changed: RoamParams = _with(params, name, value)
+    return changed
+
+
+def _with(params: Any, name: str, value: Any) -> Any:
     room, dot, rest = name.partition(".")
-    if not dot:
-        return replace(params, **{name: value})
-    return replace(params, **{room: replace(getattr(params, room), **{rest: value})})
+    return replace(params, **{room: _with(getattr(params, room), rest, value) if dot else value})
 
 
 def chosen(text: str | None) -> list[str]:

@@ -99,7 +99,9 @@ class AppearanceParams:
     local_kind : what says ln p_n^f / p_n^b. "mixture", the paper's: one model an edge. "nearest", beyond the paper: the
         nearest colours of the last frame along the flow and of the artist's key, with the parameters `cues`, of which
         those named local, key and motion, band, bias, blur, clip, margin and grid_factor are read
-        (`proposal.nearest_colours`). "both": the mean of the two log-ratios; what one loses the other mostly holds.
+        (`proposal.nearest_colours`), and doubted, better and believed, on the resemblance to the key
+        (`propagate.refinding.Watch`) in place of an expected IoU. "both": the mean of the two log-ratios; what one
+        loses the other mostly holds.
     term : how the models enter the energy. "ribbon", the paper's: each edge's colours on both sides, up to the ribbon's
         depth, under its own model. "region": the same log-ratios ln p_n^f / p_n^b summed over all that the curve
         encloses near its old place (region competition, Zhu and Yuille 1996), so that it is drawn from farther away.
@@ -287,7 +289,15 @@ CONFIGS: dict[str, RoamParams] = {
         config="full",
         appearance=AppearanceParams(
             local_kind="both",
-            cues=RegionParams(motion_weight=0.0, uncovered_weight=0.0, lineage_weight=0.0, key_aged=0.0),
+            cues=RegionParams(
+                motion_weight=0.0,
+                uncovered_weight=0.0,
+                lineage_weight=0.0,
+                key_aged=0.0,
+                doubted=0.5,
+                better=0.3,
+                believed=0.6,
+            ),
             global_kind="histogram",
         ),
         lambda_local=0.03,
@@ -301,8 +311,8 @@ CONFIGS: dict[str, RoamParams] = {
 """Configurations by name. `baseline`: gradient and l2 regulariser (the paper's Baseline); `lean`: local colour models
 of the edges beside them (the paper's Lean, as region competition); `medium`: landmarks as well, in the pre-warp and
 tied to the curve (the paper's Medium); `full`: the global colour model as well, and proposals by graph cut (the paper's
-Full; p_0 as histograms, the local models with the nearest colours); `best`: all that proved itself, at present the
-region proposals."""
+Full; p_0 as histograms, the local models with the nearest colours, what is lost is looked for again); `best`: all that
+proved itself, at present the region proposals."""
 
 DOUBTFUL = 0.75
 """Confidence below which a frame ends as LOW_CONFIDENCE and is offered as worth fixing.

@@ -66,14 +66,14 @@ class Pool:
     waited: int = 0
 
     @classmethod
-    def learned(cls, frame: PreparedFrame, region: Mask, params: LandmarkParams) -> Pool:
-        """The landmarks of the object that covers `region (h, w)` on a frame."""
+    def learned(cls, frame: PreparedFrame, region: Mask, params: LandmarkParams, first_id: int = 0) -> Pool:
+        """The landmarks of the object that covers `region (h, w)` on a frame, numbered from `first_id` on."""
         cell = scale_for(frame.size)
         across = float(np.sqrt(np.count_nonzero(region))) / cell
         side = 2 * int(np.clip(0.4 * across, LEAST_SIDE // 2, params.window // 2))
         size = side + 2 * MARGIN
         none = CorrelationFilters.learned(np.empty((0, size, size), np.float32), params.target_sigma, params.ridge)
-        return cls(params, np.empty(0, np.intp), np.empty((0, 2)), none, cell)._renewed(frame, region)
+        return cls(params, np.empty(0, np.intp), np.empty((0, 2)), none, cell, first_id)._renewed(frame, region)
 
     def __len__(self) -> int:
         return len(self.ids)

@@ -21,7 +21,7 @@ def begin(picture: PreparedFrame, parts: tuple[Part, ...], params: RoamParams) -
     """The state on a frame whose outlines are given."""
     if params.region is not None:
         return region.begin(picture, parts, params.region)
-    return tuple(outline.begin(picture, part.points, params) for part in parts)
+    return tuple(outline.begin(picture, part.points, params, is_hole=part.subtracts) for part in parts)
 
 
 def step(

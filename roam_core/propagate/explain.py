@@ -214,6 +214,7 @@ def _bare(shape: RotoShape, key: Keyframe, params: RoamParams, config: str, scal
 
 def _by_energy(bare: Explanation, state: TrackerState, picture: PreparedFrame, params: RoamParams) -> Explanation:
     """The pieces of the joint energy at the nodes that inference moved."""
+    state = outline.setting_out(state, picture, params)
     nodes = state.nodes.nodes(bare.key.points)
     bare = replace(bare, nodes=nodes, segment=state.nodes.segment, t=state.nodes.t)
     moved, prior = expected(state.frame, picture, state.points, state.landmarks, params)

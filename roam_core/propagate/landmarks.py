@@ -28,11 +28,11 @@ class LandmarkState:
     pairs: Pairs
 
 
-def begin(frame: PreparedFrame, nodes: Array, params: LandmarkParams | None) -> LandmarkState | None:
+def begin(frame: PreparedFrame, nodes: Array, params: LandmarkParams | None, first_id: int = 0) -> LandmarkState | None:
     """Landmarks detected inside the outline `nodes (N, 2)` that the artist gave, paired with it; None if unwanted."""
     if params is None:
         return None
-    pool = Pool.learned(frame, _covered(nodes, frame.size), params)
+    pool = Pool.learned(frame, _covered(nodes, frame.size), params, first_id)
     return LandmarkState(pool, paired(nodes, pool.positions, params.neighbours))
 
 

@@ -6,8 +6,10 @@ hidden, or left behind by a region that leaked, nothing remains to make them on.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Callable
+from dataclasses import dataclass, replace
 from functools import cached_property
+from typing import TypeVar
 
 import cv2
 import numpy as np
@@ -16,11 +18,16 @@ from numpy.typing import NDArray
 from roam_core.appearance.global_model import GlobalModel
 from roam_core.features import PreparedFrame, Region
 from roam_core.features.grid import Grid
-from roam_core.proposal.evidence import Field
+from roam_core.geometry import polyline
+from roam_core.kernels.coverage import coverage
+from roam_core.params import RegionParams
+from roam_core.proposal.evidence import Field, KeyMemory
 from roam_core.threads import each
 
 Array = NDArray[np.float64]
 Float32 = NDArray[np.float32]
+State = TypeVar("State")
+Carried = TypeVar("Carried")
 
 ACROSS = 16.0
 """Cells across the object (the root of its area) at which it is looked for."""
@@ -39,6 +46,11 @@ LOST = 0.1
 """Share of the area that it should have under which an object is lost."""
 WHOLE = 0.5
 """Share of it from which its size and turn are sure."""
+ALMOST = 0.8
+"""Resemblance from which they are."""
+LEAST, DISTINCT = 12.0, 2.0
+"""Root of its area on the key in pixels, and nats by which it differs there from its surroundings, from which an
+outline's inside can be known again by its colours."""
 LONG_GONE, SOMETIMES = 8, 4
 """Frames unseen after which an object is looked for on every fourth frame only."""
 NEAR, PACE = 2.0, 0.5
@@ -73,6 +85,20 @@ class Sighting:
     def is_lost(self, region: Field) -> bool:
         """True when too little is left of the object to carry it on."""
         return area_of(region) <= LOST * self.area
+
+    def missed(self) -> Sighting:
+        """After one more frame on which the object was not seen."""
+        return replace(self, since=self.since + 1)
+
+    def after(self, key: KeyMemory, region: Field, resemblance: float = 1.0) -> Sighting:
+        """After a frame on which the object was seen, as `region`; `key` knows the way from the key to there.
+
+        Its size and turn are sure where most of it is in sight and it has `resemblance` (`Lookout.resemblance`).
+        """
+        area = area_of(key.region) * abs(float(np.linalg.det(key.to_now[:2, :2])))
+        if resemblance >= ALMOST and area_of(region) >= WHOLE * area:
+            return Sighting(key.to_now, area, middle_of(region))
+        return replace(self, middle=middle_of(region), since=0)
 
 
 @dataclass(frozen=True, eq=False)
@@ -165,6 +191,20 @@ class Lookout:
         placed[:2, 2] = place - turns[chosen] @ self.middle
         return placed
 
+    def resemblance(self, frame: PreparedFrame, line: Array) -> float:
+        """How much like the object what the closed polyline `(N, 2)` encloses looks: 1 as on the key, 0 not at all.
+
+        The mean log-ratio inside less that of the surroundings, as everywhere here, in relation to the key's own.
+        """
+        extent = float(np.sqrt(abs(polyline.signed_area(line))))
+        area = Region.around(line, (RING + 2.0 / ACROSS) * extent, frame.size)
+        if extent < 1.0 or area.is_empty:
+            return 0.0
+        grid = Grid.over(area, min(ACROSS / extent, 1.0))
+        inner, outer = _shares(coverage(grid.to_grid(line), grid.shape), extent * float(grid.factor.mean()))
+        score = float((self.colours.log_ratio(grid.of(frame.image), CLIP) * (inner - outer)).sum())
+        return float(np.clip(score / max(self.own_score, 1e-6), 0.0, 1.0))
+
     def _likeness(self, frame: PreparedFrame, turn: Array, near: Array, reach: float) -> Likeness:
         """Mean log-ratio inside the outline, under `turn (2, 2)` and put everywhere, less that of its surroundings."""
         extent = self.extent * float(np.sqrt(abs(np.linalg.det(turn))))
@@ -177,11 +217,9 @@ class Lookout:
         grid = Grid.over(area, min(ACROSS / extent, 1.0))
         ratio = self.colours.log_ratio(grid.of(frame.image), CLIP)
         inside = self._template(turn, room, grid)
-        width = 2 * max(round(RING * extent * float(grid.factor.mean())), 1) + 1
-        around = cv2.dilate(inside, cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (width, width))) - inside
         inner, outer = (
-            cv2.filter2D(ratio, cv2.CV_32F, part / max(float(part.sum()), 1e-6), borderType=cv2.BORDER_CONSTANT)
-            for part in (inside, around)
+            cv2.filter2D(ratio, cv2.CV_32F, share, borderType=cv2.BORDER_CONSTANT)
+            for share in _shares(inside, extent * float(grid.factor.mean()))
         )
         return Likeness(np.asarray(inner - outer, dtype=np.float32), grid)
 
@@ -195,6 +233,68 @@ class Lookout:
         return self.region.on(canvas, placed)
 
 
+@dataclass(frozen=True, eq=False)
+class Watch:
+    """What is kept of an outline's key so that its inside is known again, and how it has looked since.
+
+    Attributes
+    ----------
+    drawn : (P, 3, 2) control points on the key. lookout : what it looked like there. sighting : when it was last seen.
+    resemblance : how much it looked so on the last frame, in [0, 1].
+    """
+
+    drawn: Array
+    lookout: Lookout
+    sighting: Sighting
+    resemblance: float = 1.0
+
+    @classmethod
+    def begun(cls, drawn: Array, frame: PreparedFrame, region: Field) -> Watch | None:
+        """On the key, where the outline encloses `region`; None of what could not be told from its surroundings."""
+        lookout = Lookout(frame, region)
+        if lookout.extent < LEAST or lookout.own_score < DISTINCT:
+            return None
+        return cls(drawn, lookout, Sighting(np.eye(3), area_of(region), middle_of(region)))
+
+    def after(self, frame: PreparedFrame, line: Array, key: KeyMemory, region: Field, params: RegionParams) -> Watch:
+        """After a frame with the outline `line (N, 2)`, which encloses `region` there."""
+        alike = self.lookout.resemblance(frame, line)
+        seen = self.sighting.after(key, region, alike) if alike >= params.believed else self.sighting.missed()
+        return replace(self, sighting=seen, resemblance=alike)
+
+    def missed(self) -> Watch:
+        """After a frame on which the outline lay outside the picture."""
+        return replace(self, sighting=self.sighting.missed(), resemblance=0.0)
+
+
+def decided(
+    state: State,
+    carry: Callable[[State], Carried],
+    promise: Callable[[Carried], float],
+    elsewhere: Callable[[Carried], State | None],
+    params: RegionParams,
+) -> tuple[State, Carried]:
+    """The state from which an object is carried on to a frame, and what comes of it.
+
+    That is `state`, unless what `carry` makes of it promises less than `RegionParams.doubted` and the object is found
+    `elsewhere`, as it was on the key, and that promises more.
+    """
+    carried = carry(state)
+    if promise(carried) >= params.doubted:
+        return state, carried
+    other = elsewhere(carried)
+    if other is None:
+        return state, carried
+    again = carry(other)
+    is_better = promise(again) > max(promise(carried) + params.better, params.believed)
+    return (other, again) if is_better else (state, carried)
+
+
+def as_on_key(key: PreparedFrame, to_now: Array) -> PreparedFrame:
+    """The key's picture as if the object had been where the similarity `to_now (3, 3)` puts it."""
+    return PreparedFrame(Grid.over(_whole(key), 1.0).warped(key.image, to_now))
+
+
 def area_of(region: Field) -> float:
     """Square pixels inside."""
     return np.count_nonzero(region.inside) / float(np.prod(region.grid.factor))
@@ -206,6 +306,14 @@ def middle_of(region: Field) -> Array:
     if not counts[0].any():
         return region.grid.to_image(np.array([region.grid.columns, region.grid.rows]) / 2.0)
     return region.grid.to_image(np.array([np.average(np.arange(len(count)), weights=count) for count in counts]) + 0.5)
+
+
+def _shares(inside: Float32, extent: float) -> tuple[Float32, Float32]:
+    """The share of each cell in what lies inside, and in its surroundings; `extent` is the root of the area, cells."""
+    width = 2 * max(round(RING * extent), 1) + 1
+    around = cv2.dilate(inside, cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (width, width))) - inside
+    inner, outer = (np.asarray(part / max(float(part.sum()), 1e-6)) for part in (inside, around))
+    return inner, outer
 
 
 def _whole(frame: PreparedFrame) -> Region:

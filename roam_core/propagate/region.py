@@ -23,7 +23,7 @@ from roam_core.params import RegionParams, scale_for
 from roam_core.propagate.confidence import Signs, edge_support, expected_overlap, overlap, vertex_confidence
 from roam_core.propagate.laying import enclosed, laid
 from roam_core.propagate.nodes import smooth_points
-from roam_core.propagate.refinding import WHOLE, Lookout, Sighting, area_of, middle_of
+from roam_core.propagate.refinding import Lookout, Sighting, area_of, as_on_key, decided, middle_of
 from roam_core.propagate.result import Part, StepResult, Termination
 from roam_core.propagate.rigid import Pose, Rigidity
 from roam_core.proposal import region as proposed
@@ -131,27 +131,23 @@ def _decided(
     state: RegionState, frame: PreparedFrame, params: RegionParams, token: CancelToken | None
 ) -> tuple[RegionState, tuple[RegionState, tuple[StepResult, ...]]]:
     """The state from which the shapes are carried on, and what comes of it."""
-    carried = _carried(state, frame, params, token)
-    after = carried[0]
-    if after.trust >= params.doubted or not after.sighting.is_worth_a_look:
-        return state, carried
-    elsewhere = _at_sighting(state, after.sighting, frame, params)
-    if elsewhere is None:
-        return state, carried
-    again = _carried(elsewhere, frame, params, token)
-    is_better = again[0].trust > max(after.trust + params.better, params.believed)
-    return (elsewhere, again) if is_better else (state, carried)
+    return decided(
+        state,
+        lambda begun: _carried(begun, frame, params, token),
+        lambda carried: carried[0].trust,
+        lambda carried: _at_sighting(state, carried[0].sighting, frame, params),
+        params,
+    )
 
 
 def _at_sighting(
     state: RegionState, sighting: Sighting, frame: PreparedFrame, params: RegionParams
 ) -> RegionState | None:
     """As if, the frame before, the object had lain as on the key where it is seen on `frame`."""
-    to_now = state.lookout.found(frame, sighting)
+    to_now = state.lookout.found(frame, sighting) if sighting.is_worth_a_look else None
     if to_now is None:
         return None
-    whole = Grid.over(Region(0, 0, frame.size[1], frame.size[0]), 1.0)
-    picture = PreparedFrame(whole.warped(state.key.frame.image, to_now))
+    picture = as_on_key(state.key.frame, to_now)
     parts = tuple(replace(part, points=similarity.apply(to_now[:2], part.points)) for part in state.drawn)
     spots = np.vstack([part.points.reshape(-1, 2) for part in parts])
     grid = grid_around(spots, frame.size, params, scale_for(frame.size))
@@ -279,12 +275,7 @@ def _after(
 def _seen(state: RegionState, key: KeyMemory, found: Field) -> Sighting:
     """What the frame on which `found` is the region says about where the object is."""
     before = state.sighting
-    if before.is_lost(found):
-        return replace(before, since=before.since + 1)
-    area = area_of(key.region) * abs(float(np.linalg.det(key.to_now[:2, :2])))
-    if area_of(found) >= WHOLE * area:
-        return Sighting(key.to_now, area, middle_of(found))
-    return replace(before, middle=middle_of(found), since=0)
+    return before.missed() if before.is_lost(found) else before.after(key, found)
 
 
 def sighted(
@@ -389,5 +380,5 @@ def _left(state: RegionState, frame: PreparedFrame) -> tuple[RegionState, tuple[
     results = tuple(
         StepResult(part.points, 0.0, np.zeros(len(part.points)), {}, Termination.LEFT_FRAME) for part in state.parts
     )
-    sighting = replace(state.sighting, since=state.sighting.since + 1)
-    return replace(state, frame=frame, sighting=sighting, steps=state.steps + 1, signs=None), results
+    missed = state.sighting.missed()
+    return replace(state, frame=frame, sighting=missed, steps=state.steps + 1, signs=None), results

@@ -17,7 +17,7 @@ from roam_core.energy.joint_total import LandmarkContext, Placing
 from roam_core.energy.total import CurveContext
 from roam_core.features import PreparedFrame, Region
 from roam_core.features.grid import Grid
-from roam_core.geometry import polyline
+from roam_core.geometry import polyline, similarity
 from roam_core.geometry.simple import untied
 from roam_core.inference.alternate import alternate
 from roam_core.inference.contour_dp import Unary, descend
@@ -28,6 +28,7 @@ from roam_core.propagate.confidence import frame_confidence, node_support, whole
 from roam_core.propagate.landmarks import LandmarkState
 from roam_core.propagate.nodes import NodeMap
 from roam_core.propagate.prewarp import expected
+from roam_core.propagate.refinding import Watch, as_on_key, decided
 from roam_core.propagate.reshaping import reshape
 from roam_core.propagate.result import StepResult, Termination
 from roam_core.proposal.nearest_colours import NearestColours
@@ -52,6 +53,7 @@ class TrackerState:
     landmarks : those inside the outline, where the configuration wants them.
     nearest : the pictures whose colours stand for the local models, where the configuration has it so.
     extent : the area of the artist's outline as the pre-warps have carried it since, square pixels.
+    watch : what it is known again by, where the configuration looks for what is lost.
     """
 
     frame: PreparedFrame
@@ -61,6 +63,12 @@ class TrackerState:
     landmarks: LandmarkState | None = None
     nearest: NearestColours | None = None
     extent: float = 0.0
+    watch: Watch | None = None
+
+    @property
+    def promise(self) -> float:
+        """How much the inside looks like the object on the key, in [0, 1]; 1 where nobody watches."""
+        return 1.0 if self.watch is None else self.watch.resemblance
 
 
 @dataclass(frozen=True, eq=False)
@@ -72,21 +80,26 @@ class Solved:
     placing: Placing | None = None
 
 
-def begin(frame: PreparedFrame, points: Array, params: RoamParams) -> TrackerState:
+def begin(
+    frame: PreparedFrame, points: Array, params: RoamParams, is_hole: bool = False, first_id: int = 0
+) -> TrackerState:
     """The state on a frame whose outline the artist gave: everything is learned from this key.
 
     So a correction teaches every edge what it looks like there, and a run through the key goes on exactly as one that
     was stopped and corrected at it: nothing of what was adapted before the key outlives it (path independence).
+    A hole is not looked for when it is lost. Landmarks are numbered from `first_id` on.
     """
     scale = scale_for(frame.size)
     nodes = NodeMap.of(points, params, scale)
     line = nodes.nodes(points)
     models = ColourModels.learned(frame, line, params, scale)
-    colour, nearest = params.appearance, None
+    colour, nearest, watch = params.appearance, None, None
     if colour is not None and colour.local_kind != "mixture":
         nearest = NearestColours.learned(frame, line, colour.cues)
-    known = landmarks.begin(frame, line, params.landmarks)
-    return TrackerState(frame, points, nodes, models, known, nearest, abs(polyline.signed_area(line)))
+        if colour.cues.doubted > 0 and not is_hole:
+            watch = Watch.begun(points, frame, nearest.region)
+    known = landmarks.begin(frame, line, params.landmarks, first_id)
+    return TrackerState(frame, points, nodes, models, known, nearest, abs(polyline.signed_area(line)), watch)
 
 
 @dataclass(frozen=True, eq=False)
@@ -101,7 +114,59 @@ class Sight:
 def step(
     state: TrackerState, frame: PreparedFrame, params: RoamParams, token: CancelToken | None = None
 ) -> tuple[TrackerState, StepResult]:
-    """Carry the outline from the state's frame to `frame`."""
+    """Carry the outline from the state's frame to `frame`.
+
+    Where its inside then looks too little like the object on the key, that is looked for, and taken from there if it
+    looks more so (`propagate.refinding`).
+    """
+    return _decided(state, frame, params, token)[1]
+
+
+def setting_out(
+    state: TrackerState, frame: PreparedFrame, params: RoamParams, token: CancelToken | None = None
+) -> TrackerState:
+    """The state that `step` carries on to `frame`: the one given, or the object as on the key where it was found."""
+    return _decided(state, frame, params, token)[0]
+
+
+def _decided(
+    state: TrackerState, frame: PreparedFrame, params: RoamParams, token: CancelToken | None
+) -> tuple[TrackerState, tuple[TrackerState, StepResult]]:
+    """The state from which the outline is carried on, and what comes of it."""
+    if state.watch is None or params.appearance is None:
+        return state, _carried(state, frame, params, token)
+    return decided(
+        state,
+        lambda begun: _carried(begun, frame, params, token),
+        lambda carried: carried[0].promise,
+        lambda carried: _at_sighting(carried[0], frame, params),
+        params.appearance.cues,
+    )
+
+
+def _at_sighting(state: TrackerState, frame: PreparedFrame, params: RoamParams) -> TrackerState | None:
+    """As if, the frame before, the object had lain as on the key where it is seen on `frame`.
+
+    All that was learned since the key is forgotten: it was learned from something else.
+    """
+    watch, nearest = state.watch, state.nearest
+    if watch is None or nearest is None or not watch.sighting.is_worth_a_look:
+        return None
+    to_now = watch.lookout.found(frame, watch.sighting)
+    if to_now is None:
+        return None
+    picture, points = as_on_key(watch.lookout.frame, to_now), similarity.apply(to_now[:2], watch.drawn)
+    first_id = 0 if state.landmarks is None else state.landmarks.pool.next_id
+    fresh = begin(picture, points, params, first_id=first_id)
+    assert fresh.nearest is not None
+    key = replace(nearest.key, to_now=to_now)
+    return replace(fresh, nearest=replace(fresh.nearest, key=key), watch=watch)
+
+
+def _carried(
+    state: TrackerState, frame: PreparedFrame, params: RoamParams, token: CancelToken | None
+) -> tuple[TrackerState, StepResult]:
+    """The outline carried on from where the state has it."""
     scale = scale_for(frame.size)
     moved, prior = expected(state.frame, frame, state.points, state.landmarks, params)
     if token is not None:
@@ -120,7 +185,14 @@ def step(
     support = node_support(fitted, context, scale)
     confidence = frame_confidence(support, moved)
     extent = state.extent * abs(float(np.linalg.det(moved.transform[:, :2])))
+    nearest, watch = state.nearest, state.watch
+    if nearest is not None:
+        nearest = nearest.adapted(frame, fitted, moved.transform)
+        if watch is not None:
+            watch = watch.after(frame, fitted, nearest.key, nearest.region, nearest.params)
     trust = confidence * wholeness(fitted, extent)
+    if watch is not None:
+        trust = min(trust, watch.resemblance)
     result = StepResult(
         points=points,
         confidence=trust,
@@ -133,8 +205,7 @@ def step(
     known = _marked(state.landmarks, frame, seen, solution.placing, fitted, confidence)
     if known is not None and new.changed:
         known = landmarks.renewed(known, fitted, new.fresh)
-    nearest = state.nearest and state.nearest.adapted(frame, fitted, moved.transform)
-    return TrackerState(frame, points, state.nodes, models, known, nearest, extent), result
+    return TrackerState(frame, points, state.nodes, models, known, nearest, extent, watch), result
 
 
 def sighted(state: TrackerState, frame: PreparedFrame, moved: Warp, prior: Array, params: RoamParams) -> Sight | None:
@@ -259,7 +330,8 @@ def _left(state: TrackerState, frame: PreparedFrame, prior: Array, moved: Warp) 
     """The outline has left the picture: it goes on as it moved, and says so."""
     result = StepResult(prior, 0.0, np.zeros(len(prior)), {}, Termination.LEFT_FRAME)
     nearest = state.nearest and state.nearest.adapted(frame, state.nodes.nodes(prior), moved.transform)
-    return replace(state, frame=frame, points=prior, nearest=nearest), result
+    watch = state.watch and state.watch.missed()
+    return replace(state, frame=frame, points=prior, nearest=nearest, watch=watch), result
 
 
 def _is_outside(nodes: Array, size: tuple[int, int]) -> bool:

@@ -48,3 +48,7 @@ def test_fields_are_changed_by_name() -> None:
     assert variants.field_of(params, "region.bias") == -0.7
     assert params.window == 7
     assert params.config == "best"
+    full = params_for("full")
+    blind = variants.with_field(full, "appearance.cues.doubted", 0.0)
+    assert variants.field_of(blind, "appearance.cues.doubted") == 0.0
+    assert variants.with_field(blind, "appearance.cues.doubted", full.appearance.cues.doubted) == full

@@ -12,12 +12,14 @@ from numpy.typing import NDArray
 from roam_core import shapes_from_mask, track
 from roam_core.features import PreparedFrame
 from roam_core.features.grid import Grid, Region
+from roam_core.geometry import bezier
 from roam_core.matte.compose import render_matte
-from roam_core.params import RegionParams
-from roam_core.propagate.refinding import LONG_GONE, Lookout, Sighting
+from roam_core.params import CONFIGS, RegionParams
+from roam_core.propagate import step as outline
+from roam_core.propagate.refinding import LONG_GONE, Lookout, Sighting, Watch
 from roam_core.propagate.region import begin, setting_out, step
 from roam_core.propagate.result import Part
-from roam_core.proposal.evidence import Field
+from roam_core.proposal.evidence import Field, KeyMemory
 
 SIZE = (140, 260)
 RADIUS = 15
@@ -121,13 +123,80 @@ def test_what_is_found_is_left_where_too_little_is_to_be_expected_of_it() -> Non
     assert not sightings(1.0)
 
 
-def test_a_ball_that_went_behind_a_post_is_carried_on_behind_it() -> None:
+def ring_of(column: float, radius: float = RADIUS) -> NDArray[np.float64]:
+    angles = np.linspace(0.0, 2.0 * np.pi, 40, endpoint=False)
+    return np.stack([column + radius * np.cos(angles), ROW + radius * np.sin(angles)], axis=1)
+
+
+def test_what_lies_inside_resembles_the_object_as_far_as_it_is_the_object() -> None:
+    eye, _ = lookout()
+    frame = PreparedFrame(picture(150.0))
+    alike = [eye.resemblance(frame, ring_of(150.0 + off)) for off in (0.0, 8.0, 16.0, 60.0)]
+    assert alike[0] > 0.95
+    assert alike == sorted(alike, reverse=True)
+    assert alike[2] < 0.5
+    assert alike[3] == pytest.approx(0.0, abs=1e-3)
+
+
+@pytest.mark.parametrize("line", [ring_of(9000.0), ring_of(60.0, 0.1)], ids=["beyond the picture", "nothing left"])
+def test_nothing_resembles_nothing(line: NDArray[np.float64]) -> None:
+    assert lookout()[0].resemblance(PreparedFrame(picture(60.0)), line) == 0.0
+
+
+def test_only_what_can_be_told_from_its_surroundings_is_watched() -> None:
+    eye, _ = lookout()
+    drawn = np.zeros((4, 3, 2))
+    assert Watch.begun(drawn, eye.frame, eye.region) is not None
+    assert Watch.begun(drawn, PreparedFrame(meadow()), eye.region) is None
+
+
+def test_size_and_turn_are_taken_over_from_where_they_are_sure() -> None:
+    eye, sighting = lookout()
+    grown = np.diag([1.5, 1.5, 1.0])
+    key = KeyMemory(eye.frame, eye.region, eye.colours, grown)
+    region = Field(eye.region.grid, eye.region.on(eye.region.grid, grown) - np.float32(0.5))
+    sure, doubtful = sighting.after(key, region), sighting.after(key, region, resemblance=0.7)
+    assert sure.since == doubtful.since == 0
+    np.testing.assert_array_equal(sure.middle, doubtful.middle)
+    np.testing.assert_array_equal(sure.carried, grown)
+    np.testing.assert_array_equal(doubtful.carried, sighting.carried)
+    assert sighting.missed().since == sighting.since + 1
+
+
+def test_landmarks_of_what_was_found_again_are_new_ones() -> None:
+    params = CONFIGS["full"]
+    key = PreparedFrame(picture(60.0))
+    points = shapes_from_mask(disc(60.0))[0].at(0).points
+    state = outline.begin(key, points, params)
+    assert state.watch is not None
+    assert state.landmarks is not None
+    frame = PreparedFrame(picture(220.0))
+    away = replace(state, watch=replace(state.watch, sighting=replace(state.watch.sighting, since=LONG_GONE - 1)))
+    found = outline.setting_out(away, frame, params)
+    assert found is not away
+    assert found.landmarks is not None
+    assert len(found.landmarks.pool.ids) > 0
+    assert not set(found.landmarks.pool.ids) & set(state.landmarks.pool.ids)
+    after, result = outline.step(away, frame, params)
+    assert after.promise > 0.9
+    assert np.hypot(*(result.points[:, bezier.ANCHOR].mean(axis=0) - (220.0, ROW))) < 3.0
+
+
+def test_a_hole_is_not_looked_for() -> None:
+    points = shapes_from_mask(disc(60.0))[0].at(0).points
+    state = outline.begin(PreparedFrame(picture(60.0)), points, CONFIGS["full"], is_hole=True)
+    assert state.watch is None
+    assert state.promise == 1.0
+
+
+@pytest.mark.parametrize("config", ["full", "best"])
+def test_a_ball_that_went_behind_a_post_is_carried_on_behind_it(config: str) -> None:
     columns = [FIRST + STEP * k for k in range(24)]
     frames = [picture(column, post=True) for column in columns]
     hidden = [not (disc(column)[:, : POST.start].any() or disc(column)[:, POST.stop :].any()) for column in columns]
     assert sum(hidden) >= 3
     shapes = shapes_from_mask(disc(columns[0]))
-    results = list(track(lambda frame: frames[frame], shapes, range(len(frames)), "best"))
+    results = list(track(lambda frame: frames[frame], shapes, range(len(frames)), config))
     for result in results[-4:]:
         matte = render_matte([each.shape for each in result.results], result.frame, SIZE) > 0.5
         true = disc(columns[result.frame])
