@@ -16,6 +16,7 @@ from roam_core.geometry import bezier
 from roam_core.matte.compose import render_matte
 from roam_core.params import CONFIGS, RegionParams
 from roam_core.propagate import step as outline
+from roam_core.propagate.explain import explain
 from roam_core.propagate.refinding import LONG_GONE, Lookout, Sighting, Watch
 from roam_core.propagate.region import begin, setting_out, step
 from roam_core.propagate.result import Part
@@ -203,3 +204,17 @@ def test_a_ball_that_went_behind_a_post_is_carried_on_behind_it(config: str) -> 
         assert (matte & true).sum() / (matte | true).sum() > 0.8
     lost = [each for each in results if hidden[each.frame]]
     assert all(each.results[0].confidence < 0.5 for each in lost[1:])
+
+
+def test_a_frame_on_which_it_was_found_again_is_explained_from_there() -> None:
+    columns = [FIRST + STEP * k for k in range(24)]
+    frames = [picture(column, post=True) for column in columns]
+    shapes = shapes_from_mask(disc(columns[0]))
+    results = [each.results[0] for each in track(lambda frame: frames[frame], shapes, range(len(frames)), "full")]
+    middles = [each.shape.at(each.frame).points.mean(axis=(0, 1))[0] for each in results]
+    leap = int(np.argmax(np.diff(middles))) + 1
+    assert middles[leap] - middles[leap - 1] > RADIUS
+    result = results[leap]
+    (told,) = explain(lambda frame: PreparedFrame(frames[frame]), [result.shape], result.frame, None)
+    assert told.apart == 0.0
+    assert told.total.sum() + told.landmark_total.sum() == pytest.approx(result.energies["total"], abs=1e-6)
