@@ -13,7 +13,6 @@ from numpy.typing import NDArray
 from roam_core.cancel import CancelToken
 from roam_core.errors import RoamError
 from roam_core.features import PreparedFrame
-from roam_core.geometry.bezier import ANCHOR
 from roam_core.params import DEFAULT_CONFIG, RoamParams, params_for, scale_for
 from roam_core.propagate import engine, provenance
 from roam_core.propagate.engine import State
@@ -21,11 +20,10 @@ from roam_core.propagate.offers import Proposal
 from roam_core.propagate.result import Landmarks, Part, StepResult, Termination, TrackResult
 from roam_core.roto import BlendMode, Keyframe, Origin, RotoShape
 from roam_core.roto.edit import set_engine_keys
+from roam_core.roto.sight import is_shut, opened
 
 MIN_POINTS = 2
 """Points from which a closed spline encloses anything."""
-SHUT = 0.05
-"""Size, of that on its key, under which an engine's outline has closed (`laying.CLOSED`)."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -175,10 +173,7 @@ def _opened(shape: RotoShape, frame: int) -> NDArray[np.float64]:
     drawn = None if key is None else provenance.source_of(shape, key)
     if drawn is None or shape.blend is BlendMode.SUBTRACT:
         return points
-    ours, theirs = points[:, ANCHOR], drawn.points[:, ANCHOR]
-    if np.ptp(ours, axis=0).max() > SHUT * np.ptp(theirs, axis=0).max():
-        return points
-    return np.asarray(drawn.points + ours.mean(axis=0) - theirs.mean(axis=0))
+    return opened(points, drawn.points) if is_shut(points, drawn.points) else points
 
 
 def _prepared(image: NDArray[Any] | PreparedFrame) -> PreparedFrame:

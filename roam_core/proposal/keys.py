@@ -16,9 +16,10 @@ from roam_core.matte.vectorise import outlines
 from roam_core.params import scale_for
 from roam_core.proposal.key_fit import fitted
 from roam_core.proposal.pairing import paired, poses
-from roam_core.roto import BlendMode, Keyframe, RotoShape, edit
+from roam_core.roto import BlendMode, Keyframe, Origin, RotoShape, edit
 from roam_core.roto.grips import settled
 from roam_core.roto.project import PALETTE
+from roam_core.roto.sight import is_shut, opened
 
 Array = NDArray[np.float64]
 
@@ -30,11 +31,12 @@ def keys_from_mask(shapes: Sequence[RotoShape], mask: NDArray[Any], frame: int) 
     """Each shape with an artist key on `frame`, fitted to a mask: the same points, in correspondence with its keys.
 
     Every shape is expected where `RotoShape.at` puts it: between its keys, or on the nearest one, or on an ENGINE key
-    of that frame. Outer contours of the mask are paired with shapes that add, holes with shapes that subtract
-    (`proposal.pairing`); shapes that overlapped, or that are of like size, divide a part into which they have grown
-    together. A part without a partner begins on `frame` as a new shape, above the others (a hole just above the shape
-    that it is cut out of). A shape without one ends before `frame`; one with keys after `frame` too goes on behind it
-    as a twin with those keys. No key of the artist's on another frame is changed or deleted.
+    of that frame. One that an engine closed there, as it was out of sight, is expected as on the artist's nearest key,
+    and takes a part of its own or ends. Outer contours of the mask are paired with shapes that add, holes with shapes
+    that subtract (`proposal.pairing`); shapes that overlapped, or that are of like size, divide a part into which they
+    have grown together. A part without a partner begins on `frame` as a new shape, above the others (a hole just above
+    the shape that it is cut out of). A shape without one ends before `frame`; one with keys after `frame` too goes on
+    behind it as a twin with those keys. No key of the artist's on another frame is changed or deleted.
 
     Shapes that are open or invisible, do not exist on `frame`, or join by INTERSECT or DIFFERENCE take no part. Locked
     ones keep their part of the mask and stay as they are.
@@ -107,8 +109,13 @@ def _keyed(
     common: Array | None,
 ) -> Array | None:
     """Key or end `members` in `result`; by which similarity all of them moved, None where there was none to see."""
-    expected = [shape.at(frame).points for shape in members]
-    pairing = paired(expected, [part.ring for part in parts], size, common)
+    expected, hidden = [shape.at(frame).points for shape in members], set[int]()
+    for number, shape in enumerate(members):
+        drawn = _drawn(shape, frame)
+        if drawn is not None and is_shut(expected[number], drawn):
+            expected[number] = opened(expected[number], drawn)
+            hidden.add(number)
+    pairing = paired(expected, [part.ring for part in parts], size, common, hidden)
     for number, owner in pairing.owners.items():
         parts[number].owner = members[owner].id
     for shape, points, ring in zip(members, expected, pairing.rings, strict=True):
@@ -121,6 +128,12 @@ def _keyed(
             fresh = fitted(points, ring, [pairing.pose, *poses([points], [ring])], scale_for(size))
             result[place] = edit.set_key(shape, frame, settled(fresh, shape))
     return pairing.pose if pairing.owners else None
+
+
+def _drawn(shape: RotoShape, frame: int) -> Array | None:
+    """The artist's key `(P, 3, 2)` that is nearest to a frame; None of a shape without any."""
+    keys = [key for key in shape.keys if key.origin is Origin.ARTIST]
+    return min(keys, key=lambda key: abs(key.frame - frame)).points if keys else None
 
 
 def _place(shapes: list[RotoShape], shape_id: str) -> int:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from dataclasses import dataclass
 
 import cv2
@@ -44,7 +45,13 @@ class Pairing:
     owners: dict[int, int]
 
 
-def paired(splines: list[Array], rings: list[Array], size: tuple[int, int], common: Array | None = None) -> Pairing:
+def paired(
+    splines: list[Array],
+    rings: list[Array],
+    size: tuple[int, int],
+    common: Array | None = None,
+    hidden: Collection[int] = (),
+) -> Pairing:
     """Rings for splines `(P, 3, 2)` that are expected near them.
 
     Shapes that overlapped and have grown together into one part divide it.
@@ -53,6 +60,7 @@ def paired(splines: list[Array], rings: list[Array], size: tuple[int, int], comm
     ----------
     rings : closed polylines `(K, 2)`, the outlines of parts that do not overlap. size : (h, w) of the image.
     common : the similarity `(2, 3)` by which all moved where it is known (holes move with what they are cut out of).
+    hidden : the splines that were out of sight: each takes a part of its own or none, and does not tell how all moved.
     """
     if not splines or not rings:
         return Pairing(common if common is not None else similarity.IDENTITY, [None] * len(splines), {})
@@ -60,14 +68,18 @@ def paired(splines: list[Array], rings: list[Array], size: tuple[int, int], comm
     labels = _labels(rings, size)
     areas = [bezier.area(points) for points in splines]
     wanted = [abs(polyline.signed_area(ring)) for ring in rings]
-    pose = common if common is not None else _common_pose(splines, rings, spots, labels, areas, sum(wanted))
+    pose = common if common is not None else similarity.IDENTITY
+    if common is None and (shown := [i for i in range(len(splines)) if i not in hidden]):
+        known = [(splines[i], spots[i], areas[i]) for i in shown]
+        pose = _common_pose(known, rings, labels, sum(wanted))
     moved = [similarity.apply(pose, points) for points in splines]
     seen = np.stack([_looked_up(labels, similarity.apply(pose, each), len(rings)) for each in spots])
     partners = _assigned(moved, rings, seen, np.array(areas), np.array(wanted))
     found: list[Array | None] = [None if k is None else rings[k] for k in partners]
     owners = {k: i for i, k in enumerate(partners) if k is not None}
     for k, owner in owners.items():
-        sharing = [owner, *_sharing(k, owner, partners, moved, seen, areas)]
+        others = (i for i in _sharing(k, owner, partners, moved, seen, areas) if i not in hidden)
+        sharing = [owner, *others]
         if len(sharing) > 1:
             for i, ring in zip(sharing, _divided(labels == k + 1, [moved[i] for i in sharing]), strict=True):
                 found[i] = ring
@@ -98,20 +110,20 @@ def poses(splines: list[Array], rings: list[Array]) -> list[Array]:
 
 
 def _common_pose(
-    splines: list[Array],
-    rings: list[Array],
-    spots: list[Array],
-    labels: NDArray[np.int32],
-    areas: list[float],
-    wanted: float,
+    known: list[tuple[Array, Array, float]], rings: list[Array], labels: NDArray[np.int32], wanted: float
 ) -> Array:
-    """Of the poses of all shapes together the one on which they overlap the parts most."""
+    """Of the poses of all shapes together, the one on which they overlap the parts most.
+
+    `known` of each shape are its spline, places inside and its area.
+    """
     best, most = similarity.IDENTITY, -np.inf
-    for number, pose in enumerate(poses(splines, rings)):
+    whole = sum(area for _, _, area in known)
+    for number, pose in enumerate(poses([spline for spline, _, _ in known], rings)):
         grown = float(np.hypot(*pose[:, 0])) ** 2
-        seen = [_looked_up(labels, similarity.apply(pose, each), len(rings)).sum() for each in spots]
-        shared = sum(area * grown * share for area, share in zip(areas, seen, strict=True))
-        overlap = shared / max(grown * sum(areas) + wanted - shared, 1e-9) - (STAYS if number else 0.0)
+        shared = 0.0
+        for _, spots, area in known:
+            shared += area * grown * float(_looked_up(labels, similarity.apply(pose, spots), len(rings)).sum())
+        overlap = shared / max(grown * whole + wanted - shared, 1e-9) - (STAYS if number else 0.0)
         if overlap > most:
             best, most = pose, overlap
     return best

@@ -166,3 +166,33 @@ def test_a_bspline_stays_one() -> None:
     assert keyed.frames == (1, 5)
     assert bspline.is_bspline(keyed.at(5).points)
     npt.assert_allclose(keyed.at(5).grips[:, 0].mean(axis=0), (52.0, 51.0), atol=3.0)
+
+
+def closed(shape: RotoShape, frame: int) -> RotoShape:
+    """The shape as an engine leaves it on a frame on which it is out of sight."""
+    points = shape.keys[0].points
+    middle = points[:, 0].mean(axis=0)
+    return shape.with_key(Keyframe(frame, middle + 0.02 * (points - middle), origin=Origin.ENGINE, inputs="x"))
+
+
+def test_a_shape_that_was_out_of_sight_takes_its_part_again() -> None:
+    body, hand = (20, 20, 80, 100), (100, 40, 130, 80)
+    shapes = shapes_from_mask(solid(body, hand), 1)
+    assert len(shapes) == 2
+    shapes = [shapes[0].with_key(replace(shapes[0].keys[0], frame=9)), closed(shapes[1], 9)]
+    moved = solid(body, (104, 42, 134, 82))
+    keyed = keys_from_mask(shapes, moved, 9)
+    assert [shape.id for shape in keyed] == [shape.id for shape in shapes]
+    assert keyed[1].exists_at(9)
+    assert np.hypot(*(keyed[1].at(9).points - shapes[1].at(1).points - (4.0, 2.0))[:, 0].T).max() < 1.5
+    require_matte(keyed, 9, moved)
+
+
+def test_a_shape_that_stays_out_of_sight_takes_nothing_from_another() -> None:
+    body, hand = (20, 20, 80, 100), (40, 40, 70, 80)
+    whole, part = (shapes_from_mask(solid(box), 1)[0] for box in (body, hand))
+    shapes = [whole, closed(replace(part, id="hand"), 9)]
+    keyed = keys_from_mask(shapes, solid(body), 9)
+    assert not keyed[1].exists_at(9)
+    assert np.hypot(*(keyed[0].at(9).points - whole.at(1).points)[:, 0].T).max() < 1.0
+    require_matte(keyed, 9, solid(body))
