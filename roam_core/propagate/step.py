@@ -80,26 +80,30 @@ class Solved:
     placing: Placing | None = None
 
 
-def begin(
-    frame: PreparedFrame, points: Array, params: RoamParams, is_hole: bool = False, first_id: int = 0
-) -> TrackerState:
+def begin(frame: PreparedFrame, points: Array, params: RoamParams, is_hole: bool = False) -> TrackerState:
     """The state on a frame whose outline the artist gave: everything is learned from this key.
 
     So a correction teaches every edge what it looks like there, and a run through the key goes on exactly as one that
     was stopped and corrected at it: nothing of what was adapted before the key outlives it (path independence).
-    A hole is not looked for when it is lost. Landmarks are numbered from `first_id` on.
+    A hole is not looked for when it is lost.
     """
+    state = _learned(frame, points, params)
+    if is_hole or state.nearest is None or state.nearest.params.doubted <= 0:
+        return state
+    return replace(state, watch=Watch.begun(points, frame, state.nearest.region))
+
+
+def _learned(frame: PreparedFrame, points: Array, params: RoamParams, first_id: int = 0) -> TrackerState:
+    """All that a frame teaches whose outline is known, landmarks numbered from `first_id` on; nobody watches yet."""
     scale = scale_for(frame.size)
     nodes = NodeMap.of(points, params, scale)
     line = nodes.nodes(points)
     models = ColourModels.learned(frame, line, params, scale)
-    colour, nearest, watch = params.appearance, None, None
+    colour, nearest = params.appearance, None
     if colour is not None and colour.local_kind != "mixture":
         nearest = NearestColours.learned(frame, line, colour.cues)
-        if colour.cues.doubted > 0 and not is_hole:
-            watch = Watch.begun(points, frame, nearest.region)
     known = landmarks.begin(frame, line, params.landmarks, first_id)
-    return TrackerState(frame, points, nodes, models, known, nearest, abs(polyline.signed_area(line)), watch)
+    return TrackerState(frame, points, nodes, models, known, nearest, abs(polyline.signed_area(line)))
 
 
 @dataclass(frozen=True, eq=False)
@@ -157,7 +161,7 @@ def _at_sighting(state: TrackerState, frame: PreparedFrame, params: RoamParams) 
         return None
     picture, points = as_on_key(watch.lookout.frame, to_now), similarity.apply(to_now[:2], watch.drawn)
     first_id = 0 if state.landmarks is None else state.landmarks.pool.next_id
-    fresh = begin(picture, points, params, first_id=first_id)
+    fresh = _learned(picture, points, params, first_id)
     assert fresh.nearest is not None
     key = replace(nearest.key, to_now=to_now)
     return replace(fresh, nearest=replace(fresh.nearest, key=key), watch=watch)
