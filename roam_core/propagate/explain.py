@@ -214,7 +214,7 @@ def _bare(shape: RotoShape, key: Keyframe, params: RoamParams, config: str, scal
 
 def _by_energy(bare: Explanation, state: TrackerState, picture: PreparedFrame, params: RoamParams) -> Explanation:
     """The pieces of the joint energy at the nodes that inference moved."""
-    state = outline.setting_out(state, picture, params)
+    state, _ = outline.carried_on(state, picture, params)
     nodes = state.nodes.nodes(bare.key.points)
     bare = replace(bare, nodes=nodes, segment=state.nodes.segment, t=state.nodes.t)
     moved, prior = expected(state.frame, picture, state.points, state.landmarks, params)
@@ -233,7 +233,8 @@ def _by_energy(bare: Explanation, state: TrackerState, picture: PreparedFrame, p
 def _by_cues(bare: Explanation, state: RegionState, picture: PreparedFrame, params: RoamParams) -> Explanation:
     """What each cue says on the two sides of the outline."""
     assert params.region is not None
-    sight = region.sighted(region.setting_out(state, picture, params.region), picture, params.region)
+    state, _ = region.carried_on(state, picture, params.region)
+    sight = region.sighted(state, picture, params.region)
     if sight is None:
         return bare
     sources = sight.sources

@@ -117,20 +117,13 @@ def step(
     Where that leaves the object lost or in doubt it is looked for around its last place, and taken from there if that
     promises more.
     """
-    return _decided(state, frame, params, token)[1]
+    return carried_on(state, frame, params, token)[1]
 
 
-def setting_out(
+def carried_on(
     state: RegionState, frame: PreparedFrame, params: RegionParams, token: CancelToken | None = None
-) -> RegionState:
-    """The state that `step` carries on to `frame`: the one given, or the object as on the key where it was found."""
-    return _decided(state, frame, params, token)[0]
-
-
-def _decided(
-    state: RegionState, frame: PreparedFrame, params: RegionParams, token: CancelToken | None
 ) -> tuple[RegionState, tuple[RegionState, tuple[StepResult, ...]]]:
-    """The state from which the shapes are carried on, and what comes of it."""
+    """The state that `step` sets out from, that given or the object as on its key where it is found; and its work."""
     return decided(
         state,
         lambda begun: _carried(begun, frame, params, token),

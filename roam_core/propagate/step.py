@@ -123,20 +123,13 @@ def step(
     Where its inside then looks too little like the object on the key, that is looked for, and taken from there if it
     looks more so (`propagate.refinding`).
     """
-    return _decided(state, frame, params, token)[1]
+    return carried_on(state, frame, params, token)[1]
 
 
-def setting_out(
+def carried_on(
     state: TrackerState, frame: PreparedFrame, params: RoamParams, token: CancelToken | None = None
-) -> TrackerState:
-    """The state that `step` carries on to `frame`: the one given, or the object as on the key where it was found."""
-    return _decided(state, frame, params, token)[0]
-
-
-def _decided(
-    state: TrackerState, frame: PreparedFrame, params: RoamParams, token: CancelToken | None
 ) -> tuple[TrackerState, tuple[TrackerState, StepResult]]:
-    """The state from which the outline is carried on, and what comes of it."""
+    """The state that `step` sets out from, that given or the object as on its key where it is found; and its work."""
     if state.watch is None or params.appearance is None:
         return state, _carried(state, frame, params, token)
     return decided(

@@ -18,7 +18,7 @@ from roam_core.params import CONFIGS, RegionParams
 from roam_core.propagate import step as outline
 from roam_core.propagate.explain import explain
 from roam_core.propagate.refinding import LONG_GONE, Lookout, Sighting, Watch
-from roam_core.propagate.region import begin, setting_out, step
+from roam_core.propagate.region import begin, carried_on, step
 from roam_core.propagate.result import Part
 from roam_core.proposal.evidence import Field, KeyMemory
 
@@ -115,7 +115,7 @@ def test_what_is_found_is_left_where_too_little_is_to_be_expected_of_it() -> Non
         params = RegionParams(believed=believed)
         state, found = begin(frames[0], parts, params), []
         for number, frame in enumerate(frames[1:], 1):
-            if setting_out(state, frame, params) is not state:
+            if carried_on(state, frame, params)[0] is not state:
                 found.append(number)
             state, _ = step(state, frame, params)
         return found
@@ -173,7 +173,7 @@ def test_landmarks_of_what_was_found_again_are_new_ones() -> None:
     assert state.landmarks is not None
     frame = PreparedFrame(picture(220.0))
     away = replace(state, watch=replace(state.watch, sighting=replace(state.watch.sighting, since=LONG_GONE - 1)))
-    found = outline.setting_out(away, frame, params)
+    found, _ = outline.carried_on(away, frame, params)
     assert found is not away
     assert found.landmarks is not None
     assert len(found.landmarks.pool.ids) > 0
