@@ -93,7 +93,8 @@ class Sighting:
     def after(self, key: KeyMemory, region: Field, resemblance: float = 1.0) -> Sighting:
         """After a frame on which the object was seen, as `region`; `key` knows the way from the key to there.
 
-        Its size and turn are sure where most of it is in sight and it has `resemblance` (`Lookout.resemblance`).
+        Its size and turn are taken over where they are sure: from `WHOLE` of its area and `ALMOST` full `resemblance`
+        (`Lookout.resemblance`) on.
         """
         area = area_of(key.region) * abs(float(np.linalg.det(key.to_now[:2, :2])))
         if resemblance >= ALMOST and area_of(region) >= WHOLE * area:

@@ -123,7 +123,10 @@ def step(
 def carried_on(
     state: RegionState, frame: PreparedFrame, params: RegionParams, token: CancelToken | None = None
 ) -> tuple[RegionState, tuple[RegionState, tuple[StepResult, ...]]]:
-    """The state that `step` sets out from, that given or the object as on its key where it is found; and its work."""
+    """The state that `step` sets out from, and what it makes of it.
+
+    That is the state given, or, where the object was looked for and found, one in which it lies there as on its key.
+    """
     return decided(
         state,
         lambda begun: _carried(begun, frame, params, token),

@@ -129,7 +129,10 @@ def step(
 def carried_on(
     state: TrackerState, frame: PreparedFrame, params: RoamParams, token: CancelToken | None = None
 ) -> tuple[TrackerState, tuple[TrackerState, StepResult]]:
-    """The state that `step` sets out from, that given or the object as on its key where it is found; and its work."""
+    """The state that `step` sets out from, and what it makes of it.
+
+    That is the state given, or, where the object was looked for and found, one in which it lies there as on its key.
+    """
     if state.watch is None or params.appearance is None:
         return state, _carried(state, frame, params, token)
     return decided(
