@@ -11,6 +11,61 @@ from roam_core.errors import RoamError
 
 
 @dataclass(frozen=True)
+class PoseParams:
+    """Parameters of the pose of a part (`motion.pose`). Lengths are pixels of a 480-line image, turns radians,
+    differences of colour units of Lab (L from 0 to 100), strains natural logarithms of a stretch.
+
+    Attributes
+    ----------
+    samples : places of a part that are compared with its key.
+    joints : places at which a long part may bend.
+    like, like_roughly : difference of colour at which a sample is half unlike the key, close up and in the search.
+    beside, beside_at, beside_like : weight of the places beside the outline that may not look like the inside, how far
+        from it they lie, and the difference of colour up to which they do.
+    unseen : what a sample costs that is hidden or lies outside the picture.
+    search_move, search_step, search_turn, search_turns : how far around the expected pose, in which steps, and through
+        which turns in how many steps, poses are tried; looked_at, candidates : of how many of the best how many, apart
+        from each other, are followed up. rounds : of the descent on each level.
+    momentum : share of the last frame's motion that is expected to go on.
+    expect_move, expect_turn, expect_strain : standard deviations from what is expected; most_strain : those from the
+        key (along the part, across, shear). prior : weight of all that, in units of a sample's cost.
+    bend, straight : standard deviations of how a joint's angle changes in a frame, and of the angle itself.
+    lost : cost from which a pose is in doubt; each further such frame widens the search, up to `widened` times.
+    """
+
+    samples: int = 600
+    joints: int = 1
+    like: tuple[float, float] = (5.0, 15.0)
+    like_times: float = 3.0
+    like_roughly: float = 10.0
+    beside: float = 0.4
+    beside_at: float = 4.0
+    beside_like: float = 10.0
+    unseen: float = 0.55
+    needless: float = 0.3
+    needed: float = 0.1
+    tie: float = 0.1
+    tie_reach: float = 8.0
+    search_move: float = 24.0
+    search_step: float = 4.0
+    search_turn: float = 0.35
+    search_turns: int = 9
+    looked_at: int = 400
+    candidates: int = 6
+    rounds: int = 12
+    momentum: float = 0.6
+    expect_move: float = 10.0
+    expect_turn: float = 0.16
+    expect_strain: tuple[float, float, float] = (0.1, 0.07, 0.07)
+    most_strain: tuple[float, float, float] = (0.25, 0.15, 0.15)
+    prior: float = 0.02
+    bend: float = 0.1
+    straight: float = 1.0
+    lost: float = 0.4
+    widened: float = 2.5
+
+
+@dataclass(frozen=True)
 class RegionParams:
     """Parameters of the region proposals. Reaches are cells of the evidence grid unless said otherwise; weights are
     per nat of a log-likelihood ratio.
@@ -88,6 +143,11 @@ class RegionParams:
     better: float = 0.05
     believed: float = 0.5
     rigid: float = 0.6
+    pose: PoseParams | None = None
+    pose_unlike: float = 0.45
+    pose_against: float = 0.5
+    pose_agrees: float = 0.97
+    pose_stays: float = 1.3
 
 
 @dataclass(frozen=True)
@@ -306,7 +366,7 @@ CONFIGS: dict[str, RoamParams] = {
         landmarks=LandmarkParams(),
         proposals=ProposalParams(least_share=0.7),
     ),
-    "best": RoamParams(config="best", region=RegionParams()),
+    "best": RoamParams(config="best", region=RegionParams(pose=PoseParams())),
 }
 """Configurations by name. `baseline`: gradient and l2 regulariser (the paper's Baseline); `lean`: local colour models
 of the edges beside them (the paper's Lean, as region competition); `medium`: landmarks as well, in the pre-warp and

@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from roam_core.energy.total import CurveContext
 from roam_core.geometry import polyline
 from roam_core.motion.klt import Warp
+from roam_core.motion.pose import Pose
 from roam_core.propagate.laying import enclosed
 from roam_core.propagate.result import Part
 from roam_core.proposal.evidence import SURE, Expectation, Field
@@ -85,6 +86,11 @@ class Signs:
             age=float(np.log(frames)),
             broken=1.0 - float(unbroken[near].mean()) if near.any() else 1.0,
         )
+
+
+def pose_signs(pose: Pose, frames: int) -> Signs:
+    """What speaks against a part that lies as on its key, but for its pose, so many frames after the key."""
+    return Signs.of_one_piece(0.3 * pose.unlike, frames)
 
 
 SIGNS = (3.73, 1.01, 3.74, 3.64, 0.67, 0.089, 0.65, 2.26)

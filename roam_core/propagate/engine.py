@@ -1,47 +1,70 @@
-"""The two engines behind one face: regions of a whole object, or the paper's curves one by one."""
+"""The engines behind one face: regions of a whole object, an object in parts, or the paper's curves one by one."""
 
 from __future__ import annotations
+
+from collections.abc import Sequence
 
 from roam_core.cancel import CancelToken
 from roam_core.features import PreparedFrame
 from roam_core.landmarks.pool import Pool
 from roam_core.params import RoamParams
-from roam_core.propagate import region
+from roam_core.propagate import figure, region
 from roam_core.propagate import step as outline
+from roam_core.propagate.figure import FigureState
+from roam_core.propagate.objects import Role, units
 from roam_core.propagate.region import RegionState
 from roam_core.propagate.result import Part, StepResult
 from roam_core.propagate.step import TrackerState
 from roam_core.threads import each
 
-State = RegionState | tuple[TrackerState, ...]
+State = RegionState | FigureState | tuple[TrackerState, ...]
 """What is known of an object after a frame."""
 
 
-def begin(picture: PreparedFrame, parts: tuple[Part, ...], params: RoamParams) -> State:
-    """The state on a frame whose outlines are given."""
-    if params.region is not None:
+def begin(
+    picture: PreparedFrame, parts: tuple[Part, ...], params: RoamParams, order: Sequence[int] | None = None
+) -> State:
+    """The state on a frame whose outlines are given.
+
+    `order` are the indices of `parts` as they are stacked there, bottom first; None: as they come.
+    """
+    if params.region is None:
+        return tuple(outline.begin(picture, part.points, params, is_hole=part.subtracts) for part in parts)
+    made = units(parts)
+    if params.region.pose is None or (len(made) == 1 and made[0].role is Role.WHOLE):
         return region.begin(picture, parts, params.region)
-    return tuple(outline.begin(picture, part.points, params, is_hole=part.subtracts) for part in parts)
+    return figure.begin(picture, parts, made, params.region, range(len(parts)) if order is None else order)
 
 
 def step(
-    state: State, picture: PreparedFrame, params: RoamParams, token: CancelToken | None = None
+    state: State,
+    picture: PreparedFrame,
+    params: RoamParams,
+    token: CancelToken | None = None,
+    order: Sequence[int] | None = None,
 ) -> tuple[State, tuple[StepResult, ...]]:
-    """Carry the outlines from the state's frame to the one of `picture`; one result an outline, in their order."""
+    """Carry the outlines from the state's frame to the one of `picture`; one result an outline, in their order.
+
+    `order` is that of `begin`, on this frame.
+    """
     if isinstance(state, RegionState):
         assert params.region is not None
         return region.step(state, picture, params.region, token)
+    if isinstance(state, FigureState):
+        assert params.region is not None
+        stacked = range(len(state.parts)) if order is None else order
+        return figure.step(state, picture, params.region, stacked, token)
     pairs = each(lambda outline_state: outline.step(outline_state, picture, params, token), state)
     return tuple(after for after, _ in pairs), tuple(result for _, result in pairs)
 
 
 def landmarks(state: State) -> tuple[Pool | None, ...]:
     """The landmarks of each outline, in their order; None where the configuration has none."""
-    if isinstance(state, RegionState):
+    if isinstance(state, RegionState | FigureState):
         return (None,) * len(state.parts)
     return tuple(None if each.landmarks is None else each.landmarks.pool for each in state)
 
 
 def picture(state: State) -> PreparedFrame:
     """The picture that the state stands on."""
-    return state.frame if isinstance(state, RegionState) else state[0].frame
+    return state.frame if isinstance(state, RegionState | FigureState) else state[0].frame

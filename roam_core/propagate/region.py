@@ -18,9 +18,19 @@ from roam_core.cancel import CancelToken
 from roam_core.features import PreparedFrame, Region
 from roam_core.features.grid import Grid
 from roam_core.geometry import bezier, similarity
+from roam_core.kernels.coverage import coverage
+from roam_core.motion import pose as motion_pose
 from roam_core.motion.flow import carried_by_flow, dense_flow, flow_similarity, on_grid
 from roam_core.params import RegionParams, scale_for
-from roam_core.propagate.confidence import Signs, edge_support, expected_overlap, overlap, vertex_confidence
+from roam_core.propagate import posed
+from roam_core.propagate.confidence import (
+    Signs,
+    edge_support,
+    expected_overlap,
+    overlap,
+    pose_signs,
+    vertex_confidence,
+)
 from roam_core.propagate.laying import enclosed, laid
 from roam_core.propagate.nodes import smooth_points
 from roam_core.propagate.refinding import Lookout, Sighting, area_of, as_on_key, decided, middle_of
@@ -34,9 +44,12 @@ from roam_core.proposal.motion_cue import motion_on
 
 Array = NDArray[np.float64]
 Float32 = NDArray[np.float32]
+Bools = NDArray[np.bool_]
 
 WHOLE_CELLS = 2
 """Cells, at most, after which a whole pixel begins."""
+LEAST_SEEN = 0.05
+"""Share of an object that must be seen for its motion to be taken from that alone."""
 TRUSTED = 0.3
 """Steadiness below which a frame teaches the colour model nothing."""
 
@@ -48,7 +61,8 @@ class RegionState:
     `drawn` are the shapes on the key and `traits` what they keep of it, `lookout` what the object looked like there,
     `sighting` tells when it was last whole, `rigidity` whether it may still move as one piece; `unbroken`, on the
     region's grid, how far each cell's side still is the key's word (`proposal.lineage`); `steps` counts the frames
-    since the key; `signs` tell how well the last of them went.
+    since the key; `signs` tell how well the last of them went. `pose` is that of an object drawn as one shape, `posed`
+    whether it was believed; `covers` are closed polylines `(K, 2)` of what lies before the object.
     """
 
     frame: PreparedFrame
@@ -64,6 +78,9 @@ class RegionState:
     unbroken: Float32
     steps: int = 0
     signs: Signs | None = None
+    pose: motion_pose.Pose | None = None
+    posed: bool = False
+    covers: tuple[Array, ...] = ()
 
     @property
     def trust(self) -> float:
@@ -76,19 +93,34 @@ class RegionState:
         return 1.0 - self.signs.disagreeing if self.signs is not None and self.rigidity.held else None
 
 
-def begin(frame: PreparedFrame, parts: tuple[Part, ...], params: RegionParams) -> RegionState:
-    """The state on a frame whose outlines are given: they enclose the region, and the models are learned from it."""
+def begin(
+    frame: PreparedFrame, parts: tuple[Part, ...], params: RegionParams, covers: Sequence[Array] = ()
+) -> RegionState:
+    """The state on a frame whose outlines are given: they enclose the region, and the models are learned from it.
+
+    From what `covers` it, closed polylines `(K, 2)`, nothing is learned.
+    """
     scale = scale_for(frame.size)
     grid = grid_around(np.vstack([part.points.reshape(-1, 2) for part in parts]), frame.size, params, scale)
     region = Field.of_coverage(grid, enclosed(parts, grid))
-    colours = _learned(frame, region)
+    colours = _learned(frame, region, _covered(covers, grid))
     key = KeyMemory(frame, region, colours, np.eye(3))
     kept = params.kept_shares
     traits = tuple(Traits.of(part.points, smooth_points(part.points), scale, kept) for part in parts)
     seen = Sighting(key.to_now, area_of(region), middle_of(region))
     rigidity = Rigidity.learned(frame, parts)
     lookout, unbroken = Lookout(frame, region), np.ones(grid.shape, np.float32)
-    return RegionState(frame, region, parts, traits, key, colours, parts, lookout, seen, rigidity, unbroken)
+    return RegionState(
+        frame, region, parts, traits, key, colours, parts, lookout, seen, rigidity, unbroken,
+        pose=posed.on_key(frame, parts, params, covers), covers=tuple(covers),
+    )  # fmt: skip
+
+
+def _covered(covers: Sequence[Array], grid: Grid) -> Bools | None:
+    """Which cells something lies before; None where nothing does."""
+    if not covers:
+        return None
+    return np.any([coverage(grid.to_grid(line), grid.shape) > 0.5 for line in covers], axis=0)
 
 
 @dataclass(frozen=True, eq=False)
@@ -110,26 +142,36 @@ class Sight:
 
 
 def step(
-    state: RegionState, frame: PreparedFrame, params: RegionParams, token: CancelToken | None = None
+    state: RegionState,
+    frame: PreparedFrame,
+    params: RegionParams,
+    token: CancelToken | None = None,
+    covers: Sequence[Array] = (),
 ) -> tuple[RegionState, tuple[StepResult, ...]]:
-    """Carry all shapes from the state's frame to `frame`.
+    """Carry all shapes from the state's frame to `frame`, on which `covers`, closed polylines, lie before them.
 
     Where that leaves the object lost or in doubt it is looked for around its last place, and taken from there if that
     promises more.
     """
-    return carried_on(state, frame, params, token)[1]
+    return carried_on(state, frame, params, token, covers)[1]
 
 
 def carried_on(
-    state: RegionState, frame: PreparedFrame, params: RegionParams, token: CancelToken | None = None
+    state: RegionState,
+    frame: PreparedFrame,
+    params: RegionParams,
+    token: CancelToken | None = None,
+    covers: Sequence[Array] = (),
 ) -> tuple[RegionState, tuple[RegionState, tuple[StepResult, ...]]]:
     """The state that `step` sets out from, and what it makes of it.
 
     That is the state given, or, where the object was looked for and found, one in which it lies there as on its key.
     """
+    if state.pose is not None and params.pose is not None:
+        state = replace(state, pose=posed.step(state.pose, state.drawn, frame, params.pose, covers))
     return decided(
         state,
-        lambda begun: _carried(begun, frame, params, token),
+        lambda begun: _carried(begun, frame, params, token, tuple(covers)),
         lambda carried: carried[0].trust,
         lambda carried: _at_sighting(state, carried[0].sighting, frame, params),
         params,
@@ -163,22 +205,30 @@ def _at_sighting(
 
 
 def _carried(
-    state: RegionState, frame: PreparedFrame, params: RegionParams, token: CancelToken | None
+    state: RegionState, frame: PreparedFrame, params: RegionParams, token: CancelToken | None, covers: tuple[Array, ...]
 ) -> tuple[RegionState, tuple[StepResult, ...]]:
-    """All shapes carried on from where the state has them: as one piece where that is to be seen, else by regions."""
+    """All shapes carried on from where the state has them: as one piece where that is to be seen, else by regions.
+
+    The pose is that of `frame` already.
+    """
     sight = sighted(state, frame, params, token)
     if sight is None:
         return _left(state, frame)
     if token is not None:
         token.check()
+    state = replace(state, covers=covers)
     if sight.pose is not None:
         return _as_one_piece(state, frame, sight, sight.pose, params)
     expected = sight.sources.expected
-    ratio = gathered(sight.sources, params)
+    ratio = _behind(state, gathered(sight.sources, params), expected)
     if token is not None:
         token.check()
     found = proposed.cleaned(ratio, expected.possible, params.overlap)
     scale = scale_for(frame.size)
+    if state.pose is not None:
+        parts = posed.carried(state.pose, state.drawn)
+        if posed.is_believed(state.pose, parts, found, params, was=state.posed):
+            return _as_posed(state, frame, sight, state.pose, parts, params)
     parts = tuple(replace(part, points=similarity.apply(sight.moved[:2], part.points)) for part in state.parts)
     shapes = zip(parts, state.drawn, state.traits, strict=True)
     held = [_held(*shape, sight.sources.key, params, scale) for shape in shapes]
@@ -195,6 +245,15 @@ def _carried(
         replace(part, points=points) if seen else part for part, (points, seen) in zip(parts, placed, strict=True)
     )
     return _after(state, frame, sight, found, unbroken, parts, colours, signs), results
+
+
+def _behind(state: RegionState, ratio: Field, expected: Expectation) -> Field:
+    """The evidence, but that behind what covers the object all stays as it moves as a whole."""
+    covered = _covered(state.covers, ratio.grid)
+    if covered is None:
+        return ratio
+    carried = np.where(expected.rigid, np.float32(SURE), np.float32(-SURE))
+    return Field(ratio.grid, np.where(covered, carried, ratio.values))
 
 
 def _held(part: Part, drawn: Part, traits: Traits, key: KeyMemory, params: RegionParams, scale: float) -> Array:
@@ -230,12 +289,41 @@ def _as_one_piece(
     return _after(state, frame, sight, found, _unbroken(sight, found), parts, colours, signs), results
 
 
+def _as_posed(
+    state: RegionState,
+    frame: PreparedFrame,
+    sight: Sight,
+    pose: motion_pose.Pose,
+    parts: tuple[Part, ...],
+    params: RegionParams,
+) -> tuple[RegionState, tuple[StepResult, ...]]:
+    """The shapes as drawn on the key, under their pose."""
+    found = Field.of_coverage(sight.sources.grid, enclosed(parts, sight.sources.grid))
+    signs = pose_signs(pose, state.steps + 1)
+    confidence = expected_overlap(signs)
+    results = tuple(pose_result(part.points, pose, confidence) for part in parts)
+    colours = _adapted(state, sight, found, params)
+    after = _after(state, frame, sight, found, _unbroken(sight, found), parts, colours, signs)
+    return replace(after, posed=True), results
+
+
+def pose_result(points: Array, pose: motion_pose.Pose, confidence: float) -> StepResult:
+    """What a pose gives for one outline, trusted as far as `confidence`."""
+    return StepResult(
+        points=points,
+        confidence=confidence,
+        vertex_confidence=vertex_confidence(pose.support(points[:, bezier.ANCHOR]), confidence),
+        energies={"pose": pose.cost, "total": pose.cost},
+        termination=Termination.of(confidence),
+    )
+
+
 def _adapted(state: RegionState, sight: Sight, found: Field, params: RegionParams) -> GlobalModel:
     """The global colours after a frame on which `found` is the object's region."""
     steadiness = overlap(sight.sources.expected.rigid, found.inside) * (0.5 + 0.5 * sight.agreement)
     if steadiness <= TRUSTED or not found.inside.any():
         return state.colours
-    seen = GlobalModel.learned(sight.sources.after, found.inside, ~found.inside)
+    seen = _model(sight.sources.after, found, _covered(state.covers, found.grid))
     return state.colours.adapted(seen, params.adaptation)
 
 
@@ -265,6 +353,7 @@ def _after(
         unbroken=unbroken,
         steps=state.steps + 1,
         signs=signs,
+        posed=False,
     )
 
 
@@ -287,6 +376,9 @@ def sighted(
     flows = dense_flow(state.frame, frame, fine, is_exact=params.lineage_weight > 0)
     forth, back = (on_grid(flow, fine, grid) for flow in flows)
     inside = state.region.on(fine) > 0.5
+    covered = _covered(state.covers, fine)
+    if covered is not None and np.count_nonzero(inside & ~covered) > np.count_nonzero(inside) * LEAST_SEEN:
+        inside &= ~covered
     moved, agreement = flow_similarity(flows[0], inside, fine)
     pictures = grid.of(state.frame.image), grid.of(frame.image)
     if token is not None:
@@ -339,8 +431,16 @@ def grid_around(positions: Array, size: tuple[int, int], params: RegionParams, s
     return Grid.over(area.aligned(cell.numerator, size), float(1 / cell))
 
 
-def _learned(frame: PreparedFrame, region: Field) -> GlobalModel:
-    return GlobalModel.learned(region.grid.of(frame.image), region.inside, ~region.inside)
+def _learned(frame: PreparedFrame, region: Field, covered: Bools | None) -> GlobalModel:
+    return _model(region.grid.of(frame.image), region, covered)
+
+
+def _model(image: NDArray[np.uint8], region: Field, covered: Bools | None) -> GlobalModel:
+    """The colours inside and outside a region, without those of what covers it (unless that is all of it)."""
+    inside = region.inside
+    if covered is None or not (inside & ~covered).any():
+        return GlobalModel.learned(image, inside, ~inside)
+    return GlobalModel.learned(image, inside & ~covered, ~inside & ~covered)
 
 
 def trusts_of(drawn: Sequence[Part], seen: Sequence[bool], confidence: float) -> list[float]:

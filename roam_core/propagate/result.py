@@ -38,10 +38,16 @@ class Termination(StrEnum):
 
 @dataclass(frozen=True, eq=False)
 class Part:
-    """One outline of an object: control points `(P, 3, 2)`, and whether it cuts a hole."""
+    """One outline of an object: control points `(P, 3, 2)`, and whether it cuts a hole.
+
+    What the artist says of it: `link` names the object that it belongs to, "" leaves that to the outlines; one that is
+    not `attached` hangs on no other.
+    """
 
     points: Array
     subtracts: bool = False
+    link: str = ""
+    attached: bool = True
 
     @cached_property
     def area(self) -> float:

@@ -1,0 +1,415 @@
+"""The pose of a part: where it lies, how it is turned, stretched and bent, matched on every frame to its key itself.
+
+Nothing is carried from frame to frame but the pose and its velocity, so nothing drifts. A part that looks as it did on
+its key, however it moved, is found by direct alignment (Lucas and Kanade, 1981; Baker and Matthews, "Lucas-Kanade 20
+years on", 2004) of a template of sample places, in a coarse search and then ever more closely; see `kernels.posing` for
+what a pose costs.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.spatial import cKDTree
+
+from roam_core.features.pyramid import LEVELS, Pyramid
+from roam_core.geometry import polyline
+from roam_core.geometry.skinning import Chain
+from roam_core.kernels.posing import Costs, Prior, Samples, Ties, View, energies, refined
+from roam_core.params import PoseParams
+
+Array = NDArray[np.float64]
+Float32 = NDArray[np.float32]
+Bools = NDArray[np.bool_]
+UInt8 = NDArray[np.uint8]
+
+COARSEST = LEVELS - 1
+TAPS = 5
+"""Moments at which the template is looked at while the shutter is open."""
+SHUTTER = 0.5
+"""Share of a frame for which it is taken to be open, on frames that look blurred."""
+AROUND = 24
+"""Sample places around a point by which it is judged."""
+LEAST = 30
+"""Sample places that a part must have to be matched at all."""
+
+
+@dataclass(frozen=True, eq=False)
+class Template:
+    """What a part looks like on its key.
+
+    Attributes
+    ----------
+    chain : its bones. pyramid : the key's picture around it, for the colours under motion blur.
+    levels : the samples of each level of a pyramid, finest first; the coarsest has fewer.
+    scale : `params.scale_for` of the picture.
+    """
+
+    chain: Chain
+    pyramid: Pyramid
+    levels: tuple[Samples, ...]
+    scale: float
+
+    @classmethod
+    def of(
+        cls, pyramid: Pyramid, line: Array, params: PoseParams, scale: float, covers: Sequence[Array] = ()
+    ) -> Template | None:
+        """Of the part inside the closed polyline `line (K, 2)`, without what `covers`, other polylines, hide of it.
+
+        None where too little of it is seen.
+        """
+        chain = Chain.of(line, params.joints)
+        inside = _seen_places(pyramid, line, covers)
+        if len(inside) < LEAST:
+            return None
+        fine, coarse = (_chosen(inside, most) for most in (params.samples, params.samples // 4))
+        beside, within = _beside(pyramid, line, params.beside_at * scale, covers)
+        levels = [
+            _samples(pyramid, level, fine if level < COARSEST else coarse, beside, within, chain, params)
+            for level in range(LEVELS)
+        ]
+        return cls(chain, pyramid, tuple(levels), scale)
+
+    def blurred(self, pose: Array, velocity: Array) -> Template:
+        """The template as it looks while it moves through `pose (P,)` with `velocity (P,)` a frame.
+
+        Samples whose streaks are shorter than a cell stay as they are.
+        """
+        levels = [self._streaked(level, pose, velocity) for level in range(LEVELS)]
+        return replace(self, levels=tuple(levels))
+
+    def _streaked(self, level: int, pose: Array, velocity: Array) -> Samples:
+        samples = self.levels[level]
+        ends = [
+            self.chain.carried(pose + side * 0.5 * SHUTTER * velocity, samples.places, samples.skin)
+            for side in (1.0, -1.0)
+        ]
+        way = ends[0] - ends[1]
+        if float(np.hypot(*way.T).max()) * float(self.pyramid.scale_at(0).mean()) < 1.0:
+            return samples
+        back = np.linalg.inv(self.chain.root(pose))
+        on_key = way @ back.T
+        taps = [
+            self.pyramid.colours(samples.places - moment * on_key, level) for moment in np.linspace(-0.5, 0.5, TAPS)
+        ]
+        own = samples.weights > 0
+        return samples._replace(colours=np.where(own[:, None], np.mean(taps, axis=0), samples.colours))
+
+
+def _seen_places(pyramid: Pyramid, line: Array, covers: Sequence[Array]) -> Array:
+    """The centres `(N, 2)` of the finest cells inside an outline, away from its edge where it is wide enough."""
+    (mask, *_), (hidden, *_) = pyramid.outlined([line]), pyramid.outlined(list(covers))
+    seen = (mask > 0) & (hidden == 0)
+    core = _eroded(seen)
+    rows, columns = np.nonzero(core if np.count_nonzero(core) >= 3 * LEAST else seen)
+    cells = np.stack([columns, rows], axis=1) + 0.5
+    return np.asarray(cells / pyramid.scale_at(0) + pyramid.corner)
+
+
+def _eroded(mask: Bools) -> Bools:
+    """A mask without its rim."""
+    core = mask.copy()
+    core[1:] &= mask[:-1]
+    core[:-1] &= mask[1:]
+    core[:, 1:] &= mask[:, :-1]
+    core[:, :-1] &= mask[:, 1:]
+    return core
+
+
+def _chosen(places: Array, most: int) -> Array:
+    """At most so many of `places (N, 2)`, without a pattern; the same ones every time."""
+    if len(places) <= most:
+        return places
+    return places[np.random.default_rng(0).permutation(len(places))[:most]]
+
+
+def _beside(pyramid: Pyramid, line: Array, away: float, covers: Sequence[Array]) -> tuple[Array, Array]:
+    """Places `(M, 2)` outside an outline, so many pixels away, and those as far inside; without what is covered."""
+    rim = polyline.resample(line, max(8, round(polyline.length(line) / away)))
+    normals = polyline.outward_normals(rim)
+    outside, inside = rim + away * normals, rim - away * normals
+    (hidden, *_) = pyramid.outlined(list(covers))
+    height, width = hidden.shape
+    free = np.ones(len(rim), dtype=bool)
+    for places in (outside, inside):
+        column, row = np.round(pyramid.to_level(places, 0)).astype(int).T
+        free &= (column >= 0) & (row >= 0) & (column < width) & (row < height)
+        free &= hidden[np.clip(row, 0, height - 1), np.clip(column, 0, width - 1)] == 0
+    return outside[free], inside[free]
+
+
+def _samples(
+    pyramid: Pyramid, level: int, inside: Array, beside: Array, within: Array, chain: Chain, params: PoseParams
+) -> Samples:
+    own, there = pyramid.colours(within, level), pyramid.colours(beside, level)
+    contrast = 1.0 - np.exp(-((own - there) ** 2).sum(axis=1) / (2.0 * params.beside_like**2))
+    places = np.vstack([inside, beside])
+    weights = np.concatenate(
+        [np.full(len(inside), 1.0 / len(inside)), -params.beside * contrast / max(len(beside), 1)]
+    )
+    return Samples(places, np.vstack([pyramid.colours(inside, level), own]), weights, chain.skin(places))
+
+
+@dataclass(frozen=True, eq=False)
+class Surroundings:
+    """What is known of a frame around a part.
+
+    Attributes
+    ----------
+    pyramid : the picture. hidden : for each level where nearer parts lie.
+    needs : for each level, in [0, 1], what belongs to the object and to no other part; None where that is not known.
+    ties : springs to other parts.
+    """
+
+    pyramid: Pyramid
+    hidden: tuple[UInt8, ...]
+    needs: tuple[Float32, ...] | None = None
+    ties: Ties | None = None
+
+    @classmethod
+    def alone(cls, pyramid: Pyramid) -> Surroundings:
+        """Of a part that nothing is known to be around."""
+        return cls(pyramid, pyramid.nothing)
+
+
+@dataclass(frozen=True, eq=False)
+class Look:
+    """What is seen of a part under its pose.
+
+    Attributes
+    ----------
+    places : (n, 2) of the template, of those in the picture and not hidden. own : (n,) which of them are the part's own.
+    apart : (n,) difference of colour, of those beside it from its inside. wrong : (n,) what speaks against, in [0, 1].
+    seen : share of the part's own places that are seen.
+    """
+
+    places: Array
+    own: Bools
+    apart: Array
+    wrong: Array
+    seen: float
+
+    @property
+    def unlike(self) -> float:
+        """Mean share, in [0, 1], by which what is seen of the part is unlike its key; 1 where nothing is seen."""
+        return float(self.wrong[self.own].mean()) if self.own.any() else 1.0
+
+    def against(self, inside: Bools) -> float:
+        """What speaks against the pose, in [0, 1], where a region that has `inside (n,)` of the places disputes it."""
+        lacking, beyond = self.own & ~inside, ~self.own & inside
+        shares = [
+            weight * np.count_nonzero(disputed) / max(np.count_nonzero(all_of), 1)
+            for weight, disputed, all_of in ((1.0, lacking, self.own), (0.5, beyond, ~self.own))
+        ]
+        if sum(shares) == 0:
+            return 0.0
+        wrong = [self.wrong[disputed].mean() if disputed.any() else 0.0 for disputed in (lacking, beyond)]
+        return float(np.dot(shares, wrong) / sum(shares))
+
+
+@dataclass(frozen=True, eq=False)
+class Pose:
+    """Where a part lies on a frame.
+
+    Attributes
+    ----------
+    template : what it looks like on its key. values : (P,) as in `kernels.posing`. velocity : (P,) a frame.
+    like : the difference of colour at which a sample is half unlike the key: it grows with how unlike the part has been.
+    cost : what the pose costs, mostly in [0, 1]. since : frames since it was no longer good.
+    look : what was seen; None on the key.
+    """
+
+    template: Template
+    values: Array
+    velocity: Array
+    like: float
+    cost: float = 0.0
+    since: int = 0
+    look: Look | None = None
+
+    @classmethod
+    def on_key(cls, template: Template, params: PoseParams) -> Pose:
+        rest = template.chain.rest
+        return cls(template, rest, rest, params.like[0])
+
+    @property
+    def unlike(self) -> float:
+        """How unlike its key what is seen of the part is, in [0, 1]."""
+        return 0.0 if self.look is None else self.look.unlike
+
+    @property
+    def seen(self) -> float:
+        """The share of the template that is in the picture and not hidden."""
+        return 1.0 if self.look is None else self.look.seen
+
+    def spline(self, points: Array) -> Array:
+        """A spline `(P, 3, 2)` of the key as it lies here."""
+        return self.template.chain.spline(self.values, points)
+
+    def carried(self, places: Array) -> Array:
+        """Places `(N, 2)` of the key as they lie here."""
+        return self.template.chain.carried(self.values, places)
+
+    def support(self, places: Array) -> Array:
+        """For places `(N, 2)` of the frame, in [0, 1], how well what is seen around them speaks for the pose."""
+        if self.look is None or not self.look.own.any():
+            return np.zeros(len(places))
+        tree = cKDTree(self.look.places[self.look.own])
+        nearest = tree.query(places, k=min(AROUND, tree.n))[1].reshape(len(places), -1)
+        return np.asarray(1.0 - self.look.wrong[self.look.own][nearest].mean(axis=1))
+
+    def expected(self, params: PoseParams) -> Array:
+        """The pose `(P,)` that the velocity leads to on the next frame; less so once it is in doubt."""
+        share = params.momentum if self.since == 0 else 0.5 * params.momentum
+        return np.asarray(self.values + share * self.velocity)
+
+    def reach(self, params: PoseParams) -> float:
+        """By how much farther than usual is looked on the next frame, for a part that has been in doubt."""
+        return min(1.0 + self.since, params.widened)
+
+    def step(self, around: Surroundings, params: PoseParams) -> Pose:
+        """The pose on the next frame."""
+        search = Search(self, around, params)
+        values, cost = search.best()
+        look = search.look(values)
+        velocity = values - self.values
+        velocity[2 + self.template.chain.count :] = 0.0
+        since = 0 if cost <= params.lost else self.since + 1
+        return Pose(self.template, values, velocity, self._likened(look, params), cost, since, look)
+
+    def missed(self) -> Pose:
+        """After a frame that showed nothing of the part."""
+        return replace(self, velocity=np.zeros_like(self.velocity), cost=1.0, since=self.since + 1, look=NOTHING)
+
+    def _likened(self, look: Look, params: PoseParams) -> float:
+        if np.count_nonzero(look.own) < LEAST:
+            return self.like
+        wanted = params.like_times * float(np.median(np.sqrt(look.apart[look.own])))
+        least, most = params.like
+        return min(max(0.5 * (self.like + wanted), least), most)
+
+
+NOTHING = Look(np.zeros((0, 2)), np.zeros(0, bool), np.zeros(0), np.zeros(0), 0.0)
+"""What is seen of a part where there is nothing to be seen."""
+
+
+@dataclass(frozen=True, eq=False)
+class Search:
+    """The search for a part's pose on one frame, from where it was on the frame before."""
+
+    before: Pose
+    around: Surroundings
+    params: PoseParams
+
+    @property
+    def template(self) -> Template:
+        return self.before.template
+
+    @cached_property
+    def reach(self) -> float:
+        return self.before.reach(self.params)
+
+    @cached_property
+    def prior(self) -> Prior:
+        params, count = self.params, self.template.chain.count
+        move = params.expect_move * self.template.scale * self.reach
+        turn = params.expect_turn * self.reach * (1.0 if count == 1 else 2.0)
+        sigma = np.array([move, move, *[turn] * count, *params.expect_strain])
+        most = np.array([np.inf] * (2 + count) + list(params.most_strain))
+        weight = params.prior
+        return Prior(
+            self.before.expected(params),
+            weight / sigma**2,
+            weight / most**2,
+            weight / params.bend**2,
+            weight / params.straight**2,
+        )
+
+    def best(self) -> tuple[Array, float]:
+        """The pose `(P,)` of least cost, and its cost; without and with the blur of its motion."""
+        starts = [*self._coarse(), self.prior.expected, self.before.values]
+        rough = [self._refined(self._refined(start, COARSEST)[0], COARSEST - 1) for start in starts]
+        rough.sort(key=lambda found: found[1])
+        values, cost = min((self._refined(start, 0) for start, _ in rough[:2]), key=lambda found: found[1])
+        blurred = self.template.blurred(values, values - self.before.values)
+        again, cost_again = self._refined(self._refined(values, 1, blurred)[0], 0, blurred)
+        return (again, cost_again) if cost_again < cost else (values, cost)
+
+    def look(self, values: Array) -> Look:
+        """What is seen of the part under a pose `(P,)`."""
+        samples, pyramid, hidden = self.template.levels[0], self.around.pyramid, self.around.hidden[0]
+        own = samples.weights > 0
+        places = self.template.chain.carried(values, samples.places, samples.skin)
+        column, row = np.round(pyramid.to_level(places, 0)).astype(int).T
+        height, width = hidden.shape
+        seen = (column >= 0) & (row >= 0) & (column < width) & (row < height)
+        seen &= hidden[np.clip(row, 0, height - 1), np.clip(column, 0, width - 1)] == 0
+        apart = ((pyramid.colours(places, 0) - samples.colours) ** 2).sum(axis=1)
+        contrast = -samples.weights * max(np.count_nonzero(~own), 1) / max(self.params.beside, 1e-9)
+        alike = contrast * np.exp(-apart / (2.0 * self.params.beside_like**2))
+        wrong = np.where(own, apart / (apart + self.params.like[0] ** 2), alike)
+        share = np.count_nonzero(seen & own) / np.count_nonzero(own)
+        return Look(places[seen], own[seen], apart[seen], wrong[seen], share)
+
+    def _coarse(self) -> list[Array]:
+        """The best few of a grid of poses around the expected one, well apart from each other."""
+        params, scale = self.params, self.template.scale
+        steps = np.arange(-params.search_move, params.search_move + 1e-6, params.search_step) * scale * self.reach
+        turns = np.linspace(-params.search_turn, params.search_turn, params.search_turns) * self.reach
+        x, y, turn = (each.ravel() for each in np.meshgrid(steps, steps, turns, indexing="ij"))
+        poses = np.repeat(self.prior.expected[None], len(x), axis=0)
+        poses[:, 0] += x
+        poses[:, 1] += y
+        poses[:, 2 : 2 + self.template.chain.count] += turn[:, None]
+        costs = energies(
+            self._view(COARSEST), self.template.levels[COARSEST], self.template.chain.bones, poses,
+            self._costs(COARSEST), self.prior, self._ties,
+        )  # fmt: skip
+        chosen: list[Array] = []
+        for k in np.argsort(costs, kind="stable")[: params.looked_at]:
+            if all(self._is_apart(poses[k], other) for other in chosen):
+                chosen.append(poses[k])
+            if len(chosen) == params.candidates:
+                break
+        return chosen
+
+    def _is_apart(self, a: Array, b: Array) -> bool:
+        step = self.params.search_step * self.template.scale
+        turn = 0.5 * self.params.search_turn / max(self.params.search_turns // 2, 1)
+        return bool(np.hypot(*(a[:2] - b[:2])) > 1.25 * step or abs(a[2] - b[2]) > turn * 1.8)
+
+    def _refined(self, start: Array, level: int, template: Template | None = None) -> tuple[Array, float]:
+        template = self.template if template is None else template
+        rounds = self.params.rounds // 2 if level == COARSEST else self.params.rounds
+        return refined(
+            self._view(level), template.levels[level], template.chain.bones, start, self._costs(level), self.prior,
+            self._ties, rounds,
+        )  # fmt: skip
+
+    @cached_property
+    def _ties(self) -> Ties:
+        count = self.template.chain.count
+        return self.around.ties or Ties(np.zeros((0, 2)), np.zeros((0, count)), np.zeros((0, 2)), np.zeros(0), 1.0)
+
+    def _view(self, level: int) -> View:
+        pyramid, needs = self.around.pyramid, self.around.needs
+        scale, corner = pyramid.scale_at(level), pyramid.corner
+        return View(
+            pyramid.levels[level], float(scale[0]), float(scale[1]), float(corner[0]), float(corner[1]),
+            self.around.hidden[level], (pyramid.blank if needs is None else needs)[level],
+        )  # fmt: skip
+
+    def _costs(self, level: int) -> Costs:
+        params = self.params
+        like = max(params.like_roughly, self.before.like) if level == COARSEST else self.before.like
+        costs = Costs(like, params.beside_like, params.unseen, params.unseen)
+        if self.around.needs is None:
+            return costs
+        beside = max(int(np.count_nonzero(self.template.levels[level].weights <= 0)), 1)
+        return costs._replace(
+            hidden=params.unseen + 0.5 * params.needless, needless=params.needless, needed=params.needed / beside
+        )
