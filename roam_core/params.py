@@ -144,10 +144,14 @@ class RegionParams:
     believed: float = 0.5
     rigid: float = 0.6
     pose: PoseParams | None = None
+    part: PoseParams | None = None
+    pose_seam: float = 0.1
+    pose_agrees: float = 0.97
     pose_unlike: float = 0.45
     pose_against: float = 0.5
-    pose_agrees: float = 0.97
     pose_stays: float = 1.3
+    pose_apart: float = 0.1
+    pose_unlike_apart: float = 0.6
 
 
 @dataclass(frozen=True)
@@ -366,7 +370,7 @@ CONFIGS: dict[str, RoamParams] = {
         landmarks=LandmarkParams(),
         proposals=ProposalParams(least_share=0.7),
     ),
-    "best": RoamParams(config="best", region=RegionParams(pose=PoseParams())),
+    "best": RoamParams(config="best", region=RegionParams(pose=PoseParams(like=(5.0, 12.0)), part=PoseParams())),
 }
 """Configurations by name. `baseline`: gradient and l2 regulariser (the paper's Baseline); `lean`: local colour models
 of the edges beside them (the paper's Lean, as region competition); `medium`: landmarks as well, in the pre-warp and

@@ -46,13 +46,14 @@ class Template:
     ----------
     chain : its bones. pyramid : the key's picture around it, for the colours under motion blur.
     levels : the samples of each level of a pyramid, finest first; the coarsest has fewer.
-    scale : `params.scale_for` of the picture.
+    scale : `params.scale_for` of the picture. seam : share of its outline beside which nothing changes, in [0, 1].
     """
 
     chain: Chain
     pyramid: Pyramid
     levels: tuple[Samples, ...]
     scale: float
+    seam: float
 
     @classmethod
     def of(
@@ -72,7 +73,9 @@ class Template:
             _samples(pyramid, level, fine if level < COARSEST else coarse, beside, within, chain, params)
             for level in range(LEVELS)
         ]
-        return cls(chain, pyramid, tuple(levels), scale)
+        contrasts = _contrasts(levels[0], params)
+        seam = float(np.mean(contrasts < 0.5)) if len(contrasts) else 1.0
+        return cls(chain, pyramid, tuple(levels), scale, seam)
 
     def blurred(self, pose: Array, velocity: Array) -> Template:
         """The template as it looks while it moves through `pose (P,)` with `velocity (P,)` a frame.
@@ -152,6 +155,12 @@ def _samples(
         [np.full(len(inside), 1.0 / len(inside)), -params.beside * contrast / max(len(beside), 1)]
     )
     return Samples(places, np.vstack([pyramid.colours(inside, level), own]), weights, chain.skin(places))
+
+
+def _contrasts(samples: Samples, params: PoseParams) -> Array:
+    """For each place beside the outline `(M,)`, in [0, 1], how much it differed from the inside on the key."""
+    weights = samples.weights[samples.weights <= 0]
+    return np.asarray(-weights * len(weights) / max(params.beside, 1e-9))
 
 
 @dataclass(frozen=True, eq=False)
@@ -349,9 +358,9 @@ class Search:
         seen = (column >= 0) & (row >= 0) & (column < width) & (row < height)
         seen &= hidden[np.clip(row, 0, height - 1), np.clip(column, 0, width - 1)] == 0
         apart = ((pyramid.colours(places, 0) - samples.colours) ** 2).sum(axis=1)
-        contrast = -samples.weights * max(np.count_nonzero(~own), 1) / max(self.params.beside, 1e-9)
-        alike = contrast * np.exp(-apart / (2.0 * self.params.beside_like**2))
-        wrong = np.where(own, apart / (apart + self.params.like[0] ** 2), alike)
+        wrong = apart / (apart + self.params.like[0] ** 2)
+        alike = np.exp(-apart[~own] / (2.0 * self.params.beside_like**2))
+        wrong[~own] = _contrasts(samples, self.params) * alike
         share = np.count_nonzero(seen & own) / np.count_nonzero(own)
         return Look(places[seen], own[seen], apart[seen], wrong[seen], share)
 

@@ -31,7 +31,7 @@ def begin(
     if params.region is None:
         return tuple(outline.begin(picture, part.points, params, is_hole=part.subtracts) for part in parts)
     made = units(parts)
-    if params.region.pose is None or (len(made) == 1 and made[0].role is Role.WHOLE):
+    if params.region.part is None or (len(made) == 1 and made[0].role is Role.WHOLE):
         return region.begin(picture, parts, params.region)
     return figure.begin(picture, parts, made, params.region, range(len(parts)) if order is None else order)
 
@@ -56,6 +56,16 @@ def step(
         return figure.step(state, picture, params.region, stacked, token)
     pairs = each(lambda outline_state: outline.step(outline_state, picture, params, token), state)
     return tuple(after for after, _ in pairs), tuple(result for _, result in pairs)
+
+
+def pose_costs(state: State) -> tuple[float | None, ...]:
+    """For each outline what its pose costs (`motion.pose`), in their order; None where it was not laid by a pose."""
+    if isinstance(state, FigureState):
+        return state.pose_costs
+    if isinstance(state, RegionState):
+        cost = state.pose.cost if state.posed and state.pose is not None else None
+        return (cost,) * len(state.parts)
+    return (None,) * len(state)
 
 
 def landmarks(state: State) -> tuple[Pool | None, ...]:

@@ -110,6 +110,14 @@ class FigureState:
         """What the last frame gave, in the order of the shapes."""
         return self._in_order([limb.results for limb in self.limbs])
 
+    @property
+    def pose_costs(self) -> tuple[float | None, ...]:
+        """What the pose of each shape costs, in their order; None where it has none."""
+        costs = [None if limb.pose is None else limb.pose.cost for limb in self.limbs]
+        return self._in_order(
+            [(cost,) * len(limb.unit.members) for limb, cost in zip(self.limbs, costs, strict=True)]
+        )
+
     def _in_order(self, by_limb: Sequence[tuple[T, ...]]) -> tuple[T, ...]:
         pairs = [
             pair
@@ -123,7 +131,7 @@ def begin(
     frame: PreparedFrame, parts: Sequence[Part], units: Sequence[Unit], params: RegionParams, order: Sequence[int]
 ) -> FigureState:
     """The state on a frame whose outlines are given; `order` are the shapes' indices as they are stacked, bottom first."""
-    assert params.pose is not None
+    assert params.part is not None
     scale = scale_for(frame.size)
     limbs: list[Limb] = []
     for unit in units:
@@ -138,10 +146,10 @@ def begin(
 
 
 def _learned(frame: PreparedFrame, limb: Limb, covers: list[Array], params: RegionParams) -> Limb:
-    assert params.pose is not None
+    assert params.part is not None
     if limb.unit.role is Role.WHOLE:
         return replace(limb, whole=region.begin(frame, limb.parts, params, covers))
-    return replace(limb, pose=posed.learned(frame, limb.lines[0], params.pose, [*limb.gaps, *covers]))
+    return replace(limb, pose=posed.learned(frame, limb.lines[0], params.part, [*limb.gaps, *covers]))
 
 
 def _depth(limb: Limb, order: Sequence[int]) -> int:
@@ -192,13 +200,13 @@ def step(
 
     `order` are their indices as they are stacked on `frame`, bottom first.
     """
-    assert params.pose is not None
+    assert params.part is not None
     scale, union = scale_for(frame.size), state.union
     if union is not None:
         union, _ = region.step(union, frame, replace(params, pose=None), token)
-    spots = np.vstack([limb.expected(params.pose) for limb in state.limbs])
-    reach = max((limb.pose.reach(params.pose) for limb in state.limbs if limb.pose is not None), default=1.0)
-    window = Region.around(spots, (MARGIN + params.pose.search_move * reach) * scale, frame.size)
+    spots = np.vstack([limb.expected(params.part) for limb in state.limbs])
+    reach = max((limb.pose.reach(params.part) for limb in state.limbs if limb.pose is not None), default=1.0)
+    window = Region.around(spots, (MARGIN + params.part.search_move * reach) * scale, frame.size)
     pyramid = None if posed.is_narrow(window) else Pyramid.of(frame, window, 1.0 / scale)
     solving = _Solving(state, frame, pyramid, union, params, token)
     for k in sorted(range(len(state.limbs)), key=lambda k: -_depth(state.limbs[k], order)):
@@ -222,9 +230,9 @@ class _Solving:
         params: RegionParams,
         token: CancelToken | None,
     ) -> None:
-        assert params.pose is not None
+        assert params.part is not None
         self.state, self.frame, self.pyramid, self.token = state, frame, pyramid, token
-        self.region_params, self.params, self.scale = params, params.pose, scale_for(frame.size)
+        self.region_params, self.params, self.scale = params, params.part, scale_for(frame.size)
         self.limbs: dict[int, Limb] = {}
         self.hidden: tuple[UInt8, ...] = () if pyramid is None else pyramid.nothing
         self.moved = np.eye(3) if union is None or state.union is None else _moved(state.union, union)

@@ -45,6 +45,12 @@ AGREED = 0.85
 """Overlap of two passages that each moved the object as one piece from which they are taken at their word."""
 APART_BY = 0.5
 """Distance of the two passages of an outline, in its own size, from which their mean is a place of neither."""
+ALIKE = 8.0
+"""Pixels of a 480-line image, in the mean, up to which the poses from both ends are taken for the same one."""
+SURE_COST = 0.1
+"""What is added to the cost of a pose: even the best may be wrong."""
+UNPOSED = 0.4
+"""What an outline that was not laid by its pose is taken to cost."""
 APART = 4.0
 """Pixels of a 480-line image between the witnesses of a point at which half the trust in it is gone."""
 
@@ -80,6 +86,7 @@ class _Moment:
     back: Stop | None
     there: dict[int, Array]
     here: dict[int, Array]
+    costs: dict[int, tuple[float | None, float | None]]
 
     @classmethod
     def of(cls, span: Span, frame: int) -> _Moment:
@@ -87,7 +94,15 @@ class _Moment:
         there = {} if onwards is None else dict(zip(span.first.members, onwards.points, strict=True))
         here = {} if back is None else dict(zip(span.last.members, back.points, strict=True))
         u = (frame - span.first.frame) / (span.last.frame - span.first.frame)
-        return cls(span, u, onwards, back, there, here)
+        costs_there = {} if onwards is None else dict(zip(span.first.members, onwards.pose_costs, strict=True))
+        costs_here = {} if back is None else dict(zip(span.last.members, back.pose_costs, strict=True))
+        costs = {k: (costs_there.get(k), costs_here.get(k)) for k in there.keys() | here.keys()}
+        return cls(span, u, onwards, back, there, here, costs)
+
+    @property
+    def is_posed(self) -> bool:
+        """True where a passage laid an outline by its pose: no region tells more of it."""
+        return any(cost is not None for pair in self.costs.values() for cost in pair)
 
     @property
     def is_one_piece(self) -> bool:
@@ -129,7 +144,7 @@ def merged(
         return result
     parts = tuple(Part(_expected(moment, k), span.subtracts(k)) for k in known)
     points = [part.points for part in parts]
-    region = None if span.is_planar or moment.is_one_piece else _region(moment, parts, colours)
+    region = None if span.is_planar or moment.is_one_piece or moment.is_posed else _region(moment, parts, colours)
     if region is not None:
         parts = tuple(_where_more_is(moment, k, part, region) for k, part in zip(known, parts, strict=True))
         traits = [span.traits(k, moment.u) for k in known]
@@ -169,6 +184,8 @@ def _expected(moment: _Moment, k: int) -> Array:
         only = here if there is None else there
         assert only is not None
         return only
+    if any(cost is not None for cost in moment.costs[k]):
+        return _by_poses(moment, k)
     planar = _planar(moment, k)
     if moment.span.is_planar:
         return planar
@@ -176,6 +193,23 @@ def _expected(moment: _Moment, k: int) -> Array:
         return there if moment.u < 0.5 else here
     weights = moment.weights(*(miss.of(k) for miss in moment.span.misses))
     return _mean([weight[:, None, None] for weight in weights], [there, here, planar])
+
+
+def _by_poses(moment: _Moment, k: int) -> Array:
+    """The points of an outline that was laid by its pose, from either end: their mean where they agree, else the better.
+
+    Each counts the more the less its pose costs, the nearer its key is, and the nearer it came to the other one.
+    """
+    there, here = moment.there[k], moment.here[k]
+    assert moment.span.misses is not None
+    onwards, back = (miss.of(k) for miss in moment.span.misses[:2])
+    doubts = [UNPOSED if cost is None else cost for cost in moment.costs[k]]
+    ahead = (1.0 - moment.u) / (SURE_OF + onwards * moment.u) / (SURE_COST + doubts[0])
+    behind = moment.u / (SURE_OF + back * (1.0 - moment.u)) / (SURE_COST + doubts[1])
+    apart = np.hypot(*(there - here)[:, bezier.ANCHOR].T).mean() / moment.span.scale
+    if apart > ALIKE:
+        return there if ahead.mean() >= behind.mean() else here
+    return _mean([ahead[:, None, None], behind[:, None, None]], [there, here])
 
 
 def _where_more_is(moment: _Moment, k: int, part: Part, region: Field) -> Part:

@@ -35,6 +35,7 @@ class Stop:
     carried : `(3, 3)` the similarity, image to image, of the object since the key.
     region : the object's region, where the engine works with regions.
     as_one_piece : the outlines are as they are on the key, only moved (`propagate.rigid`).
+    pose_costs : for each outline what its pose costs; None where it was not laid by a pose (`propagate.posed`).
     """
 
     points: tuple[Array, ...]
@@ -42,6 +43,7 @@ class Stop:
     carried: Array
     region: Field | None
     as_one_piece: bool = False
+    pose_costs: tuple[float | None, ...] = ()
 
 
 @dataclass(frozen=True, eq=False)
@@ -74,7 +76,8 @@ def passage(
     key = picture = read(frames[0])
     state = engine.begin(picture, tuple(parts), params)
     carried = np.eye(3)
-    stops = {frames[0]: Stop(tuple(part.points for part in parts), (1.0,) * len(parts), carried, _region(state))}
+    points, sure = tuple(part.points for part in parts), (1.0,) * len(parts)
+    stops = {frames[0]: Stop(points, sure, carried, _region(state), pose_costs=(0.0,) * len(parts))}
     for frame in frames[1:]:
         if token is not None:
             token.check()
@@ -91,7 +94,8 @@ def passage(
         picture = following
         points = tuple(result.points for result in results)
         confidence = tuple(result.confidence for result in results)
-        stops[frame] = Stop(points, confidence, carried, _region(state), _is_one_piece(state))
+        costs = engine.pose_costs(state)
+        stops[frame] = Stop(points, confidence, carried, _region(state), _is_one_piece(state), costs)
         if passed is not None:
             passed()
     return Passage(stops, key)

@@ -79,14 +79,17 @@ def carried(pose: Pose, drawn: Sequence[Part]) -> tuple[Part, ...]:
 def is_believed(pose: Pose, parts: Sequence[Part], found: Field, params: RegionParams, *, was: bool) -> bool:
     """Whether the pose, which puts the shapes at `parts`, is taken where the region that was `found` disputes it.
 
-    `was` tells that it was believed on the frame before; it then takes more to give it up.
+    An outline with an edge of colour all around on the key is a whole object's: its region finds it. Else the pose is
+    taken where the object still looks as on its key, and what is seen at the disputed places does not speak against
+    it. `was` tells that it was believed on the frame before; it then takes more to give it up.
     """
-    if pose.look is None:
+    if pose.look is None or pose.template.seam < params.pose_seam:
         return False
     more = params.pose_stays if was else 1.0
-    if pose.unlike >= more * params.pose_unlike:
-        return False
-    if overlap(enclosed(parts, found.grid) > 0.5, found.inside) >= params.pose_agrees:
+    agreeing = overlap(enclosed(parts, found.grid) > 0.5, found.inside)
+    if agreeing < params.pose_apart:
+        return pose.unlike < params.pose_unlike_apart
+    if agreeing >= params.pose_agrees or pose.unlike >= more * params.pose_unlike:
         return False
     rows, columns = found.grid.shape
     x, y = np.floor(found.grid.to_grid(pose.look.places)).astype(np.intp).T
