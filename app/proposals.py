@@ -190,7 +190,7 @@ class Proposals(QObject):
         if not project.has(place[0]):
             return False
         shape = project.shape(place[0])
-        return shape.key_at(place[1]) is offer.key and not is_stale(shape, offer.key, project.clip)
+        return shape.key_at(place[1]) is offer.key and not is_stale(shape, offer.key, project.clip, project.shapes)
 
     def _do_at_once(self, wanted: list[Offer], frame: int) -> None:
         project = self._document.project

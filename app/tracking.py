@@ -24,6 +24,7 @@ class Scope(StrEnum):
     """Which shapes a run takes."""
 
     SELECTED = "selected"
+    ALONE = "alone"
     ALL = "all"
 
 
@@ -31,7 +32,8 @@ class Tracking:
     """Starts runs of the propagation from the playhead.
 
     `config` names the engine's configuration, `factors` how far its dials are turned, by configuration and dial;
-    `scope` tells which shapes are meant: the selected ones (all where none is), or all in any case.
+    `scope` tells which shapes are meant: the selected ones (all where none is), or all in any case. The others of their
+    objects are solved with them, but where each is to be solved alone.
     """
 
     def __init__(self, document: Document, view_state: ViewState, propagation: Propagation) -> None:
@@ -117,7 +119,9 @@ class Tracking:
             self._view.say(NO_CLIP)
         elif shapes := self._trackable():
             if gaps := self._gaps_meant(gaps_of(shapes)):
-                self._propagation.fill([shape.id for shape in shapes], gaps, self.configuration)
+                self._propagation.fill(
+                    [shape.id for shape in shapes], gaps, self.configuration, alone=self.scope is Scope.ALONE
+                )
             else:
                 self._view.say(NO_GAP)
 
@@ -154,7 +158,8 @@ class Tracking:
         elif len(frames) < 2:
             self._view.say(f"The clip {'ends' if step > 0 else 'begins'} here: there is no frame to track to.")
         elif shapes := self._trackable():
-            self._propagation.start([shape.id for shape in shapes], frames, self.configuration)
+            ids, alone = [shape.id for shape in shapes], self.scope is Scope.ALONE
+            self._propagation.start(ids, frames, self.configuration, alone=alone)
 
     def _gaps_meant(self, gaps: list[Gap]) -> list[Gap]:
         """In and out mean the gaps between them, where they are set around the playhead; otherwise it lies in a gap.

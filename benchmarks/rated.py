@@ -14,12 +14,12 @@ from benchmarks.shots import Shot
 from roam_core import shapes_from_mask
 from roam_core.features import PreparedFrame
 from roam_core.geometry import bezier
-from roam_core.params import CONFIGS, params_for, scale_for
+from roam_core.params import CONFIGS, params_for
 from roam_core.propagate.confidence import Signs, SpanSigns
-from roam_core.propagate.group import GroupTracker, parts_at
-from roam_core.propagate.objects import objects
+from roam_core.propagate.group import GroupTracker
+from roam_core.propagate.objects import near, objects
+from roam_core.propagate.provenance import Stamps
 from roam_core.propagate.region import RegionState
-from roam_core.propagate.run import NEAR
 from roam_core.propagate.span import Filling, Reader, spans
 from roam_core.roto import Keyframe, RotoShape
 
@@ -54,7 +54,7 @@ def of_job(job: tuple[str, str]) -> list[Rated]:
 def carried(shot: Shot, run: range) -> Iterator[Rated]:
     """The frames of a run from the true mask of its first."""
     shapes = shapes_from_mask(shot.mask(run[0]), run[0])
-    groups = objects(parts_at(shapes, run[0]), NEAR * scale_for(shot.size))
+    groups = objects(shapes, near(shot.size))
     trackers = [GroupTracker("best") for _ in groups]
     first = PreparedFrame(shot.read(run[0]))
     for tracker, members in zip(trackers, groups, strict=True):
@@ -80,8 +80,12 @@ def filled(shot: Shot, gap: int) -> Iterator[Rated]:
         gaps = spans(shapes, start, stop)
         if not gaps:
             continue
-        members = [shapes[k] for k in gaps[0][2]]
-        made = [([members[k] for k in each], span) for each, span in filling.objects(members, start, stop)]
+        stamps = Stamps(shapes, size=shot.size)
+        groups = sorted({stamps.filled_with(k, (start, stop)) for k in gaps[0][2]})
+        made = [
+            (group, filling.passed(group, (start, stop), shot.size))
+            for group in ([shapes[k] for k in members] for members in groups)
+        ]
         for frame in range(start + 1, stop):
             known, outlines = [], list[RotoShape]()
             for group, span in made:

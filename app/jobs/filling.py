@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 from typing import Any
 
 from app.jobs.runner import Report
 from roam_core.params import RoamParams, params_for
-from roam_core.propagate.provenance import fill_stamp
+from roam_core.propagate.provenance import Stamps, takes_part
 from roam_core.roto import Keyframe, Origin, RotoShape
 
 Gap = tuple[int, int]
@@ -26,13 +26,16 @@ class Filled:
 
 @dataclass(frozen=True)
 class FillRequest:
-    """A snapshot of everything that filling needs."""
+    """A snapshot of everything that filling needs: all shapes of the project, and the ids of those to fill."""
 
     read: Callable[[int], Any]
     shapes: tuple[RotoShape, ...]
+    asked: frozenset[str]
     gaps: tuple[Gap, ...]
     config: str
     clip: str
+    size: tuple[int, int] | None = None
+    alone: bool = False
 
 
 def gaps_of(shapes: Sequence[RotoShape]) -> list[Gap]:
@@ -51,8 +54,8 @@ def fill(report: Report, request: FillRequest) -> str:
     """Fill the gaps of the request, each handed over when it is finished; gives the closing sentence."""
     from roam_core.propagate.span import fill_span
 
-    params, shapes = params_for(request.config), {shape.id: shape for shape in request.shapes}
-    wanted = [gap for gap in request.gaps if not _is_filled(list(shapes.values()), gap, params, request.clip)]
+    params, stamps = params_for(request.config), Stamps(request.shapes, request.clip, request.size)
+    wanted = [gap for gap in request.gaps if not _is_filled(stamps, request, gap, params)]
     plate = _Plate(request.read)
     for done, gap in enumerate(wanted):
         report.token.check()
@@ -61,10 +64,11 @@ def fill(report: Report, request: FillRequest) -> str:
             place = f"Filling frames {gap[0] + 1} to {gap[1] - 1}"
             report.progress((done + fraction) / len(wanted), place)
 
-        members = _members(list(shapes.values()), gap)
-        for shape in fill_span(plate, members, *gap, params, report.token, tell, request.clip):
-            shapes[shape.id] = shape
-        report.partial(Filled(gap, {shape.id: _keys_in(shapes[shape.id], gap) for shape in members}))
+        asked = {shape.id for shape in request.shapes if shape.id in request.asked and takes_part(shape, gap)}
+        filled = fill_span(
+            plate, _closed(request, asked), *gap, params, report.token, tell, request.clip, asked, request.alone
+        )
+        report.partial(Filled(gap, {shape.id: _keys_in(shape, gap) for shape in filled if shape.id in asked}))
     return _sentence(wanted)
 
 
@@ -84,21 +88,16 @@ class _Plate(Mapping[int, Any]):
         raise TypeError("the frames of a plate are read one by one")
 
 
-def _members(shapes: Sequence[RotoShape], gap: Gap) -> list[RotoShape]:
-    """The shapes with an artist key on either end of the gap and none between."""
-    first, last = gap
-    return [
-        shape
-        for shape in shapes
-        if {first, last} & set(shape.artist_frames) and not any(first < frame < last for frame in shape.artist_frames)
-    ]
+def _closed(request: FillRequest, asked: Collection[str]) -> list[RotoShape]:
+    """The shapes asked for, and those that may take part; an open one that was asked for is told of by the engine."""
+    return [shape for shape in request.shapes if shape.closed or shape.id in asked]
 
 
-def _is_filled(shapes: Sequence[RotoShape], gap: Gap, params: RoamParams, clip: str) -> bool:
+def _is_filled(stamps: Stamps, request: FillRequest, gap: Gap, params: RoamParams) -> bool:
     """True when every frame in the gap holds a key that filling would only make again."""
-    keyed = [shape for shape in shapes if gap in pairwise(shape.artist_frames)]
+    keyed = [s for s in request.shapes if s.id in request.asked and gap in pairwise(s.artist_frames)]
     return all(
-        (key := shape.key_at(frame)) is not None and key.inputs == fill_stamp(shape, frame, params, clip)
+        (key := shape.key_at(frame)) is not None and key.inputs == stamps.filled_key(shape, gap, params, request.alone)
         for shape in keyed
         for frame in range(gap[0] + 1, gap[1])
         if shape.exists_at(frame)

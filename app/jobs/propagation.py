@@ -61,30 +61,42 @@ class Propagation(QObject):
     def is_running(self) -> bool:
         return self._run is not None
 
-    def start(self, shape_ids: Sequence[str], frames: range, config: str = DEFAULT_CONFIG) -> None:
-        """Track shapes along `frames`: the first is where they start from, the step +1 or -1 the direction."""
+    def start(
+        self, shape_ids: Sequence[str], frames: range, config: str = DEFAULT_CONFIG, *, alone: bool = False
+    ) -> None:
+        """Track shapes along `frames`: the first is where they start from, the step +1 or -1 the direction.
+
+        The others of their objects are solved with them, unless each is to be solved `alone`.
+        """
         self.drop()
-        self._start_tracking(shape_ids, frames, config, f"track-{next(_run_numbers)}")
+        self._start_tracking(shape_ids, frames, config, f"track-{next(_run_numbers)}", alone=alone)
 
     def _start_tracking(
-        self, shape_ids: Sequence[str], frames: range, config: str, merge_key: str, before: _Run | None = None
-    ) -> None:
+        self, shape_ids: Sequence[str], frames: range, config: str, merge_key: str, before: _Run | None = None,
+        *, alone: bool = False,
+    ) -> None:  # fmt: skip
         project = self._document.project
         shapes = tuple(project.shape(shape_id) for shape_id in shape_ids)
-        request = _Request(self._read, shapes, frames, config, clip_stamp(project.clip), self._memory)
+        asked = frozenset(shape_ids)
+        others = tuple(shape for shape in project.shapes if shape.closed or shape.id in asked)
+        request = _Request(self._read, others, asked, frames, config, clip_stamp(project.clip), self._memory, alone)
         job = self._runner.start("track", lambda report: _track(report, request))
         job.partial.connect(self._apply)
-        run = _Run(job, "Track", shapes, self._view.frame, merge_key, frames, config)
+        run = _Run(job, "Track", shapes, self._view.frame, merge_key, frames, config, alone=alone)
         if before is not None:
             run.take_over(before)
         self._begin(run, f"Starting to track {_names(shapes)} …")
 
-    def fill(self, shape_ids: Sequence[str], gaps: Sequence[Gap], config: str = DEFAULT_CONFIG) -> None:
+    def fill(
+        self, shape_ids: Sequence[str], gaps: Sequence[Gap], config: str = DEFAULT_CONFIG, *, alone: bool = False
+    ) -> None:
         """Fill gaps between artist keys of the shapes from both ends; each gap arrives when it is finished."""
         self.drop()
         project = self._document.project
         shapes = tuple(project.shape(shape_id) for shape_id in shape_ids)
-        request = FillRequest(self._read, shapes, tuple(gaps), config, clip_stamp(project.clip))
+        size = None if project.clip is None else (project.clip.size[1], project.clip.size[0])
+        stamp, asked = clip_stamp(project.clip), frozenset(shape_ids)
+        request = FillRequest(self._read, project.shapes, asked, tuple(gaps), config, stamp, size, alone)
         job = self._runner.start("track", lambda report: fill(report, request))
         job.partial.connect(self._put_in)
         run = _Run(job, "Fill", shapes, self._view.frame, f"track-{next(_run_numbers)}")
@@ -111,7 +123,7 @@ class Propagation(QObject):
             self._run = run
         else:
             run.job.drop()
-            self._start_tracking(ids, rest, run.config, run.merge_key, run)
+            self._start_tracking(ids, rest, run.config, run.merge_key, run, alone=run.alone)
 
     def stop(self) -> None:
         """Stop; the frames that are finished stay. What does not listen soon is left to itself, unheard."""
@@ -204,10 +216,12 @@ class _Run:
         merge_key: str,
         frames: range = range(0),
         config: str = "",
+        *,
+        alone: bool = False,
     ) -> None:
         self.job, self.verb, self.shown_frame = job, verb, shown_frame
         self.expected = {shape.id: shape for shape in shapes}
-        self.merge_key, self.frames, self.config = merge_key, frames, config
+        self.merge_key, self.frames, self.config, self.alone = merge_key, frames, config, alone
         self.reached: int | None = None
         self._doubtful: set[int] = set()
 
@@ -239,10 +253,12 @@ class _Request:
 
     read: ReadFrame
     shapes: tuple[RotoShape, ...]
+    asked: frozenset[str]
     frames: range
     config: str
     clip: str
     memory: TrackMemory
+    alone: bool
 
 
 def _track(report: Report, request: _Request) -> str:
@@ -250,12 +266,14 @@ def _track(report: Report, request: _Request) -> str:
     # The engine loads compiled kernels: that must not delay the window.
     from roam_core.propagate.run import track
 
-    frames, names = request.frames, _names(request.shapes)
+    frames = request.frames
+    names = _names([shape for shape in request.shapes if shape.id in request.asked])
     direction = "forward" if frames.step > 0 else "backward"
     done, seconds = 0, 0.0
     for result in track(
-        request.read, request.shapes, frames, request.config, report.token, request.clip, request.memory
-    ):
+        request.read, request.shapes, frames, request.config, report.token, request.clip, request.memory,
+        only=request.asked, alone=request.alone,
+    ):  # fmt: skip
         report.token.check()
         _make_ready(result)
         report.partial(result)

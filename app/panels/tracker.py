@@ -33,7 +33,11 @@ WORDS = {
 }
 """What each configuration is good for, in an artist's words."""
 
-SCOPES = {Scope.SELECTED: "Selected shapes, or all", Scope.ALL: "All shapes"}
+SCOPES = {
+    Scope.SELECTED: "Selected shapes, or all",
+    Scope.ALONE: "Selected, each alone",
+    Scope.ALL: "All shapes",
+}
 
 
 class TrackerPanel(QWidget):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -9,12 +10,10 @@ from numpy.typing import NDArray
 
 from app.document import Document
 from roam_core.params import DOUBTFUL
-from roam_core.propagate import provenance
-from roam_core.roto import Clip, Interpolation, Keyframe, Origin, RotoShape
+from roam_core.propagate.provenance import Stamps
+from roam_core.roto import Interpolation, Origin, Project, RotoShape
 
 Frames = NDArray[np.int64]
-UNKNOWN = "unknown"
-"""The stamp that no key bears."""
 
 
 @dataclass(frozen=True)
@@ -44,18 +43,17 @@ class KeyMarks:
         return next((kind for kind in kinds if frame in getattr(self, kind)), "")
 
 
-def key_marks(shape: RotoShape, clip: Clip | None) -> KeyMarks:
-    """The marks of a shape of a project with this clip."""
+def key_marks(shape: RotoShape, stamps: Stamps) -> KeyMarks:
+    """The marks of a shape of the project that the stamps are of."""
     artist, engine, doubtful, stale = [], [], [], []
     confidence = []
-    stamps = _Stamps(shape, clip)
     for key in shape.keys:
         if key.origin is Origin.ARTIST:
             artist.append(key.frame)
             continue
         trust = 1.0 if key.confidence is None else key.confidence
         confidence.append((key.frame, trust))
-        if stamps.is_stale(key, len(artist)):
+        if stamps.is_stale(shape, key):
             stale.append(key.frame)
         elif trust < DOUBTFUL:
             doubtful.append(key.frame)
@@ -78,48 +76,28 @@ def _frames(numbers: list[int]) -> Frames:
 
 
 class MarksOf:
-    """The marks of each shape, made anew only for a shape that is another value than before."""
+    """The marks of each shape, made anew only where it, or another one of its object, is another value than before."""
 
     def __init__(self, document: Document) -> None:
         self._document = document
-        self._known: dict[str, tuple[RotoShape, KeyMarks]] = {}
+        self._known: dict[str, tuple[tuple[RotoShape, ...], KeyMarks]] = {}
+        self._stamps: tuple[Project, Stamps] | None = None
         document.replaced.connect(self._known.clear)
 
     def __call__(self, shape: RotoShape) -> KeyMarks:
+        stamps = self._of_project()
+        together = stamps.together(shape)
         known = self._known.get(shape.id)
-        if known is None or known[0] is not shape:
-            known = self._known[shape.id] = (shape, key_marks(shape, self._document.project.clip))
+        if known is None or not _are_same(known[0], together):
+            known = self._known[shape.id] = (together, key_marks(shape, stamps))
         return known[1]
 
+    def _of_project(self) -> Stamps:
+        project = self._document.project
+        if self._stamps is None or self._stamps[0] is not project:
+            self._stamps = project, Stamps.of(project.shapes, project.clip)
+        return self._stamps[1]
 
-class _Stamps:
-    """`provenance.is_stale` for all keys of one shape, asked once for each stamp in each span instead of for each key.
 
-    A span is told by the number of artist's keys before it.
-    """
-
-    def __init__(self, shape: RotoShape, clip: Clip | None) -> None:
-        self._shape, self._clip = shape, provenance.clip_stamp(clip)
-        self._artist = [key for key in shape.keys if key.origin is Origin.ARTIST]
-        self._known: dict[tuple[str, int], bool] = {}
-
-    def is_stale(self, key: Keyframe, span: int) -> bool:
-        known = self._known.get((key.inputs, span))
-        if known is None:
-            known = self._known[key.inputs, span] = self._stamp(key, span) != key.inputs
-        return known
-
-    def _stamp(self, key: Keyframe, span: int) -> str:
-        """What the key would bear if it were made now; nothing where it could not be, or nobody knows how it was."""
-        direction, _, rest = key.inputs.partition(":")
-        params = provenance.known_params(rest.partition(":")[0])
-        if params is None:
-            return UNKNOWN
-        if direction == "fill":
-            return provenance.fill_stamp(self._shape, key.frame, params, self._clip)
-        source = span - 1 if direction == "forward" else span
-        if not 0 <= source < len(self._artist):
-            return UNKNOWN
-        return provenance.stamp(
-            self._artist[source], self._shape.closed, params, self._clip, forward=direction == "forward"
-        )
+def _are_same(a: Sequence[RotoShape], b: Sequence[RotoShape]) -> bool:
+    return len(a) == len(b) and all(x is y for x, y in zip(a, b, strict=True))

@@ -14,13 +14,13 @@ from numpy.typing import NDArray
 
 from roam_core.cli.explain_picture import TOTAL, choices, drawn
 from roam_core.cli.fill import interruptible, require_size
+from roam_core.cli.picking import picked
 from roam_core.cli.plate import Plate, opened
 from roam_core.cli.track import require_target
 from roam_core.errors import RoamError
 from roam_core.features import PreparedFrame
 from roam_core.propagate.explain import REGION, Explanation, explain
-from roam_core.propagate.provenance import is_stale
-from roam_core.roto import Clip, Origin, Project, RotoShape, file
+from roam_core.roto import Origin, Project, RotoShape, file
 from roam_core.roto.file import write_atomically
 
 Row = Mapping[str, object]
@@ -71,10 +71,7 @@ def keyed_shapes(project: Project, path: Path, frame: int, name: str | None) -> 
         raise RoamError(f"--frame {frame} lies outside the clip's frames {clip.first}-{clip.last}.")
     shapes = [shape for shape in project.shapes if shape.closed]
     if name is not None:
-        shapes = [shape for shape in shapes if name in (shape.name, shape.id)]
-        if not shapes:
-            names = ", ".join(repr(shape.name) for shape in project.shapes if shape.closed) or "none"
-            raise RoamError(f"{path} holds no closed shape {name!r}; its closed shapes: {names}.")
+        shapes = picked(project, [name])
     keyed = [shape for shape in shapes if shape.key_at(frame) is not None]
     if not keyed:
         raise RoamError(f"No closed shape of {path} holds a key on frame {frame}; track or fill up to there first.")
@@ -83,20 +80,11 @@ def keyed_shapes(project: Project, path: Path, frame: int, name: str | None) -> 
 
 def explained(plate: Plate, project: Project, frame: int, wanted: Sequence[RotoShape]) -> list[Explanation]:
     """The wanted shapes' keys taken apart; shapes that were tracked with them are carried along."""
-    clip, names = project.clip, {shape.id for shape in wanted}
-    shapes = [shape for shape in project.shapes if shape.id in names or _keeps_company(shape, wanted, frame, clip)]
+    names = {shape.id for shape in wanted}
     with interruptible() as token:
-        found = explain(lambda number: PreparedFrame(plate.read(number)), shapes, frame, clip, token)
-    return [each for each in found if each.shape.id in names]
-
-
-def _keeps_company(shape: RotoShape, wanted: Sequence[RotoShape], frame: int, clip: Clip | None) -> bool:
-    """True for a closed shape with a key of the same kind of run as one of the wanted: it may be of their object."""
-    key = shape.key_at(frame)
-    if key is None or not shape.closed or key.origin is not Origin.ENGINE or is_stale(shape, key, clip):
-        return False
-    kinds = [other.inputs.rpartition(":")[0] for each in wanted if (other := each.key_at(frame)) is not None]
-    return key.inputs.rpartition(":")[0] in kinds
+        return explain(
+            lambda number: PreparedFrame(plate.read(number)), project.shapes, frame, project.clip, token, names
+        )
 
 
 def encoded(picture: NDArray[np.uint8]) -> bytes:

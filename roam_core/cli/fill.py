@@ -18,13 +18,15 @@ from numpy.typing import NDArray
 from tqdm import tqdm
 
 from roam_core.cancel import Cancelled, CancelToken
+from roam_core.cli.picking import Picking, trackable
+from roam_core.cli.picking import add_arguments as add_picking
 from roam_core.cli.plate import Plate, opened
 from roam_core.cli.track import require_target, require_writable
 from roam_core.errors import RoamError
 from roam_core.interchange.mattes import write_matte
 from roam_core.params import CONFIGS, DEFAULT_CONFIG, RoamParams, params_for
 from roam_core.propagate import Termination, warm_up
-from roam_core.propagate.provenance import clip_stamp, fill_stamp, is_stale
+from roam_core.propagate.provenance import Stamps, clip_stamp, takes_part
 from roam_core.propagate.span import fill_span
 from roam_core.propagate.whole import whole_confidence
 from roam_core.roto import Clip, Origin, Project, RotoShape, file
@@ -37,6 +39,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Declare the command's options."""
     parser.add_argument("project", type=Path, metavar="P.roam")
     parser.add_argument("--config", default=DEFAULT_CONFIG, help=f"{' | '.join(CONFIGS)} (default {DEFAULT_CONFIG})")
+    add_picking(parser, "fill")
     parser.add_argument("--matte", type=Path, metavar="DIR", help="write 8-bit PNG mattes named as the frames")
     parser.add_argument("--save", type=Path, metavar="OUT.roam", help="write here (default: P.roam itself)")
     parser.add_argument("--json", action="store_true", help="print one line of JSON a frame")
@@ -47,14 +50,15 @@ def run(arguments: argparse.Namespace) -> int:
     params = params_for(arguments.config)
     project = file.load(arguments.project)
     target = arguments.project if arguments.save is None else arguments.save
-    gaps = gaps_of(project, arguments.project)
+    picking = Picking(arguments.shape, arguments.alone)
+    gaps = gaps_of(project, arguments.project, picking)
     with opened(str(project.require_clip().path), project.clip) as plate:
         require_size(plate, project.require_clip())
         require_target(target)
         if arguments.matte is not None:
             require_writable(arguments.matte, create=True)
-        wanted = [gap for gap in gaps if not is_filled(project, gap, params, plate.source.frames)]
-        project, seconds = fill_project(plate, project, wanted, params, lambda done: file.save(done, target))
+        wanted = [gap for gap in gaps if not is_filled(project, gap, params, plate.source.frames, picking)]
+        project, seconds = fill_project(plate, project, wanted, params, lambda done: file.save(done, target), picking)
         if wanted or target != arguments.project:
             file.save(project, target)
         frames = range(gaps[0][0], max(last for _, last in gaps) + 1)
@@ -69,18 +73,18 @@ def run(arguments: argparse.Namespace) -> int:
     return 0
 
 
-def fillable(project: Project) -> list[RotoShape]:
-    """The shapes that filling may touch: closed and unlocked."""
-    return [shape for shape in project.shapes if shape.closed and not shape.locked]
+def fillable(project: Project, picking: Picking | None = None) -> list[RotoShape]:
+    """The shapes that filling may touch: closed and unlocked, and of those picked."""
+    return trackable(project, None if picking is None else picking.names)
 
 
-def gaps_of(project: Project, path: Path) -> list[Gap]:
+def gaps_of(project: Project, path: Path, picking: Picking | None = None) -> list[Gap]:
     """Every gap between neighbouring artist keys of a shape, in order; one sentence where there is none."""
-    if not fillable(project):
+    if not fillable(project, picking):
         raise RoamError(f"{path} holds no closed, unlocked shape to fill.")
     gaps = {
         gap
-        for shape in fillable(project)
+        for shape in fillable(project, picking)
         for gap in pairwise(shape.artist_frames)
         if any(shape.exists_at(frame) for frame in range(gap[0] + 1, gap[1]))
     }
@@ -92,32 +96,32 @@ def gaps_of(project: Project, path: Path) -> list[Gap]:
     return sorted(gaps)
 
 
-def members(project: Project, gap: Gap) -> list[RotoShape]:
-    """The shapes that are filled in a gap: those keyed on one of its ends or both, and not between them."""
-    first, last = gap
-    return [
-        shape
-        for shape in fillable(project)
-        if {first, last} & set(shape.artist_frames) and not any(first < frame < last for frame in shape.artist_frames)
-    ]
-
-
-def is_filled(project: Project, gap: Gap, params: RoamParams, frames: Sequence[int]) -> bool:
+def is_filled(
+    project: Project, gap: Gap, params: RoamParams, frames: Sequence[int], picking: Picking | None = None
+) -> bool:
     """True when every frame of the plate in the gap holds a key that filling would only make again."""
-    stamp = clip_stamp(project.clip)
+    stamps = Stamps.of(project.shapes, project.clip)
     inside = [frame for frame in frames if gap[0] < frame < gap[1]]
-    for shape in members(project, gap):
-        keys = [(frame, shape.key_at(frame)) for frame in inside if shape.exists_at(frame)]
+    for shape in fillable(project, picking):
+        if not takes_part(shape, gap):
+            continue
+        wanted = stamps.filled_key(shape, gap, params, picking is not None and picking.alone)
+        keys = [shape.key_at(frame) for frame in inside if shape.exists_at(frame)]
         if set(gap) <= set(shape.artist_frames):
-            if any(key is None or key.inputs != fill_stamp(shape, frame, params, stamp) for frame, key in keys):
+            if any(key is None or key.inputs != wanted for key in keys):
                 return False
-        elif any(key is not None and is_stale(shape, key, project.clip) for _, key in keys):
+        elif any(key is not None and stamps.is_stale(shape, key) for key in keys):
             return False
     return True
 
 
 def fill_project(
-    plate: Plate, project: Project, gaps: Sequence[Gap], params: RoamParams, keep: Callable[[Project], None]
+    plate: Plate,
+    project: Project,
+    gaps: Sequence[Gap],
+    params: RoamParams,
+    keep: Callable[[Project], None],
+    picking: Picking | None = None,
 ) -> tuple[Project, dict[int, float]]:
     """The project with the gaps filled, and the seconds that each frame took.
 
@@ -130,7 +134,7 @@ def fill_project(
         for gap in gaps:
             began = time.perf_counter()
             try:
-                filled = _filled(plate, project, gap, params, token, bar)
+                filled = _filled(plate, project, gap, params, picking or Picking(), token, bar)
             except (KeyboardInterrupt, Cancelled):
                 if seconds:
                     keep(project)
@@ -144,7 +148,7 @@ def fill_project(
 
 
 def _filled(
-    plate: Plate, project: Project, gap: Gap, params: RoamParams, token: CancelToken, bar: Any
+    plate: Plate, project: Project, gap: Gap, params: RoamParams, picking: Picking, token: CancelToken, bar: Any
 ) -> list[RotoShape]:
     begun, length = bar.n, gap[1] - gap[0]
 
@@ -152,7 +156,10 @@ def _filled(
         bar.update(begun + fraction * length - bar.n)
 
     stamp = clip_stamp(project.clip)
-    return fill_span(_Pictures(plate), members(project, gap), *gap, params, token, moved, stamp)
+    asked = {shape.id for shape in fillable(project, picking) if takes_part(shape, gap)}
+    shapes = [shape for shape in project.shapes if shape.closed]
+    filled = fill_span(_Pictures(plate), shapes, *gap, params, token, moved, stamp, only=asked, alone=picking.alone)
+    return [shape for shape in filled if shape.id in asked]
 
 
 class _Pictures(Mapping[int, NDArray[Any]]):

@@ -6,9 +6,9 @@ import argparse
 from pathlib import Path
 
 from roam_core.media import open_clip
-from roam_core.propagate.provenance import is_stale
+from roam_core.propagate.provenance import Stamps
 from roam_core.propagate.worth import most_worth_fixing
-from roam_core.roto import Clip, Origin, RotoShape, file
+from roam_core.roto import Origin, RotoShape, file
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -43,13 +43,14 @@ def _project_lines(path: Path) -> list[str]:
             f"clip     {project.clip.path}, frames {project.clip.first}-{project.clip.last}, {width}x{height}, "
             f"{project.clip.fps:g} fps, {project.clip.colour_space}"
         )
-    lines.extend(_shape_line(shape, project.clip) for shape in project.shapes)
+    stamps = Stamps.of(project.shapes, project.clip)
+    lines.extend(_shape_line(shape, stamps) for shape in project.shapes)
     return lines
 
 
-def _shape_line(shape: RotoShape, clip: Clip | None) -> str:
+def _shape_line(shape: RotoShape, stamps: Stamps) -> str:
     engine = [key for key in shape.keys if key.origin is Origin.ENGINE]
-    stale = sum(is_stale(shape, key, clip) for key in engine)
+    stale = sum(stamps.is_stale(shape, key) for key in engine)
     rated = [(key.confidence, key.frame) for key in engine if key.confidence is not None]
     line = (
         f"shape    {shape.name!r}: {shape.point_count} points, {'closed' if shape.closed else 'open'}, "

@@ -12,6 +12,8 @@ from pathlib import Path
 
 from tqdm import tqdm
 
+from roam_core.cli.picking import Picking, trackable
+from roam_core.cli.picking import add_arguments as add_picking
 from roam_core.cli.plate import Plate, opened
 from roam_core.errors import RoamError
 from roam_core.interchange.mattes import write_matte
@@ -34,6 +36,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--start", type=int, metavar="F", help="frame that FILE describes (default: the first)")
     parser.add_argument("--end", type=int, metavar="F", help="last frame to track (default: the last)")
     parser.add_argument("--backward", action="store_true", help="track to earlier frames, by default from the last")
+    add_picking(parser, "track")
     parser.add_argument("--matte", type=Path, metavar="DIR", help="write 8-bit PNG mattes named as the frames")
     parser.add_argument("--save", type=Path, metavar="P.roam", help="write a project")
     parser.add_argument("--landmarks", type=Path, metavar="OUT.nk", help="write the landmarks as Nuke Tracker4 nodes")
@@ -48,9 +51,11 @@ def run(arguments: argparse.Namespace) -> int:
         require_landmarks(arguments.config, arguments.landmarks, arguments.save)
     given = given_project(Path(arguments.init))
     with opened(arguments.clip, given.clip if given else None) as plate:
-        start = first_key(given, backward=arguments.backward) if arguments.start is None else arguments.start
+        picking = Picking(arguments.shape, arguments.alone)
+        start = first_key(given, picking, backward=arguments.backward) if arguments.start is None else arguments.start
         frames = frame_range(plate.source.frames, start, arguments.end, backward=arguments.backward)
         project = initial_project(Path(arguments.init), given, plate, frames[0])
+        trackable(project, picking.names)
         plate.read(frames[0])
         if arguments.save is not None:
             require_target(arguments.save)
@@ -71,11 +76,12 @@ def run(arguments: argparse.Namespace) -> int:
                     print(note, file=sys.stderr)
 
         project = track_project(
-            plate, project, frames, arguments.config, report=report, mattes=arguments.matte, keep=save
+            plate, project, frames, arguments.config, picking, report=report, mattes=arguments.matte, keep=save
         )
         save(project)
     if not arguments.json:
-        print(f"Tracked {len(project.shapes)} shape(s) from frame {frames[0]} to {frames[-1]}.", file=sys.stderr)
+        count = len(trackable(project, picking.names))
+        print(f"Tracked {count} shape(s) from frame {frames[0]} to {frames[-1]}.", file=sys.stderr)
     return 0
 
 
@@ -84,17 +90,19 @@ def track_project(
     project: Project,
     frames: range,
     config: str,
+    picking: Picking = Picking(),  # noqa: B008 - an immutable value
     *,
     report: Report | None = None,
     mattes: Path | None = None,
     keep: Callable[[Project], None] | None = None,
 ) -> Project:
-    """Track all closed, unlocked shapes of a project through `frames` of its plate.
+    """Track the closed, unlocked shapes of a project, or those picked, through `frames` of its plate.
 
     `report` is called with the first frame, as it was given, and with each solved one; `mattes` is a folder for a PNG
     of each frame, written as it is solved. When the user interrupts, `keep` is given what is finished.
     """
-    shapes = [shape for shape in project.shapes if shape.closed and not shape.locked]
+    shapes = [shape for shape in project.shapes if shape.closed]
+    asked = {shape.id for shape in trackable(project, picking.names)}
     stamp = clip_stamp(project.clip)
     warm_up(config)
     width, height = plate.source.size
@@ -109,7 +117,7 @@ def track_project(
 
     plate.read(frames[0])
     plate.ahead_of(frames[0], frames)
-    solved = track(plate.read, shapes, frames, config, clip=stamp, begun=finished)
+    solved = track(plate.read, shapes, frames, config, clip=stamp, begun=finished, only=asked, alone=picking.alone)
     quiet = not sys.stderr.isatty()
     try:
         for result in tqdm(solved, total=len(frames) - 1, unit="frame", disable=quiet, leave=False):
@@ -157,9 +165,9 @@ def given_project(init: Path) -> Project | None:
     return project
 
 
-def first_key(project: Project | None, *, backward: bool) -> int | None:
+def first_key(project: Project | None, picking: Picking, *, backward: bool) -> int | None:
     """The frame from which a run passes every key of the artist's: the first one's, or backward the last one's."""
-    shapes = [] if project is None else [s for s in project.shapes if s.closed and not s.locked]
+    shapes = [] if project is None else trackable(project, picking.names)
     frames = [frame for shape in shapes for frame in shape.artist_frames or shape.frames]
     if not frames:
         return None

@@ -52,7 +52,7 @@ class Pyramid:
         return np.asarray(self.grid.region.origin, dtype=np.float64)
 
     def to_level(self, places: Array, level: int) -> Float32:
-        """Places `(..., 2)` of the picture in cells of a level, counted from the centre of the first, as OpenCV does."""
+        """Places `(..., 2)` of the picture in cells of a level, counted from the first one's centre, as OpenCV does."""
         return np.asarray((places - self.corner) * self.scale_at(level) - 0.5, dtype=np.float32)
 
     def scale_at(self, level: int) -> Array:

@@ -29,15 +29,19 @@ MOST = 0.4
 
 @dataclass(frozen=True, eq=False)
 class Joint:
-    """Two shapes, by their indices, that hold together at `place (2,)`, pixels."""
+    """Two shapes, by their indices, that hold together at `places (2, 2)`, pixels: one on each, as it was drawn."""
 
     shapes: tuple[int, int]
-    place: Array
+    places: Array
 
     def other(self, shape: int) -> int | None:
         """The other one, if `shape` is one of the two."""
         first, second = self.shapes
         return {first: second, second: first}.get(shape)
+
+    def place_on(self, shape: int) -> Array:
+        """Where it lies on one of the two, `(2,)`."""
+        return np.asarray(self.places[self.shapes.index(shape)])
 
 
 def joints(lines: Sequence[Array], scale: float) -> list[Joint]:
@@ -51,7 +55,7 @@ def joints(lines: Sequence[Array], scale: float) -> list[Joint]:
         for k in range(j):
             place = _place(lines[k], lines[j], scale)
             if place is not None:
-                found.append(Joint((k, j), place))
+                found.append(Joint((k, j), np.array([place, place])))
     return found
 
 
@@ -75,7 +79,7 @@ def _place(a: Array, b: Array, scale: float) -> Array | None:
     ends = [end for end in _ends(small) if _is_inside(grown[1], (end - corner) / scale)]
     if len(ends) == 1:
         return ends[0]
-    if np.count_nonzero(shared) >= MOST * max(np.count_nonzero(masks[0]), 1):
+    if np.count_nonzero(shared) >= MOST * max(int(np.count_nonzero(masks[0])), 1):
         return None
     rows, columns = np.nonzero(shared)
     return np.asarray(np.array([columns.mean() + 0.5, rows.mean() + 0.5]) * scale + corner)

@@ -55,7 +55,8 @@ class Chain:
         count = 1 + joints if length * length > LONG * area else 1
         to_pixels = cv2.invertAffineTransform(to_cells)
         middles = [
-            _apply(to_pixels, _middle(inside & (np.abs(along - at) <= 0.5 * SLICE))) for at in np.linspace(0, 1, count + 1)
+            _apply(to_pixels, _middle(inside & (np.abs(along - at) <= 0.5 * SLICE)))
+            for at in np.linspace(0.0, 1.0, count + 1)
         ]
         if count == 1:
             middles = _ends(line)
@@ -195,7 +196,7 @@ def _spread(along: Float32, inside: Bools) -> Float32:
     )
     values = np.zeros(int(labels.max()) + 1, dtype=np.float32)
     values[labels[inside]] = along[inside]
-    return values[labels]
+    return np.asarray(values[labels])
 
 
 def _apply(matrix: Array, places: Array) -> Array:

@@ -1,22 +1,22 @@
 """An articulated template laid on a picture: what each pose costs, and the pose near another one that costs least.
 
-A template is a set of places with the colours that they had on the key. Bones carry them (linear blend skinning): bone k
-turns about its pivot, which its parent carries, and all of them stretch alike. A pose is the vector
+A template is a set of places with the colours that they had on the key. Bones carry them (linear blend skinning): bone
+k turns about its pivot, which its parent carries, and all of them stretch alike. A pose is the vector
 
     (move x, move y, turn of each bone ..., stretch along the bones, stretch across, shear)
 
 of 5 + K numbers; turns in radians, the last three the logarithms of a strain (Hencky). It costs the mean, over the
-template, of d^2 / (d^2 + T^2), with d the difference of colours (Geman and McClure, 1987), and, over the places beside the
-outline whose colour differed from the inside on the key, the mean of exp(-d^2 / (2 tau^2)), with d the difference from
-the inside: the outline has not reached an edge there, or gone beyond it. What a nearer part hides, and what lies outside
-the picture, costs a constant. Where it is known which places of the picture need the part, because they belong to the
-object and to no other part, the template is drawn there. Ties are springs to places of other parts; a stretched one
-gives way. Minimised by Levenberg and Marquardt.
+template, of d^2 / (d^2 + T^2), with d the difference of colours (Geman and McClure, 1987), and, over the places beside
+the outline whose colour differed from the inside on the key, the mean of exp(-d^2 / (2 tau^2)), with d the difference
+from the inside: the outline has not reached an edge there, or gone beyond it. What a nearer part hides, and what lies
+outside the picture, costs a constant. Where it is known which places of the picture need the part, because they belong
+to the object and to no other part, the template is drawn there. Ties are springs to places of other parts; a stretched
+one gives way. Minimised by Levenberg and Marquardt.
 """
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numba import njit
@@ -46,7 +46,7 @@ class View(NamedTuple):
 
 
 class Samples(NamedTuple):
-    """Places `(n, 2)` on the key, their colours `(n, C)`, weights `(n,)` and the shares `(n, K)` that bones have in them.
+    """Places `(n, 2)` on the key, their colours `(n, C)`, weights `(n,)`, and the shares `(n, K)` of the bones in them.
 
     Weights above zero are the template's own and add up to one. Those below zero belong to places beside the outline,
     whose colours here are those inside.
@@ -73,8 +73,8 @@ class Costs(NamedTuple):
 
 
 class Prior(NamedTuple):
-    """The pose that is `expected (P,)`; how firmly `(P,)`; how firmly each number is drawn to zero, `rest (P,)`; and the
-    same two for the difference between each bone's turn and its parent's.
+    """The pose that is `expected (P,)`; how firmly `(P,)`; how firmly each number is drawn to zero, `rest (P,)`; and
+    the same two for the difference between each bone's turn and its parent's.
     """
 
     expected: Float64
@@ -85,7 +85,7 @@ class Prior(NamedTuple):
 
 
 class Ties(NamedTuple):
-    """Springs from places `(m, 2)` of the key, whose bones have the shares `(m, K)`, to where they should lie, `(m, 2)`.
+    """Springs from places `(m, 2)` of the key, with the bones' shares `(m, K)`, to where they should lie, `(m, 2)`.
 
     Each costs its weight `(m,)` times d^2 / (d^2 + reach^2), d the distance in pixels.
     """
@@ -198,8 +198,9 @@ def _tie_cost(matrices, tied, tied_skin, targets, springs, reach):  # type: igno
 
 @njit(nogil=True, cache=True)
 def _energies(  # type: ignore[no-untyped-def]
-    image, scale_x, scale_y, left, top, hidden, needs, places, colours, weights, skin, bones, poses, like, beside, behind,
-    beyond, needless, needed, expected, firmness, rest, bend, straight, tied, tied_skin, targets, springs, reach, result,
+    image, scale_x, scale_y, left, top, hidden, needs, places, colours, weights, skin, bones, poses, like, beside,
+    behind, beyond, needless, needed, expected, firmness, rest, bend, straight, tied, tied_skin, targets, springs,
+    reach, result,
 ):  # fmt: skip
     rows, columns, channels = image.shape
     matrices = np.empty((len(bones), 2, 3))
@@ -263,8 +264,8 @@ def _slopes(matrices, bones, pose, skin, i, place_x, place_y, slopes):  # type: 
 
 @njit(nogil=True, cache=True)
 def _system(  # type: ignore[no-untyped-def]
-    image, scale_x, scale_y, left, top, hidden, needs, places, colours, weights, skin, bones, pose, like, beside, behind,
-    beyond, needless, needed, normal, right,
+    image, scale_x, scale_y, left, top, hidden, needs, places, colours, weights, skin, bones, pose, like, beside,
+    behind, beyond, needless, needed, normal, right,
 ):  # fmt: skip
     """The cost without prior and ties; `normal (P, P)` and `right (P,)` are made those of Gauss and Newton."""
     rows, columns, channels = image.shape
@@ -345,8 +346,9 @@ def _tie_system(bones, pose, tied, tied_skin, targets, springs, reach, normal, r
 
 @njit(nogil=True, cache=True)
 def _refined(  # type: ignore[no-untyped-def]
-    image, scale_x, scale_y, left, top, hidden, needs, places, colours, weights, skin, bones, start, like, beside, behind,
-    beyond, needless, needed, expected, firmness, rest, bend, straight, tied, tied_skin, targets, springs, reach, rounds,
+    image, scale_x, scale_y, left, top, hidden, needs, places, colours, weights, skin, bones, start, like, beside,
+    behind, beyond, needless, needed, expected, firmness, rest, bend, straight, tied, tied_skin, targets, springs,
+    reach, rounds,
 ):  # fmt: skip
     size, count = len(start), len(bones)
     normal, right = np.empty((size, size)), np.empty(size)
@@ -365,8 +367,8 @@ def _refined(  # type: ignore[no-untyped-def]
     best_normal, best_right = normal.copy(), right.copy()
     for _ in range(rounds):
         cost = _system(
-            image, scale_x, scale_y, left, top, hidden, needs, places, colours, weights, skin, bones, trial, like, beside,
-            behind, beyond, needless, needed, normal, right,
+            image, scale_x, scale_y, left, top, hidden, needs, places, colours, weights, skin, bones, trial, like,
+            beside, behind, beyond, needless, needed, normal, right,
         )  # fmt: skip
         cost += _prior_cost(bones, trial, expected, firmness, rest, bend, straight)
         cost += _tie_system(bones, trial, tied, tied_skin, targets, springs, reach, normal, right)

@@ -151,9 +151,7 @@ def _samples(
     own, there = pyramid.colours(within, level), pyramid.colours(beside, level)
     contrast = 1.0 - np.exp(-((own - there) ** 2).sum(axis=1) / (2.0 * params.beside_like**2))
     places = np.vstack([inside, beside])
-    weights = np.concatenate(
-        [np.full(len(inside), 1.0 / len(inside)), -params.beside * contrast / max(len(beside), 1)]
-    )
+    weights = np.concatenate([np.full(len(inside), 1.0 / len(inside)), -params.beside * contrast / max(len(beside), 1)])
     return Samples(places, np.vstack([pyramid.colours(inside, level), own]), weights, chain.skin(places))
 
 
@@ -191,7 +189,7 @@ class Look:
 
     Attributes
     ----------
-    places : (n, 2) of the template, of those in the picture and not hidden. own : (n,) which of them are the part's own.
+    places : (n, 2) of the template, those in the picture and not hidden. own : (n,) which of them are the part's own.
     apart : (n,) difference of colour, of those beside it from its inside. wrong : (n,) what speaks against, in [0, 1].
     seen : share of the part's own places that are seen.
     """
@@ -211,7 +209,7 @@ class Look:
         """What speaks against the pose, in [0, 1], where a region that has `inside (n,)` of the places disputes it."""
         lacking, beyond = self.own & ~inside, ~self.own & inside
         shares = [
-            weight * np.count_nonzero(disputed) / max(np.count_nonzero(all_of), 1)
+            weight * np.count_nonzero(disputed) / max(int(np.count_nonzero(all_of)), 1)
             for weight, disputed, all_of in ((1.0, lacking, self.own), (0.5, beyond, ~self.own))
         ]
         if sum(shares) == 0:
@@ -227,7 +225,7 @@ class Pose:
     Attributes
     ----------
     template : what it looks like on its key. values : (P,) as in `kernels.posing`. velocity : (P,) a frame.
-    like : the difference of colour at which a sample is half unlike the key: it grows with how unlike the part has been.
+    like : difference of colour at which a sample is half unlike the key: it grows with how unlike the part has been.
     cost : what the pose costs, mostly in [0, 1]. since : frames since it was no longer good.
     look : what was seen; None on the key.
     """

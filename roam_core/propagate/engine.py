@@ -11,7 +11,7 @@ from roam_core.params import RoamParams
 from roam_core.propagate import figure, region
 from roam_core.propagate import step as outline
 from roam_core.propagate.figure import FigureState
-from roam_core.propagate.objects import Role, units
+from roam_core.propagate.objects import Role, Unit
 from roam_core.propagate.region import RegionState
 from roam_core.propagate.result import Part, StepResult
 from roam_core.propagate.step import TrackerState
@@ -22,26 +22,42 @@ State = RegionState | FigureState | tuple[TrackerState, ...]
 
 
 def begin(
-    picture: PreparedFrame, parts: tuple[Part, ...], params: RoamParams, order: Sequence[int] | None = None
+    picture: PreparedFrame, parts: tuple[Part, ...], params: RoamParams, made: Sequence[Unit], order: Sequence[int]
 ) -> State:
     """The state on a frame whose outlines are given.
 
-    `order` are the indices of `parts` as they are stacked there, bottom first; None: as they come.
+    `made` tells what they are in their object (`objects.units`), `order` their indices as they are stacked on the
+    frame, the farthest first.
     """
     if params.region is None:
         return tuple(outline.begin(picture, part.points, params, is_hole=part.subtracts) for part in parts)
-    made = units(parts)
     if params.region.part is None or (len(made) == 1 and made[0].role is Role.WHOLE):
         return region.begin(picture, parts, params.region)
-    return figure.begin(picture, parts, made, params.region, range(len(parts)) if order is None else order)
+    return figure.begin(picture, parts, made, params.region, order)
+
+
+def corrected(
+    state: State,
+    picture: PreparedFrame,
+    parts: tuple[Part, ...],
+    params: RoamParams,
+    made: Sequence[Unit],
+    order: Sequence[int],
+    given: Sequence[bool],
+) -> State:
+    """The state after a frame on which some outlines were `given`: what hangs on nothing else goes on as it was."""
+    if isinstance(state, FigureState):
+        assert params.region is not None
+        return figure.corrected(state, parts, params.region, order, given)
+    return begin(picture, parts, params, made, order)
 
 
 def step(
     state: State,
     picture: PreparedFrame,
     params: RoamParams,
-    token: CancelToken | None = None,
-    order: Sequence[int] | None = None,
+    token: CancelToken | None,
+    order: Sequence[int],
 ) -> tuple[State, tuple[StepResult, ...]]:
     """Carry the outlines from the state's frame to the one of `picture`; one result an outline, in their order.
 
@@ -52,8 +68,7 @@ def step(
         return region.step(state, picture, params.region, token)
     if isinstance(state, FigureState):
         assert params.region is not None
-        stacked = range(len(state.parts)) if order is None else order
-        return figure.step(state, picture, params.region, stacked, token)
+        return figure.step(state, picture, params.region, order, token)
     pairs = each(lambda outline_state: outline.step(outline_state, picture, params, token), state)
     return tuple(after for after, _ in pairs), tuple(result for _, result in pairs)
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 import numpy as np
@@ -18,13 +18,14 @@ from roam_core.params import RoamParams, scale_for
 from roam_core.propagate import engine, provenance, region
 from roam_core.propagate import step as outline
 from roam_core.propagate.engine import State
-from roam_core.propagate.group import GroupTracker, parts_at
+from roam_core.propagate.figure import FigureState, Limb
+from roam_core.propagate.group import GroupTracker
 from roam_core.propagate.memory import ReadPicture, solve_again
 from roam_core.propagate.nodes import NodeMap
-from roam_core.propagate.objects import objects
+from roam_core.propagate.objects import stacked
 from roam_core.propagate.prewarp import expected
+from roam_core.propagate.provenance import Stamp, Stamps
 from roam_core.propagate.region import RegionState
-from roam_core.propagate.run import NEAR
 from roam_core.propagate.step import TrackerState
 from roam_core.proposal.evidence import cues, gathered
 from roam_core.proposal.region import cleaned
@@ -36,6 +37,9 @@ Terms = Mapping[str, Array]
 
 REGION = "region"
 """The cues together, smoothed and cleaned: what the curves of `best` were laid along. No cue, and not in any sum."""
+
+POSE = "pose"
+"""How unlike its key a part looks around a node, in [0, 1]."""
 
 BESIDE = 2.0
 """Cells from the outline to the places inside and outside of it where the cues are asked."""
@@ -107,20 +111,27 @@ class Explanation:
 
 @dataclass(frozen=True)
 class _Run:
-    """The run that a key came from: under which configuration, and from which side."""
+    """The run that a key came from: its configuration, direction, where it began, and the shapes that it solved."""
 
     config: str
     forward: bool
+    begun: int
+    members: tuple[int, ...]
 
 
 def explain(
-    read: ReadPicture, shapes: Sequence[RotoShape], frame: int, clip: Clip | None, token: CancelToken | None = None
+    read: ReadPicture,
+    shapes: Sequence[RotoShape],
+    frame: int,
+    clip: Clip | None,
+    token: CancelToken | None = None,
+    only: Collection[str] | None = None,
 ) -> list[Explanation]:
-    """Take apart the keys that closed `shapes` hold on `frame`; in their order, those without a key left out.
+    """Take apart the keys that closed `shapes`, all of a project, hold on `frame`; those without a key are left out.
 
-    What the engine knew when it came to the frame is worked out anew from the artist's key, as in
-    `propagate.memory.take_up`, for all shapes together that it carried together. A frame that was filled from both
-    sides is explained by the run from the nearer of its artist keys.
+    What the engine knew when it came to the frame is worked out anew from the artist's keys, as in
+    `propagate.memory.take_up`, for all shapes that it solved together. A frame that was filled from both sides is
+    explained by the run from the nearer of its artist keys. `only` are the ids of those that are asked for.
 
     Raises
     ------
@@ -131,53 +142,52 @@ def explain(
     """
     found: dict[int, Explanation] = {}
     runs: dict[_Run, list[int]] = {}
+    stamps = Stamps.of(shapes, clip)
     for index, shape in enumerate(shapes):
         key = shape.key_at(frame)
-        if key is None or not shape.closed:
+        if key is None or not shape.closed or (only is not None and shape.id not in only):
             continue
         if key.origin is Origin.ARTIST:
             found[index] = _bare(shape, key, RoamParams(), "", 1.0)
         else:
-            runs.setdefault(_run_of(shape, key, clip), []).append(index)
-    for run, members in runs.items():
-        taken = _explained(read, [shapes[k] for k in members], frame, run, provenance.clip_stamp(clip), token)
-        found.update(zip(members, taken, strict=True))
+            runs.setdefault(_run_of(stamps, index, key), []).append(index)
+    for run, asked in runs.items():
+        found.update(_explained(read, stamps, asked, frame, run, token))
     return [found[index] for index in sorted(found)]
 
 
-def _run_of(shape: RotoShape, key: Keyframe, clip: Clip | None) -> _Run:
-    way, _, rest = key.inputs.partition(":")
-    config = rest.partition(":")[0]
-    if provenance.known_params(config) is None:
+def _run_of(stamps: Stamps, k: int, key: Keyframe) -> _Run:
+    made, shape = Stamp.read(key.inputs), stamps.shapes[k]
+    if provenance.known_params(made.config) is None:
         raise RoamError(
             f"The key of {shape.name!r} on frame {key.frame} does not say which configuration made it; track it again."
         )
-    if provenance.is_stale(shape, key, clip):
+    if stamps.is_stale(shape, key):
         raise RoamError(
             f"The key of {shape.name!r} on frame {key.frame} is out of date: the artist's key, the clip or the "
             "parameters have changed since. Track it again first."
         )
-    if way != "fill":
-        return _Run(config, way == "forward")
-    before, after = (provenance.governing_key(shape, key.frame, forward) for forward in (True, False))
-    return _Run(config, after is None or (before is not None and key.frame - before.frame <= after.frame - key.frame))
+    assert made.begun is not None
+    if made.gap is None:
+        members = stamps.solved_with(k, made.begun, made.forward, made.alone)
+        return _Run(made.config, made.forward, made.begun, members)
+    first, last = made.gap
+    ends = [frame for frame in made.gap if frame in shape.artist_frames]
+    begun = min(ends, key=lambda frame: (abs(frame - key.frame), frame))
+    together = stamps.filled_with(k, (first, last), made.alone)
+    members = tuple(j for j in together if begun in stamps.shapes[j].artist_frames)
+    return _Run(made.config, begun == first, begun, members)
 
 
 def _explained(
-    read: ReadPicture, shapes: list[RotoShape], frame: int, run: _Run, clip: str, token: CancelToken | None
-) -> list[Explanation]:
-    """The keys of one run, object by object."""
-    picture = read(frame)
-    sources = [provenance.governing_key(shape, frame, run.forward) for shape in shapes]
-    starts = [source.frame for source in sources if source is not None]
-    start = max(starts) if run.forward else min(starts)
-    result: dict[int, Explanation] = {}
-    for members in objects(parts_at(shapes, start), NEAR * scale_for(picture.size)):
-        tracker, together = GroupTracker(run.config, clip), [shapes[k] for k in members]
-        solve_again(tracker, read, together, range(start, frame, 1 if run.forward else -1), token)
-        taken = _taken_apart(tracker.standing.state, picture, together, frame, tracker.params, token)
-        result.update(zip(members, taken, strict=True))
-    return [result[k] for k in range(len(shapes))]
+    read: ReadPicture, stamps: Stamps, asked: Sequence[int], frame: int, run: _Run, token: CancelToken | None
+) -> dict[int, Explanation]:
+    """The keys of the shapes asked for, all of one run."""
+    tracker, together = GroupTracker(run.config), [stamps.shapes[k] for k in run.members]
+    solve_again(tracker, read, together, range(run.begun, frame, 1 if run.forward else -1), token)
+    state, picture, order = tracker.standing.state, read(frame), stacked(together, frame)
+    taken = _taken_apart(state, picture, together, frame, tracker.params, order, token)
+    return {k: each for k, each in zip(run.members, taken, strict=True) if k in asked and each is not None}
 
 
 def _taken_apart(
@@ -186,15 +196,18 @@ def _taken_apart(
     shapes: list[RotoShape],
     frame: int,
     params: RoamParams,
+    order: Sequence[int],
     token: CancelToken | None,
-) -> list[Explanation]:
-    """Every shape of an object on `frame`, seen from the `state` on the frame before."""
-    after, solved = engine.step(state, picture, params, token)
+) -> list[Explanation | None]:
+    """Every shape of an object on `frame`, seen from the `state` on the frame before; None for one without a key."""
+    after, solved = engine.step(state, picture, params, token, order)
     scale = scale_for(picture.size)
-    result = []
+    result: list[Explanation | None] = []
     for index, (shape, now) in enumerate(zip(shapes, solved, strict=True)):
         key = shape.key_at(frame)
-        assert key is not None
+        if key is None:
+            result.append(None)
+            continue
         bare = replace(
             _bare(shape, key, params, params.config, scale), apart=float(np.hypot(*(key.points - now.points).T).max())
         )
@@ -202,9 +215,17 @@ def _taken_apart(
             assert isinstance(after, RegionState)
             bare = replace(bare, as_one_piece=after.agreement_as_one_piece)
             result.append(_by_cues(bare, state, picture, params))
+        elif isinstance(after, FigureState):
+            result.append(_by_pose(bare, after.limb_of(index)))
         else:
+            assert not isinstance(state, FigureState)
             result.append(_by_energy(bare, state[index], picture, params))
     return result
+
+
+def _by_pose(bare: Explanation, limb: Limb) -> Explanation:
+    """How unlike its key a part looks around each node, in [0, 1]."""
+    return bare if limb.pose is None else replace(bare, terms={POSE: 1.0 - limb.pose.support(bare.nodes)})
 
 
 def _bare(shape: RotoShape, key: Keyframe, params: RoamParams, config: str, scale: float) -> Explanation:

@@ -110,13 +110,15 @@ class FigureState:
         """What the last frame gave, in the order of the shapes."""
         return self._in_order([limb.results for limb in self.limbs])
 
+    def limb_of(self, shape: int) -> Limb:
+        """The limb that a shape, by its index, belongs to."""
+        return next(limb for limb in self.limbs if shape in limb.unit.members)
+
     @property
     def pose_costs(self) -> tuple[float | None, ...]:
         """What the pose of each shape costs, in their order; None where it has none."""
         costs = [None if limb.pose is None else limb.pose.cost for limb in self.limbs]
-        return self._in_order(
-            [(cost,) * len(limb.unit.members) for limb, cost in zip(self.limbs, costs, strict=True)]
-        )
+        return self._in_order([(cost,) * len(limb.unit.members) for limb, cost in zip(self.limbs, costs, strict=True)])
 
     def _in_order(self, by_limb: Sequence[tuple[T, ...]]) -> tuple[T, ...]:
         pairs = [
@@ -130,23 +132,48 @@ class FigureState:
 def begin(
     frame: PreparedFrame, parts: Sequence[Part], units: Sequence[Unit], params: RegionParams, order: Sequence[int]
 ) -> FigureState:
-    """The state on a frame whose outlines are given; `order` are the shapes' indices as they are stacked, bottom first."""
+    """The state on a frame whose outlines are given; `order` are the shapes' indices as stacked, bottom first."""
     assert params.part is not None
     scale = scale_for(frame.size)
-    limbs: list[Limb] = []
-    for unit in units:
-        drawn = tuple(parts[k] for k in unit.members)
-        limbs.append(Limb(unit, drawn, drawn))
-    learned = tuple(
-        _learned(frame, limb, [line for nearer in _nearer(limbs, k, order) for line in nearer.lines], params)
-        for k, limb in enumerate(limbs)
-    )
+    limbs = [_drawn(unit, parts) for unit in units]
+    learned = tuple(_learned(frame, limbs, k, params, order) for k in range(len(limbs)))
     held = [joint for joint in joints([limb.lines[0] for limb in limbs], scale) if _holds(joint, limbs)]
     return FigureState(frame, learned, tuple(held), _union(frame, limbs, params))
 
 
-def _learned(frame: PreparedFrame, limb: Limb, covers: list[Array], params: RegionParams) -> Limb:
+def corrected(
+    state: FigureState, parts: Sequence[Part], params: RegionParams, order: Sequence[int], given: Sequence[bool]
+) -> FigureState:
+    """The state after a frame on which the artist gave some of the shapes.
+
+    What was given is learned anew; the other limbs stay as they are, with the looks of their own keys.
+    """
+    fresh = [any(given[k] for k in limb.unit.members) for limb in state.limbs]
+    limbs = [_drawn(limb.unit, parts) if new else limb for limb, new in zip(state.limbs, fresh, strict=True)]
+    learned = tuple(_learned(state.frame, limbs, k, params, order) if new else limbs[k] for k, new in enumerate(fresh))
+    held = tuple(_held_now(joint, state.limbs, fresh) for joint in state.joints)
+    return replace(state, limbs=learned, joints=held, union=_union(state.frame, learned, params))
+
+
+def _held_now(joint: Joint, before: Sequence[Limb], fresh: Sequence[bool]) -> Joint:
+    """A joint when some limbs were given anew: on those it lies where their poses had it last."""
+    places = joint.places.copy()
+    for row, k in enumerate(joint.shapes):
+        pose = before[k].pose
+        if fresh[k] and pose is not None:
+            places[row] = pose.carried(places[row][None])[0]
+    return replace(joint, places=places)
+
+
+def _drawn(unit: Unit, parts: Sequence[Part]) -> Limb:
+    drawn = tuple(parts[k] for k in unit.members)
+    return Limb(unit, drawn, drawn)
+
+
+def _learned(frame: PreparedFrame, limbs: Sequence[Limb], k: int, params: RegionParams, order: Sequence[int]) -> Limb:
+    """A limb as drawn, with what it looks like where no other covers it."""
     assert params.part is not None
+    limb, covers = limbs[k], [line for nearer in _nearer(limbs, k, order) for line in nearer.lines]
     if limb.unit.role is Role.WHOLE:
         return replace(limb, whole=region.begin(frame, limb.parts, params, covers))
     return replace(limb, pose=posed.learned(frame, limb.lines[0], params.part, [*limb.gaps, *covers]))
@@ -321,8 +348,9 @@ class _Solving:
             to = None if other is None or other not in self.limbs else self.limbs[other].pose
             if to is None:
                 continue
-            places.append(joint.place)
-            targets.append(to.carried(joint.place[None])[0])
+            assert other is not None
+            places.append(joint.place_on(k))
+            targets.append(to.carried(joint.place_on(other)[None])[0])
             weights.append(self.params.tie * max(0.0, 1.0 - to.cost))
         if not places:
             return None

@@ -16,27 +16,27 @@ from roam_core.features import PreparedFrame
 from roam_core.params import DEFAULT_CONFIG, RoamParams, params_for, scale_for
 from roam_core.propagate import engine, provenance
 from roam_core.propagate.engine import State
+from roam_core.propagate.objects import stacked, units
 from roam_core.propagate.offers import Proposal
 from roam_core.propagate.result import Landmarks, Part, StepResult, Termination, TrackResult
 from roam_core.roto import BlendMode, Keyframe, Origin, RotoShape
 from roam_core.roto.edit import set_engine_keys
 from roam_core.roto.sight import is_shut, opened
 
-MIN_POINTS = 2
-"""Points from which a closed spline encloses anything."""
-
 
 @dataclass(frozen=True, eq=False)
 class Standing:
     """Where a group stands: the frame, the shapes with all their keys so far, and the engine's state.
 
-    `began` is the frame whose outlines the state goes back to.
+    `began` is the frame whose outlines the landmarks go back to; `known_from` the one on which all that is known of the
+    shapes begins: each was given there (`provenance`).
     """
 
     frame: int
     shapes: tuple[RotoShape, ...]
     state: State
     began: int
+    known_from: int
 
     @property
     def picture(self) -> PreparedFrame:
@@ -50,11 +50,12 @@ class GroupTracker:
     ----------
     config : name of a configuration (`roam_core.params.CONFIGS`) or a `RoamParams`.
     clip : identity of the clip for the stamps of ENGINE keys (`provenance.clip_stamp`).
+    alone : the one shape is solved as if its object had no others; its stamps say so.
     """
 
-    def __init__(self, config: str | RoamParams = DEFAULT_CONFIG, clip: str = "") -> None:
+    def __init__(self, config: str | RoamParams = DEFAULT_CONFIG, clip: str = "", *, alone: bool = False) -> None:
         self.params = params_for(config)
-        self._clip = clip
+        self._clip, self._alone = clip, alone
         self._standing: Standing | None = None
 
     @property
@@ -75,11 +76,13 @@ class GroupTracker:
         for shape in shapes:
             if not shape.closed:
                 raise RoamError(f"{shape.name!r} is open; close it (C) before it can be tracked.")
-            if shape.point_count < MIN_POINTS:
+            if shape.point_count < provenance.MIN_POINTS:
                 raise RoamError(f"{shape.name!r} is a single point; draw an outline around the object to track it.")
-        self._standing = Standing(
-            frame, tuple(shapes), engine.begin(_prepared(image), parts_at(shapes, frame), self.params), frame
-        )
+        self._start(_prepared(image), tuple(shapes), frame, frame)
+
+    def _start(self, picture: PreparedFrame, shapes: tuple[RotoShape, ...], frame: int, known_from: int) -> None:
+        state = engine.begin(picture, parts_at(shapes, frame), self.params, units(shapes), stacked(shapes, frame))
+        self._standing = Standing(frame, shapes, state, frame, known_from)
 
     def given(self) -> tuple[TrackResult, ...]:
         """The shapes on the frame where the group stands, as they were given there, with what was learned of them."""
@@ -112,15 +115,15 @@ class GroupTracker:
             self.start(picture, standing.shapes, frame)
             seconds = (time.perf_counter() - began) / len(given)
             return tuple(replace(result, seconds=seconds) for result in self.given())
-        state, solved = engine.step(standing.state, picture, self.params, token)
+        state, solved = engine.step(standing.state, picture, self.params, token, stacked(standing.shapes, frame))
         shapes = tuple(
             shape if key else self._keyed(shape, standing.frame, frame, each)
             for shape, key, each in zip(standing.shapes, given, solved, strict=True)
         )
         if any(given):
-            self.start(picture, shapes, frame)
+            self._correct(picture, shapes, frame, state, given)
         else:
-            self._standing = Standing(frame, shapes, state, standing.began)
+            self._standing = Standing(frame, shapes, state, standing.began, standing.known_from)
         seconds = (time.perf_counter() - began) / len(shapes)
         return tuple(
             _as_given(shape, frame, seconds, landmarks)
@@ -128,6 +131,14 @@ class GroupTracker:
             else _as_solved(shape, frame, seconds, landmarks, each, scale_for(picture.size))
             for shape, key, each, landmarks in zip(shapes, given, solved, self._landmarks(), strict=True)
         )
+
+    def _correct(
+        self, picture: PreparedFrame, shapes: tuple[RotoShape, ...], frame: int, state: State, given: Sequence[bool]
+    ) -> None:
+        """Go on from a frame on which the artist gave some of the shapes, and the engine the others."""
+        known_from, parts = self.standing.known_from, parts_at(shapes, frame)
+        state = engine.corrected(state, picture, parts, self.params, units(shapes), stacked(shapes, frame), given)
+        self._standing = Standing(frame, shapes, state, frame, known_from)
 
     def resume(self, standing: Standing, shapes: Sequence[RotoShape]) -> None:
         """Go on from where a group stood, with `shapes` (the same on that frame) in place of its own."""
@@ -149,8 +160,6 @@ class GroupTracker:
 
     def _keyed(self, shape: RotoShape, before: int, frame: int, solved: StepResult) -> RotoShape:
         """The shape with an ENGINE key for what was solved; feather goes on as it was."""
-        forward = frame > before
-        source = provenance.governing_key(shape, before, forward) or shape.key_at(before) or shape.keys[0]
         key = Keyframe(
             frame,
             solved.points,
@@ -158,14 +167,25 @@ class GroupTracker:
             origin=Origin.ENGINE,
             confidence=solved.confidence,
             vertex_confidence=solved.vertex_confidence,
-            inputs=provenance.stamp(source, shape.closed, self.params, self._clip, forward),
+            inputs=self._stamp(frame, forward=frame > before),
         )
         return set_engine_keys(shape, [key])
+
+    def _stamp(self, frame: int, *, forward: bool) -> str:
+        """What the shapes' keys on a frame bear when they are solved in this direction."""
+        standing = self.standing
+        return provenance.stamp(
+            standing.shapes, frame, standing.known_from, self.params, self._clip, forward, self._alone
+        )
+
+    def stamp(self, *, forward: bool) -> str:
+        """What tells the state in which the group stands from all others (`propagate.memory`)."""
+        return self._stamp(self.standing.frame, forward=forward)
 
 
 def parts_at(shapes: Sequence[RotoShape], frame: int) -> tuple[Part, ...]:
     """The shapes' outlines on a frame; what was out of sight and closed there is as drawn, in its place."""
-    return tuple(Part(_opened(shape, frame), shape.blend is BlendMode.SUBTRACT) for shape in shapes)
+    return tuple(Part(_opened(shape, frame), shape.blend is BlendMode.SUBTRACT, shape.attached) for shape in shapes)
 
 
 def _opened(shape: RotoShape, frame: int) -> NDArray[np.float64]:

@@ -1,21 +1,21 @@
 """Taking a run up again where it was left: the engine's state on an ENGINE frame, recalled or worked out anew.
 
-What the engine gives depends on the clip, the parameters and the artist's keys only, not on where a run was stopped. So
-a run that starts on an engine frame goes on with the state that the run to that frame ended with: from the memory of
-the caller where it is there, else by solving again from the artist's key, silently.
+What the engine gives depends on the clip, the parameters and the keys that its stamp covers (`propagate.provenance`),
+not on where a run was stopped, nor on which shapes of an object were asked for. So a run that starts on an engine frame
+goes on with the state that the run to that frame ended with: from the memory of the caller where it is there, else by
+solving again from the artist's keys, silently.
 """
 
 from __future__ import annotations
 
 from collections import OrderedDict
-from collections.abc import Callable, Hashable, Sequence
+from collections.abc import Callable, Sequence
 
 from roam_core.cancel import CancelToken
 from roam_core.features import PreparedFrame
 from roam_core.media.source import MissingFrame
-from roam_core.params import RoamParams
-from roam_core.propagate import provenance
 from roam_core.propagate.group import GroupTracker, Standing
+from roam_core.propagate.provenance import Stamp, Stamps
 from roam_core.roto import Origin, RotoShape
 
 ReadPicture = Callable[[int], PreparedFrame]
@@ -26,19 +26,19 @@ class TrackMemory:
 
     def __init__(self, entries: int = 4) -> None:
         self._entries = entries
-        self._standings: OrderedDict[Hashable, Standing] = OrderedDict()
+        self._standings: OrderedDict[tuple[int, str], Standing] = OrderedDict()
 
-    def keep(self, standing: Standing, params: RoamParams) -> None:
-        """Remember where a group stands."""
-        name = _name(standing.shapes, standing.frame, params)
+    def keep(self, standing: Standing, stamp: str) -> None:
+        """Remember where a group stands, under the stamp of its keys there."""
+        name = standing.frame, stamp
         self._standings[name] = standing
         self._standings.move_to_end(name)
         while len(self._standings) > self._entries:
             self._standings.popitem(last=False)
 
-    def recall(self, shapes: Sequence[RotoShape], frame: int, params: RoamParams) -> Standing | None:
-        """The state in which these very shapes were left on this frame, or None."""
-        return self._standings.get(_name(shapes, frame, params))
+    def recall(self, frame: int, stamp: str) -> Standing | None:
+        """The state in which a group was left on this frame with this stamp, or None."""
+        return self._standings.get((frame, stamp))
 
     def clear(self) -> None:
         """Forget everything: the clip is another one."""
@@ -48,30 +48,38 @@ class TrackMemory:
 def take_up(
     tracker: GroupTracker,
     read: ReadPicture,
-    shapes: Sequence[RotoShape],
+    stamps: Stamps,
+    asked: Sequence[int],
+    members: Sequence[int],
     frames: range,
-    clip: str,
     memory: TrackMemory | None = None,
     token: CancelToken | None = None,
+    *,
+    alone: bool = False,
 ) -> None:
-    """Put `tracker` on `frames[0]`, in the state that a run from the artist's keys would be in there."""
-    frame = frames[0]
-    origin = _origin(shapes, frame, frames.step > 0, tracker.params, clip)
+    """Put `tracker` on `frames[0]`, in the state that a run from the artist's keys would be in there.
+
+    `members` are the shapes of the object, by their indices among those of `stamps`, `asked` those that get keys. Where
+    these are on the frame neither the artist's nor as this engine leaves them, the run begins with what is there.
+    """
+    frame, forward = frames[0], frames.step > 0
+    shapes = [stamps.shapes[k] for k in members]
+    origin = _origin(stamps, asked, members, frame, forward, tracker.params.config, alone)
     if origin == frame:
         tracker.start(read(frame), shapes, frame)
         return
-    known = None if memory is None else memory.recall(shapes, frame, tracker.params)
-    if known is not None:
-        tracker.resume(known, shapes)
-        return
-    solve_again(tracker, read, shapes, range(origin, frame + frames.step, frames.step), token)
-    tracker.resume(tracker.standing, shapes)
+    stamp = stamps.tracked(asked[0], frame, origin, tracker.params, forward, alone)
+    known = None if memory is None else memory.recall(frame, stamp)
+    if known is None:
+        solve_again(tracker, read, shapes, range(origin, frame + frames.step, frames.step), token)
+        known = tracker.standing
+    tracker.resume(known, shapes)
 
 
 def solve_again(
     tracker: GroupTracker, read: ReadPicture, shapes: Sequence[RotoShape], frames: range, token: CancelToken | None
 ) -> None:
-    """Carry `shapes` from the artist's keys on `frames[0]` to the last of `frames` that has a picture."""
+    """Carry `shapes` from `frames[0]`, where they are given, to the last of `frames` that has a picture."""
     tracker.start(read(frames[0]), shapes, frames[0])
     for frame in frames[1:]:
         if token is not None:
@@ -83,19 +91,31 @@ def solve_again(
         tracker.step(picture, frame, token)
 
 
-def _origin(shapes: Sequence[RotoShape], frame: int, forward: bool, params: RoamParams, clip: str) -> int:
-    """The frame of the artist's key that the shapes on `frame` were carried from, if this engine did carry them."""
-    sources = []
-    for shape in shapes:
-        key, source = shape.key_at(frame), provenance.governing_key(shape, frame, forward)
-        if key is None or key.origin is Origin.ARTIST or source is None:
+def _origin(
+    stamps: Stamps, asked: Sequence[int], members: Sequence[int], frame: int, forward: bool, config: str, alone: bool
+) -> int:
+    """The frame on which a run begins that leaves the shapes `asked` on `frame` as they are there; `frame` for none."""
+    origins = set()
+    for k in asked:
+        key = stamps.shapes[k].key_at(frame)
+        if key is None:
             return frame
-        if key.inputs != provenance.stamp(source, shape.closed, params, clip, forward):
+        if key.origin is Origin.ARTIST:
+            continue
+        made = Stamp.read(key.inputs)
+        if (made.config, made.forward, made.alone) != (config, forward, alone) or made.gap is not None:
             return frame
-        sources.append(source.frame)
-    return max(sources) if forward else min(sources)
+        if made.begun is None or stamps.is_stale(stamps.shapes[k], key):
+            return frame
+        origins.add(made.begun)
+    if not origins:
+        begun = _last_given(stamps, members, frame, forward)
+        return frame if begun is None else begun
+    return origins.pop() if len(origins) == 1 else frame
 
 
-def _name(shapes: Sequence[RotoShape], frame: int, params: RoamParams) -> Hashable:
-    keys = (shape.key_at(frame) for shape in shapes)
-    return params, frame, tuple(None if key is None else (key.inputs, key.points.tobytes()) for key in keys)
+def _last_given(stamps: Stamps, members: Sequence[int], frame: int, forward: bool) -> int | None:
+    """The last frame on the way to `frame`, itself included, on which the artist keyed all members; or None."""
+    common = set.intersection(*(set(stamps.shapes[k].artist_frames) for k in members))
+    passed = [each for each in common if (each <= frame if forward else each >= frame)]
+    return (max(passed) if forward else min(passed)) if passed else None

@@ -196,7 +196,7 @@ def _expected(moment: _Moment, k: int) -> Array:
 
 
 def _by_poses(moment: _Moment, k: int) -> Array:
-    """The points of an outline that was laid by its pose, from either end: their mean where they agree, else the better.
+    """The points of an outline that was laid by its pose from either end: the mean where they agree, else the better.
 
     Each counts the more the less its pose costs, the nearer its key is, and the nearer it came to the other one.
     """

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import Enum
+from functools import cached_property, lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,10 +15,13 @@ from scipy.spatial import cKDTree
 
 from roam_core.geometry import bezier, polyline
 from roam_core.kernels.coverage import coverage
-from roam_core.propagate.result import Part
+from roam_core.params import scale_for
+from roam_core.roto import BlendMode, Origin, RotoShape
 
 Array = NDArray[np.float64]
 
+NEAR = 20.0
+"""Pixels of a 480-line image between outlines that still belong to one object."""
 ENCLOSED = 0.97
 """Share of a subtracting shape that lies within an outline whose hole it is."""
 OVERLAP = 0.02
@@ -26,37 +30,107 @@ CELLS = 48
 """Cells across the smaller of two shapes when they are compared."""
 
 
-def objects(parts: Sequence[Part], gap: float) -> list[list[int]]:
-    """The indices of `parts`, grouped by the objects that they belong to; groups and members in the order given.
+@dataclass(frozen=True, eq=False)
+class Drawn:
+    """A shape as far as it decides what it belongs to: its outline is that of the frame on which it met another one."""
+
+    points: Array
+    subtracts: bool
+    link: str
+
+    @cached_property
+    def line(self) -> Array:
+        """A closed polyline `(K, 2)`."""
+        return bezier.flatten(self.points)
+
+    @cached_property
+    def evenly(self) -> Array:
+        """128 places `(128, 2)` along it."""
+        return polyline.resample(self.line, 128)
+
+    @cached_property
+    def tree(self) -> cKDTree:
+        return cKDTree(self.evenly)
+
+    @cached_property
+    def area(self) -> float:
+        """What it encloses, square pixels."""
+        return abs(float(polyline.signed_area(self.line)))
+
+    @classmethod
+    def of(cls, shape: RotoShape, frame: int) -> Drawn:
+        """A shape by its own keys: the artist's, if it has any, so that no run changes what belongs together."""
+        return _drawn(_Same(_by_artist(_Same(shape))), frame)
+
+
+class _Same:
+    """A shape as a key of a cache: an immutable one is known by its identity."""
+
+    def __init__(self, shape: RotoShape) -> None:
+        self.shape = shape
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, _Same) and other.shape is self.shape
+
+    def __hash__(self) -> int:
+        return id(self.shape)
+
+
+@lru_cache(maxsize=256)
+def _by_artist(same: _Same) -> RotoShape:
+    shape = same.shape
+    keys = tuple(key for key in shape.keys if key.origin is Origin.ARTIST)
+    return replace(shape, keys=keys) if keys else shape
+
+
+@lru_cache(maxsize=1024)
+def _drawn(same: _Same, frame: int) -> Drawn:
+    shape = same.shape
+    return Drawn(shape.at(frame).points, shape.blend is BlendMode.SUBTRACT, shape.link)
+
+
+def _met(a: RotoShape, b: RotoShape) -> tuple[Drawn, Drawn]:
+    """Two shapes on the first frame on which both have keys of the artist's, else on the later of their first ones."""
+    frames_a, frames_b = (shape.artist_frames or shape.frames for shape in (a, b))
+    both = set(frames_a) & set(frames_b)
+    frame = min(both) if both else max(frames_a[0], frames_b[0])
+    return Drawn.of(a, frame), Drawn.of(b, frame)
+
+
+def objects(shapes: Sequence[RotoShape], gap: float) -> list[list[int]]:
+    """The indices of `shapes`, grouped by the objects that they belong to; groups and members in the order given.
 
     Two outlines belong together when they come within `gap` pixels of each other, or when a subtracting one may cut
-    the other. Those that the artist linked belong to each other only. Unrelated shapes keep to themselves: each object
-    moves as it will.
+    the other, on the first frame on which the artist keyed both. Those that the artist linked belong to each other
+    only. Unrelated shapes keep to themselves: each object moves as it will.
     """
-    lines = [polyline.resample(bezier.flatten(part.points), 128) for part in parts]
-    trees = [cKDTree(line) for line in lines]
     pairs = [
         (i, j)
-        for i in range(len(parts))
-        for j in range(i + 1, len(parts))
-        if _belong(parts[i], parts[j], lines[i], lines[j], trees[i], gap)
+        for i in range(len(shapes))
+        for j in range(i + 1, len(shapes))
+        if _belong(*_met(shapes[i], shapes[j]), gap)
     ]
     rows, columns = ([pair[k] for pair in pairs] for k in (0, 1))
-    links = coo_array((np.ones(len(pairs)), (rows, columns)), shape=(len(parts), len(parts)))
+    links = coo_array((np.ones(len(pairs)), (rows, columns)), shape=(len(shapes), len(shapes)))
     count, labels = connected_components(links, directed=False)
-    groups = [[i for i in range(len(parts)) if labels[i] == label] for label in range(count)]
+    groups = [[i for i in range(len(shapes)) if labels[i] == label] for label in range(count)]
     return sorted(groups)
 
 
-def _belong(a: Part, b: Part, line_a: Array, line_b: Array, tree_a: cKDTree, gap: float) -> bool:
+def near(size: tuple[int, int] | None) -> float:
+    """Pixels between outlines that still belong to one object, on pictures of `size` (h, w)."""
+    return NEAR * (1.0 if size is None else scale_for(size))
+
+
+def _belong(a: Drawn, b: Drawn, gap: float) -> bool:
     if a.link or b.link:
         return a.link == b.link
-    low, high = line_a.min(axis=0) - gap, line_a.max(axis=0) + gap
-    if (line_b.max(axis=0) < low).any() or (line_b.min(axis=0) > high).any():
+    low, high = a.line.min(axis=0) - gap, a.line.max(axis=0) + gap
+    if (b.line.max(axis=0) < low).any() or (b.line.min(axis=0) > high).any():
         return False
     if a.subtracts != b.subtracts:
         return True
-    return bool(tree_a.query(line_b)[0].min() <= gap)
+    return bool(a.tree.query(b.evenly)[0].min() <= gap)
 
 
 class Role(Enum):
@@ -79,28 +153,31 @@ class Unit:
     members: tuple[int, ...]
 
 
-def units(parts: Sequence[Part]) -> list[Unit]:
+def units(shapes: Sequence[RotoShape]) -> list[Unit]:
     """What the shapes of one object are, bottom first.
 
     Solid shapes that overlap are parts; when none do they are one whole object. A shape that subtracts and lies within
     one outline is its hole, and moves with it; one that crosses an outline is an occluder. What the artist linked is
-    one whole object in any case.
+    one whole object in any case. All this is so where the shapes met (`objects`).
     """
-    everything = tuple(range(len(parts)))
-    solid = [k for k in everything if not parts[k].subtracts]
-    if not solid or any(parts[k].link for k in everything):
+    everything = tuple(range(len(shapes)))
+    subtracts = [shape.blend is BlendMode.SUBTRACT for shape in shapes]
+    solid = [k for k in everything if not subtracts[k]]
+    if not solid or any(shape.link for shape in shapes):
         return [Unit(Role.WHOLE, everything)]
-    lines = [bezier.flatten(part.points) for part in parts]
-    hosts = {k: _host(k, solid, parts, lines) for k in everything if parts[k].subtracts}
+    hosts = {k: _host(k, solid, shapes) for k in everything if subtracts[k]}
     occluders = [k for k, host in hosts.items() if host is None]
 
-    def net(i: int, j: int) -> float:
-        """What two shapes share, but for what lies in a hole of either."""
-        holes = [(hole, j if host == i else i) for hole, host in hosts.items() if host in (i, j)]
-        return _shared(lines[i], lines[j]) - sum(_shared(lines[hole], lines[other]) for hole, other in holes)
+    def overlap(i: int, j: int) -> bool:
+        """Whether two shapes share more than their borders, but for what lies in a hole of either."""
+        a, b = _met(shapes[i], shapes[j])
+        shared = _shared(a, b)
+        for hole, host in hosts.items():
+            if host in (i, j):
+                shared -= _shared(*_met(shapes[hole], shapes[j if host == i else i]))
+        return shared > OVERLAP * min(a.area, b.area)
 
-    pairs = ((i, j) for place, i in enumerate(solid) for j in solid[:place])
-    if any(net(i, j) > OVERLAP * min(parts[i].area, parts[j].area) for i, j in pairs):
+    if any(overlap(i, j) for place, i in enumerate(solid) for j in solid[:place]):
         made = [Unit(Role.PART, (k, *(hole for hole, host in hosts.items() if host == k))) for k in solid]
     else:
         made = [Unit(Role.WHOLE, tuple(k for k in everything if k not in occluders))]
@@ -108,20 +185,30 @@ def units(parts: Sequence[Part]) -> list[Unit]:
     return sorted(made, key=lambda unit: unit.members[0])
 
 
-def _host(k: int, solid: Sequence[int], parts: Sequence[Part], lines: Sequence[Array]) -> int | None:
+def stacked(shapes: Sequence[RotoShape], frame: int) -> list[int]:
+    """The indices of shapes that come bottom first as they lie on a frame, the farthest first."""
+    return sorted(range(len(shapes)), key=lambda k: shapes[k].depth_at(frame))
+
+
+def _host(k: int, solid: Sequence[int], shapes: Sequence[RotoShape]) -> int | None:
     """The solid shape whose hole a subtracting one is: the nearest of those below it, else of those above; or None."""
-    around = [j for j in solid if _shared(lines[k], lines[j]) >= ENCLOSED * parts[k].area]
+
+    def surrounds(j: int) -> bool:
+        hole, outer = _met(shapes[k], shapes[j])
+        return _shared(hole, outer) >= ENCLOSED * hole.area
+
+    around = [j for j in solid if surrounds(j)]
     below = [j for j in around if j < k]
     return below[-1] if below else around[0] if around else None
 
 
-def _shared(a: Array, b: Array) -> float:
-    """The area that two closed polylines both enclose, square pixels."""
-    low, high = np.maximum(a.min(axis=0), b.min(axis=0)), np.minimum(a.max(axis=0), b.max(axis=0))
+def _shared(a: Drawn, b: Drawn) -> float:
+    """The area that both enclose, square pixels."""
+    low, high = np.maximum(a.line.min(axis=0), b.line.min(axis=0)), np.minimum(a.line.max(axis=0), b.line.max(axis=0))
     if (high <= low).any():
         return 0.0
-    smaller = min(float(np.ptp(a, axis=0).max()), float(np.ptp(b, axis=0).max()))
+    smaller = min(float(np.ptp(each.line, axis=0).max()) for each in (a, b))
     cell = max(smaller / CELLS, float((high - low).max()) / (4 * CELLS))
     columns, rows = (max(1, int(np.ceil(extent / cell))) for extent in high - low)
-    cover_a, cover_b = (coverage((line - low) / cell, (rows, columns)) for line in (a, b))
+    cover_a, cover_b = (coverage((each.line - low) / cell, (rows, columns)) for each in (a, b))
     return float((cover_a * cover_b).sum()) * cell * cell

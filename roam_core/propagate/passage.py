@@ -16,6 +16,7 @@ from roam_core.motion.klt import similarity_warp
 from roam_core.params import RoamParams, scale_for
 from roam_core.propagate import engine
 from roam_core.propagate.engine import State
+from roam_core.propagate.objects import Unit
 from roam_core.propagate.region import RegionState
 from roam_core.propagate.result import Part
 from roam_core.proposal.evidence import Field
@@ -64,6 +65,8 @@ class Passage:
 def passage(
     read: ReadPicture,
     parts: Sequence[Part],
+    made: Sequence[Unit],
+    orders: Callable[[int], Sequence[int]],
     frames: Sequence[int],
     params: RoamParams,
     token: CancelToken | None = None,
@@ -71,10 +74,11 @@ def passage(
 ) -> Passage:
     """Carry `parts` from `frames[0]`, where they are given, through the other frames in their order.
 
-    `passed` is called after each frame.
+    `made` tells what they are in their object, `orders` how they are stacked on a frame (`propagate.objects`). `passed`
+    is called after each frame.
     """
     key = picture = read(frames[0])
-    state = engine.begin(picture, tuple(parts), params)
+    state = engine.begin(picture, tuple(parts), params, made, orders(frames[0]))
     carried = np.eye(3)
     points, sure = tuple(part.points for part in parts), (1.0,) * len(parts)
     stops = {frames[0]: Stop(points, sure, carried, _region(state), pose_costs=(0.0,) * len(parts))}
@@ -86,7 +90,7 @@ def passage(
         except MissingFrame:
             continue
         before, standing = picture, tuple(stops.values())[-1].points
-        state, results = engine.step(state, following, params, token)
+        state, results = engine.step(state, following, params, token, orders(frame))
         if isinstance(state, RegionState):
             carried = state.key.to_now
         else:

@@ -1,16 +1,32 @@
-"""What an ENGINE key was computed from, as a short stamp, and whether that still holds."""
+"""What an ENGINE key was computed from, as a short stamp, and whether that still holds.
+
+A run solves a whole object (`propagate.objects`) from keys; which of its shapes get keys of it makes no difference to
+any of them. So a stamp covers all that the points depend on: the revision of the engine, the parameters, the clip, and
+of every shape of the object its outline on the frame where the run's knowledge begins and each artist key that it
+passed since, with how it is drawn, stacked and linked.
+"""
 
 from __future__ import annotations
 
+import bisect
 import hashlib
 import json
 from collections.abc import Sequence
-from functools import lru_cache
+from dataclasses import dataclass
+from functools import cached_property, lru_cache
 from pathlib import Path
 
 from roam_core.errors import RoamError
 from roam_core.params import RoamParams, params_for
+from roam_core.propagate.objects import near, objects
 from roam_core.roto import Clip, Keyframe, Origin, RotoShape
+
+REVISION = 2
+"""Of the engine: another one whenever the same input gives other points (a test tells when that is)."""
+FILL = "fill"
+"""The direction of a key that was filled from both sides."""
+MIN_POINTS = 2
+"""Points from which a closed spline encloses anything."""
 
 
 def clip_stamp(clip: Clip | None) -> str:
@@ -20,29 +36,216 @@ def clip_stamp(clip: Clip | None) -> str:
     return json.dumps([Path(clip.path).name, clip.first, clip.last, list(clip.size), clip.colour_space])
 
 
-def stamp(source: Keyframe, closed: bool, params: RoamParams, clip: str, forward: bool) -> str:
-    """A stamp `direction:configuration:hash` over the artist's key, the parameters and the clip."""
-    return f"{'forward' if forward else 'backward'}:{params.config}:{_digest([source], closed, params, clip)}"
+@dataclass(frozen=True)
+class Stamp:
+    """A stamp, taken apart: `direction:configuration:digest`, then `from=F`, `to=F` and `alone` where they apply.
+
+    Attributes
+    ----------
+    direction : forward, backward or fill. config : name of the configuration. digest : of all that the key depends on.
+    begun : the frame on which what the run knew begins; of a fill that of the key before.
+    until : of a fill the frame of the key after. alone : the shape was solved without others.
+    """
+
+    direction: str
+    config: str
+    digest: str
+    begun: int | None = None
+    until: int | None = None
+    alone: bool = False
+
+    @classmethod
+    def read(cls, text: str) -> Stamp:
+        """What a key's `inputs` say; empty where they say nothing."""
+        direction, config, digest, *more = [*text.split(":"), "", ""][: max(3, text.count(":") + 1)]
+        begun, until = (_frame(more, name) for name in ("from", "to"))
+        return cls(direction, config, digest, begun, until, "alone" in more)
+
+    def __str__(self) -> str:
+        words = [self.direction, self.config, self.digest]
+        words += [f"{name}={frame}" for name, frame in (("from", self.begun), ("to", self.until)) if frame is not None]
+        return ":".join([*words, "alone"] if self.alone else words)
+
+    @property
+    def gap(self) -> tuple[int, int] | None:
+        """The frames of the keys between which it was filled."""
+        return None if self.begun is None or self.until is None else (self.begun, self.until)
+
+    @property
+    def forward(self) -> bool:
+        return self.direction == "forward"
 
 
-def fill_stamp(shape: RotoShape, frame: int, params: RoamParams, clip: str) -> str:
-    """The stamp `fill:configuration:hash` of a frame between artist keys: over the keys on both sides of it."""
-    around = [governing_key(shape, frame, forward) for forward in (True, False)]
-    sources = [key for key in around if key is not None]
-    return f"fill:{params.config}:{_digest(sources, shape.closed, params, clip)}"
+def _frame(words: Sequence[str], name: str) -> int | None:
+    """The frame that `name=F` tells among words; None without it."""
+    found = [word.removeprefix(f"{name}=") for word in words if word.startswith(f"{name}=")]
+    return int(found[0]) if found and found[0].removeprefix("-").isdecimal() else None
 
 
-def _digest(sources: Sequence[Keyframe], closed: bool, params: RoamParams, clip: str) -> str:
-    frames = ",".join(str(key.frame) for key in sources)
-    content = _written(params) + clip + str(closed) + frames
-    points = b"".join(key.points.tobytes() for key in sources)
-    return hashlib.sha256(content.encode() + points).hexdigest()[:16]
+def stamp(
+    shapes: Sequence[RotoShape],
+    frame: int,
+    begun: int,
+    params: RoamParams,
+    clip: str,
+    forward: bool,
+    alone: bool = False,
+) -> str:
+    """The stamp of what a run that knew `shapes`, all of one object, on the frame where it had `begun` gives there."""
+    used = tuple(_passed(shape, begun, frame) for shape in shapes)
+    direction = "forward" if forward else "backward"
+    content = [_said(params, clip, direction, alone)]
+    for shape, keys in zip(shapes, used, strict=True):
+        content.append(_as_drawn(shape))
+        content.append(shape.at(begun).points.tobytes())
+        content.extend(_as_keyed(key) for key in keys)
+    return str(Stamp(direction, params.config, _digest(content), begun, alone=alone))
+
+
+def fill_stamp(
+    shapes: Sequence[RotoShape], gap: tuple[int, int], params: RoamParams, clip: str, alone: bool = False
+) -> str:
+    """The stamp of the frames between the two keys of a gap, where `shapes` are filled together."""
+    content = [_said(params, clip, FILL, alone), f"{gap}".encode()]
+    for shape in shapes:
+        content.append(_as_drawn(shape))
+        content.extend(_as_keyed(key) for key in shape.keys if key.frame in gap and key.origin is Origin.ARTIST)
+    return str(Stamp(FILL, params.config, _digest(content), *gap, alone))
+
+
+def _passed(shape: RotoShape, begun: int, frame: int) -> tuple[Keyframe, ...]:
+    """The artist's keys that a run passes after the frame where it had `begun`, up to `frame`."""
+    low, high = sorted((begun, frame))
+    return tuple(
+        key for key in shape.keys if low <= key.frame <= high and key.frame != begun and key.origin is Origin.ARTIST
+    )
 
 
 @lru_cache(maxsize=16)
-def _written(params: RoamParams) -> str:
-    """All parameters as text: the same for every key of a run."""
-    return json.dumps(params.values(), sort_keys=True)
+def _said(params: RoamParams, clip: str, direction: str, alone: bool) -> bytes:
+    """All that is the same for every key of a run."""
+    return json.dumps([REVISION, params.values(), clip, direction, alone], sort_keys=True).encode()
+
+
+def _as_drawn(shape: RotoShape) -> bytes:
+    return json.dumps([shape.closed, shape.blend.value, shape.link, shape.attached, shape.depth]).encode()
+
+
+def _as_keyed(key: Keyframe) -> bytes:
+    return str(key.frame).encode() + key.points.tobytes()
+
+
+def _digest(content: Sequence[bytes]) -> str:
+    return hashlib.sha256(b"\0".join(content)).hexdigest()[:16]
+
+
+class Stamps:
+    """What would be stamped now, for all shapes of a project.
+
+    Parameters
+    ----------
+    shapes : all of the project, bottom first. clip : what identifies the clip (`clip_stamp`). size : (h, w) of it.
+    """
+
+    def __init__(self, shapes: Sequence[RotoShape], clip: str = "", size: tuple[int, int] | None = None) -> None:
+        self.shapes = tuple(shapes)
+        self._clip, self._size = clip, size
+        self._places = {shape.id: k for k, shape in enumerate(self.shapes)}
+        self._known: dict[tuple[object, ...], str] = {}
+
+    @classmethod
+    def of(cls, shapes: Sequence[RotoShape], clip: Clip | None) -> Stamps:
+        """For the shapes of a project with this clip."""
+        return cls(shapes, clip_stamp(clip), None if clip is None else (clip.size[1], clip.size[0]))
+
+    @cached_property
+    def objects(self) -> dict[int, tuple[int, ...]]:
+        """For each shape that can be solved, by its index, the shapes of its object, itself among them."""
+        able = [k for k, shape in enumerate(self.shapes) if shape.closed and shape.point_count >= MIN_POINTS]
+        found = objects([self.shapes[k] for k in able], near(self._size))
+        return {able[k]: tuple(able[j] for j in group) for group in found for k in group}
+
+    def together(self, shape: RotoShape) -> tuple[RotoShape, ...]:
+        """A shape, and the others of its object."""
+        k = self._places.get(shape.id)
+        return (shape,) if k is None else (shape, *(self.shapes[j] for j in self.objects.get(k, (k,)) if j != k))
+
+    def solved_with(self, k: int, frame: int, forward: bool, alone: bool = False) -> tuple[int, ...]:
+        """The shapes of its object with which a shape is solved by a run that begins on `frame`, itself among them.
+
+        Those take part that are there, and that the artist keyed by then.
+        """
+        if alone or not is_known(self.shapes[k], frame, forward):
+            return (k,)
+        return tuple(j for j in self.objects.get(k, (k,)) if is_known(self.shapes[j], frame, forward))
+
+    def filled_with(self, k: int, gap: tuple[int, int], alone: bool = False) -> tuple[int, ...]:
+        """The shapes of its object with which a shape is filled between two keys, itself among them."""
+        if alone:
+            return (k,)
+        return tuple(j for j in self.objects.get(k, (k,)) if j == k or takes_part(self.shapes[j], gap))
+
+    def tracked(self, k: int, frame: int, begun: int, params: RoamParams, forward: bool, alone: bool = False) -> str:
+        """The stamp that a run which had `begun` on a frame gives a shape on `frame`."""
+        members = [self.shapes[j] for j in self.solved_with(k, begun, forward, alone)]
+        passed = tuple(bisect.bisect_right(shape.artist_frames, frame) for shape in members)
+        name = (k, begun, passed, params, forward, alone)
+        if name not in self._known:
+            self._known[name] = stamp(members, frame, begun, params, self._clip, forward, alone)
+        return self._known[name]
+
+    def filled(self, k: int, gap: tuple[int, int], params: RoamParams, alone: bool = False) -> str:
+        """The stamp that filling a gap gives a shape."""
+        name = (k, gap, params, alone)
+        if name not in self._known:
+            members = [self.shapes[j] for j in self.filled_with(k, gap, alone)]
+            self._known[name] = fill_stamp(members, gap, params, self._clip, alone)
+        return self._known[name]
+
+    def filled_key(self, shape: RotoShape, gap: tuple[int, int], params: RoamParams, alone: bool = False) -> str:
+        """`filled` for a shape, by its id."""
+        return self.filled(self._places[shape.id], gap, params, alone)
+
+    def is_stale(self, shape: RotoShape, key: Keyframe) -> bool:
+        """True for an ENGINE key of one of the shapes when anything that it was computed from has changed since."""
+        if key.origin is not Origin.ENGINE:
+            return False
+        made, k = Stamp.read(key.inputs), self._places.get(shape.id)
+        params = known_params(made.config)
+        if params is None or k is None:
+            return True
+        if made.direction == FILL:
+            gap = made.gap
+            if gap is None or not takes_part(self.shapes[k], gap):
+                return True
+            return self.filled(k, gap, params, made.alone) != key.inputs
+        if made.begun is None:
+            return True
+        return self.tracked(k, key.frame, made.begun, params, made.forward, made.alone) != key.inputs
+
+
+def is_stale(shape: RotoShape, key: Keyframe, clip: Clip | None, shapes: Sequence[RotoShape] | None = None) -> bool:
+    """`Stamps.is_stale` for one key of a shape among the `shapes` of its project; None: there are no others."""
+    return Stamps.of([shape] if shapes is None else shapes, clip).is_stale(shape, key)
+
+
+def is_known(shape: RotoShape, frame: int, forward: bool) -> bool:
+    """Whether a run in this direction that begins on `frame` has heard of a shape from the artist."""
+    return shape.exists_at(frame) and (not shape.artist_frames or governing_key(shape, frame, forward) is not None)
+
+
+def takes_part(shape: RotoShape, gap: tuple[int, int]) -> bool:
+    """Whether a shape is filled between two frames, or says which part of its object the others do not show there.
+
+    It holds artist keys on both and none between; or one on one of them, and it ends, or begins, there.
+    """
+    frames = shape.artist_frames
+    if any(gap[0] < frame < gap[1] for frame in frames):
+        return False
+    keyed = [frame in frames for frame in gap]
+    if all(keyed):
+        return any(shape.exists_at(frame) for frame in range(gap[0] + 1, gap[1]))
+    return any(keyed) and shape.closed and shape.exists_at(gap[0]) != shape.exists_at(gap[1])
 
 
 def governing_key(shape: RotoShape, frame: int, forward: bool) -> Keyframe | None:
@@ -60,26 +263,8 @@ def source_of(shape: RotoShape, key: Keyframe) -> Keyframe | None:
     """
     if key.origin is Origin.ARTIST:
         return key
-    forward = key.inputs.partition(":")[0] != "backward"
+    forward = Stamp.read(key.inputs).direction != "backward"
     return governing_key(shape, key.frame, forward) or governing_key(shape, key.frame, not forward)
-
-
-def is_stale(shape: RotoShape, key: Keyframe, clip: Clip | None) -> bool:
-    """True for an ENGINE key whose artist key, parameters or clip have changed since it was made."""
-    if key.origin is not Origin.ENGINE:
-        return False
-    direction, _, rest = key.inputs.partition(":")
-    config = rest.partition(":")[0]
-    params = known_params(config)
-    if params is None:
-        return True
-    if direction == "fill":
-        return fill_stamp(shape, key.frame, params, clip_stamp(clip)) != key.inputs
-    forward = direction == "forward"
-    source = governing_key(shape, key.frame, forward)
-    if source is None:
-        return True
-    return stamp(source, shape.closed, params, clip_stamp(clip), forward) != key.inputs
 
 
 def known_params(config: str) -> RoamParams | None:

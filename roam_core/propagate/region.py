@@ -120,7 +120,7 @@ def _covered(covers: Sequence[Array], grid: Grid) -> Bools | None:
     """Which cells something lies before; None where nothing does."""
     if not covers:
         return None
-    return np.any([coverage(grid.to_grid(line), grid.shape) > 0.5 for line in covers], axis=0)
+    return np.asarray(np.any([coverage(grid.to_grid(line), grid.shape) > 0.5 for line in covers], axis=0))
 
 
 @dataclass(frozen=True, eq=False)

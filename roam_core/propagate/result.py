@@ -40,13 +40,11 @@ class Termination(StrEnum):
 class Part:
     """One outline of an object: control points `(P, 3, 2)`, and whether it cuts a hole.
 
-    What the artist says of it: `link` names the object that it belongs to, "" leaves that to the outlines; one that is
-    not `attached` hangs on no other.
+    One that is not `attached` hangs on no other.
     """
 
     points: Array
     subtracts: bool = False
-    link: str = ""
     attached: bool = True
 
     @cached_property

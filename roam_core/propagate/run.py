@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
 from functools import partial
 from typing import Any
 
@@ -13,16 +13,13 @@ from roam_core.cancel import CancelToken
 from roam_core.errors import RoamError
 from roam_core.features import PreparedFrame
 from roam_core.media.source import MissingFrame
-from roam_core.params import DEFAULT_CONFIG, RoamParams, scale_for
-from roam_core.propagate.group import GroupTracker, parts_at
+from roam_core.params import DEFAULT_CONFIG, RoamParams
+from roam_core.propagate.group import GroupTracker
 from roam_core.propagate.memory import TrackMemory, take_up
-from roam_core.propagate.objects import objects
+from roam_core.propagate.provenance import Stamps
 from roam_core.propagate.result import FrameResult, TrackResult
 from roam_core.roto import RotoShape
 from roam_core.threads import each
-
-NEAR = 20.0
-"""Pixels of a 480-line image between outlines that still belong to one object."""
 
 ReadFrame = Callable[[int], NDArray[Any]]
 """Gives the picture of a frame, (h, w, 3) RGB, display-referred; raises `MissingFrame` in a gap."""
@@ -37,13 +34,20 @@ def track(
     clip: str = "",
     memory: TrackMemory | None = None,
     begun: Callable[[FrameResult], None] | None = None,
+    only: Collection[str] | None = None,
+    alone: bool = False,
 ) -> Iterator[FrameResult]:
     """Carry `shapes` from `frames[0]`, where they are given, through the other frames, in their order.
 
-    Shapes near each other are tracked as one object; all share one preparation of each picture. Results come one
-    frame at a time; a caller that stops early keeps what it has. The first frame yields nothing: it is the artist's, or
-    an engine frame from which the run goes on as if it had never been stopped (`memory` spares it the way there).
-    `begun` is told of it before the others are solved: the shapes as given, and the landmarks to start with.
+    `shapes` come bottom first. Those that belong together (`propagate.objects`) are solved together; all share one
+    preparation of each picture. Results come one frame at a time; a caller that stops early keeps what it has. The
+    first frame yields nothing: it is the artist's, or an engine frame from which the run goes on as if it had never
+    been stopped (`memory` spares it the way there). `begun` is told of it before the others are solved: the shapes as
+    given, and the landmarks to start with.
+
+    `only` are the ids of the shapes that are wanted; None: all. The others are solved with those whose object they
+    belong to, and are not given back: what is wanted comes out the same whichever of its object is. With `alone` each
+    shape is solved as if there were no others.
 
     Raises
     ------
@@ -51,38 +55,44 @@ def track(
         at a safe point after `token` was cancelled. MissingFrame, RoamError: as `read` raises them for the first frame;
         a gap later on is passed over and reported as MISSING_FRAME.
     """
-    if not shapes:
+    asked = [k for k, shape in enumerate(shapes) if only is None or shape.id in only]
+    if not asked:
         raise RoamError("There is no shape to track; draw one, or select one, first.")
     first = PreparedFrame(read(frames[0]))
-    groups = objects(parts_at(shapes, frames[0]), NEAR * scale_for(first.size))
-    trackers = [GroupTracker(config, clip) for _ in groups]
+    stamps = Stamps(shapes, clip, first.size)
+    forward = frames.step > 0
+    groups = sorted({stamps.solved_with(k, frames[0], forward, alone) for k in asked})
+    trackers = [GroupTracker(config, clip, alone=alone) for _ in groups]
+    wanted = [[k in asked for k in members] for members in groups]
     for tracker, members in zip(trackers, groups, strict=True):
         take_up(
             tracker,
             lambda frame: first if frame == frames[0] else PreparedFrame(read(frame)),
-            [shapes[k] for k in members],
+            stamps,
+            [k for k in members if k in asked],
+            members,
             frames,
-            clip,
             memory,
             token,
+            alone=alone,
         )
     if begun is not None:
-        begun(_in_order(frames[0], groups, [tracker.given() for tracker in trackers]))
+        begun(_in_order(frames[0], groups, wanted, [tracker.given() for tracker in trackers]))
     for frame in frames[1:]:
         if token is not None:
             token.check()
         try:
             picture = PreparedFrame(read(frame))
         except MissingFrame:
-            yield _in_order(frame, groups, [tracker.skip(frame) for tracker in trackers])
+            yield _in_order(frame, groups, wanted, [tracker.skip(frame) for tracker in trackers])
             continue
         began = time.perf_counter()
         solved = each(partial(_stepped, picture, frame, token), trackers)
         seconds = time.perf_counter() - began
         if memory is not None:
             for tracker in trackers:
-                memory.keep(tracker.standing, tracker.params)
-        yield _in_order(frame, groups, solved, seconds)
+                memory.keep(tracker.standing, tracker.stamp(forward=forward))
+        yield _in_order(frame, groups, wanted, solved, seconds)
 
 
 def _stepped(
@@ -92,11 +102,16 @@ def _stepped(
 
 
 def _in_order(
-    frame: int, groups: list[list[int]], solved: list[tuple[TrackResult, ...]], seconds: float = 0.0
+    frame: int,
+    groups: Sequence[Sequence[int]],
+    wanted: Sequence[Sequence[bool]],
+    solved: Sequence[Sequence[TrackResult]],
+    seconds: float = 0.0,
 ) -> FrameResult:
     by_shape = {
         index: result
-        for members, results in zip(groups, solved, strict=True)
-        for index, result in zip(members, results, strict=True)
+        for members, asked, results in zip(groups, wanted, solved, strict=True)
+        for index, is_asked, result in zip(members, asked, results, strict=True)
+        if is_asked
     }
     return FrameResult(frame, tuple(by_shape[index] for index in sorted(by_shape)), seconds)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import threading
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property, partial
 from itertools import pairwise
@@ -18,10 +18,10 @@ from roam_core.media.source import MissingFrame
 from roam_core.params import RegionParams, RoamParams, params_for, scale_for
 from roam_core.propagate import provenance
 from roam_core.propagate.merge import Colours, Merged, merged
-from roam_core.propagate.objects import objects
+from roam_core.propagate.objects import stacked, units
 from roam_core.propagate.passage import Passage, passage
+from roam_core.propagate.provenance import Stamps
 from roam_core.propagate.result import Part
-from roam_core.propagate.run import NEAR
 from roam_core.propagate.witness import Key, Span
 from roam_core.roto import BlendMode, Keyframe, Origin, RotoShape
 from roam_core.roto.edit import set_engine_keys
@@ -37,6 +37,8 @@ def fill_span(
     token: CancelToken | None = None,
     progress: Progress | None = None,
     clip: str = "",
+    only: Collection[str] | None = None,
+    alone: bool = False,
 ) -> list[RotoShape]:
     """The shapes with ENGINE keys on the frames between their artist keys, from `start` to `stop`.
 
@@ -51,6 +53,8 @@ def fill_span(
     ----------
     images : gives the picture of a frame, (h, w, 3) RGB, uint8 or float32 in [0, 1]; each is asked for three times,
         in no particular order, by one thread at a time. A `MissingFrame` is passed over.
+    only : the ids of the shapes that get keys; None: all. The others take part all the same. alone : each shape is
+        filled as if there were no others.
     start, stop : the first and the last frame, both of which hold artist keys. Artist keys come back as they were.
 
     Raises
@@ -60,18 +64,19 @@ def fill_span(
     Cancelled
         at a safe point after `token` was cancelled.
     """
-    gaps = spans(shapes, start, stop)
+    asked = [only is None or shape.id in only for shape in shapes]
+    gaps = [gap for gap in spans(shapes, start, stop) if any(asked[k] for k in gap[2])]
     if not gaps:
         raise RoamError(
             f"There is nothing to fill from frame {start} to {stop}: no shape has artist keys on two frames of that "
             "range. Set a key at both ends first."
         )
     meter = _Meter(sum(2 * (last - first) for first, last, _ in gaps), progress)
-    filling = Filling(Reader(images), params_for(config), clip, meter, token)
+    filling = Filling(Reader(images), params_for(config), clip, meter, token, alone)
     result = list(shapes)
     for first, last, members in gaps:
-        for k, shape in zip(members, filling.filled([result[k] for k in members], first, last), strict=True):
-            result[k] = shape
+        for k, keys in filling.filled(shapes, (first, last), [k for k in members if asked[k]]).items():
+            result[k] = set_engine_keys(result[k], keys)
     return result
 
 
@@ -80,29 +85,13 @@ def spans(shapes: Sequence[RotoShape], start: int, stop: int) -> list[tuple[int,
 
     With the shapes that have keys on both ends go those that end, or begin, there.
     """
-    gaps: dict[tuple[int, int], list[int]] = {}
-    for k, shape in enumerate(shapes):
-        frames = [frame for frame in shape.artist_frames if start <= frame <= stop]
-        for pair in pairwise(frames):
-            if pair[1] - pair[0] > 1 and any(shape.exists_at(frame) for frame in range(*pair)):
-                gaps.setdefault(pair, []).append(k)
-    for k, shape in enumerate(shapes):
-        for gap, members in gaps.items():
-            if k not in members and _is_on_one_end(shape, gap):
-                members.append(k)
-    return [(first, last, sorted(members)) for (first, last), members in sorted(gaps.items())]
-
-
-def _is_on_one_end(shape: RotoShape, gap: tuple[int, int]) -> bool:
-    """True for a shape that is keyed on one end of the gap only, and does not live on to the other.
-
-    If it does not even live within, it still says which part of the object the others do not show there.
-    """
-    first, last = (frame in shape.artist_frames for frame in gap)
-    if first == last or not shape.closed:
-        return False
-    there, here = (shape.exists_at(frame) for frame in gap)
-    return there != here
+    gaps = {
+        pair
+        for shape in shapes
+        for pair in pairwise(frame for frame in shape.artist_frames if start <= frame <= stop)
+        if pair[1] - pair[0] > 1 and provenance.takes_part(shape, pair)
+    }
+    return [(*gap, [k for k, shape in enumerate(shapes) if provenance.takes_part(shape, gap)]) for gap in sorted(gaps)]
 
 
 class Reader:
@@ -144,21 +133,31 @@ class Filling:
     clip: str = ""
     meter: _Meter | None = None
     token: CancelToken | None = None
+    alone: bool = False
 
-    def filled(self, shapes: Sequence[RotoShape], first: int, last: int) -> list[RotoShape]:
-        """The shapes of one gap with its ENGINE keys, solved object by object."""
-        result = list(shapes)
-        for members, span in self.objects(shapes, first, last):
-            made: list[list[Keyframe]] = [[] for _ in members]
-            between = range(first + 1, last)
-            ours = [shapes[k] for k in members]
+    def filled(
+        self, shapes: Sequence[RotoShape], gap: tuple[int, int], asked: Sequence[int]
+    ) -> dict[int, list[Keyframe]]:
+        """The ENGINE keys in one gap of the shapes that are asked for, solved object by object."""
+        size = self.read(gap[0]).size
+        stamps = Stamps(shapes, self.clip, size)
+        made: dict[int, list[Keyframe]] = {}
+        for members in sorted({stamps.filled_with(k, gap, self.alone) for k in asked}):
+            ours, between = [shapes[k] for k in members], range(gap[0] + 1, gap[1])
+            for shape in ours:
+                _require_closed(shape)
+            if not any(shape.exists_at(frame) for shape in ours for frame in between):
+                continue
+            span = self.passed(ours, gap, size)
+            wanted = [(place, k) for place, k in enumerate(members) if k in asked]
+            made |= {k: [] for _, k in wanted}
             for frame, solved in zip(between, each(partial(self.solved, span, ours), between), strict=True):
-                for shape, keyed, found in zip(ours, made, solved, strict=True):
+                for place, k in wanted:
+                    found = solved[place]
                     if found is not None:
-                        keyed.append(_engine_key(shape, frame, found, self.params, self.clip))
-            for k, keyed in zip(members, made, strict=True):
-                result[k] = set_engine_keys(shapes[k], keyed)
-        return result
+                        inputs = stamps.filled(k, gap, self.params, self.alone)
+                        made[k].append(_engine_key(shapes[k], frame, found, inputs))
+        return made
 
     @cached_property
     def finer(self) -> RoamParams:
@@ -167,16 +166,6 @@ class Filling:
         if region is None:
             return self.params
         return replace(self.params, region=replace(region, grid_factor=region.fill_factor))
-
-    def objects(self, shapes: Sequence[RotoShape], first: int, last: int) -> Iterator[tuple[list[int], Span]]:
-        """Each object of a gap that lives in it, by the indices of its shapes, with both of its passages."""
-        keys = _key(shapes, first), _key(shapes, last)
-        size = self.read(first).size
-        for members in _grouped(keys, NEAR * scale_for(size)):
-            if not any(shapes[k].exists_at(frame) for k in members for frame in range(first + 1, last)):
-                continue
-            ends = [Key(key.frame, tuple(key.parts[k] for k in members)) for key in keys]
-            yield members, self._passed(ends[0], ends[1], size)
 
     def solved(self, span: Span, shapes: Sequence[RotoShape], frame: int) -> list[Merged | None]:
         """The outlines of an object's shapes on a frame between its keys; None for those that are not there."""
@@ -195,48 +184,43 @@ class Filling:
         except MissingFrame:
             return None
 
-    def _passed(self, first: Key, last: Key, size: tuple[int, int]) -> Span:
+    def passed(self, shapes: Sequence[RotoShape], gap: tuple[int, int], size: tuple[int, int]) -> Span:
         """Both passages of one object, side by side."""
-        frames = range(first.frame, last.frame + 1)
-        ahead, behind = each(lambda way: self._passage(*way), [(first, frames), (last, frames[::-1])])
+        first, last = (_key(shapes, frame) for frame in gap)
+        frames = range(gap[0], gap[1] + 1)
+        ways = [(first, frames), (last, frames[::-1])]
+        ahead, behind = each(lambda way: self._passage(shapes, *way), ways)
         return Span(first, last, ahead, behind, size, scale_for(size), self.params.region or RegionParams())
 
-    def _passage(self, key: Key, frames: range) -> Passage | None:
+    def _passage(self, shapes: Sequence[RotoShape], key: Key, frames: range) -> Passage | None:
         parts = [part for part in key.parts if part is not None]
         if not parts:
             return None
-        return passage(
-            self.read, parts, frames, self.finer, self.token, None if self.meter is None else self.meter.passed
-        )
+        there = [shapes[k] for k in key.members]
+        passed = None if self.meter is None else self.meter.passed
+        return passage(self.read, parts, units(there), partial(stacked, there), frames, self.finer, self.token, passed)
+
+
+def _require_closed(shape: RotoShape) -> None:
+    if not shape.closed:
+        raise RoamError(f"{shape.name!r} is open; close it (C) before it can be filled.")
 
 
 def _key(shapes: Sequence[RotoShape], frame: int) -> Key:
-    parts: list[Part | None] = []
-    for shape in shapes:
-        key = shape.key_at(frame)
-        if key is None or key.origin is not Origin.ARTIST:
-            parts.append(None)
-            continue
-        if not shape.closed:
-            raise RoamError(f"{shape.name!r} is open; close it (C) before it can be filled.")
-        parts.append(Part(key.points, shape.blend is BlendMode.SUBTRACT))
-    return Key(frame, tuple(parts))
+    """What the artist drew on a frame."""
+    keys = [shape.key_at(frame) for shape in shapes]
+    return Key(
+        frame,
+        tuple(
+            None
+            if key is None or key.origin is not Origin.ARTIST
+            else Part(key.points, shape.blend is BlendMode.SUBTRACT, shape.attached)
+            for shape, key in zip(shapes, keys, strict=True)
+        ),
+    )
 
 
-def _grouped(keys: tuple[Key, Key], gap: float) -> list[list[int]]:
-    """Which outlines belong to one object: those that do on either key."""
-    count = len(keys[0].parts)
-    owner = list(range(count))
-    for key in keys:
-        for group in objects([part for part in key.parts if part is not None], gap):
-            members = [key.members[k] for k in group]
-            first = min(owner[k] for k in members)
-            joined = {owner[k] for k in members}
-            owner = [first if each in joined else each for each in owner]
-    return [[k for k in range(count) if owner[k] == each] for each in sorted(set(owner))]
-
-
-def _engine_key(shape: RotoShape, frame: int, merged: Merged, params: RoamParams, clip: str) -> Keyframe:
+def _engine_key(shape: RotoShape, frame: int, merged: Merged, inputs: str) -> Keyframe:
     """The key for a merged outline; feather goes over from the one artist key to the other."""
     artist = RotoShape(shape.id, shape.name, tuple(key for key in shape.keys if key.origin is Origin.ARTIST))
     return Keyframe(
@@ -246,5 +230,5 @@ def _engine_key(shape: RotoShape, frame: int, merged: Merged, params: RoamParams
         origin=Origin.ENGINE,
         confidence=merged.confidence,
         vertex_confidence=merged.vertex_confidence,
-        inputs=provenance.fill_stamp(shape, frame, params, clip),
+        inputs=inputs,
     )

@@ -199,6 +199,9 @@ def _shape(shape: RotoShape) -> dict[str, Any]:
         "visible": shape.visible,
         "locked": shape.locked,
         "spline": shape.spline.value,
+        **({"link": shape.link} if shape.link else {}),
+        **({} if shape.attached else {"attached": False}),
+        **({"depth": [list(pair) for pair in shape.depth]} if shape.depth else {}),
         "keys": [_key(key) for key in shape.keys],
         **shape.extra,
     }
@@ -314,10 +317,13 @@ def _read_shape(document: dict[str, Any]) -> RotoShape:
         visible=bool(document["visible"]),
         locked=bool(document["locked"]),
         spline=Spline(document.get("spline", Spline.BEZIER)),
+        link=str(document.get("link", "")),
+        attached=bool(document.get("attached", True)),
+        depth=tuple((int(frame), int(level)) for frame, level in document.get("depth", ())),
         keys=tuple(_read_key(key) for key in document["keys"]),
         extra=_rest(
             document, "type", "id", "name", "closed", "colour", "blend", "opacity", "invert", "feather", "motion_blur",
-            "lifetime", "visible", "locked", "spline", "keys",
+            "lifetime", "visible", "locked", "spline", "link", "attached", "depth", "keys",
         ),
     )  # fmt: skip
 

@@ -162,6 +162,11 @@ class RotoShape:
     lifetime : half-open frame range in which the shape exists, or None for always.
     feather : width of the uniform soft edge in pixels, outwards positive.
     spline : what the artist holds of the curve; of a BSPLINE every key's points are those of a uniform B-spline.
+    link : the artist's word on what is solved together: shapes of one link are one whole object, and nothing else is;
+        "" leaves it to the outlines (`propagate.objects`).
+    attached : whether it hangs on the parts that it overlaps, where the object is solved in parts.
+    depth : pairs (frame, level), in frame order: from that frame on the shape lies before (1) or behind (-1) all that
+        are as stacked (0). It tells the engine what hides what; mattes go by the stack.
     placement : the moving layers that the shape was taken out of, as `Project.shape` does; empty in a layer. The keys
         are in plate space either way; between them a placed shape goes along with its layers.
     """
@@ -180,6 +185,9 @@ class RotoShape:
     visible: bool = True
     locked: bool = False
     spline: Spline = Spline.BEZIER
+    link: str = ""
+    attached: bool = True
+    depth: tuple[tuple[int, int], ...] = ()
     placement: Placement = ()
     extra: Mapping[str, Any] = field(default_factory=dict, hash=False)
 
@@ -215,6 +223,10 @@ class RotoShape:
     def exists_at(self, frame: float) -> bool:
         """False outside the shape's lifetime."""
         return self.lifetime is None or self.lifetime[0] <= frame < self.lifetime[1]
+
+    def depth_at(self, frame: int) -> int:
+        """The level of the last of its `depth` pairs at or before `frame`; 0 without one."""
+        return next((level for start, level in reversed(self.depth) if start <= frame), 0)
 
     def at(self, frame: float) -> Outline:
         """The shape at `frame` (fractions are for motion blur): the one way in which it varies with time.
