@@ -58,6 +58,10 @@ class GroupTracker:
         self._clip, self._alone = clip, alone
         self._standing: Standing | None = None
 
+    def another(self) -> GroupTracker:
+        """A tracker like this one that was not started."""
+        return GroupTracker(self.params, self._clip, alone=self._alone)
+
     @property
     def standing(self) -> Standing:
         """Where the group stands; a `RuntimeError` before `start`."""
@@ -65,8 +69,12 @@ class GroupTracker:
             raise RuntimeError("the tracker was not started")
         return self._standing
 
-    def start(self, image: NDArray[Any] | PreparedFrame, shapes: Sequence[RotoShape], frame: int) -> None:
+    def start(
+        self, image: NDArray[Any] | PreparedFrame, shapes: Sequence[RotoShape], frame: int, *, forward: bool = True
+    ) -> None:
         """Begin at `frame`, where each shape is as `shape.at(frame)` says.
+
+        Between keys it is as a run in the direction `forward` begins (`provenance.outline_begun`).
 
         Raises
         ------
@@ -78,11 +86,9 @@ class GroupTracker:
                 raise RoamError(f"{shape.name!r} is open; close it (C) before it can be tracked.")
             if shape.point_count < provenance.MIN_POINTS:
                 raise RoamError(f"{shape.name!r} is a single point; draw an outline around the object to track it.")
-        self._start(_prepared(image), tuple(shapes), frame, frame)
-
-    def _start(self, picture: PreparedFrame, shapes: tuple[RotoShape, ...], frame: int, known_from: int) -> None:
-        state = engine.begin(picture, parts_at(shapes, frame), self.params, units(shapes), stacked(shapes, frame))
-        self._standing = Standing(frame, shapes, state, frame, known_from)
+        picture, given, parts = _prepared(image), tuple(shapes), parts_at(shapes, frame, forward=forward)
+        state = engine.begin(picture, parts, self.params, units(given), stacked(given, frame))
+        self._standing = Standing(frame, given, state, frame, frame)
 
     def given(self) -> tuple[TrackResult, ...]:
         """The shapes on the frame where the group stands, as they were given there, with what was learned of them."""
@@ -183,13 +189,15 @@ class GroupTracker:
         return self._stamp(self.standing.frame, forward=forward)
 
 
-def parts_at(shapes: Sequence[RotoShape], frame: int) -> tuple[Part, ...]:
+def parts_at(shapes: Sequence[RotoShape], frame: int, *, forward: bool = True) -> tuple[Part, ...]:
     """The shapes' outlines on a frame; what was out of sight and closed there is as drawn, in its place."""
-    return tuple(Part(_opened(shape, frame), shape.blend is BlendMode.SUBTRACT, shape.attached) for shape in shapes)
+    return tuple(
+        Part(_opened(shape, frame, forward), shape.blend is BlendMode.SUBTRACT, shape.attached) for shape in shapes
+    )
 
 
-def _opened(shape: RotoShape, frame: int) -> NDArray[np.float64]:
-    points, key = shape.at(frame).points, shape.key_at(frame)
+def _opened(shape: RotoShape, frame: int, forward: bool) -> NDArray[np.float64]:
+    points, key = provenance.outline_begun(shape, frame, forward), shape.key_at(frame)
     drawn = None if key is None else provenance.source_of(shape, key)
     if drawn is None or shape.blend is BlendMode.SUBTRACT:
         return points

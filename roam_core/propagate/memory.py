@@ -10,12 +10,13 @@ from __future__ import annotations
 
 from collections import OrderedDict
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 
 from roam_core.cancel import CancelToken
 from roam_core.features import PreparedFrame
 from roam_core.media.source import MissingFrame
 from roam_core.propagate.group import GroupTracker, Standing
-from roam_core.propagate.provenance import Stamp, Stamps
+from roam_core.propagate.provenance import Stamp, Stamps, is_known
 from roam_core.roto import Origin, RotoShape
 
 ReadPicture = Callable[[int], PreparedFrame]
@@ -45,33 +46,54 @@ class TrackMemory:
         self._standings.clear()
 
 
+@dataclass(frozen=True, order=True)
+class Beginning:
+    """Where a run began: the frame, and the shapes that it solves, by their indices."""
+
+    frame: int
+    members: tuple[int, ...]
+
+
+def begins(stamps: Stamps, k: int, frame: int, config: str, *, forward: bool, alone: bool = False) -> Beginning:
+    """Where the run began that goes on from `frame` with shape `k`, as if it had not been stopped there.
+
+    Where the shape is on the frame neither the artist's nor as this engine leaves it, the run begins with what is
+    there.
+    """
+    key, here = stamps.shapes[k].key_at(frame), stamps.solved_with(k, frame, forward, alone)
+    begun = None
+    if key is not None and key.origin is Origin.ARTIST:
+        left = {_left_by(stamps, j, frame, config, forward, alone) for j in here} - {None}
+        begun = left.pop() if len(left) == 1 else _last_given(stamps, here, frame, forward)
+    elif key is not None:
+        begun = _left_by(stamps, k, frame, config, forward, alone)
+    if begun is None or (begun != frame and not is_known(stamps.shapes[k], begun, forward)):
+        return Beginning(frame, here)
+    return Beginning(begun, stamps.solved_with(k, begun, forward, alone))
+
+
 def take_up(
     tracker: GroupTracker,
     read: ReadPicture,
     stamps: Stamps,
-    asked: Sequence[int],
-    members: Sequence[int],
-    frames: range,
+    beginning: Beginning,
+    frame: int,
     memory: TrackMemory | None = None,
     token: CancelToken | None = None,
     *,
+    forward: bool,
     alone: bool = False,
 ) -> None:
-    """Put `tracker` on `frames[0]`, in the state that a run from the artist's keys would be in there.
-
-    `members` are the shapes of the object, by their indices among those of `stamps`, `asked` those that get keys. Where
-    these are on the frame neither the artist's nor as this engine leaves them, the run begins with what is there.
-    """
-    frame, forward = frames[0], frames.step > 0
-    shapes = [stamps.shapes[k] for k in members]
-    origin = _origin(stamps, asked, members, frame, forward, tracker.params.config, alone)
-    if origin == frame:
-        tracker.start(read(frame), shapes, frame)
+    """Put `tracker` on `frame`, in the state that a run from its `beginning` would be in there."""
+    shapes = [stamps.shapes[k] for k in beginning.members]
+    if beginning.frame == frame:
+        tracker.start(read(frame), shapes, frame, forward=forward)
         return
-    stamp = stamps.tracked(asked[0], frame, origin, tracker.params, forward, alone)
+    stamp = stamps.tracked(beginning.members[0], frame, beginning.frame, tracker.params, forward, alone)
     known = None if memory is None else memory.recall(frame, stamp)
     if known is None:
-        solve_again(tracker, read, shapes, range(origin, frame + frames.step, frames.step), token)
+        step = 1 if forward else -1
+        solve_again(tracker, read, shapes, range(beginning.frame, frame + step, step), token)
         known = tracker.standing
     tracker.resume(known, shapes)
 
@@ -80,7 +102,7 @@ def solve_again(
     tracker: GroupTracker, read: ReadPicture, shapes: Sequence[RotoShape], frames: range, token: CancelToken | None
 ) -> None:
     """Carry `shapes` from `frames[0]`, where they are given, to the last of `frames` that has a picture."""
-    tracker.start(read(frames[0]), shapes, frames[0])
+    tracker.start(read(frames[0]), shapes, frames[0], forward=frames.step > 0)
     for frame in frames[1:]:
         if token is not None:
             token.check()
@@ -91,27 +113,14 @@ def solve_again(
         tracker.step(picture, frame, token)
 
 
-def _origin(
-    stamps: Stamps, asked: Sequence[int], members: Sequence[int], frame: int, forward: bool, config: str, alone: bool
-) -> int:
-    """The frame on which a run begins that leaves the shapes `asked` on `frame` as they are there; `frame` for none."""
-    origins = set()
-    for k in asked:
-        key = stamps.shapes[k].key_at(frame)
-        if key is None:
-            return frame
-        if key.origin is Origin.ARTIST:
-            continue
-        made = Stamp.read(key.inputs)
-        if (made.config, made.forward, made.alone) != (config, forward, alone) or made.gap is not None:
-            return frame
-        if made.begun is None or stamps.is_stale(stamps.shapes[k], key):
-            return frame
-        origins.add(made.begun)
-    if not origins:
-        begun = _last_given(stamps, members, frame, forward)
-        return frame if begun is None else begun
-    return origins.pop() if len(origins) == 1 else frame
+def _left_by(stamps: Stamps, k: int, frame: int, config: str, forward: bool, alone: bool) -> int | None:
+    """The frame on which the run began that leaves shape `k` on `frame` as it is there; None where no such one does."""
+    key = stamps.shapes[k].key_at(frame)
+    if key is None or key.origin is Origin.ARTIST or stamps.is_stale(stamps.shapes[k], key):
+        return None
+    made = Stamp.read(key.inputs)
+    same = (made.config, made.forward, made.alone) == (config, forward, alone) and made.gap is None
+    return made.begun if same else None
 
 
 def _last_given(stamps: Stamps, members: Sequence[int], frame: int, forward: bool) -> int | None:

@@ -12,9 +12,12 @@ import bisect
 import hashlib
 import json
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
 from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
 
 from roam_core.errors import RoamError
 from roam_core.params import RoamParams, params_for
@@ -97,7 +100,7 @@ def stamp(
     content = [_said(params, clip, direction, alone)]
     for shape, keys in zip(shapes, used, strict=True):
         content.append(_as_drawn(shape))
-        content.append(shape.at(begun).points.tobytes())
+        content.append(outline_begun(shape, begun, forward).tobytes())
         content.extend(_as_keyed(key) for key in keys)
     return str(Stamp(direction, params.config, _digest(content), begun, alone=alone))
 
@@ -111,6 +114,18 @@ def fill_stamp(
         content.append(_as_drawn(shape))
         content.extend(_as_keyed(key) for key in shape.keys if key.frame in gap and key.origin is Origin.ARTIST)
     return str(Stamp(FILL, params.config, _digest(content), *gap, alone))
+
+
+def outline_begun(shape: RotoShape, frame: int, forward: bool) -> NDArray[np.float64]:
+    """The control points with which a run in this direction begins on a frame.
+
+    Between keys those of the engine that lie ahead do not count: they may be the run's own.
+    """
+    if shape.key_at(frame) is None:
+        ahead = (lambda key: key.frame > frame) if forward else (lambda key: key.frame < frame)
+        keys = tuple(key for key in shape.keys if key.origin is Origin.ARTIST or not ahead(key))
+        shape = replace(shape, keys=keys) if keys else shape
+    return shape.at(frame).points
 
 
 def _passed(shape: RotoShape, begun: int, frame: int) -> tuple[Keyframe, ...]:
@@ -188,7 +203,8 @@ class Stamps:
     def tracked(self, k: int, frame: int, begun: int, params: RoamParams, forward: bool, alone: bool = False) -> str:
         """The stamp that a run which had `begun` on a frame gives a shape on `frame`."""
         members = [self.shapes[j] for j in self.solved_with(k, begun, forward, alone)]
-        passed = tuple(bisect.bisect_right(shape.artist_frames, frame) for shape in members)
+        counted = bisect.bisect_right if forward else bisect.bisect_left
+        passed = tuple(counted(shape.artist_frames, frame) for shape in members)
         name = (k, begun, passed, params, forward, alone)
         if name not in self._known:
             self._known[name] = stamp(members, frame, begun, params, self._clip, forward, alone)

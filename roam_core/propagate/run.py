@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Collection, Iterator, Sequence
+from dataclasses import dataclass, replace
 from functools import partial
 from typing import Any
 
@@ -13,9 +14,9 @@ from roam_core.cancel import CancelToken
 from roam_core.errors import RoamError
 from roam_core.features import PreparedFrame
 from roam_core.media.source import MissingFrame
-from roam_core.params import DEFAULT_CONFIG, RoamParams
+from roam_core.params import DEFAULT_CONFIG, RoamParams, params_for
 from roam_core.propagate.group import GroupTracker
-from roam_core.propagate.memory import TrackMemory, take_up
+from roam_core.propagate.memory import Beginning, TrackMemory, begins, take_up
 from roam_core.propagate.provenance import Stamps
 from roam_core.propagate.result import FrameResult, TrackResult
 from roam_core.roto import RotoShape
@@ -61,57 +62,99 @@ def track(
     first = PreparedFrame(read(frames[0]))
     stamps = Stamps(shapes, clip, first.size)
     forward = frames.step > 0
-    groups = sorted({stamps.solved_with(k, frames[0], forward, alone) for k in asked})
-    trackers = [GroupTracker(config, clip, alone=alone) for _ in groups]
-    wanted = [[k in asked for k in members] for members in groups]
-    for tracker, members in zip(trackers, groups, strict=True):
+    runs: dict[Beginning, _Run] = {}
+    name = params_for(config).config
+    for k in asked:
+        beginning = begins(stamps, k, frames[0], name, forward=forward, alone=alone)
+        if beginning not in runs:
+            runs[beginning] = _Run(GroupTracker(config, clip, alone=alone), beginning.members, ())
+        runs[beginning] = replace(runs[beginning], asked=(*runs[beginning].asked, k))
+    for beginning, run in runs.items():
         take_up(
-            tracker,
+            run.tracker,
             lambda frame: first if frame == frames[0] else PreparedFrame(read(frame)),
             stamps,
-            [k for k in members if k in asked],
-            members,
-            frames,
+            beginning,
+            frames[0],
             memory,
             token,
+            forward=forward,
             alone=alone,
         )
+    under_way = list(runs.values())
     if begun is not None:
-        begun(_in_order(frames[0], groups, wanted, [tracker.given() for tracker in trackers]))
+        begun(_in_order(frames[0], under_way, [run.tracker.given() for run in under_way]))
     for frame in frames[1:]:
         if token is not None:
             token.check()
         try:
             picture = PreparedFrame(read(frame))
         except MissingFrame:
-            yield _in_order(frame, groups, wanted, [tracker.skip(frame) for tracker in trackers])
+            yield _in_order(frame, under_way, [run.tracker.skip(frame) for run in under_way])
             continue
         began = time.perf_counter()
-        solved = each(partial(_stepped, picture, frame, token), trackers)
-        seconds = time.perf_counter() - began
+        solved = each(partial(_stepped, picture, frame, token), under_way)
+        result = _in_order(frame, under_way, solved, time.perf_counter() - began)
         if memory is not None:
-            for tracker in trackers:
-                memory.keep(tracker.standing, tracker.stamp(forward=forward))
-        yield _in_order(frame, groups, wanted, solved, seconds)
+            for run in under_way:
+                memory.keep(run.tracker.standing, run.tracker.stamp(forward=forward))
+        under_way = _regrouped(under_way, stamps, forward, alone, picture, frame)
+        yield result
 
 
-def _stepped(
-    picture: PreparedFrame, frame: int, token: CancelToken | None, tracker: GroupTracker
-) -> tuple[TrackResult, ...]:
-    return tracker.step(picture, frame, token)
+@dataclass(frozen=True, eq=False)
+class _Run:
+    """Shapes that are solved together: all of them, and those that were asked for, by their indices."""
+
+    tracker: GroupTracker
+    members: tuple[int, ...]
+    asked: tuple[int, ...]
+
+
+def _regrouped(
+    runs: Sequence[_Run], stamps: Stamps, forward: bool, alone: bool, picture: PreparedFrame, frame: int
+) -> list[_Run]:
+    """The runs that go on from a frame: one that began anew there, all being given, does so with those there are now.
+
+    Those are the others of the object that the artist keyed by then; what was not asked for is as it is in the project.
+    """
+    wanted: dict[tuple[int, ...], list[tuple[int, _Run]]] = {}
+    result = []
+    for run in runs:
+        if alone or run.tracker.standing.known_from != frame:
+            result.append(run)
+            continue
+        for k in run.asked:
+            wanted.setdefault(stamps.solved_with(k, frame, forward), []).append((k, run))
+    for members, pairs in wanted.items():
+        asked = tuple(sorted(k for k, _ in pairs))
+        same = next((run for _, run in pairs if run.members == members), None)
+        if same is not None:
+            result.append(replace(same, asked=asked))
+            continue
+        now = {
+            j: shape
+            for run in runs
+            for j, shape in zip(run.members, run.tracker.standing.shapes, strict=True)
+            if j in run.asked
+        }
+        tracker = pairs[0][1].tracker.another()
+        tracker.start(picture, [now.get(j, stamps.shapes[j]) for j in members], frame, forward=forward)
+        result.append(_Run(tracker, members, asked))
+    return sorted(result, key=lambda run: (run.members, run.asked))
+
+
+def _stepped(picture: PreparedFrame, frame: int, token: CancelToken | None, run: _Run) -> tuple[TrackResult, ...]:
+    return run.tracker.step(picture, frame, token)
 
 
 def _in_order(
-    frame: int,
-    groups: Sequence[Sequence[int]],
-    wanted: Sequence[Sequence[bool]],
-    solved: Sequence[Sequence[TrackResult]],
-    seconds: float = 0.0,
+    frame: int, runs: Sequence[_Run], solved: Sequence[Sequence[TrackResult]], seconds: float = 0.0
 ) -> FrameResult:
     by_shape = {
-        index: result
-        for members, asked, results in zip(groups, wanted, solved, strict=True)
-        for index, is_asked, result in zip(members, asked, results, strict=True)
-        if is_asked
+        k: result
+        for run, results in zip(runs, solved, strict=True)
+        for k, result in zip(run.members, results, strict=True)
+        if k in run.asked
     }
-    return FrameResult(frame, tuple(by_shape[index] for index in sorted(by_shape)), seconds)
+    return FrameResult(frame, tuple(by_shape[k] for k in sorted(by_shape)), seconds)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from pathlib import Path
 from typing import Any
 
@@ -21,7 +21,7 @@ from roam_core.geometry.bezier import polygon_points
 from roam_core.params import CONFIGS
 from roam_core.propagate import run
 from roam_core.propagate.offers import Proposal
-from roam_core.propagate.provenance import governing_key, stamp
+from roam_core.propagate.provenance import Stamps, governing_key
 from roam_core.propagate.result import FrameResult, Termination, TrackResult
 from roam_core.proposal.topology import TopologyChange, TopologyKind
 from roam_core.roto import Keyframe, Origin, RotoShape, edit
@@ -43,17 +43,29 @@ class Engine:
         self.kind, self.asked = TopologyKind.SPLIT, list[tuple[tuple[str, ...], int]]()
 
     def track(
-        self, read: Any, shapes: Any, frames: range, config: str, token: CancelToken, clip: str, memory: Any
+        self,
+        read: Any,
+        shapes: Any,
+        frames: range,
+        config: str,
+        token: CancelToken,
+        clip: str,
+        memory: Any,
+        only: Collection[str],
+        alone: bool,
     ) -> Iterator[FrameResult]:
-        self.asked.append((tuple(shape.id for shape in shapes), frames[0]))
+        wanted = [shape for shape in shapes if shape.id in only]
+        stamps = Stamps(shapes, clip, read(frames[0]).shape[:2])
+        self.asked.append((tuple(shape.id for shape in wanted), frames[0]))
         for frame in frames[1:]:
             token.check()
-            yield FrameResult(frame, tuple(self.solved(shape, frames, frame, config, clip) for shape in shapes))
+            yield FrameResult(frame, tuple(self.solved(shape, frames, frame, config, stamps) for shape in wanted))
 
-    def solved(self, shape: RotoShape, frames: range, frame: int, config: str, clip: str) -> TrackResult:
+    def solved(self, shape: RotoShape, frames: range, frame: int, config: str, stamps: Stamps) -> TrackResult:
         source = governing_key(shape, frame, forward=frames.step > 0)
         assert source is not None
-        inputs = stamp(source, shape.closed, CONFIGS[config], clip, frames.step > 0)
+        place = stamps.shapes.index(shape)
+        inputs = stamps.tracked(place, frame, frames[0], CONFIGS[config], frames.step > 0)
         key = Keyframe(frame, source.points, origin=Origin.ENGINE, confidence=0.9, inputs=inputs)
         moved = edit.set_engine_keys(shape, [key])
         rings = RINGS if self.kind is TopologyKind.SPLIT else RINGS[:1]

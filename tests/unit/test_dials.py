@@ -54,7 +54,7 @@ def test_a_name_that_makes_no_sense_is_refused_in_a_sentence(name: str) -> None:
 def test_a_frame_made_with_turned_dials_is_fresh_until_its_key_changes() -> None:
     clip, params = Clip(Path("shot"), 1, 9, (64, 48)), params_for("best+reach=2")
     shape = RotoShape("s", "s", (Keyframe(1, SQUARE),))
-    inputs = stamp(shape.keys[0], True, params, clip_stamp(clip), True)
+    inputs = stamp([shape], 2, 1, params, clip_stamp(clip), True)
     made = Keyframe(2, SQUARE, origin=Origin.ENGINE, inputs=inputs)
     tracked = edit.set_engine_keys(shape, [made])
     assert not is_stale(tracked, made, clip)

@@ -18,12 +18,13 @@ from app.view_state import ViewState
 from roam_core.cancel import CancelToken
 from roam_core.geometry.bezier import polygon_points
 from roam_core.propagate import span
-from roam_core.propagate.provenance import fill_stamp
+from roam_core.propagate.provenance import Stamps
 from roam_core.roto import Clip, Keyframe, Origin, Project, RotoShape, edit
 
 WAIT = 5000
 SQUARE = polygon_points([(0, 0), (10, 0), (10, 10), (0, 10)])
 CLIP = Clip(Path("shot"), 1, 12, (64, 48))
+SIZE = 48, 64
 GAPS = [(1, 4), (4, 7)]
 
 
@@ -40,17 +41,19 @@ class Engine:
     def fill_span(
         self, images: Mapping[int, Any], shapes: Sequence[RotoShape], start: int, stop: int, *rest: Any
     ) -> list[RotoShape]:
-        params, token, progress, clip = rest
+        params, token, progress, clip, asked, alone = rest
         assert isinstance(token, CancelToken)
         progress(0.5, "Half way")
         while not self.gate.acquire(timeout=0.01):
             token.check()
         assert images[start] == f"picture {start}"
-        self.asked.append((start, stop, tuple(shape.id for shape in shapes)))
+        self.asked.append((start, stop, tuple(shape.id for shape in shapes if shape.id in asked)))
+        stamps = Stamps(shapes, clip, SIZE)
         filled = []
         for shape in shapes:
+            inputs = stamps.filled_key(shape, (start, stop), params, alone)
             keys = [
-                Keyframe(f, SQUARE + f, origin=Origin.ENGINE, confidence=0.3, inputs=fill_stamp(shape, f, params, clip))
+                Keyframe(f, SQUARE + f, origin=Origin.ENGINE, confidence=0.3, inputs=inputs)
                 for f in range(start + 1, stop)
             ]
             filled.append(edit.set_engine_keys(shape, keys))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import threading
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Collection, Iterator
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -35,14 +35,23 @@ class Engine:
         self.gate.release(frames)
 
     def track(
-        self, read: Any, shapes: Any, frames: range, config: str, token: CancelToken, clip: str, memory: Any
+        self,
+        read: Any,
+        shapes: Any,
+        frames: range,
+        config: str,
+        token: CancelToken,
+        clip: str,
+        memory: Any,
+        only: Collection[str],
+        alone: bool,
     ) -> Iterator[FrameResult]:
         for frame in frames[1:]:
             while not self.gate.acquire(timeout=0.01):
                 if not self.is_deaf:
                     token.check()
             results = []
-            for shape in shapes:
+            for shape in (each for each in shapes if each.id in only):
                 points = shape.at(frames[0]).points + (frame - frames[0])
                 key = Keyframe(frame, points, origin=Origin.ENGINE, confidence=0.4 if frame == 3 else 0.9)
                 moved = edit.set_engine_keys(shape, [key])

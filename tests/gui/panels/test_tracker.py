@@ -30,12 +30,15 @@ class Propagation:
     def __init__(self) -> None:
         self.asked: list[tuple[list[str], range, str]] = []
         self.filled: list[list[tuple[int, int]]] = []
+        self.alone: list[bool] = []
 
-    def start(self, shape_ids: Sequence[str], frames: range, config: str) -> None:
+    def start(self, shape_ids: Sequence[str], frames: range, config: str, *, alone: bool) -> None:
         self.asked.append((list(shape_ids), frames, config))
+        self.alone.append(alone)
 
-    def fill(self, shape_ids: Sequence[str], gaps: Sequence[tuple[int, int]], config: str) -> None:
+    def fill(self, shape_ids: Sequence[str], gaps: Sequence[tuple[int, int]], config: str, *, alone: bool) -> None:
         self.filled.append(list(gaps))
+        self.alone.append(alone)
 
 
 @pytest.fixture
@@ -235,8 +238,10 @@ def test_all_shapes_are_tracked_where_that_is_chosen(
         panel.scope.setCurrentIndex(row)
         tracking.forward()
         asked.append(propagation.asked[-1][0])
-        assert panel.scope.toolTip() == ("Now: Shape 2", "Now: Shape 1, Shape 2")[row]
-    assert asked == [["shape-2"], ["shape-1", "shape-2"]]
+        tracking.fill()
+        assert panel.scope.toolTip() == ("Now: Shape 2", "Now: Shape 2", "Now: Shape 1, Shape 2")[row]
+    assert asked == [["shape-2"], ["shape-2"], ["shape-1", "shape-2"]]
+    assert propagation.alone == [False, True, False, False]  # filling has no gap but that of the first shape
 
 
 def test_dials_are_turned_for_the_run_and_turned_back(

@@ -33,8 +33,8 @@ def timeline(qtbot: QtBot, document: Document, view_state: ViewState) -> Iterato
         timeline.show()
     project = Project(CLIP)
     for first in (1001, 1010):
-        project, shape = edit.new_shape(project, SQUARE, first)
-        inputs = stamp(shape.keys[0], True, CONFIGS[DEFAULT_CONFIG], clip_stamp(CLIP), True)
+        project, shape = edit.new_shape(project, SQUARE + 300 * (first > 1001), first)
+        inputs = stamp([shape], 1020, first, CONFIGS[DEFAULT_CONFIG], clip_stamp(CLIP), True)
         keys = [
             Keyframe(f, SQUARE, origin=Origin.ENGINE, confidence=0.2, inputs=inputs) for f in range(first + 1, 1020)
         ]

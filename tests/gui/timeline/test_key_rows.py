@@ -14,7 +14,7 @@ from app.document import Document
 from app.timeline.timeline import Timeline
 from app.view_state import ViewState
 from roam_core.params import CONFIGS, DEFAULT_CONFIG
-from roam_core.propagate.provenance import clip_stamp, fill_stamp, is_stale
+from roam_core.propagate.provenance import Stamps
 from roam_core.roto import Interpolation, Keyframe, Origin, edit
 from tests.gui.timeline.places import CLIP, SQUARE, place, row_middle, x_of
 
@@ -82,7 +82,8 @@ def test_what_was_tracked_from_a_key_that_moved_is_stale(timeline: Timeline, doc
     drag(timeline, place(timeline, 1010, 0), place(timeline, 1008, 0))
     shape = document.project.shape("shape-2")
     assert shape.artist_frames == (1008, 1030)
-    assert all(is_stale(shape, key, CLIP) for key in shape.keys if key.origin is Origin.ENGINE)
+    stamps = Stamps.of(document.project.shapes, CLIP)
+    assert all(stamps.is_stale(shape, key) for key in shape.keys if key.origin is Origin.ENGINE)
 
 
 def test_a_key_that_is_clicked_and_dragged_at_once_moves(timeline: Timeline, document: Document) -> None:
@@ -308,7 +309,7 @@ def test_a_tip_tells_frame_maker_and_confidence(
 ) -> None:
     if frame == 1024:
         shape = document.project.shape("shape-1")
-        inputs = fill_stamp(shape, 1024, CONFIGS["best"], clip_stamp(CLIP))
+        inputs = Stamps.of(document.project.shapes, CLIP).filled_key(shape, (1001, 1030), CONFIGS["best"])
         filled = Keyframe(1024, SQUARE, origin=Origin.ENGINE, confidence=0.9, inputs=inputs)
         document.apply("Fill", document.project.with_shape(edit.set_engine_keys(shape, [filled])))
     told: list[str] = []

@@ -11,7 +11,7 @@ from app.document import Document
 from app.timeline.marks import MarksOf, key_marks
 from roam_core.geometry.bezier import polygon_points
 from roam_core.params import CONFIGS, DEFAULT_CONFIG
-from roam_core.propagate.provenance import clip_stamp, fill_stamp, governing_key, is_stale, stamp
+from roam_core.propagate.provenance import Stamps, clip_stamp, fill_stamp, is_stale, stamp
 from roam_core.roto import Clip, Keyframe, Origin, Project, RotoShape, edit
 
 SQUARE = polygon_points([(0, 0), (10, 0), (10, 10), (0, 10)])
@@ -22,18 +22,20 @@ def tracked() -> RotoShape:
     """Artist keys at 5 and 15; engine keys both ways from them, frame 8 doubtful, frame 20 of unknown origin."""
     shape = RotoShape("s", "s", (Keyframe(5, SQUARE), Keyframe(15, SQUARE + 1)))
     keys = []
-    for frame, forward in [(2, False), (7, True), (8, True), (12, False), (16, True)]:
-        source = governing_key(shape, frame, forward)
-        assert source is not None
-        inputs = stamp(source, True, CONFIGS[DEFAULT_CONFIG], clip_stamp(CLIP), forward)
+    for frame, begun, forward in [(2, 5, False), (7, 5, True), (8, 5, True), (12, 15, False), (16, 15, True)]:
+        inputs = stamp([shape], frame, begun, CONFIGS[DEFAULT_CONFIG], clip_stamp(CLIP), forward)
         confidence = 0.3 if frame == 8 else 0.9
         keys.append(Keyframe(frame, SQUARE, origin=Origin.ENGINE, confidence=confidence, inputs=inputs))
     keys.append(Keyframe(20, SQUARE, origin=Origin.ENGINE, inputs="forward:abacus:0"))
     return edit.set_engine_keys(shape, keys)
 
 
+def stamps(*shapes: RotoShape, clip: Clip | None = CLIP) -> Stamps:
+    return Stamps.of(shapes, clip)
+
+
 def test_every_key_falls_into_its_kind() -> None:
-    marks = key_marks(tracked(), CLIP)
+    marks = key_marks(tracked(), stamps(tracked()))
     assert marks.artist.tolist() == [5, 15]
     assert marks.engine.tolist() == [2, 7, 12, 16]
     assert marks.doubtful.tolist() == [8]
@@ -47,7 +49,7 @@ def test_stale_keys_are_those_that_provenance_tells() -> None:
     for shape in (tracked(), moved, edit.delete_keys(tracked(), [15]), replace(tracked(), closed=False)):
         for clip in (CLIP, replace(CLIP, size=(32, 24)), None):
             ref_stale = [key.frame for key in shape.keys if is_stale(shape, key, clip)]
-            comp_stale = key_marks(shape, clip).stale.tolist()
+            comp_stale = key_marks(shape, stamps(shape, clip=clip)).stale.tolist()
             assert comp_stale == ref_stale
 
 
@@ -57,14 +59,32 @@ def test_marks_are_made_anew_only_for_another_value(document: Document) -> None:
     shape = document.project.shape("s")
     first = marks(shape)
     assert marks(shape) is first
-    moved = edit.set_key(shape, 9, SQUARE)
-    assert np.array_equal(marks(moved).artist, [5, 9, 15])
+    document.apply("Key", document.project.with_shape(edit.set_key(shape, 9, SQUARE)))
+    assert np.array_equal(marks(document.project.shape("s")).artist, [5, 9, 15])
+
+
+def test_marks_follow_the_others_of_an_object(document: Document) -> None:
+    shapes = [RotoShape(name, name, (Keyframe(5, SQUARE + at),)) for name, at in (("a", 0), ("near", 8), ("far", 500))]
+    inputs = stamps(*shapes).tracked(0, 7, 5, CONFIGS[DEFAULT_CONFIG], True)
+    shapes[0] = edit.set_engine_keys(shapes[0], [Keyframe(7, SQUARE, origin=Origin.ENGINE, inputs=inputs)])
+    project = Project(CLIP)
+    for shape in shapes:
+        project = edit.add_shape(project, shape)
+    document.open(project, None)
+    marks = MarksOf(document)
+    first = marks(document.project.shape("a"))
+    for name, stale in (("far", []), ("near", [7])):
+        moved = edit.set_key(document.project.shape(name), 5, document.project.shape(name).at(5).points + 2)
+        document.apply("Move", document.project.with_shape(moved))
+        assert marks(document.project.shape("a")).stale.tolist() == stale
+        assert (marks(document.project.shape("a")) is first) == (name == "far")
 
 
 def test_what_was_filled_is_fresh_until_a_key_on_either_side_changes() -> None:
     shape = RotoShape("s", "s", (Keyframe(5, SQUARE), Keyframe(15, SQUARE + 1)))
-    inputs = fill_stamp(shape, 8, CONFIGS[DEFAULT_CONFIG], clip_stamp(CLIP))
+    inputs = fill_stamp([shape], (5, 15), CONFIGS[DEFAULT_CONFIG], clip_stamp(CLIP))
     filled = edit.set_engine_keys(shape, [Keyframe(f, SQUARE, origin=Origin.ENGINE, inputs=inputs) for f in (8, 9)])
-    assert key_marks(filled, CLIP).engine.tolist() == [8, 9]
+    assert key_marks(filled, stamps(filled)).engine.tolist() == [8, 9]
     for frame in (5, 15):
-        assert key_marks(edit.set_key(filled, frame, SQUARE * 2), CLIP).stale.tolist() == [8, 9]
+        moved = edit.set_key(filled, frame, SQUARE * 2)
+        assert key_marks(moved, stamps(moved)).stale.tolist() == [8, 9]

@@ -48,9 +48,9 @@ def test_what_is_filled_is_not_solved_again(roam: Roam, keyed: Path, monkeypatch
     once = keyed.read_bytes()
     asked: list[tuple[int, int]] = []
 
-    def watched(images: Any, shapes: Any, start: int, stop: int, *rest: Any) -> Any:
+    def watched(images: Any, shapes: Any, start: int, stop: int, *rest: Any, **options: Any) -> Any:
         asked.append((start, stop))
-        return fill_span(images, shapes, start, stop, *rest)
+        return fill_span(images, shapes, start, stop, *rest, **options)
 
     monkeypatch.setattr("roam_core.cli.fill.fill_span", watched)
     assert roam("fill", keyed, *CONFIG).err == "Filled 0 gap(s); 2 already filled.\n"
@@ -74,10 +74,10 @@ def test_it_is_saved_elsewhere_and_told_in_json(roam: Roam, plate: Plate, keyed:
 
 
 def test_an_interrupted_fill_keeps_its_finished_gaps(roam: Roam, keyed: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    def interrupting(images: Any, shapes: Any, start: int, *rest: Any) -> Any:
+    def interrupting(images: Any, shapes: Any, start: int, *rest: Any, **options: Any) -> Any:
         if start == 1004:
             raise KeyboardInterrupt
-        return fill_span(images, shapes, start, *rest)
+        return fill_span(images, shapes, start, *rest, **options)
 
     monkeypatch.setattr("roam_core.cli.fill.fill_span", interrupting)
     assert roam("fill", keyed, *CONFIG).status == 130

@@ -20,7 +20,7 @@ CLIP = Clip(Path("shot"), 1, 60, (64, 48))
 def tracked(shape_id: str = "a") -> RotoShape:
     """Artist keys on 10 and 20; tracked forward from the first up to 14."""
     shape = RotoShape(shape_id, shape_id, (Keyframe(10, SQUARE), Keyframe(20, SQUARE + 1)))
-    inputs = stamp(shape.keys[0], True, CONFIGS[DEFAULT_CONFIG], clip_stamp(CLIP), True)
+    inputs = stamp([shape], 14, 10, CONFIGS[DEFAULT_CONFIG], clip_stamp(CLIP), True)
     made = [Keyframe(f, SQUARE, origin=Origin.ENGINE, confidence=0.5, inputs=inputs) for f in range(11, 15)]
     return edit.set_engine_keys(shape, made)
 
