@@ -52,6 +52,8 @@ class PoseParams:
     search_turns: int = 9
     looked_at: int = 400
     candidates: int = 6
+    followed: int = 6
+    sure: float = 0.3
     rounds: int = 12
     momentum: float = 0.6
     expect_move: float = 10.0

@@ -153,10 +153,9 @@ def _affines(bones, pose, result):  # type: ignore[no-untyped-def]
         result[k, 1, 2] = there_y - result[k, 1, 0] * x - result[k, 1, 1] * y
 
 
-@njit(nogil=True, cache=True)
-def _at(image, x, y, channel):  # type: ignore[no-untyped-def]
-    column, row = int(x), int(y)
-    u, v = x - column, y - row
+@njit(nogil=True, cache=True, inline="always")
+def _between(image, row, column, channel, u, v):  # type: ignore[no-untyped-def]
+    """What lies `u`, `v` of a cell beyond the centre of a cell."""
     above = image[row, column, channel] * (1.0 - u) + image[row, column + 1, channel] * u
     below = image[row + 1, column, channel] * (1.0 - u) + image[row + 1, column + 1, channel] * u
     return above * (1.0 - v) + below * v
@@ -219,9 +218,11 @@ def _energies(  # type: ignore[no-untyped-def]
             if hidden[int(y + 0.5), int(x + 0.5)] > 0:
                 cost += max(weight, 0.0) * behind
                 continue
+            column, row = int(x), int(y)
+            u, v = x - column, y - row
             apart = 0.0
             for channel in range(channels):
-                apart += (_at(image, x, y, channel) - colours[i, channel]) ** 2
+                apart += (_between(image, row, column, channel, u, v) - colours[i, channel]) ** 2
             need = needs[int(y + 0.5), int(x + 0.5)]
             if weight > 0.0:
                 cost += weight * (apart / (apart + like2) + needless * (1.0 - need))
@@ -270,7 +271,7 @@ def _system(  # type: ignore[no-untyped-def]
     """The cost without prior and ties; `normal (P, P)` and `right (P,)` are made those of Gauss and Newton."""
     rows, columns, channels = image.shape
     size = len(pose)
-    matrices, slopes, slope = np.empty((len(bones), 2, 3)), np.empty((2, size)), np.empty(size)
+    matrices, slopes, errors = np.empty((len(bones), 2, 3)), np.empty((2, size)), np.empty(channels)
     _affines(bones, pose, matrices)
     normal[:] = 0.0
     right[:] = 0.0
@@ -286,9 +287,12 @@ def _system(  # type: ignore[no-untyped-def]
         if hidden[int(y + 0.5), int(x + 0.5)] > 0:
             cost += max(weight, 0.0) * behind
             continue
+        column, row = int(x), int(y)
+        u, v = x - column, y - row
         apart = 0.0
         for channel in range(channels):
-            apart += (_at(image, x, y, channel) - colours[i, channel]) ** 2
+            errors[channel] = _between(image, row, column, channel, u, v) - colours[i, channel]
+            apart += errors[channel] ** 2
         column, row = int(x + 0.5), int(y + 0.5)
         cost += weight * needless * (1.0 - needs[row, column]) if weight > 0.0 else needed * needs[row, column]
         pull = weight * needless if weight > 0.0 else -needed
@@ -306,17 +310,23 @@ def _system(  # type: ignore[no-untyped-def]
             alike = -weight * np.exp(-apart / beside2)
             cost += alike
             share = -alike / beside2
+        column, row = int(x), int(y)
+        xx, xy, yy, error_x, error_y = 0.0, 0.0, 0.0, 0.0, 0.0
         for channel in range(channels):
-            error = _at(image, x, y, channel) - colours[i, channel]
-            dx = 0.5 * scale_x * (_at(image, x + 1.0, y, channel) - _at(image, x - 1.0, y, channel))
-            dy = 0.5 * scale_y * (_at(image, x, y + 1.0, channel) - _at(image, x, y - 1.0, channel))
+            ahead = _between(image, row, column + 1, channel, u, v)
+            dx = 0.5 * scale_x * (ahead - _between(image, row, column - 1, channel, u, v))
+            below = _between(image, row + 1, column, channel, u, v)
+            dy = 0.5 * scale_y * (below - _between(image, row - 1, column, channel, u, v))
+            xx, xy, yy = xx + dx * dx, xy + dx * dy, yy + dy * dy
+            error_x, error_y = error_x + dx * errors[channel], error_y + dy * errors[channel]
+        for a in range(size):
+            right[a] -= share * (slopes[0, a] * error_x + slopes[1, a] * error_y)
+        if weight > 0.0:  # what repels has no curvature that could be used
             for a in range(size):
-                slope[a] = dx * slopes[0, a] + dy * slopes[1, a]
-            for a in range(size):
-                right[a] -= share * slope[a] * error
-                if weight > 0.0:  # what repels has no curvature that could be used
-                    for b in range(a, size):
-                        normal[a, b] += share * slope[a] * slope[b]
+                along = share * (slopes[0, a] * xx + slopes[1, a] * xy)
+                across = share * (slopes[0, a] * xy + slopes[1, a] * yy)
+                for b in range(a, size):
+                    normal[a, b] += along * slopes[0, b] + across * slopes[1, b]
     for a in range(size):
         for b in range(a):
             normal[a, b] = normal[b, a]

@@ -80,10 +80,12 @@ class Template:
     def blurred(self, pose: Array, velocity: Array) -> Template:
         """The template as it looks while it moves through `pose (P,)` with `velocity (P,)` a frame.
 
-        Samples whose streaks are shorter than a cell stay as they are.
+        The very same one where no streak is longer than a cell.
         """
-        levels = [self._streaked(level, pose, velocity) for level in range(LEVELS)]
-        return replace(self, levels=tuple(levels))
+        levels = tuple(self._streaked(level, pose, velocity) for level in range(COARSEST))
+        if all(streaked is sharp for streaked, sharp in zip(levels, self.levels, strict=False)):
+            return self
+        return replace(self, levels=(*levels, self.levels[COARSEST]))
 
     def _streaked(self, level: int, pose: Array, velocity: Array) -> Samples:
         samples = self.levels[level]
@@ -153,6 +155,11 @@ def _samples(
     places = np.vstack([inside, beside])
     weights = np.concatenate([np.full(len(inside), 1.0 / len(inside)), -params.beside * contrast / max(len(beside), 1)])
     return Samples(places, np.vstack([pyramid.colours(inside, level), own]), weights, chain.skin(places))
+
+
+def every_other(samples: Samples) -> Samples:
+    """Half of the samples, with twice the weight."""
+    return Samples(samples.places[::2], samples.colours[::2], 2.0 * samples.weights[::2], samples.skin[::2])
 
 
 def _contrasts(samples: Samples, params: PoseParams) -> Array:
@@ -304,6 +311,10 @@ NOTHING = Look(np.zeros((0, 2)), np.zeros(0, bool), np.zeros(0), np.zeros(0), 0.
 """What is seen of a part where there is nothing to be seen."""
 
 
+def _cost(found: tuple[Array, float]) -> float:
+    return found[1]
+
+
 @dataclass(frozen=True, eq=False)
 class Search:
     """The search for a part's pose on one frame, from where it was on the frame before."""
@@ -337,14 +348,24 @@ class Search:
         )
 
     def best(self) -> tuple[Array, float]:
-        """The pose `(P,)` of least cost, and its cost; without and with the blur of its motion."""
-        starts = [*self._coarse(), self.prior.expected, self.before.values]
-        rough = [self._refined(self._refined(start, COARSEST)[0], COARSEST - 1) for start in starts]
-        rough.sort(key=lambda found: found[1])
-        values, cost = min((self._refined(start, 0) for start, _ in rough[:2]), key=lambda found: found[1])
+        """The pose `(P,)` of least cost, and its cost; without and with the blur of its motion.
+
+        Far away is looked only where the pose is not found, as sure as can be, where it is expected.
+        """
+        rough = self._closer([self.prior.expected, self.before.values])
+        if rough[0][1] > self.params.sure:
+            rough = sorted([*rough, *self._closer(self._coarse())], key=_cost)
+        values, cost = min((self._refined(start, 0) for start, _ in rough[:2]), key=_cost)
         blurred = self.template.blurred(values, values - self.before.values)
+        if blurred is self.template:
+            return values, cost
         again, cost_again = self._refined(self._refined(values, 1, blurred)[0], 0, blurred)
         return (again, cost_again) if cost_again < cost else (values, cost)
+
+    def _closer(self, starts: Sequence[Array]) -> list[tuple[Array, float]]:
+        """The poses that these lead to before the last level, and their costs; the best first."""
+        rough = sorted((self._refined(start, COARSEST) for start in starts), key=_cost)
+        return sorted((self._refined(start, COARSEST - 1) for start, _ in rough[: self.params.followed]), key=_cost)
 
     def look(self, values: Array) -> Look:
         """What is seen of the part under a pose `(P,)`."""
@@ -372,17 +393,21 @@ class Search:
         poses[:, 0] += x
         poses[:, 1] += y
         poses[:, 2 : 2 + self.template.chain.count] += turn[:, None]
-        costs = energies(
-            self._view(COARSEST), self.template.levels[COARSEST], self.template.chain.bones, poses,
-            self._costs(COARSEST), self.prior, self._ties,
-        )  # fmt: skip
+        samples = self.template.levels[COARSEST]
+        rough = np.argsort(self._energies(poses, every_other(samples)), kind="stable")[: params.looked_at]
+        poses = poses[rough]
         chosen: list[Array] = []
-        for k in np.argsort(costs, kind="stable")[: params.looked_at]:
+        for k in np.argsort(self._energies(poses, samples), kind="stable"):
             if all(self._is_apart(poses[k], other) for other in chosen):
                 chosen.append(poses[k])
             if len(chosen) == params.candidates:
                 break
         return chosen
+
+    def _energies(self, poses: Array, samples: Samples) -> Array:
+        """What `poses (m, P)` cost on the coarsest level, by some samples."""
+        bones, costs = self.template.chain.bones, self._costs(COARSEST)
+        return energies(self._view(COARSEST), samples, bones, poses, costs, self.prior, self._ties)
 
     def _is_apart(self, a: Array, b: Array) -> bool:
         step = self.params.search_step * self.template.scale

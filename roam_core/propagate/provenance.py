@@ -181,9 +181,9 @@ class Stamps:
         return {able[k]: tuple(able[j] for j in group) for group in found for k in group}
 
     def together(self, shape: RotoShape) -> tuple[RotoShape, ...]:
-        """A shape, and the others of its object."""
+        """A shape and the others of its object, as stacked."""
         k = self._places.get(shape.id)
-        return (shape,) if k is None else (shape, *(self.shapes[j] for j in self.objects.get(k, (k,)) if j != k))
+        return (shape,) if k is None else tuple(self.shapes[j] for j in self.objects.get(k, (k,)))
 
     def solved_with(self, k: int, frame: int, forward: bool, alone: bool = False) -> tuple[int, ...]:
         """The shapes of its object with which a shape is solved by a run that begins on `frame`, itself among them.
