@@ -13,7 +13,7 @@ from app.document import Document
 from app.key_clipboard import KeyClipboard, copied_keys
 from app.view_state import ViewState, selected_shapes
 from roam_core.errors import RoamError
-from roam_core.roto import Layer, Project, RotoShape, edit, file
+from roam_core.roto import Layer, Project, RotoShape, edit, file, linking
 from roam_core.roto.baking import baked
 
 
@@ -55,7 +55,7 @@ class ShapeClipboard:
             self._view.say("There is no shape to paste; copy one first.")
             return
         project, ids = self._document.project, []
-        for shape in copied:
+        for shape in linking.relinked(project, copied):
             project, pasted = _added(project, shape)
             ids.append(pasted.id)
         self._document.apply("Paste", project)

@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QFrame, QHBoxLayout, QMainWindow, QScrollArea, QSp
 
 from app import menus, style
 from app.actions import Actions
+from app.belonging import Belonging
 from app.canvas.proposal_bar import ProposalBar
 from app.canvas.ripple_frame import RippleFrame
 from app.canvas.view import CanvasView
@@ -33,6 +34,7 @@ from app.jobs.under_way import UnderWay
 from app.layer_verbs import LayerVerbs
 from app.mask_shapes import MaskShapes
 from app.navigation import Navigation
+from app.object_verbs import ObjectVerbs
 from app.panels.controls import tool_button
 from app.panels.mode_bar import ModeBar
 from app.panels.panel import Panel
@@ -95,6 +97,7 @@ class MainWindow(QMainWindow):
         self.proposals = Proposals(self.document, self.view_state, self.propagation, self)
         self.eye = Runner("eye", self)
         self.pictures = PictureWork(self.eye, self)
+        self.belonging = Belonging(self.document, self.view_state, self.eye, self)
         self.planar = PlanarTrack(self.document, self.view_state, self.solver, self.reader.engine_frame, self)
         works = self.files, self.export, self.importing, self.propagation, self.planar, self.pictures
         self.under_way = UnderWay(*works, parent=self)
@@ -114,6 +117,7 @@ class MainWindow(QMainWindow):
         FocusFollowsPointer(self.canvas)
         self.actions_by_id = actions = Actions(self, self.canvas, self.personal.keys.keymap)
         self.canvas.proposed = lambda: self.proposals.current
+        self.canvas.bones = self.belonging.bones
         self.canvas.stage.plate_of = self.reader.plate
         RippleFrame(view_state, self.canvas)
         self.proposal_bar = ProposalBar(self.proposals, actions, self.canvas)
@@ -122,7 +126,7 @@ class MainWindow(QMainWindow):
         self.shapes = ShapesPanel(document, view_state)
         self.planar_panel = PlanarPanel(self.planar_tracking, actions)
         self.tracker = TrackerPanel(document, view_state, self.tracking, actions)
-        self.properties = PropertiesPanel(document, view_state)
+        self.properties = PropertiesPanel(document, view_state, self.belonging)
         self.history = QUndoView(document.undo_stack)
         self.history.setEmptyLabel("As opened")
         self.history.setMinimumHeight(6 * style.ROW_HEIGHT)
@@ -186,6 +190,7 @@ class MainWindow(QMainWindow):
     def _connect(self) -> None:
         view, reader, status = self.view_state, self.reader, self.status
         view.frame_changed.connect(lambda: reader.show(view.frame))
+        self.belonging.changed.connect(self.canvas.update)
         reader.plate_changed.connect(lambda: reader.show(view.frame))
         reader.picture.connect(self.canvas.set_image)
         reader.picture.connect(self.playback.note_picture)
@@ -234,6 +239,7 @@ class MainWindow(QMainWindow):
             self.canvas,
             FeatherActions(self.document, self.view_state),
             LayerVerbs(self.document, self.view_state),
+            ObjectVerbs(self.document, self.view_state),
             self.planar_tracking,
             TransformActions(self.document, self.view_state, self),
             self.desk,

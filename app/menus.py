@@ -43,6 +43,9 @@ MENUS: dict[str, tuple[str, ...]] = {
         "track.fill", SEPARATOR,
         "track.stop", SEPARATOR,
         "track.next_doubtful", "track.previous_doubtful", "track.most_doubtful", SEPARATOR,
+        "object.one", "object.parts", "object.apart", SEPARATOR,
+        "object.attach", "object.detach", SEPARATOR,
+        "object.in_front", "object.behind", "object.as_stacked", SEPARATOR,
         "planar.forward", "planar.backward", SEPARATOR,
         "track.delete_engine_keys",
     ),
@@ -53,7 +56,7 @@ MENUS: dict[str, tuple[str, ...]] = {
     ),
     "View": (
         "view.source", "view.overlay", "view.matte", "view.cutout", "view.onion", "view.confidence", "view.alpha",
-        "view.hide_overlays", SEPARATOR,
+        "view.hide_overlays", "view.joints", SEPARATOR,
         "view.colour", "view.red", "view.green", "view.blue", "view.luminance", "view.reset_look", SEPARATOR,
         "view.wipe", "view.pin", SEPARATOR,
         "view.fit", "view.fit_selection", "view.actual_size", SEPARATOR,

@@ -8,7 +8,7 @@ from dataclasses import replace
 from app.document import Document
 from app.view_state import ViewState, selected_shapes
 from roam_core.errors import RoamError
-from roam_core.roto import Layer, Project, RotoShape, edit
+from roam_core.roto import Layer, Project, RotoShape, edit, linking
 
 NOTHING_SELECTED = "Select a shape first: click it in the viewer or in the list."
 
@@ -51,10 +51,10 @@ class ShapeVerbs:
     def duplicate(self) -> None:
         """Copies of the selected shapes on top of their layers, selected in their place."""
         project, copies = self._document.project, []
-        for shape_id in self._selected():
-            shape = project.shape(shape_id)
+        chosen = [project.shape(shape_id) for shape_id in self._selected()]
+        for shape in linking.relinked(project, chosen):
             copy = replace(shape, id=project.free_id("shape"), name=project.free_name(shape.name))
-            project = edit.add_shape(project, copy, _layer_of(project, shape_id))
+            project = edit.add_shape(project, copy, _layer_of(project, shape.id))
             copies.append(copy.id)
         self._document.apply("Duplicate", project)
         self._view.select(frozenset(copies) or self._view.selection.shapes)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,7 +10,9 @@ from PySide6.QtCore import QEvent, QPointF, QRectF, QSizeF, Qt, QTimer, Signal
 from PySide6.QtGui import QKeyEvent, QMouseEvent, QPainter, QPaintEvent, QTabletEvent, QWheelEvent
 from PySide6.QtWidgets import QWidget
 
+from app.belonging import Bone
 from app.canvas.feather_item import paint_feather
+from app.canvas.joint_item import paint_joints
 from app.canvas.keys import NUDGES, is_modifier, key_name
 from app.canvas.pen import Pen
 from app.canvas.proposal_item import ProposalPainter, Side
@@ -65,6 +67,8 @@ class CanvasView(ZoomableWidget):
         self._present, self._pinned, self._proposed = SightPainter(), SightPainter(), ProposalPainter()
         self.proposed: Callable[[], Proposal | None] = lambda: None
         """Gives what the engine proposes for the present frame."""
+        self.bones: Callable[[], Sequence[Bone]] = tuple
+        """Gives where the parts in hand hang together on the present frame."""
         self._proposal_side = Side.BOTH
         self._is_pressed = self._is_waiting = False
         self._pointer: QPointF | None = None
@@ -256,6 +260,8 @@ class CanvasView(ZoomableWidget):
             if (proposal := self.proposed()) is not None:
                 self._proposed.paint(painter, viewport, proposal, self._proposal_side)
             paint_feather(painter, viewport, self._project(), view.frame, view.selection.shapes)
+            if self.viewing.shows_joints:
+                paint_joints(painter, viewport, self._project(), self.bones())
             self._tool.paint(painter, viewport)
         painter.setClipping(False)
         if pinned is None:

@@ -98,7 +98,7 @@ class Viewing(QObject):
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._mode = self._before_alpha = ViewMode.OVERLAY
-        self._are_shapes_hidden = False
+        self._are_shapes_hidden = self._shows_joints = False
         self._look, self._onion, self._ground = Look(), Onion(), Ground()
 
     @property
@@ -129,6 +129,15 @@ class Viewing(QObject):
     def shows_shapes(self) -> bool:
         """True where shapes are drawn, and so can be edited."""
         return self._mode not in WITHOUT_SHAPES and not self._are_shapes_hidden
+
+    @property
+    def shows_joints(self) -> bool:
+        """True where parts are drawn with what they hang on, over the shapes."""
+        return self._shows_joints
+
+    def show_joints(self, shown: bool) -> None:
+        """Show or hide where parts hang together."""
+        self._set("_shows_joints", shown)
 
     @property
     def look(self) -> Look:
@@ -182,16 +191,20 @@ class Viewing(QObject):
             "view.colour": lambda: self.set_look(channel=Channel.COLOUR),
             "view.reset_look": self.reset_look,
             "view.hide_overlays": lambda: self.hide_shapes(not self._are_shapes_hidden),
+            "view.joints": lambda: self.show_joints(not self._shows_joints),
         }
 
     def remembered(self) -> dict[str, dict[str, Any]]:
         """What comes back when the window is opened again, as plain values: not the look, which would deceive."""
-        return {"onion": asdict(self._onion), "ground": asdict(self._ground)}
+        overlays = {"joints": self._shows_joints}
+        return {"onion": asdict(self._onion), "ground": asdict(self._ground), "overlays": overlays}
 
     def recall(self, remembered: object) -> None:
         """Take back what `remembered` gave; what makes no sense stays as it is."""
         kept = remembered if isinstance(remembered, dict) else {}
         self.set_onion(**_fitting(kept.get("onion"), Onion()))
+        overlays = kept.get("overlays")
+        self.show_joints(isinstance(overlays, dict) and overlays.get("joints") is True)
         ground = _fitting(kept.get("ground"), Ground())
         if ground.get("kind", GroundKind.CHECKER) in set(GroundKind):
             ground["kind"] = GroundKind(ground.get("kind", GroundKind.CHECKER))

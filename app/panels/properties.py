@@ -19,12 +19,14 @@ from PySide6.QtWidgets import (
 )
 
 from app import style
+from app.belonging import Belonging
 from app.document import Document
 from app.navigation import clip_frames
 from app.panels.colour_row import ColourRow
 from app.panels.controls import FRAME_LIMIT, dense_form, form_label
 from app.panels.fields import MIXED, NumberField, ScrubLabel, SwitchBox, shared
 from app.panels.layer_form import LayerForm
+from app.panels.object_form import ObjectForm
 from app.view_state import ViewState, selected_shapes
 from roam_core.roto import BlendMode, MotionBlur, RotoShape
 from roam_core.roto.edit import MIN_POINTS_CLOSED
@@ -50,7 +52,13 @@ class Field:
 class PropertiesPanel(QWidget):
     """Shows the selected shapes, what differs between them as mixed, and edits all of them at once."""
 
-    def __init__(self, document: Document, view_state: ViewState, parent: QWidget | None = None) -> None:
+    def __init__(
+        self,
+        document: Document,
+        view_state: ViewState,
+        belonging: Belonging | None = None,
+        parent: QWidget | None = None,
+    ) -> None:
         super().__init__(parent)
         self._document, self._view = document, view_state
         self._fields: list[Field] = []
@@ -69,6 +77,8 @@ class PropertiesPanel(QWidget):
         self._pages.addWidget(self.layer_form)
         self._build_looks()
         self._build_switches()
+        self.object_form = ObjectForm(document, view_state, belonging or Belonging(document, view_state))
+        self._form.addRow(self.object_form)
         self._build_motion_blur()
         self._build_lifetime()
         for signal in (document.changed, document.replaced, view_state.selection_changed):
