@@ -67,7 +67,7 @@ def carried(shot: Shot, run: range) -> Iterator[Rated]:
             assert isinstance(state, RegionState)
             outlines += [each.shape for each in results]
             found = [each.shape for each in results if each.confidence > 0.0]
-            known.append((_area(found, frame), state.signs))
+            known.append((_area(found, frame), state.signs if isinstance(state.signs, Signs) else None))
         yield _rated(shot, frame, outlines, known)
 
 

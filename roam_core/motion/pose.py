@@ -212,6 +212,11 @@ class Look:
         """Mean share, in [0, 1], by which what is seen of the part is unlike its key; 1 where nothing is seen."""
         return float(self.wrong[self.own].mean()) if self.own.any() else 1.0
 
+    @property
+    def beside(self) -> float:
+        """Mean share by which what lies outside is like the inside, in [0, 1], though it was not on the key."""
+        return float(self.wrong[~self.own].mean()) if not self.own.all() else 0.0
+
     def against(self, inside: Bools) -> float:
         """What speaks against the pose, in [0, 1], where a region that has `inside (n,)` of the places disputes it."""
         lacking, beyond = self.own & ~inside, ~self.own & inside

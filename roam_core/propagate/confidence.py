@@ -88,21 +88,43 @@ class Signs:
         )
 
 
-def pose_signs(pose: Pose, frames: int) -> Signs:
-    """What speaks against a part that lies as on its key, but for its pose, so many frames after the key."""
-    return Signs.of_one_piece(0.3 * pose.unlike, frames)
+@dataclass(frozen=True)
+class PoseSigns:
+    """What speaks against one frame of a part that lies as on its key, but for its pose; zero where all is well.
+
+    Attributes
+    ----------
+    unlike : mean share by which what is seen of it is unlike its key: it is not there, or another part is before it.
+    beside : the same for the outside of its outline, by how much it is like the inside though it was not on the key:
+        the outline lies within its edge, or beyond it.
+    hidden : the share of it that nearer parts hide, or that lies outside the picture.
+    """
+
+    unlike: float
+    beside: float
+    hidden: float
+
+    @classmethod
+    def of(cls, pose: Pose) -> PoseSigns:
+        """Of a pose that was found on a frame."""
+        return cls(pose.unlike, 0.0 if pose.look is None else pose.look.beside, 1.0 - pose.seen)
+
+
+POSE_SIGNS = (3.96, 5.91, 1.88, 0.54)
+"""As `SIGNS`, of the `PoseSigns`; fitted to rendered figures and to real legs, both weighing the same."""
 
 
 SIGNS = (3.73, 1.01, 3.74, 3.64, 0.67, 0.089, 0.65, 2.26)
 """The constant of the logistic model, and the weight of each of the `Signs` in their order."""
 
 
-def expected_overlap(signs: Signs | SpanSigns, weights: Sequence[float] | None = None) -> float:
+def expected_overlap(signs: Signs | PoseSigns | SpanSigns, weights: Sequence[float] | None = None) -> float:
     """The IoU with the artist's wish, in [0, 1], to be expected on a frame with these signs.
 
     A logistic function of the weighted signs. All weights are at least zero, so that no sign can speak for a frame.
     """
-    constant, *slopes = weights or (SIGNS if isinstance(signs, Signs) else SPAN_SIGNS)
+    fitted = {Signs: SIGNS, PoseSigns: POSE_SIGNS, SpanSigns: SPAN_SIGNS}
+    constant, *slopes = weights or fitted[type(signs)]
     return float(1.0 / (1.0 + np.exp(np.dot(slopes, astuple(signs)) - constant)))
 
 

@@ -27,7 +27,7 @@ from roam_core.matte.vectorise import shapes_from_mask
 from roam_core.motion.pose import Pose, Surroundings
 from roam_core.params import PoseParams, RegionParams, scale_for
 from roam_core.propagate import posed, region
-from roam_core.propagate.confidence import expected_overlap, pose_signs
+from roam_core.propagate.confidence import PoseSigns, expected_overlap
 from roam_core.propagate.laying import enclosed
 from roam_core.propagate.objects import Role, Unit
 from roam_core.propagate.region import RegionState
@@ -297,7 +297,7 @@ class _Solving:
         parts = posed.carried(pose, limb.drawn)
         if self._has_left(parts):
             return self._out_of_sight(replace(limb, parts=parts), pose)
-        confidence = expected_overlap(pose_signs(pose, self.state.steps + 1))
+        confidence = expected_overlap(PoseSigns.of(pose))
         results = tuple(region.pose_result(part.points, pose, confidence) for part in parts)
         return replace(limb, parts=parts, pose=pose, results=results)
 

@@ -102,7 +102,11 @@ class _Moment:
     @property
     def is_posed(self) -> bool:
         """True where a passage laid an outline by its pose: no region tells more of it."""
-        return any(cost is not None for pair in self.costs.values() for cost in pair)
+        return any(self.is_laid_by_pose(k) for k in self.costs)
+
+    def is_laid_by_pose(self, k: int) -> bool:
+        """True where a passage laid an outline by its pose."""
+        return any(cost is not None for cost in self.costs[k])
 
     @property
     def is_one_piece(self) -> bool:
@@ -154,8 +158,10 @@ def merged(
         for each, part in zip(points, parts, strict=True)
     ]
     signs = _span_signs(moment, known, outlines)
-    confidence = _alone(moment) if signs is None else expected_overlap(signs)
     for k, part in zip(known, outlines, strict=True):
+        if moment.is_laid_by_pose(k):
+            signs = _signs_of_one(moment, k, part.points)
+        confidence = _alone(moment) if signs is None else expected_overlap(signs)
         vertices = vertex_confidence(_support(moment, k, len(part.points)), confidence)
         result[k] = Merged(part.points, confidence, vertices, signs)
     return result
@@ -184,7 +190,7 @@ def _expected(moment: _Moment, k: int) -> Array:
         only = here if there is None else there
         assert only is not None
         return only
-    if any(cost is not None for cost in moment.costs[k]):
+    if moment.is_laid_by_pose(k):
         return _by_poses(moment, k)
     planar = _planar(moment, k)
     if moment.span.is_planar:
@@ -321,6 +327,17 @@ def _span_signs(moment: _Moment, known: list[int], outlines: list[Part]) -> Span
     onwards, back, _, _ = span.misses
     missed, nearer = 0.5 * (onwards.loss + back.loss), max(overlap(ours, each) for each in theirs)
     return SpanSigns.of(missed, nearer, moment.u, span.last.frame - span.first.frame)
+
+
+def _signs_of_one(moment: _Moment, k: int, points: Array) -> SpanSigns | None:
+    """What speaks against one outline that was laid by its pose; None where only one passage knows of it."""
+    span, sides = moment.span, [side[k] for side in (moment.there, moment.here) if k in side]
+    if k not in span.losses or len(sides) < 2:
+        return None
+    grid = grid_over([points, *sides], span.size, span.scale)
+    ours, *theirs = (enclosed([Part(each)], grid) > 0.5 for each in (points, *sides))
+    nearer = max(overlap(ours, each) for each in theirs)
+    return SpanSigns.of(span.losses[k], nearer, moment.u, span.last.frame - span.first.frame)
 
 
 def _alone(moment: _Moment) -> float:

@@ -122,8 +122,7 @@ def outline_begun(shape: RotoShape, frame: int, forward: bool) -> NDArray[np.flo
     Between keys those of the engine that lie ahead do not count: they may be the run's own.
     """
     if shape.key_at(frame) is None:
-        ahead = (lambda key: key.frame > frame) if forward else (lambda key: key.frame < frame)
-        keys = tuple(key for key in shape.keys if key.origin is Origin.ARTIST or not ahead(key))
+        keys = tuple(key for key in shape.keys if key.origin is Origin.ARTIST or (key.frame < frame) == forward)
         shape = replace(shape, keys=keys) if keys else shape
     return shape.at(frame).points
 

@@ -24,11 +24,11 @@ from roam_core.motion.flow import carried_by_flow, dense_flow, flow_similarity, 
 from roam_core.params import RegionParams, scale_for
 from roam_core.propagate import posed
 from roam_core.propagate.confidence import (
+    PoseSigns,
     Signs,
     edge_support,
     expected_overlap,
     overlap,
-    pose_signs,
     vertex_confidence,
 )
 from roam_core.propagate.laying import enclosed, laid
@@ -77,7 +77,7 @@ class RegionState:
     rigidity: Rigidity
     unbroken: Float32
     steps: int = 0
-    signs: Signs | None = None
+    signs: Signs | PoseSigns | None = None
     pose: motion_pose.Pose | None = None
     posed: bool = False
     covers: tuple[Array, ...] = ()
@@ -90,7 +90,7 @@ class RegionState:
     @property
     def agreement_as_one_piece(self) -> float | None:
         """The share of the key's corners that agreed, where the last frame was carried as one piece; else None."""
-        return 1.0 - self.signs.disagreeing if self.signs is not None and self.rigidity.held else None
+        return 1.0 - self.signs.disagreeing if isinstance(self.signs, Signs) and self.rigidity.held else None
 
 
 def begin(
@@ -299,7 +299,7 @@ def _as_posed(
 ) -> tuple[RegionState, tuple[StepResult, ...]]:
     """The shapes as drawn on the key, under their pose."""
     found = Field.of_coverage(sight.sources.grid, enclosed(parts, sight.sources.grid))
-    signs = pose_signs(pose, state.steps + 1)
+    signs = PoseSigns.of(pose)
     confidence = expected_overlap(signs)
     results = tuple(pose_result(part.points, pose, confidence) for part in parts)
     colours = _adapted(state, sight, found, params)
@@ -335,7 +335,7 @@ def _after(
     unbroken: Float32,
     parts: tuple[Part, ...],
     colours: GlobalModel,
-    signs: Signs,
+    signs: Signs | PoseSigns,
 ) -> RegionState:
     """The state after a frame on which `found` is the object's region and `parts` are its shapes."""
     key = sight.sources.key

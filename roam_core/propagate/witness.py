@@ -111,6 +111,29 @@ class Span:
         onwards, back, planar_there, planar_here = self.misses
         return planar_there.loss + planar_here.loss < onwards.loss + back.loss
 
+    @cached_property
+    def losses(self) -> dict[int, float]:
+        """For each outline that is on both keys, the mean share in which it missed the other key, from either."""
+        there, here = stop_at(self.onwards, self.last.frame), stop_at(self.back, self.first.frame)
+        if there is None or here is None:
+            return {}
+        found: dict[int, float] = {}
+        came = dict(zip(self.first.members, there.points, strict=True))
+        back = dict(zip(self.last.members, here.points, strict=True))
+        for k in came.keys() & back.keys():
+            first, last = self.first.parts[k], self.last.parts[k]
+            assert first is not None
+            assert last is not None
+            found[k] = 0.5 * (self._loss(came[k], last.points) + self._loss(back[k], first.points))
+        return found
+
+    def _loss(self, found: Array, true: Array) -> float:
+        """The share in which two outlines differ."""
+        grid = grid_over([found, true], self.size, self.scale)
+        a, b = (enclosed([Part(points)], grid) > 0.5 for points in (found, true))
+        union = int(np.count_nonzero(a | b))
+        return int(np.count_nonzero(a ^ b)) / union if union else 0.0
+
     def traits(self, k: int, u: float) -> Traits:
         """What an outline keeps of both keys, or of the one that has it, `u` of the way between them."""
         first, last = self._traits[k]
