@@ -4,11 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+import numpy as np
+from numpy.typing import NDArray
+
 from roam_core.cancel import CancelToken
 from roam_core.features import PreparedFrame
 from roam_core.landmarks.pool import Pool
 from roam_core.params import RoamParams
-from roam_core.propagate import figure, region
+from roam_core.propagate import figure, posed, region
 from roam_core.propagate import step as outline
 from roam_core.propagate.figure import FigureState
 from roam_core.propagate.objects import Role, Unit
@@ -17,6 +20,7 @@ from roam_core.propagate.result import Part, StepResult
 from roam_core.propagate.step import TrackerState
 from roam_core.threads import each
 
+Array = NDArray[np.float64]
 State = RegionState | FigureState | tuple[TrackerState, ...]
 """What is known of an object after a frame."""
 
@@ -81,6 +85,14 @@ def pose_costs(state: State) -> tuple[float | None, ...]:
         cost = state.pose.cost if state.posed and state.pose is not None else None
         return (cost,) * len(state.parts)
     return (None,) * len(state)
+
+
+def by_pose(state: State) -> tuple[tuple[Array, ...], float] | None:
+    """The outlines of a lone shape by its pose, believed or not, and what that costs; None where there is none."""
+    if not isinstance(state, RegionState) or state.pose is None:
+        return None
+    parts = posed.carried(state.pose, state.drawn)
+    return tuple(part.points for part in parts), state.pose.cost
 
 
 def landmarks(state: State) -> tuple[Pool | None, ...]:

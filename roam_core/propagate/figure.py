@@ -298,7 +298,7 @@ class _Solving:
         if self._has_left(parts):
             return self._out_of_sight(replace(limb, parts=parts), pose)
         confidence = expected_overlap(PoseSigns.of(pose))
-        results = tuple(region.pose_result(part.points, pose, confidence) for part in parts)
+        results = tuple(posed.result(part.points, pose, confidence) for part in parts)
         return replace(limb, parts=parts, pose=pose, results=results)
 
     def _has_left(self, parts: Sequence[Part]) -> bool:

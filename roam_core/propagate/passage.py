@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -37,6 +37,7 @@ class Stop:
     region : the object's region, where the engine works with regions.
     as_one_piece : the outlines are as they are on the key, only moved (`propagate.rigid`).
     pose_costs : for each outline what its pose costs; None where it was not laid by a pose (`propagate.posed`).
+    by_pose : of a lone shape the outlines by its pose, believed or not, and what that costs.
     """
 
     points: tuple[Array, ...]
@@ -45,6 +46,15 @@ class Stop:
     region: Field | None
     as_one_piece: bool = False
     pose_costs: tuple[float | None, ...] = ()
+    by_pose: tuple[tuple[Array, ...], float] | None = None
+
+    @property
+    def posed(self) -> Stop | None:
+        """The same, if the pose is believed all the way."""
+        if self.by_pose is None:
+            return None
+        points, cost = self.by_pose
+        return replace(self, points=points, pose_costs=(cost,) * len(points))
 
 
 @dataclass(frozen=True, eq=False)
@@ -56,6 +66,13 @@ class Passage:
 
     stops: dict[int, Stop]
     picture: PreparedFrame
+
+    @property
+    def posed(self) -> Passage | None:
+        """The same, if the pose of the lone shape is believed all the way; None where it has none."""
+        stops = {frame: stop.posed for frame, stop in self.stops.items()}
+        known = {frame: stop for frame, stop in stops.items() if stop is not None}
+        return Passage(known, self.picture) if len(known) == len(stops) else None
 
     def at(self, frame: int) -> Stop | None:
         """The stop on a frame, or None where the picture is missing."""
@@ -81,7 +98,8 @@ def passage(
     state = engine.begin(picture, tuple(parts), params, made, orders(frames[0]))
     carried = np.eye(3)
     points, sure = tuple(part.points for part in parts), (1.0,) * len(parts)
-    stops = {frames[0]: Stop(points, sure, carried, _region(state), pose_costs=(0.0,) * len(parts))}
+    by_pose = engine.by_pose(state)
+    stops = {frames[0]: Stop(points, sure, carried, _region(state), pose_costs=(0.0,) * len(parts), by_pose=by_pose)}
     for frame in frames[1:]:
         if token is not None:
             token.check()
@@ -98,8 +116,8 @@ def passage(
         picture = following
         points = tuple(result.points for result in results)
         confidence = tuple(result.confidence for result in results)
-        costs = engine.pose_costs(state)
-        stops[frame] = Stop(points, confidence, carried, _region(state), _is_one_piece(state), costs)
+        costs, by_pose = engine.pose_costs(state), engine.by_pose(state)
+        stops[frame] = Stop(points, confidence, carried, _region(state), _is_one_piece(state), costs, by_pose)
         if passed is not None:
             passed()
     return Passage(stops, key)

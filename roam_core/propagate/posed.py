@@ -16,9 +16,9 @@ from roam_core.features.pyramid import Pyramid
 from roam_core.geometry import bezier
 from roam_core.motion.pose import Pose, Surroundings, Template
 from roam_core.params import PoseParams, RegionParams, scale_for
-from roam_core.propagate.confidence import overlap
+from roam_core.propagate.confidence import overlap, vertex_confidence
 from roam_core.propagate.laying import enclosed
-from roam_core.propagate.result import Part
+from roam_core.propagate.result import Part, StepResult, Termination
 from roam_core.proposal.evidence import Field
 
 Array = NDArray[np.float64]
@@ -95,3 +95,14 @@ def is_believed(pose: Pose, parts: Sequence[Part], found: Field, params: RegionP
     x, y = np.floor(found.grid.to_grid(pose.look.places)).astype(np.intp).T
     inside = found.inside[np.clip(y, 0, rows - 1), np.clip(x, 0, columns - 1)]
     return pose.look.against(inside) < more * params.pose_against
+
+
+def result(points: Array, pose: Pose, confidence: float) -> StepResult:
+    """What a pose gives for one outline, trusted as far as `confidence`."""
+    return StepResult(
+        points=points,
+        confidence=confidence,
+        vertex_confidence=vertex_confidence(pose.support(points[:, bezier.ANCHOR]), confidence),
+        energies={"pose": pose.cost, "total": pose.cost},
+        termination=Termination.of(confidence),
+    )

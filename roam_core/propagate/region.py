@@ -18,7 +18,6 @@ from roam_core.cancel import CancelToken
 from roam_core.features import PreparedFrame, Region
 from roam_core.features.grid import Grid
 from roam_core.geometry import bezier, similarity
-from roam_core.kernels.coverage import coverage
 from roam_core.motion import pose as motion_pose
 from roam_core.motion.flow import carried_by_flow, dense_flow, flow_similarity, on_grid
 from roam_core.params import RegionParams, scale_for
@@ -31,6 +30,7 @@ from roam_core.propagate.confidence import (
     overlap,
     vertex_confidence,
 )
+from roam_core.propagate.covering import carried_behind, learned_colours, visible
 from roam_core.propagate.laying import enclosed, laid
 from roam_core.propagate.nodes import smooth_points
 from roam_core.propagate.refinding import Lookout, Sighting, area_of, as_on_key, decided, middle_of
@@ -48,8 +48,6 @@ Bools = NDArray[np.bool_]
 
 WHOLE_CELLS = 2
 """Cells, at most, after which a whole pixel begins."""
-LEAST_SEEN = 0.05
-"""Share of an object that must be seen for its motion to be taken from that alone."""
 TRUSTED = 0.3
 """Steadiness below which a frame teaches the colour model nothing."""
 
@@ -103,7 +101,7 @@ def begin(
     scale = scale_for(frame.size)
     grid = grid_around(np.vstack([part.points.reshape(-1, 2) for part in parts]), frame.size, params, scale)
     region = Field.of_coverage(grid, enclosed(parts, grid))
-    colours = _learned(frame, region, _covered(covers, grid))
+    colours = learned_colours(grid.of(frame.image), region, covers)
     key = KeyMemory(frame, region, colours, np.eye(3))
     kept = params.kept_shares
     traits = tuple(Traits.of(part.points, smooth_points(part.points), scale, kept) for part in parts)
@@ -114,13 +112,6 @@ def begin(
         frame, region, parts, traits, key, colours, parts, lookout, seen, rigidity, unbroken,
         pose=posed.on_key(frame, parts, params, covers), covers=tuple(covers),
     )  # fmt: skip
-
-
-def _covered(covers: Sequence[Array], grid: Grid) -> Bools | None:
-    """Which cells something lies before; None where nothing does."""
-    if not covers:
-        return None
-    return np.asarray(np.any([coverage(grid.to_grid(line), grid.shape) > 0.5 for line in covers], axis=0))
 
 
 @dataclass(frozen=True, eq=False)
@@ -220,7 +211,7 @@ def _carried(
     if sight.pose is not None:
         return _as_one_piece(state, frame, sight, sight.pose, params)
     expected = sight.sources.expected
-    ratio = _behind(state, gathered(sight.sources, params), expected)
+    ratio = carried_behind(gathered(sight.sources, params), covers, expected)
     if token is not None:
         token.check()
     found = proposed.cleaned(ratio, expected.possible, params.overlap)
@@ -245,15 +236,6 @@ def _carried(
         replace(part, points=points) if seen else part for part, (points, seen) in zip(parts, placed, strict=True)
     )
     return _after(state, frame, sight, found, unbroken, parts, colours, signs), results
-
-
-def _behind(state: RegionState, ratio: Field, expected: Expectation) -> Field:
-    """The evidence, but that behind what covers the object all stays as it moves as a whole."""
-    covered = _covered(state.covers, ratio.grid)
-    if covered is None:
-        return ratio
-    carried = np.where(expected.rigid, np.float32(SURE), np.float32(-SURE))
-    return Field(ratio.grid, np.where(covered, carried, ratio.values))
 
 
 def _held(part: Part, drawn: Part, traits: Traits, key: KeyMemory, params: RegionParams, scale: float) -> Array:
@@ -301,21 +283,10 @@ def _as_posed(
     found = Field.of_coverage(sight.sources.grid, enclosed(parts, sight.sources.grid))
     signs = PoseSigns.of(pose)
     confidence = expected_overlap(signs)
-    results = tuple(pose_result(part.points, pose, confidence) for part in parts)
+    results = tuple(posed.result(part.points, pose, confidence) for part in parts)
     colours = _adapted(state, sight, found, params)
     after = _after(state, frame, sight, found, _unbroken(sight, found), parts, colours, signs)
     return replace(after, posed=True), results
-
-
-def pose_result(points: Array, pose: motion_pose.Pose, confidence: float) -> StepResult:
-    """What a pose gives for one outline, trusted as far as `confidence`."""
-    return StepResult(
-        points=points,
-        confidence=confidence,
-        vertex_confidence=vertex_confidence(pose.support(points[:, bezier.ANCHOR]), confidence),
-        energies={"pose": pose.cost, "total": pose.cost},
-        termination=Termination.of(confidence),
-    )
 
 
 def _adapted(state: RegionState, sight: Sight, found: Field, params: RegionParams) -> GlobalModel:
@@ -323,7 +294,7 @@ def _adapted(state: RegionState, sight: Sight, found: Field, params: RegionParam
     steadiness = overlap(sight.sources.expected.rigid, found.inside) * (0.5 + 0.5 * sight.agreement)
     if steadiness <= TRUSTED or not found.inside.any():
         return state.colours
-    seen = _model(sight.sources.after, found, _covered(state.covers, found.grid))
+    seen = learned_colours(sight.sources.after, found, state.covers)
     return state.colours.adapted(seen, params.adaptation)
 
 
@@ -375,15 +346,13 @@ def sighted(
     fine = Grid.over(grid.region, 1.0 / scale)
     flows = dense_flow(state.frame, frame, fine, is_exact=params.lineage_weight > 0)
     forth, back = (on_grid(flow, fine, grid) for flow in flows)
-    inside = state.region.on(fine) > 0.5
-    covered = _covered(state.covers, fine)
-    if covered is not None and np.count_nonzero(inside & ~covered) > np.count_nonzero(inside) * LEAST_SEEN:
-        inside &= ~covered
+    everywhere = state.region.on(fine) > 0.5
+    inside = visible(everywhere, state.covers, fine)
     moved, agreement = flow_similarity(flows[0], inside, fine)
     pictures = grid.of(state.frame.image), grid.of(frame.image)
     if token is not None:
         token.check()
-    surroundings, _ = flow_similarity(flows[0], ~inside, fine)
+    surroundings, _ = flow_similarity(flows[0], ~everywhere, fine)
     motion = motion_on(grid, back, moved, surroundings, agreement, params.motion_sigma * scale, params.clip)
     rigidity, pose = state.rigidity.step(frame, moved, params.rigid)
     lines = None
@@ -429,18 +398,6 @@ def grid_around(positions: Array, size: tuple[int, int], params: RegionParams, s
     factor = float(np.clip(params.least_cells / side, params.grid_factor / scale, 1.0 / scale))
     cell = Fraction(1.0 / factor).limit_denominator(WHOLE_CELLS)
     return Grid.over(area.aligned(cell.numerator, size), float(1 / cell))
-
-
-def _learned(frame: PreparedFrame, region: Field, covered: Bools | None) -> GlobalModel:
-    return _model(region.grid.of(frame.image), region, covered)
-
-
-def _model(image: NDArray[np.uint8], region: Field, covered: Bools | None) -> GlobalModel:
-    """The colours inside and outside a region, without those of what covers it (unless that is all of it)."""
-    inside = region.inside
-    if covered is None or not (inside & ~covered).any():
-        return GlobalModel.learned(image, inside, ~inside)
-    return GlobalModel.learned(image, inside & ~covered, ~inside & ~covered)
 
 
 def trusts_of(drawn: Sequence[Part], seen: Sequence[bool], confidence: float) -> list[float]:

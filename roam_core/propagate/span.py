@@ -190,7 +190,7 @@ class Filling:
         frames = range(gap[0], gap[1] + 1)
         ways = [(first, frames), (last, frames[::-1])]
         ahead, behind = each(lambda way: self._passage(shapes, *way), ways)
-        return Span(first, last, ahead, behind, size, scale_for(size), self.params.region or RegionParams())
+        return Span(first, last, ahead, behind, size, scale_for(size), self.params.region or RegionParams()).better
 
     def _passage(self, shapes: Sequence[RotoShape], key: Key, frames: range) -> Passage | None:
         parts = [part for part in key.parts if part is not None]

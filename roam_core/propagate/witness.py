@@ -8,7 +8,7 @@ truth but the artist's is needed to see it: so much it counts, place by place al
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import cv2
@@ -86,6 +86,17 @@ class Span:
     size: tuple[int, int]
     scale: float
     params: RegionParams
+
+    @property
+    def better(self) -> Span:
+        """This span, or the same by the poses of its lone shape where these came nearer to the other keys."""
+        onwards = None if self.onwards is None else self.onwards.posed
+        back = None if self.back is None else self.back.posed
+        if onwards is None or back is None:
+            return self
+        posed = replace(self, onwards=onwards, back=back)
+        ours, theirs = (sum(miss.loss for miss in span.misses[:2]) if span.misses else 0.0 for span in (self, posed))
+        return posed if theirs < ours else self
 
     @cached_property
     def misses(self) -> tuple[Miss, Miss, Miss, Miss] | None:
