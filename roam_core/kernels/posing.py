@@ -303,13 +303,13 @@ def _system(  # type: ignore[no-untyped-def]
                 right[a] += pull * (dx * slopes[0, a] + dy * slopes[1, a])
         if weight > 0.0:
             cost += weight * apart / (apart + like2)
-            share = weight * like2 / (apart + like2) ** 2
-            if share * like2 < 1e-3 * weight:
+            share = 2.0 * weight * like2 / (apart + like2) ** 2
+            if share * like2 < 2e-3 * weight:
                 continue
         else:
             alike = -weight * np.exp(-apart / beside2)
             cost += alike
-            share = -alike / beside2
+            share = -2.0 * alike / beside2
         column, row = int(x), int(y)
         xx, xy, yy, error_x, error_y = 0.0, 0.0, 0.0, 0.0, 0.0
         for channel in range(channels):
