@@ -25,6 +25,7 @@ from roam_core.kernels.hypotheses import best_hypothesis
 from roam_core.kernels.key_spans import cubic_span_errors, linear_span_errors, outline_distances
 from roam_core.kernels.local_match import INSIDE, OUTSIDE, log_ratio, nearest_colours
 from roam_core.kernels.nearest_edges import nearest_edges
+from roam_core.kernels.posing import Costs, Prior, Samples, Ties, View, affines, energies, refined
 from roam_core.kernels.region_sums import region_sums, row_sums
 from roam_core.kernels.ribbon_means import ribbon_means
 from roam_core.kernels.settling import settled
@@ -194,6 +195,34 @@ def _settling() -> Case:
     )
 
 
+def _posing() -> tuple[Any, ...]:
+    """A limb of two bones on a picture of the area around it, with its prior and one spring."""
+    rng = _rng()
+    bones = np.array([[60.0, 60.0, -1.0, 0.0], [80.0, 60.0, 0.0, 0.0]])
+    places = rng.uniform((40.0, 50.0), (100.0, 70.0), (1200, 2))
+    skin = np.clip((places[:, :1] - 70.0) / 20.0, 0.0, 1.0)
+    view = View(_picture().astype(np.float32), 1.0, 1.0, 0.0, 0.0, np.zeros(GRID, np.uint8), np.zeros(GRID, np.float32))
+    weights = np.where(np.arange(1200) < 1000, 1e-3, -1e-4)
+    samples = Samples(places, rng.normal(120, 30, (1200, 3)), weights, np.hstack([1.0 - skin, skin]))
+    prior = Prior(np.zeros(7), np.full(7, 0.01), np.full(7, 0.01), 0.1, 0.1)
+    ties = Ties(np.array([[40.0, 60.0]]), np.array([[1.0, 0.0]]), np.array([[42.0, 60.0]]), np.array([0.1]), 6.0)
+    return view, samples, bones, Costs(12.0, 8.0, 0.5, 0.5), prior, ties
+
+
+def _affines() -> Case:
+    return _call(affines, _posing()[2], np.full(7, 0.1))
+
+
+def _energies() -> Case:
+    view, samples, bones, costs, prior, ties = _posing()
+    return _call(energies, view, samples, bones, _rng().normal(0.0, 0.1, (100, 7)), costs, prior, ties)
+
+
+def _refined() -> Case:
+    view, samples, bones, costs, prior, ties = _posing()
+    return _call(refined, view, samples, bones, np.zeros(7), costs, prior, ties, 12)
+
+
 def _hypotheses() -> Case:
     rng = _rng()
     source = rng.normal(0, 50, (400, 2)) @ [1, 1j]
@@ -202,6 +231,7 @@ def _hypotheses() -> Case:
 
 
 CASES: dict[str, Callable[[], Case]] = {
+    "affines": _affines,
     "align": _alignment,
     "anchored": _anchoring,
     "best_hypothesis": _hypotheses,
@@ -215,6 +245,7 @@ CASES: dict[str, Callable[[], Case]] = {
     "distance_transform": lambda: _call(distance_transform, _rng().random((40, 13, 13)), 0.01),
     "edge_means": lambda: _call(edge_means, _field(), _outline(), _moves()),
     "em_steps": _em,
+    "energies": _energies,
     "linear_span_errors": lambda: _call(linear_span_errors, _moving(), True, 0, 50.0),
     "log_ratio": _log_ratio,
     "nearest_colours": _colours,
@@ -226,6 +257,7 @@ CASES: dict[str, Callable[[], Case]] = {
     "normal_band": _band,
     "outline_distances": lambda: _call(outline_distances, _moving(), _moving() + 1.5, True),
     "prices": _pricing,
+    "refined": _refined,
     "region_sums": lambda: _call(region_sums, row_sums(_field()), _outline(), _moves()),
     "ribbon_means": lambda: _call(ribbon_means, _field(), _field(), _outline(), _moves(), 8.0),
     "row_sums": lambda: _call(row_sums, _field()),

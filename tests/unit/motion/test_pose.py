@@ -1,0 +1,207 @@
+"""The pose of a part: a motion that was planted is found, what is hidden does not disturb, what is not seen is told."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from roam_core.features import PreparedFrame, Region
+from roam_core.features.pyramid import Pyramid
+from roam_core.geometry import polyline
+from roam_core.kernels.posing import Ties
+from roam_core.motion.pose import NOTHING, Pose, Surroundings, Template
+from roam_core.params import CONFIGS, PoseParams
+from tests.golden.shots import texture
+
+Array = NDArray[np.float64]
+SIZE = 120, 160
+WHOLE = Region(0, 0, 160, 120)
+BODY, GROUND = texture(3, 0.45, 1.0, 24), texture(4, 0.0, 0.35, 24)
+
+
+def part_params() -> PoseParams:
+    region = CONFIGS["best"].region
+    assert region is not None
+    assert region.part is not None
+    return region.part
+
+
+PARAMS = part_params()
+
+
+def box(x: float, y: float, width: float, height: float) -> Array:
+    corners = np.array([(x, y), (x + width, y), (x + width, y + height), (x, y + height)], dtype=np.float64)
+    return polyline.resample(corners, 160)
+
+
+PATCH = box(55, 40, 44, 36)
+LIMB = box(40, 52, 76, 16)
+
+
+def centres() -> Array:
+    return np.stack(np.meshgrid(np.arange(SIZE[1]) + 0.5, np.arange(SIZE[0]) + 0.5), axis=-1)
+
+
+def shown(template: Template, pose: Array, line: Array, *, blind: Array | None = None) -> PreparedFrame:
+    """A picture of the part under a pose: each pixel shows the place of the key that the pose brings there."""
+    key = centres()
+    for _ in range(30):  # fixed point: the place whose image this pixel is
+        key = key - (template.chain.carried(pose, key.reshape(-1, 2)).reshape(key.shape) - centres())
+    inside = polyline_mask(key, line)[..., None]
+    image = np.where(inside, BODY.at(key), GROUND.at(centres()))
+    if blind is not None:
+        image = np.where(polyline_mask(centres(), blind)[..., None], (0.9, 0.1, 0.1), image)
+    return PreparedFrame(np.round(255.0 * image).astype(np.uint8))
+
+
+def polyline_mask(places: Array, line: Array) -> NDArray[np.bool_]:
+    """Which places lie inside an upright box."""
+    low, high = line.min(axis=0), line.max(axis=0)
+    return np.asarray(((places > low) & (places < high)).all(axis=-1))
+
+
+def learned(line: Array, params: PoseParams = PARAMS) -> Template:
+    """The template of a part on its key, where it is at rest."""
+    image = np.where(polyline_mask(centres(), line)[..., None], BODY.at(centres()), GROUND.at(centres()))
+    frame = PreparedFrame(np.round(255.0 * image).astype(np.uint8))
+    template = Template.of(Pyramid.of(frame, WHOLE, 1.0), line, params, 1.0)
+    assert template is not None
+    return template
+
+
+def off(template: Template, found: Array, planted: Array, line: Array) -> float:
+    """How far apart two poses put the part's outline, pixels, at most."""
+    ours, true = (template.chain.carried(pose, line) for pose in (found, planted))
+    return float(np.hypot(*(ours - true).T).max())
+
+
+@pytest.mark.parametrize(
+    "planted",
+    [
+        (0.0, 0.0, 0.0, 0.0, 0.0, 0.0),
+        (1.4, -0.8, 0.0, 0.0, 0.0, 0.0),
+        (6.3, 4.1, 0.0, 0.0, 0.0, 0.0),
+        (2.0, -3.0, 0.15, 0.0, 0.0, 0.0),
+        (1.0, 1.0, -0.1, 0.04, -0.03, 0.0),
+        (-1.0, 2.0, 0.05, 0.02, 0.02, 0.02),
+    ],
+    ids=["still", "little", "far", "turned", "stretched", "sheared"],
+)
+def test_a_motion_that_was_planted_is_found(planted: tuple[float, ...]) -> None:
+    template, pose = learned(PATCH), np.array(planted)
+    frame = shown(template, pose, PATCH)
+    around = Surroundings.alone(Pyramid.of(frame, WHOLE, 1.0))
+    found = Pose.on_key(template, PARAMS).step(around, PARAMS)
+    assert off(template, found.values, pose, PATCH) < 0.5
+    assert found.cost < PARAMS.lost
+    assert found.since == 0
+    assert found.seen == 1.0
+    np.testing.assert_array_equal(found.velocity[:3], found.values[:3])
+    assert found.support(found.carried(PATCH)).min() > 0.6
+
+
+@pytest.mark.parametrize("bend", [0.2, -0.25])
+def test_a_bend_that_was_planted_is_found(bend: float) -> None:
+    template = learned(LIMB)
+    assert template.chain.count == 2
+    pose = np.array([1.0, -1.0, 0.0, bend, 0.0, 0.0, 0.0])
+    around = Surroundings.alone(Pyramid.of(shown(template, pose, LIMB), WHOLE, 1.0))
+    found = Pose.on_key(template, PARAMS).step(around, PARAMS)
+    assert off(template, found.values, pose, LIMB) < 0.8
+    assert found.values[3] - found.values[2] == pytest.approx(bend, abs=0.05)
+
+
+def test_it_does_not_drift() -> None:
+    """Frame after frame it is matched to its key: in the end it is as close as in the beginning."""
+    template, pose = learned(PATCH), Pose.on_key(learned(PATCH), PARAMS)
+    for k in range(1, 9):
+        planted = np.array([1.6 * k, -0.9 * k, 0.04 * k, 0.0, 0.0, 0.0])
+        pose = pose.step(Surroundings.alone(Pyramid.of(shown(template, planted, PATCH), WHOLE, 1.0)), PARAMS)
+        assert off(template, pose.values, planted, PATCH) < 0.5
+
+
+@pytest.mark.parametrize("told", [True, False])
+def test_a_half_that_is_hidden_does_not_disturb(told: bool) -> None:
+    template, planted = learned(PATCH), np.array([2.0, -1.5, 0.06, 0.0, 0.0, 0.0])
+    cover = box(78, 20, 60, 80)
+    pyramid = Pyramid.of(shown(template, planted, PATCH, blind=cover), WHOLE, 1.0)
+    around = Surroundings(pyramid, pyramid.outlined([cover]) if told else pyramid.nothing)
+    found = Pose.on_key(template, PARAMS).step(around, PARAMS)
+    assert off(template, found.values, planted, PATCH) < 0.8
+    if told:
+        assert found.seen == pytest.approx(0.5, abs=0.15)
+        assert found.unlike < 0.2
+    else:
+        assert found.seen == 1.0
+        assert found.unlike > 0.3
+
+
+def test_where_another_picture_is_the_part_is_in_doubt_and_looked_for_farther() -> None:
+    template = learned(PATCH)
+    blank = PreparedFrame(np.full((*SIZE, 3), (230, 20, 20), np.uint8))
+    around = Surroundings.alone(Pyramid.of(blank, WHOLE, 1.0))
+    first = Pose.on_key(template, PARAMS).step(around, PARAMS)
+    second = first.step(around, PARAMS)
+    assert first.unlike > 0.8
+    assert (first.since, second.since) == (1, 2)
+    assert first.reach(PARAMS) < second.reach(PARAMS) <= PARAMS.widened
+    assert np.isfinite(second.values).all()
+
+
+def test_behind_everything_it_goes_on_as_expected() -> None:
+    template = learned(PATCH)
+    pyramid = Pyramid.of(shown(template, template.chain.rest, PATCH), WHOLE, 1.0)
+    hidden = tuple(np.ones_like(each) for each in pyramid.nothing)
+    before = replace(Pose.on_key(template, PARAMS), velocity=np.array([2.0, 1.0, 0.0, 0.0, 0.0, 0.0]))
+    found = before.step(Surroundings(pyramid, hidden), PARAMS)
+    np.testing.assert_allclose(found.values, before.expected(PARAMS), atol=0.1)
+    assert (found.seen, found.unlike) == (0.0, 1.0)
+    np.testing.assert_array_equal(found.support(PATCH), 0.0)
+
+
+def test_missed_is_told() -> None:
+    pose = Pose.on_key(learned(PATCH), PARAMS)
+    missed = pose.missed()
+    assert (missed.cost, missed.since, missed.seen, missed.unlike) == (1.0, 1, 0.0, 1.0)
+    assert missed.look is NOTHING
+    np.testing.assert_array_equal(missed.values, pose.values)
+    np.testing.assert_array_equal(missed.velocity, 0.0)
+
+
+def test_a_spring_pulls_where_nothing_is_to_be_seen() -> None:
+    template = learned(PATCH)
+    pyramid = Pyramid.of(shown(template, template.chain.rest, PATCH), WHOLE, 1.0)
+    hidden = tuple(np.ones_like(each) for each in pyramid.nothing)
+    middle = PATCH.mean(axis=0)[None]
+    ties = Ties(middle, template.chain.skin(middle), middle + np.array([[3.0, 0.0]]), np.array([PARAMS.tie]), 6.0)
+    found = Pose.on_key(template, PARAMS).step(Surroundings(pyramid, hidden, None, ties), PARAMS)
+    assert 0.3 < found.carried(middle)[0, 0] - middle[0, 0] <= 3.05
+    assert found.values[1] == pytest.approx(0.0, abs=0.05)
+
+
+def test_too_little_of_a_part_is_no_template() -> None:
+    frame = shown(learned(PATCH), np.zeros(6), PATCH)
+    pyramid = Pyramid.of(frame, WHOLE, 1.0)
+    assert Template.of(pyramid, box(60, 60, 4, 4), PARAMS, 1.0) is None
+    assert Template.of(pyramid, PATCH, PARAMS, 1.0, [box(0, 0, 160, 120)]) is None
+    assert Template.of(pyramid, box(-500, -500, 40, 40), PARAMS, 1.0) is None
+    assert Template.of(pyramid, PATCH, PARAMS, 1.0, [box(0, 0, 80, 120)]) is not None
+
+
+def test_the_same_part_gives_the_same_samples() -> None:
+    one, other = learned(PATCH), learned(PATCH)
+    for a, b in zip(one.levels, other.levels, strict=True):
+        for mine, theirs in zip(a, b, strict=True):
+            np.testing.assert_array_equal(mine, theirs)
+        assert a.weights[a.weights > 0].sum() == pytest.approx(1.0)
+    assert one.seam < 0.5
+
+
+def test_a_part_like_its_ground_has_a_seam_all_around() -> None:
+    frame = PreparedFrame(np.full((*SIZE, 3), 90, np.uint8))
+    template = Template.of(Pyramid.of(frame, WHOLE, 1.0), PATCH, PARAMS, 1.0)
+    assert template is not None
+    assert template.seam == 1.0

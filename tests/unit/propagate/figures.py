@@ -1,0 +1,103 @@
+"""Little shots of objects in parts: textured shapes over each other, each with a known motion of its own."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from roam_core.geometry import bezier, similarity
+from roam_core.matte import shape_matte
+from roam_core.roto import Keyframe, RotoShape
+from tests.golden.shots import Image, Texture, inverse, pose, texture
+
+Array = NDArray[np.float64]
+SIZE = 120, 160
+
+
+@dataclass(frozen=True, eq=False)
+class Moving:
+    """A part `rest (P, 3, 2)`, drawn at the origin: by frame it lies at `start + k * step`, turned by `k * turn`."""
+
+    name: str
+    rest: Array
+    start: tuple[float, float]
+    step: tuple[float, float] = (0.0, 0.0)
+    turn: float = 0.0
+    look: Texture | None = None
+
+    def where(self, k: int) -> Array:
+        return pose(self.start[0] + k * self.step[0], self.start[1] + k * self.step[1], k * self.turn)
+
+    def truth(self, k: int) -> Array:
+        """Its outline `(P, 3, 2)` on frame k."""
+        return similarity.apply(self.where(k), self.rest)
+
+
+@dataclass(frozen=True, eq=False)
+class Figure:
+    """Parts, bottom first, on frames 0 to `count - 1`."""
+
+    parts: tuple[Moving, ...]
+    count: int = 8
+
+    @property
+    def frames(self) -> range:
+        return range(self.count)
+
+    def shapes(self, *frames: int) -> list[RotoShape]:
+        """All parts with the true outlines as artist keys on `frames`; on the first one for none."""
+        return [
+            RotoShape(part.name, part.name, tuple(Keyframe(k, part.truth(k)) for k in frames or (0,)))
+            for part in self.parts
+        ]
+
+    def read(self, frame: int) -> Image:
+        return self.pictures[frame]
+
+    @cached_property
+    def pictures(self) -> list[Image]:
+        return [self._drawn(k) for k in self.frames]
+
+    def _drawn(self, k: int) -> Image:
+        height, width = SIZE
+        centres = np.stack(np.meshgrid(np.arange(width) + 0.5, np.arange(height) + 0.5), axis=-1)
+        image = texture(90, 0.0, 0.35).at(centres)
+        for part in self.parts:
+            shape = RotoShape(part.name, part.name, (Keyframe(k, part.truth(k)),))
+            cover = shape_matte(shape, k, SIZE)[..., None]
+            grey = np.full((*SIZE, 3), 0.6)
+            look = grey if part.look is None else part.look.at(similarity.apply(inverse(part.where(k)), centres))
+            image = cover * look + (1.0 - cover) * image
+        return np.asarray(np.round(255.0 * image), dtype=np.uint8)
+
+
+def box(width: float, height: float) -> Array:
+    """A polygon `(4, 3, 2)` around the origin."""
+    w, h = width / 2.0, height / 2.0
+    return bezier.polygon_points([(-w, -h), (w, -h), (w, h), (-w, h)])
+
+
+def body_with_arms(count: int = 8) -> Figure:
+    """A body, an arm that turns over it and a head that nods: three parts that overlap."""
+    return Figure(
+        (
+            Moving("body", box(34, 50), (80, 70), (0.8, 0.2), 0.4, texture(11, 0.5, 0.9)),
+            Moving("arm", box(52, 13), (104, 62), (0.8, 0.6), 2.0, texture(12, 0.6, 1.0)),
+            Moving("head", box(22, 24), (80, 40), (1.2, 0.1), -1.0, texture(13, 0.4, 1.0)),
+        ),
+        count,
+    )
+
+
+def keys_of(shape: RotoShape) -> list[tuple[int, bytes, float | None, str]]:
+    """All that a run says of a shape, bit by bit."""
+    return [(key.frame, key.points.tobytes(), key.confidence, key.inputs) for key in shape.keys]
+
+
+def laid(shapes: Sequence[RotoShape], found: RotoShape) -> list[RotoShape]:
+    """The shapes with one of them as it was found."""
+    return [found if shape.id == found.id else shape for shape in shapes]
