@@ -1,0 +1,90 @@
+"""The engine's revision: whoever makes it give other points gives it another number, so that older keys are stale.
+
+The points of three small runs are stored beside this file with the revision that they belong to. After a change that is
+meant, and with a new `provenance.REVISION`: `python -m tests.unit.propagate.test_revision` writes them anew.
+"""
+
+from __future__ import annotations
+
+import json
+import sys
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from roam_core import fill_span, track
+from roam_core.propagate.provenance import REVISION
+from roam_core.roto import Origin, RotoShape
+from tests.golden.shots import Shot, blob, pose
+from tests.unit.propagate.figures import body_with_arms
+
+STORED = Path(__file__).with_name("revision.json")
+NEAR = 0.01
+"""Pixels by which points may differ from those stored: rounding, and other processors."""
+
+Points = dict[str, dict[str, list[Any]]]
+"""By shape and frame the control points, rounded."""
+
+
+def lone() -> Points:
+    """A shape on its own that glides, turns and grows."""
+    poses = tuple(pose(60.0 + 2.0 * k, 56.0 - 0.6 * k, 3.0 * k, 1.0 + 0.01 * k) for k in range(4))
+    shot = Shot(blob([26.0, 22.0, 18.0, 24.0, 28.0, 20.0]), poses, drift=(-0.5, 0.3))
+    *_, last = track(shot.read, [shot.shape()], shot.frames, "best")
+    return _points([last.results[0].shape])
+
+
+def parts() -> Points:
+    """Three parts over each other."""
+    figure = body_with_arms(5)
+    *_, last = track(figure.read, figure.shapes(), figure.frames, "best")
+    return _points([result.shape for result in last.results])
+
+
+def filled() -> Points:
+    """The same parts between two keys."""
+    figure = body_with_arms(5)
+    return _points(fill_span(dict(enumerate(figure.pictures)), figure.shapes(0, 4), 0, 4, "best"))
+
+
+RUNS: dict[str, Callable[[], Points]] = {"lone": lone, "parts": parts, "filled": filled}
+
+
+def _points(shapes: Sequence[RotoShape]) -> Points:
+    return {
+        shape.id: {
+            str(key.frame): np.round(key.points, 4).tolist() for key in shape.keys if key.origin is Origin.ENGINE
+        }
+        for shape in shapes
+    }
+
+
+@pytest.mark.parametrize("name", list(RUNS))
+def test_other_points_have_another_revision(name: str) -> None:
+    stored = json.loads(STORED.read_text(encoding="utf-8"))
+    found, known = RUNS[name](), stored["points"][name]
+    assert {shape: list(keys) for shape, keys in found.items()} == {shape: list(keys) for shape, keys in known.items()}
+    apart = max(
+        float(np.abs(np.array(points) - np.array(known[shape][frame])).max())
+        for shape, keys in found.items()
+        for frame, points in keys.items()
+    )
+    told = f"the points of {name!r} are up to {apart:.4f} px from those of revision {stored['revision']}"
+    assert apart <= NEAR or stored["revision"] != REVISION, f"{told}: give `provenance.REVISION` another number"
+    assert stored["revision"] == REVISION, f"{told}: write them anew, see the top of this file"
+    assert apart <= NEAR
+
+
+def write() -> None:
+    """Store the points of the engine as it is."""
+    points = {name: run() for name, run in RUNS.items()}
+    text = json.dumps({"revision": REVISION, "points": points}, separators=(",", ":"))
+    STORED.write_text(text.replace('"points"', '\n"points"').replace('},"', '},\n"') + "\n", encoding="utf-8")
+
+
+if __name__ == "__main__":
+    write()
+    print(f"Wrote {STORED.name} of revision {REVISION}.", file=sys.stderr)
