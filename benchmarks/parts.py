@@ -34,7 +34,7 @@ from roam_core.roto import RotoShape
 
 Array = NDArray[np.float64]
 
-SEEDS = "0,1,2,3"
+SEEDS, PUPPETS = "0,1,2,3", "101,102,103,104"
 FRAMES, GAP = 24, 12
 """Frames after the first, and from key to key where the frames between are filled."""
 HELD = 0.8
@@ -87,7 +87,7 @@ def arguments(parser: argparse.ArgumentParser) -> None:
     """What `parts` may be told."""
     parser.add_argument("--config", metavar="NAME", default=DEFAULT_CONFIG, help=f"one of {', '.join(CONFIGS)}")
     parser.add_argument("--seeds", metavar="A,B", default=SEEDS, help="of the walkers (default: %(default)s)")
-    parser.add_argument("--puppets", metavar="A,B", default=SEEDS, help="seeds of the puppets; '' for none")
+    parser.add_argument("--puppets", metavar="A,B", default=PUPPETS, help="seeds of the puppets; '' for none")
     parser.add_argument("--frames", type=int, default=FRAMES, metavar="N", help="frames after the first")
     parser.add_argument("--publish", action="store_true", help="put the tables into docs/BENCHMARKS.md")
 
@@ -108,7 +108,7 @@ def run(given: argparse.Namespace) -> None:
     if puppets and not figures.has_puppets():
         print(f"\n{figures.ABSENT}", file=sys.stderr)
     elif puppets:
-        found, whole = _found("puppet", puppets, given), (given.puppets, given.frames) == (SEEDS, FRAMES)
+        found, whole = _found("puppet", puppets, given), (given.puppets, given.frames) == (PUPPETS, FRAMES)
         name = "parts puppets" if whole else "parts puppets some"
         report.write(name, _text(found, given), {"shots": found}, publish=given.publish and whole)
 

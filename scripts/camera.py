@@ -95,6 +95,13 @@ def close_up(shown: MainWindow) -> None:
     shown.actions_by_id["view.fit_selection"].trigger()
 
 
+def close_up_on_all(shown: MainWindow) -> None:
+    """Show all shapes as large as can be, and then none of them selected."""
+    shown.view_state.select(frozenset(shape.id for shape in shown.document.project.shapes))
+    shown.actions_by_id["view.fit_selection"].trigger()
+    shown.view_state.select(frozenset())
+
+
 def hover(shown: MainWindow, position: Vector) -> None:
     """Move the pointer to an image position."""
     from PySide6.QtTest import QTest

@@ -16,6 +16,7 @@ from scripts.camera import (
     IMAGES,
     anchors_of,
     close_up,
+    close_up_on_all,
     display,
     drag,
     drag_on_screen,
@@ -36,6 +37,8 @@ if TYPE_CHECKING:
     from roam_core.roto import Project, RotoShape
 
 TRACKED_TO, LOOKED_AT, STOPPED_AT, DOUBTED_AFTER = 1024, 1012, 1016, 1030
+WALKER, WALKED_TO, STRIDE = 2, 1017, 1009
+"""Which walker is shown in parts, how far it is tracked, and where it is looked at."""
 DRAWN_POINTS = 11
 """Points of the outline that are drawn when the picture of drawing is taken."""
 
@@ -254,6 +257,52 @@ def photograph_start(shown: MainWindow) -> None:
     photograph(shown, "start.jpg")
 
 
+def photograph_parts(shown: MainWindow) -> None:
+    """A walking figure: its parts as drawn on the first frame, where they hang together, and tracked on a later one."""
+    from resources import walker
+    from roam_core.roto import file
+
+    assert shown.personal.folder is not None
+    plates = shown.personal.folder.with_name("plates") / "walker"
+    walker.write_frames(plates, walker.Walker(WALKER))
+    path = plates.with_name("walker.roam")
+    file.save(walker_project(plates), path)
+    opened(shown, lambda: shown.files.open_project(path))
+    close_up_on_all(shown)
+    photograph(shown, "parts-drawn.jpg")
+    shown.actions_by_id["view.joints"].trigger()
+    photograph(shown, "parts-joints.jpg")
+    shown.actions_by_id["view.joints"].trigger()
+    shown.view_state.set_play_range(walker.FIRST, WALKED_TO + 1)
+    shown.view_state.select(frozenset())
+    shown.actions_by_id["track.forward"].trigger()
+    until(lambda: shown.propagation.is_running, "the engine to begin")
+    until(lambda: not shown.propagation.is_running, "the engine to end")
+    show_frame(shown, STRIDE)
+    close_up_on_all(shown)
+    photograph(shown, "parts-tracked.jpg")
+
+
+def walker_project(plates: Path) -> Project:
+    """The walker's clip, and a shape for each of its parts with the true outline on the first frame, bottom first."""
+    from resources import walker
+    from roam_core.media import open_clip
+    from roam_core.roto import Clip, Keyframe, Layer, Project, RotoShape
+    from roam_core.roto.project import PALETTE
+
+    walk = walker.Walker(WALKER)
+    shapes = tuple(
+        RotoShape(
+            f"shape-{number}",
+            part.capitalize(),
+            (Keyframe(walker.FIRST, walk.points(part, walker.FIRST)),),
+            colour=PALETTE[number % len(PALETTE)],
+        )
+        for number, part in enumerate(walk.order, start=1)
+    )
+    return Project(Clip.of(open_clip(plates)), Layer("root", "Root", shapes))
+
+
 SCENES = (
     photograph_opening,
     photograph_drawing,
@@ -266,6 +315,7 @@ SCENES = (
     photograph_finding,
     photograph_export,
     photograph_start,
+    photograph_parts,
 )
 
 

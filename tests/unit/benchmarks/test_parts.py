@@ -66,7 +66,9 @@ def test_a_slide_is_told_from_the_true_motion(pair: Figure) -> None:
     points = bezier.polygon_points(SQUARE.tolist())
     standing = RotoShape("far", "Far", (Keyframe(0, points),))
     assert parts.slide(pair, standing) == pytest.approx(2.0 * (1 + 2 + 3 + 4) / 4)
-    following = RotoShape("far", "Far", tuple(Keyframe(frame, points + [2.0 * frame, 0.0]) for frame in pair.frames))
+    following = RotoShape(
+        "far", "Far", tuple(Keyframe(frame, points + np.array([2.0 * frame, 0.0])) for frame in pair.frames)
+    )
     assert parts.slide(pair, following) == pytest.approx(0.0)
 
 
