@@ -113,7 +113,15 @@ def fill_stamp(
     for shape in shapes:
         content.append(_as_drawn(shape))
         content.extend(_as_keyed(key) for key in shape.keys if key.frame in gap and key.origin is Origin.ARTIST)
+    if len(shapes) > 1:  # one that is not there leaves its place to the others
+        content.append(json.dumps([_there(shape, gap) for shape in shapes]).encode())
     return str(Stamp(FILL, params.config, _digest(content), *gap, alone))
+
+
+def _there(shape: RotoShape, gap: tuple[int, int]) -> tuple[int, int]:
+    """The half-open range of a gap's frames in which a shape exists."""
+    first, stop = shape.lifetime or (gap[0], gap[1] + 1)
+    return max(first, gap[0]), min(stop, gap[1] + 1)
 
 
 def outline_begun(shape: RotoShape, frame: int, forward: bool) -> NDArray[np.float64]:

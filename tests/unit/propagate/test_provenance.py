@@ -284,6 +284,16 @@ def test_shapes_that_the_artist_keyed_later_have_no_part_in_a_run() -> None:
     assert Stamps.of([mine, replace(beside, closed=False)], CLIP).solved_with(0, 1, True) == (0,)
 
 
+def test_frames_on_which_a_neighbour_is_not_there_are_in_the_stamp_of_a_fill() -> None:
+    mine, beside, far = project_of(fill=True)
+    for lifetime, stale in (((0, 6), True), ((3, 20), True), ((1, 10), False), ((-5, 40), False)):
+        expected = list(range(2, 9)) if stale else []
+        assert stale_of([mine, replace(beside, lifetime=lifetime), far]) == expected
+        assert stale_of([mine, beside, replace(far, lifetime=lifetime)]) == []
+    lone = project_of(fill=True, alone=True)[0]
+    assert stale_of([replace(lone, lifetime=(0, 6))]) == []
+
+
 def test_fill_stamps_name_their_gap() -> None:
     mine, beside, _ = project_of(fill=True)
     made = Stamp.read(mine.keys[1].inputs)
