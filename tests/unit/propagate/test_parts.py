@@ -8,8 +8,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from roam_core import fill_span, track
+from roam_core import RoamError, fill_span, track
+from roam_core.features import PreparedFrame
 from roam_core.propagate import TrackMemory
+from roam_core.propagate.explain import explain
 from roam_core.propagate.objects import Role, objects, units
 from roam_core.propagate.provenance import Stamp, Stamps
 from roam_core.propagate.result import Termination
@@ -219,6 +221,30 @@ def test_filling_alone_is_as_if_there_were_no_others(figure: Figure) -> None:
     assert all(Stamp.read(key.inputs).alone for key in found[1].keys[1:-1])
     moved = edit.set_key(found[0], 5, found[0].at(5).points + 1.0)
     assert stale_frames([moved, found[1]], 1) == []
+
+
+# ---- taking keys apart
+
+
+@pytest.mark.parametrize("only", [None, {"arm"}])
+def test_an_explanation_comes_to_the_same_points(
+    figure: Figure, late: list[RotoShape], whole: list[RotoShape], only: set[str] | None
+) -> None:
+    alone = tracked(figure, figure.shapes(), range(5), alone=True)
+    filled = fill_span(dict(enumerate(figure.pictures)), figure.shapes(0, 5), 0, 5)
+    runs = [(whole, 1), (whole, 6), (alone, 4), (tracked(figure, late), 6), (filled, 2)]
+    for shapes, frame in runs:
+        told = explain(lambda k: PreparedFrame(figure.read(k)), shapes, frame, None, only=only)
+        assert [each.shape.id for each in told] == [s.id for s in shapes if only is None or s.id in only]
+        for each in told:
+            assert each.apart < (3.0 if shapes is filled else 1e-9)
+            assert all(len(term) == len(each.nodes) and np.isfinite(term).all() for term in each.terms.values())
+
+
+def test_a_stale_key_is_not_explained(figure: Figure, whole: list[RotoShape]) -> None:
+    moved = [*whole[:2], edit.set_key(whole[2], 0, whole[2].at(0).points + 1.0)]
+    with pytest.raises(RoamError, match="out of date"):
+        explain(lambda k: PreparedFrame(figure.read(k)), moved, 4, None, only={"arm"})
 
 
 # ---- nothing breaks
