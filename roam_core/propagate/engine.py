@@ -78,13 +78,10 @@ def step(
 
 
 def pose_costs(state: State) -> tuple[float | None, ...]:
-    """For each outline what its pose costs (`motion.pose`), in their order; None where it was not laid by a pose."""
+    """For each outline of a figure what its pose costs (`motion.pose`), in their order; None where it has none."""
     if isinstance(state, FigureState):
         return state.pose_costs
-    if isinstance(state, RegionState):
-        cost = state.pose.cost if state.posed and state.pose is not None else None
-        return (cost,) * len(state.parts)
-    return (None,) * len(state)
+    return (None,) * len(state.parts if isinstance(state, RegionState) else state)
 
 
 def by_pose(state: State) -> tuple[tuple[Array, ...], float] | None:

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import TypeVar
 
 import cv2
@@ -28,6 +29,7 @@ from roam_core.motion.pose import Pose, Surroundings
 from roam_core.params import PoseParams, RegionParams, scale_for
 from roam_core.propagate import posed, region
 from roam_core.propagate.confidence import PoseSigns, expected_overlap
+from roam_core.propagate.free_edges import Border, drawn_to
 from roam_core.propagate.laying import enclosed
 from roam_core.propagate.objects import Role, Unit
 from roam_core.propagate.region import RegionState
@@ -45,6 +47,8 @@ NATS = 1.5
 """Nats of a region's evidence that change the odds of being needed by a factor e."""
 SMOOTH = 1.5
 """Cells over which needs are smoothed."""
+TRUSTED = 0.5
+"""Expected overlap of the object's region from which its border is believed."""
 BLIND = 0.3
 """Confidence in a part that is carried along without being seen."""
 
@@ -240,7 +244,7 @@ def step(
         if token is not None:
             token.check()
         solving.solve(k)
-    limbs = tuple(solving.limbs[k] for k in range(len(state.limbs)))
+    limbs = tuple(solving.to_the_edges(k) for k in range(len(state.limbs)))
     after = FigureState(frame, limbs, state.joints, union, state.steps + 1)
     return after, after.results
 
@@ -263,6 +267,7 @@ class _Solving:
         self.limbs: dict[int, Limb] = {}
         self.hidden: tuple[UInt8, ...] = () if pyramid is None else pyramid.nothing
         self.moved = np.eye(3) if union is None or state.union is None else _moved(state.union, union)
+        self.union = union if union is not None and union.trust >= TRUSTED else None
         self.needs = None if union is None or pyramid is None else _needs(union, pyramid)
 
     def solve(self, k: int) -> None:
@@ -282,6 +287,27 @@ class _Solving:
         self.hidden = tuple(np.maximum(*each) for each in zip(self.hidden, there, strict=True))
         if self.needs is not None and not limb.is_occluder:
             self.needs = np.asarray(self.needs * (1.0 - there[0]), dtype=np.float32)
+
+    def to_the_edges(self, k: int) -> Limb:
+        """Limb `k`, all being solved, with its free edges where the object's region ends."""
+        limb = self.limbs[k]
+        if self.union is None or self.pyramid is None or limb.pose is None or limb.unit.role is not Role.PART:
+            return limb
+        others = [line for j, other in self.limbs.items() if j != k for line in other.lines]
+        covered = self.pyramid.outlined(others)[0]
+        solid, *holes = limb.parts
+        points = drawn_to(self.border, solid.points, covered)
+        result, *rest = limb.results
+        return replace(
+            limb, parts=(replace(solid, points=points), *holes), results=(replace(result, points=points), *rest)
+        )
+
+    @cached_property
+    def border(self) -> Border:
+        """Where the region of the parts ends."""
+        assert self.union is not None
+        assert self.pyramid is not None
+        return Border(self.union.region, self.pyramid.grid, self.scale)
 
     def _as_whole(self, limb: Limb, before: RegionState) -> Limb:
         covers = [line for nearer in self.limbs.values() for line in nearer.lines]

@@ -36,7 +36,7 @@ class Stop:
     carried : `(3, 3)` the similarity, image to image, of the object since the key.
     region : the object's region, where the engine works with regions.
     as_one_piece : the outlines are as they are on the key, only moved (`propagate.rigid`).
-    pose_costs : for each outline what its pose costs; None where it was not laid by a pose (`propagate.posed`).
+    pose_costs : for each outline what its pose costs; None where it was not laid by its pose alone.
     by_pose : of a lone shape the outlines by its pose, believed or not, and what that costs.
     """
 
@@ -99,7 +99,8 @@ def passage(
     carried = np.eye(3)
     points, sure = tuple(part.points for part in parts), (1.0,) * len(parts)
     by_pose = engine.by_pose(state)
-    stops = {frames[0]: Stop(points, sure, carried, _region(state), pose_costs=(0.0,) * len(parts), by_pose=by_pose)}
+    costs = engine.pose_costs(state)
+    stops = {frames[0]: Stop(points, sure, carried, _region(state), pose_costs=costs, by_pose=by_pose)}
     for frame in frames[1:]:
         if token is not None:
             token.check()

@@ -14,7 +14,8 @@ from numpy.typing import NDArray
 from roam_core.features import PreparedFrame, Region
 from roam_core.features.pyramid import Pyramid
 from roam_core.geometry import bezier
-from roam_core.motion.pose import Pose, Surroundings, Template
+from roam_core.motion.pose import Pose, Surroundings
+from roam_core.motion.template import Template
 from roam_core.params import PoseParams, RegionParams, scale_for
 from roam_core.propagate.confidence import overlap, vertex_confidence
 from roam_core.propagate.laying import enclosed

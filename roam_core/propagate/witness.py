@@ -31,6 +31,8 @@ Bools = NDArray[np.bool_]
 
 REACH = 10.0
 """Pixels of a 480-line image around a place over which its misses are averaged."""
+LENIENT = 1.3
+"""What a lone shape's pose may miss the keys by, against the region: what it says between them is steadier."""
 LOOK = 24.0
 """Pixels of a 480-line image around the outlines that are compared."""
 
@@ -96,7 +98,7 @@ class Span:
             return self
         posed = replace(self, onwards=onwards, back=back)
         ours, theirs = (sum(miss.loss for miss in span.misses[:2]) if span.misses else 0.0 for span in (self, posed))
-        return posed if theirs < ours else self
+        return posed if theirs < LENIENT * ours else self
 
     @cached_property
     def misses(self) -> tuple[Miss, Miss, Miss, Miss] | None:

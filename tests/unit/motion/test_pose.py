@@ -12,7 +12,8 @@ from roam_core.features import PreparedFrame, Region
 from roam_core.features.pyramid import Pyramid
 from roam_core.geometry import polyline
 from roam_core.kernels.posing import Ties
-from roam_core.motion.pose import NOTHING, Pose, Surroundings, Template
+from roam_core.motion.pose import NOTHING, Pose, Surroundings
+from roam_core.motion.template import Template
 from roam_core.params import CONFIGS, PoseParams
 from tests.golden.shots import texture
 

@@ -1,0 +1,156 @@
+"""Template: what a part looks like on its key, as sample places with their colours, on bones."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from roam_core.features.pyramid import LEVELS, Pyramid
+from roam_core.geometry import polyline
+from roam_core.geometry.skinning import Chain
+from roam_core.kernels.posing import Samples
+from roam_core.params import PoseParams
+
+Array = NDArray[np.float64]
+Bools = NDArray[np.bool_]
+
+COARSEST = LEVELS - 1
+TAPS = 5
+"""Moments at which the template is looked at while the shutter is open."""
+SHUTTER = 0.5
+"""Share of a frame for which it is taken to be open, on frames that look blurred."""
+LEAST = 30
+"""Sample places that a part must have to be matched at all."""
+
+
+@dataclass(frozen=True, eq=False)
+class Template:
+    """What a part looks like on its key.
+
+    Attributes
+    ----------
+    chain : its bones. pyramid : the key's picture around it, for the colours under motion blur.
+    levels : the samples of each level of a pyramid, finest first; the coarsest has fewer.
+    scale : `params.scale_for` of the picture. seam : share of its outline beside which nothing changes, in [0, 1].
+    """
+
+    chain: Chain
+    pyramid: Pyramid
+    levels: tuple[Samples, ...]
+    scale: float
+    seam: float
+
+    @classmethod
+    def of(
+        cls, pyramid: Pyramid, line: Array, params: PoseParams, scale: float, covers: Sequence[Array] = ()
+    ) -> Template | None:
+        """Of the part inside the closed polyline `line (K, 2)`, without what `covers`, other polylines, hide of it.
+
+        None where too little of it is seen.
+        """
+        chain = Chain.of(line, params.joints)
+        inside = _seen_places(pyramid, line, covers)
+        if len(inside) < LEAST:
+            return None
+        fine, coarse = (_chosen(inside, most) for most in (params.samples, params.samples // 4))
+        beside, within = _beside(pyramid, line, params.beside_at * scale, covers)
+        levels = [
+            _samples(pyramid, level, fine if level < COARSEST else coarse, beside, within, chain, params)
+            for level in range(LEVELS)
+        ]
+        beside_it = contrasts(levels[0], params)
+        seam = float(np.mean(beside_it < 0.5)) if len(beside_it) else 1.0
+        return cls(chain, pyramid, tuple(levels), scale, seam)
+
+    def blurred(self, pose: Array, velocity: Array) -> Template:
+        """The template as it looks while it moves through `pose (P,)` with `velocity (P,)` a frame.
+
+        The very same one where no streak is longer than a cell.
+        """
+        levels = tuple(self._streaked(level, pose, velocity) for level in range(COARSEST))
+        if all(streaked is sharp for streaked, sharp in zip(levels, self.levels, strict=False)):
+            return self
+        return replace(self, levels=(*levels, self.levels[COARSEST]))
+
+    def _streaked(self, level: int, pose: Array, velocity: Array) -> Samples:
+        samples = self.levels[level]
+        ends = [
+            self.chain.carried(pose + side * 0.5 * SHUTTER * velocity, samples.places, samples.skin)
+            for side in (1.0, -1.0)
+        ]
+        way = ends[0] - ends[1]
+        if float(np.hypot(*way.T).max()) * float(self.pyramid.scale_at(0).mean()) < 1.0:
+            return samples
+        back = np.linalg.inv(self.chain.root(pose))
+        on_key = way @ back.T
+        taps = [
+            self.pyramid.colours(samples.places - moment * on_key, level) for moment in np.linspace(-0.5, 0.5, TAPS)
+        ]
+        own = samples.weights > 0
+        return samples._replace(colours=np.where(own[:, None], np.mean(taps, axis=0), samples.colours))
+
+
+def _seen_places(pyramid: Pyramid, line: Array, covers: Sequence[Array]) -> Array:
+    """The centres `(N, 2)` of the finest cells inside an outline, away from its edge where it is wide enough."""
+    (mask, *_), (hidden, *_) = pyramid.outlined([line]), pyramid.outlined(list(covers))
+    seen = (mask > 0) & (hidden == 0)
+    core = _eroded(seen)
+    rows, columns = np.nonzero(core if np.count_nonzero(core) >= 3 * LEAST else seen)
+    cells = np.stack([columns, rows], axis=1) + 0.5
+    return np.asarray(cells / pyramid.scale_at(0) + pyramid.corner)
+
+
+def _eroded(mask: Bools) -> Bools:
+    """A mask without its rim."""
+    core = mask.copy()
+    core[1:] &= mask[:-1]
+    core[:-1] &= mask[1:]
+    core[:, 1:] &= mask[:, :-1]
+    core[:, :-1] &= mask[:, 1:]
+    return core
+
+
+def _chosen(places: Array, most: int) -> Array:
+    """At most so many of `places (N, 2)`, without a pattern; the same ones every time."""
+    if len(places) <= most:
+        return places
+    return places[np.random.default_rng(0).permutation(len(places))[:most]]
+
+
+def _beside(pyramid: Pyramid, line: Array, away: float, covers: Sequence[Array]) -> tuple[Array, Array]:
+    """Places `(M, 2)` outside an outline, so many pixels away, and those as far inside; without what is covered."""
+    rim = polyline.resample(line, max(8, round(polyline.length(line) / away)))
+    normals = polyline.outward_normals(rim)
+    outside, inside = rim + away * normals, rim - away * normals
+    (hidden, *_) = pyramid.outlined(list(covers))
+    height, width = hidden.shape
+    free = np.ones(len(rim), dtype=bool)
+    for places in (outside, inside):
+        column, row = np.round(pyramid.to_level(places, 0)).astype(int).T
+        free &= (column >= 0) & (row >= 0) & (column < width) & (row < height)
+        free &= hidden[np.clip(row, 0, height - 1), np.clip(column, 0, width - 1)] == 0
+    return outside[free], inside[free]
+
+
+def _samples(
+    pyramid: Pyramid, level: int, inside: Array, beside: Array, within: Array, chain: Chain, params: PoseParams
+) -> Samples:
+    own, there = pyramid.colours(within, level), pyramid.colours(beside, level)
+    contrast = 1.0 - np.exp(-((own - there) ** 2).sum(axis=1) / (2.0 * params.beside_like**2))
+    places = np.vstack([inside, beside])
+    weights = np.concatenate([np.full(len(inside), 1.0 / len(inside)), -params.beside * contrast / max(len(beside), 1)])
+    return Samples(places, np.vstack([pyramid.colours(inside, level), own]), weights, chain.skin(places))
+
+
+def every_other(samples: Samples) -> Samples:
+    """Half of the samples, with twice the weight."""
+    return Samples(samples.places[::2], samples.colours[::2], 2.0 * samples.weights[::2], samples.skin[::2])
+
+
+def contrasts(samples: Samples, params: PoseParams) -> Array:
+    """For each place beside the outline `(M,)`, in [0, 1], how much it differed from the inside on the key."""
+    weights = samples.weights[samples.weights <= 0]
+    return np.asarray(-weights * len(weights) / max(params.beside, 1e-9))
