@@ -84,9 +84,11 @@ def pose_costs(state: State) -> tuple[float | None, ...]:
     return (None,) * len(state.parts if isinstance(state, RegionState) else state)
 
 
-def by_pose(state: State) -> tuple[tuple[Array, ...], float] | None:
-    """The outlines of a lone shape by its pose, believed or not, and what that costs; None where there is none."""
-    if not isinstance(state, RegionState) or state.pose is None:
+def by_pose(state: State, params: RoamParams) -> tuple[tuple[Array, ...], float] | None:
+    """The outlines of a lone shape by its pose, and what that costs; None where that may not be believed."""
+    if not isinstance(state, RegionState) or state.pose is None or params.region is None:
+        return None
+    if not posed.is_believable(state.pose, params.region):
         return None
     parts = posed.carried(state.pose, state.drawn)
     return tuple(part.points for part in parts), state.pose.cost

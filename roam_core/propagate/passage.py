@@ -37,7 +37,7 @@ class Stop:
     region : the object's region, where the engine works with regions.
     as_one_piece : the outlines are as they are on the key, only moved (`propagate.rigid`).
     pose_costs : for each outline what its pose costs; None where it was not laid by its pose alone.
-    by_pose : of a lone shape the outlines by its pose, believed or not, and what that costs.
+    by_pose : of a lone shape the outlines by its pose, taken or not, and what that costs (`posed.is_believable`).
     """
 
     points: tuple[Array, ...]
@@ -98,7 +98,7 @@ def passage(
     state = engine.begin(picture, tuple(parts), params, made, orders(frames[0]))
     carried = np.eye(3)
     points, sure = tuple(part.points for part in parts), (1.0,) * len(parts)
-    by_pose = engine.by_pose(state)
+    by_pose = engine.by_pose(state, params)
     costs = engine.pose_costs(state)
     stops = {frames[0]: Stop(points, sure, carried, _region(state), pose_costs=costs, by_pose=by_pose)}
     for frame in frames[1:]:
@@ -117,7 +117,7 @@ def passage(
         picture = following
         points = tuple(result.points for result in results)
         confidence = tuple(result.confidence for result in results)
-        costs, by_pose = engine.pose_costs(state), engine.by_pose(state)
+        costs, by_pose = engine.pose_costs(state), engine.by_pose(state, params)
         stops[frame] = Stop(points, confidence, carried, _region(state), _is_one_piece(state), costs, by_pose)
         if passed is not None:
             passed()

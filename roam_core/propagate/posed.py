@@ -77,14 +77,18 @@ def carried(pose: Pose, drawn: Sequence[Part]) -> tuple[Part, ...]:
     return tuple(Part(pose.spline(part.points), part.subtracts) for part in drawn)
 
 
+def is_believable(pose: Pose, params: RegionParams) -> bool:
+    """Whether a lone shape may be a part: one with an edge of colour all around on the key is a whole object."""
+    return pose.template.seam >= params.pose_seam
+
+
 def is_believed(pose: Pose, parts: Sequence[Part], found: Field, params: RegionParams, *, was: bool) -> bool:
     """Whether the pose, which puts the shapes at `parts`, is taken where the region that was `found` disputes it.
 
-    An outline with an edge of colour all around on the key is a whole object's: its region finds it. Else the pose is
-    taken where the object still looks as on its key, and what is seen at the disputed places does not speak against
-    it. `was` tells that it was believed on the frame before; it then takes more to give it up.
+    It is where the object may be a part, still looks as on its key, and what is seen at the disputed places does not
+    speak against it. `was` tells that it was believed on the frame before; it then takes more to give it up.
     """
-    if pose.look is None or pose.template.seam < params.pose_seam:
+    if pose.look is None or not is_believable(pose, params):
         return False
     more = params.pose_stays if was else 1.0
     agreeing = overlap(enclosed(parts, found.grid) > 0.5, found.inside)

@@ -33,6 +33,8 @@ REACH = 10.0
 """Pixels of a 480-line image around a place over which its misses are averaged."""
 LENIENT = 1.3
 """What a lone shape's pose may miss the keys by, against the region: what it says between them is steadier."""
+DEAR = 0.5
+"""Mean cost from which a lone shape's poses are not taken: it does not look as on its keys."""
 LOOK = 24.0
 """Pixels of a 480-line image around the outlines that are compared."""
 
@@ -95,6 +97,9 @@ class Span:
         onwards = None if self.onwards is None else self.onwards.posed
         back = None if self.back is None else self.back.posed
         if onwards is None or back is None:
+            return self
+        costs = [cost for passage in (onwards, back) for stop in passage.stops.values() for cost in stop.pose_costs]
+        if float(np.mean([cost for cost in costs if cost is not None])) > DEAR:
             return self
         posed = replace(self, onwards=onwards, back=back)
         ours, theirs = (sum(miss.loss for miss in span.misses[:2]) if span.misses else 0.0 for span in (self, posed))
