@@ -148,6 +148,7 @@ class RegionParams:
     pose: PoseParams | None = None
     part: PoseParams | None = None
     pose_seam: float = 0.1
+    pose_area: float = 6500.0
     pose_agrees: float = 0.97
     pose_unlike: float = 0.45
     pose_against: float = 0.5

@@ -35,6 +35,7 @@ class Template:
     chain : its bones. pyramid : the key's picture around it, for the colours under motion blur.
     levels : the samples of each level of a pyramid, finest first; the coarsest has fewer.
     scale : `params.scale_for` of the picture. seam : share of its outline beside which nothing changes, in [0, 1].
+    area : what the outline encloses, square pixels.
     """
 
     chain: Chain
@@ -42,6 +43,7 @@ class Template:
     levels: tuple[Samples, ...]
     scale: float
     seam: float
+    area: float
 
     @classmethod
     def of(
@@ -63,7 +65,7 @@ class Template:
         ]
         beside_it = contrasts(levels[0], params)
         seam = float(np.mean(beside_it < 0.5)) if len(beside_it) else 1.0
-        return cls(chain, pyramid, tuple(levels), scale, seam)
+        return cls(chain, pyramid, tuple(levels), scale, seam, abs(float(polyline.signed_area(line))))
 
     def blurred(self, pose: Array, velocity: Array) -> Template:
         """The template as it looks while it moves through `pose (P,)` with `velocity (P,)` a frame.

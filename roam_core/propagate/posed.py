@@ -78,8 +78,9 @@ def carried(pose: Pose, drawn: Sequence[Part]) -> tuple[Part, ...]:
 
 
 def is_believable(pose: Pose, params: RegionParams) -> bool:
-    """Whether a lone shape may be a part: one with an edge of colour all around on the key is a whole object."""
-    return pose.template.seam >= params.pose_seam
+    """Whether a lone shape may be a part: a large one is a whole object, and so is one with an edge all around."""
+    template = pose.template
+    return template.seam >= params.pose_seam and template.area <= params.pose_area * template.scale**2
 
 
 def is_believed(pose: Pose, parts: Sequence[Part], found: Field, params: RegionParams, *, was: bool) -> bool:
