@@ -19,13 +19,18 @@ class PoseParams:
     ----------
     samples : places of a part that are compared with its key.
     joints : places at which a long part may bend.
-    like, like_roughly : difference of colour at which a sample is half unlike the key, close up and in the search.
+    like : difference of colour at which a sample is half unlike the key, the least and the most: it follows
+        `like_times` the median of what was seen. like_roughly : the least in the search from afar.
     beside, beside_at, beside_like : weight of the places beside the outline that may not look like the inside, how far
         from it they lie, and the difference of colour up to which they do.
     unseen : what a sample costs that is hidden or lies outside the picture.
+    needless, needed : what a sample costs where the object is not, or another part is; what a place beside the outline
+        costs where the object is and no other part. tie, tie_reach : weight of a joint, and pixels at which it gives.
     search_move, search_step, search_turn, search_turns : how far around the expected pose, in which steps, and through
         which turns in how many steps, poses are tried; looked_at, candidates : of how many of the best how many, apart
         from each other, are followed up. rounds : of the descent on each level.
+    followed : of these, and of two from the last frame, how many beyond the coarsest level. sure : cost up to which
+        the pose near the last one is taken without a search.
     momentum : share of the last frame's motion that is expected to go on.
     expect_move, expect_turn, expect_strain : standard deviations from what is expected; most_strain : those from the
         key (along the part, across, shear). prior : weight of all that, in units of a sample's cost.
@@ -105,6 +110,13 @@ class RegionParams:
     better : by how much more must be expected of what is found for it to be believed. believed : how much, at least.
     rigid : share of the key's corners that must be found where the motion of a plane puts them for the object to be
         carried as one piece (`propagate.rigid`); above 1: never.
+    part : of the poses of an object drawn in parts (`propagate.figure`); None: it is carried as one region.
+    pose : of the pose of a lone shape, one more hypothesis (`propagate.posed`); None: it is not asked. It is where
+        nothing changes beside at least `pose_seam` of the outline on the key, and that encloses at most `pose_area`
+        square pixels of a 480-line image. It is believed where it overlaps the region by less than `pose_agrees`, is
+        less unlike the key than `pose_unlike`, and at the disputed places less than `pose_against` speaks against it;
+        both times `pose_stays` once it was. Where it overlaps the region by less than `pose_apart`, one of them is
+        lost: it is believed if less unlike than `pose_unlike_apart`.
     """
 
     grid_factor: float = 0.5
