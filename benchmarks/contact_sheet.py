@@ -34,11 +34,12 @@ def tenths(frames: Sequence[Path] | Sequence[int]) -> list[Path] | list[int]:
     return chosen if chosen and chosen[-1] == frames[-1] else [*chosen, frames[-1]]
 
 
-def write_sheet(tiles: Sequence[Picture], path: Path) -> None:
+def write_sheet(tiles: Sequence[Picture], path: Path, columns: int = COLUMNS) -> None:
     """Tiles of one size side by side, row by row."""
-    filled = [*tiles, *[np.zeros_like(tiles[0])] * (-len(tiles) % COLUMNS)]
-    rows = [np.hstack(filled[k : k + COLUMNS]) for k in range(0, len(filled), COLUMNS)]
-    cv2.imwrite(str(path), np.vstack(rows), [cv2.IMWRITE_JPEG_QUALITY, 88])
+    filled = [*tiles, *[np.zeros_like(tiles[0])] * (-len(tiles) % columns)]
+    rows = [np.hstack(filled[k : k + columns]) for k in range(0, len(filled), columns)]
+    quality = [cv2.IMWRITE_JPEG_QUALITY, 88] if path.suffix == ".jpg" else []
+    cv2.imwrite(str(path), np.vstack(rows), quality)
 
 
 def tile(image: Picture, label: str, outlines: Sequence[Drawn]) -> Picture:
