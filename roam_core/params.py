@@ -114,9 +114,7 @@ class RegionParams:
     pose : of the pose of a lone shape, one more hypothesis (`propagate.posed`); None: it is not asked. It is where
         nothing changes beside at least `pose_seam` of the outline on the key, and that encloses at most `pose_area`
         square pixels of a 480-line image. It is believed where it overlaps the region by less than `pose_agrees`, is
-        less unlike the key than `pose_unlike`, and at the disputed places less than `pose_against` speaks against it;
-        both times `pose_stays` once it was. Where it overlaps the region by less than `pose_apart`, one of them is
-        lost: it is believed if less unlike than `pose_unlike_apart`.
+        less unlike the key than `pose_unlike`, and at the disputed places less than `pose_against` speaks against it.
     """
 
     grid_factor: float = 0.5
@@ -162,11 +160,8 @@ class RegionParams:
     pose_seam: float = 0.1
     pose_area: float = 6500.0
     pose_agrees: float = 0.97
-    pose_unlike: float = 0.45
-    pose_against: float = 0.5
-    pose_stays: float = 1.3
-    pose_apart: float = 0.1
-    pose_unlike_apart: float = 0.6
+    pose_unlike: float = 0.55
+    pose_against: float = 0.7
 
 
 @dataclass(frozen=True)

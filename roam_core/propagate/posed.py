@@ -83,24 +83,20 @@ def is_believable(pose: Pose, params: RegionParams) -> bool:
     return template.seam >= params.pose_seam and template.area <= params.pose_area * template.scale**2
 
 
-def is_believed(pose: Pose, parts: Sequence[Part], found: Field, params: RegionParams, *, was: bool) -> bool:
+def is_believed(pose: Pose, parts: Sequence[Part], found: Field, params: RegionParams) -> bool:
     """Whether the pose, which puts the shapes at `parts`, is taken where the region that was `found` disputes it.
 
     It is where the object may be a part, still looks as on its key, and what is seen at the disputed places does not
-    speak against it. `was` tells that it was believed on the frame before; it then takes more to give it up.
+    speak against it.
     """
-    if pose.look is None or not is_believable(pose, params):
+    if pose.look is None or not is_believable(pose, params) or pose.unlike >= params.pose_unlike:
         return False
-    more = params.pose_stays if was else 1.0
-    agreeing = overlap(enclosed(parts, found.grid) > 0.5, found.inside)
-    if agreeing < params.pose_apart:
-        return pose.unlike < params.pose_unlike_apart
-    if agreeing >= params.pose_agrees or pose.unlike >= more * params.pose_unlike:
+    if overlap(enclosed(parts, found.grid) > 0.5, found.inside) >= params.pose_agrees:
         return False
     rows, columns = found.grid.shape
     x, y = np.floor(found.grid.to_grid(pose.look.places)).astype(np.intp).T
     inside = found.inside[np.clip(y, 0, rows - 1), np.clip(x, 0, columns - 1)]
-    return pose.look.against(inside) < more * params.pose_against
+    return pose.look.against(inside) < params.pose_against
 
 
 def result(points: Array, pose: Pose, confidence: float) -> StepResult:

@@ -218,7 +218,7 @@ def _carried(
     scale = scale_for(frame.size)
     if state.pose is not None:
         parts = posed.carried(state.pose, state.drawn)
-        if posed.is_believed(state.pose, parts, found, params, was=state.posed):
+        if posed.is_believed(state.pose, parts, found, params):
             return _as_posed(state, frame, sight, state.pose, parts, params)
     parts = tuple(replace(part, points=similarity.apply(sight.moved[:2], part.points)) for part in state.parts)
     shapes = zip(parts, state.drawn, state.traits, strict=True)
