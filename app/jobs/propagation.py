@@ -15,7 +15,7 @@ from app.jobs.runner import Ending, Job, Report, Runner
 from app.view_state import ViewState
 from roam_core.params import DEFAULT_CONFIG, DOUBTFUL
 from roam_core.propagate.memory import TrackMemory
-from roam_core.propagate.provenance import clip_stamp
+from roam_core.propagate.provenance import Stamps, clip_stamp
 from roam_core.propagate.result import FrameResult
 from roam_core.roto import Keyframe, Origin, Project, RotoShape, edit
 
@@ -83,6 +83,10 @@ class Propagation(QObject):
         job = self._runner.start("track", lambda report: _track(report, request))
         job.partial.connect(self._apply)
         run = _Run(job, "Track", shapes, self._view.frame, merge_key, frames, config, alone=alone)
+        if not alone:
+            stamps = Stamps.of(others, project.clip)
+            together = {other.id: other for shape in shapes for other in stamps.together(shape)}
+            run.beside = {shape_id: other for shape_id, other in together.items() if shape_id not in asked}
         if before is not None:
             run.take_over(before)
         self._begin(run, f"Starting to track {_names(shapes)} …")
@@ -184,12 +188,20 @@ class Propagation(QObject):
     def _guard(self, ids: frozenset[str]) -> None:
         """An edit, undo or redo that touches the curves under work ends the run: its results would be of the past."""
         run = self._run
-        if run is not None and any(self._is_touched(shape) for i, shape in run.expected.items() if i in ids):
+        if run is None:
+            return
+        touched = any(self._is_touched(shape) for i, shape in run.expected.items() if i in ids)
+        if touched or any(self._is_changed(shape) for i, shape in run.beside.items() if i in ids):
             self.drop()
 
     def _is_touched(self, expected: RotoShape) -> bool:
         project = self._document.project
         return not project.has(expected.id) or not _same_curves(project.shape(expected.id), expected)
+
+    def _is_changed(self, beside: RotoShape) -> bool:
+        """Whether a shape that is solved with those under work is no longer as the artist drew it."""
+        project = self._document.project
+        return not project.has(beside.id) or _as_drawn(project.shape(beside.id)) != _as_drawn(beside)
 
     def _end(self, ending: Ending, sentence: str) -> None:
         self._patience.stop()
@@ -205,7 +217,10 @@ class Propagation(QObject):
 
 
 class _Run:
-    """What is known of the run under way. `expected` are the shapes as the run left them in the document."""
+    """What is known of the run under way.
+
+    `expected` are the shapes as the run left them in the document, `beside` the others that are solved with them.
+    """
 
     def __init__(
         self,
@@ -222,6 +237,7 @@ class _Run:
         self.job, self.verb, self.shown_frame = job, verb, shown_frame
         self.expected = {shape.id: shape for shape in shapes}
         self.merge_key, self.frames, self.config, self.alone = merge_key, frames, config, alone
+        self.beside: dict[str, RotoShape] = {}
         self.reached: int | None = None
         self._doubtful: set[int] = set()
 
@@ -316,6 +332,12 @@ def _with_curves_of(project: Project, other: Project, ids: Sequence[str]) -> Pro
 
 def _names(shapes: Sequence[RotoShape]) -> str:
     return shapes[0].name if len(shapes) == 1 else f"{len(shapes)} shapes"
+
+
+def _as_drawn(shape: RotoShape) -> tuple[object, ...]:
+    """What a run over the object of a shape depends on."""
+    keys = tuple(key for key in shape.keys if key.origin is Origin.ARTIST)
+    return keys, shape.closed, shape.blend, shape.link, shape.attached, shape.depth, shape.lifetime
 
 
 def _same_curves(a: RotoShape, b: RotoShape) -> bool:

@@ -179,13 +179,25 @@ def test_other_edits_leave_the_run_alone(
     propagation.start(["shape-1"], range(1, 6))
     qtbot.waitUntil(solved(document, [2]), timeout=WAIT)
     document.apply("Colour", edit.set_properties(document.project, "shape-1", colour=(1.0, 0.0, 0.0)))
-    document.apply("Move", document.project.with_shape(edit.key_here(document.project.shape("shape-2"), 4)))
+    document.apply("Name", edit.set_properties(document.project, "shape-2", name="Arm"))
+    document.apply("Draw", edit.new_shape(document.project, SQUARE + 500.0, 4)[0])
     assert propagation.is_running
     engine.allow(3)
     with qtbot.waitSignal(propagation.finished, timeout=WAIT):
         pass
     assert solved(document, [2, 3, 4, 5])()
     assert shape(document).colour == (1.0, 0.0, 0.0)
+
+
+@pytest.mark.parametrize("alone", [False, True])
+def test_an_edit_of_a_shape_that_is_solved_along_ends_the_run(
+    qtbot: QtBot, propagation: Propagation, document: Document, engine: Engine, alone: bool
+) -> None:
+    engine.allow(1)
+    propagation.start(["shape-1"], range(1, 6), alone=alone)
+    qtbot.waitUntil(solved(document, [2]), timeout=WAIT)
+    document.apply("Key", document.project.with_shape(edit.key_here(document.project.shape("shape-2"), 4)))
+    assert propagation.is_running is alone
 
 
 def test_a_run_stays_one_step_and_edits_made_meanwhile_are_steps_of_their_own(
