@@ -157,7 +157,7 @@ class RegionParams:
     rigid: float = 0.6
     pose: PoseParams | None = None
     part: PoseParams | None = None
-    pose_seam: float = 0.03
+    pose_seam: float = 0.1
     pose_area: float = 6500.0
     pose_agrees: float = 0.97
     pose_unlike: float = 0.55

@@ -59,8 +59,8 @@ class RegionState:
     `drawn` are the shapes on the key and `traits` what they keep of it, `lookout` what the object looked like there,
     `sighting` tells when it was last whole, `rigidity` whether it may still move as one piece; `unbroken`, on the
     region's grid, how far each cell's side still is the key's word (`proposal.lineage`); `steps` counts the frames
-    since the key; `signs` tell how well the last of them went. `pose` is that of an object drawn as one shape, `posed`
-    whether it was believed; `covers` are closed polylines `(K, 2)` of what lies before the object.
+    since the key; `signs` tell how well the last of them went. `pose` is that of an object drawn as one shape;
+    `covers` are closed polylines `(K, 2)` of what lies before the object.
     """
 
     frame: PreparedFrame
@@ -77,7 +77,6 @@ class RegionState:
     steps: int = 0
     signs: Signs | PoseSigns | None = None
     pose: motion_pose.Pose | None = None
-    posed: bool = False
     covers: tuple[Array, ...] = ()
 
     @property
@@ -285,8 +284,7 @@ def _as_posed(
     confidence = expected_overlap(signs)
     results = tuple(posed.result(part.points, pose, confidence) for part in parts)
     colours = _adapted(state, sight, found, params)
-    after = _after(state, frame, sight, found, _unbroken(sight, found), parts, colours, signs)
-    return replace(after, posed=True), results
+    return _after(state, frame, sight, found, _unbroken(sight, found), parts, colours, signs), results
 
 
 def _adapted(state: RegionState, sight: Sight, found: Field, params: RegionParams) -> GlobalModel:
@@ -324,7 +322,6 @@ def _after(
         unbroken=unbroken,
         steps=state.steps + 1,
         signs=signs,
-        posed=False,
     )
 
 
