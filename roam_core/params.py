@@ -160,7 +160,7 @@ class RegionParams:
     pose_seam: float = 0.1
     pose_area: float = 6500.0
     pose_agrees: float = 0.97
-    pose_unlike: float = 0.55
+    pose_unlike: float = 0.6
     pose_against: float = 0.7
 
 
