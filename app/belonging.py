@@ -17,9 +17,10 @@ from app.view_state import ViewState, shapes_in_hand
 from roam_core.geometry import polyline
 from roam_core.geometry.joints import joints
 from roam_core.params import scale_for
+from roam_core.propagate import objects
 from roam_core.propagate.objects import Role, Unit, units
 from roam_core.propagate.provenance import Stamps
-from roam_core.roto import BlendMode, Origin, Project, RotoShape
+from roam_core.roto import BlendMode, Project, RotoShape
 
 Array = NDArray[np.float64]
 
@@ -217,10 +218,4 @@ def _place(together: Sequence[RotoShape], made: Sequence[Unit], unit: Unit, k: i
 
 def decisive(project: Project) -> tuple[object, ...]:
     """All that decides what belongs together: a tracked frame changes none of it, and asks for nothing again."""
-    return (project.clip, *(_drawn(shape) for shape in project.shapes))
-
-
-def _drawn(shape: RotoShape) -> tuple[object, ...]:
-    keys = tuple(key for key in shape.keys if key.origin is Origin.ARTIST) or shape.keys
-    plain = (shape.id, shape.name, shape.closed, shape.blend, shape.link, shape.attached, shape.lifetime)
-    return (*plain, keys, shape.placement)
+    return (project.clip, *((shape.id, shape.name, *objects.decisive(shape)) for shape in project.shapes))

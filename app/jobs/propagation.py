@@ -15,6 +15,7 @@ from app.jobs.runner import Ending, Job, Report, Runner
 from app.view_state import ViewState
 from roam_core.params import DEFAULT_CONFIG, DOUBTFUL
 from roam_core.propagate.memory import TrackMemory
+from roam_core.propagate.objects import decisive
 from roam_core.propagate.provenance import Stamps, clip_stamp
 from roam_core.propagate.result import FrameResult
 from roam_core.roto import Keyframe, Origin, Project, RotoShape, edit
@@ -201,7 +202,7 @@ class Propagation(QObject):
     def _is_changed(self, beside: RotoShape) -> bool:
         """Whether a shape that is solved with those under work is no longer as the artist drew it."""
         project = self._document.project
-        return not project.has(beside.id) or _as_drawn(project.shape(beside.id)) != _as_drawn(beside)
+        return not project.has(beside.id) or decisive(project.shape(beside.id)) != decisive(beside)
 
     def _end(self, ending: Ending, sentence: str) -> None:
         self._patience.stop()
@@ -332,12 +333,6 @@ def _with_curves_of(project: Project, other: Project, ids: Sequence[str]) -> Pro
 
 def _names(shapes: Sequence[RotoShape]) -> str:
     return shapes[0].name if len(shapes) == 1 else f"{len(shapes)} shapes"
-
-
-def _as_drawn(shape: RotoShape) -> tuple[object, ...]:
-    """What a run over the object of a shape depends on."""
-    keys = tuple(key for key in shape.keys if key.origin is Origin.ARTIST)
-    return keys, shape.closed, shape.blend, shape.link, shape.attached, shape.depth, shape.lifetime
 
 
 def _same_curves(a: RotoShape, b: RotoShape) -> bool:

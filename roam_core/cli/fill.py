@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from tqdm import tqdm
 
 from roam_core.cancel import Cancelled, CancelToken
-from roam_core.cli.picking import Picking, trackable
+from roam_core.cli.picking import EVERYTHING, Picking, trackable
 from roam_core.cli.picking import add_arguments as add_picking
 from roam_core.cli.plate import Plate, opened
 from roam_core.cli.track import require_target, require_writable
@@ -73,18 +73,13 @@ def run(arguments: argparse.Namespace) -> int:
     return 0
 
 
-def fillable(project: Project, picking: Picking | None = None) -> list[RotoShape]:
-    """The shapes that filling may touch: closed and unlocked, and of those picked."""
-    return trackable(project, None if picking is None else picking.names)
-
-
-def gaps_of(project: Project, path: Path, picking: Picking | None = None) -> list[Gap]:
+def gaps_of(project: Project, path: Path, picking: Picking = EVERYTHING) -> list[Gap]:
     """Every gap between neighbouring artist keys of a shape, in order; one sentence where there is none."""
-    if not fillable(project, picking):
+    if not trackable(project, picking):
         raise RoamError(f"{path} holds no closed, unlocked shape to fill.")
     gaps = {
         gap
-        for shape in fillable(project, picking)
+        for shape in trackable(project, picking)
         for gap in pairwise(shape.artist_frames)
         if any(shape.exists_at(frame) for frame in range(gap[0] + 1, gap[1]))
     }
@@ -97,15 +92,15 @@ def gaps_of(project: Project, path: Path, picking: Picking | None = None) -> lis
 
 
 def is_filled(
-    project: Project, gap: Gap, params: RoamParams, frames: Sequence[int], picking: Picking | None = None
+    project: Project, gap: Gap, params: RoamParams, frames: Sequence[int], picking: Picking = EVERYTHING
 ) -> bool:
     """True when every frame of the plate in the gap holds a key that filling would only make again."""
     stamps = Stamps.of(project.shapes, project.clip)
     inside = [frame for frame in frames if gap[0] < frame < gap[1]]
-    for shape in fillable(project, picking):
+    for shape in trackable(project, picking):
         if not takes_part(shape, gap):
             continue
-        wanted = stamps.filled_key(shape, gap, params, picking is not None and picking.alone)
+        wanted = stamps.filled_key(shape, gap, params, picking.alone)
         keys = [shape.key_at(frame) for frame in inside if shape.exists_at(frame)]
         if set(gap) <= set(shape.artist_frames):
             if any(key is None or key.inputs != wanted for key in keys):
@@ -121,7 +116,7 @@ def fill_project(
     gaps: Sequence[Gap],
     params: RoamParams,
     keep: Callable[[Project], None],
-    picking: Picking | None = None,
+    picking: Picking = EVERYTHING,
 ) -> tuple[Project, dict[int, float]]:
     """The project with the gaps filled, and the seconds that each frame took.
 
@@ -134,7 +129,7 @@ def fill_project(
         for gap in gaps:
             began = time.perf_counter()
             try:
-                filled = _filled(plate, project, gap, params, picking or Picking(), token, bar)
+                filled = _filled(plate, project, gap, params, picking, token, bar)
             except (KeyboardInterrupt, Cancelled):
                 if seconds:
                     keep(project)
@@ -156,7 +151,7 @@ def _filled(
         bar.update(begun + fraction * length - bar.n)
 
     stamp = clip_stamp(project.clip)
-    asked = {shape.id for shape in fillable(project, picking) if takes_part(shape, gap)}
+    asked = {shape.id for shape in trackable(project, picking) if takes_part(shape, gap)}
     shapes = [shape for shape in project.shapes if shape.closed]
     filled = fill_span(_Pictures(plate), shapes, *gap, params, token, moved, stamp, only=asked, alone=picking.alone)
     return [shape for shape in filled if shape.id in asked]
@@ -216,7 +211,7 @@ def write_mattes(plate: Plate, project: Project, frames: range, folder: Path) ->
 
 def line_of(project: Project, frame: int, seconds: float) -> dict[str, object]:
     """What a line of JSON says of a frame: how long it took now, its confidence, and whether it is doubted."""
-    keyed = [(shape, key) for shape in fillable(project) if shape.exists_at(frame) and (key := shape.key_at(frame))]
+    keyed = [(shape, key) for shape in trackable(project) if shape.exists_at(frame) and (key := shape.key_at(frame))]
     if any(key.origin is Origin.ENGINE for _, key in keyed):
         rated = [(shape, 1.0 if key.origin is Origin.ARTIST else key.confidence or 0.0) for shape, key in keyed]
         confidence, _ = whole_confidence(rated, frame)

@@ -18,6 +18,10 @@ class Picking:
     alone: bool = False
 
 
+EVERYTHING = Picking()
+"""All shapes, those of an object together."""
+
+
 def add_arguments(parser: argparse.ArgumentParser, verb: str) -> None:
     """Declare `--shape` and `--alone` for a command that solves frames."""
     parser.add_argument(
@@ -40,10 +44,10 @@ def picked(project: Project, names: Sequence[str] | None) -> list[RotoShape]:
     return [shape for shape in closed if shape.name in names or shape.id in names]
 
 
-def trackable(project: Project, names: Sequence[str] | None) -> list[RotoShape]:
-    """The closed, unlocked shapes with these names or ids, all for None; one sentence where a named one is locked."""
-    wanted = [shape for shape in picked(project, names) if shape.closed]
+def trackable(project: Project, picking: Picking = EVERYTHING) -> list[RotoShape]:
+    """The closed, unlocked shapes among those picked; one sentence where a named one is locked or is not there."""
+    wanted = [shape for shape in picked(project, picking.names) if shape.closed]
     locked = [shape.name for shape in wanted if shape.locked]
-    if names and locked:
+    if picking.names and locked:
         raise RoamError(f"The shape {locked[0]!r} is locked; unlock it before it is solved.")
     return [shape for shape in wanted if not shape.locked]

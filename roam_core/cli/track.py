@@ -12,7 +12,7 @@ from pathlib import Path
 
 from tqdm import tqdm
 
-from roam_core.cli.picking import Picking, trackable
+from roam_core.cli.picking import EVERYTHING, Picking, trackable
 from roam_core.cli.picking import add_arguments as add_picking
 from roam_core.cli.plate import Plate, opened
 from roam_core.errors import RoamError
@@ -55,7 +55,7 @@ def run(arguments: argparse.Namespace) -> int:
         start = first_key(given, picking, backward=arguments.backward) if arguments.start is None else arguments.start
         frames = frame_range(plate.source.frames, start, arguments.end, backward=arguments.backward)
         project = initial_project(Path(arguments.init), given, plate, frames[0])
-        trackable(project, picking.names)
+        trackable(project, picking)  # refuses a name that no shape of the mask has
         plate.read(frames[0])
         if arguments.save is not None:
             require_target(arguments.save)
@@ -80,7 +80,7 @@ def run(arguments: argparse.Namespace) -> int:
         )
         save(project)
     if not arguments.json:
-        count = len(trackable(project, picking.names))
+        count = len(trackable(project, picking))
         print(f"Tracked {count} shape(s) from frame {frames[0]} to {frames[-1]}.", file=sys.stderr)
     return 0
 
@@ -90,7 +90,7 @@ def track_project(
     project: Project,
     frames: range,
     config: str,
-    picking: Picking = Picking(),  # noqa: B008 - an immutable value
+    picking: Picking = EVERYTHING,
     *,
     report: Report | None = None,
     mattes: Path | None = None,
@@ -102,7 +102,7 @@ def track_project(
     of each frame, written as it is solved. When the user interrupts, `keep` is given what is finished.
     """
     shapes = [shape for shape in project.shapes if shape.closed]
-    asked = {shape.id for shape in trackable(project, picking.names)}
+    asked = {shape.id for shape in trackable(project, picking)}
     stamp = clip_stamp(project.clip)
     warm_up(config)
     width, height = plate.source.size
@@ -167,7 +167,7 @@ def given_project(init: Path) -> Project | None:
 
 def first_key(project: Project | None, picking: Picking, *, backward: bool) -> int | None:
     """The frame from which a run passes every key of the artist's: the first one's, or backward the last one's."""
-    shapes = [] if project is None else trackable(project, picking.names)
+    shapes = [] if project is None else trackable(project, picking)
     frames = [frame for shape in shapes for frame in shape.artist_frames or shape.frames]
     if not frames:
         return None

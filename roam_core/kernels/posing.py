@@ -28,6 +28,8 @@ UInt8 = NDArray[np.uint8]
 
 PIVOT_X, PIVOT_Y, PARENT, ANGLE = 0, 1, 2, 3
 """Columns of the bones `(K, 4)`, parents first: a pivot, the parent's row or -1, the direction of the axis."""
+RIM = 1.0
+"""Cells inside a picture's border where nothing is seen: a slope needs what lies beside it."""
 
 
 class View(NamedTuple):
@@ -161,6 +163,26 @@ def _between(image, row, column, channel, u, v):  # type: ignore[no-untyped-def]
     return above * (1.0 - v) + below * v
 
 
+@njit(nogil=True, cache=True, inline="always")
+def _unseen(hidden, x, y, behind, beyond):  # type: ignore[no-untyped-def]
+    """What a sample costs that is not seen at `x`, `y` (cells); below zero where it is seen."""
+    rows, columns = hidden.shape
+    if x < RIM or y < RIM or x >= columns - 1 - RIM or y >= rows - 1 - RIM:
+        return beyond
+    return behind if hidden[int(y + 0.5), int(x + 0.5)] > 0 else -1.0
+
+
+@njit(nogil=True, cache=True, inline="always")
+def _compared(image, x, y, colours, i, errors):  # type: ignore[no-untyped-def]
+    """The squared difference of colours between the picture at `x`, `y` and sample `i`; `errors (C,)` are made it."""
+    column, row = int(x), int(y)
+    apart = 0.0
+    for channel in range(len(errors)):
+        errors[channel] = _between(image, row, column, channel, x - column, y - row) - colours[i, channel]
+        apart += errors[channel] ** 2
+    return apart
+
+
 @njit(nogil=True, cache=True)
 def _carried(matrices, skin, i, x, y):  # type: ignore[no-untyped-def]
     there_x, there_y = 0.0, 0.0
@@ -201,8 +223,7 @@ def _energies(  # type: ignore[no-untyped-def]
     behind, beyond, needless, needed, expected, firmness, rest, bend, straight, tied, tied_skin, targets, springs,
     reach, result,
 ):  # fmt: skip
-    rows, columns, channels = image.shape
-    matrices = np.empty((len(bones), 2, 3))
+    matrices, errors = np.empty((len(bones), 2, 3)), np.empty(image.shape[2])
     like2, beside2 = like * like, 2.0 * beside * beside
     for j in range(len(poses)):
         _affines(bones, poses[j], matrices)
@@ -212,17 +233,11 @@ def _energies(  # type: ignore[no-untyped-def]
             weight = weights[i]
             x, y = _carried(matrices, skin, i, places[i, 0], places[i, 1])
             x, y = (x - left) * scale_x - 0.5, (y - top) * scale_y - 0.5
-            if x < 0.0 or y < 0.0 or x >= columns - 1 or y >= rows - 1:
-                cost += max(weight, 0.0) * beyond
+            unseen = _unseen(hidden, x, y, behind, beyond)
+            if unseen >= 0.0:
+                cost += max(weight, 0.0) * unseen
                 continue
-            if hidden[int(y + 0.5), int(x + 0.5)] > 0:
-                cost += max(weight, 0.0) * behind
-                continue
-            column, row = int(x), int(y)
-            u, v = x - column, y - row
-            apart = 0.0
-            for channel in range(channels):
-                apart += (_between(image, row, column, channel, u, v) - colours[i, channel]) ** 2
+            apart = _compared(image, x, y, colours, i, errors)
             need = needs[int(y + 0.5), int(x + 0.5)]
             if weight > 0.0:
                 cost += weight * (apart / (apart + like2) + needless * (1.0 - need))
@@ -281,18 +296,11 @@ def _system(  # type: ignore[no-untyped-def]
         weight = weights[i]
         x, y = _slopes(matrices, bones, pose, skin, i, places[i, 0], places[i, 1], slopes)
         x, y = (x - left) * scale_x - 0.5, (y - top) * scale_y - 0.5
-        if x < 1.0 or y < 1.0 or x >= columns - 2 or y >= rows - 2:
-            cost += max(weight, 0.0) * beyond
+        unseen = _unseen(hidden, x, y, behind, beyond)
+        if unseen >= 0.0:
+            cost += max(weight, 0.0) * unseen
             continue
-        if hidden[int(y + 0.5), int(x + 0.5)] > 0:
-            cost += max(weight, 0.0) * behind
-            continue
-        column, row = int(x), int(y)
-        u, v = x - column, y - row
-        apart = 0.0
-        for channel in range(channels):
-            errors[channel] = _between(image, row, column, channel, u, v) - colours[i, channel]
-            apart += errors[channel] ** 2
+        apart = _compared(image, x, y, colours, i, errors)
         column, row = int(x + 0.5), int(y + 0.5)
         cost += weight * needless * (1.0 - needs[row, column]) if weight > 0.0 else needed * needs[row, column]
         pull = weight * needless if weight > 0.0 else -needed
@@ -311,6 +319,7 @@ def _system(  # type: ignore[no-untyped-def]
             cost += alike
             share = -2.0 * alike / beside2
         column, row = int(x), int(y)
+        u, v = x - column, y - row
         xx, xy, yy, error_x, error_y = 0.0, 0.0, 0.0, 0.0, 0.0
         for channel in range(channels):
             ahead = _between(image, row, column + 1, channel, u, v)

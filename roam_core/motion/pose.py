@@ -46,11 +46,6 @@ class Surroundings:
     needs: tuple[Float32, ...] | None = None
     ties: Ties | None = None
 
-    @classmethod
-    def alone(cls, pyramid: Pyramid) -> Surroundings:
-        """Of a part that nothing is known to be around."""
-        return cls(pyramid, pyramid.nothing)
-
 
 @dataclass(frozen=True, eq=False)
 class Look:

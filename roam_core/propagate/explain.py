@@ -14,11 +14,13 @@ from roam_core.errors import RoamError
 from roam_core.features import PreparedFrame
 from roam_core.features.grid import Grid
 from roam_core.geometry import polyline
+from roam_core.motion.pose import Pose
 from roam_core.params import RoamParams, scale_for
 from roam_core.propagate import engine, provenance, region
 from roam_core.propagate import step as outline
 from roam_core.propagate.engine import State
-from roam_core.propagate.figure import FigureState, Limb
+from roam_core.propagate.confidence import PoseSigns
+from roam_core.propagate.figure import FigureState
 from roam_core.propagate.group import GroupTracker
 from roam_core.propagate.memory import ReadPicture, solve_again
 from roam_core.propagate.nodes import NodeMap
@@ -27,7 +29,7 @@ from roam_core.propagate.prewarp import expected
 from roam_core.propagate.provenance import Stamp, Stamps
 from roam_core.propagate.region import RegionState
 from roam_core.propagate.step import TrackerState
-from roam_core.proposal.evidence import cues, gathered
+from roam_core.proposal.evidence import cues
 from roam_core.proposal.region import cleaned
 from roam_core.roto import BlendMode, Clip, Keyframe, Origin, RotoShape
 
@@ -203,29 +205,39 @@ def _taken_apart(
     after, solved = engine.step(state, picture, params, token, order)
     scale = scale_for(picture.size)
     result: list[Explanation | None] = []
-    for index, (shape, now) in enumerate(zip(shapes, solved, strict=True)):
+    for index, (shape, came) in enumerate(zip(shapes, solved, strict=True)):
         key = shape.key_at(frame)
         if key is None:
             result.append(None)
             continue
         bare = replace(
-            _bare(shape, key, params, params.config, scale), apart=float(np.hypot(*(key.points - now.points).T).max())
+            _bare(shape, key, params, params.config, scale), apart=float(np.hypot(*(key.points - came.points).T).max())
         )
-        if isinstance(state, RegionState):
-            assert isinstance(after, RegionState)
-            bare = replace(bare, as_one_piece=after.agreement_as_one_piece)
-            result.append(_by_cues(bare, state, picture, params))
-        elif isinstance(after, FigureState):
-            result.append(_by_pose(bare, after.limb_of(index)))
-        else:
-            assert not isinstance(state, FigureState)
+        if isinstance(state, FigureState) and isinstance(after, FigureState):
+            before, limb = state.limb_of(index).whole, after.limb_of(index)
+            if before is None or limb.whole is None:
+                result.append(_by_pose(bare, limb.pose))
+            else:
+                result.append(_by_region(bare, before, limb.whole, picture, params))
+        elif isinstance(state, RegionState) and isinstance(after, RegionState):
+            result.append(_by_region(bare, state, after, picture, params))
+        elif isinstance(state, tuple):
             result.append(_by_energy(bare, state[index], picture, params))
     return result
 
 
-def _by_pose(bare: Explanation, limb: Limb) -> Explanation:
+def _by_region(
+    bare: Explanation, before: RegionState, after: RegionState, picture: PreparedFrame, params: RoamParams
+) -> Explanation:
+    """By the pose where that laid the outline, else by the cues."""
+    if isinstance(after.signs, PoseSigns):
+        return _by_pose(bare, after.pose)
+    return _by_cues(replace(bare, as_one_piece=after.agreement_as_one_piece), before, picture, params, after.covers)
+
+
+def _by_pose(bare: Explanation, pose: Pose | None) -> Explanation:
     """How unlike its key a part looks around each node, in [0, 1]."""
-    return bare if limb.pose is None else replace(bare, terms={POSE: 1.0 - limb.pose.support(bare.nodes)})
+    return bare if pose is None else replace(bare, terms={POSE: 1.0 - pose.support(bare.nodes)})
 
 
 def _bare(shape: RotoShape, key: Keyframe, params: RoamParams, config: str, scale: float) -> Explanation:
@@ -251,17 +263,19 @@ def _by_energy(bare: Explanation, state: TrackerState, picture: PreparedFrame, p
     return replace(bare, terms=terms | dict(at_nodes), landmarks=found)
 
 
-def _by_cues(bare: Explanation, state: RegionState, picture: PreparedFrame, params: RoamParams) -> Explanation:
-    """What each cue says on the two sides of the outline."""
+def _by_cues(
+    bare: Explanation, state: RegionState, picture: PreparedFrame, params: RoamParams, covers: Sequence[Array]
+) -> Explanation:
+    """What each cue says on the two sides of the outline; `covers` lie before the object."""
     assert params.region is not None
-    state, _ = region.carried_on(state, picture, params.region)
+    state, _ = region.carried_on(state, picture, params.region, covers=covers)
     sight = region.sighted(state, picture, params.region)
     if sight is None:
         return bare
     sources = sight.sources
     beside = _both_sides(bare.nodes, sources.grid)
     sides = {name: beside(values) for name, values in cues(sources, params.region)}
-    smoothed = cleaned(gathered(sources, params.region), sources.expected.possible, params.region.overlap)
+    smoothed = cleaned(region.evidence(sight, params.region, covers), sources.expected.possible, params.region.overlap)
     sides[REGION] = beside(smoothed.values)
     # Inside a hole there is no object.
     sign = -1.0 if bare.shape.blend is BlendMode.SUBTRACT else 1.0

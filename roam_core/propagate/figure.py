@@ -207,12 +207,13 @@ def _union(frame: PreparedFrame, limbs: Sequence[Limb], params: RegionParams) ->
     if window.is_empty:
         return None
     hidden = [part for limb in limbs if limb.is_occluder for part in limb.parts]
-    covered = np.zeros(Grid.over(window, 1.0).shape, np.float32)
+    grid = Grid.over(window, 1.0)
+    covered = np.zeros(grid.shape, np.float32)
     for limb in limbs:
         if limb.unit.role is Role.PART:
-            covered = np.maximum(covered, enclosed(limb.parts, Grid.over(window, 1.0)))
+            covered = np.maximum(covered, enclosed(limb.parts, grid))
     for part in hidden:
-        covered *= 1.0 - enclosed([Part(part.points)], Grid.over(window, 1.0))
+        covered *= 1.0 - enclosed([Part(part.points)], grid)
     outlines = tuple(
         Part(shape.keys[0].points + window.origin, shape.blend is BlendMode.SUBTRACT)
         for shape in shapes_from_mask(covered)

@@ -7,7 +7,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
-import numpy as np
 from numpy.typing import NDArray
 
 from roam_core.cancel import CancelToken
@@ -21,7 +20,6 @@ from roam_core.propagate.offers import Proposal
 from roam_core.propagate.result import Landmarks, Part, StepResult, Termination, TrackResult
 from roam_core.roto import BlendMode, Keyframe, Origin, RotoShape
 from roam_core.roto.edit import set_engine_keys
-from roam_core.roto.sight import is_shut, opened
 
 
 @dataclass(frozen=True, eq=False)
@@ -190,18 +188,11 @@ class GroupTracker:
 
 
 def parts_at(shapes: Sequence[RotoShape], frame: int, *, forward: bool = True) -> tuple[Part, ...]:
-    """The shapes' outlines on a frame; what was out of sight and closed there is as drawn, in its place."""
+    """The shapes' outlines on a frame, as a run begins with them."""
     return tuple(
-        Part(_opened(shape, frame, forward), shape.blend is BlendMode.SUBTRACT, shape.attached) for shape in shapes
+        Part(provenance.outline_begun(shape, frame, forward), shape.blend is BlendMode.SUBTRACT, shape.attached)
+        for shape in shapes
     )
-
-
-def _opened(shape: RotoShape, frame: int, forward: bool) -> NDArray[np.float64]:
-    points, key = provenance.outline_begun(shape, frame, forward), shape.key_at(frame)
-    drawn = None if key is None else provenance.source_of(shape, key)
-    if drawn is None or shape.blend is BlendMode.SUBTRACT:
-        return points
-    return opened(points, drawn.points) if is_shut(points, drawn.points) else points
 
 
 def _prepared(image: NDArray[Any] | PreparedFrame) -> PreparedFrame:

@@ -16,7 +16,8 @@ from scipy.spatial import cKDTree
 from roam_core.geometry import bezier, polyline
 from roam_core.kernels.coverage import coverage
 from roam_core.params import scale_for
-from roam_core.roto import BlendMode, Origin, RotoShape
+from roam_core.roto import BlendMode, RotoShape
+from roam_core.roto.shape import Same
 
 Array = NDArray[np.float64]
 
@@ -59,39 +60,25 @@ class Drawn:
 
     @classmethod
     def of(cls, shape: RotoShape, frame: int) -> Drawn:
-        """A shape by its own keys: the artist's, if it has any, so that no run changes what belongs together."""
-        return _drawn(_Same(_by_artist(_Same(shape))), frame)
-
-
-class _Same:
-    """A shape as a key of a cache: an immutable one is known by its identity."""
-
-    def __init__(self, shape: RotoShape) -> None:
-        self.shape = shape
-
-    def __eq__(self, other: object) -> bool:
-        return isinstance(other, _Same) and other.shape is self.shape
-
-    def __hash__(self) -> int:
-        return id(self.shape)
-
-
-@lru_cache(maxsize=256)
-def _by_artist(same: _Same) -> RotoShape:
-    shape = same.shape
-    keys = tuple(key for key in shape.keys if key.origin is Origin.ARTIST)
-    return replace(shape, keys=keys) if keys else shape
+        """A shape by the keys that no run changes."""
+        return _drawn(Same(shape), frame)
 
 
 @lru_cache(maxsize=1024)
-def _drawn(same: _Same, frame: int) -> Drawn:
-    shape = same.shape
+def _drawn(same: Same, frame: int) -> Drawn:
+    shape = replace(same.shape, keys=same.shape.drawn_keys)
     return Drawn(shape.at(frame).points, shape.blend is BlendMode.SUBTRACT, shape.link)
+
+
+def decisive(shape: RotoShape) -> tuple[object, ...]:
+    """All of a shape that a run over its object goes by; what a run makes changes none of it."""
+    drawn = (shape.drawn_keys, shape.closed, shape.blend, shape.placement, shape.lifetime)
+    return (*drawn, shape.link, shape.attached, shape.depth)
 
 
 def _met(a: RotoShape, b: RotoShape) -> tuple[Drawn, Drawn]:
     """Two shapes on the first frame on which both have keys of the artist's, else on the later of their first ones."""
-    frames_a, frames_b = (shape.artist_frames or shape.frames for shape in (a, b))
+    frames_a, frames_b = ([key.frame for key in shape.drawn_keys] for shape in (a, b))
     both = set(frames_a) & set(frames_b)
     frame = min(both) if both else max(frames_a[0], frames_b[0])
     return Drawn.of(a, frame), Drawn.of(b, frame)
@@ -104,6 +91,26 @@ def objects(shapes: Sequence[RotoShape], gap: float) -> list[list[int]]:
     the other, on the first frame on which the artist keyed both. Those that the artist linked belong to each other
     only. Unrelated shapes keep to themselves: each object moves as it will.
     """
+    return [list(group) for group in _grouped(_Question(shapes, gap))]
+
+
+class _Question:
+    """Shapes and the gap between them, as a key of a cache: the same while the same decides."""
+
+    def __init__(self, shapes: Sequence[RotoShape], gap: float) -> None:
+        self.shapes, self.gap = shapes, gap
+        self._decisive = (gap, *(decisive(shape) for shape in shapes))
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, _Question) and other._decisive == self._decisive
+
+    def __hash__(self) -> int:
+        return hash(self._decisive)
+
+
+@lru_cache(maxsize=8)
+def _grouped(question: _Question) -> list[list[int]]:
+    shapes, gap = question.shapes, question.gap
     pairs = [
         (i, j)
         for i in range(len(shapes))

@@ -22,7 +22,8 @@ from numpy.typing import NDArray
 from roam_core.errors import RoamError
 from roam_core.params import RoamParams, params_for
 from roam_core.propagate.objects import near, objects
-from roam_core.roto import Clip, Keyframe, Origin, RotoShape
+from roam_core.roto import BlendMode, Clip, Keyframe, Origin, RotoShape
+from roam_core.roto.sight import is_shut, opened
 
 REVISION = 2
 """Of the engine: another one whenever the same input gives other points (a test tells when that is)."""
@@ -112,7 +113,7 @@ def fill_stamp(
     content = [_said(params, clip, FILL, alone), f"{gap}".encode()]
     for shape in shapes:
         content.append(_as_drawn(shape))
-        content.extend(_as_keyed(key) for key in shape.keys if key.frame in gap and key.origin is Origin.ARTIST)
+        content.extend(_as_keyed(key) for key in shape.artist_keys if key.frame in gap)
     if len(shapes) > 1:  # one that is not there leaves its place to the others
         content.append(json.dumps([_there(shape, gap) for shape in shapes]).encode())
     return str(Stamp(FILL, params.config, _digest(content), *gap, alone))
@@ -127,20 +128,23 @@ def _there(shape: RotoShape, gap: tuple[int, int]) -> tuple[int, int]:
 def outline_begun(shape: RotoShape, frame: int, forward: bool) -> NDArray[np.float64]:
     """The control points with which a run in this direction begins on a frame.
 
-    Between keys those of the engine that lie ahead do not count: they may be the run's own.
+    Between keys those of the engine that lie ahead do not count: they may be the run's own. What was closed there,
+    out of sight, is as drawn, in its place.
     """
-    if shape.key_at(frame) is None:
+    key = shape.key_at(frame)
+    if key is None:
         keys = tuple(key for key in shape.keys if key.origin is Origin.ARTIST or (key.frame < frame) == forward)
-        shape = replace(shape, keys=keys) if keys else shape
-    return shape.at(frame).points
+        return (replace(shape, keys=keys) if keys else shape).at(frame).points
+    drawn = source_of(shape, key)
+    if drawn is None or shape.blend is BlendMode.SUBTRACT or not is_shut(key.points, drawn.points):
+        return key.points
+    return opened(key.points, drawn.points)
 
 
 def _passed(shape: RotoShape, begun: int, frame: int) -> tuple[Keyframe, ...]:
     """The artist's keys that a run passes after the frame where it had `begun`, up to `frame`."""
     low, high = sorted((begun, frame))
-    return tuple(
-        key for key in shape.keys if low <= key.frame <= high and key.frame != begun and key.origin is Origin.ARTIST
-    )
+    return tuple(key for key in shape.artist_keys if low <= key.frame <= high and key.frame != begun)
 
 
 @lru_cache(maxsize=16)
@@ -273,7 +277,7 @@ def takes_part(shape: RotoShape, gap: tuple[int, int]) -> bool:
 
 def governing_key(shape: RotoShape, frame: int, forward: bool) -> Keyframe | None:
     """The artist's key that a run in this direction carries to `frame`: the nearest one it passes, or None."""
-    keys = [key for key in shape.keys if key.origin is Origin.ARTIST]
+    keys = shape.artist_keys
     if forward:
         return next((key for key in reversed(keys) if key.frame <= frame), None)
     return next((key for key in keys if key.frame >= frame), None)

@@ -210,7 +210,7 @@ def _carried(
     if sight.pose is not None:
         return _as_one_piece(state, frame, sight, sight.pose, params)
     expected = sight.sources.expected
-    ratio = carried_behind(gathered(sight.sources, params), covers, expected)
+    ratio = evidence(sight, params, covers)
     if token is not None:
         token.check()
     found = proposed.cleaned(ratio, expected.possible, params.overlap)
@@ -235,6 +235,11 @@ def _carried(
         replace(part, points=points) if seen else part for part, (points, seen) in zip(parts, placed, strict=True)
     )
     return _after(state, frame, sight, found, unbroken, parts, colours, signs), results
+
+
+def evidence(sight: Sight, params: RegionParams, covers: Sequence[Array]) -> Field:
+    """What all cues say together, behind what covers the object that it stays as it is."""
+    return carried_behind(gathered(sight.sources, params), covers, sight.sources.expected)
 
 
 def _held(part: Part, drawn: Part, traits: Traits, key: KeyMemory, params: RegionParams, scale: float) -> Array:

@@ -222,7 +222,7 @@ def _key(shapes: Sequence[RotoShape], frame: int) -> Key:
 
 def _engine_key(shape: RotoShape, frame: int, merged: Merged, inputs: str) -> Keyframe:
     """The key for a merged outline; feather goes over from the one artist key to the other."""
-    artist = RotoShape(shape.id, shape.name, tuple(key for key in shape.keys if key.origin is Origin.ARTIST))
+    artist = RotoShape(shape.id, shape.name, shape.artist_keys)
     return Keyframe(
         frame,
         merged.points,

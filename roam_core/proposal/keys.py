@@ -16,7 +16,7 @@ from roam_core.matte.vectorise import outlines
 from roam_core.params import scale_for
 from roam_core.proposal.key_fit import fitted
 from roam_core.proposal.pairing import paired, poses
-from roam_core.roto import BlendMode, Keyframe, Origin, RotoShape, edit
+from roam_core.roto import BlendMode, Keyframe, RotoShape, edit
 from roam_core.roto.grips import settled
 from roam_core.roto.project import PALETTE
 from roam_core.roto.sight import is_shut, opened
@@ -132,7 +132,7 @@ def _keyed(
 
 def _drawn(shape: RotoShape, frame: int) -> Array | None:
     """The artist's key `(P, 3, 2)` that is nearest to a frame; None of a shape without any."""
-    keys = [key for key in shape.keys if key.origin is Origin.ARTIST]
+    keys = shape.artist_keys
     return min(keys, key=lambda key: abs(key.frame - frame)).points if keys else None
 
 

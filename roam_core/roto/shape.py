@@ -211,9 +211,19 @@ class RotoShape:
         return tuple(key.frame for key in self.keys)
 
     @property
+    def artist_keys(self) -> tuple[Keyframe, ...]:
+        """The artist's keys."""
+        return tuple(key for key in self.keys if key.origin is Origin.ARTIST)
+
+    @property
     def artist_frames(self) -> tuple[int, ...]:
         """The frames that hold an artist's key."""
-        return tuple(key.frame for key in self.keys if key.origin is Origin.ARTIST)
+        return tuple(key.frame for key in self.artist_keys)
+
+    @property
+    def drawn_keys(self) -> tuple[Keyframe, ...]:
+        """The artist's keys, or all where it has none (an imported shape): what no run changes."""
+        return self.artist_keys or self.keys
 
     def key_at(self, frame: int) -> Keyframe | None:
         """The key on exactly this frame, or None."""
@@ -280,7 +290,7 @@ class RotoShape:
 
 def placed(shape: RotoShape, placement: Placement) -> RotoShape:
     """A shape that lies in layers with these transforms, in plate space: what `Project.shape` gives."""
-    return _placed(_Same(shape), placement) if placement else shape
+    return _placed(Same(shape), placement) if placement else shape
 
 
 def unplaced(shape: RotoShape) -> RotoShape:
@@ -291,21 +301,21 @@ def unplaced(shape: RotoShape) -> RotoShape:
     return replace(shape, keys=keys, placement=())
 
 
-class _Same:
+class Same:
     """A shape as a key of a cache: an immutable one is known by its identity."""
 
     def __init__(self, shape: RotoShape) -> None:
         self.shape = shape
 
     def __eq__(self, other: object) -> bool:
-        return isinstance(other, _Same) and other.shape is self.shape
+        return isinstance(other, Same) and other.shape is self.shape
 
     def __hash__(self) -> int:
         return id(self.shape)
 
 
 @lru_cache(maxsize=256)
-def _placed(same: _Same, placement: Placement) -> RotoShape:
+def _placed(same: Same, placement: Placement) -> RotoShape:
     """Remembered, so that a shape which no edit touched is the very same in plate space, too."""
     shape = same.shape
     keys = tuple(_carried_key(key, placement, False) for key in shape.keys)

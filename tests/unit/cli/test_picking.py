@@ -142,6 +142,6 @@ def test_names_and_ids_pick_closed_shapes(two: Path) -> None:
     project = file.load(two)
     assert [shape.name for shape in picked(project, None)] == ["Body", "Spot", "Line"]
     assert [shape.name for shape in picked(project, ["Spot", "Spot"])] == ["Spot"]
-    assert [shape.name for shape in trackable(project, None)] == ["Body", "Spot"]
+    assert [shape.name for shape in trackable(project)] == ["Body", "Spot"]
     with pytest.raises(RoamError, match=r"none\.$"):
         picked(Project(), ["Body"])

@@ -73,6 +73,11 @@ def learned(line: Array, params: PoseParams = PARAMS) -> Template:
     return template
 
 
+def unhidden(pyramid: Pyramid) -> Surroundings:
+    """A frame on which nothing is known to lie around the part."""
+    return Surroundings(pyramid, pyramid.nothing)
+
+
 def off(template: Template, found: Array, planted: Array, line: Array) -> float:
     """How far apart two poses put the part's outline, pixels, at most."""
     ours, true = (template.chain.carried(pose, line) for pose in (found, planted))
@@ -94,7 +99,7 @@ def off(template: Template, found: Array, planted: Array, line: Array) -> float:
 def test_a_motion_that_was_planted_is_found(planted: tuple[float, ...]) -> None:
     template, pose = learned(PATCH), np.array(planted)
     frame = shown(template, pose, PATCH)
-    around = Surroundings.alone(Pyramid.of(frame, WHOLE, 1.0))
+    around = unhidden(Pyramid.of(frame, WHOLE, 1.0))
     found = Pose.on_key(template, PARAMS).step(around, PARAMS)
     assert off(template, found.values, pose, PATCH) < 0.5
     assert found.cost < PARAMS.lost
@@ -109,7 +114,7 @@ def test_a_bend_that_was_planted_is_found(bend: float) -> None:
     template = learned(LIMB)
     assert template.chain.count == 2
     pose = np.array([1.0, -1.0, 0.0, bend, 0.0, 0.0, 0.0])
-    around = Surroundings.alone(Pyramid.of(shown(template, pose, LIMB), WHOLE, 1.0))
+    around = unhidden(Pyramid.of(shown(template, pose, LIMB), WHOLE, 1.0))
     found = Pose.on_key(template, PARAMS).step(around, PARAMS)
     assert off(template, found.values, pose, LIMB) < 0.8
     assert found.values[3] - found.values[2] == pytest.approx(bend, abs=0.05)
@@ -120,7 +125,7 @@ def test_it_does_not_drift() -> None:
     template, pose = learned(PATCH), Pose.on_key(learned(PATCH), PARAMS)
     for k in range(1, 9):
         planted = np.array([1.6 * k, -0.9 * k, 0.04 * k, 0.0, 0.0, 0.0])
-        pose = pose.step(Surroundings.alone(Pyramid.of(shown(template, planted, PATCH), WHOLE, 1.0)), PARAMS)
+        pose = pose.step(unhidden(Pyramid.of(shown(template, planted, PATCH), WHOLE, 1.0)), PARAMS)
         assert off(template, pose.values, planted, PATCH) < 0.5
 
 
@@ -143,7 +148,7 @@ def test_a_half_that_is_hidden_does_not_disturb(told: bool) -> None:
 def test_where_another_picture_is_the_part_is_in_doubt_and_looked_for_farther() -> None:
     template = learned(PATCH)
     blank = PreparedFrame(np.full((*SIZE, 3), (230, 20, 20), np.uint8))
-    around = Surroundings.alone(Pyramid.of(blank, WHOLE, 1.0))
+    around = unhidden(Pyramid.of(blank, WHOLE, 1.0))
     first = Pose.on_key(template, PARAMS).step(around, PARAMS)
     second = first.step(around, PARAMS)
     assert first.unlike > 0.8

@@ -11,7 +11,7 @@ import pytest
 from roam_core import RoamError, fill_span, track
 from roam_core.features import PreparedFrame
 from roam_core.propagate import TrackMemory
-from roam_core.propagate.explain import explain
+from roam_core.propagate.explain import POSE, REGION, explain
 from roam_core.propagate.objects import Role, objects, units
 from roam_core.propagate.provenance import Stamp, Stamps
 from roam_core.propagate.result import Termination
@@ -239,6 +239,27 @@ def test_an_explanation_comes_to_the_same_points(
         for each in told:
             assert each.apart < (3.0 if shapes is filled else 1e-9)
             assert all(len(term) == len(each.nodes) and np.isfinite(term).all() for term in each.terms.values())
+
+
+def test_a_whole_behind_an_occluder_is_explained_by_its_cues() -> None:
+    post = Moving("post", box(20, 110), (92, 60), (-1.0, 0.0), 0.0, texture(12, 0.6, 1.0))
+    figure = Figure((BODY, post))
+    body, front = figure.shapes()
+    found = tracked(figure, [body, subtracting(front)])
+    told = explain(lambda k: PreparedFrame(figure.read(k)), found, 5, None)
+    assert [each.apart for each in told] == [0.0, 0.0]
+    assert (REGION in told[0].terms, set(told[1].terms)) == (True, {POSE})
+
+
+def test_a_frame_that_a_lone_pose_laid_is_explained_by_the_pose() -> None:
+    body = Moving("body", box(60, 80), (80, 64), (-0.5, 0.0), 0.0, texture(11, 0.55, 0.7))
+    arm = Moving("arm", box(14, 44), (88, 60), (1.5, 0.0), 2.0, texture(13, 0.55, 0.7))
+    figure = Figure((body, arm))
+    *_, last = track(figure.read, [figure.shapes()[1]], range(6))
+    (result,) = last.results
+    assert "pose" in result.energies
+    (told,) = explain(lambda k: PreparedFrame(figure.read(k)), [result.shape], 5, None)
+    assert (set(told.terms), told.apart) == ({POSE}, 0.0)
 
 
 def test_a_stale_key_is_not_explained(figure: Figure, whole: list[RotoShape]) -> None:
