@@ -161,11 +161,16 @@ def places(project: Project) -> dict[str, Place]:
     found = {shape.id: Place(Kind.OPEN) for shape in shapes}
     for members in set(grouped.values()):
         together = [shapes[k] for k in members]
-        made = units(together)
+        made = units(together, _gap(project))
         for unit in made:
             for k in unit.members:
                 found[together[k].id] = _place(together, made, unit, k)
     return found
+
+
+def _gap(project: Project) -> float:
+    """Pixels between outlines that still belong together."""
+    return objects.near(None if project.clip is None else project.clip.size[::-1])
 
 
 def bones(project: Project, frame: int, chosen: Collection[str]) -> tuple[Bone, ...]:
@@ -180,7 +185,7 @@ def bones(project: Project, frame: int, chosen: Collection[str]) -> tuple[Bone, 
         together = [shapes[k] for k in members]
         if not any(shape.id in chosen for shape in together):
             continue
-        parts = [together[unit.members[0]] for unit in units(together) if unit.role is Role.PART]
+        parts = [together[unit.members[0]] for unit in units(together, _gap(project)) if unit.role is Role.PART]
         there = [part for part in parts if part.exists_at(frame)]
         if any(frame in part.artist_frames for part in there):
             found += _bones(there, frame, scale)

@@ -77,6 +77,18 @@ def step(
     return tuple(after for after, _ in pairs), tuple(result for _, result in pairs)
 
 
+def as_region(state: State) -> tuple[RegionState | None, tuple[bool, ...]]:
+    """The state of what is carried as one region, and which outlines are of it, in their order."""
+    if isinstance(state, RegionState):
+        return state, (True,) * len(state.parts)
+    if not isinstance(state, FigureState):
+        return None, (False,) * len(state)
+    limb, count = state.whole, len(state.parts)
+    if limb is None:
+        return None, (False,) * count
+    return limb.whole, tuple(k in limb.unit.members for k in range(count))
+
+
 def pose_costs(state: State) -> tuple[float | None, ...]:
     """For each outline of a figure what its pose costs (`motion.pose`), in their order; None where it has none."""
     if isinstance(state, FigureState):

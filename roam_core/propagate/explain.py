@@ -18,8 +18,8 @@ from roam_core.motion.pose import Pose
 from roam_core.params import RoamParams, scale_for
 from roam_core.propagate import engine, provenance, region
 from roam_core.propagate import step as outline
-from roam_core.propagate.engine import State
 from roam_core.propagate.confidence import PoseSigns
+from roam_core.propagate.engine import State
 from roam_core.propagate.figure import FigureState
 from roam_core.propagate.group import GroupTracker
 from roam_core.propagate.memory import ReadPicture, solve_again

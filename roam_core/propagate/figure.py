@@ -119,6 +119,12 @@ class FigureState:
         return next(limb for limb in self.limbs if shape in limb.unit.members)
 
     @property
+    def whole(self) -> Limb | None:
+        """What is not in parts behind the occluders, where that is one object."""
+        wholes = [limb for limb in self.limbs if limb.whole is not None]
+        return wholes[0] if len(wholes) == 1 else None
+
+    @property
     def pose_costs(self) -> tuple[float | None, ...]:
         """What the pose of each shape costs, in their order; None where it has none."""
         costs = [None if limb.pose is None else limb.pose.cost for limb in self.limbs]

@@ -15,7 +15,7 @@ from roam_core.features import PreparedFrame
 from roam_core.params import DEFAULT_CONFIG, RoamParams, params_for, scale_for
 from roam_core.propagate import engine, provenance
 from roam_core.propagate.engine import State
-from roam_core.propagate.objects import stacked, units
+from roam_core.propagate.objects import near, stacked, units
 from roam_core.propagate.offers import Proposal
 from roam_core.propagate.result import Landmarks, Part, StepResult, Termination, TrackResult
 from roam_core.roto import BlendMode, Keyframe, Origin, RotoShape
@@ -85,7 +85,7 @@ class GroupTracker:
             if shape.point_count < provenance.MIN_POINTS:
                 raise RoamError(f"{shape.name!r} is a single point; draw an outline around the object to track it.")
         picture, given, parts = _prepared(image), tuple(shapes), parts_at(shapes, frame, forward=forward)
-        state = engine.begin(picture, parts, self.params, units(given), stacked(given, frame))
+        state = engine.begin(picture, parts, self.params, units(given, near(picture.size)), stacked(given, frame))
         self._standing = Standing(frame, given, state, frame, frame)
 
     def given(self) -> tuple[TrackResult, ...]:
@@ -141,7 +141,8 @@ class GroupTracker:
     ) -> None:
         """Go on from a frame on which the artist gave some of the shapes, and the engine the others."""
         known_from, parts = self.standing.known_from, parts_at(shapes, frame)
-        state = engine.corrected(state, picture, parts, self.params, units(shapes), stacked(shapes, frame), given)
+        made = units(shapes, near(picture.size))
+        state = engine.corrected(state, picture, parts, self.params, made, stacked(shapes, frame), given)
         self._standing = Standing(frame, shapes, state, frame, known_from)
 
     def resume(self, standing: Standing, shapes: Sequence[RotoShape]) -> None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -16,6 +16,7 @@ from roam_core.geometry.simple import simplified
 from roam_core.kernels.diffusion import diffuse
 from roam_core.params import RegionParams
 from roam_core.propagate.confidence import SpanSigns, expected_overlap, overlap, vertex_confidence
+from roam_core.propagate.covering import covered
 from roam_core.propagate.laying import enclosed, laid, spline_coverage
 from roam_core.propagate.passage import Stop
 from roam_core.propagate.result import Part
@@ -78,7 +79,10 @@ class Merged:
 
 @dataclass(frozen=True, eq=False)
 class _Moment:
-    """A frame of a span: how far along it lies, in (0, 1), where both passages stand, and their points by outline."""
+    """A frame of a span: how far along it lies, in (0, 1), where both passages stand, and their points by outline.
+
+    `of_region` are the outlines that a passage laid along the object's region.
+    """
 
     span: Span
     u: float
@@ -87,6 +91,7 @@ class _Moment:
     there: dict[int, Array]
     here: dict[int, Array]
     costs: dict[int, tuple[float | None, float | None]]
+    of_region: frozenset[int]
 
     @classmethod
     def of(cls, span: Span, frame: int) -> _Moment:
@@ -97,12 +102,9 @@ class _Moment:
         costs_there = {} if onwards is None else dict(zip(span.first.members, onwards.pose_costs, strict=True))
         costs_here = {} if back is None else dict(zip(span.last.members, back.pose_costs, strict=True))
         costs = {k: (costs_there.get(k), costs_here.get(k)) for k in there.keys() | here.keys()}
-        return cls(span, u, onwards, back, there, here, costs)
-
-    @property
-    def is_posed(self) -> bool:
-        """True where a passage laid an outline by its pose: no region tells more of it."""
-        return any(self.is_laid_by_pose(k) for k in self.costs)
+        ends = ((onwards, span.first), (back, span.last))
+        of_region = [np.array(key.members)[list(stop.of_region)] for stop, key in ends if stop is not None]
+        return cls(span, u, onwards, back, there, here, costs, frozenset(np.concatenate([[], *of_region]).astype(int)))
 
     def is_laid_by_pose(self, k: int) -> bool:
         """True where a passage laid an outline by its pose."""
@@ -147,24 +149,32 @@ def merged(
     if not known:
         return result
     parts = tuple(Part(_expected(moment, k), span.subtracts(k)) for k in known)
-    points = [part.points for part in parts]
-    region = None if span.is_planar or moment.is_one_piece or moment.is_posed else _region(moment, parts, colours)
-    if region is not None:
-        parts = tuple(_where_more_is(moment, k, part, region) for k, part in zip(known, parts, strict=True))
-        traits = [span.traits(k, moment.u) for k in known]
-        points = [each for each, _ in laid(parts, traits, region, span.scale, span.params.longest_thread)]
-    outlines = [
-        replace(part, points=simplified(each, part.points, span.scale))
-        for each, part in zip(points, parts, strict=True)
-    ]
-    signs = _span_signs(moment, known, outlines)
-    for k, part in zip(known, outlines, strict=True):
-        if moment.is_laid_by_pose(k):
-            signs = _signs_of_one(moment, k, part.points)
+    outlines = _along_region(moment, dict(zip(known, parts, strict=True)), colours)
+    together = [k for k in known if not moment.is_laid_by_pose(k)]
+    signs_together = _span_signs(moment, together, [outlines[k] for k in together])
+    for k, part in outlines.items():
+        signs = _signs_of_one(moment, k, part.points) if moment.is_laid_by_pose(k) else signs_together
         confidence = _alone(moment) if signs is None else expected_overlap(signs)
         vertices = vertex_confidence(_support(moment, k, len(part.points)), confidence)
         result[k] = Merged(part.points, confidence, vertices, signs)
     return result
+
+
+def _along_region(moment: _Moment, parts: Mapping[int, Part], colours: Colours | None) -> dict[int, Part]:
+    """The outlines, simple; those of the object's region laid along the one that the witnesses agree on."""
+    span, ours = moment.span, [k for k in parts if k in moment.of_region]
+    covers = [bezier.flatten(part.points) for k, part in parts.items() if k not in ours]
+    region = None
+    if ours and not span.is_planar and not moment.is_one_piece:
+        region = _region(moment, tuple(parts[k] for k in ours), covers, colours)
+    begun = dict(parts)
+    points = {k: part.points for k, part in parts.items()}
+    if region is not None:
+        begun |= {k: _where_more_is(moment, k, parts[k], region) for k in ours}
+        traits = [span.traits(k, moment.u) for k in ours]
+        placed = laid(tuple(begun[k] for k in ours), traits, region, span.scale, span.params.longest_thread)
+        points |= {k: each for k, (each, _) in zip(ours, placed, strict=True)}
+    return {k: replace(part, points=simplified(points[k], part.points, span.scale)) for k, part in begun.items()}
 
 
 def _planar(moment: _Moment, k: int) -> Array:
@@ -234,8 +244,11 @@ def _are_apart(there: Array, here: Array) -> bool:
     return bool(np.hypot(*(middles[0] - middles[1])) > APART_BY * size)
 
 
-def _region(moment: _Moment, parts: tuple[Part, ...], colours: Colours | None) -> Field | None:
-    """The region that the witnesses agree on, and the picture; None where the engine works without regions."""
+def _region(moment: _Moment, parts: tuple[Part, ...], covers: Sequence[Array], colours: Colours | None) -> Field | None:
+    """The region that the witnesses agree on, and the picture where no `covers` lie before it.
+
+    None where the engine works without regions.
+    """
     span = moment.span
     fields = [stop.region for stop in (moment.onwards, moment.back) if stop is not None and stop.region is not None]
     if not fields:
@@ -255,17 +268,22 @@ def _region(moment: _Moment, parts: tuple[Part, ...], colours: Colours | None) -
         planar_here.on(grid, to_first),
     )
     coverages = [
-        _coverage(span, key, stop, grid) for key, stop in ((span.first, moment.onwards), (span.last, moment.back))
+        _coverage(moment, key, stop, grid) for key, stop in ((span.first, moment.onwards), (span.last, moment.back))
     ]
     values = _mean(weights, [*(field.nats_on(grid) for field in fields), _depth(moment, coverages, grid)])
     sides = [field.on(grid) > 0.5 for field in fields]
     witnessed = sides[0] | sides[1] | (enclosed(parts, grid) > 0.5)
     found = proposed.cleaned(Field(grid, values.astype(np.float32)), witnessed, 0.0)
-    return found if colours is None else _compared(moment, found, sides, coverages, colours)
+    return found if colours is None else _compared(moment, found, sides, coverages, covers, colours)
 
 
 def _compared(
-    moment: _Moment, found: Field, sides: Sequence[Bools], coverages: Sequence[Float32], colours: Colours
+    moment: _Moment,
+    found: Field,
+    sides: Sequence[Bools],
+    coverages: Sequence[Float32],
+    covers: Sequence[Array],
+    colours: Colours,
 ) -> Field:
     """The region when the picture has spoken, too: near its border, and wherever the passages disagree."""
     span, grid, params = moment.span, found.grid, colours.params
@@ -279,6 +297,9 @@ def _compared(
     ]
     near = uncertain_band(found.inside, found.inside, params.band)
     wanted = near | uncertain_band(sides[0] & sides[1], sides[0] | sides[1], BESIDE)
+    hidden = covered(covers, grid)
+    if hidden is not None:
+        wanted &= ~hidden
     carried_here = np.where(sides[0] ^ sides[1], np.float32(DISPUTED) * found.values, found.values)
     values = carried_here + np.float32(params.keys_weight) * key_colours(picture, grid, views, wanted)
     rough = np.where(wanted, values, found.values)
@@ -286,11 +307,12 @@ def _compared(
     return proposed.cleaned(Field(grid, smooth), found.inside, 0.0)
 
 
-def _coverage(span: Span, key: Key, stop: Stop | None, grid: Grid) -> Float32:
-    """The share of each cell that the outlines of a key enclose, carried as one piece to where a passage stands."""
+def _coverage(moment: _Moment, key: Key, stop: Stop | None, grid: Grid) -> Float32:
+    """The share of each cell that the region of a key encloses, carried as one piece to where a passage stands."""
     assert stop is not None
     there = zip(key.members, carried(key, stop.carried), strict=True)
-    return enclosed([Part(points, span.subtracts(k)) for k, points in there], grid)
+    ours = [Part(points, moment.span.subtracts(k)) for k, points in there if k in moment.of_region]
+    return enclosed(ours, grid)
 
 
 def _depth(moment: _Moment, coverages: Sequence[Float32], grid: Grid) -> Float32:
@@ -316,7 +338,7 @@ def _common(grids: list[Grid]) -> Grid:
 def _span_signs(moment: _Moment, known: list[int], outlines: list[Part]) -> SpanSigns | None:
     """What speaks against the merged outlines; None where a passage did not arrive, and nothing can be compared."""
     span = moment.span
-    if span.misses is None or moment.onwards is None or moment.back is None:
+    if not known or span.misses is None or moment.onwards is None or moment.back is None:
         return None
     sides = [
         [Part(points[k], span.subtracts(k)) for k in known if k in points] for points in (moment.there, moment.here)

@@ -87,9 +87,9 @@ def _met(a: RotoShape, b: RotoShape) -> tuple[Drawn, Drawn]:
 def objects(shapes: Sequence[RotoShape], gap: float) -> list[list[int]]:
     """The indices of `shapes`, grouped by the objects that they belong to; groups and members in the order given.
 
-    Two outlines belong together when they come within `gap` pixels of each other, or when a subtracting one may cut
-    the other, on the first frame on which the artist keyed both. Those that the artist linked belong to each other
-    only. Unrelated shapes keep to themselves: each object moves as it will.
+    Two outlines belong together when they come within `gap` pixels of each other on the first frame on which the artist
+    keyed both, or when one subtracts and, by all its keys, may come to cut the other. Those that the artist linked
+    belong to each other only. Unrelated shapes keep to themselves: each object moves as it will.
     """
     return [list(group) for group in _grouped(_Question(shapes, gap))]
 
@@ -112,10 +112,7 @@ class _Question:
 def _grouped(question: _Question) -> list[list[int]]:
     shapes, gap = question.shapes, question.gap
     pairs = [
-        (i, j)
-        for i in range(len(shapes))
-        for j in range(i + 1, len(shapes))
-        if _belong(*_met(shapes[i], shapes[j]), gap)
+        (i, j) for i in range(len(shapes)) for j in range(i + 1, len(shapes)) if _belong(shapes[i], shapes[j], gap)
     ]
     rows, columns = ([pair[k] for pair in pairs] for k in (0, 1))
     links = coo_array((np.ones(len(pairs)), (rows, columns)), shape=(len(shapes), len(shapes)))
@@ -129,15 +126,30 @@ def near(size: tuple[int, int] | None) -> float:
     return NEAR * (1.0 if size is None else scale_for(size))
 
 
-def _belong(a: Drawn, b: Drawn, gap: float) -> bool:
+def _belong(a: RotoShape, b: RotoShape, gap: float) -> bool:
     if a.link or b.link:
         return a.link == b.link
-    low, high = a.line.min(axis=0) - gap, a.line.max(axis=0) + gap
-    if (b.line.max(axis=0) < low).any() or (b.line.min(axis=0) > high).any():
+    if (a.blend is BlendMode.SUBTRACT) != (b.blend is BlendMode.SUBTRACT):
+        return _near_boxes(_swept(Same(a)), _swept(Same(b)), gap)
+    ours, theirs = _met(a, b)
+    if not _near_boxes(_box(ours.line), _box(theirs.line), gap):
         return False
-    if a.subtracts != b.subtracts:
-        return True
-    return bool(a.tree.query(b.evenly)[0].min() <= gap)
+    return bool(ours.tree.query(theirs.evenly)[0].min() <= gap)
+
+
+def _box(places: Array) -> Array:
+    """The lowest and the highest coordinates `(2, 2)`."""
+    return np.array([places.min(axis=0), places.max(axis=0)])
+
+
+def _near_boxes(a: Array, b: Array, gap: float) -> bool:
+    return not ((b[1] < a[0] - gap).any() or (b[0] > a[1] + gap).any())
+
+
+@lru_cache(maxsize=1024)
+def _swept(same: Same) -> Array:
+    """The box around a shape on all keys that no run changes."""
+    return _box(np.vstack([bezier.flatten(key.points) for key in same.shape.drawn_keys]))
 
 
 class Role(Enum):
@@ -160,12 +172,13 @@ class Unit:
     members: tuple[int, ...]
 
 
-def units(shapes: Sequence[RotoShape]) -> list[Unit]:
+def units(shapes: Sequence[RotoShape], gap: float) -> list[Unit]:
     """What the shapes of one object are, bottom first.
 
     Solid shapes that overlap are parts; when none do they are one whole object. A shape that subtracts and lies within
-    one outline is its hole, and moves with it; one that crosses an outline is an occluder. What the artist linked is
-    one whole object in any case. All this is so where the shapes met (`objects`).
+    one outline is its hole, and moves with it; one that crosses an outline is an occluder: what it alone holds together
+    (`objects`, with the same `gap`) is apart behind it. What the artist linked is one whole object in any case. It is
+    decided where the shapes met.
     """
     everything = tuple(range(len(shapes)))
     subtracts = [shape.blend is BlendMode.SUBTRACT for shape in shapes]
@@ -184,11 +197,15 @@ def units(shapes: Sequence[RotoShape]) -> list[Unit]:
                 shared -= _shared(*_met(shapes[hole], shapes[j if host == i else i]))
         return shared > OVERLAP * min(a.area, b.area)
 
-    if any(overlap(i, j) for place, i in enumerate(solid) for j in solid[:place]):
-        made = [Unit(Role.PART, (k, *(hole for hole, host in hosts.items() if host == k))) for k in solid]
-    else:
-        made = [Unit(Role.WHOLE, tuple(k for k in everything if k not in occluders))]
-    made += [Unit(Role.OCCLUDER, (k,)) for k in occluders]
+    made = [Unit(Role.OCCLUDER, (k,)) for k in occluders]
+    behind = [k for k in everything if k not in occluders]
+    for group in objects([shapes[k] for k in behind], gap):
+        members = tuple(behind[place] for place in group)
+        ours = [k for k in members if k in solid]
+        if any(overlap(i, j) for place, i in enumerate(ours) for j in ours[:place]):
+            made += [Unit(Role.PART, (k, *(hole for hole, host in hosts.items() if host == k))) for k in ours]
+        else:
+            made.append(Unit(Role.WHOLE, members))
     return sorted(made, key=lambda unit: unit.members[0])
 
 

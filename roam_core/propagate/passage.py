@@ -17,7 +17,6 @@ from roam_core.params import RoamParams, scale_for
 from roam_core.propagate import engine
 from roam_core.propagate.engine import State
 from roam_core.propagate.objects import Unit
-from roam_core.propagate.region import RegionState
 from roam_core.propagate.result import Part
 from roam_core.proposal.evidence import Field
 
@@ -34,7 +33,7 @@ class Stop:
     points : for each outline its control points `(P, 3, 2)`.
     confidence : for each outline, in [0, 1].
     carried : `(3, 3)` the similarity, image to image, of the object since the key.
-    region : the object's region, where the engine works with regions.
+    region : the object's region, where the engine works with regions. of_region : which outlines are laid along it.
     as_one_piece : the outlines are as they are on the key, only moved (`propagate.rigid`).
     pose_costs : for each outline what its pose costs; None where it was not laid by its pose alone.
     by_pose : of a lone shape the outlines by its pose, taken or not, and what that costs (`posed.is_believable`).
@@ -44,6 +43,7 @@ class Stop:
     confidence: tuple[float, ...]
     carried: Array
     region: Field | None
+    of_region: tuple[bool, ...]
     as_one_piece: bool = False
     pose_costs: tuple[float | None, ...] = ()
     by_pose: tuple[tuple[Array, ...], float] | None = None
@@ -54,7 +54,8 @@ class Stop:
         if self.by_pose is None:
             return None
         points, cost = self.by_pose
-        return replace(self, points=points, pose_costs=(cost,) * len(points))
+        count = len(points)
+        return replace(self, points=points, region=None, of_region=(False,) * count, pose_costs=(cost,) * count)
 
 
 @dataclass(frozen=True, eq=False)
@@ -98,9 +99,7 @@ def passage(
     state = engine.begin(picture, tuple(parts), params, made, orders(frames[0]))
     carried = np.eye(3)
     points, sure = tuple(part.points for part in parts), (1.0,) * len(parts)
-    by_pose = engine.by_pose(state, params)
-    costs = engine.pose_costs(state)
-    stops = {frames[0]: Stop(points, sure, carried, _region(state), pose_costs=costs, by_pose=by_pose)}
+    stops = {frames[0]: _stop(state, points, sure, carried, params)}
     for frame in frames[1:]:
         if token is not None:
             token.check()
@@ -110,26 +109,34 @@ def passage(
             continue
         before, standing = picture, tuple(stops.values())[-1].points
         state, results = engine.step(state, following, params, token, orders(frame))
-        if isinstance(state, RegionState):
-            carried = state.key.to_now
-        else:
+        region, _ = engine.as_region(state)
+        if region is None:
             carried = _moved(before, following, standing, params) @ carried
+        else:
+            carried = region.key.to_now
         picture = following
         points = tuple(result.points for result in results)
         confidence = tuple(result.confidence for result in results)
-        costs, by_pose = engine.pose_costs(state), engine.by_pose(state, params)
-        stops[frame] = Stop(points, confidence, carried, _region(state), _is_one_piece(state), costs, by_pose)
+        stops[frame] = _stop(state, points, confidence, carried, params)
         if passed is not None:
             passed()
     return Passage(stops, key)
 
 
-def _region(state: State) -> Field | None:
-    return state.region if isinstance(state, RegionState) else None
-
-
-def _is_one_piece(state: State) -> bool:
-    return isinstance(state, RegionState) and state.agreement_as_one_piece is not None
+def _stop(
+    state: State, points: tuple[Array, ...], confidence: tuple[float, ...], carried: Array, params: RoamParams
+) -> Stop:
+    region, of_region = engine.as_region(state)
+    return Stop(
+        points,
+        confidence,
+        carried,
+        None if region is None else region.region,
+        of_region,
+        region is not None and region.agreement_as_one_piece is not None,
+        engine.pose_costs(state),
+        engine.by_pose(state, params),
+    )
 
 
 def _moved(before: PreparedFrame, after: PreparedFrame, points: tuple[Array, ...], params: RoamParams) -> Array:

@@ -18,7 +18,7 @@ from roam_core.media.source import MissingFrame
 from roam_core.params import RegionParams, RoamParams, params_for, scale_for
 from roam_core.propagate import provenance
 from roam_core.propagate.merge import Colours, Merged, merged
-from roam_core.propagate.objects import stacked, units
+from roam_core.propagate.objects import near, stacked, units
 from roam_core.propagate.passage import Passage, passage
 from roam_core.propagate.provenance import Stamps
 from roam_core.propagate.result import Part
@@ -189,16 +189,17 @@ class Filling:
         first, last = (_key(shapes, frame) for frame in gap)
         frames = range(gap[0], gap[1] + 1)
         ways = [(first, frames), (last, frames[::-1])]
-        ahead, behind = each(lambda way: self._passage(shapes, *way), ways)
+        ahead, behind = each(lambda way: self._passage(shapes, *way, size), ways)
         return Span(first, last, ahead, behind, size, scale_for(size), self.params.region or RegionParams()).better
 
-    def _passage(self, shapes: Sequence[RotoShape], key: Key, frames: range) -> Passage | None:
+    def _passage(self, shapes: Sequence[RotoShape], key: Key, frames: range, size: tuple[int, int]) -> Passage | None:
         parts = [part for part in key.parts if part is not None]
         if not parts:
             return None
         there = [shapes[k] for k in key.members]
         passed = None if self.meter is None else self.meter.passed
-        return passage(self.read, parts, units(there), partial(stacked, there), frames, self.finer, self.token, passed)
+        made = units(there, near(size))
+        return passage(self.read, parts, made, partial(stacked, there), frames, self.finer, self.token, passed)
 
 
 def _require_closed(shape: RotoShape) -> None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from roam_core.geometry import bezier, similarity
 from roam_core.matte import shape_matte
-from roam_core.roto import Keyframe, RotoShape
+from roam_core.roto import BlendMode, Keyframe, RotoShape
 from tests.golden.shots import Image, Texture, inverse, pose, texture
 
 Array = NDArray[np.float64]
@@ -91,6 +91,22 @@ def body_with_arms(count: int = 8) -> Figure:
         ),
         count,
     )
+
+
+def body_behind_a_post(count: int = 8) -> Figure:
+    """A body, and a post that passes before it."""
+    body = Moving("body", box(40, 50), (80, 64), (0.5, 0.0), 0.0, texture(11, 0.5, 0.9))
+    return Figure((body, Moving("post", box(20, 110), (114, 60), (-4.0, 0.0), 0.0, texture(12, 0.6, 1.0))), count)
+
+
+def arm_like_its_body(count: int = 6) -> Figure:
+    """A body, and an arm over it of the same colours: alone it is carried by its pose."""
+    body = Moving("body", box(60, 80), (80, 64), (-0.5, 0.0), 0.0, texture(11, 0.55, 0.7))
+    return Figure((body, Moving("arm", box(14, 44), (88, 60), (1.5, 0.0), 2.0, texture(13, 0.55, 0.7))), count)
+
+
+def subtracting(shape: RotoShape) -> RotoShape:
+    return replace(shape, blend=BlendMode.SUBTRACT)
 
 
 def keys_of(shape: RotoShape) -> list[tuple[int, bytes, float | None, str]]:

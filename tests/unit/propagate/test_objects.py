@@ -63,6 +63,22 @@ def test_shapes_belong_together_where_the_artist_first_keyed_both() -> None:
     assert objects([a, b.with_key(Keyframe(1, box(200, 0, 40, 40)))], 20.0) == [[0], [1]]
 
 
+def test_what_subtracts_belongs_to_all_that_it_may_come_to_cut() -> None:
+    post = square(300, 0, 10, hole=True)
+    assert objects([square(0, 0, 40), post], 20.0) == [[0], [1]]
+    passing = post.with_key(Keyframe(9, box(-50, 0, 10, 10)))
+    assert objects([square(0, 0, 40), passing], 20.0) == [[0, 1]]
+    led = edit.set_engine_keys(post, [Keyframe(9, box(-50, 0, 10, 10), origin=Origin.ENGINE)])
+    assert objects([square(0, 0, 40), led], 20.0) == [[0], [1]]
+
+
+def test_what_only_an_occluder_holds_together_is_apart_behind_it() -> None:
+    shapes = [square(0, 0, 40), square(200, 0, 40), square(30, 10, 190, hole=True)]
+    assert objects(shapes, 20.0) == [[0, 1, 2]]
+    assert units(shapes, 20.0) == [whole(0), whole(1), occluder(2)]
+    assert units([*shapes, square(215, 0, 40)], 20.0) == [whole(0), part(1), occluder(2), part(3)]
+
+
 def test_no_key_of_the_engines_changes_what_belongs_together() -> None:
     a, b = square(0, 0, 40), square(100, 0, 40, frame=5)
     assert objects([a, b], 20.0) == [[0], [1]]
@@ -102,14 +118,14 @@ def test_near_goes_with_the_size_of_the_pictures() -> None:
     ],
 )  # fmt: skip
 def test_what_the_shapes_of_an_object_are(shapes: list[RotoShape], expected: list[Unit]) -> None:
-    assert units(shapes) == expected
+    assert units(shapes, 20.0) == expected
 
 
 def test_a_hole_belongs_to_the_nearest_shape_below_it() -> None:
     hole = square(22, 10, 10, hole=True)
-    assert units([square(0, 0, 40), square(20, 0, 40), hole]) == [part(0), part(1, 2)]
-    assert units([square(0, 0, 40), hole, square(20, 0, 40)]) == [part(0, 1), part(2)]
-    assert units([hole, square(0, 0, 40), square(20, 0, 40)]) == [part(1, 0), part(2)]
+    assert units([square(0, 0, 40), square(20, 0, 40), hole], 20.0) == [part(0), part(1, 2)]
+    assert units([square(0, 0, 40), hole, square(20, 0, 40)], 20.0) == [part(0, 1), part(2)]
+    assert units([hole, square(0, 0, 40), square(20, 0, 40)], 20.0) == [part(1, 0), part(2)]
 
 
 def test_shapes_without_an_area_belong_somewhere_all_the_same() -> None:
@@ -117,7 +133,7 @@ def test_shapes_without_an_area_belong_somewhere_all_the_same() -> None:
     dot = RotoShape("d", "D", (Keyframe(1, box(5, 5, 0, 0)),))
     shapes = [square(0, 0, 40), flat, dot, replace(dot, blend=BlendMode.SUBTRACT)]
     assert objects(shapes, 20.0) == [[0, 1, 2, 3]]
-    found = units(shapes)
+    found = units(shapes, 20.0)
     assert sorted(k for unit in found for k in unit.members) == [0, 1, 2, 3]
 
 

@@ -12,12 +12,22 @@ from roam_core import RoamError, fill_span, track
 from roam_core.features import PreparedFrame
 from roam_core.propagate import TrackMemory
 from roam_core.propagate.explain import POSE, REGION, explain
-from roam_core.propagate.objects import Role, objects, units
+from roam_core.propagate.objects import NEAR, Role, objects, units
 from roam_core.propagate.provenance import Stamp, Stamps
 from roam_core.propagate.result import Termination
-from roam_core.roto import BlendMode, Keyframe, Origin, RotoShape, edit
+from roam_core.roto import Keyframe, Origin, RotoShape, edit
 from tests.golden.shots import outline_distance, texture
-from tests.unit.propagate.figures import SIZE, Figure, Moving, body_with_arms, box, keys_of
+from tests.unit.propagate.figures import (
+    SIZE,
+    Figure,
+    Moving,
+    arm_like_its_body,
+    body_behind_a_post,
+    body_with_arms,
+    box,
+    keys_of,
+    subtracting,
+)
 
 LAST = 7
 
@@ -60,7 +70,7 @@ def whole(figure: Figure) -> list[RotoShape]:
 
 def test_the_figure_is_one_object_in_parts(figure: Figure) -> None:
     assert objects(figure.shapes(), 20.0 * 120 / 480) == [[0, 1, 2]]
-    assert [unit.role for unit in units(figure.shapes())] == [Role.PART] * 3
+    assert [unit.role for unit in units(figure.shapes(), NEAR)] == [Role.PART] * 3
 
 
 def test_each_part_is_found_with_its_own_motion(figure: Figure, whole: list[RotoShape]) -> None:
@@ -212,6 +222,15 @@ def test_filling_one_by_one_is_as_all_at_once(figure: Figure) -> None:
     assert stale_frames(moved, 0) == stale_frames(moved, 2) == [1, 2, 3, 4]
 
 
+def test_a_whole_object_is_filled_along_its_region_behind_an_occluder() -> None:
+    figure = body_behind_a_post(9)
+    body, post = figure.shapes(0, 8)
+    found = fill_span(dict(enumerate(figure.pictures)), [body, subtracting(post)], 0, 8)
+    for frame in range(1, 8):
+        for shape, part in zip(found, figure.parts, strict=True):
+            assert outline_distance(shape.at(frame).points, part.truth(frame)) < 1.5
+
+
 def test_filling_alone_is_as_if_there_were_no_others(figure: Figure) -> None:
     images, shapes = dict(enumerate(figure.pictures)), figure.shapes(0, 5)
     found = fill_span(images, shapes, 0, 5, only=["arm"], alone=True)
@@ -242,20 +261,16 @@ def test_an_explanation_comes_to_the_same_points(
 
 
 def test_a_whole_behind_an_occluder_is_explained_by_its_cues() -> None:
-    post = Moving("post", box(20, 110), (92, 60), (-1.0, 0.0), 0.0, texture(12, 0.6, 1.0))
-    figure = Figure((BODY, post))
-    body, front = figure.shapes()
-    found = tracked(figure, [body, subtracting(front)])
-    told = explain(lambda k: PreparedFrame(figure.read(k)), found, 5, None)
+    figure = body_behind_a_post()
+    body, post = figure.shapes()
+    told = explain(lambda k: PreparedFrame(figure.read(k)), tracked(figure, [body, subtracting(post)]), 5, None)
     assert [each.apart for each in told] == [0.0, 0.0]
     assert (REGION in told[0].terms, set(told[1].terms)) == (True, {POSE})
 
 
 def test_a_frame_that_a_lone_pose_laid_is_explained_by_the_pose() -> None:
-    body = Moving("body", box(60, 80), (80, 64), (-0.5, 0.0), 0.0, texture(11, 0.55, 0.7))
-    arm = Moving("arm", box(14, 44), (88, 60), (1.5, 0.0), 2.0, texture(13, 0.55, 0.7))
-    figure = Figure((body, arm))
-    *_, last = track(figure.read, [figure.shapes()[1]], range(6))
+    figure = arm_like_its_body()
+    *_, last = track(figure.read, [figure.shapes()[1]], figure.frames)
     (result,) = last.results
     assert "pose" in result.energies
     (told,) = explain(lambda k: PreparedFrame(figure.read(k)), [result.shape], 5, None)
@@ -269,10 +284,6 @@ def test_a_stale_key_is_not_explained(figure: Figure, whole: list[RotoShape]) ->
 
 
 # ---- nothing breaks
-
-
-def subtracting(shape: RotoShape) -> RotoShape:
-    return replace(shape, blend=BlendMode.SUBTRACT)
 
 
 BODY = Moving("body", box(40, 50), (80, 64), (0.5, 0.0), 0.0, texture(11, 0.5, 0.9))
@@ -320,7 +331,7 @@ def test_an_occluder_that_crosses_an_object_moves_by_itself(parts: int) -> None:
     post = Moving("post", box(12, 90), (70, 60), (3.0, 0.0), 0.0, texture(15, 0.3, 1.0))
     figure = Figure((*(BODY, replace(ODD["without texture"], look=texture(12, 0.6, 1.0)))[:parts], post), 6)
     shapes = [*figure.shapes()[:-1], subtracting(figure.shapes()[-1])]
-    assert units(shapes)[-1].role is Role.OCCLUDER
+    assert units(shapes, NEAR)[-1].role is Role.OCCLUDER
     found = tracked(figure, shapes)
     require_sound(found, figure.frames)
     assert outline_distance(found[-1].at(5).points, post.truth(5)) < 1.5
@@ -339,7 +350,7 @@ def test_a_hole_goes_with_its_part() -> None:
     hole = replace(BODY, name="hole", rest=box(10, 10))
     figure = Figure((BODY, ODD["without texture"], hole), 4)
     shapes = [*figure.shapes()[:2], subtracting(figure.shapes()[2])]
-    assert units(shapes)[0].members == (0, 2)
+    assert units(shapes, NEAR)[0].members == (0, 2)
     found = tracked(figure, shapes)
     assert outline_distance(found[2].at(3).points, hole.truth(3)) < 1.0
 

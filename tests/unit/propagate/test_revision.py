@@ -1,6 +1,6 @@
 """The engine's revision: whoever makes it give other points gives it another number, so that older keys are stale.
 
-The points of three small runs are stored beside this file with the revision that they belong to. After a change that is
+The points of small runs are stored beside this file with the revision that they belong to. After a change that is
 meant, and with a new `provenance.REVISION`: `python -m tests.unit.propagate.test_revision` writes them anew.
 """
 
@@ -19,7 +19,7 @@ from roam_core import fill_span, track
 from roam_core.propagate.provenance import REVISION
 from roam_core.roto import Origin, RotoShape
 from tests.golden.shots import Shot, blob, pose
-from tests.unit.propagate.figures import body_with_arms
+from tests.unit.propagate.figures import arm_like_its_body, body_behind_a_post, body_with_arms, subtracting
 
 STORED = Path(__file__).with_name("revision.json")
 NEAR = 0.01
@@ -50,7 +50,31 @@ def filled() -> Points:
     return _points(fill_span(dict(enumerate(figure.pictures)), figure.shapes(0, 4), 0, 4, "best"))
 
 
-RUNS: dict[str, Callable[[], Points]] = {"lone": lone, "parts": parts, "filled": filled}
+def posed() -> Points:
+    """A limb on its own, of the colours of what it lies on."""
+    figure = arm_like_its_body(4)
+    *_, last = track(figure.read, figure.shapes()[1:], figure.frames, "best")
+    return _points([last.results[0].shape])
+
+
+def hidden() -> Points:
+    """A whole object behind an occluder, tracked."""
+    figure = body_behind_a_post(4)
+    body, post = figure.shapes()
+    *_, last = track(figure.read, [body, subtracting(post)], figure.frames, "best")
+    return _points([result.shape for result in last.results])
+
+
+def hidden_filled() -> Points:
+    """The same between two keys."""
+    figure = body_behind_a_post(5)
+    body, post = figure.shapes(0, 4)
+    return _points(fill_span(dict(enumerate(figure.pictures)), [body, subtracting(post)], 0, 4, "best"))
+
+
+RUNS: dict[str, Callable[[], Points]] = {
+    each.__name__: each for each in (lone, parts, filled, posed, hidden, hidden_filled)
+}
 
 
 def _points(shapes: Sequence[RotoShape]) -> Points:
