@@ -29,7 +29,7 @@ UInt8 = NDArray[np.uint8]
 PIVOT_X, PIVOT_Y, PARENT, ANGLE = 0, 1, 2, 3
 """Columns of the bones `(K, 4)`, parents first: a pivot, the parent's row or -1, the direction of the axis."""
 RIM = 1.0
-"""Cells inside a picture's border where nothing is seen: a slope needs what lies beside it."""
+"""Cells inside a picture's border where nothing is seen while a pose is refined: a slope needs what lies beside it."""
 
 
 class View(NamedTuple):
@@ -164,10 +164,10 @@ def _between(image, row, column, channel, u, v):  # type: ignore[no-untyped-def]
 
 
 @njit(nogil=True, cache=True, inline="always")
-def _unseen(hidden, x, y, behind, beyond):  # type: ignore[no-untyped-def]
-    """What a sample costs that is not seen at `x`, `y` (cells); below zero where it is seen."""
+def _unseen(hidden, x, y, rim, behind, beyond):  # type: ignore[no-untyped-def]
+    """What a sample costs that is not seen at `x`, `y` (cells), or within `rim` of the border; else below zero."""
     rows, columns = hidden.shape
-    if x < RIM or y < RIM or x >= columns - 1 - RIM or y >= rows - 1 - RIM:
+    if x < rim or y < rim or x >= columns - 1 - rim or y >= rows - 1 - rim:
         return beyond
     return behind if hidden[int(y + 0.5), int(x + 0.5)] > 0 else -1.0
 
@@ -233,7 +233,7 @@ def _energies(  # type: ignore[no-untyped-def]
             weight = weights[i]
             x, y = _carried(matrices, skin, i, places[i, 0], places[i, 1])
             x, y = (x - left) * scale_x - 0.5, (y - top) * scale_y - 0.5
-            unseen = _unseen(hidden, x, y, behind, beyond)
+            unseen = _unseen(hidden, x, y, 0.0, behind, beyond)
             if unseen >= 0.0:
                 cost += max(weight, 0.0) * unseen
                 continue
@@ -296,7 +296,7 @@ def _system(  # type: ignore[no-untyped-def]
         weight = weights[i]
         x, y = _slopes(matrices, bones, pose, skin, i, places[i, 0], places[i, 1], slopes)
         x, y = (x - left) * scale_x - 0.5, (y - top) * scale_y - 0.5
-        unseen = _unseen(hidden, x, y, behind, beyond)
+        unseen = _unseen(hidden, x, y, RIM, behind, beyond)
         if unseen >= 0.0:
             cost += max(weight, 0.0) * unseen
             continue

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.linalg import expm
 
-from roam_core.kernels.posing import ANGLE, PARENT, PIVOT_X, RIM, Costs, Prior, Samples, Ties, View
+from roam_core.kernels.posing import ANGLE, PARENT, PIVOT_X, Costs, Prior, Samples, Ties, View
 
 Array = NDArray[np.float64]
 
@@ -33,16 +33,16 @@ def ref_carried(bones: Array, pose: Array, places: Array, skin: Array) -> Array:
 
 
 def ref_energy(
-    view: View, samples: Samples, bones: Array, pose: Array, costs: Costs, prior: Prior, ties: Ties
+    view: View, samples: Samples, bones: Array, pose: Array, costs: Costs, prior: Prior, ties: Ties, rim: float = 0.0
 ) -> float:
-    """What one pose costs (`kernels.posing.energies`)."""
+    """What one pose costs (`kernels.posing.energies`); closer to the border than `rim` nothing is seen."""
     total = ref_prior(bones, pose, prior) + ref_ties(bones, pose, ties)
     rows, columns = view.image.shape[:2]
     there = ref_carried(bones, pose, samples.places, samples.skin)
     cells = (there - (view.left, view.top)) * (view.scale_x, view.scale_y) - 0.5
     for (x, y), colour, weight in zip(cells, samples.colours, samples.weights, strict=True):
         own = max(weight, 0.0)
-        if not (RIM <= x < columns - 1 - RIM and RIM <= y < rows - 1 - RIM):
+        if not (rim <= x < columns - 1 - rim and rim <= y < rows - 1 - rim):
             total += own * costs.beyond
             continue
         place = int(np.floor(y + 0.5)), int(np.floor(x + 0.5))

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from roam_core.kernels.posing import Costs, Prior, Samples, Ties, View, affines, energies, refined
+from roam_core.kernels.posing import RIM, Costs, Prior, Samples, Ties, View, affines, energies, refined
 from tests.reference.posing import ref_affines, ref_carried, ref_energy
 
 Array = NDArray[np.float64]
@@ -123,8 +123,8 @@ def test_what_a_refined_pose_costs_is_the_twins_and_no_more_than_the_start(bones
     prior, ties = prior_of(bones), ties_of(bones)
     for start in poses_of(bones):
         pose, cost = refined(view, samples, bones, start, COSTS, prior, ties, 12)
-        assert cost == pytest.approx(ref_energy(view, samples, bones, pose, COSTS, prior, ties), rel=1e-9)
-        assert cost <= ref_energy(view, samples, bones, start, COSTS, prior, ties) + 1e-12
+        assert cost == pytest.approx(ref_energy(view, samples, bones, pose, COSTS, prior, ties, RIM), rel=1e-9)
+        assert cost <= ref_energy(view, samples, bones, start, COSTS, prior, ties, RIM) + 1e-12
 
 
 @CHAINS
@@ -156,7 +156,7 @@ def test_a_short_step_goes_down_the_slope_that_finite_differences_tell(bones: Ar
 def slope(view: View, samples: Samples, bones: Array, pose: Array, costs: Costs, prior: Prior, ties: Ties) -> Array:
     """The derivative `(P,)` of the twin's energy by finite differences."""
     ends = [
-        [ref_energy(view, samples, bones, pose + side * step, costs, prior, ties) for side in (1.0, -1.0)]
+        [ref_energy(view, samples, bones, pose + side * step, costs, prior, ties, RIM) for side in (1.0, -1.0)]
         for step in 1e-5 * np.eye(len(pose))
     ]
     return np.array([(ahead - behind) / 2e-5 for ahead, behind in ends])
@@ -172,7 +172,7 @@ def test_a_planted_pose_is_found(planted: tuple[float, ...]) -> None:
     own = samples.weights > 0
     ours, true = (ref_carried(ONE, each, samples.places[own], samples.skin[own]) for each in (found, pose))
     assert np.hypot(*(ours - true).T).max() < 0.25
-    assert cost <= ref_energy(view, samples, ONE, pose, COSTS._replace(needless=0.0), loose, NO_TIES) + 1e-3
+    assert cost <= ref_energy(view, samples, ONE, pose, COSTS._replace(needless=0.0), loose, NO_TIES, RIM) + 1e-3
 
 
 def test_a_bend_that_was_planted_is_found() -> None:
