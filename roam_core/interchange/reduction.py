@@ -2,7 +2,8 @@
 
 A span between two keys that are kept is good when, on every frame inside, every place of the new outline (and feather
 curve) lies within the tolerance of the old one, and every place of the old one within the tolerance of the new: what
-slides along the outline costs nothing. Whether a span is good depends on its two ends only: the fewest keys are a
+slides along the outline costs nothing. A cubic is held to that at every quarter of a frame, too, as motion blur and
+retimes show them. Whether a span is good depends on its two ends only: the fewest keys are a
 shortest path over the frames, and found exactly.
 """
 
@@ -19,7 +20,7 @@ from numpy.typing import NDArray
 from roam_core.cancel import CancelToken
 from roam_core.errors import RoamError
 from roam_core.geometry import bezier
-from roam_core.kernels.key_spans import RIDGE, cubic_span_errors, linear_span_errors, outline_distances
+from roam_core.kernels.key_spans import PARTS, RIDGE, cubic_span_errors, linear_span_errors, outline_distances
 from roam_core.roto import Interpolation, Keyframe, Origin, RotoShape
 
 Array = NDArray[np.float64]
@@ -59,7 +60,8 @@ class Reduction:
     shape : its keys are some of the original outlines; between them it moves linearly or holds, or by `slopes`.
     slopes : one entry for each span, None where it is straight or held; empty for `Motion.LINEAR`.
     before : number of frames from the first key to the last.
-    max_error, mean_error : pixels between the original outlines and the reduced ones, over all places of all frames.
+    max_error, mean_error : pixels between the original outlines and the reduced ones, over all places of all frames,
+        and of all quarters of a frame where it moves by `slopes`.
     """
 
     shape: RotoShape
@@ -70,9 +72,10 @@ class Reduction:
 
     def report(self) -> str:
         """What was achieved, in one sentence."""
+        checked = "at quarter frames, too" if self.slopes else "on whole frames and between them"
         return (
             f"{self.shape.name!r}: {len(self.shape.keys)} keys for {self.before} frames; the outline moves by at most "
-            f"{self.max_error:.2f} px, {self.mean_error:.2f} px on average."
+            f"{self.max_error:.2f} px, {self.mean_error:.2f} px on average ({checked})."
         )
 
 
@@ -93,7 +96,9 @@ def reduced(
     samples = places(stacked, shape.closed)
     keys: list[Keyframe] = []
     slopes: list[Slopes | None] = []
-    after = samples.copy()
+    parts = PARTS if motion is Motion.CUBIC else 1
+    before = _between_frames(samples, parts)
+    after = before.copy()
     for start, stop in pairwise(_fixed_frames(shape)):
         begun = shape.key_at(start)
         if begun is not None and begun.interpolation is Interpolation.HOLD:
@@ -104,8 +109,8 @@ def reduced(
         for left, right in pairwise(start - first + index for index in chosen):
             keys.append(_key(shape, first + left))
             slopes.append(_slopes(stacked[left : right + 1], motion))
-            after[left : right + 1] = _interpolated(samples[left : right + 1], motion)
-    strays = [outline_distances(*pair, shape.closed) for pair in ((samples, after), (after, samples))]
+            after[parts * left : parts * right + 1] = _interpolated(samples[left : right + 1], motion, parts)
+    strays = [outline_distances(*pair, shape.closed) for pair in ((before, after), (after, before))]
     return Reduction(
         replace(shape, keys=(*keys, _key(shape, last))),
         tuple(slopes) if motion is Motion.CUBIC else (),
@@ -194,35 +199,46 @@ def _sampler(count: int, closed: bool) -> Array:
     return bezier.design_matrix(count, segment, t, closed)
 
 
-def _straight(values: Array) -> Array:
-    """The straight motion from the first of `values (F, ...)` to the last."""
-    u = np.linspace(0.0, 1.0, len(values)).reshape(-1, *[1] * (values.ndim - 1))
+def _between_frames(values: Array, parts: int) -> Array:
+    """`values (F, ...)` in so many parts of a frame, `(parts (F - 1) + 1, ...)`: straight from one to the next."""
+    place = np.arange(parts * (len(values) - 1) + 1) / parts
+    frame = np.minimum(place.astype(np.intp), max(len(values) - 2, 0))
+    part = (place - frame).reshape(-1, *[1] * (values.ndim - 1))
+    return np.asarray((1.0 - part) * values[frame] + part * values[np.minimum(frame + 1, len(values) - 1)])
+
+
+def _straight(values: Array, parts: int = 1) -> Array:
+    """The straight motion from the first of `values (F, ...)` to the last, in so many parts of a frame."""
+    u = np.linspace(0.0, 1.0, parts * (len(values) - 1) + 1).reshape(-1, *[1] * (values.ndim - 1))
     return np.asarray((1.0 - u) * values[0] + u * values[-1])
 
 
-def _fit(count: int) -> tuple[Array, Array]:
-    """The Hermite polynomials of the two slopes on `count` frames, `(F, 2)`, and the least-squares fit, `(2, F)`."""
+def _hermite(count: int) -> Array:
+    """The Hermite polynomials of the two slopes at `count` moments of a span, `(count, 2)`."""
     u = np.linspace(0.0, 1.0, count)
-    basis = np.stack([u * (1 - u) ** 2, -u * u * (1 - u)], axis=1)
-    return basis, np.asarray(np.linalg.solve(basis.T @ basis + RIDGE * np.eye(2), basis.T))
+    return np.stack([u * (1 - u) ** 2, -u * u * (1 - u)], axis=1)
 
 
-def _interpolated(values: Array, motion: Motion) -> Array:
-    """The frames of a span `(F, ...)` as the target will show them."""
-    straight = _straight(values)
-    if motion is Motion.LINEAR:
+def _bends(values: Array) -> Array:
+    """The two slopes `(2, ...)` of a span `(F, ...)`, beyond the straight motion's: fitted by least squares."""
+    basis = _hermite(len(values))
+    fit = np.linalg.solve(basis.T @ basis + RIDGE * np.eye(2), basis.T)
+    return np.asarray(np.tensordot(fit, values - _straight(values), axes=1))
+
+
+def _interpolated(values: Array, motion: Motion, parts: int) -> Array:
+    """A span `(F, ...)` as the target will show it, in so many parts of a frame."""
+    straight = _straight(values, parts)
+    if motion is Motion.LINEAR or len(values) == 2:
         return straight
-    basis, fit = _fit(len(values))
-    return np.asarray(straight + np.tensordot(basis @ fit, values - straight, axes=1))
+    return np.asarray(straight + np.tensordot(_hermite(len(straight)), _bends(values), axes=1))
 
 
 def _slopes(stacked: Array, motion: Motion) -> Slopes | None:
     """The slopes of a span `stacked (F, C, P, 3, 2)`; None where it is straight."""
     if motion is Motion.LINEAR or len(stacked) == 2:
         return None
-    _, fit = _fit(len(stacked))
-    bends = np.tensordot(fit, stacked - _straight(stacked), axes=1)
-    leaving, reaching = (stacked[-1] - stacked[0] + bends) / (len(stacked) - 1.0)
+    leaving, reaching = (stacked[-1] - stacked[0] + _bends(stacked)) / (len(stacked) - 1.0)
     if len(leaving) == 1:
         return Slopes(leaving[0], reaching[0])
     return Slopes(leaving[0], reaching[0], leaving[1], reaching[1])

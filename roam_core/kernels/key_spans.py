@@ -11,6 +11,9 @@ Array = NDArray[np.float64]
 RIDGE = 1e-9
 """Added to the normal equations of the two slopes: a span with one frame inside has a line of equally good answers."""
 
+PARTS = 4
+"""Parts of a frame at whose ends cubics are compared: where two frames are met they may swing between them."""
+
 REACH = 12
 """Edges on either side of a place among which the nearest part of the other outline is looked for."""
 
@@ -38,7 +41,8 @@ def linear_span_errors(samples: Array, closed: bool, start: int, tolerance: floa
 def cubic_span_errors(samples: Array, closed: bool, start: int, tolerance: float) -> Array:
     """As `linear_span_errors`, for cubics in time whose two slopes are fitted by least squares to the frames inside.
 
-    The fit is linear in the samples, so that fitting the samples and sampling the fitted control points are one.
+    The fit is linear in the samples, so that fitting the samples and sampling the fitted control points are one. It is
+    compared at every quarter of a frame, where the samples are those of the straight motion from frame to frame.
     """
     return _checked(samples, closed, start, tolerance, True)
 
@@ -146,7 +150,8 @@ def _span_errors(samples, closed, start, limit, is_cubic, errors):  # type: igno
     shape = samples.shape[1:]
     bends = np.zeros((2, *shape))
     moments = np.zeros((3, *shape))
-    between = np.empty(shape)
+    between, truth = np.empty(shape), np.empty(shape)
+    parts = PARTS if is_cubic else 1  # straight motions differ the most on a whole frame
     for stop in range(start + 1, len(samples)):
         length = stop - start
         if is_cubic and length > 1:
@@ -155,20 +160,25 @@ def _span_errors(samples, closed, start, limit, is_cubic, errors):  # type: igno
                 moments[power] += weight * (samples[stop - 1] - samples[start])
             _bends(moments, samples[stop] - samples[start], length, bends)
         worst = 0.0
-        for step in range(1, length):
-            k = length // 2 + (-(step // 2) if step % 2 else step // 2)  # from the middle outwards
-            u = k / length
+        count = parts * length if length > 1 else 0
+        for step in range(1, count):
+            k = count // 2 + (-(step // 2) if step % 2 else step // 2)  # from the middle outwards
+            u, frame, part = k / count, start + k // parts, (k % parts) / parts
             rise, fall = u * (1.0 - u) * (1.0 - u), -u * u * (1.0 - u)
             for c in range(shape[0]):
                 for s in range(shape[1]):
                     for axis in range(2):
+                        truth[c, s, axis] = samples[frame, c, s, axis]
+                        if part > 0.0:
+                            ahead = samples[frame + 1, c, s, axis] - truth[c, s, axis]
+                            truth[c, s, axis] += part * ahead
                         between[c, s, axis] = (
                             (1.0 - u) * samples[start, c, s, axis]
                             + u * samples[stop, c, s, axis]
                             + rise * bends[0, c, s, axis]
                             + fall * bends[1, c, s, axis]
                         )
-            worst = _farther(between, samples[start + k], closed, worst, limit)
+            worst = _farther(between, truth, closed, worst, limit)
             if worst > limit:
                 break
         if worst <= limit:

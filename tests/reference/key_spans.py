@@ -11,25 +11,37 @@ Array = NDArray[np.float64]
 
 
 def ref_span_error(samples: Array, closed: bool, start: int, stop: int, *, cubic: bool) -> float:
-    """Largest distance between the outlines `samples (F, C, S, 2)` inside a span and the interpolated ones."""
-    truth = samples[start + 1 : stop]
-    if len(truth) == 0:
+    """Largest distance between the outlines `samples (F, C, S, 2)` inside a span and the interpolated ones.
+
+    A cubic is looked at on every quarter of a frame, between the outlines of the two frames about it.
+    """
+    if stop - start < 2:
         return 0.0
-    between = ref_interpolated(samples[start : stop + 1], cubic=cubic)[1:-1]
+    span = samples[start : stop + 1]
+    at = np.arange(0.25 if cubic else 1.0, stop - start, 0.25 if cubic else 1.0)
+    truth = np.stack([(1 - m % 1) * span[int(m)] + m % 1 * span[int(np.ceil(m))] for m in at])
+    between = ref_interpolated(span, at, cubic=cubic)
     distances = [ref_distances(truth, between, closed), ref_distances(between, truth, closed)]
     return float(np.max(distances))
 
 
-def ref_interpolated(samples: Array, *, cubic: bool) -> Array:
-    """All frames of a span by the two at its ends, and by slopes fitted to those inside."""
-    u = np.arange(len(samples)) / (len(samples) - 1)
-    straight = (1 - u)[:, None, None, None] * samples[0] + u[:, None, None, None] * samples[-1]
+def ref_interpolated(samples: Array, at: Array, *, cubic: bool) -> Array:
+    """A span at the moments `at`, frames from its begin, by the two frames at its ends, and by slopes fitted to all."""
+    last = len(samples) - 1
     if not cubic:
-        return straight
-    basis = np.stack([u * (1 - u) ** 2, -(u**2) * (1 - u)], axis=1)
-    strays = (samples - straight).reshape(len(samples), -1)
-    slopes = np.linalg.lstsq(basis, strays, rcond=1e-6)[0]
-    return straight + (basis @ slopes).reshape(samples.shape)
+        return _straight(samples, at / last)
+    u = np.arange(last + 1) / last
+    strays = (samples - _straight(samples, u)).reshape(last + 1, -1)
+    slopes = np.linalg.lstsq(_hermite(u), strays, rcond=1e-6)[0]
+    return _straight(samples, at / last) + (_hermite(at / last) @ slopes).reshape(len(at), *samples.shape[1:])
+
+
+def _straight(samples: Array, u: Array) -> Array:
+    return np.asarray((1 - u)[:, None, None, None] * samples[0] + u[:, None, None, None] * samples[-1])
+
+
+def _hermite(u: Array) -> Array:
+    return np.stack([u * (1 - u) ** 2, -(u**2) * (1 - u)], axis=1)
 
 
 def ref_distances(places: Array, others: Array, closed: bool) -> Array:

@@ -150,6 +150,19 @@ def test_nuke_gets_the_slopes_and_moves_as_promised() -> None:
         np.testing.assert_allclose(written.feather_points(frame), shape.at(frame).points + offsets, atol=1.0)
 
 
+def test_between_frames_a_cubic_stays_within_the_tolerance_too() -> None:
+    """What jumps on one frame is met by a cubic on every frame, with a swing in between."""
+    keys = [Keyframe(k.frame, k.points + (25.0 if k.frame > 1010 else 0.0), origin=k.origin) for k in tracked(24).keys]
+    shape = RotoShape("shape-1", "Jumps", tuple(keys))
+    options = ExportOptions(keys=KeyChoice.REDUCED, tolerance=0.3)
+    text, notes = roto_document(Project(CLIP, Layer("root", "Root", (shape,))), options)
+    (written,) = nuke_judge.judge(text).root.shapes()
+    assert len(written.times) < 24
+    strays = [farthest(written.points(frame), shape.at(frame).points) for frame in np.arange(1001.0, 1024.01, 0.25)]
+    assert max(strays) <= 0.3 + 0.05
+    assert "at quarter frames, too" in notes[0]
+
+
 def test_silhouette_gets_the_few_keys_and_the_sentence() -> None:
     options = ExportOptions(keys=KeyChoice.REDUCED, tolerance=1.0)
     text, notes = silhouette_document(Project(CLIP, Layer("root", "Root", (tracked(50),))), options)

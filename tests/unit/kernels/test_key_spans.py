@@ -46,7 +46,7 @@ def test_a_cubic_motion_is_followed_exactly() -> None:
     u = np.linspace(0, 1, 200)
     path = np.stack([300 * u**3 - 200 * u, 150 * u * (1 - u)], axis=1)[:, None, None]
     samples = moving(1) + path
-    errors = cubic_span_errors(samples, True, 0, 1e-5)
+    errors = cubic_span_errors(samples, True, 0, 0.01)  # what a chord of one frame strays
     assert np.isfinite(errors[1:]).all()
 
 
