@@ -2,10 +2,7 @@
 
 from __future__ import annotations
 
-import threading
-from collections.abc import Callable, Collection, Iterator
-from dataclasses import dataclass, field
-from typing import Any
+from collections.abc import Callable
 
 import pytest
 from pytestqt.qtbot import QtBot
@@ -14,60 +11,24 @@ from app.document import Document
 from app.jobs.propagation import Propagation
 from app.jobs.runner import Ending, Runner
 from app.view_state import ViewState
-from roam_core.cancel import CancelToken
 from roam_core.geometry.bezier import polygon_points
 from roam_core.propagate import run
-from roam_core.propagate.result import FrameResult, Termination, TrackResult
-from roam_core.roto import Keyframe, Origin, Project, RotoShape, edit
+from roam_core.roto import Origin, Project, RotoShape, edit
+from tests.gui.engines import GlidingEngine
 
 WAIT = 5000
 SQUARE = polygon_points([(0, 0), (10, 0), (10, 10), (0, 10)])
 
 
-@dataclass
-class Engine:
-    """Stands in for the engine: moves shapes by a pixel a frame, one frame for each `allow`."""
-
-    is_deaf: bool = False
-    gate: threading.Semaphore = field(default_factory=lambda: threading.Semaphore(0))
-
-    def allow(self, frames: int) -> None:
-        self.gate.release(frames)
-
-    def track(
-        self,
-        read: Any,
-        shapes: Any,
-        frames: range,
-        config: str,
-        token: CancelToken,
-        clip: str,
-        memory: Any,
-        only: Collection[str],
-        alone: bool,
-    ) -> Iterator[FrameResult]:
-        for frame in frames[1:]:
-            while not self.gate.acquire(timeout=0.01):
-                if not self.is_deaf:
-                    token.check()
-            results = []
-            for shape in (each for each in shapes if each.id in only):
-                points = shape.at(frames[0]).points + (frame - frames[0])
-                key = Keyframe(frame, points, origin=Origin.ENGINE, confidence=0.4 if frame == 3 else 0.9)
-                moved = edit.set_engine_keys(shape, [key])
-                results.append(TrackResult(frame, moved, 0.4 if frame == 3 else 0.9, {}, Termination.CONVERGED, 0.01))
-            yield FrameResult(frame, tuple(results), 0.01)
-
-
 @pytest.fixture
-def engine(monkeypatch: pytest.MonkeyPatch) -> Engine:
-    engine = Engine()
+def engine(monkeypatch: pytest.MonkeyPatch) -> GlidingEngine:
+    engine = GlidingEngine()
     monkeypatch.setattr(run, "track", engine.track)
     return engine
 
 
 @pytest.fixture
-def propagation(document: Document, view_state: ViewState, runner: Runner, engine: Engine) -> Propagation:
+def propagation(document: Document, view_state: ViewState, runner: Runner, engine: GlidingEngine) -> Propagation:
     project, _ = edit.new_shape(Project(), SQUARE, 1)
     project, _ = edit.new_shape(project, SQUARE, 1)
     document.open(project, None)
@@ -83,7 +44,7 @@ def solved(document: Document, frames: list[int]) -> Callable[[], bool]:
 
 
 def test_a_run_is_one_undo_step_and_the_playhead_goes_with_it(
-    qtbot: QtBot, propagation: Propagation, document: Document, view_state: ViewState, engine: Engine
+    qtbot: QtBot, propagation: Propagation, document: Document, view_state: ViewState, engine: GlidingEngine
 ) -> None:
     before = document.project
     engine.allow(4)
@@ -100,7 +61,9 @@ def test_a_run_is_one_undo_step_and_the_playhead_goes_with_it(
     assert document.project is before
 
 
-def test_the_status_tells_what_how_far_and_how_fast(qtbot: QtBot, propagation: Propagation, engine: Engine) -> None:
+def test_the_status_tells_what_how_far_and_how_fast(
+    qtbot: QtBot, propagation: Propagation, engine: GlidingEngine
+) -> None:
     told: list[tuple[float, str]] = []
     propagation.progress.connect(lambda fraction, text: told.append((fraction, text)))
     engine.allow(4)
@@ -110,7 +73,7 @@ def test_the_status_tells_what_how_far_and_how_fast(qtbot: QtBot, propagation: P
 
 
 def test_stop_keeps_the_frames_that_are_finished(
-    qtbot: QtBot, propagation: Propagation, document: Document, engine: Engine
+    qtbot: QtBot, propagation: Propagation, document: Document, engine: GlidingEngine
 ) -> None:
     engine.allow(2)
     propagation.start(["shape-1"], range(1, 6))
@@ -123,7 +86,7 @@ def test_stop_keeps_the_frames_that_are_finished(
 
 
 def test_an_engine_that_does_not_listen_is_not_waited_for(
-    qtbot: QtBot, propagation: Propagation, document: Document, engine: Engine
+    qtbot: QtBot, propagation: Propagation, document: Document, engine: GlidingEngine
 ) -> None:
     engine.is_deaf = True
     engine.allow(2)
@@ -140,7 +103,7 @@ def test_an_engine_that_does_not_listen_is_not_waited_for(
 
 
 def test_artist_keys_come_back_bit_identical(
-    qtbot: QtBot, propagation: Propagation, document: Document, engine: Engine
+    qtbot: QtBot, propagation: Propagation, document: Document, engine: GlidingEngine
 ) -> None:
     keyed = edit.set_key(shape(document), 3, SQUARE * 2)
     document.apply("Key", document.project.with_shape(keyed))
@@ -153,7 +116,7 @@ def test_artist_keys_come_back_bit_identical(
 
 @pytest.mark.parametrize("act", ["edit", "undo", "delete"])
 def test_touching_a_shape_under_work_ends_its_run_at_once(
-    qtbot: QtBot, propagation: Propagation, document: Document, engine: Engine, act: str
+    qtbot: QtBot, propagation: Propagation, document: Document, engine: GlidingEngine, act: str
 ) -> None:
     engine.allow(2)
     propagation.start(["shape-1"], range(1, 6))
@@ -173,7 +136,7 @@ def test_touching_a_shape_under_work_ends_its_run_at_once(
 
 
 def test_other_edits_leave_the_run_alone(
-    qtbot: QtBot, propagation: Propagation, document: Document, engine: Engine
+    qtbot: QtBot, propagation: Propagation, document: Document, engine: GlidingEngine
 ) -> None:
     engine.allow(1)
     propagation.start(["shape-1"], range(1, 6))
@@ -191,7 +154,7 @@ def test_other_edits_leave_the_run_alone(
 
 @pytest.mark.parametrize("alone", [False, True])
 def test_an_edit_of_a_shape_that_is_solved_along_ends_the_run(
-    qtbot: QtBot, propagation: Propagation, document: Document, engine: Engine, alone: bool
+    qtbot: QtBot, propagation: Propagation, document: Document, engine: GlidingEngine, alone: bool
 ) -> None:
     engine.allow(1)
     propagation.start(["shape-1"], range(1, 6), alone=alone)
@@ -201,7 +164,7 @@ def test_an_edit_of_a_shape_that_is_solved_along_ends_the_run(
 
 
 def test_a_run_stays_one_step_and_edits_made_meanwhile_are_steps_of_their_own(
-    qtbot: QtBot, propagation: Propagation, document: Document, engine: Engine
+    qtbot: QtBot, propagation: Propagation, document: Document, engine: GlidingEngine
 ) -> None:
     before, stack = document.project, document.undo_stack
     engine.allow(1)
@@ -232,7 +195,7 @@ def test_a_run_stays_one_step_and_edits_made_meanwhile_are_steps_of_their_own(
 
 
 def test_a_change_taken_into_the_run_joins_its_step_below_what_the_artist_did(
-    qtbot: QtBot, propagation: Propagation, document: Document, engine: Engine
+    qtbot: QtBot, propagation: Propagation, document: Document, engine: GlidingEngine
 ) -> None:
     before, stack = document.project, document.undo_stack
     engine.allow(1)
@@ -257,7 +220,7 @@ def test_a_change_taken_into_the_run_joins_its_step_below_what_the_artist_did(
 
 
 def test_the_playhead_stays_where_the_artist_scrubbed_to(
-    qtbot: QtBot, propagation: Propagation, document: Document, view_state: ViewState, engine: Engine
+    qtbot: QtBot, propagation: Propagation, document: Document, view_state: ViewState, engine: GlidingEngine
 ) -> None:
     engine.allow(1)
     propagation.start(["shape-1"], range(1, 6))
@@ -270,7 +233,7 @@ def test_the_playhead_stays_where_the_artist_scrubbed_to(
 
 
 def test_the_frame_stays_under_the_hand_while_something_is_dragged(
-    qtbot: QtBot, propagation: Propagation, document: Document, view_state: ViewState, engine: Engine
+    qtbot: QtBot, propagation: Propagation, document: Document, view_state: ViewState, engine: GlidingEngine
 ) -> None:
     engine.allow(1)
     propagation.start(["shape-1"], range(1, 6))
@@ -288,7 +251,7 @@ def test_the_frame_stays_under_the_hand_while_something_is_dragged(
 
 
 def test_opening_another_project_ends_the_run(
-    qtbot: QtBot, propagation: Propagation, document: Document, engine: Engine
+    qtbot: QtBot, propagation: Propagation, document: Document, engine: GlidingEngine
 ) -> None:
     propagation.start(["shape-1"], range(1, 6))
     document.open(Project(), None)
