@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import sys
+from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
@@ -42,10 +43,11 @@ def run(arguments: argparse.Namespace) -> int:
         if arguments.json:
             print_line(solved)
 
+    def save(tracked: Project) -> None:
+        file.save(tracked, arguments.save)
+
     with opened(str(folder)) as plate:
-        project = track_demo(plate, arguments.config, scored)
-    if arguments.save is not None:
-        file.save(project, arguments.save)
+        track_demo(plate, arguments.config, scored, None if arguments.save is None else save)
     solved = np.array(truth[1:])
     worst = int(np.argmin(solved))
     print(
@@ -74,11 +76,10 @@ def demo_project(plate: Plate) -> Project:
     return project
 
 
-def track_demo(plate: Plate, config: str, report: Report) -> Project:
-    """Track the demo forward from its first frame."""
-    return track_project(
-        plate, demo_project(plate), frame_range(plate.source.frames, None, None), config, report=report
-    )
+def track_demo(plate: Plate, config: str, report: Report, keep: Callable[[Project], None] | None = None) -> Project:
+    """Track the demo forward from its first frame; `report` and `keep` as for `track_project`."""
+    frames = frame_range(plate.source.frames, None, None)
+    return track_project(plate, demo_project(plate), frames, config, report=report, keep=keep)
 
 
 def overlap(shape: RotoShape, frame: int) -> float:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import argparse
-import json
 import sys
 from collections.abc import Mapping, Sequence
 from pathlib import Path
@@ -13,9 +12,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from roam_core.cli.explain_picture import TOTAL, choices, drawn
-from roam_core.cli.fill import interruptible, require_size
+from roam_core.cli.fill import require_size
+from roam_core.cli.lines import print_json
 from roam_core.cli.picking import picked
 from roam_core.cli.plate import Plate, opened
+from roam_core.cli.stopping import cancelling
 from roam_core.cli.track import require_target
 from roam_core.errors import RoamError
 from roam_core.features import PreparedFrame
@@ -58,7 +59,10 @@ def run(arguments: argparse.Namespace) -> int:
             image = PreparedFrame(plate.read(arguments.frame)).image
             write_atomically(arguments.picture, encoded(drawn(image, explanations, arguments.term)))
     for each in explanations:
-        print(json.dumps(line_of(each)) if arguments.json else "\n".join(text_of(each)), flush=True)
+        if arguments.json:
+            print_json(line_of(each))
+        else:
+            print("\n".join(text_of(each)), flush=True)
     if arguments.picture is not None:
         print(f"Drew {arguments.term} of {len(explanations)} shape(s) to {arguments.picture}.", file=sys.stderr)
     return 0
@@ -81,7 +85,7 @@ def keyed_shapes(project: Project, path: Path, frame: int, name: str | None) -> 
 def explained(plate: Plate, project: Project, frame: int, wanted: Sequence[RotoShape]) -> list[Explanation]:
     """The wanted shapes' keys taken apart; shapes that were tracked with them are carried along."""
     names = {shape.id for shape in wanted}
-    with interruptible() as token:
+    with cancelling() as token:
         return explain(
             lambda number: PreparedFrame(plate.read(number)), project.shapes, frame, project.clip, token, names
         )

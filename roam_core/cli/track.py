@@ -3,24 +3,27 @@
 from __future__ import annotations
 
 import argparse
-import json
 import os
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager, suppress
 from dataclasses import replace
 from pathlib import Path
 
 from tqdm import tqdm
 
+from roam_core.cli.keeping import kept
+from roam_core.cli.lines import print_json
 from roam_core.cli.picking import EVERYTHING, Picking, trackable
 from roam_core.cli.picking import add_arguments as add_picking
 from roam_core.cli.plate import Plate, opened
+from roam_core.cli.stopping import cancelling
 from roam_core.errors import RoamError
 from roam_core.interchange.mattes import write_matte
 from roam_core.interchange.nuke_landmarks import LandmarkPaths, write_landmarks
 from roam_core.matte.vectorise import read_mask, shapes_from_mask
 from roam_core.params import CONFIGS, DEFAULT_CONFIG, params_for
-from roam_core.propagate import FrameResult, track, warm_up
+from roam_core.propagate import FrameResult, Termination, track, warm_up
 from roam_core.propagate.provenance import clip_stamp
 from roam_core.propagate.whole import whole_confidence
 from roam_core.roto import Clip, Layer, Project, RotoShape, file
@@ -69,16 +72,19 @@ def run(arguments: argparse.Namespace) -> int:
                 print_line(solved)
 
         def save(tracked: Project) -> None:
-            if arguments.save is not None:
-                file.save(tracked, arguments.save)
-            if arguments.landmarks is not None and landmarks.shapes:
-                for note in write_landmarks(landmarks, tracked.require_clip(), arguments.landmarks):
-                    print(note, file=sys.stderr)
+            file.save(tracked, arguments.save)
 
-        project = track_project(
-            plate, project, frames, arguments.config, picking, report=report, mattes=arguments.matte, keep=save
-        )
-        save(project)
+        with landmarks_kept(landmarks, project.require_clip(), arguments.landmarks):
+            track_project(
+                plate,
+                project,
+                frames,
+                arguments.config,
+                picking,
+                report=report,
+                mattes=arguments.matte,
+                keep=None if arguments.save is None else save,
+            )
     if not arguments.json:
         count = len(trackable(project, picking))
         print(f"Tracked {count} shape(s) from frame {frames[0]} to {frames[-1]}.", file=sys.stderr)
@@ -99,36 +105,78 @@ def track_project(
     """Track the closed, unlocked shapes of a project, or those picked, through `frames` of its plate.
 
     `report` is called with the first frame, as it was given, and with each solved one; `mattes` is a folder for a PNG
-    of each frame, written as it is solved. When the user interrupts, `keep` is given what is finished.
+    of each frame, written as it is solved. `keep` is given what is finished, as the run goes and however it ends.
     """
     shapes = [shape for shape in project.shapes if shape.closed]
     asked = {shape.id for shape in trackable(project, picking)}
     stamp = clip_stamp(project.clip)
     warm_up(config)
-    width, height = plate.source.size
+    pictures = None if mattes is None else Mattes(plate, mattes)
 
     def finished(solved: FrameResult) -> None:
-        frame = solved.frame
-        if mattes is not None and frame in plate.source.frames:
-            name = f"{plate.source.frame_name(frame)}.png"
-            write_matte(project.root, frame, mattes / name, (height, width))
+        keeper.offer(project)
+        if pictures is not None:
+            pictures.add(project, solved)
         if report is not None:
             report(solved)
 
     plate.read(frames[0])
     plate.ahead_of(frames[0], frames)
-    solved = track(plate.read, shapes, frames, config, clip=stamp, begun=finished, only=asked, alone=picking.alone)
     quiet = not sys.stderr.isatty()
-    try:
+    with cancelling() as token, kept(keep) as keeper:
+        keeper.offer(project)
+        solved = track(
+            plate.read_or_bridge, shapes, frames, config, token, stamp, begun=finished, only=asked, alone=picking.alone
+        )
         for result in tqdm(solved, total=len(frames) - 1, unit="frame", disable=quiet, leave=False):
             project = with_results(project, result)
             finished(result)
             plate.ahead_of(result.frame, frames)
-    except KeyboardInterrupt:
-        if keep is not None:
-            keep(project)
-        raise
+        if pictures is not None:
+            pictures.finish(project)
     return project
+
+
+class Mattes:
+    """The mattes of a run, each written when its frame is finished.
+
+    A frame whose picture could not be read has one too; it waits for the next solved frame, which tells how the shapes
+    pass it.
+    """
+
+    def __init__(self, plate: Plate, folder: Path) -> None:
+        self._source, self._folder = plate.source, folder
+        self._waiting: list[int] = []
+
+    def add(self, project: Project, solved: FrameResult) -> None:
+        """Take up one more frame; `project` holds it."""
+        if solved.frame in self._source.frames:
+            self._waiting.append(solved.frame)
+        if any(result.termination is not Termination.MISSING_FRAME for result in solved.results):
+            self.finish(project)
+
+    def finish(self, project: Project) -> None:
+        """Write what waits."""
+        width, height = self._source.size
+        for frame in self._waiting:
+            path = self._folder / f"{self._source.frame_name(frame)}.png"
+            write_matte(project.root, frame, path, (height, width))
+        self._waiting.clear()
+
+
+@contextmanager
+def landmarks_kept(paths: LandmarkPaths, clip: Clip, out: Path | None) -> Iterator[None]:
+    """Write the landmarks to `out` when the block ends; those that there are where it ends early."""
+    try:
+        yield
+    except BaseException:
+        if out is not None and paths.shapes:
+            with suppress(RoamError):  # none were found yet; what ended the run is told
+                write_landmarks(paths, clip, out)
+        raise
+    if out is not None and paths.shapes:
+        for note in write_landmarks(paths, clip, out):
+            print(note, file=sys.stderr)
 
 
 def with_results(project: Project, result: FrameResult) -> Project:
@@ -229,4 +277,4 @@ def print_line(solved: FrameResult) -> None:
         "confidence": round(confidence, 4),
         "termination": results[worst].termination.value,
     }
-    print(json.dumps(line), flush=True)
+    print_json(line)

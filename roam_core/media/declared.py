@@ -25,6 +25,10 @@ class DeclaredPlate:
         return self.source.path
 
     @property
+    def files(self) -> tuple[Path, ...]:
+        return self.source.files
+
+    @property
     def frames(self) -> tuple[int, ...]:
         return self.source.frames
 

@@ -12,7 +12,7 @@ import numpy as np
 
 from roam_core.errors import RoamError
 from roam_core.media.colour import SRGB
-from roam_core.media.source import Image, MissingFrame
+from roam_core.media.source import DamagedFrame, Image, MissingFrame
 
 LONGEST_STEP = 24
 """Frames that are decoded one by one rather than sought: about the distance between key frames."""
@@ -45,6 +45,7 @@ class Movie:
         self._count = self._verified_count()
         self.frames = tuple(range(1, self._count + 1))
         self.missing: tuple[int, ...] = ()
+        self.files = (path,)
 
     def frame_name(self, frame: int) -> str:
         """The frame's number, padded with zeros: to five digits, more for a longer movie."""
@@ -57,7 +58,7 @@ class Movie:
         with self._lock:
             picture = self._retrieved() if self._go_to(frame - 1) else None
         if picture is None:
-            raise RoamError(f"Frame {frame} of {self.path} cannot be decoded; the movie is damaged or cut short.")
+            raise DamagedFrame(f"Frame {frame} of {self.path} cannot be decoded; the movie is damaged or cut short.")
         if (picture.shape[1], picture.shape[0]) != self.size:
             raise RoamError(f"Frame {frame} of {self.path} differs in size from the first; a plate needs one size.")
         return np.asarray(cv2.cvtColor(picture, cv2.COLOR_BGR2RGB))

@@ -17,12 +17,20 @@ class MissingFrame(RoamError):
     """The plate has no such frame: outside its range, or a gap in its numbers."""
 
 
+class DamagedFrame(MissingFrame):
+    """The frame is there and cannot be decoded: it is damaged or cut short. A run bridges it like a gap."""
+
+
 class PlateSource(Protocol):
     """A plate that gives its frames by their own numbers. Reading is safe from any thread."""
 
     @property
     def path(self) -> Path:
         """The folder, pattern, image or movie that opens this plate again."""
+
+    @property
+    def files(self) -> tuple[Path, ...]:
+        """The files that are read: what is written must not be one of them."""
 
     @property
     def frames(self) -> tuple[int, ...]:
@@ -58,9 +66,9 @@ class PlateSource(Protocol):
         Raises
         ------
         MissingFrame
-            when the plate has no such frame.
+            when the plate has no such frame; `DamagedFrame` when it is there and cannot be decoded.
         RoamError
-            when it is there and cannot be decoded, or differs in size.
+            when it differs in size from the others.
         """
 
     def frame_name(self, frame: int) -> str:
