@@ -17,13 +17,16 @@ from tqdm import tqdm
 from roam_core.cancel import CancelToken
 from roam_core.cli.keeping import kept
 from roam_core.cli.lines import print_json
+from roam_core.cli.overwriting import add_overwrite, project_writer
 from roam_core.cli.picking import EVERYTHING, Picking, trackable
 from roam_core.cli.picking import add_arguments as add_picking
 from roam_core.cli.plate import Plate, opened
 from roam_core.cli.stopping import cancelling
-from roam_core.cli.track import require_target, require_writable
+from roam_core.cli.track import matte_path, matte_targets, require_target, require_writable
 from roam_core.errors import RoamError
+from roam_core.interchange.authorship import Kind
 from roam_core.interchange.mattes import write_matte
+from roam_core.interchange.targets import Sources, require_free
 from roam_core.params import CONFIGS, DEFAULT_CONFIG, RoamParams, params_for
 from roam_core.propagate import Termination, warm_up
 from roam_core.propagate.provenance import Stamps, clip_stamp, takes_part
@@ -44,6 +47,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--matte", type=Path, metavar="DIR", help="write 8-bit PNG mattes named as the frames")
     parser.add_argument("--save", type=Path, metavar="OUT.roam", help="write here (default: P.roam itself)")
     parser.add_argument("--json", action="store_true", help="print one line of JSON a frame")
+    add_overwrite(parser)
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -56,14 +60,21 @@ def run(arguments: argparse.Namespace) -> int:
     with opened(str(project.require_clip().path), project.clip) as plate:
         require_size(plate, project.require_clip())
         require_target(target)
+        frames = range(gaps[0][0], max(last for _, last in gaps) + 1)
+        require_free(
+            [(target, Kind.PROJECT), *matte_targets(plate, frames, arguments.matte)],
+            Sources.of(plate.source, arguments.project),
+            overwrite=arguments.overwrite,
+            rewritten=arguments.project,
+        )
         if arguments.matte is not None:
             require_writable(arguments.matte, create=True)
+        write = project_writer(target, arguments.project)
         wanted = [gap for gap in gaps if not is_filled(project, gap, params, plate, picking)]
-        filled = fill_project(plate, project, wanted, params, lambda done: file.save(done, target), picking)
+        filled = fill_project(plate, project, wanted, params, write, picking)
         project = filled.project
         if target != arguments.project and not wanted:
-            file.save(project, target)
-        frames = range(gaps[0][0], max(last for _, last in gaps) + 1)
+            write(project)
         if arguments.matte is not None:
             failed = set(wanted) - set(filled.gaps)
             shown = [frame for frame in frames if not any(first < frame < last for first, last in failed)]
@@ -212,7 +223,7 @@ def write_mattes(plate: Plate, project: Project, frames: Sequence[int], folder: 
     width, height = plate.source.size
     for frame in frames:
         if frame in plate.source.frames:
-            write_matte(project.root, frame, folder / f"{plate.source.frame_name(frame)}.png", (height, width))
+            write_matte(project.root, frame, matte_path(plate, frame, folder), (height, width))
 
 
 def line_of(project: Project, frame: int, seconds: float) -> dict[str, object]:

@@ -25,10 +25,6 @@ class DeclaredPlate:
         return self.source.path
 
     @property
-    def files(self) -> tuple[Path, ...]:
-        return self.source.files
-
-    @property
     def frames(self) -> tuple[int, ...]:
         return self.source.frames
 
@@ -47,6 +43,10 @@ class DeclaredPlate:
     def read(self, frame: int) -> Image:
         """The picture `(h, w, 3)` of a frame: the same values; what they mean is what was declared."""
         return self.source.read(frame)
+
+    def file_of(self, frame: int) -> Path:
+        """The file that holds a frame."""
+        return self.source.file_of(frame)
 
     def frame_name(self, frame: int) -> str:
         """The name of a frame without its extension."""

@@ -45,7 +45,10 @@ class Movie:
         self._count = self._verified_count()
         self.frames = tuple(range(1, self._count + 1))
         self.missing: tuple[int, ...] = ()
-        self.files = (path,)
+
+    def file_of(self, frame: int) -> Path:
+        """The movie, whichever the frame."""
+        return self.path
 
     def frame_name(self, frame: int) -> str:
         """The frame's number, padded with zeros: to five digits, more for a longer movie."""

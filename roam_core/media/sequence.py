@@ -62,10 +62,10 @@ class ImageSequence:
         self.colour_space = _colour_space(source)
         self.depth = _depth(source.spec())
 
-    @property
-    def files(self) -> tuple[Path, ...]:
-        """The image files, in the order of their frames."""
-        return tuple(self._sequence.folder / self._sequence.names[frame] for frame in self.frames)
+    def file_of(self, frame: int) -> Path:
+        """The frame's file; the plate's own path for a frame that it has not."""
+        name = self._sequence.names.get(frame)
+        return self._sequence.folder / name if name else self.path
 
     def frame_name(self, frame: int) -> str:
         """The stem of the frame's file, or what it would be for a frame that is not on disk."""

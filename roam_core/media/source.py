@@ -29,10 +29,6 @@ class PlateSource(Protocol):
         """The folder, pattern, image or movie that opens this plate again."""
 
     @property
-    def files(self) -> tuple[Path, ...]:
-        """The files that are read: what is written must not be one of them."""
-
-    @property
     def frames(self) -> tuple[int, ...]:
         """The numbers of the frames that exist, sorted."""
 
@@ -70,6 +66,9 @@ class PlateSource(Protocol):
         RoamError
             when it differs in size from the others.
         """
+
+    def file_of(self, frame: int) -> Path:
+        """The file that holds a frame; it need not be there."""
 
     def frame_name(self, frame: int) -> str:
         """The name of a frame without its extension, by which its matte is named."""

@@ -29,6 +29,7 @@ class Engine:
     """Stands in for the engine: moves shapes by a pixel a frame, one frame for each `allow`."""
 
     is_deaf: bool = False
+    damaged: int = 0
     gate: threading.Semaphore = field(default_factory=lambda: threading.Semaphore(0))
 
     def allow(self, frames: int) -> None:
@@ -51,6 +52,10 @@ class Engine:
                 if not self.is_deaf:
                     token.check()
             results = []
+            if frame == self.damaged:
+                gap = [TrackResult(frame, each, 0.0, {}, Termination.MISSING_FRAME) for each in shapes]
+                yield FrameResult(frame, tuple(gap))
+                continue
             for shape in (each for each in shapes if each.id in only):
                 points = shape.at(frames[0]).points + (frame - frames[0])
                 key = Keyframe(frame, points, origin=Origin.ENGINE, confidence=0.4 if frame == 3 else 0.9)
@@ -98,6 +103,17 @@ def test_a_run_is_one_undo_step_and_the_playhead_goes_with_it(
     ]
     document.undo_stack.undo()
     assert document.project is before
+
+
+def test_a_frame_without_a_picture_is_bridged_and_told(
+    qtbot: QtBot, propagation: Propagation, document: Document, engine: Engine
+) -> None:
+    engine.damaged = 3
+    engine.allow(4)
+    with qtbot.waitSignal(propagation.finished, timeout=WAIT) as finished:
+        propagation.start(["shape-1"], range(1, 6))
+    assert solved(document, [2, 4, 5])()
+    assert finished.args[1].endswith("each. Bridged without a picture: 1.")
 
 
 def test_the_status_tells_what_how_far_and_how_fast(qtbot: QtBot, propagation: Propagation, engine: Engine) -> None:
