@@ -78,7 +78,7 @@ class Obstacles:
     def refuse_always(self) -> None:
         """Raise `RoamError` for what is never permitted."""
         for paths, reason in (
-            (self.read, "would be written over although the same command reads it; name another place"),
+            (self.read, "is read for this and is never written over; name another place"),
             (self.in_plate, "would lie among the frames of the plate; choose another folder"),
             (self.odd, "is no plain file and cannot be written over; name another"),
             (self.twice, "would be written twice; give each result a place of its own"),

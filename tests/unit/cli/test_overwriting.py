@@ -16,7 +16,7 @@ from tests.unit.cli.test_bad_input import require_refusal, tree
 from tests.unit.cli.test_fill import CONFIG
 
 OVERWRITE = "--overwrite"
-READ = "although the same command reads it"
+READ = "is read for this and is never written over"
 FOREIGN = "is not of ROAM's making"
 
 
