@@ -1,27 +1,40 @@
-"""Lines of JSON on the standard output."""
+"""What goes to the standard output: lines of JSON, and that it really goes there."""
 
 from __future__ import annotations
 
 import json
 import os
 import sys
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager, suppress
 
 from roam_core.errors import RoamError
 
 
 def print_json(line: Mapping[str, object]) -> None:
-    """Print one object as a line.
+    """Print one object as a line, now. Raises as `flush_output`."""
+    with _told():
+        print(json.dumps(line), flush=True)
+
+
+def flush_output() -> None:
+    """Have everything that was printed arrive.
 
     Raises
     ------
     BrokenPipeError
         when the reader went away.
     RoamError
-        when the line cannot be written for another reason, such as a full disk.
+        when it cannot be written for another reason, such as a full disk.
     """
+    with _told():
+        sys.stdout.flush()
+
+
+@contextmanager
+def _told() -> Iterator[None]:
     try:
-        print(json.dumps(line), flush=True)
+        yield
     except BrokenPipeError:
         discard_output()
         raise
@@ -32,6 +45,8 @@ def print_json(line: Mapping[str, object]) -> None:
 
 def discard_output() -> None:
     """Send what is still to be printed nowhere: the interpreter would fail on it once more when it ends."""
-    nowhere = os.open(os.devnull, os.O_WRONLY)
-    os.dup2(nowhere, sys.stdout.fileno())
-    os.close(nowhere)
+    with suppress(OSError):  # an output that is no file of the system
+        output = sys.stdout.fileno()
+        nowhere = os.open(os.devnull, os.O_WRONLY)
+        os.dup2(nowhere, output)
+        os.close(nowhere)

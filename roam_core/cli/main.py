@@ -12,7 +12,7 @@ from keyword import iskeyword
 from types import ModuleType
 
 from roam_core.cancel import Cancelled
-from roam_core.cli.lines import discard_output
+from roam_core.cli.lines import discard_output, flush_output
 from roam_core.cli.stopping import Stopped, raising
 from roam_core.errors import RoamError
 
@@ -37,7 +37,9 @@ def main(argv: Sequence[str] | None = None) -> int:
     ended gives 128 and its number: 130 interrupted, 143 terminated, 129 hung up, 141 output that nobody reads."""
     try:
         with raising():
-            return _run(sys.argv[1:] if argv is None else list(argv))
+            status = _run(sys.argv[1:] if argv is None else list(argv))
+            flush_output()
+            return status
     except RoamError as error:
         print(f"roam: {error}", file=sys.stderr)
         return FAILED
@@ -52,6 +54,12 @@ def main(argv: Sequence[str] | None = None) -> int:
         # The reader of our output went away: nobody is left to be told.
         discard_output()
         return UNHEARD
+    except OSError as error:
+        # What reads and writes files tells of them by itself; what is left is mostly the output of a command.
+        discard_output()
+        what = f"{error.filename} cannot be used" if error.filename else "The standard output cannot be written"
+        print(f"roam: {what}: {error.strerror}.", file=sys.stderr)
+        return FAILED
 
 
 def _run(argv: list[str]) -> int:

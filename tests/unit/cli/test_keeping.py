@@ -27,6 +27,7 @@ from tests.unit.cli.test_fill import CONFIG
 from tests.unit.cli.test_fill import keyed as keyed
 
 STATES = [Project(marks=(Mark(n, "state"),)) for n in range(5)]
+ROAM = (sys.executable, "-c", "import sys; from roam_core.cli import main; sys.exit(main())")
 LONG = 400
 """Frames: some seconds of work, so that a test can come in between."""
 
@@ -180,7 +181,7 @@ def long_run(plate: Plate) -> Callable[[], subprocess.Popen[bytes]]:
     for n in range(len(SHOT.frames), LONG):
         os.link(plate.folder / f"plate.{1001 + n % 6}.png", plate.folder / f"plate.{1001 + n}.png")
     words = ["track", plate.folder, "--init", plate.mask, *CONFIG, "--save", plate.folder.parent / "p.roam", "--json"]
-    command = [sys.executable, "-c", "import sys; from roam_core.cli import main; sys.exit(main())", *map(str, words)]
+    command = [*ROAM, *map(str, words)]
     return lambda: subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
 
 
@@ -229,26 +230,25 @@ def test_a_full_disk_while_mattes_are_written(roam: Roam, plate: Plate, monkeypa
             raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
         really(handle)
 
-    monkeypatch.setattr("roam_core.roto.file.os.fsync", full)
+    monkeypatch.setattr(os, "fsync", full)
     path, out = plate.folder.parent / "p.roam", plate.folder.parent / "mattes"
     done = roam("track", plate.folder, "--init", plate.mask, *CONFIG, "--save", path, "--matte", out)
     assert (done.status, done.out) == (1, "")
-    assert done.err.endswith("cannot be written: No space left on device. What was finished is kept.\n")
+    assert "cannot be written: No space left on device" in done.err
+    assert done.err.endswith(" What was finished is kept.\n")
     assert done.err.count("\n") == 1
-    assert len(file.load(path).shapes[0].frames) > len(list(out.iterdir())) >= 2
+    assert len(file.load(path).shapes[0].frames) >= len(list(out.iterdir())) >= 2
     assert not list(out.glob(".*"))
 
 
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="the system has no device that is always full")
-def test_a_full_disk_under_the_output_is_told() -> None:
-    program = (
-        "import sys\nfrom roam_core.cli.lines import print_json\nfrom roam_core.errors import RoamError\n"
-        "try:\n    print_json({})\nexcept RoamError as error:\n    sys.exit(str(error))"
-    )
+def test_a_full_disk_under_the_output_is_told(tmp_path: Path) -> None:
+    path = tmp_path / "p.roam"
+    file.save(Project(), path)
     with Path("/dev/full").open("w") as full:
-        done = subprocess.run([sys.executable, "-c", program], stdout=full, stderr=subprocess.PIPE, check=False)
+        done = subprocess.run([*ROAM, "info", str(path)], stdout=full, stderr=subprocess.PIPE, check=False)
     assert done.returncode == 1
-    assert done.stderr == b"The standard output cannot be written: No space left on device.\n"
+    assert done.stderr == b"roam: The standard output cannot be written: No space left on device.\n"
 
 
 # ---- frames that cannot be read --------------------------------------------------------------------------------------
