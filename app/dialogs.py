@@ -48,6 +48,22 @@ def ask_recover(parent: QWidget, title: str) -> bool:
     return box.clickedButton() is recover
 
 
+def ask_overwrite(parent: QWidget, paths: Sequence[Path]) -> bool:
+    """Ask before files are written over that ROAM did not make; all of them can be looked at."""
+    others = len(paths) - 1
+    box = QMessageBox(parent)
+    box.setWindowTitle("ROAM")
+    box.setText(f"Write over {paths[0].name}" + (f" and {others} other file{'s' * (others > 1)}?" if others else "?"))
+    box.setInformativeText(f"ROAM did not make what is there in {paths[0].parent}. It would be lost.")
+    box.setDetailedText("\n".join(str(path) for path in paths))
+    overwrite = box.addButton("Write over", QMessageBox.ButtonRole.DestructiveRole)
+    keep = box.addButton(QMessageBox.StandardButton.Cancel)
+    box.setDefaultButton(keep)
+    box.setEscapeButton(keep)
+    box.exec()
+    return box.clickedButton() is overwrite
+
+
 def choose_clip_folder(parent: QWidget, start: Path) -> Path | None:
     return _path(QFileDialog.getExistingDirectory(parent, "Open clip: the folder of its frames", str(start)))
 

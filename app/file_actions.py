@@ -19,6 +19,7 @@ from app.jobs.export import Export
 from app.jobs.importing import SHAPE_FILES, Import
 from app.personal import Personal
 from app.view_state import ViewState
+from roam_core.errors import RoamError
 
 if TYPE_CHECKING:
     from app.clip_dialog import ClipDialog, FoundClip
@@ -117,7 +118,7 @@ class FileActions(QObject):
     def save_as(self) -> None:
         """Ask where, and save there."""
         path = dialogs.choose_save(self._window, self._suggested(PROJECT_SUFFIX))
-        if path is None:
+        if path is None or not self._may_save_to(path):
             self._after_saving = None
         else:
             self._files.save(path)
@@ -195,6 +196,22 @@ class FileActions(QObject):
         path = dialogs.choose_export(self._window, title, self._suggested(suffix), suffix)
         if path is not None:
             self._export.start(format_name, path)
+
+    def _may_save_to(self, path: Path) -> bool:
+        """Whether the project may be written there: not onto the plate; onto what is no project if the artist says so.
+
+        Over another project the file chooser has asked already.
+        """
+        from roam_core.interchange.authorship import Kind
+        from roam_core.interchange.targets import Sources, obstacles
+
+        found = obstacles([(path, Kind.PROJECT)], Sources.of(self._files.plate), self._document.path)
+        try:
+            found.refuse_always()
+        except RoamError as error:
+            self._view.say(str(error))
+            return False
+        return not found.foreign or dialogs.ask_overwrite(self._window, found.foreign)
 
     def _saved(self) -> None:
         then, self._after_saving = self._after_saving, None

@@ -96,6 +96,11 @@ class Files(QObject):
         """True when the project has a clip that could not be opened."""
         return self._document.project.clip is not None and self._reader.source is None
 
+    @property
+    def plate(self) -> PlateSource | None:
+        """The plate that is open."""
+        return self._reader.source
+
     def open_plate(self, path: Path) -> None:
         """Give the project its plate, which lies elsewhere now; its shapes stay, and it is to be saved."""
         project = self._document.project

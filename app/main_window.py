@@ -9,7 +9,7 @@ from PySide6.QtCore import Qt, QTimer
 from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QMainWindow, QScrollArea, QSplitter, QUndoView, QVBoxLayout, QWidget
 
-from app import menus, style
+from app import dialogs, menus, style
 from app.actions import Actions
 from app.belonging import Belonging
 from app.canvas.proposal_bar import ProposalBar
@@ -90,7 +90,7 @@ class MainWindow(QMainWindow):
         self.solver, self.writer = Runner("solver", self), Runner("writer", self)
         self.reader = PlateReader(self)
         self.files = Files(self.document, self.view_state, self.reader, self.writer, self)
-        self.export = Export(self.document, self.writer, self)
+        self.export = Export(self.document, self.writer, self, lambda paths: dialogs.ask_overwrite(self, paths))
         self.importing = Import(self.document, self.writer, self)
         self.autosave = Autosave(self.document, self.writer, autosave_root, self)
         self.propagation = Propagation(self.document, self.view_state, self.solver, self.reader.engine_frame, self)

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -10,6 +11,7 @@ from PySide6.QtCore import QObject, Signal
 
 from app.document import Document
 from app.jobs.runner import Ending, Report, Runner
+from roam_core.roto import Project
 
 if TYPE_CHECKING:
     from roam_core.interchange import ExportOptions
@@ -22,33 +24,49 @@ class Export(QObject):
     -------
     progress(fraction, text), finished(ending, sentence) : the job's news.
     noted(sentences) : a tuple: what the format cannot hold and was left out or changed, before `finished`.
+
+    What the project is made of (plate, project file) is never written over. Files that ROAM did not make are, if
+    `may_overwrite(paths)` says so: the artist, who is asked before anything is written.
     """
 
     progress = Signal(float, str)
     finished = Signal(object, str)
     noted = Signal(object)
 
-    def __init__(self, document: Document, runner: Runner, parent: QObject | None = None) -> None:
+    def __init__(
+        self,
+        document: Document,
+        runner: Runner,
+        parent: QObject | None = None,
+        may_overwrite: Callable[[Sequence[Path]], bool] = lambda _: False,
+    ) -> None:
         super().__init__(parent)
-        self._document, self._runner = document, runner
+        self._document, self._runner, self._may_overwrite = document, runner, may_overwrite
 
     def start(self, format_name: str, path: Path, options: ExportOptions | None = None) -> None:
         """Write the project as it is now to `path` (a file, or for mattes a folder) in the format of that name."""
-        project = self._document.project
+        file = self._document.path
+        self._start(_Request(self._document.project, file, format_name, path, options))
+
+    def _start(self, request: _Request) -> None:
+        foreign: list[Path] = []
 
         def work(report: Report) -> str:
-            from roam_core.interchange import EXPORTERS, ExportOptions
+            foreign.extend(_foreign(request))
+            return "" if foreign else _export(report, request)
 
-            report.progress(0.0, f"Exporting to {path.name} …")
-            told = replace(options or ExportOptions(), progress=report.progress, token=report.token)
-            losses = EXPORTERS[format_name].export(project, path, told)
-            report.partial(losses)
-            return " ".join([f"Exported to {path}.", *losses])
+        def end(ending: Ending, sentence: str) -> None:
+            if ending is not Ending.DONE or not foreign:
+                self._end(ending, sentence)
+            elif self._may_overwrite(foreign):
+                self._start(replace(request, overwrites=True))
+            else:
+                self._end(Ending.CANCELLED, "Nothing was exported; the files that are there stay.")
 
         job = self._runner.start("export", work)
         job.progress.connect(self.progress)
         job.partial.connect(self.noted)
-        job.ended.connect(self._end)
+        job.ended.connect(end)
 
     def stop(self) -> None:
         """Stop the export; files that are written whole stay."""
@@ -56,5 +74,41 @@ class Export(QObject):
             job.cancel()
 
     def _end(self, ending: Ending, sentence: str) -> None:
-        stopped = "Export stopped; the files that are finished stay."
+        stopped = sentence or "Export stopped; the files that are finished stay."
         self.finished.emit(ending, stopped if ending is Ending.CANCELLED else sentence)
+
+
+@dataclass(frozen=True)
+class _Request:
+    """A snapshot of everything that is asked for; `file` is the project's own."""
+
+    project: Project
+    file: Path | None
+    format_name: str
+    path: Path
+    options: ExportOptions | None
+    overwrites: bool = False
+
+
+def _foreign(request: _Request) -> tuple[Path, ...]:
+    """The files that the artist must be asked about; `RoamError` for what is never written over."""
+    from roam_core.interchange import EXPORTERS, ExportOptions
+    from roam_core.interchange.targets import Sources, exported, obstacles
+
+    project, own = request.project, () if request.file is None else (request.file,)
+    targets = exported(EXPORTERS[request.format_name], project, request.path, request.options or ExportOptions())
+    found = obstacles(targets, Sources.of_clip(project.clip, *own))
+    found.refuse_always()
+    return () if request.overwrites else found.foreign
+
+
+def _export(report: Report, request: _Request) -> str:
+    """The work, on the worker thread."""
+    from roam_core.interchange import EXPORTERS, ExportOptions
+
+    path = request.path
+    report.progress(0.0, f"Exporting to {path.name} …")
+    told = replace(request.options or ExportOptions(), progress=report.progress, token=report.token)
+    losses = EXPORTERS[request.format_name].export(request.project, path, told)
+    report.partial(losses)
+    return " ".join([f"Exported to {path}.", *losses])

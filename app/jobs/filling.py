@@ -8,6 +8,7 @@ from itertools import pairwise
 from typing import Any
 
 from app.jobs.runner import Report
+from roam_core.errors import RoamError
 from roam_core.params import RoamParams, params_for
 from roam_core.propagate.provenance import Stamps, takes_part
 from roam_core.roto import Keyframe, Origin, RotoShape
@@ -51,12 +52,17 @@ def gaps_of(shapes: Sequence[RotoShape]) -> list[Gap]:
 
 
 def fill(report: Report, request: FillRequest) -> str:
-    """Fill the gaps of the request, each handed over when it is finished; gives the closing sentence."""
+    """Fill the gaps of the request, each handed over when it is finished; gives the closing sentence.
+
+    A gap that cannot be filled, as where the picture of its key is damaged, does not lose the others; `RoamError` is
+    raised at the end.
+    """
     from roam_core.propagate.span import fill_span
 
     params, stamps = params_for(request.config), Stamps(request.shapes, request.clip, request.size)
     wanted = [gap for gap in request.gaps if not _is_filled(stamps, request, gap, params)]
     plate = _Plate(request.read)
+    failures: list[RoamError] = []
     for done, gap in enumerate(wanted):
         report.token.check()
 
@@ -65,10 +71,18 @@ def fill(report: Report, request: FillRequest) -> str:
             report.progress((done + fraction) / len(wanted), place)
 
         asked = {shape.id for shape in request.shapes if shape.id in request.asked and takes_part(shape, gap)}
-        filled = fill_span(
-            plate, _closed(request, asked), *gap, params, report.token, tell, request.clip, asked, request.alone
-        )
+        try:
+            filled = fill_span(
+                plate, _closed(request, asked), *gap, params, report.token, tell, request.clip, asked, request.alone
+            )
+        except RoamError as error:
+            failures.append(error)
+            continue
         report.partial(Filled(gap, {shape.id: _keys_in(shape, gap) for shape in filled if shape.id in asked}))
+    if failures and len(wanted) == 1:
+        raise failures[0]
+    if failures:
+        raise RoamError(f"{len(failures)} of {len(wanted)} gap(s) could not be filled: {failures[0]}")
     return _sentence(wanted)
 
 

@@ -17,7 +17,7 @@ from roam_core.params import DEFAULT_CONFIG, DOUBTFUL
 from roam_core.propagate.memory import TrackMemory
 from roam_core.propagate.objects import decisive
 from roam_core.propagate.provenance import Stamps, clip_stamp
-from roam_core.propagate.result import FrameResult
+from roam_core.propagate.result import FrameResult, Termination
 from roam_core.roto import Keyframe, Origin, Project, RotoShape, edit
 
 ReadFrame = Callable[[int], Any]
@@ -286,7 +286,7 @@ def _track(report: Report, request: _Request) -> str:
     frames = request.frames
     names = _names([shape for shape in request.shapes if shape.id in request.asked])
     direction = "forward" if frames.step > 0 else "backward"
-    done, seconds = 0, 0.0
+    done, bridged, seconds = 0, 0, 0.0
     for result in track(
         request.read, request.shapes, frames, request.config, report.token, request.clip, request.memory,
         only=request.asked, alone=request.alone,
@@ -295,6 +295,7 @@ def _track(report: Report, request: _Request) -> str:
         _make_ready(result)
         report.partial(result)
         done += 1
+        bridged += all(each.termination is Termination.MISSING_FRAME for each in result.results)
         seconds += result.seconds
         pace = f"{1000 * seconds / done:.0f} ms a frame"
         place = f"frame {result.frame} of {frames[-1]}"
@@ -303,7 +304,8 @@ def _track(report: Report, request: _Request) -> str:
         return f"There is no frame to track {direction} to."
     each = f"{1000 * seconds / done:.0f} ms"
     paced = f"{done} frames, {each} each" if done > 1 else f"1 frame, {each}"
-    return f"Tracked {names} to frame {frames[-1]}: {paced}."
+    gaps = f" Bridged without a picture: {bridged}." if bridged else ""
+    return f"Tracked {names} to frame {frames[-1]}: {paced}.{gaps}"
 
 
 def _make_ready(result: FrameResult) -> None:

@@ -1,6 +1,6 @@
 """The built-in demo shot: a manta ray over a reef, rendered by code, with its true outline known on every frame."""
 
-from resources.demo.frames import cache_name, write_frames
+from resources.demo.frames import cache_name, missing_frames, write_frames
 from resources.demo.outline import true_points
 from resources.demo.shot import occlusion, render_frame, true_mask
 from resources.demo.timing import FIRST, LAST, SIZE
@@ -10,6 +10,7 @@ __all__ = [
     "LAST",
     "SIZE",
     "cache_name",
+    "missing_frames",
     "occlusion",
     "render_frame",
     "true_mask",

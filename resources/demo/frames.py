@@ -28,6 +28,11 @@ def frame_path(folder: Path, frame: int) -> Path:
     return folder / f"demo.{frame}.png"
 
 
+def missing_frames(folder: Path) -> list[Path]:
+    """The files that `write_frames` would write: those that are not there, or not complete."""
+    return [path for f in range(FIRST, LAST + 1) if not _is_complete(path := frame_path(folder, f))]
+
+
 def write_frames(folder: Path, progress: Callable[[float, str], None] | None = None) -> None:
     """Render the shot into `folder` as 8-bit PNG; frames that lie there complete are kept.
 

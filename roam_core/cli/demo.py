@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import sys
+from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
@@ -11,13 +12,16 @@ from platformdirs import user_cache_path
 from tqdm import tqdm
 
 from resources import demo
+from roam_core.cli.overwriting import add_overwrite, project_writer
 from roam_core.cli.plate import Plate, opened
 from roam_core.cli.track import Report, frame_range, print_line, require_target, require_writable, track_project
 from roam_core.errors import RoamError
+from roam_core.interchange.authorship import Kind
+from roam_core.interchange.targets import Sources, require_free
 from roam_core.matte import render_matte
 from roam_core.params import DEFAULT_CONFIG, params_for
 from roam_core.propagate import FrameResult
-from roam_core.roto import Clip, Project, RotoShape, edit, file
+from roam_core.roto import Clip, Project, RotoShape, edit
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -27,6 +31,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--frames", type=Path, metavar="DIR", help="folder for the shot (default: the user's cache)")
     parser.add_argument("--save", type=Path, metavar="P.roam", help="write the tracked project")
     parser.add_argument("--json", action="store_true", help="print one line of JSON a frame")
+    add_overwrite(parser)
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -34,6 +39,7 @@ def run(arguments: argparse.Namespace) -> int:
     params_for(arguments.config)
     if arguments.save is not None:
         require_target(arguments.save)
+    require_free_places(arguments.frames, arguments.save, overwrite=arguments.overwrite)
     folder = demo_frames(arguments.frames)
     truth: list[float] = []
 
@@ -43,9 +49,7 @@ def run(arguments: argparse.Namespace) -> int:
             print_line(solved)
 
     with opened(str(folder)) as plate:
-        project = track_demo(plate, arguments.config, scored)
-    if arguments.save is not None:
-        file.save(project, arguments.save)
+        track_demo(plate, arguments.config, scored, None if arguments.save is None else project_writer(arguments.save))
     solved = np.array(truth[1:])
     worst = int(np.argmin(solved))
     print(
@@ -56,9 +60,27 @@ def run(arguments: argparse.Namespace) -> int:
     return 0
 
 
+def require_free_places(folder: Path | None, save: Path | None, *, overwrite: bool) -> None:
+    """Refuse what may not be written over: frames that are not ours in a folder of the user's, what is no project.
+
+    The shot in the user's cache is ours, whatever has become of it.
+    """
+    rendered = [] if folder is None else demo.missing_frames(folder)
+    made = [(path, Kind.PICTURE) for path in rendered]
+    if save is not None:
+        made.append((save, Kind.PROJECT))
+    read = set((folder or demo_folder()).glob("demo.*.png")) - set(rendered)
+    require_free(made, Sources(tuple(read)), overwrite=overwrite)
+
+
+def demo_folder() -> Path:
+    """Where the demo shot is kept."""
+    return user_cache_path("roam", appauthor=False) / demo.cache_name()
+
+
 def demo_frames(folder: Path | None = None) -> Path:
     """The folder with the rendered shot; what is not there yet is rendered first."""
-    place = folder or user_cache_path("roam", appauthor=False) / demo.cache_name()
+    place = folder or demo_folder()
     require_writable(place, create=True)
     with tqdm(total=1.0, desc="Rendering the demo shot", disable=not sys.stderr.isatty(), leave=False) as bar:
         try:
@@ -74,11 +96,10 @@ def demo_project(plate: Plate) -> Project:
     return project
 
 
-def track_demo(plate: Plate, config: str, report: Report) -> Project:
-    """Track the demo forward from its first frame."""
-    return track_project(
-        plate, demo_project(plate), frame_range(plate.source.frames, None, None), config, report=report
-    )
+def track_demo(plate: Plate, config: str, report: Report, keep: Callable[[Project], None] | None = None) -> Project:
+    """Track the demo forward from its first frame; `report` and `keep` as for `track_project`."""
+    frames = frame_range(plate.source.frames, None, None)
+    return track_project(plate, demo_project(plate), frames, config, report=report, keep=keep)
 
 
 def overlap(shape: RotoShape, frame: int) -> float:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import argparse
-import json
 import sys
 from collections.abc import Mapping, Sequence
 from pathlib import Path
@@ -13,12 +12,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 from roam_core.cli.explain_picture import TOTAL, choices, drawn
-from roam_core.cli.fill import interruptible, require_size
+from roam_core.cli.fill import require_size
+from roam_core.cli.lines import print_json
+from roam_core.cli.overwriting import add_overwrite
 from roam_core.cli.picking import picked
 from roam_core.cli.plate import Plate, opened
+from roam_core.cli.stopping import cancelling
 from roam_core.cli.track import require_target
 from roam_core.errors import RoamError
 from roam_core.features import PreparedFrame
+from roam_core.interchange.authorship import Kind
+from roam_core.interchange.matte_files import signed_png
+from roam_core.interchange.targets import Sources, require_free
 from roam_core.propagate.explain import REGION, Explanation, explain
 from roam_core.roto import Origin, Project, RotoShape, file
 from roam_core.roto.file import write_atomically
@@ -40,6 +45,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="what the picture shows: local, gradient, l2, global, joint, landmark, star, region, a cue by its name, "
         "or total (default total)",
     )
+    add_overwrite(parser)
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -50,6 +56,12 @@ def run(arguments: argparse.Namespace) -> int:
         require_target(arguments.picture)
     with opened(str(project.require_clip().path), project.clip) as plate:
         require_size(plate, project.require_clip())
+        if arguments.picture is not None:
+            require_free(
+                [(arguments.picture, Kind.PICTURE)],
+                Sources.of(plate.source, arguments.project),
+                overwrite=arguments.overwrite,
+            )
         if arguments.frame not in plate.source.frames:
             raise RoamError(f"Frame {arguments.frame} is missing from the clip {plate.source.path}; choose another.")
         explanations = explained(plate, project, arguments.frame, wanted)
@@ -58,7 +70,10 @@ def run(arguments: argparse.Namespace) -> int:
             image = PreparedFrame(plate.read(arguments.frame)).image
             write_atomically(arguments.picture, encoded(drawn(image, explanations, arguments.term)))
     for each in explanations:
-        print(json.dumps(line_of(each)) if arguments.json else "\n".join(text_of(each)), flush=True)
+        if arguments.json:
+            print_json(line_of(each))
+        else:
+            print("\n".join(text_of(each)), flush=True)
     if arguments.picture is not None:
         print(f"Drew {arguments.term} of {len(explanations)} shape(s) to {arguments.picture}.", file=sys.stderr)
     return 0
@@ -81,7 +96,7 @@ def keyed_shapes(project: Project, path: Path, frame: int, name: str | None) -> 
 def explained(plate: Plate, project: Project, frame: int, wanted: Sequence[RotoShape]) -> list[Explanation]:
     """The wanted shapes' keys taken apart; shapes that were tracked with them are carried along."""
     names = {shape.id for shape in wanted}
-    with interruptible() as token:
+    with cancelling() as token:
         return explain(
             lambda number: PreparedFrame(plate.read(number)), project.shapes, frame, project.clip, token, names
         )
@@ -89,7 +104,7 @@ def explained(plate: Plate, project: Project, frame: int, wanted: Sequence[RotoS
 
 def encoded(picture: NDArray[np.uint8]) -> bytes:
     """An RGB picture as PNG."""
-    return cv2.imencode(".png", np.ascontiguousarray(picture[..., ::-1]))[1].tobytes()
+    return signed_png(cv2.imencode(".png", np.ascontiguousarray(picture[..., ::-1]))[1].tobytes())
 
 
 def require_term(explanations: Sequence[Explanation], term: str) -> None:

@@ -7,7 +7,9 @@ import sys
 from pathlib import Path
 
 from roam_core.cli.matte_options import add_matte_arguments, matte_style
+from roam_core.cli.overwriting import add_overwrite
 from roam_core.interchange import EXPORTERS, ExportOptions, KeyChoice, exporter_for
+from roam_core.interchange.targets import Sources, exported, require_free
 from roam_core.roto import file
 
 
@@ -40,6 +42,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--frame-offset", type=int, default=0, metavar="N", help="added to every frame number")
     parser.add_argument("--frame", type=int, metavar="F", help="svg: the frame of the picture (the clip's first)")
     add_matte_arguments(parser)
+    add_overwrite(parser)
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -54,6 +57,11 @@ def run(arguments: argparse.Namespace) -> int:
         frames=None if arguments.frames is None else range(arguments.frames[0], arguments.frames[1] + 1),
         frame=arguments.frame,
         mattes=matte_style(arguments),
+    )
+    require_free(
+        exported(exporter, project, arguments.out, options),
+        Sources.of_clip(project.clip, arguments.project),
+        overwrite=arguments.overwrite,
     )
     losses = exporter.export(project, arguments.out, options)
     print(f"Wrote {len(project.shapes)} shape(s) to {arguments.out}.", file=sys.stderr)

@@ -3,13 +3,10 @@
 from __future__ import annotations
 
 import argparse
-import json
-import signal
 import sys
-import threading
 import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from dataclasses import dataclass
 from itertools import pairwise
 from pathlib import Path
 from typing import Any
@@ -17,13 +14,19 @@ from typing import Any
 from numpy.typing import NDArray
 from tqdm import tqdm
 
-from roam_core.cancel import Cancelled, CancelToken
+from roam_core.cancel import CancelToken
+from roam_core.cli.keeping import kept
+from roam_core.cli.lines import print_json
+from roam_core.cli.overwriting import add_overwrite, project_writer
 from roam_core.cli.picking import EVERYTHING, Picking, trackable
 from roam_core.cli.picking import add_arguments as add_picking
 from roam_core.cli.plate import Plate, opened
-from roam_core.cli.track import require_target, require_writable
+from roam_core.cli.stopping import cancelling
+from roam_core.cli.track import matte_path, matte_targets, require_target, require_writable
 from roam_core.errors import RoamError
+from roam_core.interchange.authorship import Kind
 from roam_core.interchange.mattes import write_matte
+from roam_core.interchange.targets import Sources, require_free
 from roam_core.params import CONFIGS, DEFAULT_CONFIG, RoamParams, params_for
 from roam_core.propagate import Termination, warm_up
 from roam_core.propagate.provenance import Stamps, clip_stamp, takes_part
@@ -31,6 +34,7 @@ from roam_core.propagate.span import fill_span
 from roam_core.propagate.whole import whole_confidence
 from roam_core.roto import Clip, Origin, Project, RotoShape, file
 
+FAILED = 1
 Gap = tuple[int, int]
 """Two frames with artist keys and none between."""
 
@@ -43,6 +47,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--matte", type=Path, metavar="DIR", help="write 8-bit PNG mattes named as the frames")
     parser.add_argument("--save", type=Path, metavar="OUT.roam", help="write here (default: P.roam itself)")
     parser.add_argument("--json", action="store_true", help="print one line of JSON a frame")
+    add_overwrite(parser)
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -55,22 +60,32 @@ def run(arguments: argparse.Namespace) -> int:
     with opened(str(project.require_clip().path), project.clip) as plate:
         require_size(plate, project.require_clip())
         require_target(target)
+        frames = range(gaps[0][0], max(last for _, last in gaps) + 1)
+        require_free(
+            [(target, Kind.PROJECT), *matte_targets(plate, frames, arguments.matte)],
+            Sources.of(plate.source, arguments.project),
+            overwrite=arguments.overwrite,
+            rewritten=arguments.project,
+        )
         if arguments.matte is not None:
             require_writable(arguments.matte, create=True)
-        wanted = [gap for gap in gaps if not is_filled(project, gap, params, plate.source.frames, picking)]
-        project, seconds = fill_project(plate, project, wanted, params, lambda done: file.save(done, target), picking)
-        if wanted or target != arguments.project:
-            file.save(project, target)
-        frames = range(gaps[0][0], max(last for _, last in gaps) + 1)
+        write = project_writer(target, arguments.project)
+        wanted = [gap for gap in gaps if not is_filled(project, gap, params, plate, picking)]
+        filled = fill_project(plate, project, wanted, params, write, picking)
+        project = filled.project
+        if target != arguments.project and not wanted:
+            write(project)
         if arguments.matte is not None:
-            write_mattes(plate, project, frames, arguments.matte)
+            failed = set(wanted) - set(filled.gaps)
+            shown = [frame for frame in frames if not any(first < frame < last for first, last in failed)]
+            write_mattes(plate, project, shown, arguments.matte)
     if arguments.json:
         for frame in frames:
-            print(json.dumps(line_of(project, frame, seconds.get(frame, 0.0))), flush=True)
-    else:
+            print_json(line_of(project, frame, filled.seconds.get(frame, 0.0)))
+    elif filled.gaps or not wanted:
         rest = len(gaps) - len(wanted)
-        print(f"Filled {len(wanted)} gap(s)" + (f"; {rest} already filled." if rest else "."), file=sys.stderr)
-    return 0
+        print(f"Filled {len(filled.gaps)} gap(s)" + (f"; {rest} already filled." if rest else "."), file=sys.stderr)
+    return FAILED if len(filled.gaps) < len(wanted) else 0
 
 
 def gaps_of(project: Project, path: Path, picking: Picking = EVERYTHING) -> list[Gap]:
@@ -91,23 +106,33 @@ def gaps_of(project: Project, path: Path, picking: Picking = EVERYTHING) -> list
     return sorted(gaps)
 
 
-def is_filled(
-    project: Project, gap: Gap, params: RoamParams, frames: Sequence[int], picking: Picking = EVERYTHING
-) -> bool:
-    """True when every frame of the plate in the gap holds a key that filling would only make again."""
+def is_filled(project: Project, gap: Gap, params: RoamParams, plate: Plate, picking: Picking = EVERYTHING) -> bool:
+    """True when every frame with a picture in the gap holds a key that filling would only make again."""
     stamps = Stamps.of(project.shapes, project.clip)
-    inside = [frame for frame in frames if gap[0] < frame < gap[1]]
+    inside = [frame for frame in plate.source.frames if gap[0] < frame < gap[1]]
     for shape in trackable(project, picking):
         if not takes_part(shape, gap):
             continue
         wanted = stamps.filled_key(shape, gap, params, picking.alone)
-        keys = [shape.key_at(frame) for frame in inside if shape.exists_at(frame)]
+        keys = {frame: shape.key_at(frame) for frame in inside if shape.exists_at(frame)}
+        made = [key for key in keys.values() if key is not None]
         if set(gap) <= set(shape.artist_frames):
-            if any(key is None or key.inputs != wanted for key in keys):
+            if not made or any(key.inputs != wanted for key in made):
                 return False
-        elif any(key is not None and stamps.is_stale(shape, key) for key in keys):
+            if any(key is None and plate.has_picture(frame) for frame, key in keys.items()):
+                return False
+        elif any(stamps.is_stale(shape, key) for key in made):
             return False
     return True
+
+
+@dataclass(frozen=True)
+class FilledProject:
+    """A project with the `gaps` that could be filled, and the seconds that each of their frames took."""
+
+    project: Project
+    gaps: Sequence[Gap]
+    seconds: Mapping[int, float]
 
 
 def fill_project(
@@ -117,29 +142,35 @@ def fill_project(
     params: RoamParams,
     keep: Callable[[Project], None],
     picking: Picking = EVERYTHING,
-) -> tuple[Project, dict[int, float]]:
-    """The project with the gaps filled, and the seconds that each frame took.
+) -> FilledProject:
+    """Fill the gaps one after the other. `keep` is given what is finished, as it goes and however it ends.
 
-    When the user interrupts, `keep` is given what is finished.
+    A gap that cannot be filled is told on the standard error, and left out.
     """
     seconds: dict[int, float] = {}
+    done: list[Gap] = []
     if gaps:
         warm_up(params.config)
-    with interruptible() as token, _bar(sum(last - first for first, last in gaps)) as bar:
+    with (
+        cancelling() as token,
+        kept(keep) as keeper,
+        _bar(sum(last - first for first, last in gaps)) as bar,
+    ):
         for gap in gaps:
             began = time.perf_counter()
             try:
                 filled = _filled(plate, project, gap, params, picking, token, bar)
-            except (KeyboardInterrupt, Cancelled):
-                if seconds:
-                    keep(project)
-                raise
+            except RoamError as error:
+                tqdm.write(f"roam: The gap from frame {gap[0]} to {gap[1]} is not filled: {error}", file=sys.stderr)
+                continue
             for shape in filled:
                 project = project.with_shape(shape)
+            keeper.offer(project)
+            done.append(gap)
             inside = range(gap[0] + 1, gap[1])
             share = (time.perf_counter() - began) / len(inside)
             seconds.update({frame: seconds.get(frame, 0.0) + share for frame in inside})
-    return project, seconds
+    return FilledProject(project, done, seconds)
 
 
 def _filled(
@@ -164,7 +195,7 @@ class _Pictures(Mapping[int, NDArray[Any]]):
         self._plate = plate
 
     def __getitem__(self, frame: int) -> NDArray[Any]:
-        return self._plate.read(frame)
+        return self._plate.read_or_bridge(frame)
 
     def __iter__(self) -> Iterator[int]:
         return iter(self._plate.source.frames)
@@ -178,20 +209,6 @@ def _bar(total: int) -> Any:
     return tqdm(total=total, unit="frame", bar_format=shape, disable=not sys.stderr.isatty(), leave=False)
 
 
-@contextmanager
-def interruptible() -> Iterator[CancelToken]:
-    """A token that Ctrl-C cancels: the engine's threads then stop at their next safe point."""
-    token = CancelToken()
-    if threading.current_thread() is not threading.main_thread():
-        yield token
-        return
-    previous = signal.signal(signal.SIGINT, lambda *_: token.cancel())
-    try:
-        yield token
-    finally:
-        signal.signal(signal.SIGINT, previous)
-
-
 def require_size(plate: Plate, clip: Clip) -> None:
     """Refuse a clip on disk that is not the one that the shapes were drawn on."""
     if plate.source.size != tuple(clip.size):
@@ -201,12 +218,12 @@ def require_size(plate: Plate, clip: Clip) -> None:
         )
 
 
-def write_mattes(plate: Plate, project: Project, frames: range, folder: Path) -> None:
+def write_mattes(plate: Plate, project: Project, frames: Sequence[int], folder: Path) -> None:
     """One matte for each frame of the plate in `frames`, named as the plate's frames."""
     width, height = plate.source.size
     for frame in frames:
         if frame in plate.source.frames:
-            write_matte(project.root, frame, folder / f"{plate.source.frame_name(frame)}.png", (height, width))
+            write_matte(project.root, frame, matte_path(plate, frame, folder), (height, width))
 
 
 def line_of(project: Project, frame: int, seconds: float) -> dict[str, object]:

@@ -6,9 +6,12 @@ import argparse
 import sys
 from pathlib import Path
 
+from roam_core.cli.overwriting import add_overwrite, project_writer
 from roam_core.cli.track import require_target
 from roam_core.errors import RoamError
 from roam_core.interchange import ImportOptions, importer_for
+from roam_core.interchange.authorship import Kind
+from roam_core.interchange.targets import Sources, require_free
 from roam_core.roto import edit, file
 
 
@@ -20,6 +23,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--frame-offset", type=int, default=0, metavar="N", help="what was added to the frame numbers on export"
     )
+    add_overwrite(parser)
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -28,6 +32,12 @@ def run(arguments: argparse.Namespace) -> int:
     importer = importer_for(arguments.source)
     project = file.load(arguments.into)
     require_target(target)
+    require_free(
+        [(target, Kind.PROJECT)],
+        Sources.of_clip(project.clip, arguments.into, *read_files(arguments.source)),
+        overwrite=arguments.overwrite,
+        rewritten=arguments.into,
+    )
     options = ImportOptions(frame_offset=arguments.frame_offset)
     imported = importer.read(arguments.source, project.require_clip(), options)
     for note in imported.notes:
@@ -36,6 +46,11 @@ def run(arguments: argparse.Namespace) -> int:
     if count == 0:
         raise RoamError(f"{arguments.source} holds no shape that ROAM can read; nothing was written.")
     project, _ = edit.add_items(project, imported.layer.children)
-    file.save(project, target)
+    project_writer(target, arguments.into)(project)
     print(f"Read {count} shape(s) from {arguments.source} into {target}.", file=sys.stderr)
     return 0
+
+
+def read_files(source: Path) -> list[Path]:
+    """The file of shapes, or the masks of a folder."""
+    return list(source.iterdir()) if source.is_dir() else [source]

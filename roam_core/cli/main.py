@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 import argparse
-import os
 import sys
 from collections.abc import Sequence
+from contextlib import suppress
 from importlib import import_module
 from importlib.metadata import PackageNotFoundError, version
 from keyword import iskeyword
 from types import ModuleType
 
 from roam_core.cancel import Cancelled
+from roam_core.cli.lines import discard_output, flush_output
+from roam_core.cli.stopping import Stopped, raising
 from roam_core.errors import RoamError
 
 COMMANDS: dict[str, str] = {
@@ -26,22 +28,37 @@ COMMANDS: dict[str, str] = {
 }
 """Commands and what they do; each lives in the module of its name beside this one (a keyword's ends in `_`)."""
 
-FAILED, INTERRUPTED = 1, 130
+FAILED, INTERRUPTED, UNHEARD = 1, 130, 141
+STOPPED = "roam: stopped; what was finished is kept."
 
 
 def main(argv: Sequence[str] | None = None) -> int:
-    """Run one command. Returns the exit code: 0 done, 1 refused or failed, 2 bad usage, 130 interrupted."""
+    """Run one command. Returns the exit code: 0 done, 1 refused or failed, 2 bad usage; a command that a signal
+    ended gives 128 and its number: 130 interrupted, 143 terminated, 129 hung up, 141 output that nobody reads."""
     try:
-        return _run(sys.argv[1:] if argv is None else list(argv))
+        with raising():
+            status = _run(sys.argv[1:] if argv is None else list(argv))
+            flush_output()
+            return status
     except RoamError as error:
         print(f"roam: {error}", file=sys.stderr)
         return FAILED
     except (KeyboardInterrupt, Cancelled):
-        print("roam: stopped; what was finished is kept.", file=sys.stderr)
+        print(STOPPED, file=sys.stderr)
         return INTERRUPTED
+    except Stopped as stopped:
+        with suppress(OSError):  # the terminal may be gone
+            print(STOPPED, file=sys.stderr)
+        return stopped.exit_code
     except BrokenPipeError:
         # The reader of our output went away: nobody is left to be told.
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        discard_output()
+        return UNHEARD
+    except OSError as error:
+        # What reads and writes files tells of them by itself; what is left is mostly the output of a command.
+        discard_output()
+        what = f"{error.filename} cannot be used" if error.filename else "The standard output cannot be written"
+        print(f"roam: {what}: {error.strerror}.", file=sys.stderr)
         return FAILED
 
 

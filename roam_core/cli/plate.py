@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+import sys
+import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass
 from typing import Any
 
 from numpy.typing import NDArray
+from tqdm import tqdm
 
-from roam_core.media import FrameCache, PlateSource, declared, open_clip
+from roam_core.media import FrameCache, MissingFrame, PlateSource, declared, open_clip
 from roam_core.media.colour import to_engine
 from roam_core.roto import Clip
 
@@ -17,16 +19,40 @@ AHEAD = 4
 """Frames decoded ahead of the solver."""
 
 
-@dataclass(frozen=True)
 class Plate:
     """A clip being read."""
 
-    source: PlateSource
-    cache: FrameCache
+    def __init__(self, source: PlateSource, cache: FrameCache) -> None:
+        self.source, self.cache = source, cache
+        self._bridged: set[int] = set()
+        self._lock = threading.Lock()
 
     def read(self, frame: int) -> NDArray[Any]:
-        """The picture of a frame, display-referred, for the engine."""
+        """The picture of a frame, display-referred, for the engine. Safe from any thread."""
         return to_engine(self.cache.read(frame), self.source.colour_space)
+
+    def read_or_bridge(self, frame: int) -> NDArray[Any]:
+        """As `read`, for a run: of a frame that is there and cannot be read the user is told, once, that it is bridged.
+
+        Raises `MissingFrame` all the same.
+        """
+        try:
+            return self.read(frame)
+        except MissingFrame as error:
+            with self._lock:
+                is_news = frame in self.source.frames and frame not in self._bridged
+                self._bridged.add(frame)
+            if is_news:
+                tqdm.write(f"roam: {error} It is bridged like a missing frame.", file=sys.stderr)
+            raise
+
+    def has_picture(self, frame: int) -> bool:
+        """True where a frame can be read."""
+        try:
+            self.read(frame)
+        except MissingFrame:
+            return False
+        return True
 
     def ahead_of(self, frame: int, frames: range) -> None:
         """Decode the frames that follow `frame` in `frames` in the background."""

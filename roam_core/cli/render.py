@@ -10,11 +10,14 @@ from typing import Never
 from tqdm import tqdm
 
 from roam_core.cli.matte_options import add_matte_arguments, matte_style
+from roam_core.cli.overwriting import add_overwrite
 from roam_core.cli.track import require_writable
 from roam_core.errors import RoamError
+from roam_core.interchange.authorship import Kind
 from roam_core.interchange.matte_style import SUFFIXES
-from roam_core.interchange.mattes import style_for, write_mattes
+from roam_core.interchange.mattes import planned, style_for, write_mattes
 from roam_core.interchange.naming import numbering
+from roam_core.interchange.targets import Sources, require_free
 from roam_core.media import open_clip
 from roam_core.roto import Project, file
 
@@ -29,6 +32,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--name", metavar="PATTERN", help="of the files, such as '{name}.####.exr' (default: as the plate's frames)"
     )
     add_matte_arguments(parser)
+    add_overwrite(parser)
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -46,17 +50,23 @@ def run(arguments: argparse.Namespace) -> int:
         style = style_for(Path(pattern), style)
     elif pattern:
         pattern += style.suffix
-    require_writable(arguments.out, create=True)
     names = frame_names(project)
     width, height = clip.size
     frames = [frame for frame in range(first, last + 1) if frame in names]
     named = {frame: f"{names[frame]}{style.suffix}" for frame in frames}
+    name_for = numbering(pattern) if pattern else named.__getitem__
+    require_free(
+        [(path, Kind.PICTURE) for path in planned(project, frames, arguments.out, name_for, style)],
+        Sources.of_clip(clip, arguments.project),
+        overwrite=arguments.overwrite,
+    )
+    require_writable(arguments.out, create=True)
     with tqdm(total=len(frames), unit="frame", disable=not sys.stderr.isatty(), leave=False) as bar:
         written = write_mattes(
             project,
             frames,
             arguments.out,
-            numbering(pattern) if pattern else named.__getitem__,
+            name_for,
             (height, width),
             style=style,
             pixel_aspect=clip.pixel_aspect,

@@ -3,24 +3,30 @@
 from __future__ import annotations
 
 import argparse
-import json
 import os
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import contextmanager, suppress
 from dataclasses import replace
 from pathlib import Path
 
 from tqdm import tqdm
 
+from roam_core.cli.keeping import kept
+from roam_core.cli.lines import print_json
+from roam_core.cli.overwriting import add_overwrite, project_writer
 from roam_core.cli.picking import EVERYTHING, Picking, trackable
 from roam_core.cli.picking import add_arguments as add_picking
 from roam_core.cli.plate import Plate, opened
+from roam_core.cli.stopping import cancelling
 from roam_core.errors import RoamError
+from roam_core.interchange.authorship import Kind
 from roam_core.interchange.mattes import write_matte
 from roam_core.interchange.nuke_landmarks import LandmarkPaths, write_landmarks
+from roam_core.interchange.targets import Sources, require_free
 from roam_core.matte.vectorise import read_mask, shapes_from_mask
 from roam_core.params import CONFIGS, DEFAULT_CONFIG, params_for
-from roam_core.propagate import FrameResult, track, warm_up
+from roam_core.propagate import FrameResult, Termination, track, warm_up
 from roam_core.propagate.provenance import clip_stamp
 from roam_core.propagate.whole import whole_confidence
 from roam_core.roto import Clip, Layer, Project, RotoShape, file
@@ -41,6 +47,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--save", type=Path, metavar="P.roam", help="write a project")
     parser.add_argument("--landmarks", type=Path, metavar="OUT.nk", help="write the landmarks as Nuke Tracker4 nodes")
     parser.add_argument("--json", action="store_true", help="print one line of JSON a frame")
+    add_overwrite(parser)
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -49,16 +56,24 @@ def run(arguments: argparse.Namespace) -> int:
     params_for(arguments.config)
     if arguments.landmarks is not None:
         require_landmarks(arguments.config, arguments.landmarks, arguments.save)
-    given = given_project(Path(arguments.init))
+    init = Path(arguments.init)
+    given = given_project(init)
     with opened(arguments.clip, given.clip if given else None) as plate:
         picking = Picking(arguments.shape, arguments.alone)
         start = first_key(given, picking, backward=arguments.backward) if arguments.start is None else arguments.start
         frames = frame_range(plate.source.frames, start, arguments.end, backward=arguments.backward)
-        project = initial_project(Path(arguments.init), given, plate, frames[0])
+        project = initial_project(init, given, plate, frames[0])
         trackable(project, picking)  # refuses a name that no shape of the mask has
         plate.read(frames[0])
         if arguments.save is not None:
             require_target(arguments.save)
+        rewritten = None if given is None else init
+        require_free(
+            results(arguments, plate, frames),
+            Sources.of(plate.source, init),
+            overwrite=arguments.overwrite,
+            rewritten=rewritten,
+        )
         if arguments.matte is not None:
             require_writable(arguments.matte, create=True)
         landmarks = LandmarkPaths()
@@ -68,21 +83,44 @@ def run(arguments: argparse.Namespace) -> int:
             if arguments.json:
                 print_line(solved)
 
-        def save(tracked: Project) -> None:
-            if arguments.save is not None:
-                file.save(tracked, arguments.save)
-            if arguments.landmarks is not None and landmarks.shapes:
-                for note in write_landmarks(landmarks, tracked.require_clip(), arguments.landmarks):
-                    print(note, file=sys.stderr)
-
-        project = track_project(
-            plate, project, frames, arguments.config, picking, report=report, mattes=arguments.matte, keep=save
-        )
-        save(project)
+        with landmarks_kept(landmarks, project.require_clip(), arguments.landmarks):
+            track_project(
+                plate,
+                project,
+                frames,
+                arguments.config,
+                picking,
+                report=report,
+                mattes=arguments.matte,
+                keep=None if arguments.save is None else project_writer(arguments.save, rewritten),
+            )
     if not arguments.json:
         count = len(trackable(project, picking))
         print(f"Tracked {count} shape(s) from frame {frames[0]} to {frames[-1]}.", file=sys.stderr)
     return 0
+
+
+def results(arguments: argparse.Namespace, plate: Plate, frames: range) -> list[tuple[Path, Kind]]:
+    """The files that a run will write, and what they will be."""
+    made = matte_targets(plate, frames, arguments.matte)
+    if arguments.save is not None:
+        made.append((arguments.save, Kind.PROJECT))
+    if arguments.landmarks is not None:
+        made.append((arguments.landmarks, Kind.SHAPES))
+    return made
+
+
+def matte_targets(plate: Plate, frames: Iterable[int], folder: Path | None) -> list[tuple[Path, Kind]]:
+    """The mattes of a plate's frames."""
+    if folder is None:
+        return []
+    there = set(plate.source.frames)
+    return [(matte_path(plate, frame, folder), Kind.PICTURE) for frame in frames if frame in there]
+
+
+def matte_path(plate: Plate, frame: int, folder: Path) -> Path:
+    """Where the matte of a frame goes: it has the frame's own name."""
+    return folder / f"{plate.source.frame_name(frame)}.png"
 
 
 def track_project(
@@ -99,36 +137,77 @@ def track_project(
     """Track the closed, unlocked shapes of a project, or those picked, through `frames` of its plate.
 
     `report` is called with the first frame, as it was given, and with each solved one; `mattes` is a folder for a PNG
-    of each frame, written as it is solved. When the user interrupts, `keep` is given what is finished.
+    of each frame, written as it is solved. `keep` is given what is finished, as the run goes and however it ends.
     """
     shapes = [shape for shape in project.shapes if shape.closed]
     asked = {shape.id for shape in trackable(project, picking)}
     stamp = clip_stamp(project.clip)
     warm_up(config)
-    width, height = plate.source.size
+    pictures = None if mattes is None else Mattes(plate, mattes)
 
     def finished(solved: FrameResult) -> None:
-        frame = solved.frame
-        if mattes is not None and frame in plate.source.frames:
-            name = f"{plate.source.frame_name(frame)}.png"
-            write_matte(project.root, frame, mattes / name, (height, width))
+        keeper.offer(project)
+        if pictures is not None:
+            pictures.add(project, solved)
         if report is not None:
             report(solved)
 
     plate.read(frames[0])
     plate.ahead_of(frames[0], frames)
-    solved = track(plate.read, shapes, frames, config, clip=stamp, begun=finished, only=asked, alone=picking.alone)
     quiet = not sys.stderr.isatty()
-    try:
+    with cancelling() as token, kept(keep) as keeper:
+        keeper.offer(project)
+        solved = track(
+            plate.read_or_bridge, shapes, frames, config, token, stamp, begun=finished, only=asked, alone=picking.alone
+        )
         for result in tqdm(solved, total=len(frames) - 1, unit="frame", disable=quiet, leave=False):
             project = with_results(project, result)
             finished(result)
             plate.ahead_of(result.frame, frames)
-    except KeyboardInterrupt:
-        if keep is not None:
-            keep(project)
-        raise
+        if pictures is not None:
+            pictures.finish(project)
     return project
+
+
+class Mattes:
+    """The mattes of a run, each written when its frame is finished.
+
+    A frame whose picture could not be read has one too; it waits for the next solved frame, which tells how the shapes
+    pass it.
+    """
+
+    def __init__(self, plate: Plate, folder: Path) -> None:
+        self._plate, self._folder = plate, folder
+        self._waiting: list[int] = []
+
+    def add(self, project: Project, solved: FrameResult) -> None:
+        """Take up one more frame; `project` holds it."""
+        if solved.frame in self._plate.source.frames:
+            self._waiting.append(solved.frame)
+        if any(result.termination is not Termination.MISSING_FRAME for result in solved.results):
+            self.finish(project)
+
+    def finish(self, project: Project) -> None:
+        """Write what waits."""
+        width, height = self._plate.source.size
+        for frame in self._waiting:
+            write_matte(project.root, frame, matte_path(self._plate, frame, self._folder), (height, width))
+        self._waiting.clear()
+
+
+@contextmanager
+def landmarks_kept(paths: LandmarkPaths, clip: Clip, out: Path | None) -> Iterator[None]:
+    """Write the landmarks to `out` when the block ends; those that there are where it ends early."""
+    try:
+        yield
+    except BaseException:
+        if out is not None and paths.shapes:
+            with suppress(RoamError):  # none were found yet; what ended the run is told
+                write_landmarks(paths, clip, out)
+        raise
+    if out is not None and paths.shapes:
+        for note in write_landmarks(paths, clip, out):
+            print(note, file=sys.stderr)
 
 
 def with_results(project: Project, result: FrameResult) -> Project:
@@ -229,4 +308,4 @@ def print_line(solved: FrameResult) -> None:
         "confidence": round(confidence, 4),
         "termination": results[worst].termination.value,
     }
-    print(json.dumps(line), flush=True)
+    print_json(line)

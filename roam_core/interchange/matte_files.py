@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import json
 import os
+import struct
 import tempfile
+import zlib
 from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any
@@ -14,12 +16,15 @@ import numpy as np
 import OpenImageIO as oiio  # noqa: N813
 
 from roam_core.errors import RoamError
+from roam_core.interchange.authorship import SOFTWARE
 from roam_core.interchange.matte_style import DataWindow, Depth, MatteFile, MatteStyle
 from roam_core.matte import Matte, Patch
 from roam_core.roto.file import write_atomically
 
 LEVELS: dict[int, type[np.unsignedinteger[Any]]] = {8: np.uint8, 16: np.uint16}
 KINDS = {Depth.BITS_8: oiio.UINT8, Depth.BITS_16: oiio.UINT16, Depth.HALF: oiio.HALF, Depth.FLOAT: oiio.FLOAT}
+PNG_HEADER = 33
+"""Bytes of a PNG's signature and first chunk, after which texts may stand."""
 JOINT = "A"
 """Channel of the joint matte: alpha."""
 
@@ -47,20 +52,27 @@ def write_picture(
     pixels, spec = _pixels(channels, size, style)
     spec.attribute("compression", style.compression_or_own)
     spec.attribute("PixelAspectRatio", float(aspect))
-    spec.attribute("Software", "ROAM")
+    spec.attribute("Software", SOFTWARE)
     if names:
         spec.attribute(NAMES, json.dumps(dict(names), ensure_ascii=True))
     write_atomically(path, _encoded(path, pixels, spec, style))
 
 
 def encode_png(matte: Matte, bits: int = 8) -> bytes:
-    """A matte `(h, w)` in [0, 1] as a grey PNG, rounded to the nearest of its 256 or 65536 levels."""
+    """A matte `(h, w)` in [0, 1] as a grey PNG, rounded to the nearest of its 256 or 65536 levels, with our mark."""
     if bits not in LEVELS:
         raise RoamError(f"Mattes have 8 or 16 bits, not {bits}.")
     written, buffer = cv2.imencode(".png", quantised(matte, bits))
     if not written:
         raise RoamError(f"A matte of {matte.shape[1]} x {matte.shape[0]} pixels cannot be encoded as PNG.")
-    return buffer.tobytes()
+    return signed_png(buffer.tobytes())
+
+
+def signed_png(content: bytes) -> bytes:
+    """A PNG file with the text `Software: ROAM`, by which it is known again as ours."""
+    text = b"tEXt" + b"Software\0" + SOFTWARE.encode()
+    chunk = struct.pack(">I", len(text) - 4) + text + struct.pack(">I", zlib.crc32(text))
+    return content[:PNG_HEADER] + chunk + content[PNG_HEADER:]
 
 
 def quantised(matte: Matte, bits: int) -> np.ndarray[tuple[int, ...], np.dtype[np.unsignedinteger[Any]]]:

@@ -55,7 +55,30 @@ class MatteExporter:
         the file's name, or before the suffix where there is neither; the name of a layer or shape goes in place of
         `{name}`, or makes a folder of its own.
         """
-        clip, style = project.require_clip(), options.mattes
+        clip = project.require_clip()
+        folder, name_for, style = self._place(path, options)
+        notes: list[str] = []
+        shown = replace(project, root=with_chosen_keys(project.root, options, notes))
+        written = write_mattes(
+            shown,
+            options.frames_of(clip),
+            folder,
+            name_for,
+            (clip.size[1], clip.size[0]),
+            style=style,
+            progress=options.progress,
+            token=options.token,
+        )
+        return (*notes, written.report()) if written.kept else tuple(notes)
+
+    def files(self, project: Project, path: Path, options: ExportOptions = STANDARD) -> tuple[Path, ...]:
+        """The pictures that `export` would write now."""
+        folder, name_for, style = self._place(path, options)
+        return planned(project, options.frames_of(project.require_clip()), folder, name_for, style)
+
+    def _place(self, path: Path, options: ExportOptions) -> tuple[Path, Callable[[int], str], MatteStyle]:
+        """The folder, the names by frame, and the style that the suffix of `path` asks for."""
+        style = options.mattes
         if path.suffix.lower() in OTHER_SUFFIXES and not path.is_dir():
             raise RoamError(f"Mattes are written as PNG, EXR or TIFF; {path.name} would be none of these.")
         if path.suffix.lower() in SUFFIXES:
@@ -63,19 +86,7 @@ class MatteExporter:
             style = style_for(path, style)
         else:
             folder, pattern = path, f"matte.####{style.suffix}"
-        notes: list[str] = []
-        shown = replace(project, root=with_chosen_keys(project.root, options, notes))
-        written = write_mattes(
-            shown,
-            options.frames_of(clip),
-            folder,
-            numbering(pattern, options.frame_offset),
-            (clip.size[1], clip.size[0]),
-            style=style,
-            progress=options.progress,
-            token=options.token,
-        )
-        return (*notes, written.report()) if written.kept else tuple(notes)
+        return folder, numbering(pattern, options.frame_offset), style
 
 
 def style_for(path: Path, style: MatteStyle) -> MatteStyle:
@@ -183,7 +194,7 @@ def write_mattes(
             token.check()
         if progress is not None:
             progress(done / len(plan), f"Matte of frame {frame}")
-        if style.resumes and all(path.is_file() and path.stat().st_size > 0 for path in paths):
+        if _is_kept(paths, style):
             kept += paths
         else:
             _write_frame(shapes, frame, size, parts, paths, style, pixel_aspect)
@@ -192,6 +203,17 @@ def write_mattes(
     if progress is not None:
         progress(1.0, written.report())
     return written
+
+
+def planned(
+    shapes: Shapes, frames: Iterable[int], folder: Path, name_for: Callable[[int], str], style: MatteStyle = PNG
+) -> tuple[Path, ...]:
+    """The files that `write_mattes` would write now: without those that are there already, where the style resumes.
+
+    Raises `RoamError` as it does for names.
+    """
+    plan = _plan(frames, folder, name_for, parts_of(shapes, style.parts), style)
+    return tuple(path for paths in plan.values() if not _is_kept(paths, style) for path in paths)
 
 
 def write_matte(shapes: Shapes, frame: int, path: Path, size: tuple[int, int], *, bits: int = 8) -> None:
@@ -260,6 +282,11 @@ def _plan(
                 raise RoamError(f"The mattes of frames {taken[path]} and {frame} would both be named {path.name!r}.")
         plan[frame] = paths
     return plan
+
+
+def _is_kept(paths: list[Path], style: MatteStyle) -> bool:
+    """Whether the pictures of a frame stay as they are."""
+    return style.resumes and all(path.is_file() and path.stat().st_size > 0 for path in paths)
 
 
 def _make(folder: Path) -> None:

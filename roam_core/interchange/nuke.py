@@ -23,6 +23,7 @@ from roam_core.interchange.nuke_keys import (
     timed_keys,
 )
 from roam_core.interchange.nuke_text import (
+    HEAD,
     LOCKED,
     OPEN,
     RELATIVE_TANGENTS,
@@ -71,7 +72,7 @@ def roto_document(project: Project, options: ExportOptions = STANDARD) -> tuple[
     writer = _Writer(clip, options, len(project.shapes))
     text = "\n".join(
         [
-            "version 9.0 v1",
+            HEAD.rstrip(),
             "Roto {",
             " inputs 0",
             " output alpha",

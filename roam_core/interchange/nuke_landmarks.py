@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from roam_core.errors import RoamError
+from roam_core.interchange.nuke_text import HEAD
 from roam_core.interchange.nuke_tracks import Track, tracker_node
 from roam_core.propagate.result import FrameResult, Landmarks
 from roam_core.roto import Clip
@@ -153,5 +154,5 @@ def write_landmarks(paths: LandmarkPaths, clip: Clip, path: Path, frame_offset: 
     if not nodes:
         least = max((shape.least for shape in paths.shapes), default=1)
         raise RoamError(f"No landmark was found on {least} frame(s) or more; {path} was not written.")
-    write_atomically(path, ("version 9.0 v1\n" + "".join(nodes)).encode("utf-8"))
+    write_atomically(path, (HEAD + "".join(nodes)).encode("utf-8"))
     return tuple(note for shape in paths.shapes for note in shape.notes())

@@ -8,8 +8,12 @@ from collections.abc import Iterable
 import numpy as np
 from numpy.typing import NDArray
 
+from roam_core.interchange.authorship import MARK
+
 Array = NDArray[np.float64]
 
+HEAD = f"# {MARK}\nversion 9.0 v1\n"
+"""How a script begins."""
 ROOT_FLAGS = 1 << 21
 OPEN, RENDERABLE, LOCKED, RELATIVE_TANGENTS = 1 << 5, 1 << 9, 1 << 10, 1 << 13
 """Bits of a flag word, of which the shape's and layer's are RENDERABLE and LOCKED, the curve's the other two."""

@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from roam_core.errors import RoamError
 from roam_core.geometry import projective, similarity
 from roam_core.interchange.nuke_keys import LAST_EXACT_FRAME
-from roam_core.interchange.nuke_text import tcl_word
+from roam_core.interchange.nuke_text import HEAD, tcl_word
 from roam_core.interchange.protocol import FARTHEST, STANDARD, ExportOptions, ShapeWriter, exported_keys
 from roam_core.interchange.stilled import stilled
 from roam_core.roto import Clip, Layer, Project, RotoShape
@@ -89,7 +89,7 @@ class NukeTracksExporter:
             reference = reference_frame(shape)
             nodes += _nodes(shape.name, frames, corners, corners[frames.index(reference)], reference, writer)
         options.advance(1.0, f"Writing {path.name}")
-        write_atomically(path, ("version 9.0 v1\n" + "".join(nodes)).encode("utf-8"))
+        write_atomically(path, (HEAD + "".join(nodes)).encode("utf-8"))
         return tuple(writer.notes)
 
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field, replace
 from enum import StrEnum
 from itertools import pairwise
 from pathlib import Path
-from typing import ClassVar, Protocol
+from typing import ClassVar, Protocol, runtime_checkable
 
 import numpy as np
 
@@ -125,6 +125,15 @@ class Exporter(Protocol):
         RoamError
             when the project has no clip, holds a point that is not a sensible number, or the file cannot be written.
         """
+        ...
+
+
+@runtime_checkable
+class WritesSeveral(Protocol):
+    """An exporter whose results are not the one file that is named."""
+
+    def files(self, project: Project, path: Path, options: ExportOptions = ...) -> tuple[Path, ...]:
+        """The files that `export` would write, or `RoamError` as it raises it for what cannot be asked for."""
         ...
 
 

@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from roam_core.geometry import bspline
 from roam_core.geometry.bezier import ANCHOR, IN, OUT
+from roam_core.interchange.authorship import MARK
 from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter, without_smooth_keys
 from roam_core.interchange.stilled import stilled
 from roam_core.interchange.xml import xml_text
@@ -74,7 +75,7 @@ def silhouette_document(project: Project, options: ExportOptions = STANDARD) -> 
         root.attrib.update(_flags(project.root))
     writer.fill_layer(root, project.root, 1.0)
     ET.indent(session, " ")
-    text = "<!-- Silhouette Shape File -->\n" + ET.tostring(session, encoding="unicode") + "\n"
+    text = f"<!-- Silhouette Shape File -->\n<!-- {MARK} -->\n" + ET.tostring(session, encoding="unicode") + "\n"
     return text, tuple(writer.notes)
 
 

@@ -59,6 +59,13 @@ class SvgFormat:
             told |= dict.fromkeys(notes)
         return tuple(told)
 
+    def files(self, project: Project, path: Path, options: ExportOptions = STANDARD) -> tuple[Path, ...]:
+        """The pictures that `export` writes."""
+        if not is_numbered(path.name):
+            return (path,)
+        name_for = numbering(path.name, options.frame_offset)
+        return tuple(path.with_name(name_for(frame)) for frame in options.frames_of(project.require_clip()))
+
     @quietly
     def read(self, path: Path, clip: Clip, options: ImportOptions = PLAIN) -> Imported:
         """Read all outlines of a drawing as shapes with one key, on the clip's first frame."""

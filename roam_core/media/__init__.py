@@ -3,6 +3,6 @@
 from roam_core.media.cache import FrameCache
 from roam_core.media.declared import declared
 from roam_core.media.opening import open_clip
-from roam_core.media.source import MissingFrame, PlateSource
+from roam_core.media.source import DamagedFrame, MissingFrame, PlateSource
 
-__all__ = ["FrameCache", "MissingFrame", "PlateSource", "declared", "open_clip"]
+__all__ = ["DamagedFrame", "FrameCache", "MissingFrame", "PlateSource", "declared", "open_clip"]

@@ -12,7 +12,7 @@ import numpy as np
 
 from roam_core.errors import RoamError
 from roam_core.media.colour import SRGB
-from roam_core.media.source import Image, MissingFrame
+from roam_core.media.source import DamagedFrame, Image, MissingFrame
 
 LONGEST_STEP = 24
 """Frames that are decoded one by one rather than sought: about the distance between key frames."""
@@ -46,6 +46,10 @@ class Movie:
         self.frames = tuple(range(1, self._count + 1))
         self.missing: tuple[int, ...] = ()
 
+    def file_of(self, frame: int) -> Path:
+        """The movie, whichever the frame."""
+        return self.path
+
     def frame_name(self, frame: int) -> str:
         """The frame's number, padded with zeros: to five digits, more for a longer movie."""
         return f"{frame:0{max(5, len(str(self._count)))}d}"
@@ -57,7 +61,7 @@ class Movie:
         with self._lock:
             picture = self._retrieved() if self._go_to(frame - 1) else None
         if picture is None:
-            raise RoamError(f"Frame {frame} of {self.path} cannot be decoded; the movie is damaged or cut short.")
+            raise DamagedFrame(f"Frame {frame} of {self.path} cannot be decoded; the movie is damaged or cut short.")
         if (picture.shape[1], picture.shape[0]) != self.size:
             raise RoamError(f"Frame {frame} of {self.path} differs in size from the first; a plate needs one size.")
         return np.asarray(cv2.cvtColor(picture, cv2.COLOR_BGR2RGB))

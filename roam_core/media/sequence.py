@@ -13,7 +13,7 @@ import OpenImageIO as oiio  # noqa: N813 - the name its own manual uses
 from roam_core.errors import RoamError
 from roam_core.media.colour import LINEAR, LOG, SRGB
 from roam_core.media.numbering import FileSequence
-from roam_core.media.source import Image, MissingFrame
+from roam_core.media.source import DamagedFrame, Image, MissingFrame
 
 LARGEST_IMAGE_MB = 2048
 """A header that claims more uncompressed MiB is taken for a damaged file: 8K RGBA in float needs 512."""
@@ -62,6 +62,11 @@ class ImageSequence:
         self.colour_space = _colour_space(source)
         self.depth = _depth(source.spec())
 
+    def file_of(self, frame: int) -> Path:
+        """The frame's file; the plate's own path for a frame that it has not."""
+        name = self._sequence.names.get(frame)
+        return self._sequence.folder / name if name else self.path
+
     def frame_name(self, frame: int) -> str:
         """The stem of the frame's file, or what it would be for a frame that is not on disk."""
         name = self._sequence.names.get(frame)
@@ -80,7 +85,10 @@ class ImageSequence:
         file = self._sequence.folder / name
         if not file.exists():
             raise MissingFrame(f"Frame {frame} of {self.path} is missing: {file} is no longer there.")
-        image = read_image(file)
+        try:
+            image = read_image(file)
+        except RoamError as error:
+            raise DamagedFrame(str(error)) from None
         if (image.shape[1], image.shape[0]) != self.size:
             raise RoamError(
                 f"{file} is {image.shape[1]} x {image.shape[0]} pixels, the plate is {self.size[0]} x {self.size[1]}; "

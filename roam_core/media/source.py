@@ -17,6 +17,10 @@ class MissingFrame(RoamError):
     """The plate has no such frame: outside its range, or a gap in its numbers."""
 
 
+class DamagedFrame(MissingFrame):
+    """The frame is there and cannot be decoded: it is damaged or cut short. A run bridges it like a gap."""
+
+
 class PlateSource(Protocol):
     """A plate that gives its frames by their own numbers. Reading is safe from any thread."""
 
@@ -58,10 +62,13 @@ class PlateSource(Protocol):
         Raises
         ------
         MissingFrame
-            when the plate has no such frame.
+            when the plate has no such frame; `DamagedFrame` when it is there and cannot be decoded.
         RoamError
-            when it is there and cannot be decoded, or differs in size.
+            when it differs in size from the others.
         """
+
+    def file_of(self, frame: int) -> Path:
+        """The file that holds a frame; it need not be there."""
 
     def frame_name(self, frame: int) -> str:
         """The name of a frame without its extension, by which its matte is named."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 
 import pytest
@@ -11,7 +12,9 @@ from app.document import Document
 from app.jobs.export import Export
 from app.jobs.runner import Ending, Runner
 from roam_core.geometry.bezier import polygon_points
-from roam_core.roto import Clip, Project, edit
+from roam_core.media import open_clip
+from roam_core.roto import Clip, Project, edit, file
+from tests.gui.windows import write_clip
 
 WAIT = 30_000
 CLIP = Clip(Path("/plates/shot"), 1001, 1003, (64, 48))
@@ -46,3 +49,54 @@ def test_a_project_without_a_clip_is_refused_in_a_sentence(
     assert finished.args[0] is Ending.FAILED
     assert "clip" in finished.args[1]
     assert list(tmp_path.iterdir()) == []
+
+
+@pytest.fixture
+def on_a_plate(document: Document, tmp_path: Path) -> Document:
+    """A saved project on the frames 1001 to 1003 of `plate`."""
+    clip = Clip.of(open_clip(write_clip(tmp_path / "plate", 3) / "plate.%04d.png"))
+    square = polygon_points([(10, 10), (30, 10), (30, 30), (10, 30)])
+    project = edit.new_shape(Project(clip), square, 1001)[0]
+    document.open(project, tmp_path / "p.roam")
+    file.save(project, tmp_path / "p.roam")
+    return document
+
+
+@pytest.mark.parametrize(
+    ("name", "target"),
+    [("mattes", "plate/plate.####.png"), ("nuke", "plate/plate.1002.png"), ("json", "p.roam"), ("json", "link.json")],
+)
+def test_what_the_project_is_made_of_is_never_written_over(
+    qtbot: QtBot, on_a_plate: Document, runner: Runner, tmp_path: Path, name: str, target: str
+) -> None:
+    (tmp_path / "link.json").symlink_to(tmp_path / "plate" / "plate.1001.png")
+    before = {path: path.read_bytes() for path in tmp_path.rglob("*") if path.is_file()}
+    export = Export(on_a_plate, runner, may_overwrite=lambda _: True)
+    with qtbot.waitSignal(export.finished, timeout=WAIT) as finished:
+        export.start(name, tmp_path / target)
+    assert finished.args[0] is Ending.FAILED
+    assert "is read for this and is never written over" in finished.args[1]
+    assert {path: path.read_bytes() for path in tmp_path.rglob("*") if path.is_file()} == before
+
+
+@pytest.mark.parametrize("answer", [True, False])
+def test_the_artist_is_asked_about_what_roam_did_not_make(
+    qtbot: QtBot, drawn: Document, runner: Runner, tmp_path: Path, answer: bool
+) -> None:
+    theirs = [tmp_path / "mattes" / f"matte.{frame}.png" for frame in (1001, 1003)]
+    theirs[0].parent.mkdir()
+    for path in theirs:
+        path.write_text("my own work")
+    asked: list[Sequence[Path]] = []
+
+    def may_overwrite(paths: Sequence[Path]) -> bool:
+        asked.append(list(paths))
+        return answer
+
+    export = Export(drawn, runner, may_overwrite=may_overwrite)
+    for _ in range(2):
+        with qtbot.waitSignal(export.finished, timeout=WAIT) as finished:
+            export.start("mattes", tmp_path / "mattes")
+        assert finished.args[0] is (Ending.DONE if answer else Ending.CANCELLED)
+    assert asked == ([theirs] if answer else [theirs, theirs])
+    assert [path.read_bytes()[:4] == b"\x89PNG" for path in theirs] == [answer] * 2

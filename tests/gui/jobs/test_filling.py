@@ -17,6 +17,7 @@ from app.jobs.runner import Ending, Runner
 from app.view_state import ViewState
 from roam_core.cancel import CancelToken
 from roam_core.geometry.bezier import polygon_points
+from roam_core.media import DamagedFrame
 from roam_core.propagate import span
 from roam_core.propagate.provenance import Stamps
 from roam_core.roto import Clip, Keyframe, Origin, Project, RotoShape, edit
@@ -147,6 +148,22 @@ def test_stop_keeps_the_gaps_that_are_finished(
         Ending.CANCELLED, "Filling stopped after the gap up to frame 4; the finished frames stay."
     ]  # fmt: skip
     assert engine_frames(document) == [2, 3]
+
+
+def test_a_gap_that_cannot_be_filled_does_not_lose_the_others(
+    qtbot: QtBot, document: Document, view_state: ViewState, runner: Runner, propagation: Propagation, engine: Engine
+) -> None:
+    def read(frame: int) -> str:
+        if frame == 1:
+            raise DamagedFrame("Frame 1 is damaged.")
+        return f"picture {frame}"
+
+    damaged = Propagation(document, view_state, runner, read)
+    engine.allow(2)
+    with qtbot.waitSignal(damaged.finished, timeout=WAIT) as finished:
+        damaged.fill(["shape-1"], GAPS)
+    assert finished.args == [Ending.FAILED, "1 of 2 gap(s) could not be filled: Frame 1 is damaged."]
+    assert engine_frames(document) == [5, 6]
 
 
 def test_an_edit_of_a_shape_under_work_ends_the_fill_at_once(

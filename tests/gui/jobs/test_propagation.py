@@ -61,6 +61,17 @@ def test_a_run_is_one_undo_step_and_the_playhead_goes_with_it(
     assert document.project is before
 
 
+def test_a_frame_without_a_picture_is_bridged_and_told(
+    qtbot: QtBot, propagation: Propagation, document: Document, engine: GlidingEngine
+) -> None:
+    engine.damaged = 3
+    engine.allow(4)
+    with qtbot.waitSignal(propagation.finished, timeout=WAIT) as finished:
+        propagation.start(["shape-1"], range(1, 6))
+    assert solved(document, [2, 4, 5])()
+    assert finished.args[1].endswith("each. Bridged without a picture: 1.")
+
+
 def test_the_status_tells_what_how_far_and_how_fast(
     qtbot: QtBot, propagation: Propagation, engine: GlidingEngine
 ) -> None:

@@ -66,17 +66,23 @@ def test_a_text_file_as_an_image(roam: Roam, plate: Plate, outputs: tuple[object
 
 @pytest.mark.parametrize("damage", ["text", "empty", "truncated"])
 def test_an_unreadable_frame_on_the_way(roam: Roam, plate: Plate, damage: str) -> None:
-    """The frames before it are finished and kept; none of them is half a file, and no project claims to be whole."""
+    """It is told and bridged like a gap; its matte is what `roam render` gives of the project."""
     bad = plate.folder / "plate.1004.png"
     whole = bad.read_bytes()
     bad.write_bytes({"text": b"no picture", "empty": b"", "truncated": whole[: len(whole) // 2]}[damage])
     out, path = plate.folder.parent / "mattes", plate.folder.parent / "out.roam"
-    done = roam("track", plate.folder, "--init", plate.mask, "--matte", out, "--save", path)
-    require_refusal(done, "1004")
-    assert not path.exists()
-    assert sorted(entry.name for entry in out.iterdir()) == [f"plate.{frame}.png" for frame in (1001, 1002, 1003)]
-    for entry in out.iterdir():
-        assert cv2.imread(str(entry), cv2.IMREAD_UNCHANGED) is not None
+    words = ("--init", plate.mask, "--config", "baseline", "--matte", out, "--save", path, "--json")
+    done = roam("track", plate.folder, *words)
+    assert done.status == 0
+    assert done.err.count("\n") == done.err.count("plate.1004.png") == done.err.count("bridged") == 1
+    ends = {line["frame"]: line["termination"] for line in map(json.loads, done.out.splitlines())}
+    assert [frame for frame, end in ends.items() if end == "missing_frame"] == [1004]
+    assert file.load(path).shapes[0].frames == (1001, 1002, 1003, 1005, 1006)
+    rendered = plate.folder.parent / "rendered"
+    assert roam("render", path, "--out", rendered).status == 0
+    assert tree(out).keys() == {str(out / entry.name) for entry in rendered.iterdir()}
+    for entry in rendered.iterdir():
+        assert (out / entry.name).read_bytes() == entry.read_bytes()
 
 
 def test_an_unreadable_first_frame(roam: Roam, plate: Plate, outputs: tuple[object, ...]) -> None:

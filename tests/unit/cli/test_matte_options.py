@@ -65,14 +65,14 @@ def test_a_run_is_taken_up_where_it_ended(roam: Roam, project: Path, tmp_path: P
     assert read_matte(tmp_path / "0009.png")[5, 5] == 255
     done = roam("render", project, "--out", tmp_path, "--resume")
     assert (done.status, done.err) == (0, f"Wrote 0 matte(s) to {tmp_path}; 3 there already.\n")
-    assert roam("render", project, "--out", tmp_path).err == f"Wrote 3 matte(s) to {tmp_path}.\n"
+    assert roam("render", project, "--out", tmp_path, "--overwrite").err == f"Wrote 3 matte(s) to {tmp_path}.\n"
 
 
 def test_an_export_that_is_taken_up_tells_what_was_there(roam: Roam, project: Path, tmp_path: Path) -> None:
     words = ("export", project, tmp_path / "m.####.png", "--to", "mattes")
     (tmp_path / "m.0008.png").write_bytes(b"there")
     assert roam(*words, "--resume").err.splitlines()[1:] == ["Wrote 2 matte(s); 1 there already."]
-    assert len(roam(*words).err.splitlines()) == 1
+    assert len(roam(*words, "--overwrite").err.splitlines()) == 1
 
 
 @pytest.mark.parametrize(

@@ -49,7 +49,7 @@ class Node:
 def judged(path: Path, height: int = 1080) -> list[Node]:
     """The nodes of a script, which must hold nothing but trackers."""
     split = tcl.available().split
-    words = split(path.read_text(encoding="utf-8"))
+    words = split(path.read_text(encoding="utf-8").removeprefix("# Written by ROAM\n"))
     assert words[:3] == ["version", "9.0", "v1"]
     assert set(words[3::2]) == {"Tracker4"}
     nodes = []

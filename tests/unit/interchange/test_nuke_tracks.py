@@ -54,7 +54,7 @@ def exported(folder: Path, *shapes: RotoShape, options: ExportOptions | None = N
     project = Project(CLIP, Layer("root", "Root", shapes))
     notes = EXPORTERS["nuke-tracks"].export(project, path, options or ExportOptions())
     assert notes == ()
-    words = tcl.available().split(path.read_text(encoding="utf-8"))
+    words = tcl.available().split(path.read_text(encoding="utf-8").removeprefix("# Written by ROAM\n"))
     assert words[:3] == ["version", "9.0", "v1"]
     return words[3:]
 
@@ -147,7 +147,7 @@ def test_a_moving_layer_is_a_planar_track(tmp_path: Path) -> None:
     outer = Layer("layer-2", "Outer", (inner,), transform=LayerTransform.of({1001: push}))
     path = tmp_path / "tracks.nk"
     assert EXPORTERS["nuke-tracks"].export(Project(CLIP, Layer("root", "Root", (outer,))), path) == ()
-    words = tcl.available().split(path.read_text(encoding="utf-8"))[3:]
+    words = tcl.available().split(path.read_text(encoding="utf-8").removeprefix("# Written by ROAM\n"))[3:]
     assert words[::2] == ["Tracker4", "CornerPin2D"] * 2  # of the layer, and of the shape that it carries
     rows = tcl.available().split(tcl.available().split(knobs_of(words[1])["tracks"])[2])
     assert tcl.available().split(rows[0])[1] == "Plane [x] bottom left"

@@ -1,0 +1,71 @@
+"""Keeping what is finished while a command runs: the project is written as it grows, not only at the end."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+
+from roam_core.errors import RoamError
+from roam_core.roto import Project
+
+PAUSE = 1.0
+"""Seconds between two writes, at least."""
+SHARE = 0.1
+"""Of a run's time that writing may take: the pause grows with the time that a write takes."""
+
+
+class Keeper:
+    """Writes the states of a growing project: at most every second, and what is left when the run ends.
+
+    Parameters
+    ----------
+    write : puts a project where it belongs, whole or not at all; None: nothing is kept.
+    clock : seconds.
+    """
+
+    def __init__(self, write: Callable[[Project], None] | None, clock: Callable[[], float] = time.monotonic) -> None:
+        self._write, self._clock = write, clock
+        self._waiting: Project | None = None
+        self.has_written = False
+        self._due = clock() + PAUSE
+
+    def offer(self, project: Project) -> None:
+        """Take over a state of the project; write it where the last write is long enough ago."""
+        self._waiting = project
+        if self._clock() >= self._due:
+            self.flush()
+
+    def flush(self) -> None:
+        """Write what was offered and is not written yet."""
+        if self._waiting is None or self._write is None:
+            return
+        project, began = self._waiting, self._clock()
+        self._write(project)
+        self._waiting, self.has_written, ended = None, True, self._clock()
+        self._due = ended + max(PAUSE, (ended - began) / SHARE)
+
+
+@contextmanager
+def kept(write: Callable[[Project], None] | None) -> Iterator[Keeper]:
+    """A keeper for the length of a `with` block; however the block is left, what was offered is written.
+
+    An error of the block that is told to the user says what has become of that.
+    """
+    keeper = Keeper(write)
+    try:
+        yield keeper
+    except RoamError as error:
+        raise RoamError(f"{error} {_fate(keeper)}".rstrip()) from error
+    except BaseException:
+        keeper.flush()
+        raise
+    keeper.flush()
+
+
+def _fate(keeper: Keeper) -> str:
+    try:
+        keeper.flush()
+    except RoamError as error:
+        return f"What was finished last is not kept: {error}"
+    return "What was finished is kept." if keeper.has_written else ""

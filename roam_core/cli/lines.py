@@ -1,0 +1,52 @@
+"""What goes to the standard output: lines of JSON, and that it really goes there."""
+
+from __future__ import annotations
+
+import json
+import os
+import sys
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager, suppress
+
+from roam_core.errors import RoamError
+
+
+def print_json(line: Mapping[str, object]) -> None:
+    """Print one object as a line, now. Raises as `flush_output`."""
+    with _told():
+        print(json.dumps(line), flush=True)
+
+
+def flush_output() -> None:
+    """Have everything that was printed arrive.
+
+    Raises
+    ------
+    BrokenPipeError
+        when the reader went away.
+    RoamError
+        when it cannot be written for another reason, such as a full disk.
+    """
+    with _told():
+        sys.stdout.flush()
+
+
+@contextmanager
+def _told() -> Iterator[None]:
+    try:
+        yield
+    except BrokenPipeError:
+        discard_output()
+        raise
+    except OSError as error:
+        discard_output()
+        raise RoamError(f"The standard output cannot be written: {error.strerror}.") from None
+
+
+def discard_output() -> None:
+    """Send what is still to be printed nowhere: the interpreter would fail on it once more when it ends."""
+    with suppress(OSError):  # an output that is no file of the system
+        output = sys.stdout.fileno()
+        nowhere = os.open(os.devnull, os.O_WRONLY)
+        os.dup2(nowhere, output)
+        os.close(nowhere)

@@ -1,0 +1,81 @@
+"""Signals that end a command: it stops at a safe point, keeps what is finished, and ends with the usual exit code."""
+
+from __future__ import annotations
+
+import signal
+import threading
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from types import FrameType
+from typing import Any
+
+from roam_core.cancel import Cancelled, CancelToken
+
+STOPPING = tuple(getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP") if hasattr(signal, name))
+"""Ctrl-C, a request to end, a terminal that went away: those of them that the system knows."""
+
+
+class Stopped(BaseException):
+    """A signal ended the command; like `KeyboardInterrupt` it is no error that anything in between may handle."""
+
+    def __init__(self, number: int) -> None:
+        super().__init__(number)
+        self.number = number
+
+    @property
+    def exit_code(self) -> int:
+        """What a shell is told of a command that ended by this signal."""
+        return 128 + self.number
+
+
+@contextmanager
+def raising() -> Iterator[None]:
+    """For the length of a `with` block a signal raises `Stopped` wherever the program is, so that it tidies up."""
+
+    def stop(number: int, _frame: FrameType | None) -> None:
+        raise Stopped(number)
+
+    with _handled(stop):
+        yield
+
+
+@contextmanager
+def cancelling() -> Iterator[CancelToken]:
+    """A token that the first signal cancels: the engine's threads then stop at their next safe point.
+
+    The block's `Cancelled` then becomes `Stopped`. A second Ctrl-C does not wait for a safe point; others may come in
+    pairs, as when a terminal is closed.
+    """
+    token = CancelToken()
+    received: list[int] = []
+
+    def stop(number: int, _frame: FrameType | None) -> None:
+        received.append(number)
+        if token.is_cancelled and number == signal.SIGINT:
+            raise Stopped(number)
+        token.cancel()
+
+    with _handled(stop):
+        try:
+            yield token
+        except Cancelled:
+            if received:
+                raise Stopped(received[0]) from None
+            raise
+
+
+@contextmanager
+def _handled(handler: Callable[[int, FrameType | None], Any]) -> Iterator[None]:
+    """The handler for all signals that stop, but for those that are ignored (`nohup`); only the main thread has any."""
+    if threading.current_thread() is not threading.main_thread():
+        yield
+        return
+    before = {number: signal.getsignal(number) for number in STOPPING}
+    heard = {number: was for number, was in before.items() if was not in (signal.SIG_IGN, None)}
+    for number in heard:
+        signal.signal(number, handler)
+    try:
+        yield
+    finally:
+        for number, was in heard.items():
+            signal.signal(number, was)

@@ -1,0 +1,62 @@
+"""Which files ROAM wrote: told by what is in them, for names and suffixes say nothing of whose work a file is."""
+
+from __future__ import annotations
+
+import re
+import stat
+from enum import StrEnum
+from pathlib import Path
+
+SOFTWARE = "ROAM"
+"""The `Software` tag of every picture that ROAM writes."""
+MARK = "Written by ROAM"
+"""The comment by which exports are known whose format says nothing of where a file comes from."""
+HEAD_BYTES = 1024
+
+_PROJECT = re.compile(rb'\s*\{\s*"type":\s*"roam\.Project"')
+_SHAPES = re.compile(
+    rb"# Written by ROAM\n"  # Nuke
+    rb"|# (?:Shapes|Masks) from ROAM\b"  # scripts for Nuke, Blender and Natron
+    rb"|// Masks from ROAM"  # After Effects
+    rb"|<!-- Silhouette Shape File -->\n<!-- Written by ROAM -->"
+    rb"|\{\n Tools = ordered\(\) \{\n"  # Fusion knows no comments everywhere; it lays out its own files otherwise
+    rb"|<\?xml[^>]*\?>\n<svg [^>\n]*data-roam-frame="  # an editor that saves it again breaks this line
+    rb'|\{\n "format": "roam-shapes"'
+)
+_PICTURE = re.compile(rb"\x89PNG|\x76\x2f\x31\x01|II\*\x00|MM\x00\*|II\+\x00|MM\x00\+")
+"""How PNG, EXR and TIFF files begin."""
+
+
+class Kind(StrEnum):
+    """What ROAM writes."""
+
+    PROJECT = "project"
+    SHAPES = "shapes"
+    PICTURE = "picture"
+
+
+def written_by_us(path: Path) -> Kind | None:
+    """What ROAM wrote to the file at `path`; None for what somebody else did, or for no plain, readable file."""
+    try:
+        if not stat.S_ISREG(path.stat().st_mode):
+            return None
+        with path.open("rb") as file:
+            head = file.read(HEAD_BYTES)
+    except OSError:
+        return None
+    if _PROJECT.match(head):
+        return Kind.PROJECT
+    if _SHAPES.match(head):
+        return Kind.SHAPES
+    return Kind.PICTURE if _PICTURE.match(head) and _software(path) == SOFTWARE else None
+
+
+def _software(picture: Path) -> str:
+    """The `Software` tag of a picture, from its header."""
+    import OpenImageIO as oiio  # noqa: N813 - large: only where there is a picture
+
+    source = oiio.ImageInput.open(str(picture))
+    if source is None:
+        oiio.geterror()
+        return ""
+    return str(source.spec().get_string_attribute("Software"))

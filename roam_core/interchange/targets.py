@@ -1,0 +1,180 @@
+"""May this be written? Never what the same command reads, and what somebody else made only on their word."""
+
+from __future__ import annotations
+
+import os
+import shutil
+from collections import Counter
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from roam_core.errors import RoamError
+from roam_core.interchange.authorship import Kind, written_by_us
+from roam_core.interchange.mattes import MatteExporter
+from roam_core.interchange.protocol import STANDARD, Exporter, ExportOptions, WritesSeveral
+from roam_core.media import PlateSource, open_clip
+from roam_core.roto import Clip, Project
+
+BACKUPS = 9
+"""How many older projects are kept beside a project that is written over."""
+
+Identity = tuple[int, int] | str
+
+
+@dataclass(frozen=True)
+class Sources:
+    """What a command reads: files, and the folder of a plate that is opened by its folder.
+
+    A picture more in such a folder could be taken for a frame, or keep the folder from being opened again.
+    """
+
+    files: tuple[Path, ...]
+    plate_folder: Path | None = None
+
+    @classmethod
+    def of(cls, plate: PlateSource | None, *files: Path) -> Sources:
+        """A plate's files and others."""
+        if plate is None:
+            return cls(files)
+        frames = dict.fromkeys(plate.file_of(frame) for frame in plate.frames)
+        return cls((*frames, *files), plate.path if plate.path.is_dir() else None)
+
+    @classmethod
+    def of_clip(cls, clip: Clip | None, *files: Path) -> Sources:
+        """The files of a project's clip, as far as it is at hand, and others."""
+        if clip is None:
+            return cls(files)
+        try:
+            return cls.of(open_clip(clip.path), *files)
+        except RoamError:
+            # What cannot be opened now may be a plate all the same: none of its folder is touched.
+            folder = clip.path if clip.path.is_dir() else None
+            return cls((*(folder.iterdir() if folder else [clip.path]), *files), folder)
+
+
+def exported(
+    exporter: Exporter, project: Project, path: Path, options: ExportOptions = STANDARD
+) -> list[tuple[Path, Kind]]:
+    """The files that an export would write, and what they will be."""
+    files = exporter.files(project, path, options) if isinstance(exporter, WritesSeveral) else (path,)
+    kind = Kind.PICTURE if exporter.name == MatteExporter.name else Kind.SHAPES
+    return [(file, kind) for file in files]
+
+
+@dataclass(frozen=True)
+class Obstacles:
+    """Why files may not be written, first come first: those that are `read`, those `in_plate`, those not `ours`.
+
+    `odd` are no plain files, `twice` those that two results would go to.
+    """
+
+    read: tuple[Path, ...] = ()
+    in_plate: tuple[Path, ...] = ()
+    odd: tuple[Path, ...] = ()
+    twice: tuple[Path, ...] = ()
+    foreign: tuple[Path, ...] = ()
+
+    def refuse_always(self) -> None:
+        """Raise `RoamError` for what is never permitted."""
+        for paths, reason in (
+            (self.read, "is read for this and is never written over; name another place"),
+            (self.in_plate, "would lie among the frames of the plate; choose another folder"),
+            (self.odd, "is no plain file and cannot be written over; name another"),
+            (self.twice, "would be written twice; give each result a place of its own"),
+        ):
+            if paths:
+                raise RoamError(f"{listed(paths)} {reason}.")
+
+    def refuse_foreign(self) -> None:
+        """Raise `RoamError` for what is permitted only on the user's word."""
+        if self.foreign:
+            raise RoamError(
+                f"{listed(self.foreign)} is there already and is not of ROAM's making; name another place, or say "
+                "--overwrite."
+            )
+
+
+def obstacles(targets: Iterable[tuple[Path, Kind]], sources: Sources, rewritten: Path | None = None) -> Obstacles:
+    """What stands against writing `targets`, each with what it will be.
+
+    Links and detours do not hide that two paths are one file. `rewritten` is a project that may take the place of
+    itself. A file of ROAM's is free for what is of its own kind; so is an empty one.
+    """
+    wanted = [(path, kind, _identity(path)) for path, kind in targets]
+    read = {_identity(path) for path in sources.files}
+    own = None if rewritten is None else _identity(rewritten)
+    folder = None if sources.plate_folder is None else _identity(sources.plate_folder)
+    times = Counter(who for _, _, who in wanted)
+    rest = [(path, kind) for path, kind, who in wanted if not (kind is Kind.PROJECT and who == own)]
+    there = [(path, kind) for path, kind in rest if path.exists()]
+    return Obstacles(
+        read=tuple(path for path, kind in there if _identity(path) in read),
+        in_plate=tuple(path for path, kind in rest if kind is Kind.PICTURE and _identity(path.parent) == folder),
+        odd=tuple(path for path, _ in there if not path.is_file() and not path.is_dir()),
+        twice=tuple(path for path, _, who in wanted if times[who] > 1),
+        foreign=tuple(path for path, kind in there if path.is_file() and not _is_free(path, kind)),
+    )
+
+
+def require_free(
+    targets: Iterable[tuple[Path, Kind]], sources: Sources, *, overwrite: bool, rewritten: Path | None = None
+) -> None:
+    """Raise `RoamError` where a target may not be written; `overwrite` is the user's word for what is not ours."""
+    found = obstacles(targets, sources, rewritten)
+    found.refuse_always()
+    if not overwrite:
+        found.refuse_foreign()
+
+
+def listed(paths: Sequence[Path]) -> str:
+    """The first path, and how many others."""
+    others = len(paths) - 1
+    return f"{paths[0]} (and {others} other file{'s' * (others > 1)})" if others else str(paths[0])
+
+
+def kept_aside(path: Path) -> Path | None:
+    """Keep the project at `path` as `NAME.1` before another takes its place; those before it move up by one.
+
+    The ninth goes; what has such a name and is no project of ROAM's is passed over. `path` itself stays until it is
+    written over. Returns where the project is kept now, or None where there was none.
+
+    Raises
+    ------
+    RoamError
+        when it cannot be kept.
+    """
+    if written_by_us(path) is not Kind.PROJECT:
+        return None
+    numbered = [path.with_name(f"{path.name}.{number}") for number in range(1, BACKUPS + 1)]
+    places = [place for place in numbered if not os.path.lexists(place) or written_by_us(place) is Kind.PROJECT]
+    try:
+        free = next((k for k, place in enumerate(places) if not place.exists()), len(places) - 1)
+        for k in range(free, 0, -1):
+            places[k - 1].replace(places[k])
+        _copied(path, places[0])
+    except (OSError, IndexError) as error:
+        reason = getattr(error, "strerror", None) or "files of others have the names of its backups"
+        raise RoamError(f"The project {path} cannot be kept aside before it is written over: {reason}.") from None
+    return places[0]
+
+
+def _copied(path: Path, place: Path) -> None:
+    """A second name for the file, or a copy on file systems that have none."""
+    try:
+        os.link(path.resolve(), place)
+    except OSError:
+        shutil.copy2(path, place)
+
+
+def _is_free(path: Path, kind: Kind) -> bool:
+    return path.stat().st_size == 0 or written_by_us(path) is kind
+
+
+def _identity(path: Path) -> Identity:
+    """The same for all paths that lead to one file, or to one place where none is yet."""
+    try:
+        found = path.stat()
+    except OSError:
+        return os.path.realpath(path)
+    return (found.st_dev, found.st_ino) if found.st_ino else os.path.realpath(path)

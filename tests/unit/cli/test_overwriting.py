@@ -1,0 +1,189 @@
+"""Nothing writes onto what it reads, nor onto what somebody else made without their word; asking changes nothing."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+import cv2
+import numpy as np
+import pytest
+
+from roam_core.media import open_clip
+from roam_core.roto import Clip, Project, edit, file
+from tests.unit.cli.conftest import SHOT, Plate, Roam
+from tests.unit.cli.test_bad_input import require_refusal, tree
+from tests.unit.cli.test_fill import CONFIG
+
+OVERWRITE = "--overwrite"
+READ = "is read for this and is never written over"
+FOREIGN = "is not of ROAM's making"
+
+
+@pytest.fixture
+def project(plate: Plate) -> Path:
+    """`p.roam` beside the plate: keys on 1001 and 1004."""
+    made, shape = edit.new_shape(Project(Clip.of(open_clip(plate.folder))), SHOT.truth(1001), 1001)
+    path = plate.folder.parent / "p.roam"
+    file.save(made.with_shape(edit.set_key(shape, 1004, SHOT.truth(1004))), path)
+    return path
+
+
+WAYS_ONTO_WHAT_IS_READ = [
+    "track {plate} --init {mask} --save {mask}",
+    "track {plate} --init {mask} --save {plate}/plate.1006.png",
+    "track {plate} --init {mask} --save {link}",
+    "track {plate} --init {mask} --config medium --landmarks {plate}/../linked.nk",
+    "track {plate}/plate.%04d.png --init {mask} --matte {plate}",
+    "track {plate}/plate.%04d.png --init {mask} --matte {folder_link}",
+    "track {plate}/plate.%04d.png --init {project} --matte {plate}/../plate",
+    "fill {project} --save {plate}/plate.1001.png",
+    "fill {pattern_project} --matte {plate}",
+    "render {pattern_project} --out {plate}",
+    "render {pattern_project} --out {plate} --name plate.####.png",
+    "export {project} {project} --to json",
+    "export {project} {plate}/plate.1002.png --to nuke",
+    "export {pattern_project} {plate}/plate.####.png --to mattes",
+    "export {project} {plate}/plate.%04d.png --to svg",
+    "import {mask} --into {project} --save {mask}",
+    "import {masks} --into {project} --save {masks}/m.1001.png",
+    "explain {project} --frame 1001 --picture {plate}/plate.1001.png",
+    "explain {project} --frame 1001 --picture {project}",
+]
+
+
+@pytest.mark.parametrize("words", WAYS_ONTO_WHAT_IS_READ)
+def test_what_is_read_is_never_written_over(roam: Roam, plate: Plate, project: Path, words: str) -> None:
+    """Whatever the user says, by whatever path: through links, and `..`."""
+    folder = plate.folder.parent
+    (folder / "link.roam").symlink_to(plate.mask)
+    os.link(plate.folder / "plate.1003.png", folder / "linked.nk")
+    (folder / "folder_link").symlink_to(plate.folder)
+    (folder / "masks").mkdir()
+    cv2.imwrite(str(folder / "masks" / "m.1001.png"), np.full((110, 130), 255, np.uint8))
+    by_pattern = folder / "pattern.roam"
+    file.save(Project(Clip.of(open_clip(plate.folder / "plate.%04d.png")), file.load(project).root), by_pattern)
+    places = {
+        "plate": plate.folder, "mask": plate.mask, "project": project, "link": folder / "link.roam",
+        "folder_link": folder / "folder_link", "pattern_project": by_pattern, "masks": folder / "masks",
+    }  # fmt: skip
+    before = tree(folder)
+    for more in ([], [OVERWRITE]):
+        require_refusal(roam(*words.format(**places).split(), *more), READ)
+        assert tree(folder) == before
+
+
+def test_pictures_stay_out_of_a_plate_that_is_opened_by_its_folder(roam: Roam, plate: Plate, project: Path) -> None:
+    """A matte among the frames would be taken for one of them, or keep the folder from being opened."""
+    before = tree(plate.folder.parent)
+    for words in (
+        ("track", plate.folder, "--init", plate.mask, "--matte", plate.folder),
+        ("render", project, "--out", plate.folder, "--name", "m.####.tif"),
+        ("export", project, plate.folder / "m.####.exr", "--to", "mattes", OVERWRITE),
+    ):
+        require_refusal(roam(*words), "of the plate" if words[0] != "track" else READ)
+    assert tree(plate.folder.parent) == before
+
+
+def test_the_first_file_is_named_and_the_others_are_counted(roam: Roam, plate: Plate) -> None:
+    done = roam("track", f"{plate.folder}/plate.%04d.png", "--init", plate.mask, "--matte", plate.folder)
+    require_refusal(done, plate.folder / "plate.1001.png", "(and 5 other files)")
+
+
+WAYS_ONTO_ANOTHERS = [
+    "track {plate} --init {mask} --save {theirs}",
+    "track {plate} --init {mask} --matte {out}",
+    "track {plate} --init {mask} --config medium --landmarks {theirs}.nk",
+    "fill {project} --config baseline --save {theirs}",
+    "fill {project} --config baseline --matte {out}",
+    "render {project} --out {out}",
+    "export {project} {theirs} --to nuke",
+    "export {project} {out}/plate.####.png --to mattes",
+    "export {project} {out}/plate.####.png --to svg",
+    "import {mask} --into {project} --save {theirs}",
+    "explain {project} --frame 1001 --picture {theirs}",
+]
+
+
+@pytest.mark.parametrize("words", WAYS_ONTO_ANOTHERS)
+def test_anothers_file_is_written_over_on_the_users_word(roam: Roam, plate: Plate, project: Path, words: str) -> None:
+    folder = plate.folder.parent
+    theirs, out = folder / "theirs", folder / "out"
+    out.mkdir()
+    for path in (theirs, folder / "theirs.nk"):
+        path.write_text("version 13.0 v1\n# my own work\n")
+    cv2.imwrite(str(out / "plate.1003.png"), np.zeros((110, 130), np.uint8))
+    places = {"plate": plate.folder, "mask": plate.mask, "project": project, "theirs": theirs, "out": out}
+    before, words_given = tree(folder), words.format(**places).split()
+    require_refusal(roam(*words_given), FOREIGN, "--overwrite")
+    assert tree(folder) == before
+    done = roam(*words_given, OVERWRITE)
+    assert done.status == 0, done.err
+    assert tree(folder) != before
+
+
+def test_what_roam_wrote_is_written_again_without_a_word(roam: Roam, plate: Plate, project: Path) -> None:
+    folder = plate.folder.parent
+    for words in (
+        ("fill", project, *CONFIG, "--matte", folder / "mattes"),
+        ("render", project, "--out", folder / "mattes"),
+        ("render", project, "--out", folder / "exr", "--file", "exr"),
+        ("export", project, folder / "a.nk", "--to", "nuke"),
+        ("export", project, folder / "s.####.svg", "--to", "svg"),
+        ("explain", project, "--frame", 1002, "--picture", folder / "why.png"),
+        ("import", plate.mask, "--into", project),
+        ("track", plate.folder, "--init", project, *CONFIG, "--start", 1001, "--save", project),
+    ):
+        for _ in range(2):
+            assert roam(*words).status == 0
+    assert not list(folder.glob("*.roam.*"))
+
+
+def test_an_empty_file_is_free_and_a_device_is_not(roam: Roam, plate: Plate, project: Path) -> None:
+    out = plate.folder.parent / "out.nk"
+    out.touch()
+    assert roam("export", project, out, "--to", "nuke").status == 0
+    pipe = plate.folder.parent / "pipe"
+    os.mkfifo(pipe)
+    require_refusal(roam("export", project, pipe, "--to", "nuke", OVERWRITE), pipe, "no plain file")
+
+
+def test_a_project_is_not_written_over_by_an_export(roam: Roam, plate: Plate, project: Path) -> None:
+    """Both are of ROAM's making, but a project is an artist's work."""
+    other = plate.folder.parent / "other.roam"
+    other.write_bytes(project.read_bytes())
+    require_refusal(roam("export", project, other, "--to", "json"), other, FOREIGN)
+    assert other.read_bytes() == project.read_bytes()
+
+
+def test_two_results_do_not_share_a_file(roam: Roam, plate: Plate) -> None:
+    out = plate.folder.parent / "out"
+    words = ("--matte", out, "--save", out / ".." / "out" / "plate.1002.png")
+    out.mkdir()
+    require_refusal(roam("track", plate.folder, "--init", plate.mask, *words), "written twice")
+    assert not list(out.iterdir())
+
+
+def test_another_project_is_kept_aside(roam: Roam, plate: Plate, project: Path) -> None:
+    path, old = plate.folder.parent / "kept.roam", project.read_bytes()
+    path.write_bytes(old)
+    words = ("track", plate.folder, "--init", plate.mask, *CONFIG, "--save", path)
+    done = roam(*words)
+    assert (done.status, done.err.splitlines()[0]) == (0, f"The project that was {path} is kept as kept.roam.1.")
+    newer = path.read_bytes()
+    assert (plate.folder.parent / "kept.roam.1").read_bytes() == old != newer
+    assert roam("fill", project, *CONFIG, "--save", path).status == 0
+    assert (plate.folder.parent / "kept.roam.1").read_bytes() == newer
+    assert (plate.folder.parent / "kept.roam.2").read_bytes() == old
+    assert project.read_bytes() == old
+
+
+def test_the_demo_keeps_to_the_same_rules(roam: Roam, tmp_path: Path) -> None:
+    theirs, frames = tmp_path / "theirs.txt", tmp_path / "frames"
+    frames.mkdir()
+    for path in (theirs, frames / "demo.1003.png"):
+        path.write_text("my own work")
+    before = tree(tmp_path)
+    require_refusal(roam("demo", "--headless", "--frames", tmp_path / "new", "--save", theirs), theirs, FOREIGN)
+    require_refusal(roam("demo", "--headless", "--frames", frames), frames / "demo.1003.png", FOREIGN)
+    assert tree(tmp_path) == before
