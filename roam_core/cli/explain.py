@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from roam_core.cli.explain_picture import TOTAL, choices, drawn
-from roam_core.cli.fill import interruptible, require_size
+from roam_core.cli.fill import interruptible
 from roam_core.cli.picking import picked
 from roam_core.cli.plate import Plate, opened
 from roam_core.cli.track import require_target
@@ -22,6 +22,7 @@ from roam_core.features import PreparedFrame
 from roam_core.propagate.explain import REGION, Explanation, explain
 from roam_core.roto import Origin, Project, RotoShape, file
 from roam_core.roto.file import write_atomically
+from roam_core.roto.relinking import relinked
 
 Row = Mapping[str, object]
 
@@ -44,12 +45,11 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace) -> int:
     """Carry out the command."""
-    project = file.load(arguments.project)
+    project = relinked(file.load(arguments.project), arguments.project.parent)
     wanted = keyed_shapes(project, arguments.project, arguments.frame, arguments.shape)
     if arguments.picture is not None:
         require_target(arguments.picture)
     with opened(str(project.require_clip().path), project.clip) as plate:
-        require_size(plate, project.require_clip())
         if arguments.frame not in plate.source.frames:
             raise RoamError(f"Frame {arguments.frame} is missing from the clip {plate.source.path}; choose another.")
         explanations = explained(plate, project, arguments.frame, wanted)

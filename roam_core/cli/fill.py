@@ -29,7 +29,8 @@ from roam_core.propagate import Termination, warm_up
 from roam_core.propagate.provenance import Stamps, clip_stamp, takes_part
 from roam_core.propagate.span import fill_span
 from roam_core.propagate.whole import whole_confidence
-from roam_core.roto import Clip, Origin, Project, RotoShape, file
+from roam_core.roto import Origin, Project, RotoShape, file
+from roam_core.roto.relinking import relinked
 
 Gap = tuple[int, int]
 """Two frames with artist keys and none between."""
@@ -48,12 +49,11 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(arguments: argparse.Namespace) -> int:
     """Carry out the command."""
     params = params_for(arguments.config)
-    project = file.load(arguments.project)
+    project = relinked(file.load(arguments.project), arguments.project.parent)
     target = arguments.project if arguments.save is None else arguments.save
     picking = Picking(arguments.shape, arguments.alone)
     gaps = gaps_of(project, arguments.project, picking)
     with opened(str(project.require_clip().path), project.clip) as plate:
-        require_size(plate, project.require_clip())
         require_target(target)
         if arguments.matte is not None:
             require_writable(arguments.matte, create=True)
@@ -190,15 +190,6 @@ def interruptible() -> Iterator[CancelToken]:
         yield token
     finally:
         signal.signal(signal.SIGINT, previous)
-
-
-def require_size(plate: Plate, clip: Clip) -> None:
-    """Refuse a clip on disk that is not the one that the shapes were drawn on."""
-    if plate.source.size != tuple(clip.size):
-        raise RoamError(
-            f"The clip {clip.path} is {plate.source.size[0]}x{plate.source.size[1]} now; the project was made for "
-            f"{clip.size[0]}x{clip.size[1]}. Put the old clip back, or open the project and choose another."
-        )
 
 
 def write_mattes(plate: Plate, project: Project, frames: range, folder: Path) -> None:

@@ -44,6 +44,10 @@ class DeclaredPlate:
         """The picture `(h, w, 3)` of a frame: the same values; what they mean is what was declared."""
         return self.source.read(frame)
 
+    def file_of(self, frame: int) -> Path:
+        """The file that holds a frame."""
+        return self.source.file_of(frame)
+
     def frame_name(self, frame: int) -> str:
         """The name of a frame without its extension."""
         return self.source.frame_name(frame)

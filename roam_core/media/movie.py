@@ -46,6 +46,10 @@ class Movie:
         self.frames = tuple(range(1, self._count + 1))
         self.missing: tuple[int, ...] = ()
 
+    def file_of(self, frame: int) -> Path:
+        """The movie, whichever the frame."""
+        return self.path
+
     def frame_name(self, frame: int) -> str:
         """The frame's number, padded with zeros: to five digits, more for a longer movie."""
         return f"{frame:0{max(5, len(str(self._count)))}d}"

@@ -62,6 +62,11 @@ class ImageSequence:
         self.colour_space = _colour_space(source)
         self.depth = _depth(source.spec())
 
+    def file_of(self, frame: int) -> Path:
+        """The frame's file; the plate's own path for a frame that it has not."""
+        name = self._sequence.names.get(frame)
+        return self._sequence.folder / name if name else self.path
+
     def frame_name(self, frame: int) -> str:
         """The stem of the frame's file, or what it would be for a frame that is not on disk."""
         name = self._sequence.names.get(frame)

@@ -63,5 +63,8 @@ class PlateSource(Protocol):
             when it is there and cannot be decoded, or differs in size.
         """
 
+    def file_of(self, frame: int) -> Path:
+        """The file that holds a frame; it need not be there."""
+
     def frame_name(self, frame: int) -> str:
         """The name of a frame without its extension, by which its matte is named."""
