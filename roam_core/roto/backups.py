@@ -38,10 +38,10 @@ def rotate(path: Path, count: int) -> None:
         when the backup cannot be kept; the file and at least all backups but the oldest are then still there.
     """
     target = Path(os.path.realpath(path))
-    if count < 1 or not target.is_file() or _is_kept(target):
-        return
     temporary = temporary_beside(target)
     try:
+        if count < 1 or not target.is_file() or _is_kept(target):
+            return
         _keep(target, temporary)
         for number in range(_first_free(target, count), 1, -1):
             backup_path(target, number - 1).replace(backup_path(target, number))

@@ -8,7 +8,7 @@ from roam_core.roto.shape import RotoShape
 
 MAX_DEPTH = 210
 """Layers in layers: what other programs nest 200 deep comes in, with the layer that it is put in."""
-MAX_ITEMS = 100_000
+MAX_ITEMS = 50_000
 """Layers and shapes."""
 MAX_KEYS = 1_000_000
 """Keys over all shapes."""

@@ -74,12 +74,20 @@ def _encoded(texts: Iterable[str]) -> Iterator[bytes]:
 
 
 def _limited(contents: Iterable[bytes]) -> Iterator[bytes]:
-    written = 0
+    """The pieces of a file, as long as it can be read again."""
+    length = values = names = 0
     for content in contents:
-        written += len(content)
-        if written > MAX_BYTES:
-            raise RoamError(f"The project is larger than {MAX_BYTES >> 20} MiB as a file; take keys or shapes away.")
+        length += len(content)
+        more_values, more_names = _counts(content)
+        values, names = values + more_values, names + more_names
+        if length > MAX_BYTES or values > MAX_VALUES or names > MAX_NAMES:
+            raise RoamError("The project is too large for a file that can be opened again; take keys or shapes away.")
         yield content
+
+
+def _counts(content: bytes) -> tuple[int, int]:
+    """At least how many values, and how many names of fields, a part of a file holds."""
+    return sum(content.count(mark) for mark in (b",", b"[", b"{")), content.count(b":")
 
 
 def _content(path: Path) -> bytes:
@@ -102,7 +110,7 @@ def _content(path: Path) -> bytes:
 
 def _parsed(content: bytes, name: str) -> Any:
     """The plain data of a file; what would take more memory than a project may is refused before it is parsed."""
-    values, names = sum(content.count(mark) for mark in (b",", b"[", b"{")), content.count(b":")
+    values, names = _counts(content)
     if values > MAX_VALUES or names > MAX_NAMES:
         raise RoamError(f"{name} holds more values than a ROAM project may ({max(values, names)}); it is damaged.")
     try:

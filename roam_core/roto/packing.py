@@ -1,4 +1,4 @@
-"""The compact form of keys: a run of keys that are alike is one object, its numbers in one word of base64.
+"""The compact form of keys: those of a shape that are alike are one object, its numbers in one word of base64.
 
 Bit by bit the same numbers come back. Nothing is compressed: the last bits of tracked points are noise, and equal
 projects have equal files on every machine.
@@ -21,10 +21,10 @@ from roam_core.roto.shape import Interpolation, Keyframe, Origin
 Array = NDArray[np.float64]
 Document = dict[str, Any]
 
-SHORTEST_RUN = 8
-"""Shorter runs are written key by key, with numbers to read."""
-MOST_READABLE = 16
-"""Artist's keys of a shape that are written with numbers to read; of a shape with more, all runs are packed."""
+FEWEST_PACKED = 8
+"""Fewer keys that are alike are written one by one, with numbers to read."""
+FEWEST_PACKED_DRAWN = 17
+"""The same for an artist's keys."""
 LARGEST_FRAME = 2**31 - 1
 """Frame numbers lie between minus this and this: the window counts them in 32 bits."""
 
@@ -129,19 +129,23 @@ def text(value: Any, name: str) -> str:
 # ---- writing keys ----------------------------------------------------------------------------------------------------
 
 
-def packed_keys(keys: Sequence[Keyframe]) -> Iterator[Document]:
-    """Keys as plain data, in their order: a few artist's keys and short runs one by one, other runs packed."""
-    artist = sum(key.origin is Origin.ARTIST for key in keys)
-    for _, alike in groupby(keys, key=_traits):
-        run = list(alike)
-        if len(run) < SHORTEST_RUN or (run[0].origin is Origin.ARTIST and artist <= MOST_READABLE):
-            yield from map(_plain_key, run)
+def packed_keys(keys: Sequence[Keyframe]) -> list[Document]:
+    """A shape's keys as plain data: few that are alike one by one, many as one object; by their first frames."""
+    alike: dict[tuple[Any, ...], list[Keyframe]] = {}
+    for key in keys:
+        alike.setdefault(_traits(key), []).append(key)
+    placed: list[tuple[int, Document]] = []
+    for run in alike.values():
+        fewest = FEWEST_PACKED_DRAWN if run[0].origin is Origin.ARTIST else FEWEST_PACKED
+        if len(run) < fewest:
+            placed.extend((key.frame, _plain_key(key)) for key in run)
         else:
-            yield _plain_run(run)
+            placed.append((run[0].frame, _plain_run(run)))
+    return [document for _, document in sorted(placed, key=lambda each: each[0])]
 
 
 def _traits(key: Keyframe) -> tuple[Any, ...]:
-    """What the keys of a run have in common."""
+    """What keys that are alike have in common."""
     vertices = None if key.vertex_confidence is None else key.vertex_confidence.shape
     alike = (key.origin, key.interpolation, key.feather is None, key.confidence is None, vertices)
     return (*alike, json.dumps(dict(key.extra)) if key.extra else "")
@@ -235,7 +239,7 @@ def _read_run(document: Document) -> Iterator[Keyframe]:
     confidence = _column(document, "confidence", count, ())
     vertices = None if "vertex_confidence" not in document else unpacked_numbers(document["vertex_confidence"])
     if vertices is not None and (vertices.ndim != 2 or len(vertices) != count):
-        raise ValueError("a run of keys and its vertex_confidence differ in length")
+        raise ValueError("the packed keys and their vertex_confidence differ in length")
     origin, interpolation = Origin(document["origin"]), Interpolation(document["interpolation"])
     extra = _rest(document, _ALIKE)
     for k, (frame, stamp) in enumerate(zip(frames, _stamps(document, count), strict=True)):
@@ -255,7 +259,7 @@ def _read_run(document: Document) -> Iterator[Keyframe]:
 def _read_points(document: Any, count: int) -> Array:
     points = unpacked_numbers(document)
     if points.ndim != 4 or len(points) != count or points.shape[2:] not in ((1, 2), (3, 2)):
-        raise ValueError("a run of keys and its points differ in length")
+        raise ValueError("the packed keys and their points differ in length")
     if points.shape[2] == 1:
         points = np.repeat(points, 3, axis=2)
         points.setflags(write=False)
@@ -268,7 +272,7 @@ def _column(document: Document, name: str, count: int, shape: tuple[int, ...]) -
         return None
     values = unpacked_numbers(document[name])
     if values.shape != (count, *shape):
-        raise ValueError(f"a run of keys and its {name} differ in length")
+        raise ValueError(f"the packed keys and their {name} differ in length")
     return values
 
 
@@ -277,7 +281,7 @@ def _stamps(document: Document, count: int) -> Iterator[str]:
     pairs = document.get("inputs", [[count, ""]])
     lengths = [whole(length, "a length of inputs", 0) for length, _ in pairs]
     if sum(lengths) != count:
-        raise ValueError("a run of keys and its inputs differ in length")
+        raise ValueError("the packed keys and their inputs differ in length")
     for length, (_, stamp) in zip(lengths, pairs, strict=True):
         for _ in range(length):
             yield text(stamp, "the inputs of a key")

@@ -121,7 +121,7 @@ def _shape(shape: RotoShape) -> dict[str, Any]:
         **({"link": shape.link} if shape.link else {}),
         **({} if shape.attached else {"attached": False}),
         **({"depth": [list(pair) for pair in shape.depth]} if shape.depth else {}),
-        "keys": list(packed_keys(shape.keys)),
+        "keys": packed_keys(shape.keys),
         **shape.extra,
     }
 

@@ -13,8 +13,8 @@ import pytest
 from roam_core.geometry import bezier
 from roam_core.roto import Interpolation, Keyframe, Origin
 from roam_core.roto.packing import (
-    MOST_READABLE,
-    SHORTEST_RUN,
+    FEWEST_PACKED,
+    FEWEST_PACKED_DRAWN,
     listed_numbers,
     listed_rows,
     packed_keys,
@@ -37,8 +37,9 @@ def forms(keys: list[Keyframe]) -> list[tuple[str, int]]:
 
 
 def there_and_back(keys: list[Keyframe]) -> list[Keyframe]:
-    documents = json.loads(json.dumps(list(packed_keys(keys))))
-    return [key for document in documents for key in unpacked_keys(document)]
+    documents = json.loads(json.dumps(packed_keys(keys)))
+    found = [key for document in documents for key in unpacked_keys(document)]
+    return sorted(found, key=lambda key: key.frame)
 
 
 def test_numbers_come_back_bit_by_bit() -> None:
@@ -100,19 +101,29 @@ def test_rows_are_all_of_one_width(rows: Any) -> None:
         listed_rows(rows, 2)
 
 
-def test_tracked_runs_are_packed_and_artist_keys_read() -> None:
-    keys = run_of(2 * SHORTEST_RUN)
-    mid = SHORTEST_RUN
-    keys[mid] = replace(keys[mid], origin=Origin.ARTIST)
-    assert forms(keys) == [("Keyframes", mid), ("Keyframe", 1), *[("Keyframe", 1)] * (mid - 1)]
+def test_tracked_keys_are_packed_and_artist_keys_read() -> None:
+    keys = run_of(2 * FEWEST_PACKED)
+    keys[1] = replace(keys[1], origin=Origin.ARTIST)
+    assert forms(keys) == [("Keyframes", 2 * FEWEST_PACKED - 1), ("Keyframe", 1)]
     assert there_and_back(keys) == keys
 
 
+def test_few_keys_are_read() -> None:
+    assert forms(run_of(FEWEST_PACKED - 1)) == [("Keyframe", 1)] * (FEWEST_PACKED - 1)
+
+
 def test_many_artist_keys_are_packed_too() -> None:
-    few, many = (run_of(count, origin=Origin.ARTIST) for count in (MOST_READABLE, MOST_READABLE + 1))
-    assert forms(few) == [("Keyframe", 1)] * MOST_READABLE
-    assert forms(many) == [("Keyframes", MOST_READABLE + 1)]
+    few, many = (run_of(count, origin=Origin.ARTIST) for count in (FEWEST_PACKED_DRAWN - 1, FEWEST_PACKED_DRAWN))
+    assert forms(few) == [("Keyframe", 1)] * (FEWEST_PACKED_DRAWN - 1)
+    assert forms(many) == [("Keyframes", FEWEST_PACKED_DRAWN)]
     assert there_and_back(many) == many
+
+
+def test_keys_that_take_turns_are_packed() -> None:
+    """A key of the artist's on every other frame, filled between."""
+    keys = [replace(key, origin=Origin.ARTIST) if k % 2 else key for k, key in enumerate(run_of(40))]
+    assert forms(keys) == [("Keyframes", 20), ("Keyframes", 20)]
+    assert there_and_back(keys) == keys
 
 
 @pytest.mark.parametrize(
@@ -126,25 +137,25 @@ def test_many_artist_keys_are_packed_too() -> None:
         {"extra": {"later": 1}},
     ],
 )
-def test_what_differs_ends_a_run(fields: dict[str, Any]) -> None:
-    keys = run_of(3 * SHORTEST_RUN)
-    keys[SHORTEST_RUN] = replace(keys[SHORTEST_RUN], **fields)
-    assert [count for _, count in forms(keys)] == [SHORTEST_RUN, 1, 2 * SHORTEST_RUN - 1]
+def test_a_key_that_differs_stands_by_itself(fields: dict[str, Any]) -> None:
+    keys = run_of(3 * FEWEST_PACKED)
+    keys[1] = replace(keys[1], **fields)
+    assert forms(keys) == [("Keyframes", 3 * FEWEST_PACKED - 1), ("Keyframe", 1)]
     assert there_and_back(keys) == keys
 
 
 def test_fields_of_a_run_are_those_of_its_keys_to_the_type() -> None:
-    keys = run_of(SHORTEST_RUN, extra={"later": 1}) + [
-        replace(key, frame=key.frame + 100) for key in run_of(SHORTEST_RUN, extra={"later": 1.0})
+    keys = run_of(FEWEST_PACKED, extra={"later": 1}) + [
+        replace(key, frame=key.frame + 100) for key in run_of(FEWEST_PACKED, extra={"later": 1.0})
     ]
     again = there_and_back(keys)
-    assert [type(key.extra["later"]) for key in again] == [int] * SHORTEST_RUN + [float] * SHORTEST_RUN
+    assert [type(key.extra["later"]) for key in again] == [int] * FEWEST_PACKED + [float] * FEWEST_PACKED
 
 
 def test_polygons_are_held_without_their_handles() -> None:
-    keys = run_of(SHORTEST_RUN, BOX)
+    keys = run_of(FEWEST_PACKED, BOX)
     (document,) = packed_keys(keys)
-    assert document["points"]["shape"] == [SHORTEST_RUN, 3, 1, 2]
+    assert document["points"]["shape"] == [FEWEST_PACKED, 3, 1, 2]
     assert [key.points.tobytes() for key in there_and_back(keys)] == [key.points.tobytes() for key in keys]
 
 
@@ -152,7 +163,7 @@ def test_a_zero_with_another_sign_is_another_number() -> None:
     """A handle on its anchor but for the sign of a zero is no polygon's."""
     box = np.zeros((3, 3, 2))
     box[:, 1:] = -0.0
-    keys = [Keyframe(k, box, origin=Origin.ENGINE) for k in range(SHORTEST_RUN)]
+    keys = [Keyframe(k, box, origin=Origin.ENGINE) for k in range(FEWEST_PACKED)]
     assert [key.points.tobytes() for key in there_and_back(keys)] == [key.points.tobytes() for key in keys]
 
 
