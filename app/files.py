@@ -15,6 +15,7 @@ from app.jobs.runner import Ending, Report, Runner, Work
 from app.view_state import ViewState
 from roam_core.errors import RoamError
 from roam_core.roto import Clip, Project, edit, file
+from roam_core.roto.relinking import other_content, other_size, relinked
 
 if TYPE_CHECKING:
     from roam_core.media import PlateSource
@@ -107,7 +108,8 @@ class Files(QObject):
 
         def read() -> tuple[Project, Any, str]:
             found, source = clip_project(path)
-            return replace(project, clip=found.clip), source, f"The plate is {path.name} now; save to keep that."
+            said = _differences(project, source) or f"The plate is {path.name} now; save to keep that."
+            return replace(project, clip=found.clip), source, said
 
         self._open(f"Opening {path.name} …", read, self._document.path, is_unsaved=True)
 
@@ -229,21 +231,32 @@ def _demo_project(report: Report) -> tuple[Project, Any]:
 
 
 def _read_project(path: Path) -> tuple[Project, Any, str]:
-    project = file.load(path)
+    stored = file.load(path)
+    project = relinked(stored, path.parent)
     source, problem = _plate_of(project)
-    return project, source, problem or f"Opened {path.name}."
+    moved = "" if project is stored else f" Its plate was found at {project.require_clip().path}; save to keep that."
+    return project, source, problem or f"Opened {path.name}.{moved}"
 
 
 def _plate_of(project: Project) -> tuple[Any, str]:
-    """The plate of a project, or None and why it could not be opened."""
+    """The plate of a project, or None and why it could not be opened; or the plate and what differs from before."""
     from roam_core.media import declared, open_clip
 
     if (clip := project.clip) is None:
         return None, ""
     try:
-        return declared(open_clip(clip.path), clip.colour_space, clip.fps, clip.pixel_aspect), ""
+        source = declared(open_clip(clip.path), clip.colour_space, clip.fps, clip.pixel_aspect)
     except RoamError as error:
         return None, f"The plate could not be opened; choose it again in the File menu. {error}"
+    return source, _differences(project, source)
+
+
+def _differences(project: Project, source: PlateSource) -> str:
+    """What tells a plate from the one that the project was made on, as a sentence; "" where nothing does."""
+    if project.clip is None:
+        return ""
+    found = Clip.of(source)
+    return other_size(project.clip, found) or other_content(project.clip, found)
 
 
 def _gaps(source: Any) -> str:

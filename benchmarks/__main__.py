@@ -18,6 +18,7 @@ from benchmarks import (
     paper,
     part_sheets,
     parts,
+    saving,
     scaling,
     shots,
     speed,
@@ -44,6 +45,7 @@ BENCHMARKS: dict[str, ModuleType] = {
     "mattes": mattes,
     "keys": fewest_keys,
     "window": window,
+    "saving": saving,
 }
 """Each module has `arguments(parser)` and `run(arguments)`; the first line of its text is its help."""
 

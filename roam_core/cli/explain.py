@@ -12,7 +12,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from roam_core.cli.explain_picture import TOTAL, choices, drawn
-from roam_core.cli.fill import require_size
 from roam_core.cli.lines import print_json
 from roam_core.cli.overwriting import add_overwrite
 from roam_core.cli.picking import picked
@@ -27,6 +26,7 @@ from roam_core.interchange.targets import Sources, require_free
 from roam_core.propagate.explain import REGION, Explanation, explain
 from roam_core.roto import Origin, Project, RotoShape, file
 from roam_core.roto.file import write_atomically
+from roam_core.roto.relinking import relinked
 
 Row = Mapping[str, object]
 
@@ -50,12 +50,11 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace) -> int:
     """Carry out the command."""
-    project = file.load(arguments.project)
+    project = relinked(file.load(arguments.project), arguments.project.parent)
     wanted = keyed_shapes(project, arguments.project, arguments.frame, arguments.shape)
     if arguments.picture is not None:
         require_target(arguments.picture)
     with opened(str(project.require_clip().path), project.clip) as plate:
-        require_size(plate, project.require_clip())
         if arguments.picture is not None:
             require_free(
                 [(arguments.picture, Kind.PICTURE)],

@@ -32,7 +32,8 @@ from roam_core.propagate import Termination, warm_up
 from roam_core.propagate.provenance import Stamps, clip_stamp, takes_part
 from roam_core.propagate.span import fill_span
 from roam_core.propagate.whole import whole_confidence
-from roam_core.roto import Clip, Origin, Project, RotoShape, file
+from roam_core.roto import Origin, Project, RotoShape, file
+from roam_core.roto.relinking import relinked
 
 FAILED = 1
 Gap = tuple[int, int]
@@ -53,12 +54,11 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(arguments: argparse.Namespace) -> int:
     """Carry out the command."""
     params = params_for(arguments.config)
-    project = file.load(arguments.project)
+    project = relinked(file.load(arguments.project), arguments.project.parent)
     target = arguments.project if arguments.save is None else arguments.save
     picking = Picking(arguments.shape, arguments.alone)
     gaps = gaps_of(project, arguments.project, picking)
     with opened(str(project.require_clip().path), project.clip) as plate:
-        require_size(plate, project.require_clip())
         require_target(target)
         frames = range(gaps[0][0], max(last for _, last in gaps) + 1)
         require_free(
@@ -207,15 +207,6 @@ class _Pictures(Mapping[int, NDArray[Any]]):
 def _bar(total: int) -> Any:
     shape = "{l_bar}{bar}| {n:.0f}/{total} [{elapsed}<{remaining}]"
     return tqdm(total=total, unit="frame", bar_format=shape, disable=not sys.stderr.isatty(), leave=False)
-
-
-def require_size(plate: Plate, clip: Clip) -> None:
-    """Refuse a clip on disk that is not the one that the shapes were drawn on."""
-    if plate.source.size != tuple(clip.size):
-        raise RoamError(
-            f"The clip {clip.path} is {plate.source.size[0]}x{plate.source.size[1]} now; the project was made for "
-            f"{clip.size[0]}x{clip.size[1]}. Put the old clip back, or open the project and choose another."
-        )
 
 
 def write_mattes(plate: Plate, project: Project, frames: Sequence[int], folder: Path) -> None:

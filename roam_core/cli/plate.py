@@ -11,9 +11,11 @@ from typing import Any
 from numpy.typing import NDArray
 from tqdm import tqdm
 
+from roam_core.errors import RoamError
 from roam_core.media import FrameCache, MissingFrame, PlateSource, declared, open_clip
 from roam_core.media.colour import to_engine
 from roam_core.roto import Clip
+from roam_core.roto.relinking import other_content, other_size
 
 AHEAD = 4
 """Frames decoded ahead of the solver."""
@@ -64,9 +66,12 @@ class Plate:
 def opened(path: str, clip: Clip | None = None) -> Iterator[Plate]:
     """A plate for the length of a `with` block; its reading thread ends with it.
 
-    What the project's `clip` declares of its colours and its speed holds, where that is the plate.
+    What the project's `clip` declares of its colours and its speed holds, where that is the plate. A plate of another
+    size than the project's is refused; of one with another content stderr says so.
     """
     source = open_clip(path)
+    if clip is not None:
+        _compare(clip, Clip.of(source))
     if clip is not None and clip.path == source.path:
         source = declared(source, clip.colour_space, clip.fps, clip.pixel_aspect)
     cache = FrameCache(source, limit_bytes=1 << 29)
@@ -74,3 +79,10 @@ def opened(path: str, clip: Clip | None = None) -> Iterator[Plate]:
         yield Plate(source, cache)
     finally:
         cache.close()
+
+
+def _compare(clip: Clip, found: Clip) -> None:
+    if refusal := other_size(clip, found):
+        raise RoamError(refusal)
+    if warning := other_content(clip, found):
+        print(f"roam: {warning}", file=sys.stderr)

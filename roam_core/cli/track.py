@@ -257,7 +257,7 @@ def initial_project(init: Path, given: Project | None, plate: Plate, start: int)
     """The project to track: the given one on this clip, or one made of a mask of the start frame."""
     clip = Clip.of(plate.source)
     if given is not None:
-        return replace(given, clip=clip)
+        return replace(given, clip=replace(clip, extra=given.clip.extra if given.clip else {}))
     width, height = plate.source.size
     shapes: list[RotoShape] = shapes_from_mask(read_mask(init, (height, width)), start)
     if not shapes:

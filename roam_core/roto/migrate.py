@@ -5,11 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-VERSION = 1
-"""The version of `.roam` files that this program writes."""
+from roam_core.roto.packing import listed_rows, packed_numbers
 
-STEPS: dict[int, Callable[[dict[str, Any]], dict[str, Any]]] = {}
-"""`STEPS[v]` turns a document of version v into one of version v + 1."""
+VERSION = 2
+"""The version of `.roam` files that this program writes."""
 
 
 def migrate(document: dict[str, Any], version: int) -> dict[str, Any]:
@@ -17,3 +16,19 @@ def migrate(document: dict[str, Any], version: int) -> dict[str, Any]:
     for step in range(version, VERSION):
         document = STEPS[step](document)
     return document
+
+
+def _pack_matrices(document: dict[str, Any]) -> dict[str, Any]:
+    """1 to 2: the matrices of layers were rows of nine numbers; keys stood one by one, which they still may."""
+    waiting = [document["root"]]
+    while waiting:
+        layer = waiting.pop()
+        if layer.get("transform") is not None:
+            rows = listed_rows(layer["transform"]["matrices"], 9).reshape(-1, 3, 3)
+            layer["transform"]["matrices"] = packed_numbers(rows)
+        waiting.extend(child for child in layer["children"] if child["type"] == "Layer")
+    return document
+
+
+STEPS: dict[int, Callable[[dict[str, Any]], dict[str, Any]]] = {1: _pack_matrices}
+"""`STEPS[v]` turns a document of version v into one of version v + 1."""

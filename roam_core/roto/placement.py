@@ -8,7 +8,8 @@ from __future__ import annotations
 
 import bisect
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -28,6 +29,7 @@ class LayerTransform:
 
     frames: tuple[int, ...]
     matrices: Array
+    extra: Mapping[str, Any] = field(default_factory=dict)
     _digest: int = field(init=False, repr=False)
 
     def __post_init__(self) -> None:
@@ -51,7 +53,8 @@ class LayerTransform:
             return True
         if not isinstance(other, LayerTransform) or self._digest != other._digest:
             return False
-        return self.frames == other.frames and np.array_equal(self.matrices, other.matrices)
+        same = self.frames == other.frames and np.array_equal(self.matrices, other.matrices)
+        return same and dict(self.extra) == dict(other.extra)
 
     def __hash__(self) -> int:
         return self._digest
@@ -63,13 +66,13 @@ class LayerTransform:
 
     def with_matrices(self, matrices: Mapping[int, ArrayLike]) -> LayerTransform:
         """The transform with these matrices on their frames, in place of those that were there."""
-        return LayerTransform.of({**self.by_frame, **matrices})
+        return replace(LayerTransform.of({**self.by_frame, **matrices}), extra=self.extra)
 
     def without(self, frames: Iterable[int]) -> LayerTransform | None:
         """The transform without its matrices on these frames; None where nothing is left."""
         gone = set(frames)
         left = {frame: matrix for frame, matrix in self.by_frame.items() if frame not in gone}
-        return LayerTransform.of(left) if left else None
+        return replace(LayerTransform.of(left), extra=self.extra) if left else None
 
     def at(self, frame: float) -> Array:
         """The matrix `(3, 3)` at `frame` (fractions are for motion blur)."""

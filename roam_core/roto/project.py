@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from roam_core.errors import RoamError
+from roam_core.media.fingerprint import content_of
 from roam_core.roto.placement import LayerTransform, Placement
 from roam_core.roto.shape import Keyframe, RotoShape, placed, unplaced
 
@@ -33,7 +34,8 @@ class Clip:
     """A reference to the plate: where it lies and what it is.
 
     `path` is a folder, a pattern (`plate.%04d.exr`) or a movie; `first` and `last` are the plate's own frame numbers,
-    both inclusive (frames may be missing between them); `size` is (width, height).
+    both inclusive (frames may be missing between them); `size` is (width, height). `content` tells the plate from
+    others of its name (`roam_core.media.fingerprint`); "" where it is not known.
     """
 
     path: Path
@@ -43,6 +45,7 @@ class Clip:
     fps: float = 24.0
     pixel_aspect: float = 1.0
     colour_space: str = "sRGB"
+    content: str = ""
     extra: Mapping[str, Any] = field(default_factory=dict, hash=False)
 
     @classmethod
@@ -56,6 +59,7 @@ class Clip:
             fps=source.fps,
             pixel_aspect=source.pixel_aspect,
             colour_space=source.colour_space,
+            content=content_of(source),
         )
 
     @property
@@ -73,6 +77,7 @@ class Mark:
 
     frame: int
     text: str = ""
+    extra: Mapping[str, Any] = field(default_factory=dict, hash=False)
 
 
 @dataclass(frozen=True)

@@ -149,6 +149,7 @@ class MotionBlur:
     shutter: float = 0.5
     phase: float = -0.25
     samples: int = 16
+    extra: Mapping[str, Any] = field(default_factory=dict, hash=False)
 
 
 @dataclass(frozen=True)

@@ -104,8 +104,7 @@ def mark_at(project: Project, frame: int) -> Mark | None:
 
 def set_mark(project: Project, frame: int, text: str = "") -> Project:
     """The project with a mark on a frame, in place of one that was there."""
-    rest = (mark for mark in project.marks if mark.frame != frame)
-    return replace(project, marks=tuple(sorted([*rest, Mark(frame, text)], key=lambda mark: mark.frame)))
+    return _with_mark(project, replace(mark_at(project, frame) or Mark(frame), text=text))
 
 
 def remove_mark(project: Project, frame: int) -> Project:
@@ -116,4 +115,9 @@ def remove_mark(project: Project, frame: int) -> Project:
 def move_mark(project: Project, frame: int, target: int) -> Project:
     """The project with the mark of one frame on another; a mark that lay there gives way."""
     mark = mark_at(project, frame)
-    return project if mark is None else set_mark(remove_mark(project, frame), target, mark.text)
+    return project if mark is None else _with_mark(remove_mark(project, frame), replace(mark, frame=target))
+
+
+def _with_mark(project: Project, mark: Mark) -> Project:
+    rest = remove_mark(project, mark.frame).marks
+    return replace(project, marks=tuple(sorted([*rest, mark], key=lambda each: each.frame)))

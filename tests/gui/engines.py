@@ -14,7 +14,7 @@ from roam_core.roto import Keyframe, Origin, edit
 
 @dataclass
 class GlidingEngine:
-    """Moves shapes by a pixel a frame, one frame for each `allow`; in doubt on frame 3, without a picture on `damaged`."""
+    """Moves shapes by a pixel a frame, one frame for each `allow`; in doubt on frame 3, no picture on `damaged`."""
 
     is_deaf: bool = False
     damaged: int = 0

@@ -1,0 +1,60 @@
+"""Where a plate may lie after a move: places near the project that end as its stored path ends."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+from pathlib import Path
+
+from roam_core.media.numbering import NamePattern, parse_pattern
+
+LEVELS = 3
+"""Folders that are looked into: the project's own, the one above it, and the one above that."""
+LONGEST_TAIL = 4
+"""Parts of the stored path, counted from its end, that a place may share."""
+MOST_ENTRIES = 1000
+"""Entries of a folder that are looked at."""
+
+
+def is_there(path: Path) -> bool:
+    """Whether a folder, a file, or a file that follows the pattern lies at `path`."""
+    try:
+        if path.exists():
+            return True
+        pattern = parse_pattern(path.name)
+        return pattern is not None and _has_frame(path.parent, pattern)
+    except (OSError, ValueError):
+        return False
+
+
+def places_near(folder: Path, lost: Path) -> Iterator[Path]:
+    """Places where the plate `lost` may lie now, the nearest to `folder` first; each of them is there.
+
+    They share the last part of its path or more, below the project's folder, the two above it, or a folder in these.
+    """
+    parts = [part for part in lost.parts if part not in (lost.anchor, "..")]
+    tails = [Path(*parts[-length:]) for length in range(min(LONGEST_TAIL, len(parts)), 0, -1)]
+    seen: set[Path] = set()
+    for base in [folder, *folder.parents][:LEVELS]:
+        for root in [base, *_folders_in(base)]:
+            for place in (root / tail for tail in tails):
+                if place not in seen and is_there(place):
+                    yield place
+                seen.add(place)
+
+
+def _has_frame(folder: Path, pattern: NamePattern) -> bool:
+    with os.scandir(folder) as entries:
+        return any(pattern.number_of(entry.name) is not None for entry in entries)
+
+
+def _folders_in(folder: Path) -> list[Path]:
+    found: list[Path] = []
+    try:
+        with os.scandir(folder) as entries:
+            for _, entry in zip(range(MOST_ENTRIES), entries, strict=False):
+                if not entry.name.startswith(".") and entry.is_dir():
+                    found.append(Path(entry.path))
+    except OSError:
+        pass
+    return sorted(found)

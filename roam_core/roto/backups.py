@@ -1,0 +1,81 @@
+"""Backups of a file before it is replaced: `NAME.1` is the newest, `NAME.2` the one before, and so on."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import shutil
+from pathlib import Path
+
+from roam_core.errors import RoamError
+from roam_core.roto.writing import flush_folder, temporary_beside
+
+LONGEST_NAME = 255
+"""Bytes that a file name may have."""
+
+
+def backup_path(path: Path, number: int) -> Path:
+    """Where backup `number` of the file at `path` lies; of a name that is too long the end is left out."""
+    suffix = f".{number}"
+    name = os.fsencode(path.name)[: LONGEST_NAME - len(suffix)]
+    while True:
+        try:
+            return path.with_name(name.decode("utf-8", "surrogateescape" if _is_odd(path) else "strict") + suffix)
+        except UnicodeDecodeError:  # cut within a letter
+            name = name[:-1]
+
+
+def rotate(path: Path, count: int) -> None:
+    """Keep the file at `path` as its backup 1; the backups before it move up by one, and the one after `count` goes.
+
+    Call it before the file is replaced. `path` itself is never moved: at every moment it is there, whole. Of a symbolic
+    link the file behind it is kept, beside that file. Nothing happens where there is no file, where `count` is below
+    1, or where backup 1 is the very same file already.
+
+    Raises
+    ------
+    RoamError
+        when the backup cannot be kept; the file and at least all backups but the oldest are then still there.
+    """
+    target = Path(os.path.realpath(path))
+    temporary = temporary_beside(target)
+    try:
+        if count < 1 or not target.is_file() or _is_kept(target):
+            return
+        _keep(target, temporary)
+        for number in range(_first_free(target, count), 1, -1):
+            backup_path(target, number - 1).replace(backup_path(target, number))
+        temporary.replace(backup_path(target, 1))
+        flush_folder(target.parent)
+    except OSError as error:
+        raise RoamError(f"No backup of {path} can be kept: {error.strerror} ({target.parent}).") from None
+    finally:
+        with contextlib.suppress(OSError):
+            temporary.unlink(missing_ok=True)
+
+
+def _is_odd(path: Path) -> bool:
+    """Whether the name holds bytes that are no UTF-8."""
+    return any("\ud800" <= letter <= "\udfff" for letter in path.name)
+
+
+def _is_kept(target: Path) -> bool:
+    try:
+        return target.samefile(backup_path(target, 1))
+    except OSError:
+        return False
+
+
+def _first_free(target: Path, count: int) -> int:
+    """The lowest number that no backup has, or `count`, whose backup then goes."""
+    return next((number for number in range(1, count) if not backup_path(target, number).exists()), count)
+
+
+def _keep(target: Path, temporary: Path) -> None:
+    """A second name for the file, or a copy on file systems that have none."""
+    try:
+        os.link(target, temporary)
+    except OSError:
+        shutil.copy2(target, temporary)
+        with temporary.open("rb+") as file:
+            os.fsync(file.fileno())

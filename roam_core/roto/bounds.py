@@ -1,0 +1,86 @@
+"""How much a project may hold, so that it opens in seconds; the same for what is written and what is read."""
+
+from __future__ import annotations
+
+from roam_core.errors import RoamError
+from roam_core.roto.project import Layer, Project
+from roam_core.roto.shape import RotoShape
+
+MAX_DEPTH = 210
+"""Layers in layers: what other programs nest 200 deep comes in, with the layer that it is put in."""
+MAX_ITEMS = 50_000
+"""Layers and shapes."""
+MAX_KEYS = 1_000_000
+"""Keys over all shapes."""
+MAX_POINTS = 100_000
+"""Points of a shape."""
+MAX_SAMPLES = 1024
+"""Moments of motion blur."""
+MAX_SPAN = 1_000_000
+"""Frames from the first to the last of a clip, or of a shape's keys."""
+
+
+class Count:
+    """Counts the parts of a project as they are met, and refuses those too many.
+
+    Raises
+    ------
+    ValueError
+        from each method, when a bound is passed.
+    """
+
+    def __init__(self) -> None:
+        self._items = self._keys = 0
+
+    def layer(self, depth: int) -> None:
+        """A layer that lies in `depth` others."""
+        require(depth, MAX_DEPTH, "layers in layers")
+        self._item()
+
+    def keys(self, number: int) -> None:
+        """So many keys more."""
+        self._keys += number
+        require(self._keys, MAX_KEYS, "keys")
+
+    def shape(self, shape: RotoShape) -> None:
+        """A shape; its keys are counted apart, before they are made."""
+        self._item()
+        require(shape.point_count, MAX_POINTS, f"points in the shape {shape.name[:60]!r}")
+        span = shape.keys[-1].frame - shape.keys[0].frame + 1
+        require(span, MAX_SPAN, f"frames between the keys of {shape.name[:60]!r}")
+        if shape.motion_blur is not None:
+            require(shape.motion_blur.samples, MAX_SAMPLES, "samples of motion blur")
+
+    def _item(self) -> None:
+        self._items += 1
+        require(self._items, MAX_ITEMS, "layers and shapes")
+
+
+def require(count: int, most: int, what: str) -> None:
+    """Refuse a count beyond its bound."""
+    if count > most:
+        raise ValueError(f"it has more {what} than {most}")
+
+
+def require_bounds(project: Project) -> None:
+    """Refuse a project that could not be read again, before anything is written.
+
+    Raises
+    ------
+    RoamError
+        when it holds more than it may.
+    """
+    count = Count()
+    waiting: list[tuple[Layer, int]] = [(project.root, 0)]
+    try:
+        while waiting:
+            layer, depth = waiting.pop()
+            count.layer(depth)
+            for child in layer.children:
+                if isinstance(child, Layer):
+                    waiting.append((child, depth + 1))
+                else:
+                    count.keys(len(child.keys))
+                    count.shape(child)
+    except ValueError as error:
+        raise RoamError(f"The project cannot be saved: {error}; take some away.") from None

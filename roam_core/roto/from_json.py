@@ -1,0 +1,178 @@
+"""Plain data of a project file, of the present version, as the project: every value is of its type and bounded."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+from pathlib import Path, PurePosixPath
+from typing import Any
+
+from roam_core.media.finding import is_there
+from roam_core.roto.bounds import MAX_SPAN, Count, require
+from roam_core.roto.packing import number, text, unpacked_keys, unpacked_numbers, whole
+from roam_core.roto.placement import LayerTransform
+from roam_core.roto.project import Clip, Layer, Mark, Project
+from roam_core.roto.shape import BlendMode, Keyframe, MotionBlur, RotoShape, Spline
+
+LONGEST_PATH = 1 << 15
+"""Letters of a plate's path."""
+LARGEST_SIDE = 1 << 16
+"""Pixels."""
+
+Document = dict[str, Any]
+
+
+def read_project(document: Document, folder: Path) -> Project:
+    """The project; relative media paths are taken from `folder`.
+
+    Raises
+    ------
+    KeyError, TypeError, ValueError, AttributeError, OverflowError, RecursionError
+        when the data are damaged.
+    """
+    clip, root = document["clip"], _read_layer(document["root"], Count(), 0)
+    ids = [root.id, *(item.id for item in root.items())]
+    if len(set(ids)) < len(ids):
+        raise ValueError("two of its layers or shapes have one id")
+    return Project(
+        clip=None if clip is None else _read_clip(clip, folder),
+        root=root,
+        marks=tuple(_read_mark(mark) for mark in document.get("marks", ())),
+        extra=_rest(document, "type", "version", "clip", "root", "marks"),
+    )
+
+
+def _read_mark(document: Document) -> Mark:
+    return Mark(
+        frame=whole(document["frame"], "the frame of a mark"),
+        text=text(document["text"], "the text of a mark"),
+        extra=_rest(document, "type", "frame", "text"),
+    )
+
+
+def _read_clip(document: Document, folder: Path) -> Clip:
+    width, height = document["size"]
+    first, last = whole(document["first"], "the clip's first frame"), whole(document["last"], "the clip's last frame")
+    require(last - first + 1, MAX_SPAN + 1, "frames in its clip")
+    return Clip(
+        path=_read_path(document, folder),
+        first=first,
+        last=last,
+        size=(whole(width, "the clip's width", 1, LARGEST_SIDE), whole(height, "the clip's height", 1, LARGEST_SIDE)),
+        fps=number(document["fps"], "the clip's fps", 1e-3, 1e6),
+        pixel_aspect=number(document["pixel_aspect"], "the clip's pixel_aspect", 1e-3, 1e3),
+        colour_space=text(document["colour_space"], "the clip's colour_space"),
+        content=text(document.get("content", ""), "the clip's content"),
+        extra=_rest(
+            document, "type", "path", "absolute", "first", "last", "size", "fps", "pixel_aspect", "colour_space",
+            "content",
+        ),
+    )  # fmt: skip
+
+
+def _read_path(document: Document, folder: Path) -> Path:
+    """Where the plate lies: from the project's folder; if it is not there, where it lay when the project was saved."""
+    words = text(document["path"], "the clip's path"), text(document.get("absolute", ""), "the clip's absolute path")
+    require(max(map(len, words)), LONGEST_PATH, "letters in the clip's path")
+    path, absolute = (Path(PurePosixPath(word)) for word in words)
+    if path.is_absolute():
+        return path
+    path = Path(os.path.normpath(folder.resolve() / path))
+    return absolute if words[1] and absolute.is_absolute() and not is_there(path) and is_there(absolute) else path
+
+
+def _read_layer(document: Document, count: Count, depth: int) -> Layer:
+    count.layer(depth)
+    children: list[Layer | RotoShape] = []
+    for child in document["children"]:
+        if child["type"] == "Layer":
+            children.append(_read_layer(child, count, depth + 1))
+        elif child["type"] == "RotoShape":
+            shape = _read_shape(child, count)
+            count.shape(shape)
+            children.append(shape)
+        else:
+            raise ValueError("what stands among the layers is no layer and no shape")
+    transform = document.get("transform")
+    return Layer(
+        id=text(document["id"], "the id of a layer"),
+        name=text(document["name"], "the name of a layer"),
+        visible=_flag(document, "visible"),
+        locked=_flag(document, "locked"),
+        opacity=number(document["opacity"], "the opacity of a layer"),
+        invert=_flag(document, "invert"),
+        transform=None if transform is None else _read_transform(transform),
+        children=tuple(children),
+        extra=_rest(document, "type", "id", "name", "visible", "locked", "opacity", "invert", "transform", "children"),
+    )
+
+
+def _read_transform(document: Document) -> LayerTransform:
+    return LayerTransform(
+        frames=tuple(whole(frame, "a frame of a transform") for frame in document["frames"]),
+        matrices=unpacked_numbers(document["matrices"]),
+        extra=_rest(document, "type", "frames", "matrices"),
+    )
+
+
+def _read_shape(document: Document, count: Count) -> RotoShape:
+    red, green, blue = document["colour"]
+    blur, lifetime = document["motion_blur"], document["lifetime"]
+    return RotoShape(
+        id=text(document["id"], "the id of a shape"),
+        name=text(document["name"], "the name of a shape"),
+        closed=_flag(document, "closed"),
+        colour=(number(red, "a colour"), number(green, "a colour"), number(blue, "a colour")),
+        blend=BlendMode(document["blend"]),
+        opacity=number(document["opacity"], "the opacity of a shape"),
+        invert=_flag(document, "invert"),
+        feather=number(document["feather"], "the feather of a shape"),
+        motion_blur=None if blur is None else _read_blur(blur),
+        lifetime=None if lifetime is None else _read_pair(lifetime, "a lifetime"),
+        visible=_flag(document, "visible"),
+        locked=_flag(document, "locked"),
+        spline=Spline(document.get("spline", Spline.BEZIER)),
+        link=text(document.get("link", ""), "the link of a shape"),
+        attached=_flag(document, "attached") if "attached" in document else True,
+        depth=tuple(_read_pair(pair, "a depth") for pair in document.get("depth", ())),
+        keys=_read_keys(document["keys"], count),
+        extra=_rest(
+            document, "type", "id", "name", "closed", "colour", "blend", "opacity", "invert", "feather", "motion_blur",
+            "lifetime", "visible", "locked", "spline", "link", "attached", "depth", "keys",
+        ),
+    )  # fmt: skip
+
+
+def _read_keys(documents: list[Document], count: Count) -> tuple[Keyframe, ...]:
+    """The keys. What was read is let go of on the way: text and numbers of a large project are not held at once."""
+    keys: list[Keyframe] = []
+    for index, document in enumerate(documents):
+        count.keys(len(document.get("frames", "1")))
+        keys.extend(unpacked_keys(document))
+        documents[index] = {}
+    return tuple(keys)
+
+
+def _read_blur(document: Document) -> MotionBlur:
+    return MotionBlur(
+        shutter=number(document["shutter"], "the shutter of motion blur", -1e6, 1e6),
+        phase=number(document["phase"], "the phase of motion blur", -1e6, 1e6),
+        samples=whole(document["samples"], "the number of samples of motion blur"),
+        extra=_rest(document, "type", "shutter", "phase", "samples"),
+    )
+
+
+def _read_pair(pair: Any, name: str) -> tuple[int, int]:
+    first, second = pair
+    return whole(first, name), whole(second, name)
+
+
+def _flag(document: Document, name: str) -> bool:
+    value = document[name]
+    if not isinstance(value, bool):
+        raise ValueError(f"{name} is neither true nor false")
+    return value
+
+
+def _rest(document: Mapping[str, Any], *known: str) -> Document:
+    return {name: value for name, value in document.items() if name not in known}

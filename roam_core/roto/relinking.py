@@ -1,0 +1,59 @@
+"""A project's plate after a move, and whether a plate is the one that the project was made on."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from itertools import islice
+from pathlib import Path
+
+from roam_core.errors import RoamError
+from roam_core.media.finding import is_there, places_near
+from roam_core.media.opening import open_clip
+from roam_core.roto.project import Clip, Project
+
+MOST_OPENED = 16
+"""Places of which the plate is looked at."""
+
+
+def relinked(project: Project, folder: Path) -> Project:
+    """The project with its clip where the plate lies now, if it is gone from its place and lies near `folder`.
+
+    A plate is taken only if its content is that of the project's; where the project tells no content, if size and
+    frames are. The project itself is given back where there is nothing to find, or nothing was found.
+    """
+    if project.clip is None or is_there(project.clip.path):
+        return project
+    for place in islice(places_near(folder.absolute(), project.clip.path), MOST_OPENED):
+        try:
+            found = Clip.of(open_clip(place))
+        except RoamError:
+            continue
+        if _is_same(project.clip, found):
+            return replace(project, clip=replace(project.clip, path=found.path))
+    return project
+
+
+def other_size(clip: Clip, found: Clip) -> str:
+    """A sentence where the plate `found` is of another size than `clip`, on which the project was made; else ""."""
+    if found.size == clip.size:
+        return ""
+    return (
+        f"The clip {found.path} is {found.size[0]}x{found.size[1]} now; the project was made for "
+        f"{clip.size[0]}x{clip.size[1]}. Put the old clip back, or open the project and choose another."
+    )
+
+
+def other_content(clip: Clip, found: Clip) -> str:
+    """A sentence where the plate `found` shows something else than the one of the project, `clip`; else ""."""
+    if not clip.content or not found.content or found.content == clip.content:
+        return ""
+    return (
+        f"The first frame of {found.path} is not that of the plate that the project was made on ({clip.path}); "
+        "check that the shapes fit the picture."
+    )
+
+
+def _is_same(clip: Clip, found: Clip) -> bool:
+    if clip.size != found.size:
+        return False
+    return found.content == clip.content if clip.content else (found.first, found.last) == (clip.first, clip.last)

@@ -1,0 +1,70 @@
+"""Plates that are not, or not where, the project's was: refused by size, told by content, found after a move."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import cv2
+import numpy as np
+import pytest
+
+from roam_core.media import open_clip
+from roam_core.roto import Clip, Project, file
+from roam_core.roto import edit as verbs
+from tests.unit.cli.conftest import SHOT, Plate, Roam
+from tests.unit.cli.test_bad_input import require_refusal
+
+CONFIG = ("--config", "baseline")
+
+
+@pytest.fixture
+def keyed(plate: Plate) -> Path:
+    """A project with a shape that has the true outline on frames 1001 and 1003, and a field of a later program."""
+    clip = replace(Clip.of(open_clip(plate.folder)), extra={"later": 1})
+    project, shape = verbs.new_shape(Project(clip), SHOT.truth(1001), 1001)
+    path = plate.folder.parent / "p.roam"
+    file.save(project.with_shape(verbs.set_key(shape, 1003, SHOT.truth(1003))), path)
+    return path
+
+
+def test_a_plate_of_another_size_is_refused_by_both_sizes(roam: Roam, plate: Plate, keyed: Path) -> None:
+    whole = keyed.read_bytes()
+    for image in plate.folder.iterdir():
+        cv2.imwrite(str(image), np.zeros((48, 85, 3), np.uint8))
+    words = ("85x48 now", "made for 130x110", "choose another")
+    for command in (
+        ("track", plate.folder, "--init", keyed, "--save", keyed),
+        ("fill", keyed),
+        ("explain", keyed, "--frame", 1001),
+    ):
+        require_refusal(roam(*command), *words)
+    assert keyed.read_bytes() == whole
+
+
+def test_a_plate_of_other_content_is_told_and_tracked(roam: Roam, plate: Plate, keyed: Path) -> None:
+    first = plate.folder / "plate.1001.png"
+    picture = cv2.imread(str(first))
+    cv2.imwrite(str(first), np.maximum(picture, 3))
+    saved = plate.folder.parent / "out.roam"
+    done = roam("track", plate.folder, "--init", keyed, "--end", 1002, *CONFIG, "--save", saved)
+    assert done.status == 0
+    warning, _ = done.err.splitlines()
+    assert warning.startswith(f"roam: The first frame of {plate.folder} is not that of the plate")
+    assert file.load(saved).shapes[0].frames == (1001, 1002, 1003)
+    assert "The first frame of" not in roam("track", plate.folder, "--init", saved, "--end", 1002, *CONFIG).err
+
+
+def test_the_same_plate_is_told_nothing_of_and_keeps_unknown_fields(roam: Roam, plate: Plate, keyed: Path) -> None:
+    done = roam("track", plate.folder, "--init", keyed, "--end", 1002, *CONFIG, "--save", keyed)
+    assert done.err.splitlines() == ["Tracked 1 shape(s) from frame 1001 to 1002."]
+    assert file.load(keyed).require_clip().extra == {"later": 1}
+
+
+def test_a_plate_that_moved_near_the_project_is_filled(roam: Roam, plate: Plate, keyed: Path) -> None:
+    (plate.folder.parent / "media").mkdir()
+    moved = plate.folder.rename(plate.folder.parent / "media" / "plate")
+    assert roam("fill", keyed, *CONFIG).status == 0
+    project = file.load(keyed)
+    assert project.require_clip().path == moved
+    assert project.shapes[0].frames == (1001, 1002, 1003)
