@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import json
+import os
 from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
@@ -23,7 +24,7 @@ class Recent:
 
     def picture_in(self, cache: Path) -> Path:
         """Where its small picture lies; the name follows from the path, so every project has one of its own."""
-        return cache / "thumbnails" / f"{hashlib.sha256(str(self.path).encode()).hexdigest()[:24]}.png"
+        return cache / "thumbnails" / f"{hashlib.sha256(os.fsencode(self.path)).hexdigest()[:24]}.png"
 
 
 def with_newest(entries: Iterable[Recent], newest: Recent) -> tuple[Recent, ...]:

@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from contextlib import suppress
 from importlib import import_module
 from importlib.metadata import PackageNotFoundError, version
+from io import TextIOWrapper
 from keyword import iskeyword
 from types import ModuleType
 
@@ -35,6 +36,10 @@ STOPPED = "roam: stopped; what was finished is kept."
 def main(argv: Sequence[str] | None = None) -> int:
     """Run one command. Returns the exit code: 0 done, 1 refused or failed, 2 bad usage; a command that a signal
     ended gives 128 and its number: 130 interrupted, 143 terminated, 129 hung up, 141 output that nobody reads."""
+    # A name of a file may hold what the terminal cannot show: it is escaped, not an error.
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, TextIOWrapper):
+            stream.reconfigure(errors="backslashreplace")
     try:
         with raising():
             status = _run(sys.argv[1:] if argv is None else list(argv))

@@ -34,7 +34,7 @@ class MaskImporter:
             mask = source.read(number)
             frame = reader.frame(number)
             shapes = keys_from_mask(shapes, mask, frame) if shapes else shapes_from_mask(mask, frame)
-            reader.check_points(sum(shape.point_count for shape in shapes), path.name)
+            reader.check_points(sum(shape.point_count for shape in shapes), path.name, len(shapes))
         if not shapes:
             raise RoamError(f"Nothing is white in the masks {path}; paint the object white and the rest black.")
         if source.missing:

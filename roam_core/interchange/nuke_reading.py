@@ -31,6 +31,9 @@ from roam_core.roto import Clip, Keyframe, Layer, RotoShape
 
 Array = NDArray[np.float64]
 
+PER_CURVE = 2
+"""Parts that the curve of one coordinate counts for."""
+
 
 class NukeImporter:
     """Reads `.nk` scripts and gizmos: every node with a knob of curves."""
@@ -202,6 +205,7 @@ class _NodeReader:
         if not entries or len(entries) % 3:
             raise FormError(f"it has {len(entries)} entries of points, not three for each point")
         self.reader.check_points(len(entries) // 3, name)
+        self.reader.check_parts(PER_CURVE * 2 * len(entries))
         curves: list[Curve] = []
         for entry in entries:
             x, y = self._pair(entry, name)
@@ -223,7 +227,7 @@ class _NodeReader:
     def _keys(self, motion: _Motion, name: str) -> tuple[Keyframe, ...]:
         count = len(motion.points.curves) // 6
         times = motion.times or {float(self.reader.clip.first + self.reader.options.frame_offset)}
-        raw: list[Key] = keys_of(motion.at, times, lambda keys: self.reader.check_points(keys * count, name))
+        raw: list[Key] = keys_of(motion.at, times, lambda keys: self.reader.check_points(keys * count, name, keys))
         return tuple(
             Keyframe(
                 self.reader.frame(frame),

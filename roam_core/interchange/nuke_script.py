@@ -8,7 +8,14 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Union
 
+from roam_core.errors import RoamError
 from roam_core.interchange.reading import MAX_NUMBER, ShapeReader
+
+MAX_SCRIPT, MAX_LISTS = 24 << 20, 3_000_000
+"""Bytes and lists of a script that is read; each about four seconds of work."""
+
+PER_WORD = 2
+"""Parts that a word counts for: it takes twice as long as an element of XML."""
 
 Nested = list[Union[str, "Nested"]]
 """A list of words and lists."""
@@ -72,7 +79,9 @@ class Script:
     """A text in which braces are matched once; its words are found one level at a time."""
 
     def __init__(self, reader: ShapeReader) -> None:
-        self.text = reader.text()
+        self.text = reader.text(MAX_SCRIPT)
+        if self.text.count("{") > MAX_LISTS:
+            raise RoamError(f"{reader.path} holds more than {MAX_LISTS} lists; split it into several files.")
         self._reader = reader
         self._closing: dict[int, int] = {}
 
@@ -109,6 +118,7 @@ class Script:
             position += len(_match(_SPACE, self.text, position, end))
 
     def _word(self, position: int, end: int, bare: re.Pattern[str]) -> tuple[Word, int]:
+        self._reader.check_parts(PER_WORD)
         first = self.text[position]
         if first == "{":
             if position not in self._closing:
@@ -155,12 +165,13 @@ def decoded(word: str) -> float:
     return number
 
 
-_SPACE = re.compile(r"(?:[ \t\r\f\v\n]|\\\r?\n)*")
-_SPACE_OF_COMMANDS = re.compile(r"(?:[ \t\r\f\v\n;]|\\\r?\n)*")
+# Possessive repeats: nothing is kept to go back to, however long a run is.
+_SPACE = re.compile(r"(?:[ \t\r\f\v\n]++|\\\r?\n)*+")
+_SPACE_OF_COMMANDS = re.compile(r"(?:[ \t\r\f\v\n;]++|\\\r?\n)*+")
 _LINE = re.compile(r"[^\n]*")
-_QUOTED = re.compile(r'"(?:[^"\\]|\\.)*"', re.DOTALL)
-_BARE = re.compile(r"(?:[^ \t\r\f\v\n\\]|\\.)*", re.DOTALL)
-_BARE_OF_COMMANDS = re.compile(r"(?:[^ \t\r\f\v\n;\\]|\\.)*", re.DOTALL)
+_QUOTED = re.compile(r'"(?:[^"\\]++|\\.)*+"', re.DOTALL)
+_BARE = re.compile(r"(?:[^ \t\r\f\v\n\\]++|\\.)*+", re.DOTALL)
+_BARE_OF_COMMANDS = re.compile(r"(?:[^ \t\r\f\v\n;\\]++|\\.)*+", re.DOTALL)
 _BRACE = re.compile(r"\\.|[{}]", re.DOTALL)
 _TOKENS = re.compile(r"[{}]|[^\s{}]+")
 _ESCAPE = re.compile(

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from roam_core.errors import RoamError
 from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter
-from roam_core.interchange.reading import PLAIN, Imported, ImportOptions, ShapeReader, brief, sensible
+from roam_core.interchange.reading import MAX_PARTS, PLAIN, Imported, ImportOptions, ShapeReader, brief, sensible
 from roam_core.interchange.stilled import stilled
 from roam_core.roto import (
     BlendMode,
@@ -141,8 +141,12 @@ class _Reader(ShapeReader):
     """Turns plain values into layers and shapes; every refusal says where."""
 
     def shapes(self) -> Imported:
+        text = self.text()
+        # Every list, object and comma may become an object in memory: they are counted before the text is taken apart.
+        if max(text.count("{") + text.count("["), text.count(",") // 4) > MAX_PARTS:
+            raise RoamError(f"{self.path} holds more than {MAX_PARTS} lists and objects; split it into several files.")
         try:
-            document = json.loads(self.text())
+            document = json.loads(text)
         except (ValueError, RecursionError):
             raise RoamError(f"{self.path} is no valid JSON.") from None
         if not isinstance(document, dict) or document.get("format") != FORMAT:

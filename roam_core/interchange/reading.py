@@ -12,13 +12,14 @@ from typing import Protocol
 
 import numpy as np
 
+from roam_core.bounded import bounded_bytes
 from roam_core.cancel import CancelToken, Progress
 from roam_core.errors import RoamError
 from roam_core.interchange.protocol import FARTHEST, MAX_FRAMES
 from roam_core.roto import Clip, Keyframe, Layer, RotoShape
 
-MAX_BYTES = 256 << 20
-"""Larger files are refused before they are read."""
+MAX_BYTES = 48 << 20
+"""Larger files are refused before they are read; a format whose text takes longer to read has a lower bound."""
 
 MAX_DEPTH = 200
 """Lists, elements or layers that lie in one another: real files need about fifteen."""
@@ -26,8 +27,11 @@ MAX_DEPTH = 200
 MAX_NUMBER = 1e12
 """No coordinate, slope or factor of a file beyond this, either way: what is reckoned with them stays finite."""
 
-MAX_POINTS = 4_000_000
-"""Control points over all keys of all shapes of a file: some 200 MB of them."""
+MAX_POINTS, MAX_KEYS, MAX_ITEMS = 500_000, 200_000, 20_000
+"""Control points over all keys, keys, and shapes with layers of a file: each about four seconds of work."""
+
+MAX_PARTS = 1_000_000
+"""Whatever else a reader makes an object of: elements, words, curves, transforms, lists; about three seconds."""
 
 
 @dataclass(frozen=True)
@@ -115,7 +119,7 @@ class ShapeReader:
     ----------
     path : of the file, for sentences.
     clip : whose pixels and frames the shapes are to be in.
-    points : control points counted so far.
+    points, keys, parts : control points, keys and other parts counted so far.
     notes : a sentence for each loss, in the order of the file.
     """
 
@@ -124,41 +128,52 @@ class ShapeReader:
     options: ImportOptions = PLAIN
     notes: list[str] = field(default_factory=list)
     points: int = 0
+    keys: int = 0
+    parts: int = 0
     _ids: dict[str, int] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         if abs(self.options.frame_offset) > MAX_FRAMES:
             raise RoamError(f"No frame is numbered {self.options.frame_offset} too high; choose a smaller offset.")
 
-    def content(self) -> bytes:
-        """The whole file; one sentence when it is missing, no file, or larger than `MAX_BYTES`."""
-        return bounded_bytes(self.path)
+    def content(self, most: int | None = None) -> bytes:
+        """The whole file; one sentence when it is missing, no file, or larger than `most` (`MAX_BYTES` for None)."""
+        return bounded_bytes(self.path, MAX_BYTES if most is None else most)
 
-    def text(self) -> str:
+    def text(self, most: int | None = None) -> str:
         """The whole file as UTF-8 text, with bytes that are none replaced and a byte-order mark taken off."""
-        return self.content().decode("utf-8", "replace").removeprefix("\ufeff")
+        return self.content(most).decode("utf-8", "replace").removeprefix("\ufeff")
 
     def check_depth(self, depth: int) -> None:
         """Refuse a file whose parts lie deeper in one another than `MAX_DEPTH`."""
         if depth > MAX_DEPTH:
             raise RoamError(f"{self.path} nests its parts more than {MAX_DEPTH} deep; no program writes such a file.")
 
-    def check_points(self, count: int, shape: str) -> None:
-        """A safe point: count `count` more control points (of one key or of many), and refuse more than `MAX_POINTS`.
+    def check_parts(self, count: int = 1) -> None:
+        """Count `count` more parts of any kind, and refuse more than `MAX_PARTS`."""
+        self.parts += count
+        if self.parts > MAX_PARTS:
+            raise RoamError(f"{self.path} holds more than {MAX_PARTS} parts; split it into several files.")
+
+    def check_points(self, count: int, shape: str, keys: int = 1) -> None:
+        """A safe point: count `count` more control points of `keys` keys; refuse more than a file may hold.
 
         Call it before the arrays are made.
         """
         self.points += count
-        if self.points > MAX_POINTS:
+        self.keys += keys
+        if self.points > MAX_POINTS or self.keys > MAX_KEYS:
+            much = f"{MAX_POINTS} points over all keys" if self.points > MAX_POINTS else f"{MAX_KEYS} keys"
             raise RoamError(
-                f"{self.path} holds more than {MAX_POINTS} points over all keys (at shape {brief(shape)}); "
-                "split it into several files."
+                f"{self.path} holds more than {much} (at shape {brief(shape)}); split it into several files."
             )
         self.options.advance(0.0, f"Shape {brief(shape)}")
 
     def fresh_id(self, kind: str) -> str:
-        """`shape-1`, `shape-2`, ...: unique within this file."""
+        """`shape-1`, `shape-2`, ...: unique within this file; more than `MAX_ITEMS` are refused."""
         self._ids[kind] = self._ids.get(kind, 0) + 1
+        if sum(self._ids.values()) > MAX_ITEMS:
+            raise RoamError(f"{self.path} holds more than {MAX_ITEMS} shapes and layers; split it into several files.")
         return f"{kind}-{self._ids[kind]}"
 
     def frame(self, number: float) -> int:
@@ -188,22 +203,6 @@ class ShapeReader:
                 "the shapes were scaled."
             )
         return Imported(layer, tuple(self.notes))
-
-
-def bounded_bytes(path: Path) -> bytes:
-    """The content of a file of at most `MAX_BYTES`; one sentence for whatever prevents it."""
-    try:
-        with path.open("rb") as file:
-            content = file.read(MAX_BYTES + 1)
-    except FileNotFoundError:
-        raise RoamError(f"{path} does not exist.") from None
-    except IsADirectoryError:
-        raise RoamError(f"{path} is a folder, not a file of shapes.") from None
-    except (OSError, ValueError) as error:
-        raise RoamError(f"{path} cannot be read: {getattr(error, 'strerror', None) or error}.") from None
-    if len(content) > MAX_BYTES:
-        raise RoamError(f"{path} is larger than {MAX_BYTES >> 20} MiB; split it into several files.")
-    return content
 
 
 def brief(name: str) -> str:

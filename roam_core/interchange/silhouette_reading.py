@@ -257,7 +257,7 @@ class _SessionReader:
             return np.asarray(held * scale)
 
         times = set(outlines.frames.tolist()).union(*(form.times for form in outer))
-        keys = keys_of(values, times, lambda made: self.reader.check_points(made * count, label))
+        keys = keys_of(values, times, lambda made: self.reader.check_points(made * count, label, made))
         return [(frame, interpolation, value / scale) for frame, interpolation, value in keys]
 
     def _grips(self, path: Element, label: str, spline: Spline) -> Array:

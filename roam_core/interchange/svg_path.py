@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import re
+from collections.abc import Callable
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -16,6 +17,9 @@ Place = tuple[float, float]
 
 CIRCLE = 4.0 / 3.0 * math.tan(math.pi / 8.0)
 """Length of the handles of a quarter of the unit circle."""
+
+PER_COMMAND, PER_ARC = 2, 16
+"""Parts that a command of a path counts for."""
 
 ARGUMENTS = {"M": 2, "L": 2, "H": 1, "V": 1, "C": 6, "S": 4, "Q": 4, "T": 2, "A": 7, "Z": 0}
 
@@ -118,8 +122,11 @@ class _Pen:
         return end
 
 
-def parsed_path(text: str) -> tuple[list[Spline], bool]:
-    """The outlines of a path's data, and whether all of it was understood: what stands before a mistake counts."""
+def parsed_path(text: str, count: Callable[[int], None] = lambda _: None) -> tuple[list[Spline], bool]:
+    """The outlines of a path's data, and whether all of it was understood: what stands before a mistake counts.
+
+    `count` is told of the parts of every command before it is carried out, and may refuse.
+    """
     pen, position, letter = _Pen(), 0, ""
     while position < len(text):
         found = _COMMAND.match(text, position)
@@ -129,7 +136,8 @@ def parsed_path(text: str) -> tuple[list[Spline], bool]:
         if found.group(1):
             letter = found.group(1)
         elif letter == "" or letter in "Zz":
-            return pen.splines, not text[position:].strip(" \t\r\n,")
+            return pen.splines, _END.match(text, position) is not None
+        count(PER_ARC if letter in "Aa" else PER_COMMAND)
         try:
             values, position = _arguments(text, position, letter.upper())
             if not values and letter not in "Zz":
@@ -138,11 +146,12 @@ def parsed_path(text: str) -> tuple[list[Spline], bool]:
         except ValueError:
             return pen.splines, False
         letter = {"M": "L", "m": "l"}.get(letter, letter)
-        if not text[position:].strip(" \t\r\n,"):
+        if _END.match(text, position):
             return pen.splines, True
-    return pen.splines, not text[position:].strip()
+    return pen.splines, True
 
 
+_END = re.compile(r"[\s,]*+\Z")
 _COMMAND = re.compile(r"[\s,]*([MmLlHhVvCcSsQqTtAaZz])?")
 _NUMBER = re.compile(rf"[\s,]*({NUMBER})")
 _FLAG = re.compile(r"[\s,]*([01])")

@@ -28,6 +28,19 @@ SILENT |= {"linearGradient", "radialGradient", "pattern", "filter", "cursor", "v
 """Elements that draw nothing by themselves."""
 
 
+MAX_DRAWING = 16 << 20
+"""Bytes of a drawing that is read."""
+
+PER_TRANSFORM = 8
+"""Parts that a transform counts for."""
+
+_RULES = {
+    word: re.compile(rf"(?:^|;)\s*{word}\s*:([^;]*)")
+    for word in ("fill", "fill-rule", "stroke", "opacity", "display", "visibility")
+}
+"""How the properties that are asked for stand in a style attribute; the first of several counts."""
+
+
 @dataclass
 class SvgReader(ShapeReader):
     """Walks through a drawing, carrying along the map from user space to pixels of the picture."""
@@ -37,7 +50,7 @@ class SvgReader(ShapeReader):
 
     def shapes(self) -> Imported:
         """All outlines of the file, bottom first, as shapes with one key on the clip's first frame."""
-        root = parsed(self, doctype="ignored")
+        root = parsed(self, doctype="ignored", content=self.content(MAX_DRAWING))
         if local_name(root) != "svg":
             raise RoamError(f"{self.path} is no SVG picture (its root element is {brief(local_name(root))}).")
         self.viewport, to_pixels = _viewport(root, self.clip.size)
@@ -60,7 +73,9 @@ class SvgReader(ShapeReader):
 
     def _item(self, element: Element, kind: str, to_pixels: Array, depth: int) -> Layer | RotoShape | None:
         try:
-            to_pixels = composed(to_pixels, transform(element.get("transform")))
+            written = element.get("transform", "")
+            self.check_parts(PER_TRANSFORM * (1 + written.count("(")))
+            to_pixels = composed(to_pixels, transform(written))
         except ValueError as error:
             self.note(f"{brief(_name(element, kind))} was left out ({error}).")
             return None
@@ -132,7 +147,7 @@ class SvgReader(ShapeReader):
     def _splines(self, element: Element, kind: str, name: str) -> list[Spline]:
         """The outlines of a drawing element in its own coordinates."""
         if kind == "path":
-            splines, is_whole = parsed_path(element.get("d", ""))
+            splines, is_whole = parsed_path(element.get("d", ""), self.check_parts)
             if not is_whole:
                 self.note(f"The path of {brief(name)} is damaged: what stands before the damage was read.")
             # A lone M draws nothing; an outline that was closed, or drawn to, does.
@@ -141,7 +156,7 @@ class SvgReader(ShapeReader):
         at = {word: length(element.get(word), wide) for word in ("x", "cx", "x1", "x2", "width", "rx")}
         at |= {word: length(element.get(word), high) for word in ("y", "cy", "y1", "y2", "height", "ry")}
         if kind in ("polyline", "polygon"):
-            values = numbers(element.get("points"))
+            values = numbers(element.get("points"), self.check_parts)
             places = list(zip(values[::2], values[1::2], strict=False))
             return [polygon(places, closed=kind == "polygon")] if places else []
         if kind == "line":
@@ -209,11 +224,8 @@ def _name(element: Element, default: str) -> str:
 
 def _style(element: Element, word: str) -> str | None:
     """A property from the style attribute, or from the attribute of its own name."""
-    for rule in (element.get("style") or "").split(";"):
-        name, _, value = rule.partition(":")
-        if name.strip() == word:
-            return value.strip()
-    return element.get(word)
+    found = _RULES[word].search(element.get("style", ""))
+    return element.get(word) if found is None else found.group(1).strip()
 
 
 def _share(element: Element, word: str) -> float:

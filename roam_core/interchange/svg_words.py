@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import re
+from collections.abc import Callable
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,6 +21,9 @@ NUMBER = r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?"
 UNITS = {"": 1.0, "px": 1.0, "pt": 96 / 72, "pc": 16.0, "in": 96.0, "cm": 96 / 2.54, "mm": 96 / 25.4, "q": 96 / 101.6}
 """Pixels of one unit, at the 96 pixels an inch that CSS lays down."""
 
+MAX_TRANSFORMS = 100
+"""Of one list: drawing programs write one or two."""
+
 IDENTITY: Array = np.array([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]])
 
 
@@ -28,9 +32,11 @@ def number(word: str) -> float:
     return min(max(float(word), -MAX_NUMBER), MAX_NUMBER)
 
 
-def numbers(text: str | None) -> list[float]:
-    """All numbers of a list, whatever stands between them."""
-    return [number(word) for word in re.findall(NUMBER, text or "")]
+def numbers(text: str | None, count: Callable[[int], None] = lambda _: None) -> list[float]:
+    """All numbers of a list, whatever stands between them; `count` is told how many, and may refuse."""
+    words = re.findall(NUMBER, text or "")
+    count(len(words))
+    return [number(word) for word in words]
 
 
 def length(text: str | None, whole: float, default: float = 0.0) -> float:
@@ -61,17 +67,22 @@ def colour(text: str | None) -> tuple[float, float, float] | None:
 def transform(text: str | None) -> Array:
     """The affine map `(2, 3)` of a list of transforms; the one that stands last is applied first.
 
-    Raises `ValueError` for a word that is no transform.
+    Raises `ValueError` for a word that is no transform, and for a list of more than `MAX_TRANSFORMS`.
     """
     result = IDENTITY
-    rest = (text or "").strip()
-    while rest:
-        found = re.match(r"([A-Za-z]+)\s*\(([^()]*)\)[\s,]*", rest)
+    text, position = (text or "").strip(), 0
+    if text.count("(") > MAX_TRANSFORMS:
+        raise ValueError(f"more than {MAX_TRANSFORMS} transforms in one list")
+    while position < len(text):
+        found = _TRANSFORM.match(text, position)
         if found is None:
-            raise ValueError(f"no transform: {rest[:20]!r}")
+            raise ValueError(f"no transform: {text[position : position + 20]!r}")
         result = composed(result, _single(found.group(1), numbers(found.group(2))))
-        rest = rest[found.end() :]
+        position = found.end()
     return result
+
+
+_TRANSFORM = re.compile(r"([A-Za-z]+)\s*\(([^()]*)\)[\s,]*")
 
 
 def composed(outer: Array, inner: Array) -> Array:

@@ -10,7 +10,10 @@ from defusedxml.common import DefusedXmlException
 from defusedxml.ElementTree import DefusedXMLParser
 
 from roam_core.errors import RoamError
-from roam_core.interchange.reading import ShapeReader
+from roam_core.interchange.reading import MAX_PARTS, ShapeReader
+
+CHUNK = 1 << 20
+"""Bytes that are parsed at once."""
 
 
 def xml_text(text: str) -> str:
@@ -34,7 +37,11 @@ def parsed(
     """
     parser: Any = DefusedXMLParser(target=_ShallowTree(reader), forbid_dtd=doctype == "refused")
     try:
-        parser.feed(reader.content() if content is None else content)
+        content = reader.content() if content is None else content
+        if content.count(b"=") > MAX_PARTS:  # attributes, of which one element may have as many as the file is long
+            raise RoamError(f"{reader.path} holds more than {MAX_PARTS} attributes; split it into several files.")
+        for start in range(0, len(content), CHUNK):  # in pieces: what is too much is found before all of it is built
+            parser.feed(content[start : start + CHUNK])
         root = parser.close()
     except DefusedXmlException:
         raise RoamError(
@@ -52,7 +59,7 @@ def local_name(element: Element) -> str:
 
 
 class _ShallowTree(TreeBuilder):
-    """Builds the tree and refuses one that is too deep while it grows."""
+    """Builds the tree and refuses one that is too deep or too large while it grows."""
 
     def __init__(self, reader: ShapeReader) -> None:
         super().__init__()
@@ -62,6 +69,7 @@ class _ShallowTree(TreeBuilder):
     def start(self, tag: Any, attrs: Any, /) -> Element:
         self._depth += 1
         self._reader.check_depth(self._depth)
+        self._reader.check_parts(1 + len(attrs))
         return super().start(tag, attrs)
 
     def end(self, tag: str, /) -> Element:

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from roam_core.errors import RoamError
 from roam_core.geometry import fit, polyline
 from roam_core.geometry.simple import simplified
+from roam_core.media.sequence import opened_image
 from roam_core.roto import BlendMode, Keyframe, RotoShape
 from roam_core.roto.project import PALETTE
 
@@ -21,6 +22,9 @@ Array = NDArray[np.float64]
 
 LEAST_AREA = 12.0
 """Pixels: smaller specks of a mask become no shape, unless there is nothing larger."""
+
+MAX_MASK_BYTES = 512 << 20
+"""Of all channels of a mask, which are read as they are stored."""
 
 
 def shapes_from_mask(mask: NDArray[Any], frame: int = 0, tolerance: float = 1.0) -> list[RotoShape]:
@@ -89,8 +93,6 @@ def coverage_of(mask: NDArray[Any]) -> NDArray[np.float64]:
 
 def read_mask(path: Path, size: tuple[int, int] | None = None) -> NDArray[Any]:
     """Read a mask image `(h, w, c)` as it is stored; with `size` (h, w) given, one of another size is refused."""
-    if not path.exists():
-        raise RoamError(f"{path} does not exist.")
     mask = _stored(path)
     if mask is None:
         raise RoamError(f"{path} cannot be read as a mask image; give a PNG, TIFF or JPEG, white inside.")
@@ -104,7 +106,9 @@ def read_mask(path: Path, size: tuple[int, int] | None = None) -> NDArray[Any]:
 
 def _stored(path: Path) -> NDArray[Any] | None:
     """All channels of an image in their own type, or None where it is no image, damaged or cut short."""
-    source = oiio.ImageInput.open(str(path))
+    source = opened_image(path)
+    if source is not None and source.spec().image_bytes() > MAX_MASK_BYTES:
+        raise RoamError(f"{path} holds more than {MAX_MASK_BYTES >> 20} MiB of pixels; give a mask of one channel.")
     pixels = None if source is None else source.read_image("unknown")
     # What a reader has to say is fetched, or it says it on the terminal later.
     failed = bool((source or oiio).geterror())

@@ -10,8 +10,10 @@ from pathlib import Path
 import cv2
 import numpy as np
 
+from roam_core.bounded import require_regular
 from roam_core.errors import RoamError
 from roam_core.media.colour import SRGB
+from roam_core.media.measure import plain_name, require_size
 from roam_core.media.source import DamagedFrame, Image, MissingFrame
 
 LONGEST_STEP = 24
@@ -133,9 +135,14 @@ class Movie:
     # ---- opening -----------------------------------------------------------------------------------------------------
 
     def _opened(self) -> cv2.VideoCapture:
-        capture = cv2.VideoCapture(str(self.path), cv2.CAP_FFMPEG)
+        require_regular(self.path)
+        with plain_name(self.path) as name:
+            capture = cv2.VideoCapture(name, cv2.CAP_FFMPEG)
         if not capture.isOpened():
             raise RoamError(f"{self.path} is no movie that can be decoded, or it is damaged; convert it to images.")
+        # Before the first frame is decoded: what the header claims is what a decoder would take memory for.
+        size = (capture.get(key) for key in (cv2.CAP_PROP_FRAME_WIDTH, cv2.CAP_PROP_FRAME_HEIGHT))
+        require_size(self.path, *(int(side) if math.isfinite(side) else 0 for side in size))
         return capture
 
     def _first_size(self) -> tuple[int, int]:

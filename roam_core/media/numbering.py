@@ -149,18 +149,16 @@ def find_sequences(folder: Path, extensions: Collection[str]) -> list[FileSequen
 
 
 def file_names(folder: Path) -> list[str]:
-    """The names of the plain files in `folder`, sorted; without hidden ones and names that are no text."""
+    """The names of the plain files in `folder`, sorted; without hidden ones.
+
+    Bytes of a name that are no UTF-8 are lone surrogates in it, as everywhere in Python.
+    """
     try:
-        return sorted(entry.name for entry in folder.iterdir() if _is_visible(entry.name) and entry.is_file())
+        return sorted(entry.name for entry in folder.iterdir() if not entry.name.startswith(".") and entry.is_file())
     except FileNotFoundError:
         raise RoamError(f"The folder {folder} does not exist; check the path.") from None
     except OSError as error:
         raise RoamError(f"The folder {folder} cannot be read: {error.strerror}.") from error
-
-
-def _is_visible(name: str) -> bool:
-    # Bytes that are no UTF-8 arrive as lone surrogates, which no decoder takes back.
-    return not name.startswith(".") and not any("\ud800" <= letter <= "\udfff" for letter in name)
 
 
 def _sequence(folder: Path, numbered: Iterable[tuple[int, str]], pattern: NamePattern) -> FileSequence:

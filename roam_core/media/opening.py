@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from roam_core.bounded import require_regular
 from roam_core.errors import RoamError
 from roam_core.media.numbering import FileSequence, file_names, find_pattern, find_sequences, parse_pattern
 from roam_core.media.source import PlateSource
@@ -56,14 +57,15 @@ def open_clip(path: str | Path) -> PlateSource:
         raise RoamError("No plate was named; give a folder of images, a pattern, an image or a movie.")
     try:
         place = Path(path).expanduser().absolute()
-        str(place).encode()  # the decoders take UTF-8 only
-        is_folder, is_file = place.is_dir(), place.is_file()
+        is_folder, is_file, is_there = place.is_dir(), place.is_file(), place.exists()
     except (OSError, RuntimeError, ValueError) as error:
         raise RoamError(f"{str(path)!r} is no path that can be opened: {error}.") from error
     if is_folder:
         return _open_folder(place)
     if is_file:
         return _open_file(place)
+    if is_there:
+        require_regular(place)
     return _open_pattern(place)
 
 

@@ -10,13 +10,18 @@ from typing import Any
 import numpy as np
 import OpenImageIO as oiio  # noqa: N813 - the name its own manual uses
 
+from roam_core.bounded import require_regular
 from roam_core.errors import RoamError
 from roam_core.media.colour import LINEAR, LOG, SRGB
+from roam_core.media.measure import plain_name, require_size, require_told_size
 from roam_core.media.numbering import FileSequence
 from roam_core.media.source import DamagedFrame, Image, MissingFrame
 
 LARGEST_IMAGE_MB = 2048
-"""A header that claims more uncompressed MiB is taken for a damaged file: 8K RGBA in float needs 512."""
+"""A header that claims more uncompressed MiB, over all channels of which three are read, is taken for damaged."""
+
+WIDEST_SPAN = 4
+"""Channels that are read at once to get three of them."""
 
 _FORMATS_WITHOUT_FILES = frozenset({"null", "term"})
 _UNLIKELY_EXTENSIONS = frozenset({"z", "int", "inta", "env", "sm", "vsm"})
@@ -114,14 +119,16 @@ def read_image(file: Path) -> Image:
     Raises
     ------
     RoamError
-        when it is no image, damaged, cut short, or larger than `LARGEST_IMAGE_MB`.
+        when it is no image, damaged, cut short, or larger than `measure.MAX_PIXELS`.
     """
     source = _open(file)
     spec = source.spec()
     channels = colour_channels(spec.channelnames)
     first, end = min(channels), max(channels) + 1
-    eight_bit = spec.format.basetype == oiio.UINT8
-    pixels = source.read_image(0, 0, first, end, "uint8" if eight_bit else "float")
+    kind = "uint8" if spec.format.basetype == oiio.UINT8 else "float"
+    if end - first > WIDEST_SPAN:  # what lies between is not read: it may be a thousand channels
+        return _in_display_window(_separately(file, source, channels, kind), source)
+    pixels = source.read_image(0, 0, first, end, kind)
     # A JPEG that is cut short still gives pixels (grey below the cut) beside its error.
     if pixels is None or source.has_error:
         raise RoamError(f"{file} cannot be read; it is damaged or cut short ({_reason(source)}). Render it again.")
@@ -129,6 +136,14 @@ def read_image(file: Path) -> Image:
     if picked != list(range(end - first)):
         pixels = np.ascontiguousarray(pixels[..., picked])
     return _in_display_window(pixels, source)
+
+
+def _separately(file: Path, source: Any, channels: Sequence[int], kind: str) -> Image:
+    """The channels one after another `(h, w, 3)`."""
+    planes = [source.read_image(0, 0, channel, channel + 1, kind) for channel in channels]
+    if source.has_error or any(plane is None for plane in planes):
+        raise RoamError(f"{file} cannot be read; it is damaged or cut short ({_reason(source)}). Render it again.")
+    return np.dstack(planes)
 
 
 def colour_channels(names: Sequence[str]) -> tuple[int, int, int]:
@@ -154,14 +169,28 @@ def _open(file: Path) -> Any:
     # Without this OpenImageIO multiplies PNG colour by its alpha, and rounds it to 8 bits again.
     as_stored = oiio.ImageSpec()
     as_stored.attribute("oiio:UnassociatedAlpha", 1)
-    source = oiio.ImageInput.open(str(file), as_stored)
+    source = opened_image(file, as_stored)
     if source is None:
         reason = _reason(oiio)
         raise RoamError(f"{file} is no image that can be read ({reason}); replace it or take it out of the plate.")
-    width, height = _display_size(source)
-    # OpenImageIO limits the pixels that are stored; the display window around them is what is allocated here.
-    if width * height * 12 > LARGEST_IMAGE_MB << 20:
-        raise RoamError(f"{file} claims to be {width} x {height} pixels; it is damaged or too large to work with.")
+    return source
+
+
+def opened_image(file: Path, config: Any = None) -> Any:
+    """OpenImageIO's reader of a regular file whose header tells of no more than can be worked with; None for no image.
+
+    Raises
+    ------
+    RoamError
+        when it is no file, or larger than `measure.MAX_PIXELS`: the pixels that are stored, or the window around them.
+    """
+    require_regular(file)
+    require_told_size(file)
+    with plain_name(file) as name:
+        source = oiio.ImageInput.open(name, config or oiio.ImageSpec())
+    if source is not None:
+        require_size(file, source.spec().width, source.spec().height)
+        require_size(file, *_display_size(source))
     return source
 
 

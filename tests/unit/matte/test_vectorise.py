@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 
 import cv2
@@ -182,7 +183,13 @@ def test_masks_that_cannot_serve_are_refused(tmp_path: Path) -> None:
         read_mask(tmp_path / "none.png")
     with pytest.raises(RoamError, match="cannot be read as a mask"):
         read_mask(tmp_path / "text.png")
-    with pytest.raises(RoamError, match="cannot be read as a mask"):
+    with pytest.raises(RoamError, match="is a folder"):
         read_mask(tmp_path)
+    os.mkfifo(tmp_path / "pipe.png")
+    with pytest.raises(RoamError, match="is a pipe"):
+        read_mask(tmp_path / "pipe.png")
+    (tmp_path / "large.gif").write_bytes(b"GIF89a" + b"\xff" * 100)
+    with pytest.raises(RoamError, match="claims to be 65535 x 65535 pixels"):
+        read_mask(tmp_path / "large.gif")
     with pytest.raises(RoamError, match="is 4x4, the clip is 120x90"):
         read_mask(tmp_path / "small.png", SIZE)

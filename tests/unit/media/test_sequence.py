@@ -10,7 +10,7 @@ import OpenImageIO as oiio  # noqa: N813 - the name its own manual uses
 import pytest
 
 from roam_core.errors import RoamError
-from roam_core.media import DamagedFrame, open_clip
+from roam_core.media import DamagedFrame, measure, open_clip
 from roam_core.media import sequence as sequence_module
 from roam_core.media.sequence import colour_channels, image_extensions, read_image
 from tests.unit.media.conftest import HEIGHT, WIDTH, picture, write_bytes_png, write_image
@@ -247,9 +247,16 @@ def test_a_header_that_claims_too_much_is_refused_before_it_is_allocated(
     window = {"full_width": 4000, "full_height": 1000}
     file = write_image(tmp_path / "p.exr", picture(1), "half", **window)
     assert open_clip(file).size == (4000, 1000)
-    monkeypatch.setattr(sequence_module, "LARGEST_IMAGE_MB", 40)
-    with pytest.raises(RoamError, match="claims to be 4000 x 1000 pixels"):
+    monkeypatch.setattr(measure, "MAX_PIXELS", 3_000_000)
+    with pytest.raises(RoamError, match="claims to be 4000 x 1000 pixels, more than the 3 million"):
         open_clip(file)
+
+
+def test_channels_that_lie_far_apart_are_read_without_those_between(tmp_path: Path) -> None:
+    pixels = picture(1, 40)
+    names = ("R", *(f"c{k}" for k in range(38)), "G")
+    file = write_image(tmp_path / "p.exr", pixels, "float", channelnames=(*names[:-2], "B", "G"))
+    np.testing.assert_array_equal(open_clip(file).read(1), pixels[..., [0, 39, 38]])
 
 
 def test_extensions_of_plates_are_known() -> None:

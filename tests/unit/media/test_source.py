@@ -10,7 +10,7 @@ import pytest
 
 from roam_core.errors import RoamError
 from roam_core.media import MissingFrame, open_clip
-from tests.unit.media.conftest import WriteFrames, write_bytes_png, write_movie
+from tests.unit.media.conftest import WriteFrames, write_bytes_png, write_image, write_movie
 
 
 def test_a_folder_keeps_the_plates_own_numbers(write_frames: WriteFrames) -> None:
@@ -148,7 +148,7 @@ def test_images_come_before_movies(tmp_path: Path) -> None:
         ("plate/p.01.png/x.%04d.png", "cannot be read"),
         ("plate/notes.txt", r"notes\.txt is no image"),
         ("a\0b", "is no path that can be opened|does not exist"),
-        ("\udcff.png", "is no path that can be opened"),
+        ("\udcff.png", "does not exist"),
         ("x" * 5000, "is no path that can be opened|does not exist"),
     ],
 )
@@ -161,13 +161,36 @@ def test_what_cannot_be_opened_is_told(write_frames: WriteFrames, tmp_path: Path
 
 
 @pytest.mark.skipif(os.name == "nt", reason="Windows has no file names that are not text")
-def test_a_name_that_is_no_text_is_passed_over(write_frames: WriteFrames) -> None:
-    folder = write_frames(["p.1.png"])
+@pytest.mark.parametrize("suffix", [".png", ".jpg", ".tif", ".exr", ".dpx"])
+def test_a_name_that_is_no_utf8_opens(tmp_path: Path, suffix: str) -> None:
+    folder = tmp_path / "caf\udce9"
     try:
-        (folder / "\udcff.2.png").touch()
+        folder.mkdir()
     except OSError:
-        pytest.skip("this file system refuses names that are not text")
-    assert open_clip(folder).frames == (1,)
+        pytest.skip("this file system refuses names that are not UTF-8")
+    for frame in (1, 2):
+        plain = write_image(tmp_path / f"plain{suffix}", np.full((12, 16, 3), 9 * frame, np.uint8), "uint8")
+        plain.rename(folder / f"\udcff.{frame}{suffix}")
+    for place in (folder, folder / f"\udcff.%d{suffix}", folder / f"\udcff.1{suffix}"):
+        source = open_clip(place)
+        assert source.frames == (1, 2)
+        assert source.read(2).shape == (12, 16, 3)
+
+
+@pytest.mark.skipif(os.name == "nt", reason="Windows has no file names that are not text")
+def test_a_movie_whose_name_is_no_utf8_opens(tmp_path: Path) -> None:
+    write_movie(tmp_path / "plain.avi", "MJPG", 3).rename(tmp_path / "\udcff.avi")
+    assert open_clip(tmp_path / "\udcff.avi").read(3).shape == (48, 64, 3)
+
+
+@pytest.mark.parametrize("name", ["p.1.png", "m.mov"])
+def test_no_plate_is_read_from_a_pipe_or_a_device(tmp_path: Path, name: str) -> None:
+    os.mkfifo(tmp_path / name)
+    (tmp_path / "link").mkdir()
+    (tmp_path / "link" / name).symlink_to("/dev/zero")
+    for place in (tmp_path / name, tmp_path / "link" / name):
+        with pytest.raises(RoamError, match="is a pipe, a socket or a device"):
+            open_clip(place)
 
 
 @pytest.mark.shared

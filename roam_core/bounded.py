@@ -1,0 +1,62 @@
+"""Files of strangers: only regular files are opened, and never more of one is read than was agreed on."""
+
+from __future__ import annotations
+
+import os
+import stat
+from pathlib import Path
+
+from roam_core.errors import RoamError
+
+
+def require_regular(path: Path) -> None:
+    """Refuse what is no regular file: opening a pipe would wait for its other end, and a device may never end.
+
+    A link is followed: what counts is what it leads to.
+
+    Raises
+    ------
+    RoamError
+        when the path is missing, a folder, a pipe, a socket or a device, or cannot be looked at.
+    """
+    try:
+        mode = path.stat().st_mode
+    except FileNotFoundError:
+        raise RoamError(f"{path} does not exist.") from None
+    except (OSError, ValueError) as error:
+        raise _unreadable(path, error) from None
+    if stat.S_ISDIR(mode):
+        raise RoamError(f"{path} is a folder, not a file.")
+    if not stat.S_ISREG(mode):
+        raise RoamError(f"{path} is a pipe, a socket or a device, not a file; give a regular file.")
+
+
+def bounded_bytes(path: Path, most: int, remedy: str = "split it into several files") -> bytes:
+    """The content of a regular file of at most `most` bytes.
+
+    Raises
+    ------
+    RoamError
+        for whatever prevents it, as `require_regular` does; a larger file is refused with `remedy`, before it is read.
+    """
+    require_regular(path)
+    try:
+        # Should a pipe have taken the file's place meanwhile, opening it does not wait.
+        handle = os.open(path, os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0))
+        with os.fdopen(handle, "rb") as file:
+            found = os.fstat(handle)
+            is_larger = found.st_size > most or not stat.S_ISREG(found.st_mode)
+            content = b"" if is_larger else file.read(most + 1)
+    except OSError as error:
+        raise _unreadable(path, error) from None
+    if is_larger or len(content) > most:
+        raise RoamError(f"{path} is larger than {_size(most)}; {remedy}.")
+    return content
+
+
+def _unreadable(path: Path, error: Exception) -> RoamError:
+    return RoamError(f"{path} cannot be read: {getattr(error, 'strerror', None) or error}.")
+
+
+def _size(count: int) -> str:
+    return f"{count >> 20} MiB" if count >= 1 << 20 else f"{count >> 10} KiB"
