@@ -9,7 +9,7 @@ from PySide6.QtCore import QObject, QTimer
 
 from app.help_dialogs import AboutDialog, KeysDialog
 from app.jobs import warm_up
-from app.journal import Journal
+from app.messages import MessageLog
 from app.keymap_editor import KeymapEditor
 from app.keymaps import told
 from app.palette import Palette
@@ -31,8 +31,8 @@ class Desk(QObject):
         super().__init__(window)
         self._window, self._personal = window, personal
         self.palette = Palette(window, window.actions_by_id, window.view_state)
-        self.journal = Journal(window.view_state, window.under_way, self)
-        self.log = LogPanel(self.journal)
+        self.messages = MessageLog(window.view_state, window.under_way, self)
+        self.log = LogPanel(self.messages)
         self.log_panel = Panel("Messages", self.log, self.log.tools)
         self.log_panel.setVisible(False)
         window.actions_by_id["help.log"].toggled.connect(self._show_log)
