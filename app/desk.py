@@ -9,9 +9,9 @@ from PySide6.QtCore import QObject, QTimer
 
 from app.help_dialogs import AboutDialog, KeysDialog
 from app.jobs import warm_up
-from app.messages import MessageLog
 from app.keymap_editor import KeymapEditor
 from app.keymaps import told
+from app.messages import MessageLog
 from app.palette import Palette
 from app.panels.log import LogPanel
 from app.panels.panel import Panel
@@ -41,7 +41,7 @@ class Desk(QObject):
         self._settings: SettingsDialog | None = None
         personal.keys_changed.connect(self._pull_keys)
         personal.preferences_changed.connect(self._pull_preferences)
-        for part in (personal, window.autosave):
+        for part in (personal, window.journal):
             part.refused.connect(window.view_state.say)
         self._pull_keys()
         self._pull_preferences()
@@ -90,7 +90,8 @@ class Desk(QObject):
     def _pull_preferences(self) -> None:
         held, window = self._personal.preferences, self._window
         window.reader.set_cache_limit(held.cache_bytes)
-        window.autosave.set_interval(held.autosave_minutes)
+        window.files.backups = held.backups
+        window.document.undo_bytes = held.undo_megabytes << 20
         if held.threads != self._threads:
             self._threads = held.threads
             warm_up.use_threads(window.writer, held.threads)

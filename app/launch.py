@@ -98,7 +98,7 @@ def _open_first(window: MainWindow, path: str | None) -> None:
         window.files.open(Path(path).absolute())
     else:
         window.reopening.page.begin()
-        _offer_recovery(window)
+        window.recovering.offer()
 
 
 def _demo() -> int:
@@ -129,7 +129,7 @@ def _run(begin: Callable[[MainWindow], object]) -> int:
     application.setApplicationName("ROAM")
     application.setDesktopFileName("roam")
     style.apply(application)
-    window = MainWindow(state_folder() / "autosave", personal)
+    window = MainWindow(state_folder() / "journal", personal)
     before = _catch_errors(window, state_folder() / "roam.log")
     _leave_on_signals(window)
     settings_path = state_folder() / "window.ini"
@@ -190,20 +190,6 @@ def _leave_on_signals(window: MainWindow) -> None:
         signal.signal(number, lambda *_: None)
 
 
-def _offer_recovery(window: MainWindow) -> None:
-    from app import dialogs
-    from app.folders import state_folder
-    from app.jobs import autosave
-
-    found = autosave.recoveries(state_folder() / "autosave")
-    if not found:
-        return
-    latest = found[0]
-    if dialogs.ask_recover(window, latest.title):
-        window.files.open_recovered(lambda: autosave.load_recovery(latest), latest.original)
-    autosave.dismiss(latest)
-
-
 def _tell(sentence: str) -> None:
     sys.stderr.write(f"roam: {sentence}\n")
 
@@ -224,10 +210,9 @@ def _catch_errors(window: MainWindow, log_path: Path) -> Hook:
     def hook(kind: type[BaseException], error: BaseException, traceback: TracebackType | None) -> None:
         log.critical("an error nobody caught", exc_info=(kind, error, traceback))
         try:
-            window.autosave.save_now()
-            kept = "your work is autosaved"
+            kept = "your edits are in the journal" if window.journal.flush() else "save your work"
         except Exception:
-            log.exception("the autosave failed too")
+            log.exception("the journal failed too")
             kept = "save your work under a new name"
         window.view_state.say(f"Something went wrong inside ROAM; {kept}. Details are in {log_path}.")
 

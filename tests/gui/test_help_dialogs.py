@@ -15,8 +15,8 @@ from pytestqt.qtbot import QtBot
 from app.help_dialogs import AboutDialog, KeysDialog, libraries
 from app.jobs.runner import Ending
 from app.jobs.under_way import UnderWay
-from app.messages import MOST, MessageLog
 from app.main_window import MainWindow
+from app.messages import MOST, MessageLog
 from app.view_state import ViewState
 from tests.gui.windows import opened_window
 

@@ -10,9 +10,8 @@ import pytest
 from pytestqt.qtbot import QtBot
 
 from app import launch
-from app.jobs import autosave
 from roam_core.geometry.bezier import polygon_points
-from roam_core.roto import Project, edit, file
+from roam_core.roto import Project, edit
 from tests.gui.windows import opened_window, write_clip
 
 DISPLAYS = ("DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM")
@@ -105,22 +104,6 @@ def test_a_defect_is_logged_told_and_loses_nothing(
         sys.excepthook(ZeroDivisionError, ZeroDivisionError("by zero"), None)
         assert "went wrong" in window.status.sentence.text()
         assert str(tmp_path / "roam.log") in window.status.sentence.text()
-        (snapshot,) = (tmp_path / "autosave").glob("*/*.roam")
-        assert file.load(snapshot) == window.document.project
-
-
-def test_what_a_crash_left_is_offered_and_opened_as_unsaved_work(
-    qtbot: QtBot, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr("app.folders.state_folder", lambda: tmp_path)
-    monkeypatch.setattr("app.dialogs.ask_recover", lambda parent, title: True)
-    lost = edit.new_shape(Project(), polygon_points([(0, 0), (9, 0), (9, 9)]), 1)[0]
-    (tmp_path / "autosave" / "20260101-1").mkdir(parents=True)
-    autosave.write_snapshot(tmp_path / "autosave" / "20260101-1", lost, tmp_path / "mine.roam")
-    with opened_window(qtbot, None, tmp_path / "other") as window:
-        with qtbot.waitSignal(window.files.finished, timeout=5000):
-            launch._offer_recovery(window)
-        assert window.document.project == lost
-        assert window.document.is_modified
-        assert window.document.path == tmp_path / "mine.roam"
-    assert autosave.recoveries(tmp_path / "autosave") == []
+        assert window.journal.flush()
+        (journal,) = window.journal.folder.glob("*.journal")
+        assert journal.stat().st_size > 0
