@@ -204,5 +204,6 @@ SPECS: tuple[ActionSpec, ...] = (
     ActionSpec("help.palette", "Find an action…", tip="Do anything by a few letters of its name"),
     ActionSpec("help.keys", "Keys…", tip="Show every key, and find one"),
     ActionSpec("help.log", "Messages", tip="Show what was said, and when", checkable=True),
+    ActionSpec("help.report", "Problem report…", tip="Versions, system and messages, to copy into an issue"),
     ActionSpec("help.about", "About ROAM…"),
 )

@@ -16,6 +16,7 @@ from app.canvas.proposal_bar import ProposalBar
 from app.canvas.ripple_frame import RippleFrame
 from app.canvas.view import CanvasView
 from app.clipboard import ShapeClipboard
+from app.defects import Defects
 from app.desk import Desk
 from app.document import Document
 from app.file_actions import FileActions
@@ -139,6 +140,7 @@ class MainWindow(QMainWindow):
         self.status.add(Readout(self.canvas))
         self.status.add(ModeBar(view_state, actions))
         self.desk, self.reopening = Desk(self, self.personal), Reopening(self)
+        self.defects = Defects(self)
         self.recovering = Recovering(self, self._journal_root, self.writer)
         self.setMenuWidget(_top_row(menus.menu_bar(actions, self.reopening.menu), self.view_bar))
 
@@ -249,6 +251,7 @@ class MainWindow(QMainWindow):
             self.desk,
             self.reopening,
             self.recovering,
+            self.defects,
             files,
             history,
             clipboard,

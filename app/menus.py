@@ -67,7 +67,7 @@ MENUS: dict[str, tuple[str, ...]] = {
         "mark.toggle", "mark.name", "time.previous_mark", "time.next_mark", SEPARATOR,
         "view.fit_time", "view.tall_timeline", "view.panels",
     ),
-    "Help": ("help.palette", "help.keys", SEPARATOR, "help.log", "help.about"),
+    "Help": ("help.palette", "help.keys", SEPARATOR, "help.log", "help.report", "help.about"),
 }  # fmt: skip
 
 

@@ -1,4 +1,4 @@
-"""`roam`: what it does without a display, with a wrong path, with a command; and what a defect costs."""
+"""`roam`: what it does without a display, with a wrong path, with a command."""
 
 from __future__ import annotations
 
@@ -7,12 +7,9 @@ import sys
 from pathlib import Path
 
 import pytest
-from pytestqt.qtbot import QtBot
 
 from app import launch
-from roam_core.geometry.bezier import polygon_points
-from roam_core.roto import Project, edit
-from tests.gui.windows import opened_window, write_clip
+from tests.gui.windows import write_clip
 
 DISPLAYS = ("DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM")
 
@@ -91,19 +88,3 @@ def test_commands_are_handed_on_without_loading_qt() -> None:
     result = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=60, check=False)
     assert result.returncode == 1, result.stderr
     assert result.stderr.startswith("roam: ")
-
-
-def test_a_defect_is_logged_told_and_loses_nothing(
-    qtbot: QtBot, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr(sys, "excepthook", sys.__excepthook__)
-    with opened_window(qtbot, None, tmp_path / "autosave") as window:
-        square = polygon_points([(0, 0), (9, 0), (9, 9)])
-        window.document.apply("Draw", edit.new_shape(Project(), square, 1)[0])
-        launch._catch_errors(window, tmp_path / "roam.log")
-        sys.excepthook(ZeroDivisionError, ZeroDivisionError("by zero"), None)
-        assert "went wrong" in window.status.sentence.text()
-        assert str(tmp_path / "roam.log") in window.status.sentence.text()
-        assert window.journal.flush()
-        (journal,) = window.journal.folder.glob("*.journal")
-        assert journal.stat().st_size > 0
