@@ -35,6 +35,7 @@ SPECS: tuple[ActionSpec, ...] = (
     ActionSpec("file.open_demo", "Open the demo", tip="A short shot to try everything on"),
     ActionSpec("file.save", "Save"),
     ActionSpec("file.save_as", "Save as…"),
+    ActionSpec("file.recover", "Recover work…", tip="What crashes left, and what was thrown away, session by session"),
     ActionSpec("file.import_shapes", "Import shapes…", tip="Shapes of Nuke, Silhouette and others; or drop the file"),
     ActionSpec("file.import_masks", "Import masks…", tip="Fit shapes to a folder of mask pictures"),
     ActionSpec("file.export", "Export…", tip="Shapes for other programs, and mattes: every format, keys and frames"),
@@ -203,5 +204,6 @@ SPECS: tuple[ActionSpec, ...] = (
     ActionSpec("help.palette", "Find an action…", tip="Do anything by a few letters of its name"),
     ActionSpec("help.keys", "Keys…", tip="Show every key, and find one"),
     ActionSpec("help.log", "Messages", tip="Show what was said, and when", checkable=True),
+    ActionSpec("help.report", "Problem report…", tip="Versions, system and messages, to copy into an issue"),
     ActionSpec("help.about", "About ROAM…"),
 )

@@ -6,6 +6,7 @@ from collections.abc import Callable
 
 from PySide6.QtGui import QUndoCommand
 
+from app.holding import held_only_by
 from roam_core.roto import Project
 
 
@@ -17,6 +18,7 @@ class ProjectEdit(QUndoCommand):
     ) -> None:
         super().__init__(text)
         self._before, self._after, self._merge_key, self._show = before, after, merge_key, show
+        self._weighed: tuple[Project, Project, int, int] | None = None
 
     def redo(self) -> None:
         self._show(self._after)
@@ -33,6 +35,18 @@ class ProjectEdit(QUndoCommand):
         if begins_changed:
             self._before = change(self._before)
         self._after = change(self._after)
+
+    def copy(self) -> ProjectEdit:
+        """The same step, for another place."""
+        return ProjectEdit(self._before, self._after, self.text(), self._merge_key, self._show)
+
+    def held_bytes(self, *, is_undone: bool) -> int:
+        """Bytes of what only this step keeps: of a done step what it replaced, of an undone one what it would bring."""
+        if self._weighed is None or self._weighed[0] is not self._before or self._weighed[1] is not self._after:
+            replaced, brought = held_only_by(self._before, self._after), held_only_by(self._after, self._before)
+            self._weighed = self._before, self._after, replaced, brought
+        _, _, replaced, brought = self._weighed
+        return brought if is_undone else replaced
 
     def id(self) -> int:
         return 1 if self._merge_key else -1

@@ -9,9 +9,9 @@ from PySide6.QtCore import QObject, QTimer
 
 from app.help_dialogs import AboutDialog, KeysDialog
 from app.jobs import warm_up
-from app.journal import Journal
 from app.keymap_editor import KeymapEditor
 from app.keymaps import told
+from app.messages import MessageLog
 from app.palette import Palette
 from app.panels.log import LogPanel
 from app.panels.panel import Panel
@@ -31,8 +31,8 @@ class Desk(QObject):
         super().__init__(window)
         self._window, self._personal = window, personal
         self.palette = Palette(window, window.actions_by_id, window.view_state)
-        self.journal = Journal(window.view_state, window.under_way, self)
-        self.log = LogPanel(self.journal)
+        self.messages = MessageLog(window.view_state, window.under_way, self)
+        self.log = LogPanel(self.messages)
         self.log_panel = Panel("Messages", self.log, self.log.tools)
         self.log_panel.setVisible(False)
         window.actions_by_id["help.log"].toggled.connect(self._show_log)
@@ -41,7 +41,7 @@ class Desk(QObject):
         self._settings: SettingsDialog | None = None
         personal.keys_changed.connect(self._pull_keys)
         personal.preferences_changed.connect(self._pull_preferences)
-        for part in (personal, window.autosave):
+        for part in (personal, window.journal):
             part.refused.connect(window.view_state.say)
         self._pull_keys()
         self._pull_preferences()
@@ -90,7 +90,8 @@ class Desk(QObject):
     def _pull_preferences(self) -> None:
         held, window = self._personal.preferences, self._window
         window.reader.set_cache_limit(held.cache_bytes)
-        window.autosave.set_interval(held.autosave_minutes)
+        window.files.backups = held.backups
+        window.document.undo_bytes = held.undo_megabytes << 20
         if held.threads != self._threads:
             self._threads = held.threads
             warm_up.use_threads(window.writer, held.threads)

@@ -35,17 +35,49 @@ def ask_unsaved(parent: QWidget, name: str) -> Unsaved:
     return answers.get(button(box.exec()), Unsaved.CANCEL)
 
 
-def ask_recover(parent: QWidget, title: str) -> bool:
-    """Offer the work of a session that ended without closing."""
+class Contested(Enum):
+    """What to do with a project that somebody else has open."""
+
+    COPY = "copy"
+    ANYWAY = "anyway"
+    CANCEL = "cancel"
+
+
+def ask_contested(parent: QWidget, name: str, who: str) -> Contested:
+    """Ask how to open a project that is open elsewhere."""
+    answers = {"Open a copy": Contested.COPY, "Open anyway": Contested.ANYWAY}
+    text = f"{name} is {who}."
+    weak = "If both save, the later one wins. A copy is a project of its own, without a file until you save it."
+    return answers.get(_ask(parent, text, weak, tuple(answers)), Contested.CANCEL)
+
+
+class Doubted(Enum):
+    """What to do with a file that is not as it was left."""
+
+    SAVE = "save"
+    SAVE_AS = "save as"
+    CANCEL = "cancel"
+
+
+def ask_doubted(parent: QWidget, doubt: str) -> Doubted:
+    """Ask whether to save over a file that somebody else changed or has open."""
+    answers = {"Save as…": Doubted.SAVE_AS, "Save anyway": Doubted.SAVE}
+    weak = "If you save anyway, what is in the file now stays beside it as a backup."
+    return answers.get(_ask(parent, doubt, weak, tuple(answers)), Doubted.CANCEL)
+
+
+def _ask(parent: QWidget, text: str, weak: str, choices: Sequence[str]) -> str:
+    """Ask with a button for each choice, the first one ready to be pressed, and Cancel; gives the one pressed."""
     box = QMessageBox(parent)
     box.setWindowTitle("ROAM")
-    box.setText(f"ROAM did not close properly. Recover {title}?")
-    box.setInformativeText("Your own file is not changed until you save.")
-    recover = box.addButton("Recover", QMessageBox.ButtonRole.AcceptRole)
-    box.addButton("Leave it", QMessageBox.ButtonRole.RejectRole)
-    box.setDefaultButton(recover)
+    box.setText(text)
+    box.setInformativeText(weak)
+    buttons = [box.addButton(choice, QMessageBox.ButtonRole.ActionRole) for choice in choices]
+    box.addButton(QMessageBox.StandardButton.Cancel)
+    box.setDefaultButton(buttons[0])
     box.exec()
-    return box.clickedButton() is recover
+    pressed = box.clickedButton()
+    return "" if pressed is None else pressed.text()
 
 
 def ask_overwrite(parent: QWidget, paths: Sequence[Path]) -> bool:

@@ -11,13 +11,14 @@ from PySide6.QtCore import QObject
 from PySide6.QtWidgets import QWidget
 
 from app import dialogs
-from app.dialogs import Unsaved
+from app.dialogs import Contested, Doubted, Unsaved
 from app.document import Document
 from app.files import PROJECT_SUFFIX, Files
 from app.folders import cache_folder
 from app.jobs.export import Export
 from app.jobs.importing import SHAPE_FILES, Import
 from app.personal import Personal
+from app.project_lock import Holder
 from app.view_state import ViewState
 from roam_core.errors import RoamError
 
@@ -45,6 +46,9 @@ class FileActions(QObject):
         self._after_saving: Callable[[], object] | None = None
         self._export_dialog: ExportDialog | None = None
         files.saved.connect(self._saved)
+        files.not_saved.connect(self._disarm)
+        files.doubted.connect(self._ask_doubted)
+        files.contested.connect(self._ask_contested)
         files.looked.connect(self._show_found)
 
     def handlers(self) -> dict[str, Callable[[], object]]:
@@ -65,6 +69,10 @@ class FileActions(QObject):
 
     def leave_project(self, then: Callable[[], object]) -> None:
         """Do `then` once nothing is lost by it: at once, after saving, or never."""
+        if self._files.is_saving:
+            self._after_saving = lambda: self.leave_project(then)
+            self._view.say("The project is being saved …")
+            return
         if not self._document.is_modified:
             then()
             return
@@ -72,7 +80,8 @@ class FileActions(QObject):
         if answer is Unsaved.DISCARD:
             then()
         elif answer is Unsaved.SAVE:
-            self._after_saving = then
+            # What was edited while it was saved is asked about again.
+            self._after_saving = lambda: self.leave_project(then)
             self.save()
 
     @property
@@ -119,7 +128,7 @@ class FileActions(QObject):
         """Ask where, and save there."""
         path = dialogs.choose_save(self._window, self._suggested(PROJECT_SUFFIX))
         if path is None or not self._may_save_to(path):
-            self._after_saving = None
+            self._disarm()
         else:
             self._files.save(path)
 
@@ -217,6 +226,26 @@ class FileActions(QObject):
         then, self._after_saving = self._after_saving, None
         if then is not None:
             then()
+
+    def _disarm(self) -> None:
+        """What was to be done after saving is not done."""
+        self._after_saving = None
+
+    def _ask_doubted(self, path: Path, doubt: str) -> None:
+        answer = dialogs.ask_doubted(self._window, doubt)
+        if answer is Doubted.SAVE:
+            self._files.save(path, anyway=True)
+        elif answer is Doubted.SAVE_AS:
+            self.save_as()
+        else:
+            self._disarm()
+
+    def _ask_contested(self, path: Path, holder: Holder) -> None:
+        answer = dialogs.ask_contested(self._window, path.name, holder.sentence)
+        if answer is Contested.COPY:
+            self._files.open_copy(path)
+        elif answer is Contested.ANYWAY:
+            self._files.open_anyway(path)
 
     def _suggested(self, suffix: str) -> Path:
         clip = self._document.project.clip

@@ -3,18 +3,25 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from PySide6.QtCore import QObject, Signal
 
+from app import project_lock
+from app.claim import Claim
 from app.document import Document
+from app.fingerprint import Fingerprint
 from app.jobs.decode import PlateReader
 from app.jobs.runner import Ending, Report, Runner, Work
+from app.journal import recovery
+from app.journal.recovery import Recovery
+from app.preferences import Preferences
+from app.project_lock import Holder
 from app.view_state import ViewState
 from roam_core.errors import RoamError
-from roam_core.roto import Clip, Project, edit, file
+from roam_core.roto import Clip, Project, backups, edit, file
 from roam_core.roto.relinking import other_content, other_size, relinked
 
 if TYPE_CHECKING:
@@ -24,6 +31,23 @@ DEMO = "The demo shot: press <track.forward> to track the shape, <track.stop> to
 PROJECT_SUFFIX = ".roam"
 
 
+@dataclass(frozen=True)
+class Found:
+    """What was opened: the project, its plate or None, and the sentence about it.
+
+    `path` is the file that saving writes to, `fingerprint` that of the file that was read; `follows` is the journal
+    that the project was recovered from. It is unsaved work where no file holds it.
+    """
+
+    project: Project
+    source: Any
+    sentence: str
+    path: Path | None = None
+    fingerprint: Fingerprint | None = None
+    is_unsaved: bool = False
+    follows: Path | None = None
+
+
 class Files(QObject):
     """Reads and writes on the worker; the document changes when that is done.
 
@@ -31,6 +55,9 @@ class Files(QObject):
     -------
     progress(fraction, text), finished(ending, sentence) : news for the status bar.
     saved() : the document was written to its file.
+    not_saved() : it could not be written; the sentence is told by `finished`.
+    doubted(path, doubt) : it was not written, because the file is not as it was left: the sentence says why.
+    contested(path, holder) : a project was not opened, because the `Holder` has it open.
     opened(path) : the project or clip that the artist named is open.
     looked(found) : the clip that `look_at` was asked about, as a `FoundClip`.
     """
@@ -38,6 +65,9 @@ class Files(QObject):
     progress = Signal(float, str)
     finished = Signal(object, str)
     saved = Signal()
+    not_saved = Signal()
+    doubted = Signal(object, str)
+    contested = Signal(object, object)
     opened = Signal(object)
     looked = Signal(object)
 
@@ -47,16 +77,25 @@ class Files(QObject):
         view_state: ViewState,
         reader: PlateReader,
         runner: Runner,
+        saver: Runner,
         parent: QObject | None = None,
     ) -> None:
         super().__init__(parent)
         self._document, self._view, self._reader, self._runner = document, view_state, reader, runner
+        self._saver = saver
+        """Only saves: none of them waits behind an export."""
+        self.claim = Claim(document, saver, self)
+        self.backups = Preferences().backups
+        """How many older versions of a project are kept beside it."""
+        self._written: Fingerprint | None = None
+        self._sitting = 0
+        document.replaced.connect(self._begin_sitting)
 
     def new(self) -> None:
         """Begin an empty project; what was being opened is wanted no more."""
         if (job := self._runner.running("open")) is not None:
             job.drop()
-        self._show(Project(), None, None, False)
+        self._show(Found(Project(), None, ""))
 
     def open(self, path: Path) -> None:
         """Open a project file, or a clip as a new project."""
@@ -86,11 +125,12 @@ class Files(QObject):
         `declare` gives the plate what the artist says of it against its files.
         """
 
-        def read() -> tuple[Project, Any, str]:
+        def read() -> Found:
             project, source = clip_project(path, declare)
-            return project, source, f"Opened {path.name}: {len(source.frames)} frames. {_gaps(source)}".rstrip()
+            sentence = f"Opened {path.name}: {len(source.frames)} frames. {_gaps(source)}".rstrip()
+            return Found(project, source, sentence)
 
-        self._open(f"Opening {path.name} …", read, None, origin=path)
+        self._open(f"Opening {path.name} …", read, origin=path)
 
     @property
     def lacks_plate(self) -> bool:
@@ -104,49 +144,103 @@ class Files(QObject):
 
     def open_plate(self, path: Path) -> None:
         """Give the project its plate, which lies elsewhere now; its shapes stay, and it is to be saved."""
-        project = self._document.project
+        project, home, fingerprint = self._document.project, self._document.path, self._document.fingerprint
 
-        def read() -> tuple[Project, Any, str]:
+        def read() -> Found:
             found, source = clip_project(path)
-            said = _differences(project, source) or f"The plate is {path.name} now; save to keep that."
-            return replace(project, clip=found.clip), source, said
+            sentence = _differences(project, source) or f"The plate is {path.name} now; save to keep that."
+            return Found(replace(project, clip=found.clip), source, sentence, home, fingerprint, is_unsaved=True)
 
-        self._open(f"Opening {path.name} …", read, self._document.path, is_unsaved=True)
+        self._open(f"Opening {path.name} …", read)
 
     def open_project(self, path: Path) -> None:
-        """Open a project and its plate; without its plate it opens too, and says so."""
-        self._open(f"Opening {path.name} …", lambda: _read_project(path), path, origin=path)
+        """Open a project and its plate; without its plate it opens too, and says so.
+
+        Where somebody else has it open nothing is opened: `contested` tells who.
+        """
+
+        def read() -> Found | Holder:
+            return project_lock.holder(path) or _read_project(path)
+
+        self._open(f"Opening {path.name} …", read, origin=path)
+
+    def open_anyway(self, path: Path) -> None:
+        """Open a project that somebody else has open, as if they had not."""
+        self.claim.insist_on(path)
+        self._open(f"Opening {path.name} …", lambda: _read_project(path), origin=path)
+
+    def open_copy(self, path: Path) -> None:
+        """Open what a project file holds as a new project, which has no file yet."""
+
+        def read() -> Found:
+            found = _read_project(path)
+            return Found(found.project, found.source, f"A copy of {path.name}; save to keep it.", is_unsaved=True)
+
+        self._open(f"Opening {path.name} …", read)
 
     def open_demo(self) -> None:
         """Render the demo shot, if it is not there yet, and open it with its true outline as the first key."""
 
         def work(report: Report) -> str:
             project, source = _demo_project(report)
-            report.partial((project, source))
+            report.partial(Found(project, source, DEMO))
             return DEMO
 
-        self._start(work, None)
+        self._start(work)
 
-    def open_recovered(self, read: Callable[[], Project], original: Path | None) -> None:
-        """Open an autosaved project as unsaved changes of the artist's own file."""
+    def open_recovered(self, found: Recovery) -> None:
+        """Open what a journal holds, as unsaved changes of the artist's own file."""
 
-        def recovered() -> tuple[Project, Any, str]:
-            project = read()
-            source, problem = _plate_of(project)
-            return project, source, problem or "Recovered; save to keep it."
+        def read() -> Found:
+            project, loss = recovery.load(found)
+            source, problem = plate_of(project)
+            sentence = " ".join(filter(None, (loss, problem))) or "Recovered; save to keep it."
+            return Found(
+                project, source, sentence, found.original, found.fingerprint, is_unsaved=True, follows=found.journal
+            )
 
-        self._open("Recovering …", recovered, original, is_unsaved=True)
+        self._open("Recovering …", read)
 
-    def save(self, path: Path) -> None:
-        """Write the project as it is now; the artist goes on meanwhile."""
-        project = self._document.project
+    def save(self, path: Path, *, anyway: bool = False) -> None:
+        """Write the project as it is now; the artist goes on meanwhile.
+
+        Where the file was changed, or is open elsewhere, nothing is written unless `anyway`: `doubted` tells.
+        """
+        document, kept, sitting = self._document, self.backups, self._sitting
+        project, known = document.project, document.fingerprint if path == document.path else None
+        told: list[str | Fingerprint | None] = []
 
         def work(report: Report) -> str:
+            doubt = "" if anyway else _doubt(path, known, self._written)
+            if doubt:
+                report.partial(doubt)
+                return ""
+            warning = _rotated(path, kept)
             file.save(project, path)
-            return f"Saved {path.name}."
+            self._written = Fingerprint.of(path)
+            report.partial(self._written)
+            return f"Saved {path.name}. {warning}".rstrip()
 
-        job = self._runner.start("save", work)
-        job.ended.connect(lambda ending, sentence: self._saved(ending, sentence, project, path))
+        def end(ending: Ending, sentence: str) -> None:
+            last = told[-1] if told else None
+            if isinstance(last, str):
+                self.finished.emit(Ending.CANCELLED, f"{path.name} is not saved yet.")
+                self.doubted.emit(path, last)
+            elif ending is Ending.DONE and sitting == self._sitting:
+                self._document.mark_saved(project, path, last)
+                self.saved.emit()
+            elif ending is Ending.FAILED:
+                self.not_saved.emit()
+            if not isinstance(last, str):
+                self.finished.emit(ending, sentence)
+
+        job = self._saver.start("save", work)
+        job.partial.connect(told.append)
+        job.ended.connect(end)
+
+    @property
+    def is_saving(self) -> bool:
+        return self._saver.running("save") is not None
 
     @property
     def is_opening(self) -> bool:
@@ -163,45 +257,47 @@ class Files(QObject):
     def _open(
         self,
         text: str,
-        read: Callable[[], tuple[Project, Any, str]],
-        path: Path | None,
+        read: Callable[[], Found | Holder],
         *,
-        is_unsaved: bool = False,
         origin: Path | None = None,
     ) -> None:
         """Read on the worker and show what comes; `origin` is what `opened` tells afterwards."""
 
         def work(report: Report) -> str:
             report.progress(0.0, text)
-            project, source, sentence = read()
-            report.partial((project, source))
-            return sentence
+            found = read()
+            report.partial(found)
+            return found.sentence if isinstance(found, Found) else ""
 
-        self._start(work, path, is_unsaved=is_unsaved, origin=origin)
+        self._start(work, origin=origin)
 
-    def _start(self, work: Work, path: Path | None, *, is_unsaved: bool = False, origin: Path | None = None) -> None:
+    def _start(self, work: Work, *, origin: Path | None = None) -> None:
         job = self._runner.start("open", work)
         job.progress.connect(self.progress)
-        job.partial.connect(lambda found: self._show(found[0], found[1], path, is_unsaved))
-        if origin is not None:
-            job.partial.connect(lambda _: self.opened.emit(origin))
+        job.partial.connect(lambda found: self._take(found, origin))
         job.ended.connect(self.finished)
 
-    def _show(self, project: Project, source: Any, path: Path | None, is_unsaved: bool) -> None:
+    def _take(self, found: Found | Holder, origin: Path | None) -> None:
+        if isinstance(found, Holder):
+            self.contested.emit(origin, found)
+            return
+        self._show(found)
+        if origin is not None:
+            self.opened.emit(origin)
+
+    def _show(self, found: Found) -> None:
         # The old plate goes first and the new one comes last: no frame is ever asked of the wrong one.
         self._reader.open(None)
-        if is_unsaved:
-            self._document.recover(project, path)
+        if found.is_unsaved:
+            self._document.recover(found.project, found.path, found.fingerprint, found.follows)
         else:
-            self._document.open(project, path)
-        self._view.select(frozenset(shape.id for shape in project.shapes[-1:]))
-        self._reader.open(source)
+            self._document.open(found.project, found.path, found.fingerprint)
+        self._view.select(frozenset(shape.id for shape in found.project.shapes[-1:]))
+        self._reader.open(found.source)
 
-    def _saved(self, ending: Ending, sentence: str, project: Project, path: Path) -> None:
-        if ending is Ending.DONE:
-            self._document.mark_saved(project, path)
-            self.saved.emit()
-        self.finished.emit(ending, sentence)
+    def _begin_sitting(self) -> None:
+        """Another project is shown: a save of the one before says nothing about it."""
+        self._sitting += 1
 
 
 def clip_project(
@@ -230,15 +326,38 @@ def _demo_project(report: Report) -> tuple[Project, Any]:
     return project, source
 
 
-def _read_project(path: Path) -> tuple[Project, Any, str]:
+def _read_project(path: Path) -> Found:
+    # Before it is read: what is written meanwhile is a change.
+    fingerprint = Fingerprint.of(path)
     stored = file.load(path)
     project = relinked(stored, path.parent)
-    source, problem = _plate_of(project)
+    source, problem = plate_of(project)
     moved = "" if project is stored else f" Its plate was found at {project.require_clip().path}; save to keep that."
-    return project, source, problem or f"Opened {path.name}.{moved}"
+    return Found(project, source, problem or f"Opened {path.name}.{moved}", path, fingerprint)
 
 
-def _plate_of(project: Project) -> tuple[Any, str]:
+def _doubt(path: Path, known: Fingerprint | None, written: Fingerprint | None) -> str:
+    """Why a file is better not written over; empty where nothing speaks against it.
+
+    `known` is the file as the document knows it, `written` what was written last: the document may not know yet.
+    """
+    if (other := project_lock.holder(path)) is not None:
+        return f"{path.name} is {other.sentence}."
+    if known is not None and path.exists() and not any(each and each.is_of(path) for each in (known, written)):
+        return f"{path.name} was changed by another program since it was opened or saved here."
+    return ""
+
+
+def _rotated(path: Path, count: int) -> str:
+    """Keep older versions of the file; a sentence where that cannot be. It never stands in the way of saving."""
+    try:
+        backups.rotate(path, count)
+    except RoamError as error:
+        return str(error)
+    return ""
+
+
+def plate_of(project: Project) -> tuple[Any, str]:
     """The plate of a project, or None and why it could not be opened; or the plate and what differs from before."""
     from roam_core.media import declared, open_clip
 

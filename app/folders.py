@@ -1,4 +1,4 @@
-"""Where the application keeps what is no project: its state (log, autosaved projects) and what it can make again."""
+"""Where the application keeps what is no project: its state (log, journals) and what it can make again."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from roam_core.errors import RoamError
 
 
 def state_folder() -> Path:
-    """The folder of the log, the settings and the autosaved projects; made when it is missing.
+    """The folder of the log, the settings and the journals; made when it is missing.
 
     Raises `RoamError` when it cannot be made or written to: without it work could not be kept safe.
     """
@@ -19,9 +19,9 @@ def state_folder() -> Path:
     try:
         folder.mkdir(parents=True, exist_ok=True)
     except OSError as error:
-        raise RoamError(f"The folder {folder} for autosaved work cannot be made: {error.strerror}.") from None
+        raise RoamError(f"The folder {folder} for the journal of edits cannot be made: {error.strerror}.") from None
     if not os.access(folder, os.W_OK | os.X_OK):
-        raise RoamError(f"The folder {folder} for autosaved work cannot be written to; change its permissions.")
+        raise RoamError(f"The folder {folder} for the journal of edits cannot be written to; change its permissions.")
     return folder
 
 

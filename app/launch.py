@@ -6,12 +6,10 @@ import argparse
 import logging
 import os
 import signal
-import socket
 import sys
 from collections.abc import Callable, Sequence
 from logging.handlers import RotatingFileHandler
 from pathlib import Path
-from types import TracebackType
 from typing import TYPE_CHECKING
 
 from roam_core.errors import RoamError
@@ -22,6 +20,8 @@ if TYPE_CHECKING:
 
 PATIENCE = 3000
 """Milliseconds after which the artist is told that the engine is being prepared."""
+LOOK_INTERVAL = 200
+"""Milliseconds between two looks for signals, where nothing wakes the window."""
 FAILED, BAD_USAGE = 1, 2
 NO_DISPLAY = (
     "There is no display to open a window on; use the command line (roam --help), "
@@ -31,8 +31,6 @@ EPILOG = """commands that need no window:
 {commands}
 roam COMMAND --help describes each of them.
 """
-
-log = logging.getLogger("roam")
 
 
 def main(argv: Sequence[str] | None = None) -> int:
@@ -98,7 +96,7 @@ def _open_first(window: MainWindow, path: str | None) -> None:
         window.files.open(Path(path).absolute())
     else:
         window.reopening.page.begin()
-        _offer_recovery(window)
+        window.recovering.offer()
 
 
 def _demo() -> int:
@@ -116,6 +114,7 @@ def _run(begin: Callable[[MainWindow], object]) -> int:
     from PySide6.QtWidgets import QApplication
 
     from app import settings, style
+    from app.crash_report import NativeLog, native_crashes
     from app.folders import cache_folder, state_folder
     from app.jobs import warm_up
     from app.main_window import MainWindow
@@ -129,20 +128,24 @@ def _run(begin: Callable[[MainWindow], object]) -> int:
     application.setApplicationName("ROAM")
     application.setDesktopFileName("roam")
     style.apply(application)
-    window = MainWindow(state_folder() / "autosave", personal)
-    before = _catch_errors(window, state_folder() / "roam.log")
+    crashes = native_crashes(state_folder() / "crashes")
+    window = MainWindow(state_folder() / "journal", personal)
+    window.defects.install()
+    native_log = NativeLog(state_folder() / "crashes")
     _leave_on_signals(window)
     settings_path = state_folder() / "window.ini"
     settings.restore(window, settings_path)
     application.aboutToQuit.connect(lambda: settings.keep(window, settings_path))
     window.show()
     QTimer.singleShot(0, window, lambda: begin(window))
+    QTimer.singleShot(0, window, lambda: window.defects.tell_of(crashes))
     QTimer.singleShot(0, window, lambda: warm_up.load_dialogs(window.writer))
     QTimer.singleShot(0, window, lambda: _tell_of(warm_up.start(window.solver, window.tracking.config), window))
     try:
         return application.exec()
     finally:
-        sys.excepthook = before
+        window.defects.remove()
+        native_log.close()
 
 
 def _tell_of(preparation: Job, window: MainWindow) -> None:
@@ -167,41 +170,51 @@ def _scale(scale: float) -> None:
 
 
 def _leave_on_signals(window: MainWindow) -> None:
-    """Let Ctrl+C in the terminal, and a logout, close the window in good order."""
+    """Let Ctrl+C in the terminal, a logout, and the terminal's end close the window in good order."""
+    asked: list[int] = []
+    for name in ("SIGINT", "SIGTERM", "SIGHUP"):
+        if hasattr(signal, name):  # Windows knows no SIGHUP
+            signal.signal(getattr(signal, name), lambda number, _: asked.append(number))
+    # Python handles signals between its own instructions, and Qt's loop runs none while nothing happens.
+    if sys.platform == "win32":
+        _look_for(asked, window)
+    else:
+        _wake_on_signals(window)
+
+
+def _look_for(asked: list[int], window: MainWindow) -> None:
+    """Look now and then whether a signal has come."""
+    from PySide6.QtCore import QTimer
+
+    timer = QTimer(window, interval=LOOK_INTERVAL)
+
+    def look() -> None:
+        if asked:
+            timer.stop()
+            window.leave_unasked()
+
+    timer.timeout.connect(look)
+    timer.start()
+
+
+def _wake_on_signals(window: MainWindow) -> None:
+    """Be woken by the byte that Python writes into a pipe when a signal has come."""
     from PySide6.QtCore import QSocketNotifier
 
-    # Python handles signals between its own instructions, and Qt's loop runs none while nothing happens: the byte that
-    # Python writes into this socket wakes it.
-    reading, writing = socket.socketpair()
-    for end in (reading, writing):
-        end.setblocking(False)
-    signal.set_wakeup_fd(writing.fileno())
-    notifier = QSocketNotifier(reading.fileno(), QSocketNotifier.Type.Read, window)
+    ends = reading, writing = os.pipe()
+    for end in ends:
+        os.set_blocking(end, False)
+    signal.set_wakeup_fd(writing)
+    notifier = QSocketNotifier(reading, QSocketNotifier.Type.Read, window)
 
     def leave() -> None:
         notifier.setEnabled(False)
         signal.set_wakeup_fd(-1)
-        reading.close()
-        writing.close()
+        for end in ends:
+            os.close(end)
         window.leave_unasked()
 
     notifier.activated.connect(leave)
-    for number in (signal.SIGINT, signal.SIGTERM):
-        signal.signal(number, lambda *_: None)
-
-
-def _offer_recovery(window: MainWindow) -> None:
-    from app import dialogs
-    from app.folders import state_folder
-    from app.jobs import autosave
-
-    found = autosave.recoveries(state_folder() / "autosave")
-    if not found:
-        return
-    latest = found[0]
-    if dialogs.ask_recover(window, latest.title):
-        window.files.open_recovered(lambda: autosave.load_recovery(latest), latest.original)
-    autosave.dismiss(latest)
 
 
 def _tell(sentence: str) -> None:
@@ -212,27 +225,6 @@ def _keep_log(path: Path) -> None:
     handler = RotatingFileHandler(path, maxBytes=1 << 20, backupCount=2, encoding="utf-8", delay=True)
     handler.setFormatter(logging.Formatter("%(asctime)s %(levelname)s %(name)s: %(message)s"))
     logging.getLogger().addHandler(handler)
-
-
-Hook = Callable[[type[BaseException], BaseException, TracebackType | None], object]
-
-
-def _catch_errors(window: MainWindow, log_path: Path) -> Hook:
-    """Let a defect lose nothing: save first, write the traceback to the log, tell one sentence. Gives the old hook."""
-    before = sys.excepthook
-
-    def hook(kind: type[BaseException], error: BaseException, traceback: TracebackType | None) -> None:
-        log.critical("an error nobody caught", exc_info=(kind, error, traceback))
-        try:
-            window.autosave.save_now()
-            kept = "your work is autosaved"
-        except Exception:
-            log.exception("the autosave failed too")
-            kept = "save your work under a new name"
-        window.view_state.say(f"Something went wrong inside ROAM; {kept}. Details are in {log_path}.")
-
-    sys.excepthook = hook
-    return before
 
 
 if __name__ == "__main__":

@@ -16,13 +16,13 @@ from app.canvas.proposal_bar import ProposalBar
 from app.canvas.ripple_frame import RippleFrame
 from app.canvas.view import CanvasView
 from app.clipboard import ShapeClipboard
+from app.defects import Defects
 from app.desk import Desk
 from app.document import Document
 from app.file_actions import FileActions
 from app.files import Files
 from app.focus import FocusFollowsPointer
 from app.history import History
-from app.jobs.autosave import Autosave
 from app.jobs.decode import PlateReader
 from app.jobs.export import Export
 from app.jobs.importing import Import
@@ -31,6 +31,7 @@ from app.jobs.planar import PlanarTrack
 from app.jobs.propagation import Propagation
 from app.jobs.runner import Runner
 from app.jobs.under_way import UnderWay
+from app.journal.journal import Journal
 from app.layer_verbs import LayerVerbs
 from app.mask_shapes import MaskShapes
 from app.navigation import Navigation
@@ -50,6 +51,7 @@ from app.personal import Personal
 from app.planar_tracking import PlanarTracking
 from app.playback import Playback
 from app.proposals import Proposals
+from app.recovering import Recovering
 from app.reopening import Reopening
 from app.shape_verbs import ShapeVerbs
 from app.spline_verbs import SplineVerbs
@@ -66,16 +68,16 @@ TIMELINE_HEIGHT = 200
 
 
 class MainWindow(QMainWindow):
-    """ROAM's window. `autosave_root` is the folder of the autosaved projects, `personal` the artist's own settings."""
+    """ROAM's window. `journal_root` is the folder of the journals, `personal` the artist's own settings."""
 
-    def __init__(self, autosave_root: Path, personal: Personal | None = None) -> None:
+    def __init__(self, journal_root: Path, personal: Personal | None = None) -> None:
         super().__init__()
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose, False)
         self.setAcceptDrops(True)
         self.resize(1500, 940)
         self._is_leaving = False
         self.personal = personal or Personal(parent=self)
-        self._build_state(autosave_root)
+        self._build_state(journal_root)
         self._build_parts()
         self._lay_out()
         self._connect()
@@ -85,14 +87,15 @@ class MainWindow(QMainWindow):
 
     # ---- building
 
-    def _build_state(self, autosave_root: Path) -> None:
+    def _build_state(self, journal_root: Path) -> None:
         self.document, self.view_state = Document(self), ViewState(self)
         self.solver, self.writer = Runner("solver", self), Runner("writer", self)
+        self.saver = Runner("saver", self)
         self.reader = PlateReader(self)
-        self.files = Files(self.document, self.view_state, self.reader, self.writer, self)
+        self.files = Files(self.document, self.view_state, self.reader, self.writer, self.saver, self)
         self.export = Export(self.document, self.writer, self, lambda paths: dialogs.ask_overwrite(self, paths))
         self.importing = Import(self.document, self.writer, self)
-        self.autosave = Autosave(self.document, self.writer, autosave_root, self)
+        self.journal = Journal(self.document, journal_root, self)
         self.propagation = Propagation(self.document, self.view_state, self.solver, self.reader.engine_frame, self)
         self.proposals = Proposals(self.document, self.view_state, self.propagation, self)
         self.eye = Runner("eye", self)
@@ -106,6 +109,7 @@ class MainWindow(QMainWindow):
         self.tracking = Tracking(self.document, self.view_state, self.propagation)
         self.planar_tracking = PlanarTracking(self.document, self.view_state, self.planar)
         self.shape_verbs = ShapeVerbs(self.document, self.view_state)
+        self._journal_root = journal_root
         self.file_actions = FileActions(
             self, self.document, self.view_state, self.files, self.export, self.importing, self.personal
         )
@@ -136,6 +140,8 @@ class MainWindow(QMainWindow):
         self.status.add(Readout(self.canvas))
         self.status.add(ModeBar(view_state, actions))
         self.desk, self.reopening = Desk(self, self.personal), Reopening(self)
+        self.defects = Defects(self)
+        self.recovering = Recovering(self, self._journal_root, self.writer)
         self.setMenuWidget(_top_row(menus.menu_bar(actions, self.reopening.menu), self.view_bar))
 
     def _lay_out(self) -> None:
@@ -199,12 +205,12 @@ class MainWindow(QMainWindow):
         reader.refused.connect(view.say)
         reader.cache_changed.connect(self.timeline.ruler.update)
         reader.cache_changed.connect(lambda: status.show_memory(*reader.memory()))
-        for track in (self.propagation, self.planar):
-            track.finished.connect(lambda *_: self.autosave.save())
         self.propagation.finished.connect(lambda _, sentence: view.say(self.proposals.told(sentence)))
         self.under_way.changed.connect(self._pull_running)
         self.document.replaced.connect(self._pull_clip)
         self.document.path_changed.connect(self._pull_title)
+        self.document.forgot.connect(lambda: self.history.setEmptyLabel("Earlier steps were dropped"))
+        self.document.replaced.connect(lambda: self.history.setEmptyLabel("As opened"))
         undo = self.document.undo_stack
         undo.canUndoChanged.connect(self.actions_by_id["edit.undo"].setEnabled)
         undo.canRedoChanged.connect(self.actions_by_id["edit.redo"].setEnabled)
@@ -244,6 +250,8 @@ class MainWindow(QMainWindow):
             TransformActions(self.document, self.view_state, self),
             self.desk,
             self.reopening,
+            self.recovering,
+            self.defects,
             files,
             history,
             clipboard,
@@ -307,7 +315,7 @@ class MainWindow(QMainWindow):
 
     def leave_unasked(self) -> None:
         """Close without a question, because the desktop or the terminal says so; unsaved work waits for recovery."""
-        self.autosave.save_for_recovery()
+        self.journal.leave_for_recovery()
         self._leave()
 
     def _leave(self) -> None:
@@ -319,7 +327,7 @@ class MainWindow(QMainWindow):
         self.playback.pause()
         self.propagation.drop()
         self.planar.drop()
-        for part in (self.solver, self.reader, self.eye, self.writer, self.autosave):
+        for part in (self.solver, self.reader, self.eye, self.writer, self.saver, self.files.claim, self.journal):
             part.close()
 
 

@@ -14,7 +14,7 @@ MENUS: dict[str, tuple[str, ...]] = {
     "File": (
         "file.new", "file.open_clip", "file.open_movie", "file.open_project", RECENT,
         "file.open_demo", SEPARATOR,
-        "file.save", "file.save_as", SEPARATOR,
+        "file.save", "file.save_as", "file.recover", SEPARATOR,
         "file.import_shapes", "file.import_masks", SEPARATOR,
         "file.export", "file.export_nuke", "file.export_mattes", SEPARATOR,
         "file.quit",
@@ -67,7 +67,7 @@ MENUS: dict[str, tuple[str, ...]] = {
         "mark.toggle", "mark.name", "time.previous_mark", "time.next_mark", SEPARATOR,
         "view.fit_time", "view.tall_timeline", "view.panels",
     ),
-    "Help": ("help.palette", "help.keys", SEPARATOR, "help.log", "help.about"),
+    "Help": ("help.palette", "help.keys", SEPARATOR, "help.log", "help.report", "help.about"),
 }  # fmt: skip
 
 

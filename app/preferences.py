@@ -12,7 +12,8 @@ from roam_core.params import CONFIGS
 
 TYPE = "roam.Preferences"
 LEAST_CACHE, MOST_CACHE = 0.25, 512.0
-MOST_THREADS, MOST_MINUTES = 256, 60
+MOST_THREADS, MOST_BACKUPS = 256, 99
+LEAST_UNDO, MOST_UNDO = 16, 65536
 SCALES = (1.0, 1.25, 1.5, 1.75, 2.0, 2.5, 3.0)
 
 
@@ -24,18 +25,20 @@ class Preferences:
     ----------
     cache_gigabytes : the most memory that decoded frames may take, in GB of 2**30 bytes.
     threads : threads that the engine and the libraries for pictures may use; 0 leaves it to them.
-    autosave_minutes : minutes between two snapshots of unsaved work.
+    backups : older versions of a project kept beside it when it is saved.
     config : the engine's configuration at the start; empty for the one used last.
     scale : size of everything in the window, times what the desktop says; holds from the next start on.
     asks_about_clips : whether a clip is shown, with what was found out about it, before it is opened.
+    undo_megabytes : the most memory that undo may take, in MB of 2**20 bytes; the oldest steps go first.
     """
 
     cache_gigabytes: float = 1.0
     threads: int = 0
-    autosave_minutes: int = 1
+    backups: int = 5
     config: str = ""
     scale: float = 1.0
     asks_about_clips: bool = True
+    undo_megabytes: int = 256
 
     @property
     def cache_bytes(self) -> int:
@@ -47,7 +50,8 @@ class Preferences:
         return (
             LEAST_CACHE <= self.cache_gigabytes <= MOST_CACHE
             and 0 <= self.threads <= MOST_THREADS
-            and 1 <= self.autosave_minutes <= MOST_MINUTES
+            and 0 <= self.backups <= MOST_BACKUPS
+            and LEAST_UNDO <= self.undo_megabytes <= MOST_UNDO
             and (not self.config or self.config in CONFIGS)
             and SCALES[0] <= self.scale <= SCALES[-1]
         )

@@ -11,6 +11,8 @@ WORDS: Mapping[str, str] = {
     "file.open_project": "load script scene session",
     "file.open_demo": "example sample tutorial manta",
     "file.save_as": "version copy",
+    "help.report": "bug crash error issue trace support",
+    "file.recover": "crash autosave backup journal lost restore",
     "file.import_shapes": "nuke silhouette svg roto load",
     "file.import_masks": "mattes alpha segmentation load",
     "file.export": "nuke silhouette fusion blender mocha after effects svg render write output",

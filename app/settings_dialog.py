@@ -24,7 +24,16 @@ from app import style
 from app.keymaps import OwnKeymap, presets
 from app.panels.controls import dense_form, weak_label
 from app.personal import Personal
-from app.preferences import LEAST_CACHE, MOST_CACHE, MOST_MINUTES, MOST_THREADS, SCALES, Preferences
+from app.preferences import (
+    LEAST_CACHE,
+    LEAST_UNDO,
+    MOST_BACKUPS,
+    MOST_CACHE,
+    MOST_THREADS,
+    MOST_UNDO,
+    SCALES,
+    Preferences,
+)
 from roam_core.params import CONFIGS
 
 LABEL_WIDTH, FIELD_WIDTH = 150, 150
@@ -57,11 +66,14 @@ class SettingsDialog(QDialog):
         self.cache.setSingleStep(0.5)
         self.cache.setDecimals(2)
         self.cache.setSuffix(" GB")
-        self.threads, self.minutes = QSpinBox(), QSpinBox()
+        self.threads, self.backups, self.undo = QSpinBox(), QSpinBox(), QSpinBox()
         self.threads.setRange(0, MOST_THREADS)
         self.threads.setSpecialValueText("As many as there are")
-        self.minutes.setRange(1, MOST_MINUTES)
-        self.minutes.setSuffix(" min")
+        self.backups.setRange(0, MOST_BACKUPS)
+        self.backups.setSpecialValueText("None")
+        self.undo.setRange(LEAST_UNDO, MOST_UNDO)
+        self.undo.setSingleStep(64)
+        self.undo.setSuffix(" MB")
         self.config, self.preset, self.scale = QComboBox(), QComboBox(), QComboBox()
         self.config.addItem("The one used last", "")
         for name in CONFIGS:
@@ -78,16 +90,17 @@ class SettingsDialog(QDialog):
         self.reset.setToolTip("All settings as they were at first; keys stay")
         for button in (self.reset, self.leave):
             button.setAutoDefault(False)
-        for widget in (self.cache, self.threads, self.minutes, self.config, self.preset, self.scale):
+        for widget in (self.cache, self.threads, self.backups, self.undo, self.config, self.preset, self.scale):
             widget.setFixedWidth(FIELD_WIDTH)
-        for number in (self.cache, self.threads, self.minutes):
+        for number in (self.cache, self.threads, self.backups, self.undo):
             number.setAlignment(Qt.AlignmentFlag.AlignRight)
 
     def _lay_out(self) -> None:
         form = dense_form()
         _row(form, "Memory for frames", self.cache, "More keeps more of a clip ready to play")
         _row(form, "Threads", self.threads, "For decoding pictures and for the engine")
-        _row(form, "Autosave every", self.minutes, "Snapshots of unsaved work, kept apart from your files")
+        _row(form, "Memory for undo", self.undo, "The oldest steps go first")
+        _row(form, "Backups", self.backups, "Older versions of a project, kept beside it when you save")
         _row(form, "Mode at the start", self.config, "How the engine works")
         _row(form, "Keys", self.preset, None, self.change_keys)
         _row(form, "Size on the screen", self.scale, "From the next start on")
@@ -106,7 +119,8 @@ class SettingsDialog(QDialog):
     def _connect(self) -> None:
         self.cache.valueChanged.connect(lambda value: self._push(cache_gigabytes=value))
         self.threads.valueChanged.connect(lambda value: self._push(threads=value))
-        self.minutes.valueChanged.connect(lambda value: self._push(autosave_minutes=value))
+        self.backups.valueChanged.connect(lambda value: self._push(backups=value))
+        self.undo.valueChanged.connect(lambda value: self._push(undo_megabytes=value))
         self.config.currentIndexChanged.connect(lambda _: self._push(config=self.config.currentData()))
         self.scale.currentIndexChanged.connect(lambda _: self._push(scale=self.scale.currentData()))
         self.asks.toggled.connect(lambda on: self._push(asks_about_clips=on))
@@ -127,12 +141,14 @@ class SettingsDialog(QDialog):
 
     def _pull(self) -> None:
         held = self._personal.preferences
-        fields = (self.cache, self.threads, self.minutes, self.config, self.scale, self.preset, self.asks)
+        numbers = self.cache, self.threads, self.backups, self.undo
+        fields = (*numbers, self.config, self.scale, self.preset, self.asks)
         for field in fields:
             field.blockSignals(True)
         self.cache.setValue(held.cache_gigabytes)
         self.threads.setValue(held.threads)
-        self.minutes.setValue(held.autosave_minutes)
+        self.backups.setValue(held.backups)
+        self.undo.setValue(held.undo_megabytes)
         self.config.setCurrentIndex(self.config.findData(held.config))
         self.scale.setCurrentIndex(_nearest(held.scale))
         self.preset.setCurrentIndex(self.preset.findData(self._personal.keys.preset))

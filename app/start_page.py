@@ -5,7 +5,7 @@ from __future__ import annotations
 import time
 
 from PySide6.QtCore import QEvent, QObject, QSize, Qt, Signal
-from PySide6.QtGui import QColor, QIcon, QImage, QPainter, QPixmap
+from PySide6.QtGui import QColor, QIcon, QImage, QPixmap
 from PySide6.QtWidgets import (
     QHBoxLayout,
     QLabel,
@@ -20,7 +20,7 @@ from app import style
 from app.actions import Actions
 from app.document import Document
 from app.files import Files
-from app.jobs.thumbnails import Sight, Thumbnails
+from app.jobs.thumbnails import Sight, Thumbnails, empty_picture
 from app.panels.controls import weak_label
 from app.personal import Personal
 
@@ -192,12 +192,4 @@ def _card(sight: Sight) -> QListWidgetItem:
 
 def _icon(picture: QImage | None) -> QIcon:
     """The picture, or an empty frame of its size."""
-    if picture is not None:
-        return QIcon(QPixmap.fromImage(picture))
-    pixmap = QPixmap(PICTURE)
-    pixmap.fill(QColor(style.FIELD))
-    painter = QPainter(pixmap)
-    painter.setPen(QColor(style.LINE))
-    painter.drawRect(0, 0, PICTURE.width() - 1, PICTURE.height() - 1)
-    painter.end()
-    return QIcon(pixmap)
+    return QIcon(empty_picture(PICTURE) if picture is None else QPixmap.fromImage(picture))

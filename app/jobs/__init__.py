@@ -1,1 +1,1 @@
-"""Long work off the window's thread: decoding, tracking, exports, saving, autosave."""
+"""Long work off the window's thread: decoding, tracking, exports, saving."""

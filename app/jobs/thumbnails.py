@@ -7,8 +7,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from PySide6.QtCore import QObject, QPointF, QSize, Qt, Signal
-from PySide6.QtGui import QColor, QImage, QPainter, QPen, QPolygonF
+from PySide6.QtGui import QColor, QImage, QPainter, QPen, QPixmap, QPolygonF
 
+from app import style
 from app.canvas.shown import shown_shapes
 from app.jobs.runner import Report, Runner
 from app.recent import Recent
@@ -20,6 +21,7 @@ if TYPE_CHECKING:
 SIZE = QSize(352, 198)
 """Twice the size at which they are shown: sharp on screens of any density."""
 OUTLINE_WIDTH = 3.0
+GREY = 56
 
 
 @dataclass(frozen=True)
@@ -101,6 +103,25 @@ def drawn(pixels: NDArray[Any], project: Project, frame: int) -> QImage:
             painter.drawPolyline(polygon)
     painter.end()
     return result
+
+
+def grey_plate(size: tuple[int, int]) -> NDArray[Any]:
+    """A plate `(h, w, 3)` uint8 in the proportions of `size` (width, height), where there is none to be had."""
+    import numpy as np
+
+    width = SIZE.width()
+    return np.full((max(1, round(width * size[1] / max(size[0], 1))), width, 3), GREY, dtype=np.uint8)
+
+
+def empty_picture(size: QSize) -> QPixmap:
+    """A frame with nothing in it."""
+    pixmap = QPixmap(size)
+    pixmap.fill(QColor(style.FIELD))
+    painter = QPainter(pixmap)
+    painter.setPen(QColor(style.LINE))
+    painter.drawRect(0, 0, size.width() - 1, size.height() - 1)
+    painter.end()
+    return pixmap
 
 
 def _sight(recent: Recent, cache: Path | None) -> Sight:

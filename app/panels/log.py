@@ -1,4 +1,4 @@
-"""The log panel: the messages of the journal with their times, to read again and to copy."""
+"""The log panel: the messages of the log with their times, to read again and to copy."""
 
 from __future__ import annotations
 
@@ -6,16 +6,16 @@ from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QPlainTextEdit, QToolButton, QVBoxLayout, QWidget
 
 from app import style
-from app.journal import MOST, Journal
+from app.messages import MOST, MessageLog
 from app.panels.controls import icon_button
 
 
 class LogPanel(QWidget):
     """A text that grows at its end; `tools` belong into the panel's header."""
 
-    def __init__(self, journal: Journal, parent: QWidget | None = None) -> None:
+    def __init__(self, messages: MessageLog, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._journal = journal
+        self._messages = messages
         self.text = QPlainTextEdit()
         self.text.setReadOnly(True)
         self.text.setMaximumBlockCount(MOST)
@@ -27,10 +27,10 @@ class LogPanel(QWidget):
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
         column.addWidget(self.text)
-        for message in journal.messages:
+        for message in messages.all:
             self.text.appendPlainText(message.line)
-        journal.added.connect(lambda: self.text.appendPlainText(journal.messages[-1].line))
+        messages.added.connect(lambda: self.text.appendPlainText(messages.all[-1].line))
 
     def copy(self) -> None:
         """Put all messages on the clipboard."""
-        QGuiApplication.clipboard().setText("\n".join(message.line for message in self._journal.messages))
+        QGuiApplication.clipboard().setText("\n".join(message.line for message in self._messages.all))

@@ -15,8 +15,8 @@ from pytestqt.qtbot import QtBot
 from app.help_dialogs import AboutDialog, KeysDialog, libraries
 from app.jobs.runner import Ending
 from app.jobs.under_way import UnderWay
-from app.journal import MOST, Journal
 from app.main_window import MainWindow
+from app.messages import MOST, MessageLog
 from app.view_state import ViewState
 from tests.gui.windows import opened_window
 
@@ -83,14 +83,14 @@ def test_messages_are_kept_with_their_times(qtbot: QtBot, window: MainWindow) ->
     assert QGuiApplication.clipboard().text().splitlines()[-2:] == text[-2:]
 
 
-def test_the_journal_keeps_ends_of_work_drops_repetitions_and_is_bounded(qapp: object) -> None:
+def test_the_message_log_keeps_ends_of_work_drops_repetitions_and_is_bounded(qapp: object) -> None:
     view_state, under_way = ViewState(), UnderWay()
-    journal = Journal(view_state, under_way, clock=lambda: 0.0)
+    messages = MessageLog(view_state, under_way, clock=lambda: 0.0)
     under_way.ended.emit(Ending.DONE, "Saved a.roam.")
     view_state.say("Saved a.roam.")
     view_state.say("")
-    assert [message.text for message in journal.messages] == ["Saved a.roam."]
+    assert [message.text for message in messages.all] == ["Saved a.roam."]
     for number in range(MOST + 5):
         view_state.say(f"Message {number}.")
-    assert len(journal.messages) == MOST
-    assert journal.messages[-1].text == f"Message {MOST + 4}."
+    assert len(messages.all) == MOST
+    assert messages.all[-1].text == f"Message {MOST + 4}."

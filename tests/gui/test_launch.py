@@ -1,4 +1,4 @@
-"""`roam`: what it does without a display, with a wrong path, with a command; and what a defect costs."""
+"""`roam`: what it does without a display, with a wrong path, with a command."""
 
 from __future__ import annotations
 
@@ -7,13 +7,9 @@ import sys
 from pathlib import Path
 
 import pytest
-from pytestqt.qtbot import QtBot
 
 from app import launch
-from app.jobs import autosave
-from roam_core.geometry.bezier import polygon_points
-from roam_core.roto import Project, edit, file
-from tests.gui.windows import opened_window, write_clip
+from tests.gui.windows import write_clip
 
 DISPLAYS = ("DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM")
 
@@ -92,35 +88,3 @@ def test_commands_are_handed_on_without_loading_qt() -> None:
     result = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=60, check=False)
     assert result.returncode == 1, result.stderr
     assert result.stderr.startswith("roam: ")
-
-
-def test_a_defect_is_logged_told_and_loses_nothing(
-    qtbot: QtBot, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr(sys, "excepthook", sys.__excepthook__)
-    with opened_window(qtbot, None, tmp_path / "autosave") as window:
-        square = polygon_points([(0, 0), (9, 0), (9, 9)])
-        window.document.apply("Draw", edit.new_shape(Project(), square, 1)[0])
-        launch._catch_errors(window, tmp_path / "roam.log")
-        sys.excepthook(ZeroDivisionError, ZeroDivisionError("by zero"), None)
-        assert "went wrong" in window.status.sentence.text()
-        assert str(tmp_path / "roam.log") in window.status.sentence.text()
-        (snapshot,) = (tmp_path / "autosave").glob("*/*.roam")
-        assert file.load(snapshot) == window.document.project
-
-
-def test_what_a_crash_left_is_offered_and_opened_as_unsaved_work(
-    qtbot: QtBot, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr("app.folders.state_folder", lambda: tmp_path)
-    monkeypatch.setattr("app.dialogs.ask_recover", lambda parent, title: True)
-    lost = edit.new_shape(Project(), polygon_points([(0, 0), (9, 0), (9, 9)]), 1)[0]
-    (tmp_path / "autosave" / "20260101-1").mkdir(parents=True)
-    autosave.write_snapshot(tmp_path / "autosave" / "20260101-1", lost, tmp_path / "mine.roam")
-    with opened_window(qtbot, None, tmp_path / "other") as window:
-        with qtbot.waitSignal(window.files.finished, timeout=5000):
-            launch._offer_recovery(window)
-        assert window.document.project == lost
-        assert window.document.is_modified
-        assert window.document.path == tmp_path / "mine.roam"
-    assert autosave.recoveries(tmp_path / "autosave") == []

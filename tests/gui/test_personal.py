@@ -48,7 +48,8 @@ def test_preferences_come_back_from_their_file(tmp_path: Path) -> None:
         {"cache_gigabytes": "much"},
         {"threads": 1.5},
         {"threads": True},
-        {"autosave_minutes": 0},
+        {"backups": -1},
+        {"undo_megabytes": 1},
         {"config": "abacus"},
         {"scale": 1000},
         {"asks_about_clips": 1},
@@ -70,13 +71,15 @@ def test_a_damaged_file_gives_the_defaults(tmp_path: Path, text: str) -> None:
     assert load_preferences(tmp_path / "preferences.json") == Preferences()
 
 
-def test_memory_and_autosave_hold_at_once(qtbot: QtBot, window: MainWindow, dialog: SettingsDialog) -> None:
+def test_memory_and_backups_hold_at_once(qtbot: QtBot, window: MainWindow, dialog: SettingsDialog) -> None:
     dialog.cache.setFocus()
     dialog.cache.selectAll()
     qtbot.keyClicks(dialog.cache, "2")
-    dialog.minutes.setValue(9)
+    dialog.backups.setValue(9)
+    dialog.undo.setValue(64)
     assert window.reader.memory()[1] == 2 * 2**30
-    assert window.autosave.interval == 9
+    assert window.files.backups == 9
+    assert window.document.undo_bytes == 64 << 20
     window.files.new()
     assert window.reader.memory() == (0, 0)
 

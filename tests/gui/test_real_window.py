@@ -15,7 +15,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from app.jobs import autosave
+from app.journal import recovery
 from app.recent import Recent, save_recent
 from roam_core.roto import Origin, file
 from scripts.virtual_display import virtual_display
@@ -148,9 +148,9 @@ def test_a_signal_ends_the_program_and_unsaved_work_waits_for_recovery(
         assert program.wait(PATIENCE) == 0
     finally:
         program.kill()
-    (found,) = autosave.recoveries(tmp_path / "state" / "roam" / "autosave")
+    (found,) = recovery.offered(recovery.recoveries(tmp_path / "state" / "roam" / "journal"))
     assert found.original == project_path
-    assert len(autosave.load_recovery(found).shapes) == 1
+    assert len(recovery.load(found)[0].shapes) == 1
     assert file.load(project_path).shapes == ()
 
 

@@ -1,4 +1,4 @@
-"""The journal: what the window told the artist, and when; for what went by too quickly, and for bug reports."""
+"""The message log: what the window told the artist, and when; for what went by too quickly, and for bug reports."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ class Message:
         return f"{time.strftime('%H:%M:%S', time.localtime(self.when))}  {self.text}"
 
 
-class Journal(QObject):
+class MessageLog(QObject):
     """Listens to what the status bar is told. What is said twice in a row is kept once.
 
     Signals
@@ -53,7 +53,7 @@ class Journal(QObject):
         under_way.ended.connect(lambda _ending, sentence: self.note(sentence))
 
     @property
-    def messages(self) -> tuple[Message, ...]:
+    def all(self) -> tuple[Message, ...]:
         """What was said, oldest first."""
         return tuple(self._messages)
 

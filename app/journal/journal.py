@@ -1,0 +1,65 @@
+"""The journal as the window knows it: every state of the document is on the disk a moment after it is shown."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from PySide6.QtCore import QObject, Signal
+
+from app.document import Document
+from app.journal.beginning import Beginning
+from app.journal.recovery import prune
+from app.journal.session import Session
+from app.journal.writer import JournalWriter
+
+
+class Journal(QObject):
+    """Listens to the document: edits, undo and redo, tracked frames. Artists' files stay untouched.
+
+    Signals
+    -------
+    refused(sentence) : why it cannot be written.
+    """
+
+    refused = Signal(str)
+
+    def __init__(self, document: Document, root: Path, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._document, self._root = document, root
+        self._session = Session(root)
+        self._writer = JournalWriter(self._session, self.refused.emit)
+        self._waits_for_recovery = False
+        document.changed.connect(lambda _: self._note())
+        document.rebased.connect(self._rebase)
+
+    @property
+    def folder(self) -> Path:
+        """Where the journals of this window lie."""
+        return self._session.folder
+
+    def flush(self) -> bool:
+        """Wait until every edit is on the disk; False where that takes very long or cannot be."""
+        return self._writer.flush()
+
+    def leave_for_recovery(self) -> None:
+        """The program has to end and cannot ask the artist: unsaved work is offered at the next start."""
+        self._waits_for_recovery = self._document.is_modified
+
+    def close(self) -> None:
+        """End the session in good order; its journals stay for a while."""
+        if not self._waits_for_recovery:
+            self._writer.end("discarded" if self._document.is_modified else "saved")
+        self._writer.close()
+        self._session.close()
+        prune(self._root)
+
+    # ---- the rest is private
+
+    def _note(self) -> None:
+        self._writer.note(self._document.project, is_modified=self._document.is_modified)
+
+    def _rebase(self, fate: str, beginning: Beginning) -> None:
+        self._writer.end(fate)
+        self._writer.begin(beginning)
+        if self._document.is_modified:
+            self._note()

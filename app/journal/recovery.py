@@ -1,0 +1,220 @@
+"""Recoveries: what journals hold of sessions that ended without closing, and of older ones; reading never changes them.
+
+A recovery that the artist declines, or takes, is remembered in an empty file beside its journal. What was neither is
+kept for ever; of what was settled, the newest sessions.
+"""
+
+from __future__ import annotations
+
+import shutil
+import time
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+from app.fingerprint import Fingerprint
+from app.journal.delta import Delta, applied
+from app.journal.record import Damaged, Entry, entries
+from app.journal.session import DECLINED, RECOVERED, is_held, journals
+from app.journal.writer import ROOT, VERSION
+from roam_core.errors import RoamError
+from roam_core.roto import Project, file
+
+KEPT_SESSIONS = 10
+"""Sessions kept whose work was saved, thrown away or recovered."""
+HEADERS_MAY_MISS = (KeyError, TypeError, ValueError, AttributeError)
+
+
+@dataclass(frozen=True)
+class Recovery:
+    """Work that one journal holds and no file of the artist.
+
+    Attributes
+    ----------
+    journal : its file.
+    original : the artist's file, or None for an untitled project.
+    digest : SHA-256 of that file as the work builds on it; "" where there is none.
+    when : the time of the last edit, in seconds since the epoch.
+    edits, tracked, shapes : how many edits, tracked frames among them, and shapes and layers that they touched.
+    settled : "" while it is to be offered; else what became of it: saved, discarded, declined or recovered.
+    is_damaged : True where the journal cannot be read to its end.
+    """
+
+    journal: Path
+    original: Path | None
+    digest: str
+    when: float
+    edits: int = 0
+    tracked: int = 0
+    shapes: int = 0
+    settled: str = ""
+    is_damaged: bool = False
+
+    @property
+    def fingerprint(self) -> Fingerprint | None:
+        """Of the artist's file as the work builds on it: known by its content alone."""
+        return Fingerprint(-1, -1, self.digest) if self.digest else None
+
+    @property
+    def name(self) -> str:
+        """The project's name for a title."""
+        return self.original.name if self.original else "untitled"
+
+    @property
+    def sentence(self) -> str:
+        """What would come back."""
+        counted = [_count(self.edits - self.tracked, "edit"), _count(self.tracked, "tracked frame")]
+        what = " and ".join(word for word in counted if word) or "Changes"
+        where = f" in {_count(self.shapes, 'shape')}" if self.shapes else ""
+        since = " since the last save" if self.original else ""
+        damage = "; the journal is damaged behind them" if self.is_damaged else ""
+        return f"{what}{where}{since}{damage}"
+
+    @property
+    def day(self) -> str:
+        return time.strftime("%d %b %Y, %H:%M:%S", time.localtime(self.when))
+
+
+def recoveries(root: Path) -> list[Recovery]:
+    """All work that journals hold, the newest first; sessions of windows that are open are left out."""
+    if not root.is_dir():
+        return []
+    closed = [folder for folder in root.iterdir() if folder.is_dir() and not is_held(folder)]
+    found = (_looked_at(journal) for folder in closed for journal in journals(folder))
+    return sorted((recovery for recovery in found if recovery), key=lambda each: each.when, reverse=True)
+
+
+def offered(found: list[Recovery], path: Path | None = None) -> list[Recovery]:
+    """Those that nobody answered for yet; where `path` is given, only those of that project."""
+    return [each for each in found if not each.settled and (path is None or _is_same(each.original, path))]
+
+
+def decline(recovery: Recovery) -> None:
+    """Offer it no more by itself; raises `RoamError` when that cannot be remembered."""
+    try:
+        recovery.journal.with_suffix(DECLINED).touch()
+    except OSError as error:
+        raise RoamError(f"{recovery.journal} cannot be marked: {error.strerror}.") from None
+
+
+def load(recovery: Recovery) -> tuple[Project, str]:
+    """The project as the journal knew it last, and a sentence where something of it is lost.
+
+    Raises `RoamError` when nothing of it can be read.
+    """
+    found, problem = [], ""
+    try:
+        for entry in entries(recovery.journal):
+            found.append(entry)
+    except Damaged:
+        problem = "The journal is damaged: what came after its last sound entry is lost."
+    except OSError as error:
+        raise RoamError(f"{recovery.journal} cannot be read: {error.strerror}.") from None
+    if not found or found[0].kind != "begin":
+        raise RoamError(f"The journal {recovery.journal} has no beginning; nothing of it can be recovered.")
+    project, done = _base(recovery, found)
+    for entry in [entry for entry in found if entry.kind == "edit"][done:]:
+        try:
+            project = _after(project, entry)
+        except (RoamError, *HEADERS_MAY_MISS):
+            return project, "The journal is damaged: its last edits could not be put together."
+    return project, problem
+
+
+def prune(root: Path) -> None:
+    """Drop all but the newest sessions whose journals are all settled; nothing that may still be wanted goes."""
+    folders = [folder for folder in sorted(root.iterdir()) if folder.is_dir() and not is_held(folder)]
+    settled = [folder for folder in folders if all(_is_done(journal) for journal in journals(folder))]
+    for folder in settled[:-KEPT_SESSIONS]:
+        shutil.rmtree(folder, ignore_errors=True)
+
+
+def _is_done(journal: Path) -> bool:
+    """Whether nothing of a journal is left to be recovered: saved, thrown away, or taken over by another one."""
+    found = _looked_at(journal)
+    if found is None:
+        return not _is_unreadable(journal)
+    return found.settled in ("saved", "discarded", "recovered")
+
+
+def _is_unreadable(journal: Path) -> bool:
+    try:
+        return sum(1 for _ in entries(journal)) == 0
+    except (Damaged, OSError):
+        return True
+
+
+def _looked_at(journal: Path) -> Recovery | None:
+    """What a journal holds, by its headers alone; None where that is nothing."""
+    found, is_damaged = None, False
+    edited: set[str] = set()
+    try:
+        for entry in entries(journal):
+            found = _with(found, entry, journal, edited)
+    except (Damaged, *HEADERS_MAY_MISS):
+        is_damaged = True
+    except OSError:
+        return None
+    if found is None or not found.edits:
+        return None
+    return replace(found, shapes=len(edited), is_damaged=is_damaged, settled=found.settled or _marked(journal))
+
+
+def _with(found: Recovery | None, entry: Entry, journal: Path, edited: set[str]) -> Recovery | None:
+    """A recovery with one more entry."""
+    header = entry.header
+    if entry.kind == "begin":
+        if header["version"] > VERSION:
+            raise ValueError("of a newer program")
+        original = header["original"]
+        path = None if original is None else Path(original)
+        return Recovery(journal, path, str(header["digest"] or ""), float(header["time"]))
+    if found is None:
+        raise ValueError("an entry before the beginning")
+    if entry.kind == "edit":
+        edited.update(header["ids"])
+        edits, tracked = found.edits + header["edits"], found.tracked + header["tracked"]
+        settled = "" if header["is_modified"] else "saved"  # undone up to what the file holds
+        return replace(found, when=float(header["time"]), edits=edits, tracked=tracked, settled=settled)
+    return replace(found, settled=str(header["why"])) if entry.kind == "end" else found
+
+
+def _marked(journal: Path) -> str:
+    marks = {"recovered": RECOVERED, "declined": DECLINED}
+    return next((word for word, suffix in marks.items() if journal.with_suffix(suffix).exists()), "")
+
+
+def _base(recovery: Recovery, found: list[Entry]) -> tuple[Project, int]:
+    """The last whole project that can be read, and after how many edits it was written."""
+    for entry in reversed([entry for entry in found if entry.kind == "base"]):
+        try:
+            path = recovery.journal.with_name(Path(str(entry.header["name"])).name)
+            text = path.read_text(encoding="utf-8")
+            return file.loads(text, Path(entry.header["folder"]), str(path)), int(entry.header["after"])
+        except (OSError, RoamError, *HEADERS_MAY_MISS):
+            continue
+    begin = found[0].header
+    if not begin.get("is_on_file"):
+        return Project(), 0
+    now = None if recovery.original is None else Fingerprint.of(recovery.original)
+    if recovery.original is None or now is None or now.digest != begin.get("digest"):
+        raise RoamError(f"The journal builds on {recovery.name} as it was, and that file has changed or gone.")
+    return file.load(recovery.original), 0
+
+
+def _after(project: Project, entry: Entry) -> Project:
+    """The project with the edit of an entry."""
+    header: dict[str, Any] = entry.header
+    parts = file.loads(entry.text, ROOT)
+    if parts.clip is not None:
+        parts = replace(parts, clip=replace(parts.clip, path=Path(header["clip"])))
+    dropped = {str(item_id): tuple(frames) for item_id, frames in header["dropped"].items()}
+    return applied(project, Delta(parts, header["tree"], dropped))
+
+
+def _is_same(original: Path | None, path: Path) -> bool:
+    return original is not None and original.resolve() == path.resolve()
+
+
+def _count(number: int, noun: str) -> str:
+    return f"{number} {noun}{'s' * (number != 1)}" if number else ""

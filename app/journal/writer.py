@@ -1,0 +1,295 @@
+"""The journal's writer: a thread of its own that appends every state of the project as a delta, and flushes it."""
+
+from __future__ import annotations
+
+import logging
+import os
+import queue
+import threading
+import time
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import IO
+
+from app.fingerprint import Fingerprint
+from app.journal.beginning import Beginning
+from app.journal.delta import between
+from app.journal.record import Entry, append
+from app.journal.session import RECOVERED, Session
+from roam_core.errors import RoamError
+from roam_core.roto import Project, file
+
+VERSION = 1
+ROOT = Path("/")
+"""The folder from which the texts in a journal name the plate."""
+MOST_DELTAS = 8 << 20
+"""Bytes of deltas after which the whole project is written beside them, so that a replay stays short."""
+AGAIN = 1.0
+"""Seconds until a write that failed is tried again."""
+
+log = logging.getLogger(__name__)
+
+
+@dataclass(frozen=True)
+class _State:
+    project: Project
+    is_modified: bool
+    when: float
+    edits: int = 1
+
+
+@dataclass(frozen=True)
+class _End:
+    why: str
+
+
+@dataclass(frozen=True)
+class _BaseIsWritten:
+    """The thread that writes whole projects has finished one."""
+
+
+@dataclass(frozen=True)
+class _Reached:
+    event: threading.Event
+
+
+class JournalWriter:
+    """Takes states of the project from the window and never lets it wait.
+
+    `tell(sentence)` is called, on the writer's thread, when the journal cannot be written; once, until it can again.
+    """
+
+    def __init__(self, session: Session, tell: Callable[[str], object]) -> None:
+        self._session, self._tell = session, tell
+        self._queue: queue.SimpleQueue[object] = queue.SimpleQueue()
+        self._open: _Open | None = None
+        self._beginning = Beginning(Project())
+        self._waiting: _State | None = None
+        self._is_refused = False
+        self._thread = threading.Thread(target=self._run, name="roam-journal", daemon=True)
+        self._thread.start()
+
+    def begin(self, beginning: Beginning) -> None:
+        """Go on with another project, or from another file; its journal is made with the first edit."""
+        self._queue.put(beginning)
+
+    def note(self, project: Project, *, is_modified: bool) -> None:
+        """Keep this state."""
+        self._queue.put(_State(project, is_modified, time.time()))
+
+    def end(self, why: str) -> None:
+        """Nothing of the journal needs to be recovered: its work is `saved` or `discarded`."""
+        self._queue.put(_End(why))
+
+    def flush(self, wait: float = 10.0) -> bool:
+        """Wait until all that was noted is on the disk; False when it takes longer, or cannot be written."""
+        reached = _Reached(threading.Event())
+        self._queue.put(reached)
+        return reached.event.wait(wait) and not self._is_refused
+
+    def close(self, wait: float = 10.0) -> bool:
+        """End the thread when all is written; False when it takes longer than `wait` seconds."""
+        self._queue.put(None)
+        self._thread.join(wait)
+        return not self._thread.is_alive()
+
+    # ---- the writer's thread
+
+    def _run(self) -> None:
+        while True:
+            try:
+                wish = self._queue.get(timeout=AGAIN if self._waiting else None)
+            except queue.Empty:
+                self._keep_waiting()
+                continue
+            if isinstance(wish, _State):
+                wish = self._latest(wish)
+            if wish is None:
+                break
+            self._do(wish)
+        self._leave()
+
+    def _latest(self, state: _State) -> object:
+        """Take states that arrived meanwhile together: the last one holds what those before it hold."""
+        while not self._queue.empty():
+            following = self._queue.get()
+            if not isinstance(following, _State):
+                self._do(state)
+                return following
+            state = replace(following, edits=state.edits + following.edits)
+        return state
+
+    def _do(self, wish: object) -> None:
+        if isinstance(wish, _State):
+            if self._waiting is not None:
+                wish = replace(wish, edits=wish.edits + self._waiting.edits)
+            self._waiting = wish
+            self._keep_waiting()
+        elif isinstance(wish, _Reached):
+            wish.event.set()
+        elif isinstance(wish, _End):
+            self._end(wish.why)
+        elif isinstance(wish, _BaseIsWritten) and self._open is not None:
+            self._open.note_base()
+        elif isinstance(wish, Beginning):
+            self._leave()
+            self._waiting, self._beginning = None, wish
+
+    def _keep_waiting(self) -> None:
+        """Write the state that waits; where that fails it goes on waiting."""
+        state = self._waiting
+        assert state is not None
+        try:
+            if self._open is None:
+                self._open = _Open.on(self._session.new_path(), self._beginning, self._queue.put)
+            self._open.keep(state)
+        except (OSError, ValueError, RoamError) as error:
+            self._refuse(error)
+        except Exception as error:
+            log.exception("the journal cannot be written")
+            self._refuse(error)
+        else:
+            self._waiting, self._is_refused = None, False
+
+    def _refuse(self, error: Exception) -> None:
+        if not self._is_refused:
+            self._is_refused = True
+            reason = error.strerror if isinstance(error, OSError) and error.strerror else str(error)
+            self._tell(f"Your edits cannot be written to the journal ({reason}); save the project yourself.")
+
+    def _end(self, why: str) -> None:
+        self._waiting = None
+        if self._open is not None:
+            try:
+                self._open.write(Entry({"kind": "end", "why": why}))
+            except OSError:
+                log.exception("the journal cannot be ended")
+            self._leave()
+
+    def _leave(self) -> None:
+        if self._open is not None:
+            self._open.close()
+            self._open = None
+
+
+class _Open:
+    """A journal file that is being written."""
+
+    def __init__(self, path: Path, stream: IO[bytes], beginning: Beginning, post: Callable[[object], None]) -> None:
+        self.path, self._stream, self._post = path, stream, post
+        self._beginning = beginning
+        self._last = beginning.project if beginning.is_on_file else Project()
+        self._length = self._since_base = 0
+        self._after = 0
+        self._copying: threading.Thread | None = None
+        self._made: Entry | None = None
+        self._needs_base = beginning.is_on_file
+
+    @classmethod
+    def on(cls, path: Path, beginning: Beginning, post: Callable[[object], None]) -> _Open:
+        """Begin a journal file."""
+        stream = path.open("xb", buffering=0)
+        journal = cls(path, stream, beginning, post)
+        held = beginning.fingerprint
+        try:
+            header = {"kind": "begin", "version": VERSION, "time": time.time(), "is_on_file": beginning.is_on_file}
+            original = None if beginning.original is None else str(beginning.original)
+            journal.write(Entry(header | {"original": original, "digest": held.digest if held else None}))
+        except BaseException:
+            stream.close()
+            path.unlink(missing_ok=True)
+            raise
+        return journal
+
+    def keep(self, state: _State) -> None:
+        """Append what a state adds to the one before it."""
+        delta = between(self._last, state.project)
+        clip = state.project.clip
+        header = {
+            "kind": "edit",
+            "time": state.when,
+            "is_modified": state.is_modified,
+            "edits": state.edits,
+            "tracked": delta.tracked,
+            "ids": delta.ids,
+            "clip": None if clip is None else str(clip.path),
+            "tree": delta.tree,
+            "dropped": delta.dropped,
+        }
+        self._since_base += self.write(Entry(header, file.dumps(delta.parts, ROOT)))
+        self._last = state.project
+        self._after += 1
+        if self._after == 1 and self._beginning.follows is not None:
+            self._beginning.follows.with_suffix(RECOVERED).touch()
+        self._consider_base()
+
+    def write(self, entry: Entry) -> int:
+        """Append an entry and flush it to the disk; where that fails, the file ends where it ended before."""
+        try:
+            written = append(self._stream, entry)
+            os.fsync(self._stream.fileno())
+        except OSError:
+            self._stream.truncate(self._length)
+            self._stream.seek(self._length)
+            raise
+        self._length += written
+        return written
+
+    def note_base(self) -> None:
+        """Tell of a whole project that was written, if there is one that was not told of yet."""
+        made, self._made = self._made, None
+        if made is not None:
+            try:
+                self.write(made)
+            except OSError:
+                log.exception("a base of the journal cannot be noted")
+
+    def close(self) -> None:
+        if self._copying is not None:
+            self._copying.join()
+        self.note_base()
+        self._stream.close()
+
+    def _consider_base(self) -> None:
+        """Have the whole project written beside the deltas: first a copy of the artist's file, later anew."""
+        if self._copying is not None and self._copying.is_alive():
+            return
+        if self._needs_base:
+            self._needs_base = False
+            self._write_base(0, self._beginning.project, self._copied_original)
+        elif self._since_base > MOST_DELTAS:
+            self._since_base = 0
+            self._write_base(self._after, self._last, lambda _: False)
+
+    def _write_base(self, after: int, project: Project, copied: Callable[[Path], bool]) -> None:
+        """On a thread of its own: a large project takes seconds, and edits go on to be written meanwhile."""
+        target = self.path.with_name(f"{self.path.stem}-{after:06d}.roam")
+        original = self._beginning.original
+
+        def work() -> None:
+            try:
+                if original is not None and copied(target):
+                    folder = original.parent
+                else:
+                    file.write_atomically(target, file.dumps(project, ROOT).encode("utf-8", "backslashreplace"))
+                    folder = ROOT
+                self._made = Entry({"kind": "base", "name": target.name, "after": after, "folder": str(folder)})
+                self._post(_BaseIsWritten())
+            except (OSError, ValueError, RoamError):
+                log.exception("a base of the journal cannot be written")
+
+        self._copying = threading.Thread(target=work, name="roam-journal-base", daemon=True)
+        self._copying.start()
+
+    def _copied_original(self, target: Path) -> bool:
+        """Whether the artist's file could be copied as it was when it was read or saved."""
+        original, held = self._beginning.original, self._beginning.fingerprint
+        assert original is not None
+        assert held is not None
+        try:
+            file.write_atomically(target, original.read_bytes())
+        except OSError:
+            return False
+        now = Fingerprint.of(target)
+        return now is not None and now.digest == held.digest

@@ -1,0 +1,106 @@
+"""The lock of a project: a small file beside it that says who has it open. It warns; it never keeps anyone out."""
+
+from __future__ import annotations
+
+import getpass
+import json
+import os
+import platform
+import sys
+import time
+import uuid
+from dataclasses import asdict, dataclass
+from pathlib import Path
+
+from roam_core.errors import RoamError
+from roam_core.roto import file
+
+TYPE = "roam.Lock"
+_made: set[str] = set()
+"""The marks of the locks that this process holds: an older process may have had its number."""
+
+
+@dataclass(frozen=True)
+class Holder:
+    """Who has a project open: host, user, number of the process, since when (seconds since the epoch), and a mark."""
+
+    host: str
+    user: str
+    process: int
+    since: float
+    mark: str
+
+    @property
+    def sentence(self) -> str:
+        when = time.strftime("%d %b, %H:%M", time.localtime(self.since))
+        return f"open on {self.host} by {self.user} since {when} (process {self.process})"
+
+    @property
+    def is_gone(self) -> bool:
+        """True for a process of this machine that has ended; of another machine nobody here knows."""
+        return self.host == platform.node() and (self.process == os.getpid() or not is_alive(self.process))
+
+
+def lock_path(path: Path) -> Path:
+    """Where the lock of a project lies; of a symbolic link beside what it leads to."""
+    path = path.resolve()
+    return path.with_name(f".{path.name}.lock")
+
+
+def holder(path: Path) -> Holder | None:
+    """Who else has the project at `path` open; None where nobody has, or nobody can tell."""
+    found = _written(path)
+    return None if found is None or found.mark in _made or found.is_gone else found
+
+
+def take(path: Path, *, anyway: bool = False) -> Holder | None:
+    """Lock the project at `path`; None where another one holds it (unless `anyway`) or no lock can be written."""
+    if not anyway and holder(path) is not None:
+        return None
+    mine = Holder(platform.node(), _user(), os.getpid(), time.time(), uuid.uuid4().hex)
+    try:
+        file.write_atomically(lock_path(path), json.dumps({"type": TYPE, **asdict(mine)}).encode())
+    except RoamError:
+        return None  # a folder that cannot be written to: nobody can save there either
+    _made.add(mine.mark)
+    return mine
+
+
+def release(path: Path, mine: Holder) -> None:
+    """Take the lock away, if it is still this one."""
+    now = _written(path)
+    if now is not None and now.mark == mine.mark:
+        lock_path(path).unlink(missing_ok=True)
+    _made.discard(mine.mark)
+
+
+def is_alive(process: int) -> bool:
+    """Whether a process of this machine runs."""
+    if process <= 0:
+        return False
+    if sys.platform == "win32":  # a signal would end it there
+        return True
+    try:
+        os.kill(process, 0)
+    except ProcessLookupError:
+        return False
+    except (PermissionError, OverflowError):
+        return True
+    return True
+
+
+def _written(path: Path) -> Holder | None:
+    """What the lock says, whoever wrote it; None where there is none that can be read."""
+    try:
+        document = json.loads(lock_path(path).read_text(encoding="utf-8"))
+        host, user, process = str(document["host"]), str(document["user"]), int(document["process"])
+        return Holder(host, user, process, float(document["since"]), str(document["mark"]))
+    except (OSError, ValueError, KeyError, TypeError, OverflowError):
+        return None
+
+
+def _user() -> str:
+    try:
+        return getpass.getuser()
+    except (OSError, KeyError):
+        return "somebody"

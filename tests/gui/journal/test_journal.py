@@ -1,0 +1,275 @@
+"""The journal: every edit is on the disk, a crash is found whatever it left, and reading changes nothing."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+from pytestqt.qtbot import QtBot
+
+from app.document import Document
+from app.journal import recovery, writer
+from app.journal.journal import Journal
+from app.journal.recovery import KEPT_SESSIONS, Recovery
+from roam_core.errors import RoamError
+from roam_core.geometry.bezier import polygon_points
+from roam_core.roto import Clip, Keyframe, Origin, Project, edit, file
+
+SQUARE = polygon_points([(0, 0), (10, 0), (10, 10), (0, 10)])
+
+
+@pytest.fixture
+def root(tmp_path: Path) -> Path:
+    return tmp_path / "journal"
+
+
+@pytest.fixture
+def journal(document: Document, root: Path) -> Iterator[Journal]:
+    journal = Journal(document, root)
+    yield journal
+    journal.close()
+
+
+def draw(document: Document) -> None:
+    document.apply("Draw", edit.new_shape(document.project, SQUARE, 1)[0])
+
+
+def crashed(journal: Journal, root: Path) -> list[Recovery]:
+    """What would be found if the program ended here: the lock is let go as by a process that is killed."""
+    assert journal.flush()
+    journal._session._lock.unlock()
+    found = recovery.recoveries(root)
+    journal._session._lock.tryLock(0)
+    return found
+
+
+def test_every_edit_of_an_untitled_project_comes_back(document: Document, journal: Journal, root: Path) -> None:
+    for number in range(1, 6):
+        draw(document)
+        (found,) = crashed(journal, root)
+        assert (found.edits, found.original, found.settled) == (number, None, "")
+        assert recovery.load(found) == (document.project, "")
+    assert recovery.offered([found]) == [found]
+
+
+def test_undo_and_redo_come_back_and_nothing_is_offered_where_nothing_is_left(
+    document: Document, journal: Journal, root: Path
+) -> None:
+    draw(document)
+    draw(document)
+    document.undo_stack.undo()
+    (found,) = crashed(journal, root)
+    assert recovery.load(found)[0] == document.project
+    document.undo_stack.undo()
+    assert recovery.offered(crashed(journal, root)) == []
+    document.undo_stack.redo()
+    assert len(recovery.offered(crashed(journal, root))) == 1
+
+
+def test_edits_build_on_the_artists_file_which_stays_as_it_is(
+    document: Document, journal: Journal, root: Path, tmp_path: Path
+) -> None:
+    mine = tmp_path / "mine.roam"
+    document.apply("Clip", replace(document.project, clip=Clip(tmp_path / "plate", 1, 9, (20, 10))))
+    draw(document)
+    document.save(mine)
+    before = mine.read_bytes()
+    draw(document)
+    draw(document)
+    found = recovery.offered(crashed(journal, root))
+    assert [(each.original, each.edits, each.shapes) for each in found] == [(mine, 2, 2)]
+    assert found[0].sentence == "2 edits in 2 shapes since the last save"
+    assert mine.read_bytes() == before
+    assert recovery.load(found[0]) == (document.project, "")
+    journal._writer._open._copying.join()
+    assert journal.flush()
+    mine.write_text("another program was here", encoding="utf-8")
+    assert recovery.load(found[0]) == (document.project, "")
+    mine.unlink()
+    assert recovery.load(found[0]) == (document.project, "")
+
+
+def test_without_its_base_a_journal_is_refused_in_a_sentence(
+    document: Document, journal: Journal, root: Path, tmp_path: Path
+) -> None:
+    document.save(tmp_path / "mine.roam")
+    draw(document)
+    (found,) = crashed(journal, root)
+    journal._writer._open._copying.join()
+    for base in journal.folder.glob("*.roam"):
+        base.write_text("{", encoding="utf-8")
+    assert recovery.load(found) == (document.project, "")
+    (tmp_path / "mine.roam").write_text("{", encoding="utf-8")
+    with pytest.raises(RoamError, match=r"builds on mine\.roam"):
+        recovery.load(found)
+
+
+def test_saving_and_closing_in_good_order_leave_nothing_to_offer(
+    document: Document, journal: Journal, root: Path, tmp_path: Path
+) -> None:
+    draw(document)
+    document.save(tmp_path / "mine.roam")
+    assert recovery.offered(crashed(journal, root)) == []
+    draw(document)
+    document.open(Project(), None)  # what was there was thrown away
+    assert [each.settled for each in crashed(journal, root)] == ["discarded", "saved"]
+
+
+def test_edits_made_while_a_save_was_under_way_are_in_the_next_journal(
+    document: Document, journal: Journal, root: Path, tmp_path: Path
+) -> None:
+    draw(document)
+    saved = document.project
+    file.save(saved, tmp_path / "mine.roam")
+    draw(document)
+    document.mark_saved(saved, tmp_path / "mine.roam", writer.Fingerprint.of(tmp_path / "mine.roam"))
+    (found,) = recovery.offered(crashed(journal, root))
+    assert recovery.load(found)[0] == document.project
+
+
+def test_an_open_session_is_no_crash(document: Document, journal: Journal, root: Path) -> None:
+    draw(document)
+    assert journal.flush()
+    assert recovery.recoveries(root) == []
+
+
+def test_work_that_nobody_could_be_asked_about_is_offered(document: Document, root: Path) -> None:
+    journal = Journal(document, root)
+    draw(document)
+    journal.leave_for_recovery()
+    journal.close()
+    (found,) = recovery.offered(recovery.recoveries(root))
+    assert recovery.load(found)[0] == document.project
+
+
+def test_a_recovered_project_is_in_the_new_journal_before_the_old_one_is_settled(
+    document: Document, root: Path
+) -> None:
+    first = Journal(document, root)
+    draw(document)
+    first.leave_for_recovery()
+    first.close()
+    (old,) = recovery.recoveries(root)
+    other = Document()
+    second = Journal(other, root)
+    assert [each.settled for each in recovery.recoveries(root)] == [""]
+    other.recover(recovery.load(old)[0], None, follows=old.journal)
+    assert second.flush()
+    assert [each.settled for each in recovery.recoveries(root)] == ["recovered"]
+    (new,) = recovery.offered(crashed(second, root))
+    assert recovery.load(new)[0] == document.project
+    second.close()
+
+
+def crash(root: Path, edits: int = 1) -> Recovery:
+    """A session that ended without closing."""
+    document = Document()
+    journal = Journal(document, root)
+    for _ in range(edits):
+        draw(document)
+        assert journal.flush()  # edits that come faster than the disk takes them may share an entry
+    journal.leave_for_recovery()
+    journal.close()
+    return recovery.recoveries(root)[0]
+
+
+def test_every_crash_is_offered_and_a_damaged_one_hides_none(root: Path, qapp: object) -> None:
+    first, second, third = (crash(root, edits) for edits in (1, 3, 2))
+    content = bytearray(second.journal.read_bytes())
+    content[-20] ^= 1
+    second.journal.write_bytes(content)
+    third.journal.write_bytes(b"no journal")
+    found = recovery.offered(recovery.recoveries(root))
+    assert [(each.journal, each.edits, each.is_damaged) for each in found] == [
+        (second.journal, 2, True),
+        (first.journal, 1, False),
+    ]
+    project, sentence = recovery.load(found[0])
+    assert len(project.shapes) == 2
+    assert "damaged" in sentence
+    with pytest.raises(RoamError, match="nothing of it"):
+        recovery.load(third)
+
+
+def test_declining_is_remembered_and_drops_nothing(root: Path, qapp: object) -> None:
+    found = crash(root)
+    before = found.journal.read_bytes()
+    recovery.decline(found)
+    (again,) = recovery.recoveries(root)
+    assert recovery.offered([again]) == []
+    assert again.settled == "declined"
+    assert again.journal.read_bytes() == before
+    assert len(recovery.load(again)[0].shapes) == 1
+
+
+def test_settled_sessions_are_pruned_by_count_and_others_never(document: Document, root: Path, tmp_path: Path) -> None:
+    lost, declined = crash(root), crash(root)
+    recovery.decline(declined)
+    for number in range(KEPT_SESSIONS + 3):
+        journal = Journal(document, root)
+        draw(document)
+        document.save(tmp_path / f"{number}.roam")
+        journal.close()
+    folders = {path.parent for path in root.glob("*/*.journal")}
+    assert {lost.journal.parent, declined.journal.parent} <= folders
+    assert len(folders) == KEPT_SESSIONS + 2
+
+
+def test_a_long_row_of_edits_gets_whole_projects_in_between(
+    document: Document, journal: Journal, root: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(writer, "MOST_DELTAS", 2000)
+    for _ in range(12):
+        draw(document)
+        assert journal.flush()
+        if journal._writer._open._copying is not None:
+            journal._writer._open._copying.join()
+    (found,) = crashed(journal, root)
+    bases = sorted(journal.folder.glob("*.roam"))
+    assert len(bases) >= 3
+    assert recovery.load(found) == (document.project, "")
+    monkeypatch.setattr(recovery, "applied", None)  # the last ones suffice for what came after the last base
+    assert len(file.load(bases[-1]).shapes) > len(file.load(bases[0]).shapes)
+
+
+def test_tracked_frames_are_counted_apart(document: Document, journal: Journal, root: Path) -> None:
+    draw(document)
+    assert journal.flush()
+    (shape,) = document.project.shapes
+    for frame in (2, 3, 4):
+        key = Keyframe(frame, SQUARE, origin=Origin.ENGINE, confidence=0.5)
+        document.amend(
+            "Track", lambda p, key=key: p.with_shape(edit.set_engine_keys(p.shape(shape.id), [key])), "run-1"
+        )
+        assert journal.flush()
+    (found,) = crashed(journal, root)
+    assert found.sentence == "1 edit and 3 tracked frames in 1 shape"
+    assert recovery.load(found)[0] == document.project
+
+
+def test_a_full_disk_is_told_once_and_nothing_is_lost_when_there_is_room_again(
+    qtbot: QtBot, document: Document, journal: Journal, root: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    draw(document)
+    assert journal.flush()
+
+    def refuse(*_: object) -> None:
+        raise OSError(28, "No space left on device")
+
+    told: list[str] = []
+    journal.refused.connect(told.append)
+    with monkeypatch.context() as full:
+        full.setattr(os, "fsync", refuse)
+        with qtbot.waitSignal(journal.refused, timeout=5000):
+            draw(document)
+        draw(document)
+        assert not journal.flush()
+    draw(document)
+    assert journal.flush()
+    assert told == ["Your edits cannot be written to the journal (No space left on device); save the project yourself."]
+    (found,) = crashed(journal, root)
+    assert recovery.load(found) == (document.project, "")
+    assert found.edits == 4
