@@ -16,7 +16,7 @@ from collections.abc import Sequence
 from dataclasses import asdict, dataclass
 from pathlib import Path
 
-from app.jobs import autosave
+from app.journal import recovery
 from roam_core.errors import RoamError
 from roam_core.media import open_clip
 from roam_core.roto import Clip, Project, edit, file
@@ -120,7 +120,8 @@ def notes(folder: Path) -> list[tuple[int, float]]:
 
 def recoveries(states: Path) -> list[Project]:
     """All projects that the next start would offer to recover."""
-    return [autosave.load_recovery(each) for each in autosave.recoveries(states / "roam" / "autosave")]
+    found = recovery.offered(recovery.recoveries(states / "roam" / "journal"))
+    return [recovery.load(each)[0] for each in found]
 
 
 def number(project: Project, mode: str) -> int:

@@ -70,7 +70,9 @@ class Session:
         """Stop what is under way, and wait for what cannot be stopped."""
         self.window.propagation.drop()
         self.engine.allow(100)
-        self.qtbot.waitUntil(lambda: all(r.is_idle for r in (self.window.solver, self.window.writer)), timeout=WAIT)
+        self.qtbot.waitUntil(
+            lambda: all(r.is_idle for r in (self.window.solver, self.window.writer, self.window.saver)), timeout=WAIT
+        )
 
     def move(self) -> None:
         document = self.window.document
