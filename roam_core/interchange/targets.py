@@ -101,18 +101,18 @@ def obstacles(targets: Iterable[tuple[Path, Kind]], sources: Sources, rewritten:
     Links and detours do not hide that two paths are one file. `rewritten` is a project that may take the place of
     itself. A file of ROAM's is free for what is of its own kind; so is an empty one.
     """
-    wanted = [(path, kind, _identity(path)) for path, kind in targets]
+    wanted = list(targets)
     read = {_identity(path) for path in sources.files}
     own = None if rewritten is None else _identity(rewritten)
     folder = None if sources.plate_folder is None else _identity(sources.plate_folder)
-    times = Counter(who for _, _, who in wanted)
-    rest = [(path, kind) for path, kind, who in wanted if not (kind is Kind.PROJECT and who == own)]
+    places = Counter(os.path.realpath(path) for path, _ in wanted)  # two names of one file are two places
+    rest = [(path, kind) for path, kind in wanted if not (kind is Kind.PROJECT and _identity(path) == own)]
     there = [(path, kind) for path, kind in rest if path.exists()]
     return Obstacles(
         read=tuple(path for path, kind in there if _identity(path) in read),
         in_plate=tuple(path for path, kind in rest if kind is Kind.PICTURE and _identity(path.parent) == folder),
         odd=tuple(path for path, _ in there if not path.is_file() and not path.is_dir()),
-        twice=tuple(path for path, _, who in wanted if times[who] > 1),
+        twice=tuple(path for path, _ in wanted if places[os.path.realpath(path)] > 1),
         foreign=tuple(path for path, kind in there if path.is_file() and not _is_free(path, kind)),
     )
 

@@ -105,6 +105,15 @@ def test_an_error_says_what_has_become_of_the_rest() -> None:
 
 
 @pytest.fixture
+def heard() -> Iterator[None]:
+    """No signal is ignored, as all are in a process that a script left in the background."""
+    before = {number: signal.signal(number, signal.default_int_handler) for number in STOPPING}
+    yield
+    for number, was in before.items():
+        signal.signal(number, was)
+
+
+@pytest.fixture
 def on_frame(monkeypatch: pytest.MonkeyPatch) -> Callable[[int, Callable[[], object]], None]:
     """`on_frame(1003, act)`: something happens when tracking has come to that frame."""
 
@@ -120,6 +129,7 @@ def on_frame(monkeypatch: pytest.MonkeyPatch) -> Callable[[int, Callable[[], obj
     return arrange
 
 
+@pytest.mark.usefixtures("heard")
 @pytest.mark.parametrize("number", STOPPING)
 def test_a_signal_keeps_what_is_tracked(
     roam: Roam, plate: Plate, on_frame: Callable[[int, Callable[[], object]], None], number: signal.Signals
@@ -133,6 +143,7 @@ def test_a_signal_keeps_what_is_tracked(
     assert signal.getsignal(number) == before
 
 
+@pytest.mark.usefixtures("heard")
 @pytest.mark.parametrize("number", STOPPING)
 def test_a_signal_keeps_what_is_filled(
     roam: Roam, keyed: Path, monkeypatch: pytest.MonkeyPatch, number: signal.Signals
@@ -147,6 +158,7 @@ def test_a_signal_keeps_what_is_filled(
     assert file.load(keyed).shapes[0].frames == (1001, 1002, 1003, 1004, 1006)
 
 
+@pytest.mark.usefixtures("heard")
 def test_a_second_ctrl_c_does_not_wait_and_other_signals_come_in_pairs() -> None:
     came_to: list[str] = []
 
@@ -165,6 +177,7 @@ def test_a_second_ctrl_c_does_not_wait_and_other_signals_come_in_pairs() -> None
     assert (caught.value.number, came_to) == (STOPPING[-1], ["a safe point"])
 
 
+@pytest.mark.usefixtures("heard")
 def test_a_signal_that_is_ignored_stays_so() -> None:
     before = signal.signal(signal.SIGTERM, signal.SIG_IGN)
     try:

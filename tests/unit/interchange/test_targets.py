@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 
 import cv2
@@ -11,7 +12,7 @@ import pytest
 from roam_core.interchange import EXPORTERS, ExportOptions, write_mattes
 from roam_core.interchange.authorship import Kind, written_by_us
 from roam_core.interchange.matte_style import DEPTHS, Depth, MatteFile, MatteStyle
-from roam_core.interchange.targets import BACKUPS, Sources, exported, kept_aside, obstacles
+from roam_core.interchange.targets import BACKUPS, Obstacles, Sources, exported, kept_aside, obstacles
 from roam_core.roto import Clip, Layer, Mark, Project, file
 from tests.unit.interchange.test_mattes import SIZE, name_for
 from tests.unit.matte.conftest import rectangle
@@ -90,6 +91,14 @@ def test_a_run_that_is_taken_up_does_not_mind_what_it_leaves_alone(tmp_path: Pat
         targets = exported(EXPORTERS["mattes"], PROJECT, tmp_path, options)
         assert len(targets) == there
         assert len(obstacles(targets, Sources(())).foreign) == (0 if resumes else 1)
+
+
+def test_two_names_of_one_file_are_two_places(tmp_path: Path) -> None:
+    """A file system that keeps equal mattes once: each is replaced by itself."""
+    paths = write_mattes(PROJECT, [1001], tmp_path, name_for, SIZE).made
+    twin = tmp_path / "twin.png"
+    os.link(paths[0], twin)
+    assert obstacles([(paths[0], Kind.PICTURE), (twin, Kind.PICTURE)], Sources(())) == Obstacles()
 
 
 def test_a_plate_that_cannot_be_opened_is_not_written_over_either(tmp_path: Path) -> None:
