@@ -116,16 +116,19 @@ def _parsed(content: bytes, name: str) -> Any:
     try:
         text = content.decode("utf-8", "surrogatepass")
         del content
-        return json.loads(text, parse_constant=_refused)
+        return json.loads(text, parse_float=_finite, parse_constant=_finite)
     except UnicodeDecodeError:
         raise RoamError(f"{name} is not a ROAM project (it is no text file).") from None
     except (ValueError, RecursionError):
         raise RoamError(f"{name} is not a ROAM project (it is not valid JSON).") from None
 
 
-def _refused(word: str) -> float:
-    """JSON has no NaN and no infinity, though Python's reader lets them pass."""
-    raise ValueError(f"{word} is no number")
+def _finite(text: str) -> float:
+    """A number of the file. JSON has no NaN and no infinity, though Python's reader lets them pass."""
+    number = float(text)
+    if not math.isfinite(number):
+        raise ValueError(f"{text} is no number")
+    return number
 
 
 def _read(document: Any, folder: Path, name: str) -> Project:
@@ -140,24 +143,9 @@ def _read(document: Any, folder: Path, name: str) -> Project:
             "open it with that version."
         )
     try:
-        _require_finite(document)
         return read_project(migrate(document, version), folder)
     except (KeyError, TypeError, ValueError, AttributeError, OverflowError, RecursionError) as error:
         raise RoamError(f"{name} is damaged: {_reason(error)}.") from None
-
-
-def _require_finite(document: Any) -> None:
-    """Refuse numbers beyond all bounds (`1e999`), in fields that are not known, too: they could never be saved."""
-    waiting = [document]
-    while waiting:
-        value = waiting.pop()
-        if isinstance(value, float):
-            if not math.isfinite(value):
-                raise ValueError("a number is beyond all bounds")
-        elif isinstance(value, dict):
-            waiting.extend(value.values())
-        elif isinstance(value, list):
-            waiting.extend(value)
 
 
 def _reason(error: BaseException) -> str:
