@@ -25,6 +25,9 @@ MAX_VALUES = 12_000_000
 """Commas and opening brackets of a file: what a list or object costs in memory goes by these."""
 MAX_NAMES = 2_000_000
 """Colons of a file: what the names of fields cost goes by these."""
+MAX_MEMORY = 920 << 20
+"""Bytes that reading may take: two for each of the file's, and `VALUE_COST` for each value in it."""
+VALUE_COST = 64
 
 
 def save(project: Project, path: Path) -> None:
@@ -80,7 +83,7 @@ def _limited(contents: Iterable[bytes]) -> Iterator[bytes]:
         length += len(content)
         more_values, more_names = _counts(content)
         values, names = values + more_values, names + more_names
-        if length > MAX_BYTES or values > MAX_VALUES or names > MAX_NAMES:
+        if length > MAX_BYTES or _is_too_much(length, values, names):
             raise RoamError("The project is too large for a file that can be opened again; take keys or shapes away.")
         yield content
 
@@ -88,6 +91,11 @@ def _limited(contents: Iterable[bytes]) -> Iterator[bytes]:
 def _counts(content: bytes) -> tuple[int, int]:
     """At least how many values, and how many names of fields, a part of a file holds."""
     return sum(content.count(mark) for mark in (b",", b"[", b"{")), content.count(b":")
+
+
+def _is_too_much(length: int, values: int, names: int) -> bool:
+    """Whether a file of so many bytes, values and names would take more memory or time to read than it may."""
+    return values > MAX_VALUES or names > MAX_NAMES or 2 * length + VALUE_COST * values > MAX_MEMORY
 
 
 def _content(path: Path) -> bytes:
@@ -111,21 +119,24 @@ def _content(path: Path) -> bytes:
 def _parsed(content: bytes, name: str) -> Any:
     """The plain data of a file; what would take more memory than a project may is refused before it is parsed."""
     values, names = _counts(content)
-    if values > MAX_VALUES or names > MAX_NAMES:
-        raise RoamError(f"{name} holds more values than a ROAM project may ({max(values, names)}); it is damaged.")
+    if _is_too_much(len(content), values, names):
+        raise RoamError(f"{name} holds more values ({values}) than can be opened; it is damaged, or no ROAM project.")
     try:
         text = content.decode("utf-8", "surrogatepass")
         del content
-        return json.loads(text, parse_constant=_refused)
+        return json.loads(text, parse_float=_finite, parse_constant=_finite)
     except UnicodeDecodeError:
         raise RoamError(f"{name} is not a ROAM project (it is no text file).") from None
     except (ValueError, RecursionError):
         raise RoamError(f"{name} is not a ROAM project (it is not valid JSON).") from None
 
 
-def _refused(word: str) -> float:
-    """JSON has no NaN and no infinity, though Python's reader lets them pass."""
-    raise ValueError(f"{word} is no number")
+def _finite(text: str) -> float:
+    """A number of the file. JSON has no NaN and no infinity, though Python's reader lets them pass."""
+    number = float(text)
+    if not math.isfinite(number):
+        raise ValueError(f"{text} is no number")
+    return number
 
 
 def _read(document: Any, folder: Path, name: str) -> Project:
@@ -140,24 +151,9 @@ def _read(document: Any, folder: Path, name: str) -> Project:
             "open it with that version."
         )
     try:
-        _require_finite(document)
         return read_project(migrate(document, version), folder)
     except (KeyError, TypeError, ValueError, AttributeError, OverflowError, RecursionError) as error:
         raise RoamError(f"{name} is damaged: {_reason(error)}.") from None
-
-
-def _require_finite(document: Any) -> None:
-    """Refuse numbers beyond all bounds (`1e999`), in fields that are not known, too: they could never be saved."""
-    waiting = [document]
-    while waiting:
-        value = waiting.pop()
-        if isinstance(value, float):
-            if not math.isfinite(value):
-                raise ValueError("a number is beyond all bounds")
-        elif isinstance(value, dict):
-            waiting.extend(value.values())
-        elif isinstance(value, list):
-            waiting.extend(value)
 
 
 def _reason(error: BaseException) -> str:

@@ -10,7 +10,7 @@ import base64
 import json
 import math
 from collections.abc import Iterator, Sequence
-from itertools import groupby
+from itertools import chain, groupby, repeat
 from typing import Any
 
 import numpy as np
@@ -232,7 +232,7 @@ def _read_key(document: Document) -> Keyframe:
 
 
 def _read_run(document: Document) -> Iterator[Keyframe]:
-    frames = [whole(frame, "the frame of a key") for frame in document["frames"]]
+    frames = _read_frames(document["frames"])
     count = len(frames)
     points = _read_points(document["points"], count)
     feather = _column(document, "feather", count, points.shape[1:])
@@ -254,6 +254,14 @@ def _read_run(document: Document) -> Iterator[Keyframe]:
             inputs=stamp,
             extra=extra,
         )
+
+
+def _read_frames(frames: Any) -> list[int]:
+    if not isinstance(frames, list) or not set(map(type, frames)) <= {int}:
+        raise ValueError("the frames of packed keys are no whole numbers")
+    for frame in (min(frames, default=0), max(frames, default=0)):
+        whole(frame, "the frame of a key")
+    return frames
 
 
 def _read_points(document: Any, count: int) -> Array:
@@ -282,9 +290,8 @@ def _stamps(document: Document, count: int) -> Iterator[str]:
     lengths = [whole(length, "a length of inputs", 0) for length, _ in pairs]
     if sum(lengths) != count:
         raise ValueError("the packed keys and their inputs differ in length")
-    for length, (_, stamp) in zip(lengths, pairs, strict=True):
-        for _ in range(length):
-            yield text(stamp, "the inputs of a key")
+    stamps = [text(stamp, "the inputs of a key") for _, stamp in pairs]
+    return chain.from_iterable(map(repeat, stamps, lengths))
 
 
 def _rest(document: Document, known: Sequence[str]) -> Document:

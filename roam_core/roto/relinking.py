@@ -18,8 +18,8 @@ MOST_OPENED = 16
 def relinked(project: Project, folder: Path) -> Project:
     """The project with its clip where the plate lies now, if it is gone from its place and lies near `folder`.
 
-    A plate is taken only if its content is that of the project's; where the project tells no content, if size and
-    frames are. The project itself is given back where there is nothing to find, or nothing was found.
+    A plate is taken only if its content is that of the project's; where the project tells no content, if size, frames
+    and its folder's name are. The project itself is given back where there is nothing to find, or nothing was found.
     """
     if project.clip is None or is_there(project.clip.path):
         return project
@@ -56,4 +56,7 @@ def other_content(clip: Clip, found: Clip) -> str:
 def _is_same(clip: Clip, found: Clip) -> bool:
     if clip.size != found.size:
         return False
-    return found.content == clip.content if clip.content else (found.first, found.last) == (clip.first, clip.last)
+    if clip.content:
+        return found.content == clip.content
+    same_place = found.path.parts[-2:] == clip.path.parts[-2:]
+    return same_place and (found.first, found.last) == (clip.first, clip.last)

@@ -18,6 +18,7 @@ from app.dialogs import Unsaved
 from app.main_window import MainWindow
 from app.panels.panel import Panel
 from roam_core.geometry.bezier import polygon_points
+from roam_core.media import finding
 from roam_core.roto import edit, file
 from tests.gui.windows import COUNT, FIRST, WAIT, opened_window, write_clip
 
@@ -196,8 +197,9 @@ def test_the_menu_imports_files_and_folders_of_masks(
 
 
 def test_a_plate_that_is_gone_is_told_and_the_shapes_are_still_there(
-    qtbot: QtBot, window: MainWindow, tmp_path: Path
+    qtbot: QtBot, window: MainWindow, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    monkeypatch.setattr(finding, "LEVELS", 1)  # beside the test's own folder lie those of others
     draw(window)
     window.document.save(tmp_path / "a.roam")
     (tmp_path / "plate").rename(tmp_path / "elsewhere")
@@ -210,6 +212,7 @@ def test_a_plate_that_is_gone_is_told_and_the_shapes_are_still_there(
 def test_a_plate_that_was_moved_is_chosen_again_and_the_shapes_stay(
     qtbot: QtBot, window: MainWindow, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    monkeypatch.setattr(finding, "LEVELS", 1)
     draw(window)
     window.document.save(tmp_path / "a.roam")
     (tmp_path / "plate").rename(tmp_path / "elsewhere")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -91,6 +92,8 @@ def roto_shapes(draw: st.DrawFn, shape_id: str = "shape-1", interpolation: Inter
     count = draw(st.integers(3 if closed else 2, 6))
     frames = draw(st.lists(st.integers(-50, 2000), min_size=1, max_size=4, unique=True))
     keys = tuple(draw(keyframes(frame, count)) for frame in frames)
+    if draw(st.booleans()):  # so many alike that a file packs them
+        keys += tuple(replace(keys[0], frame=3000 + k, points=keys[0].points + k / 3.0) for k in range(20))
     start = draw(st.integers(-50, 2000))
     shape = RotoShape(
         id=shape_id,
@@ -102,13 +105,18 @@ def roto_shapes(draw: st.DrawFn, shape_id: str = "shape-1", interpolation: Inter
         opacity=draw(shares()),
         invert=draw(st.booleans()),
         feather=draw(st.floats(-50.0, 50.0)),
-        motion_blur=draw(st.none() | st.builds(MotionBlur, shares(), st.floats(-1.0, 1.0), st.integers(2, 64))),
+        motion_blur=draw(st.none() | motion_blurs()),
         lifetime=draw(st.none() | st.integers(1, 500).map(lambda length: (start, start + length))),
         visible=draw(st.booleans()),
         locked=draw(st.booleans()),
         extra=draw(unknown_fields()),
     )
     return shape if interpolation is None else edit.set_interpolation(shape, shape.frames, interpolation)
+
+
+def motion_blurs() -> st.SearchStrategy[MotionBlur]:
+    """Motion blur of any kind."""
+    return st.builds(MotionBlur, shares(), st.floats(-1.0, 1.0), st.integers(2, 64), unknown_fields())
 
 
 @st.composite
@@ -133,7 +141,8 @@ def transforms(draw: st.DrawFn) -> LayerTransform:
         tilt = [draw(st.floats(-1e-5, 1e-5)), draw(st.floats(-1e-5, 1e-5)), 1.0]
         return np.vstack([np.column_stack([linear, [draw(coordinates()), draw(coordinates())]]), tilt])
 
-    return LayerTransform.of({frame: matrix() for frame in frames})
+    moves = LayerTransform.of({frame: matrix() for frame in frames})
+    return replace(moves, extra=draw(unknown_fields()))
 
 
 @st.composite
@@ -166,8 +175,9 @@ def projects(draw: st.DrawFn) -> Project:
 
 def marks() -> st.SearchStrategy[tuple[Mark, ...]]:
     """Marks of the timeline, at most one a frame, in order."""
-    found = st.dictionaries(st.integers(-50, 2000), st.text(max_size=8), max_size=3)
-    return found.map(lambda texts: tuple(Mark(frame, texts[frame]) for frame in sorted(texts)))
+    told = st.tuples(st.text(max_size=8), unknown_fields())
+    found = st.dictionaries(st.integers(-50, 2000), told, max_size=3)
+    return found.map(lambda marks: tuple(Mark(frame, *marks[frame]) for frame in sorted(marks)))
 
 
 @st.composite
@@ -184,5 +194,6 @@ def clips(draw: st.DrawFn) -> Clip:
         fps=draw(st.floats(1.0, 120.0)),
         pixel_aspect=draw(st.floats(0.5, 2.0)),
         colour_space=draw(st.sampled_from(["sRGB", "linear", "log"])),
+        content=draw(st.sampled_from(["", "0123456789abcdef"])),
         extra=draw(unknown_fields()),
     )

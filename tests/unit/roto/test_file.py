@@ -238,8 +238,7 @@ def test_a_damaged_project_is_refused(project: Project, tmp_path: Path, damage: 
 def test_what_is_no_number_is_refused(project: Project, tmp_path: Path, number: str, field: str) -> None:
     text = edited(project, tmp_path, lambda document: first_shape(document).update({field: "here"}))
     (tmp_path / "a.roam").write_text(text.replace('"here"', number))
-    sentence = refused(tmp_path / "a.roam")
-    assert "not valid JSON" in sentence or "a number is beyond all bounds" in sentence
+    assert "not valid JSON" in refused(tmp_path / "a.roam")
 
 
 def test_paths_that_are_no_file_are_refused(tmp_path: Path) -> None:

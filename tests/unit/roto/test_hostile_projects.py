@@ -97,12 +97,9 @@ NUMBERS: dict[str, Callable[[Document, Any], object]] = {
 def test_what_is_no_number_is_refused_wherever_one_is_wanted(tmp_path: Path, field: str, value: Any) -> None:
     if field == "key confidence" and value is None:
         return  # an artist's key has none
-    if value == float("inf"):
-        text = json.dumps(_with(field, "HERE")).replace('"HERE"', "1e999")
-        (tmp_path / "a.roam").write_text(text)
-        assert "is damaged: " in refused(tmp_path / "a.roam")
-    else:
-        assert "is damaged: " in damaged(tmp_path, lambda document: NUMBERS[field](document, value))
+    text = json.dumps(_with(field, "HERE")).replace('"HERE"', "1e999" if value == 1e999 else json.dumps(value))
+    (tmp_path / "a.roam").write_text(text)
+    assert ("not valid JSON" if value == 1e999 else "is damaged: ") in refused(tmp_path / "a.roam")
 
 
 def _with(field: str, value: Any) -> Document:
@@ -216,7 +213,16 @@ def test_many_small_values_are_refused_before_they_are_made(
 ) -> None:
     monkeypatch.setattr(json, "loads", lambda *_, **__: pytest.fail("the text was parsed"))
     (tmp_path / "a.roam").write_bytes(text)
-    assert "more values than a ROAM project may" in refused(tmp_path / "a.roam")
+    assert "than can be opened" in refused(tmp_path / "a.roam")
+
+
+def test_many_long_texts_are_refused_before_they_are_made(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(json, "loads", lambda *_, **__: pytest.fail("the text was parsed"))
+    monkeypatch.setattr(file, "MAX_MEMORY", 100_000)
+    texts = b"[" + b",".join([b'"%s"' % (b"a" * 30)] * 1000) + b"]"
+    for content in (texts, b" " * 50_001):
+        (tmp_path / "a.roam").write_bytes(content)
+        assert "than can be opened" in refused(tmp_path / "a.roam")
 
 
 def test_a_file_that_is_too_large_is_not_read(tmp_path: Path) -> None:

@@ -85,6 +85,8 @@ def test_without_a_fingerprint_size_and_frames_decide(project: Project, shows: P
     (shows / "plates").rename(gone(shows))
     plate(shows / "work" / "plates" / "sh010", 99, frames=3)
     assert relinked(old, shows / "work") is old
+    plate(shows / "work" / "sh020", 99)
+    assert relinked(old, shows / "work") is old
     plate(shows / "work" / "sh010", 99)
     assert relinked(old, shows / "work").require_clip().path.parent == shows / "work" / "sh010"
 
