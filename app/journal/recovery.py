@@ -22,6 +22,8 @@ from roam_core.roto import Project, file
 
 KEPT_SESSIONS = 10
 """Sessions kept whose work was saved, thrown away or recovered."""
+JUST_NOW = 60.0
+"""Seconds in which a window that begins may not have locked its folder yet."""
 HEADERS_MAY_MISS = (KeyError, TypeError, ValueError, AttributeError)
 
 
@@ -124,8 +126,10 @@ def load(recovery: Recovery) -> tuple[Project, str]:
 def prune(root: Path) -> None:
     """Drop all but the newest sessions whose journals are all settled; nothing that may still be wanted goes."""
     folders = [folder for folder in sorted(root.iterdir()) if folder.is_dir() and not is_held(folder)]
-    settled = [folder for folder in folders if all(_is_done(journal) for journal in journals(folder))]
-    for folder in settled[:-KEPT_SESSIONS]:
+    empty = [folder for folder in folders if not journals(folder)]
+    settled = [folder for folder in folders if folder not in empty and all(map(_is_done, journals(folder)))]
+    long_ago = time.time() - JUST_NOW
+    for folder in [*settled[:-KEPT_SESSIONS], *(each for each in empty if each.stat().st_mtime < long_ago)]:
         shutil.rmtree(folder, ignore_errors=True)
 
 

@@ -9,7 +9,7 @@ from pathlib import Path
 
 from PySide6.QtCore import QLockFile
 
-SUFFIX = ".journal"
+SUFFIX, LOCK = ".journal", "session.lock"
 DECLINED, RECOVERED = ".declined", ".recovered"
 """Suffixes of the empty files that remember what became of a journal; the journal itself is never touched again."""
 
@@ -19,7 +19,7 @@ class Session:
 
     def __init__(self, root: Path) -> None:
         self.folder = _new_folder(root)
-        self._lock = QLockFile(str(self.folder / "session.lock"))
+        self._lock = QLockFile(str(self.folder / LOCK))
         self._lock.tryLock(0)
 
     def new_path(self) -> Path:
@@ -40,7 +40,9 @@ def journals(folder: Path) -> list[Path]:
 
 def is_held(folder: Path) -> bool:
     """True when a window that is open holds the session's lock."""
-    lock = QLockFile(str(folder / "session.lock"))
+    if not (folder / LOCK).exists():
+        return False
+    lock = QLockFile(str(folder / LOCK))
     lock.setStaleLockTime(0)
     free = lock.tryLock(0)
     lock.unlock()

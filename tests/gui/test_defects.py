@@ -114,6 +114,13 @@ def test_a_report_can_be_had_without_an_error(qtbot: QtBot, window: MainWindow) 
     assert "unknown" not in shown(qtbot, window, "PySide6")
 
 
+def test_a_report_tells_of_the_job_that_failed_last(qtbot: QtBot, window: MainWindow) -> None:
+    window.writer.start("failing", lambda report: str(fail()))
+    qtbot.waitUntil(lambda: window.writer.is_idle, timeout=WAIT)
+    window.actions_by_id["help.report"].trigger()
+    assert "in fail" in shown(qtbot, window, "ZeroDivisionError: by zero")
+
+
 def crashing(folder: Path, what: str) -> str:
     """Run a process with a log in `folder` that does `what`; gives its number."""
     program = (

@@ -213,6 +213,11 @@ def test_settled_sessions_are_pruned_by_count_and_others_never(document: Documen
         draw(document)
         document.save(tmp_path / f"{number}.roam")
         journal.close()
+    (root / "20000101-000000-1-1").mkdir()  # killed before the first edit, long ago and just now
+    os.utime(root / "20000101-000000-1-1", (0, 0))
+    (root / "20990101-000000-1-1").mkdir()
+    recovery.prune(root)
+    assert [path.name[:4] for path in sorted(root.iterdir()) if not list(path.glob("*.journal"))] == ["2099"]
     folders = {path.parent for path in root.glob("*/*.journal")}
     assert {lost.journal.parent, declined.journal.parent} <= folders
     assert len(folders) == KEPT_SESSIONS + 2
