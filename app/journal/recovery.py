@@ -79,10 +79,7 @@ class Recovery:
 
 def recoveries(root: Path) -> list[Recovery]:
     """All work that journals hold, the newest first; sessions of windows that are open are left out."""
-    if not root.is_dir():
-        return []
-    closed = [folder for folder in root.iterdir() if folder.is_dir() and not is_held(folder)]
-    found = (_looked_at(journal) for folder in closed for journal in journals(folder))
+    found = (_looked_at(journal) for folder in _closed_sessions(root) for journal in journals(folder))
     return sorted((recovery for recovery in found if recovery), key=lambda each: each.when, reverse=True)
 
 
@@ -125,12 +122,20 @@ def load(recovery: Recovery) -> tuple[Project, str]:
 
 def prune(root: Path) -> None:
     """Drop all but the newest sessions whose journals are all settled; nothing that may still be wanted goes."""
-    folders = [folder for folder in sorted(root.iterdir()) if folder.is_dir() and not is_held(folder)]
+    folders = _closed_sessions(root)
     empty = [folder for folder in folders if not journals(folder)]
     settled = [folder for folder in folders if folder not in empty and all(map(_is_done, journals(folder)))]
     long_ago = time.time() - JUST_NOW
     for folder in [*settled[:-KEPT_SESSIONS], *(each for each in empty if each.stat().st_mtime < long_ago)]:
         shutil.rmtree(folder, ignore_errors=True)
+
+
+def _closed_sessions(root: Path) -> list[Path]:
+    """The folders of windows that are open no more, oldest first; none where `root` cannot be read."""
+    try:
+        return [folder for folder in sorted(root.iterdir()) if folder.is_dir() and not is_held(folder)]
+    except OSError:
+        return []
 
 
 def _is_done(journal: Path) -> bool:

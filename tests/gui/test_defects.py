@@ -75,6 +75,7 @@ def test_a_defect_becomes_a_report_and_the_project_is_intact_and_in_the_journal(
     assert dialog is not None
     assert dialog.sentence.text() == KEPT
     assert window.document.project is project
+    assert window.journal.folder is not None
     (journal,) = window.journal.folder.glob("*.journal")
     assert b"Draw" not in journal.read_bytes()
     assert b"RotoShape" in journal.read_bytes()

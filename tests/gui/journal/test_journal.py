@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import os
+import random
 from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
+from typing import IO
 
 import pytest
 from pytestqt.qtbot import QtBot
@@ -13,10 +15,12 @@ from pytestqt.qtbot import QtBot
 from app.document import Document
 from app.journal import recovery, writer
 from app.journal.journal import Journal
+from app.journal.record import Entry, append, encoded
 from app.journal.recovery import KEPT_SESSIONS, Recovery
 from roam_core.errors import RoamError
 from roam_core.geometry.bezier import polygon_points
-from roam_core.roto import Clip, Keyframe, Origin, Project, edit, file
+from roam_core.roto import Clip, Keyframe, Origin, Project, edit, file, timing
+from tests.gui.journal.test_delta import random_edit
 
 SQUARE = polygon_points([(0, 0), (10, 0), (10, 10), (0, 10)])
 
@@ -40,9 +44,9 @@ def draw(document: Document) -> None:
 def crashed(journal: Journal, root: Path) -> list[Recovery]:
     """What would be found if the program ended here: the lock is let go as by a process that is killed."""
     assert journal.flush()
-    journal._session._lock.unlock()
+    journal._session.let_go()
     found = recovery.recoveries(root)
-    journal._session._lock.tryLock(0)
+    journal._session.hold()
     return found
 
 
@@ -99,7 +103,7 @@ def test_without_its_base_a_journal_is_refused_in_a_sentence(
     draw(document)
     (found,) = crashed(journal, root)
     journal._writer._open._copying.join()
-    for base in journal.folder.glob("*.roam"):
+    for base in root.glob("*/*.roam"):
         base.write_text("{", encoding="utf-8")
     assert recovery.load(found) == (document.project, "")
     (tmp_path / "mine.roam").write_text("{", encoding="utf-8")
@@ -223,6 +227,69 @@ def test_settled_sessions_are_pruned_by_count_and_others_never(document: Documen
     assert len(folders) == KEPT_SESSIONS + 2
 
 
+def test_a_folder_that_cannot_be_made_is_told_and_tried_again(qtbot: QtBot, document: Document, tmp_path: Path) -> None:
+    root = tmp_path / "taken"
+    root.touch()
+    journal = Journal(document, root)
+    with qtbot.waitSignal(journal.refused, timeout=5000):
+        draw(document)
+    root.unlink()
+    draw(document)
+    (found,) = crashed(journal, root)
+    assert recovery.load(found) == (document.project, "")
+    journal.close()
+
+
+@pytest.mark.parametrize("failing", range(1, 9))
+def test_a_write_that_fails_half_way_costs_nothing_once_it_succeeds(
+    document: Document, journal: Journal, root: Path, monkeypatch: pytest.MonkeyPatch, failing: int
+) -> None:
+    calls = 0
+
+    def half(stream: IO[bytes], entry: Entry) -> int:
+        nonlocal calls
+        calls += 1
+        if calls == failing:
+            stream.write(encoded(entry)[: 7 * failing])
+            raise OSError(5, "Input/output error")
+        return append(stream, entry)
+
+    monkeypatch.setattr(writer, "append", half)
+    for number in range(6):
+        draw(document)
+        if number == 3:
+            document.open(document.project, None)  # another journal
+        journal.flush()
+    found = recovery.offered(crashed(journal, root))[0]  # one whose end could not be told is offered, too
+    assert calls > failing
+    assert recovery.load(found)[0].shapes[-2:] == document.project.shapes[-2:]
+    assert not found.is_damaged
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_after_any_row_of_edits_undos_saves_and_openings_the_journal_holds_what_is_shown(
+    document: Document, journal: Journal, root: Path, tmp_path: Path, seed: int
+) -> None:
+    choose = random.Random(seed)
+    document.open(Project(Clip(Path("/plate"), 1, 50, (200, 100))), None)
+    document.undo_bytes = 1 << 16
+    doing = (
+        *(lambda: document.apply("Edit", random_edit(document.project, choose)),) * 12,
+        *(document.undo_stack.undo,) * 4,
+        *(document.undo_stack.redo,) * 2,
+        lambda: document.amend("Run", lambda project: timing.set_mark(project, choose.randrange(99)), "run"),
+        lambda: document.save(tmp_path / f"{choose.randrange(3)}.roam"),
+        lambda: document.recover(document.project, document.path),
+    )
+    for step in range(200):
+        choose.choice(doing)()
+        if step % 10 == 0:
+            found = recovery.offered(crashed(journal, root))
+            assert len(found) == document.is_modified
+            if found:
+                assert recovery.load(found[0]) == (document.project, "")
+
+
 def test_a_long_row_of_edits_gets_whole_projects_in_between(
     document: Document, journal: Journal, root: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -233,7 +300,7 @@ def test_a_long_row_of_edits_gets_whole_projects_in_between(
         if journal._writer._open._copying is not None:
             journal._writer._open._copying.join()
     (found,) = crashed(journal, root)
-    bases = sorted(journal.folder.glob("*.roam"))
+    bases = sorted(root.glob("*/*.roam"))
     assert len(bases) >= 3
     assert recovery.load(found) == (document.project, "")
     monkeypatch.setattr(recovery, "applied", None)  # the last ones suffice for what came after the last base
