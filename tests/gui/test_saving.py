@@ -151,6 +151,7 @@ def test_a_file_that_another_program_changed_is_asked_about(
     monkeypatch.setattr("app.dialogs.ask_doubted", lambda _, doubt: doubts.append(doubt) or answer)
     monkeypatch.setattr("app.dialogs.choose_save", lambda *_: elsewhere)
     doubts: list[str] = []
+    window.files.backups = 0
     draw(window)
     saved(qtbot, window, mine)
     draw(window)
