@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import shutil
 import time
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -24,7 +25,10 @@ KEPT_SESSIONS = 10
 """Sessions kept whose work was saved, thrown away or recovered."""
 JUST_NOW = 60.0
 """Seconds in which a window that begins may not have locked its folder yet."""
-HEADERS_MAY_MISS = (KeyError, TypeError, ValueError, AttributeError)
+UNFIT = (KeyError, TypeError, ValueError, AttributeError, OverflowError, RecursionError)
+"""What a header raises that does not say what it should."""
+LATEST = 4e9
+"""A time beyond this year 2096 is none."""
 
 
 @dataclass(frozen=True)
@@ -115,7 +119,7 @@ def load(recovery: Recovery) -> tuple[Project, str]:
     for entry in [entry for entry in found if entry.kind == "edit"][done:]:
         try:
             project = _after(project, entry)
-        except (RoamError, *HEADERS_MAY_MISS):
+        except (RoamError, *UNFIT):
             return project, "The journal is damaged: its last edits could not be put together."
     return project, problem
 
@@ -160,7 +164,7 @@ def _looked_at(journal: Path) -> Recovery | None:
     try:
         for entry in entries(journal):
             found = _with(found, entry, journal, edited)
-    except (Damaged, *HEADERS_MAY_MISS):
+    except (Damaged, *UNFIT):
         is_damaged = True
     except OSError:
         return None
@@ -177,15 +181,23 @@ def _with(found: Recovery | None, entry: Entry, journal: Path, edited: set[str])
             raise ValueError("of a newer program")
         original = header["original"]
         path = None if original is None else Path(original)
-        return Recovery(journal, path, str(header["digest"] or ""), float(header["time"]))
+        return Recovery(journal, path, str(header["digest"] or ""), _time(header))
     if found is None:
         raise ValueError("an entry before the beginning")
     if entry.kind == "edit":
         edited.update(header["ids"])
         edits, tracked = found.edits + header["edits"], found.tracked + header["tracked"]
         settled = "" if header["is_modified"] else "saved"  # undone up to what the file holds
-        return replace(found, when=float(header["time"]), edits=edits, tracked=tracked, settled=settled)
+        return replace(found, when=_time(header), edits=edits, tracked=tracked, settled=settled)
     return replace(found, settled=str(header["why"])) if entry.kind == "end" else found
+
+
+def _time(header: Mapping[str, Any]) -> float:
+    """When an entry was written."""
+    when = float(header["time"])
+    if not 0.0 <= when <= LATEST:
+        raise ValueError(f"{when} is no time")
+    return when
 
 
 def _marked(journal: Path) -> str:
@@ -200,7 +212,7 @@ def _base(recovery: Recovery, found: list[Entry]) -> tuple[Project, int]:
             path = recovery.journal.with_name(Path(str(entry.header["name"])).name)
             text = path.read_text(encoding="utf-8")
             return file.loads(text, Path(entry.header["folder"]), str(path)), int(entry.header["after"])
-        except (OSError, RoamError, *HEADERS_MAY_MISS):
+        except (OSError, RoamError, *UNFIT):
             continue
     begin = found[0].header
     if not begin.get("is_on_file"):

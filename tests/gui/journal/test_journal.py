@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import os
 import random
+import zlib
 from collections.abc import Iterator
+from contextlib import suppress
 from dataclasses import replace
 from pathlib import Path
 from typing import IO
@@ -15,8 +17,9 @@ from pytestqt.qtbot import QtBot
 from app.document import Document
 from app.journal import recovery, writer
 from app.journal.journal import Journal
-from app.journal.record import Entry, append, encoded
+from app.journal.record import Damaged, Entry, append, encoded, entries
 from app.journal.recovery import KEPT_SESSIONS, Recovery
+from app.journal.writer import BASES
 from roam_core.errors import RoamError
 from roam_core.geometry.bezier import polygon_points
 from roam_core.roto import Clip, Keyframe, Origin, Project, edit, file, timing
@@ -198,6 +201,66 @@ def test_every_crash_is_offered_and_a_damaged_one_hides_none(root: Path, qapp: o
         recovery.load(third)
 
 
+def test_where_half_a_write_cannot_be_taken_back_another_file_begins(
+    document: Document, journal: Journal, root: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def refuse(*_: object) -> None:
+        raise OSError(5, "Input/output error")
+
+    draw(document)
+    assert journal.flush()
+    opened = journal._writer._open
+    assert opened is not None
+    with monkeypatch.context() as failing:
+        failing.setattr(os, "fsync", refuse)
+        failing.setattr(opened, "_length", -1)  # no file can be cut there
+        draw(document)
+        assert not journal.flush()
+    draw(document)
+    assert journal.flush()
+    found = recovery.offered(crashed(journal, root))
+    assert len(found) == 2
+    assert recovery.load(found[0]) == (document.project, "")
+
+
+BEGIN = {"kind": "begin", "version": 1, "time": 1e9, "is_on_file": False, "original": None, "digest": None}
+EDIT = {"kind": "edit", "time": 1e9, "is_modified": True, "edits": 1, "tracked": 0, "ids": [], "clip": None}
+
+
+@pytest.mark.parametrize(
+    "row",
+    [
+        [BEGIN | {"version": 99}],
+        [BEGIN | {"time": 1e300}],
+        [EDIT],
+        [BEGIN, EDIT, EDIT | {"time": "soon"}],
+        [BEGIN, EDIT, EDIT | {"ids": 7}],
+        [BEGIN, EDIT, EDIT | {"edits": None}],
+        [BEGIN, EDIT, {"kind": "end"}],
+        [BEGIN, EDIT, {"kind": "base", "name": "../../x", "after": "y"}],
+        [BEGIN, EDIT | {"tree": 3, "dropped": {}}],
+        [BEGIN, EDIT | {"tree": ["nobody"], "dropped": {}}],
+    ],
+)
+def test_entries_that_make_no_sense_end_in_a_sentence(root: Path, row: list[dict[str, object]]) -> None:
+    (root / "20260101-000000-1-1").mkdir(parents=True)
+    text = file.dumps(Project(), Path("/"))
+    content = b"".join(encoded(Entry(header, text if header["kind"] == "edit" else "")) for header in row)
+    (root / "20260101-000000-1-1" / "0001.journal").write_bytes(content)
+    for found in recovery.recoveries(root):
+        assert found.day
+        assert found.sentence
+        with suppress(RoamError):
+            assert recovery.load(found)[0] == Project()
+
+
+def test_a_header_nested_without_end_is_damage(tmp_path: Path) -> None:
+    payload = b"[" * 200_000 + b"\n"
+    (tmp_path / "x.journal").write_bytes(b"%d %08x\n%b\n" % (len(payload), zlib.crc32(payload), payload))
+    with pytest.raises(Damaged):
+        list(entries(tmp_path / "x.journal"))
+
+
 def test_declining_is_remembered_and_drops_nothing(root: Path, qapp: object) -> None:
     found = crash(root)
     before = found.journal.read_bytes()
@@ -301,10 +364,13 @@ def test_a_long_row_of_edits_gets_whole_projects_in_between(
             journal._writer._open._copying.join()
     (found,) = crashed(journal, root)
     bases = sorted(root.glob("*/*.roam"))
-    assert len(bases) >= 3
+    assert len(bases) == BASES  # older ones are gone
     assert recovery.load(found) == (document.project, "")
-    monkeypatch.setattr(recovery, "applied", None)  # the last ones suffice for what came after the last base
-    assert len(file.load(bases[-1]).shapes) > len(file.load(bases[0]).shapes)
+    assert 1 < len(file.load(bases[0]).shapes) < len(file.load(bases[1]).shapes)
+    for base in reversed(bases):  # the one before serves as well; with neither there is no way
+        assert recovery.load(found) == (document.project, "")
+        base.write_text("{", encoding="utf-8")
+    assert recovery.load(found) == (document.project, "")  # from the beginning: no file lay under it
 
 
 def test_tracked_frames_are_counted_apart(document: Document, journal: Journal, root: Path) -> None:
