@@ -107,11 +107,14 @@ class JournalWriter:
             except queue.Empty:
                 self._keep_waiting()
                 continue
-            if isinstance(wish, _State):
-                wish = self._latest(wish)
-            if wish is None:
-                break
-            self._do(wish)
+            try:
+                if isinstance(wish, _State):
+                    wish = self._latest(wish)
+                if wish is None:
+                    break
+                self._do(wish)
+            except Exception as error:  # the thread lives on: the next edit may be written
+                self._refuse(error)
         self._leave()
 
     def _latest(self, state: _State) -> object:
@@ -149,7 +152,6 @@ class JournalWriter:
                 self._open = _Open.on(self._session.new_path(), self._beginning, self._queue.put)
             self._open.keep(state)
         except Exception as error:
-            log.exception("the journal cannot be written")
             self._refuse(error)
             if self._open is not None and self._open.is_broken:
                 self._leave()  # the next try begins another file
@@ -159,6 +161,7 @@ class JournalWriter:
     def _refuse(self, error: Exception) -> None:
         if not self._is_refused:
             self._is_refused = True
+            log.error("the journal cannot be written", exc_info=error)
             reason = error.strerror if isinstance(error, OSError) and error.strerror else str(error)
             self._tell(f"Your edits cannot be written to the journal ({reason}); save the project yourself.")
 

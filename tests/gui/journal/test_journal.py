@@ -201,6 +201,19 @@ def test_every_crash_is_offered_and_a_damaged_one_hides_none(root: Path, qapp: o
         recovery.load(third)
 
 
+def test_the_writer_outlives_any_error(
+    qtbot: QtBot, document: Document, journal: Journal, root: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    with monkeypatch.context() as failing, qtbot.waitSignal(journal.refused, timeout=5000):
+        failing.setattr(journal._writer, "_do", lambda _: 1 / 0)
+        draw(document)
+        while not journal._writer._is_refused:
+            qtbot.wait(1)
+    draw(document)
+    (found,) = crashed(journal, root)
+    assert recovery.load(found) == (document.project, "")
+
+
 def test_where_half_a_write_cannot_be_taken_back_another_file_begins(
     document: Document, journal: Journal, root: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
