@@ -18,7 +18,7 @@ class ProjectEdit(QUndoCommand):
     ) -> None:
         super().__init__(text)
         self._before, self._after, self._merge_key, self._show = before, after, merge_key, show
-        self._weighed: tuple[Project, Project, int, int] | None = None
+        self._weighed: dict[bool, tuple[Project, Project, int]] = {}
 
     def redo(self) -> None:
         self._show(self._after)
@@ -42,11 +42,11 @@ class ProjectEdit(QUndoCommand):
 
     def held_bytes(self, *, is_undone: bool) -> int:
         """Bytes of what only this step keeps: of a done step what it replaced, of an undone one what it would bring."""
-        if self._weighed is None or self._weighed[0] is not self._before or self._weighed[1] is not self._after:
-            replaced, brought = held_only_by(self._before, self._after), held_only_by(self._after, self._before)
-            self._weighed = self._before, self._after, replaced, brought
-        _, _, replaced, brought = self._weighed
-        return brought if is_undone else replaced
+        held, other = (self._after, self._before) if is_undone else (self._before, self._after)
+        known = self._weighed.get(is_undone)
+        if known is None or known[0] is not held or known[1] is not other:
+            known = self._weighed[is_undone] = held, other, held_only_by(held, other)
+        return known[2]
 
     def id(self) -> int:
         return 1 if self._merge_key else -1

@@ -27,6 +27,18 @@ MOST_SHOWN = 20
 log = logging.getLogger("roam")
 
 
+class _LastError(logging.Handler):
+    """Keeps the trace of the last error that was logged: that of a job, for example, which ends in a sentence."""
+
+    def __init__(self) -> None:
+        super().__init__(logging.ERROR)
+        self.trace = ""
+
+    def emit(self, record: logging.LogRecord) -> None:
+        if record.exc_info and record.exc_info[1] is not None:
+            self.trace = crash_report.told(record.exc_info[1])
+
+
 class ReportDialog(QDialog):
     """A report to read and to copy. Nothing is sent."""
 
@@ -66,6 +78,7 @@ class Defects(QObject):
         super().__init__(window)
         self._window = window
         self._seen: set[str] = set()
+        self._last_error = _LastError()
         self._hooks: tuple[Callable[..., object], Callable[..., object]] | None = None
         self.dialog: ReportDialog | None = None
         # Queued, so that a dialog is never opened in the midst of what failed, nor by another thread.
@@ -80,16 +93,19 @@ class Defects(QObject):
         self._hooks = sys.excepthook, threading.excepthook
         sys.excepthook = self._in_a_slot
         threading.excepthook = lambda args: self._in_a_thread(args)
+        logging.getLogger().addHandler(self._last_error)
 
     def remove(self) -> None:
         """Leave errors to whoever heard of them before."""
         if self._hooks is not None:
             sys.excepthook, threading.excepthook = self._hooks
             self._hooks = None
+            logging.getLogger().removeHandler(self._last_error)
 
     def report_now(self) -> None:
-        """Show a report without an error: versions, system, messages."""
-        self._open("Problem report", KEPT).text.setPlainText(self._report("Asked for in the Help menu."))
+        """Show a report that the artist asks for: versions, system, messages, and the last error of a job if any."""
+        what = self._last_error.trace or "Asked for in the Help menu; no error was noted."
+        self._open("Problem report", KEPT).text.setPlainText(self._report(what))
 
     def tell_of(self, crashes: list[str]) -> None:
         """Tell of native crashes of before."""

@@ -7,7 +7,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QObject
+from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QWidget
 
 from app import dialogs
@@ -28,7 +28,14 @@ if TYPE_CHECKING:
 
 
 class FileActions(QObject):
-    """Each method asks what must be asked and hands the rest to `Files`, `Export` and `Import`."""
+    """Each method asks what must be asked and hands the rest to `Files`, `Export` and `Import`.
+
+    Signals
+    -------
+    refused_to_open() : the artist does not want to open a project after all.
+    """
+
+    refused_to_open = Signal()
 
     def __init__(
         self,
@@ -246,6 +253,8 @@ class FileActions(QObject):
             self._files.open_copy(path)
         elif answer is Contested.ANYWAY:
             self._files.open_anyway(path)
+        else:
+            self.refused_to_open.emit()
 
     def _suggested(self, suffix: str) -> Path:
         clip = self._document.project.clip

@@ -215,7 +215,8 @@ class Files(QObject):
             if doubt:
                 report.partial(doubt)
                 return ""
-            warning = _rotated(path, kept)
+            # What is written over against a warning is kept in any case.
+            warning = _rotated(path, max(kept, 1) if anyway else kept)
             file.save(project, path)
             self._written = Fingerprint.of(path)
             report.partial(self._written)

@@ -41,6 +41,7 @@ class Reopening(QObject):
         self.menu = QMenu("Open recent", window)
         self.menu.aboutToShow.connect(self._fill_menu)
         self.page.chosen.connect(window.file_actions.open_chosen)
+        window.file_actions.refused_to_open.connect(self.page.begin)
         window.document.replaced.connect(self._forget_picture)
         window.files.opened.connect(self._note_opened)
         window.files.saved.connect(self._note_saved)

@@ -61,7 +61,7 @@ def window(state: Path) -> Iterator[MainWindow]:
     application = QApplication(sys.argv[:1])
     application.setApplicationName("ROAM")
     style.apply(application)
-    shown = MainWindow(state / "autosave", Personal(state / "settings", state / "cache"))
+    shown = MainWindow(state / "journal", Personal(state / "settings", state / "cache"))
     shown.resize(*SIZE)
     shown.show()
     QTest.qWaitForWindowExposed(shown)

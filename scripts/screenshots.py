@@ -1,6 +1,6 @@
 """The pictures of the documentation: the real window on the demo shot, photographed. `make screenshots` runs this.
 
-Takes the display that is there, or starts a virtual one where there is none. Settings, autosaves and the log of the
+Takes the display that is there, or starts a virtual one where there is none. Settings, journals and the log of the
 person who runs it stay untouched: the window gets a state folder of its own.
 """
 

@@ -33,8 +33,8 @@ class Journal(QObject):
         document.rebased.connect(self._rebase)
 
     @property
-    def folder(self) -> Path:
-        """Where the journals of this window lie."""
+    def folder(self) -> Path | None:
+        """Where the journals of this window lie; None before the first edit."""
         return self._session.folder
 
     def flush(self) -> bool:
@@ -50,7 +50,7 @@ class Journal(QObject):
         if not self._waits_for_recovery:
             self._writer.end("discarded" if self._document.is_modified else "saved")
         self._writer.close()
-        self._session.close()
+        self._session.let_go()
         prune(self._root)
 
     # ---- the rest is private

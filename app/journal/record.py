@@ -86,5 +86,5 @@ def _decoded(payload: bytes) -> Entry:
         if not isinstance(found, dict):
             raise Damaged
         return Entry(found, text.decode("utf-8"))
-    except ValueError:
+    except (ValueError, RecursionError):
         raise Damaged from None

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import shutil
 import time
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -22,7 +23,12 @@ from roam_core.roto import Project, file
 
 KEPT_SESSIONS = 10
 """Sessions kept whose work was saved, thrown away or recovered."""
-HEADERS_MAY_MISS = (KeyError, TypeError, ValueError, AttributeError)
+JUST_NOW = 60.0
+"""Seconds in which a window that begins may not have locked its folder yet."""
+UNFIT = (KeyError, TypeError, ValueError, AttributeError, OverflowError, RecursionError)
+"""What a header raises that does not say what it should."""
+LATEST = 4e9
+"""A time beyond this year 2096 is none."""
 
 
 @dataclass(frozen=True)
@@ -77,10 +83,7 @@ class Recovery:
 
 def recoveries(root: Path) -> list[Recovery]:
     """All work that journals hold, the newest first; sessions of windows that are open are left out."""
-    if not root.is_dir():
-        return []
-    closed = [folder for folder in root.iterdir() if folder.is_dir() and not is_held(folder)]
-    found = (_looked_at(journal) for folder in closed for journal in journals(folder))
+    found = (_looked_at(journal) for folder in _closed_sessions(root) for journal in journals(folder))
     return sorted((recovery for recovery in found if recovery), key=lambda each: each.when, reverse=True)
 
 
@@ -116,17 +119,27 @@ def load(recovery: Recovery) -> tuple[Project, str]:
     for entry in [entry for entry in found if entry.kind == "edit"][done:]:
         try:
             project = _after(project, entry)
-        except (RoamError, *HEADERS_MAY_MISS):
+        except (RoamError, *UNFIT):
             return project, "The journal is damaged: its last edits could not be put together."
     return project, problem
 
 
 def prune(root: Path) -> None:
     """Drop all but the newest sessions whose journals are all settled; nothing that may still be wanted goes."""
-    folders = [folder for folder in sorted(root.iterdir()) if folder.is_dir() and not is_held(folder)]
-    settled = [folder for folder in folders if all(_is_done(journal) for journal in journals(folder))]
-    for folder in settled[:-KEPT_SESSIONS]:
+    folders = _closed_sessions(root)
+    empty = [folder for folder in folders if not journals(folder)]
+    settled = [folder for folder in folders if folder not in empty and all(map(_is_done, journals(folder)))]
+    long_ago = time.time() - JUST_NOW
+    for folder in [*settled[:-KEPT_SESSIONS], *(each for each in empty if each.stat().st_mtime < long_ago)]:
         shutil.rmtree(folder, ignore_errors=True)
+
+
+def _closed_sessions(root: Path) -> list[Path]:
+    """The folders of windows that are open no more, oldest first; none where `root` cannot be read."""
+    try:
+        return [folder for folder in sorted(root.iterdir()) if folder.is_dir() and not is_held(folder)]
+    except OSError:
+        return []
 
 
 def _is_done(journal: Path) -> bool:
@@ -151,7 +164,7 @@ def _looked_at(journal: Path) -> Recovery | None:
     try:
         for entry in entries(journal):
             found = _with(found, entry, journal, edited)
-    except (Damaged, *HEADERS_MAY_MISS):
+    except (Damaged, *UNFIT):
         is_damaged = True
     except OSError:
         return None
@@ -168,15 +181,23 @@ def _with(found: Recovery | None, entry: Entry, journal: Path, edited: set[str])
             raise ValueError("of a newer program")
         original = header["original"]
         path = None if original is None else Path(original)
-        return Recovery(journal, path, str(header["digest"] or ""), float(header["time"]))
+        return Recovery(journal, path, str(header["digest"] or ""), _time(header))
     if found is None:
         raise ValueError("an entry before the beginning")
     if entry.kind == "edit":
         edited.update(header["ids"])
         edits, tracked = found.edits + header["edits"], found.tracked + header["tracked"]
         settled = "" if header["is_modified"] else "saved"  # undone up to what the file holds
-        return replace(found, when=float(header["time"]), edits=edits, tracked=tracked, settled=settled)
+        return replace(found, when=_time(header), edits=edits, tracked=tracked, settled=settled)
     return replace(found, settled=str(header["why"])) if entry.kind == "end" else found
+
+
+def _time(header: Mapping[str, Any]) -> float:
+    """When an entry was written."""
+    when = float(header["time"])
+    if not 0.0 <= when <= LATEST:
+        raise ValueError(f"{when} is no time")
+    return when
 
 
 def _marked(journal: Path) -> str:
@@ -191,7 +212,7 @@ def _base(recovery: Recovery, found: list[Entry]) -> tuple[Project, int]:
             path = recovery.journal.with_name(Path(str(entry.header["name"])).name)
             text = path.read_text(encoding="utf-8")
             return file.loads(text, Path(entry.header["folder"]), str(path)), int(entry.header["after"])
-        except (OSError, RoamError, *HEADERS_MAY_MISS):
+        except (OSError, RoamError, *UNFIT):
             continue
     begin = found[0].header
     if not begin.get("is_on_file"):

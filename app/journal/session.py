@@ -3,34 +3,41 @@
 from __future__ import annotations
 
 import os
-import shutil
 import time
 from pathlib import Path
 
 from PySide6.QtCore import QLockFile
 
-SUFFIX = ".journal"
+SUFFIX, LOCK = ".journal", "session.lock"
 DECLINED, RECOVERED = ".declined", ".recovered"
 """Suffixes of the empty files that remember what became of a journal; the journal itself is never touched again."""
 
 
 class Session:
-    """Makes its folder `<root>/<time>-<process>-<number>` and gives names to the journals in it."""
+    """Names journals in the folder `<root>/<time>-<process>-<number>`, which is made with the first of them."""
 
     def __init__(self, root: Path) -> None:
-        self.folder = _new_folder(root)
-        self._lock = QLockFile(str(self.folder / "session.lock"))
-        self._lock.tryLock(0)
+        self._root = root
+        self.folder: Path | None = None
+        self._lock: QLockFile | None = None
 
     def new_path(self) -> Path:
-        """Where the next journal is to lie."""
+        """Where the next journal is to lie. Raises `OSError` when the folder cannot be made."""
+        if self.folder is None:
+            self.folder = _new_folder(self._root)
+            self.hold()
         return self.folder / f"{1 + len(journals(self.folder)):04d}{SUFFIX}"
 
-    def close(self) -> None:
-        """Let the folder go; it goes itself where it holds no journal."""
-        self._lock.unlock()
-        if not journals(self.folder):
-            shutil.rmtree(self.folder, ignore_errors=True)
+    def hold(self) -> None:
+        """Lock the folder: its window is open."""
+        if self.folder is not None:
+            self._lock = QLockFile(str(self.folder / LOCK))
+            self._lock.tryLock(0)
+
+    def let_go(self) -> None:
+        """Unlock the folder: its window is closed."""
+        if self._lock is not None:
+            self._lock.unlock()
 
 
 def journals(folder: Path) -> list[Path]:
@@ -40,7 +47,9 @@ def journals(folder: Path) -> list[Path]:
 
 def is_held(folder: Path) -> bool:
     """True when a window that is open holds the session's lock."""
-    lock = QLockFile(str(folder / "session.lock"))
+    if not (folder / LOCK).exists():
+        return False
+    lock = QLockFile(str(folder / LOCK))
     lock.setStaleLockTime(0)
     free = lock.tryLock(0)
     lock.unlock()

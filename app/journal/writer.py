@@ -25,6 +25,10 @@ ROOT = Path("/")
 """The folder from which the texts in a journal name the plate."""
 MOST_DELTAS = 8 << 20
 """Bytes of deltas after which the whole project is written beside them, so that a replay stays short."""
+DELTAS_PER_BASE = 2
+"""The same as a multiple of the last whole project: large ones are not written all the time."""
+BASES = 2
+"""Whole projects that are kept of a journal: the last one may be damaged."""
 AGAIN = 1.0
 """Seconds until a write that failed is tried again."""
 
@@ -103,11 +107,14 @@ class JournalWriter:
             except queue.Empty:
                 self._keep_waiting()
                 continue
-            if isinstance(wish, _State):
-                wish = self._latest(wish)
-            if wish is None:
-                break
-            self._do(wish)
+            try:
+                if isinstance(wish, _State):
+                    wish = self._latest(wish)
+                if wish is None:
+                    break
+                self._do(wish)
+            except Exception as error:  # the thread lives on: the next edit may be written
+                self._refuse(error)
         self._leave()
 
     def _latest(self, state: _State) -> object:
@@ -144,17 +151,17 @@ class JournalWriter:
             if self._open is None:
                 self._open = _Open.on(self._session.new_path(), self._beginning, self._queue.put)
             self._open.keep(state)
-        except (OSError, ValueError, RoamError) as error:
-            self._refuse(error)
         except Exception as error:
-            log.exception("the journal cannot be written")
             self._refuse(error)
+            if self._open is not None and self._open.is_broken:
+                self._leave()  # the next try begins another file
         else:
             self._waiting, self._is_refused = None, False
 
     def _refuse(self, error: Exception) -> None:
         if not self._is_refused:
             self._is_refused = True
+            log.error("the journal cannot be written", exc_info=error)
             reason = error.strerror if isinstance(error, OSError) and error.strerror else str(error)
             self._tell(f"Your edits cannot be written to the journal ({reason}); save the project yourself.")
 
@@ -184,6 +191,9 @@ class _Open:
         self._after = 0
         self._copying: threading.Thread | None = None
         self._made: Entry | None = None
+        self._bases: list[Path] = []
+        self.is_broken = False
+        """True where something half written could not be taken back."""
         self._needs_base = beginning.is_on_file
 
     @classmethod
@@ -230,20 +240,32 @@ class _Open:
             written = append(self._stream, entry)
             os.fsync(self._stream.fileno())
         except OSError:
-            self._stream.truncate(self._length)
-            self._stream.seek(self._length)
+            self._take_back()
             raise
         self._length += written
         return written
 
+    def _take_back(self) -> None:
+        """Let the file end where it ended before a write that failed."""
+        try:
+            self._stream.truncate(self._length)
+            self._stream.seek(self._length)
+        except OSError:
+            self.is_broken = True
+
     def note_base(self) -> None:
         """Tell of a whole project that was written, if there is one that was not told of yet."""
         made, self._made = self._made, None
-        if made is not None:
+        if made is not None and not self.is_broken:
             try:
                 self.write(made)
             except OSError:
                 log.exception("a base of the journal cannot be noted")
+                return
+            self._bases.append(self.path.with_name(str(made.header["name"])))
+            for old in self._bases[:-BASES]:
+                old.unlink(missing_ok=True)
+            self._bases = self._bases[-BASES:]
 
     def close(self) -> None:
         if self._copying is not None:
@@ -258,9 +280,15 @@ class _Open:
         if self._needs_base:
             self._needs_base = False
             self._write_base(0, self._beginning.project, self._copied_original)
-        elif self._since_base > MOST_DELTAS:
+        elif self._since_base > max(MOST_DELTAS, DELTAS_PER_BASE * self._base_bytes()):
             self._since_base = 0
             self._write_base(self._after, self._last, lambda _: False)
+
+    def _base_bytes(self) -> int:
+        try:
+            return self._bases[-1].stat().st_size if self._bases else 0
+        except OSError:
+            return 0
 
     def _write_base(self, after: int, project: Project, copied: Callable[[Path], bool]) -> None:
         """On a thread of its own: a large project takes seconds, and edits go on to be written meanwhile."""

@@ -75,6 +75,7 @@ def test_a_defect_becomes_a_report_and_the_project_is_intact_and_in_the_journal(
     assert dialog is not None
     assert dialog.sentence.text() == KEPT
     assert window.document.project is project
+    assert window.journal.folder is not None
     (journal,) = window.journal.folder.glob("*.journal")
     assert b"Draw" not in journal.read_bytes()
     assert b"RotoShape" in journal.read_bytes()
@@ -112,6 +113,13 @@ def test_where_the_journal_fails_too_the_artist_is_told_to_save(
 def test_a_report_can_be_had_without_an_error(qtbot: QtBot, window: MainWindow) -> None:
     window.actions_by_id["help.report"].trigger()
     assert "unknown" not in shown(qtbot, window, "PySide6")
+
+
+def test_a_report_tells_of_the_job_that_failed_last(qtbot: QtBot, window: MainWindow) -> None:
+    window.writer.start("failing", lambda report: str(fail()))
+    qtbot.waitUntil(lambda: window.writer.is_idle, timeout=WAIT)
+    window.actions_by_id["help.report"].trigger()
+    assert "in fail" in shown(qtbot, window, "ZeroDivisionError: by zero")
 
 
 def crashing(folder: Path, what: str) -> str:

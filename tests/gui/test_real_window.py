@@ -154,6 +154,35 @@ def test_a_signal_ends_the_program_and_unsaved_work_waits_for_recovery(
     assert file.load(project_path).shapes == ()
 
 
+def test_what_was_drawn_before_a_kill_is_offered_with_its_project(
+    screen: Screen, project_path: Path, tmp_path: Path
+) -> None:
+    command = [sys.executable, "-m", "app", str(project_path)]
+    root = tmp_path / "state" / "roam" / "journal"
+    program = subprocess.Popen(command, env=screen.environment)
+    try:
+        draw(screen, program, project_path)
+        until(lambda: any(b"RotoShape" in path.read_bytes() for path in root.glob("*/*.journal")), "the edit", program)
+    finally:
+        program.kill()
+        program.wait(PATIENCE)
+    assert file.load(project_path).shapes == ()
+    program = subprocess.Popen(command, env=screen.environment)
+    try:
+        until(lambda: bool(screen.windows("Recover work")), "the offer", program)
+        screen.do("windowfocus", screen.windows("Recover work")[0])
+        screen.key("Return")
+        until(lambda: bool(screen.windows("disc.roam\\*")), "the unsaved work", program)
+        screen.do("windowfocus", screen.windows("disc.roam")[0])
+        screen.key("ctrl+s")
+        until(lambda: len(file.load(project_path).shapes) == 1, "the shape in the file", program)
+        until(lambda: not screen.windows("disc.roam\\*"), "the saved title", program)
+        screen.key("ctrl+q")
+        assert program.wait(PATIENCE) == 0
+    finally:
+        program.kill()
+
+
 def test_a_lasso_and_the_transform_box(screen: Screen, project_path: Path) -> None:
     program = subprocess.Popen([sys.executable, "-m", "app", str(project_path)], env=screen.environment)
     try:

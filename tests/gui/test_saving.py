@@ -151,6 +151,7 @@ def test_a_file_that_another_program_changed_is_asked_about(
     monkeypatch.setattr("app.dialogs.ask_doubted", lambda _, doubt: doubts.append(doubt) or answer)
     monkeypatch.setattr("app.dialogs.choose_save", lambda *_: elsewhere)
     doubts: list[str] = []
+    window.files.backups = 0
     draw(window)
     saved(qtbot, window, mine)
     draw(window)
@@ -265,6 +266,7 @@ def test_a_project_that_is_open_elsewhere_is_asked_about(
     assert window.document.path == (mine if answer is Contested.ANYWAY else None)
     assert len(window.document.project.shapes) == (answer is not Contested.CANCEL)
     assert window.document.is_modified == (answer is Contested.COPY)
+    assert window.reopening.page.isVisible() == (answer is Contested.CANCEL)
     ours = json.loads(project_lock.lock_path(mine).read_text(encoding="utf-8"))["process"] == os.getpid()
     assert ours == (answer is Contested.ANYWAY)
 

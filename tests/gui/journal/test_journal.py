@@ -3,9 +3,13 @@
 from __future__ import annotations
 
 import os
+import random
+import zlib
 from collections.abc import Iterator
+from contextlib import suppress
 from dataclasses import replace
 from pathlib import Path
+from typing import IO
 
 import pytest
 from pytestqt.qtbot import QtBot
@@ -13,10 +17,13 @@ from pytestqt.qtbot import QtBot
 from app.document import Document
 from app.journal import recovery, writer
 from app.journal.journal import Journal
+from app.journal.record import Damaged, Entry, append, encoded, entries
 from app.journal.recovery import KEPT_SESSIONS, Recovery
+from app.journal.writer import BASES
 from roam_core.errors import RoamError
 from roam_core.geometry.bezier import polygon_points
-from roam_core.roto import Clip, Keyframe, Origin, Project, edit, file
+from roam_core.roto import Clip, Keyframe, Origin, Project, edit, file, timing
+from tests.gui.journal.test_delta import random_edit
 
 SQUARE = polygon_points([(0, 0), (10, 0), (10, 10), (0, 10)])
 
@@ -40,9 +47,9 @@ def draw(document: Document) -> None:
 def crashed(journal: Journal, root: Path) -> list[Recovery]:
     """What would be found if the program ended here: the lock is let go as by a process that is killed."""
     assert journal.flush()
-    journal._session._lock.unlock()
+    journal._session.let_go()
     found = recovery.recoveries(root)
-    journal._session._lock.tryLock(0)
+    journal._session.hold()
     return found
 
 
@@ -99,7 +106,7 @@ def test_without_its_base_a_journal_is_refused_in_a_sentence(
     draw(document)
     (found,) = crashed(journal, root)
     journal._writer._open._copying.join()
-    for base in journal.folder.glob("*.roam"):
+    for base in root.glob("*/*.roam"):
         base.write_text("{", encoding="utf-8")
     assert recovery.load(found) == (document.project, "")
     (tmp_path / "mine.roam").write_text("{", encoding="utf-8")
@@ -194,6 +201,79 @@ def test_every_crash_is_offered_and_a_damaged_one_hides_none(root: Path, qapp: o
         recovery.load(third)
 
 
+def test_the_writer_outlives_any_error(
+    qtbot: QtBot, document: Document, journal: Journal, root: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    with monkeypatch.context() as failing, qtbot.waitSignal(journal.refused, timeout=5000):
+        failing.setattr(journal._writer, "_do", lambda _: 1 / 0)
+        draw(document)
+        while not journal._writer._is_refused:
+            qtbot.wait(1)
+    draw(document)
+    (found,) = crashed(journal, root)
+    assert recovery.load(found) == (document.project, "")
+
+
+def test_where_half_a_write_cannot_be_taken_back_another_file_begins(
+    document: Document, journal: Journal, root: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def refuse(*_: object) -> None:
+        raise OSError(5, "Input/output error")
+
+    draw(document)
+    assert journal.flush()
+    opened = journal._writer._open
+    assert opened is not None
+    with monkeypatch.context() as failing:
+        failing.setattr(os, "fsync", refuse)
+        failing.setattr(opened, "_length", -1)  # no file can be cut there
+        draw(document)
+        assert not journal.flush()
+    draw(document)
+    assert journal.flush()
+    found = recovery.offered(crashed(journal, root))
+    assert len(found) == 2
+    assert recovery.load(found[0]) == (document.project, "")
+
+
+BEGIN = {"kind": "begin", "version": 1, "time": 1e9, "is_on_file": False, "original": None, "digest": None}
+EDIT = {"kind": "edit", "time": 1e9, "is_modified": True, "edits": 1, "tracked": 0, "ids": [], "clip": None}
+
+
+@pytest.mark.parametrize(
+    "row",
+    [
+        [BEGIN | {"version": 99}],
+        [BEGIN | {"time": 1e300}],
+        [EDIT],
+        [BEGIN, EDIT, EDIT | {"time": "soon"}],
+        [BEGIN, EDIT, EDIT | {"ids": 7}],
+        [BEGIN, EDIT, EDIT | {"edits": None}],
+        [BEGIN, EDIT, {"kind": "end"}],
+        [BEGIN, EDIT, {"kind": "base", "name": "../../x", "after": "y"}],
+        [BEGIN, EDIT | {"tree": 3, "dropped": {}}],
+        [BEGIN, EDIT | {"tree": ["nobody"], "dropped": {}}],
+    ],
+)
+def test_entries_that_make_no_sense_end_in_a_sentence(root: Path, row: list[dict[str, object]]) -> None:
+    (root / "20260101-000000-1-1").mkdir(parents=True)
+    text = file.dumps(Project(), Path("/"))
+    content = b"".join(encoded(Entry(header, text if header["kind"] == "edit" else "")) for header in row)
+    (root / "20260101-000000-1-1" / "0001.journal").write_bytes(content)
+    for found in recovery.recoveries(root):
+        assert found.day
+        assert found.sentence
+        with suppress(RoamError):
+            assert recovery.load(found)[0] == Project()
+
+
+def test_a_header_nested_without_end_is_damage(tmp_path: Path) -> None:
+    payload = b"[" * 200_000 + b"\n"
+    (tmp_path / "x.journal").write_bytes(b"%d %08x\n%b\n" % (len(payload), zlib.crc32(payload), payload))
+    with pytest.raises(Damaged):
+        list(entries(tmp_path / "x.journal"))
+
+
 def test_declining_is_remembered_and_drops_nothing(root: Path, qapp: object) -> None:
     found = crash(root)
     before = found.journal.read_bytes()
@@ -213,9 +293,77 @@ def test_settled_sessions_are_pruned_by_count_and_others_never(document: Documen
         draw(document)
         document.save(tmp_path / f"{number}.roam")
         journal.close()
+    (root / "20000101-000000-1-1").mkdir()  # killed before the first edit, long ago and just now
+    os.utime(root / "20000101-000000-1-1", (0, 0))
+    (root / "20990101-000000-1-1").mkdir()
+    recovery.prune(root)
+    assert [path.name[:4] for path in sorted(root.iterdir()) if not list(path.glob("*.journal"))] == ["2099"]
     folders = {path.parent for path in root.glob("*/*.journal")}
     assert {lost.journal.parent, declined.journal.parent} <= folders
     assert len(folders) == KEPT_SESSIONS + 2
+
+
+def test_a_folder_that_cannot_be_made_is_told_and_tried_again(qtbot: QtBot, document: Document, tmp_path: Path) -> None:
+    root = tmp_path / "taken"
+    root.touch()
+    journal = Journal(document, root)
+    with qtbot.waitSignal(journal.refused, timeout=5000):
+        draw(document)
+    root.unlink()
+    draw(document)
+    (found,) = crashed(journal, root)
+    assert recovery.load(found) == (document.project, "")
+    journal.close()
+
+
+@pytest.mark.parametrize("failing", range(1, 9))
+def test_a_write_that_fails_half_way_costs_nothing_once_it_succeeds(
+    document: Document, journal: Journal, root: Path, monkeypatch: pytest.MonkeyPatch, failing: int
+) -> None:
+    calls = 0
+
+    def half(stream: IO[bytes], entry: Entry) -> int:
+        nonlocal calls
+        calls += 1
+        if calls == failing:
+            stream.write(encoded(entry)[: 7 * failing])
+            raise OSError(5, "Input/output error")
+        return append(stream, entry)
+
+    monkeypatch.setattr(writer, "append", half)
+    for number in range(6):
+        draw(document)
+        if number == 3:
+            document.open(document.project, None)  # another journal
+        journal.flush()
+    found = recovery.offered(crashed(journal, root))[0]  # one whose end could not be told is offered, too
+    assert calls > failing
+    assert recovery.load(found)[0].shapes[-2:] == document.project.shapes[-2:]
+    assert not found.is_damaged
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_after_any_row_of_edits_undos_saves_and_openings_the_journal_holds_what_is_shown(
+    document: Document, journal: Journal, root: Path, tmp_path: Path, seed: int
+) -> None:
+    choose = random.Random(seed)
+    document.open(Project(Clip(Path("/plate"), 1, 50, (200, 100))), None)
+    document.undo_bytes = 1 << 16
+    doing = (
+        *(lambda: document.apply("Edit", random_edit(document.project, choose)),) * 12,
+        *(document.undo_stack.undo,) * 4,
+        *(document.undo_stack.redo,) * 2,
+        lambda: document.amend("Run", lambda project: timing.set_mark(project, choose.randrange(99)), "run"),
+        lambda: document.save(tmp_path / f"{choose.randrange(3)}.roam"),
+        lambda: document.recover(document.project, document.path),
+    )
+    for step in range(200):
+        choose.choice(doing)()
+        if step % 10 == 0:
+            found = recovery.offered(crashed(journal, root))
+            assert len(found) == document.is_modified
+            if found:
+                assert recovery.load(found[0]) == (document.project, "")
 
 
 def test_a_long_row_of_edits_gets_whole_projects_in_between(
@@ -228,11 +376,14 @@ def test_a_long_row_of_edits_gets_whole_projects_in_between(
         if journal._writer._open._copying is not None:
             journal._writer._open._copying.join()
     (found,) = crashed(journal, root)
-    bases = sorted(journal.folder.glob("*.roam"))
-    assert len(bases) >= 3
+    bases = sorted(root.glob("*/*.roam"))
+    assert len(bases) == BASES  # older ones are gone
     assert recovery.load(found) == (document.project, "")
-    monkeypatch.setattr(recovery, "applied", None)  # the last ones suffice for what came after the last base
-    assert len(file.load(bases[-1]).shapes) > len(file.load(bases[0]).shapes)
+    assert 1 < len(file.load(bases[0]).shapes) < len(file.load(bases[1]).shapes)
+    for base in reversed(bases):  # the one before serves as well; with neither there is no way
+        assert recovery.load(found) == (document.project, "")
+        base.write_text("{", encoding="utf-8")
+    assert recovery.load(found) == (document.project, "")  # from the beginning: no file lay under it
 
 
 def test_tracked_frames_are_counted_apart(document: Document, journal: Journal, root: Path) -> None:
