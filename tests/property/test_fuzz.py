@@ -1,9 +1,9 @@
-"""The fuzz harness at its smallest: what it once found is read again, and a few damaged files of every kind."""
+"""The fuzz harness at its smallest: what once was too much is read again, and a few damaged files of every kind."""
 
 from __future__ import annotations
 
 import random
-from contextlib import suppress
+from contextlib import nullcontext, suppress
 from pathlib import Path
 
 import pytest
@@ -13,6 +13,8 @@ from tests.conftest import ROOT
 from tests.fuzz import READERS, SEED, damaged
 
 CORPUS = ROOT / "tests" / "golden" / "hostile"
+REFUSED = {".exr", ".jp2", ".sfx"}
+"""Of the corpus: what is refused whole. Of the others, what makes no sense is left out."""
 
 
 @pytest.mark.parametrize("name", READERS)
@@ -38,5 +40,6 @@ def test_whole_files_are_read(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("file", sorted(CORPUS.glob("*")), ids=lambda file: file.name)
 def test_what_was_found_once_stays_mended(file: Path) -> None:
-    with suppress(RoamError):
-        READERS[file.name.partition("-")[0]][3](file)
+    read = READERS[file.name.partition("-")[0]][3]
+    with pytest.raises(RoamError) if file.suffix in REFUSED else nullcontext():
+        read(file)
