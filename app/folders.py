@@ -2,29 +2,40 @@
 
 from __future__ import annotations
 
-import os
 from pathlib import Path
 
 import platformdirs
 
 from roam_core.errors import RoamError
+from roam_core.temporary import is_writable, private_folder
 
 
 def state_folder() -> Path:
     """The folder of the log, the settings and the journals; made when it is missing.
 
-    Raises `RoamError` when it cannot be made or written to: without it work could not be kept safe.
+    Where it cannot be written to, a private temporary one, so that work is kept safe all the same (`state_trouble`).
+    Raises `RoamError` when there is none of these.
     """
-    folder = platformdirs.user_state_path("roam", appauthor=False)
+    return _writable(platformdirs.user_state_path("roam", appauthor=False), "roam-state")
+
+
+def state_trouble() -> str:
+    """What to tell the artist where settings and journal go to a temporary folder; empty where all is well."""
+    wanted, used = platformdirs.user_state_path("roam", appauthor=False), state_folder()
+    if used == wanted:
+        return ""
+    return f"The folder {wanted} cannot be written to: settings and the journal of edits are kept in {used} for now."
+
+
+def _writable(folder: Path, name: str) -> Path:
+    if is_writable(folder):
+        return folder
     try:
-        folder.mkdir(parents=True, exist_ok=True)
+        return private_folder(name)
     except OSError as error:
-        raise RoamError(f"The folder {folder} for the journal of edits cannot be made: {error.strerror}.") from None
-    if not os.access(folder, os.W_OK | os.X_OK):
-        raise RoamError(f"The folder {folder} for the journal of edits cannot be written to; change its permissions.")
-    return folder
+        raise RoamError(f"Neither {folder} nor a temporary folder can be written to: {error}.") from None
 
 
 def cache_folder() -> Path:
-    """The folder of what can be made again at any time, such as the demo's frames; whoever writes there makes it."""
-    return platformdirs.user_cache_path("roam", appauthor=False)
+    """The folder of what can be made again at any time, such as the demo's frames; else a private temporary one."""
+    return _writable(platformdirs.user_cache_path("roam", appauthor=False), "roam-cache")

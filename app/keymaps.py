@@ -16,7 +16,7 @@ from typing import Any
 from PySide6.QtGui import QKeySequence
 
 from app.action_specs import SPECS, ActionSpec, Reach
-from app.keeping import keep_json
+from app.keeping import keep_json, load_json
 from roam_core.errors import RoamError
 
 Keymap = Mapping[str, tuple[str, ...]]
@@ -24,6 +24,8 @@ Keymap = Mapping[str, tuple[str, ...]]
 
 DEFAULT = "default"
 TYPE, VERSION = "roam.Keymap", 1
+MOST_KEYS, LONGEST_KEY = 20, 100
+"""Keys of one action, and characters of a key, that are believed of the artist's own file."""
 
 US_SHIFTED: Mapping[str, str] = MappingProxyType(
     {shifted: f"Shift+{plain}" for shifted, plain in zip('{}?~|:"<>_+', "[]/`\\;',.-=", strict=True)}
@@ -161,15 +163,24 @@ def load_own(path: Path) -> OwnKeymap:
     RoamError
         when the file is there and is no keymap.
     """
-    if not path.is_file():
+    document = load_json(path)
+    if not document:
         return OwnKeymap()
-    try:
-        document = json.loads(path.read_text(encoding="utf-8"))
-        keys = {action: tuple(map(str, keys)) for action, keys in document["keys"].items() if action in _SPECS}
-        preset = document["based_on"] if document["based_on"] in presets() else DEFAULT
-    except (OSError, ValueError, KeyError, TypeError, AttributeError):
-        raise RoamError(f"{path} is no keymap, so ROAM's own keys are used; set yours again in Edit > Keys.") from None
-    return OwnKeymap(preset, {action: own for action, own in keys.items() if all(map(press, own))})
+    keys, preset = document.get("keys"), document.get("based_on")
+    if not isinstance(keys, dict) or not isinstance(preset, str):
+        raise RoamError(f"{path} is no keymap; set your keys again in Edit > Keys.")
+    own = {action: _presses(given) for action, given in keys.items() if action in _SPECS}
+    if None in own.values():
+        raise RoamError(f"{path} is no keymap; set your keys again in Edit > Keys.")
+    known = {action: found for action, found in own.items() if found is not None and all(map(press, found))}
+    return OwnKeymap(preset if preset in presets() else DEFAULT, known)
+
+
+def _presses(given: Any) -> tuple[str, ...] | None:
+    """The keys of an action as the file has them; None where they are none."""
+    if not isinstance(given, list) or len(given) > MOST_KEYS:
+        return None
+    return tuple(given) if all(isinstance(key, str) and len(key) <= LONGEST_KEY for key in given) else None
 
 
 @cache

@@ -115,13 +115,14 @@ def _run(begin: Callable[[MainWindow], object]) -> int:
 
     from app import settings, style
     from app.crash_report import NativeLog, native_crashes
-    from app.folders import cache_folder, state_folder
+    from app.folders import cache_folder, state_folder, state_trouble
     from app.jobs import warm_up
     from app.main_window import MainWindow
     from app.personal import Personal
 
     _keep_log(state_folder() / "roam.log")
     personal = Personal(state_folder(), cache_folder())
+    personal.trouble = " ".join(filter(None, (state_trouble(), personal.trouble)))
     _scale(personal.preferences.scale)
     application = QApplication.instance() or QApplication(sys.argv[:1])
     assert isinstance(application, QApplication)

@@ -8,6 +8,7 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
 
+from app.keeping import loaded
 from app.keymaps import OwnKeymap, load_own, save_own
 from app.preferences import Preferences, load_preferences, save_preferences
 from app.recent import Recent, load_recent, save_recent, with_newest, without
@@ -36,15 +37,15 @@ class Personal(QObject):
         super().__init__(parent)
         self.folder, self.cache = folder, cache
         self._preferences, self._keys = Preferences(), OwnKeymap()
-        self._recent: tuple[Recent, ...] = () if folder is None else load_recent(folder / RECENT_FILE)
+        self._recent: tuple[Recent, ...] = ()
         self.trouble = ""
         """Why something could not be read at the start; empty where all was well."""
         if folder is not None:
-            self._preferences = load_preferences(folder / PREFERENCES_FILE)
-            try:
-                self._keys = load_own(folder / KEYMAP_FILE)
-            except RoamError as error:
-                self.trouble = str(error)
+            self._preferences, of_preferences = loaded(folder / PREFERENCES_FILE, load_preferences, Preferences())
+            self._keys, of_keys = loaded(folder / KEYMAP_FILE, load_own, OwnKeymap())
+            nothing: tuple[Recent, ...] = ()
+            self._recent, of_recent = loaded(folder / RECENT_FILE, load_recent, nothing)
+            self.trouble = " ".join(filter(None, (of_preferences, of_keys, of_recent)))
 
     @property
     def preferences(self) -> Preferences:
@@ -83,7 +84,9 @@ class Personal(QObject):
 
     def _set_recent(self, change: Callable[[tuple[Recent, ...]], tuple[Recent, ...]]) -> None:
         # Another window may have noted something meanwhile: its entries stay.
-        before = self._recent if self.folder is None else load_recent(self.folder / RECENT_FILE)
+        before = self._recent
+        if self.folder is not None:
+            before, _ = loaded(self.folder / RECENT_FILE, load_recent, before)
         self._recent = change(before)
         self.recent_changed.emit()
         self._keep(RECENT_FILE, lambda path: save_recent(self._recent, path))

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import json
 from dataclasses import asdict, dataclass, fields
 from pathlib import Path
 from typing import Any
 
-from app.keeping import keep_json
+from app.keeping import keep_json, load_json
 from roam_core.params import CONFIGS
 
 TYPE = "roam.Preferences"
@@ -58,14 +57,14 @@ class Preferences:
 
 
 def load_preferences(path: Path) -> Preferences:
-    """What the file says; the default for each thing that it does not say, or says in a way that makes no sense."""
-    try:
-        document = json.loads(path.read_text(encoding="utf-8"))
-    except (OSError, ValueError):
-        return Preferences()
+    """What the file says; the default for each thing that it does not say, or says in a way that makes no sense.
+
+    Raises `RoamError` when the file is damaged.
+    """
+    document = load_json(path)
     found = Preferences()
     for field in fields(Preferences):
-        value = document.get(field.name) if isinstance(document, dict) else None
+        value = document.get(field.name)
         if _fits(value, getattr(found, field.name)):
             changed = Preferences(**(asdict(found) | {field.name: value}))
             found = changed if changed.is_sound else found

@@ -3,16 +3,19 @@
 from __future__ import annotations
 
 import hashlib
-import json
 import os
 from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
-from app.keeping import keep_json
+from app.keeping import keep_json, load_json
+from roam_core.errors import RoamError
 
 MOST = 24
 """How many are remembered."""
+LONGEST_PATH, LATEST = 4096, 2**35
+"""Characters of a path, and seconds since the epoch, that are believed of the file."""
 
 
 @dataclass(frozen=True)
@@ -38,13 +41,28 @@ def without(entries: Iterable[Recent], path: Path) -> tuple[Recent, ...]:
 
 
 def load_recent(path: Path) -> tuple[Recent, ...]:
-    """What the file remembers, newest first; nothing where it is missing or damaged: it is a convenience, no more."""
+    """What the file remembers, newest first; nothing where it is missing. Entries that make no sense are left out.
+
+    Raises `RoamError` when the file is damaged.
+    """
+    entries = load_json(path).get("recent", [])
+    if not isinstance(entries, list):
+        raise RoamError(f"{path} is damaged.")
+    found = (_recent(entry) for entry in entries)
+    return tuple(recent for recent in found if recent is not None)[:MOST]
+
+
+def _recent(entry: Any) -> Recent | None:
+    """One entry of the file; None where it names no path or no time that there could be."""
+    path, when = (entry.get("path"), entry.get("when")) if isinstance(entry, dict) else (None, None)
+    if not isinstance(path, str) or isinstance(when, bool) or not isinstance(when, int | float):
+        return None
     try:
-        document = json.loads(path.read_text(encoding="utf-8"))
-        found = [Recent(Path(str(entry["path"])), float(entry["when"])) for entry in document["recent"]]
-    except (OSError, ValueError, KeyError, TypeError):
-        return ()
-    return tuple(found[:MOST])
+        os.fsencode(path)
+    except UnicodeEncodeError:
+        return None
+    is_path = 0 < len(path) <= LONGEST_PATH and "\0" not in path
+    return Recent(Path(path), float(when)) if is_path and 0 <= when <= LATEST else None
 
 
 def save_recent(entries: Iterable[Recent], path: Path) -> None:

@@ -3,12 +3,16 @@
 from __future__ import annotations
 
 import json
+import os
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QByteArray, QSettings
 
+from app.keeping import MOST_BYTES, loaded
 from app.panels.panel import Panel
+from roam_core.bounded import bounded_bytes
+from roam_core.errors import RoamError
 
 if TYPE_CHECKING:
     from app.main_window import MainWindow
@@ -17,7 +21,14 @@ SWITCHES = ("time.loop", "time.ping_pong", "view.panels", "edit.history", "help.
 
 
 def restore(window: MainWindow, path: Path) -> None:
-    """Give the window what `keep` wrote; what is missing or makes no sense stays as it is."""
+    """Give the window what `keep` wrote; what is missing or makes no sense stays as it is.
+
+    A file that `keep` cannot have written is set aside, and told.
+    """
+    _, trouble = loaded(path, _require_own, None)
+    if trouble:
+        window.view_state.say(trouble)
+        return
     settings = QSettings(str(path), QSettings.Format.IniFormat)
     if isinstance(geometry := settings.value("geometry"), QByteArray):
         window.restoreGeometry(geometry)
@@ -59,11 +70,17 @@ def keep(window: MainWindow, path: Path) -> None:
     settings.sync()
 
 
+def _require_own(path: Path) -> None:
+    """Refuse what `keep` does not write: a longer file, and values of other types, which Qt would make objects of."""
+    if os.path.lexists(path) and b"@Variant" in bounded_bytes(path, MOST_BYTES, "it is damaged"):
+        raise RoamError(f"{path} is damaged.")
+
+
 def _tables(text: object) -> dict[str, dict[str, str]]:
     """Tables by name, as JSON; nothing where the text is not what `keep` writes."""
     try:
         found = json.loads(str(text))
-    except ValueError:
+    except (ValueError, RecursionError):
         return {}
     if not isinstance(found, dict):
         return {}

@@ -139,5 +139,5 @@ def test_a_file_of_another_version_gives_what_still_exists(tmp_path: Path) -> No
 @pytest.mark.parametrize("text", ["", "[]", '{"keys": 3, "based_on": "nuke"}', '{"keys": {"tool.bezier": 3}}'])
 def test_a_file_that_is_no_keymap_is_refused_in_a_sentence(tmp_path: Path, text: str) -> None:
     (tmp_path / "keymap.json").write_text(text, encoding="utf-8")
-    with pytest.raises(RoamError, match="is no keymap, so ROAM's own keys are used"):
+    with pytest.raises(RoamError, match=r"is no keymap|is damaged"):
         load_own(tmp_path / "keymap.json")

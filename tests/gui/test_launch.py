@@ -8,7 +8,8 @@ from pathlib import Path
 
 import pytest
 
-from app import launch
+from app import folders, launch
+from roam_core.errors import RoamError
 from tests.gui.windows import write_clip
 
 DISPLAYS = ("DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM")
@@ -51,16 +52,24 @@ def test_a_path_that_is_not_there_is_one_sentence(
     assert "nowhere" in error
 
 
-def test_state_that_cannot_be_kept_is_one_sentence(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+def test_state_goes_to_a_private_folder_where_the_artists_own_cannot_be_written_to(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    monkeypatch.setattr("platformdirs.user_state_path", lambda *_, **__: tmp_path / "own")
+    assert folders.state_folder() == tmp_path / "own"
+    assert folders.state_trouble() == ""
     (tmp_path / "file").touch()
     monkeypatch.setattr("platformdirs.user_state_path", lambda *_, **__: tmp_path / "file" / "roam")
-    monkeypatch.setenv("QT_QPA_PLATFORM", "offscreen")
-    assert launch.main([str(write_clip(tmp_path / "plate", 1))]) == launch.FAILED
-    error = capsys.readouterr().err
-    assert error.startswith("roam: The folder ")
-    assert error.count("\n") == 1
+    monkeypatch.setattr("platformdirs.user_cache_path", lambda *_, **__: tmp_path / "file" / "roam")
+    monkeypatch.setattr("tempfile.tempdir", str(tmp_path))
+    state = folders.state_folder()
+    assert state.parent == tmp_path
+    assert state == folders.state_folder(), "what is autosaved there is found again"
+    assert folders.cache_folder() not in (state, tmp_path / "file" / "roam")
+    assert f"are kept in {state} for now" in folders.state_trouble()
+    monkeypatch.setattr("tempfile.tempdir", str(tmp_path / "file"))
+    with pytest.raises(RoamError, match=r"Neither .* nor a temporary folder can be written to"):
+        folders.state_folder()
 
 
 def test_an_option_that_is_none_is_bad_usage(capsys: pytest.CaptureFixture[str]) -> None:

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator
+import os
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 from pathlib import Path
 
@@ -12,6 +13,7 @@ from PySide6.QtCore import Qt
 from pytestqt.qtbot import QtBot
 
 from app import launch, settings
+from app.keymaps import OwnKeymap
 from app.main_window import MainWindow
 from app.personal import Personal
 from app.preferences import Preferences, load_preferences, save_preferences
@@ -65,10 +67,49 @@ def test_what_makes_no_sense_is_the_default_and_the_rest_holds(tmp_path: Path, d
     assert found == replace(OTHERS, **expected)
 
 
-@pytest.mark.parametrize("text", ["", "[]", "no json"])
-def test_a_damaged_file_gives_the_defaults(tmp_path: Path, text: str) -> None:
-    (tmp_path / "preferences.json").write_text(text, encoding="utf-8")
-    assert load_preferences(tmp_path / "preferences.json") == Preferences()
+KEPT = ("preferences.json", "keymap.json", "recent.json", "window.ini")
+DAMAGES: dict[str, Callable[[Path], object]] = {
+    "empty": lambda path: path.write_bytes(b""),
+    "a list": lambda path: path.write_bytes(b"[]"),
+    "no text": lambda path: path.write_bytes(bytes(range(256)) * 3),
+    "deep": lambda path: path.write_bytes(b"[" * 100_000),
+    "huge": lambda path: (path.touch(), os.truncate(path, 1 << 40)),
+    "a folder": lambda path: (path.mkdir(), (path / "file").touch()),
+    "a pipe": os.mkfifo,
+    "an endless device": lambda path: path.symlink_to("/dev/zero"),
+    "a link to nothing": lambda path: path.symlink_to(path.parent / "nothing"),
+    "wrong types": lambda path: path.write_text('{"keys": 3, "recent": {}, "based_on": []}', encoding="utf-8"),
+    "an object of Qt": lambda path: path.write_bytes(b"[General]\ngeometry=@Variant(\\0\\0\\0\\x7f)\n"),
+}
+
+
+@pytest.mark.parametrize("damage", DAMAGES)
+def test_damaged_settings_are_set_aside_and_told_and_the_window_opens(
+    qtbot: QtBot, tmp_path: Path, damage: str
+) -> None:
+    for name in KEPT:
+        DAMAGES[damage](tmp_path / name)
+    personal = Personal(tmp_path)
+    assert (personal.preferences, personal.keys, personal.recent) == (Preferences(), OwnKeymap(), ())
+    with opened_window(qtbot, None, tmp_path / "autosave", personal) as window:
+        settings.restore(window, tmp_path / "window.ini")
+        told = f"{personal.trouble} {window.view_state.message}"
+        for aside in tmp_path.glob("*.damaged"):
+            assert aside.name in told
+            assert not os.path.lexists(tmp_path / aside.name.removesuffix(".damaged"))
+        personal.set_preferences(OTHERS)
+        personal.note_recent(tmp_path)
+    assert list(tmp_path.glob("*.damaged")), "nothing of a damaged file may be lost"
+    assert Personal(tmp_path).preferences == OTHERS
+    assert [recent.path for recent in Personal(tmp_path).recent] == [tmp_path]
+
+
+def test_a_second_damaged_file_does_not_replace_the_first(tmp_path: Path) -> None:
+    for text in ("one", "two"):
+        (tmp_path / "preferences.json").write_text(text, encoding="utf-8")
+        assert "was set aside" in Personal(tmp_path).trouble
+    assert (tmp_path / "preferences.json.damaged").read_text(encoding="utf-8") == "one"
+    assert (tmp_path / "preferences.json.damaged-2").read_text(encoding="utf-8") == "two"
 
 
 def test_memory_and_backups_hold_at_once(qtbot: QtBot, window: MainWindow, dialog: SettingsDialog) -> None:

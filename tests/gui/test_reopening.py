@@ -56,8 +56,16 @@ def test_the_list_is_bounded_and_a_path_stands_there_once() -> None:
     assert (again[0].when, len(again), len({entry.path for entry in again})) == (99.0, MOST, MOST)
 
 
-@pytest.mark.parametrize("text", ["", "{}", '{"recent": [{"path": 3}]}', '{"recent": [{"path": "/a", "when": "x"}]}'])
-def test_a_damaged_file_remembers_nothing(tmp_path: Path, text: str) -> None:
+@pytest.mark.parametrize(
+    "text",
+    [
+        "{}",
+        '{"recent": [3, {"path": 3}, {"when": 1}]}',
+        '{"recent": [{"path": "/a", "when": "x"}, {"path": "/a", "when": NaN}, {"path": "/a", "when": 1e300}]}',
+        '{"recent": [{"path": "\\u0000", "when": 1}, {"path": "\\ud800", "when": 1}, {"path": "", "when": 1}]}',
+    ],
+)
+def test_entries_that_make_no_sense_are_not_remembered(tmp_path: Path, text: str) -> None:
     (tmp_path / "recent.json").write_text(text, encoding="utf-8")
     assert load_recent(tmp_path / "recent.json") == ()
     save_recent([Recent(Path("/a"), 1.0)], tmp_path / "recent.json")

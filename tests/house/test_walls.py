@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import subprocess
 import sys
 
@@ -55,3 +56,21 @@ def test_an_unknown_door_is_an_attribute_error() -> None:
     with pytest.raises(AttributeError, match="no attribute 'Brush'"):
         _ = roam_core.Brush
     assert set(roam_core.__all__) <= {*roam_core._HOME}
+
+
+@pytest.mark.parametrize(
+    "statement",
+    [
+        "import pickle; pickle.loads(b'')",
+        "import marshal; marshal.loads(b'')",
+        "eval('1')",
+        "exec('1')",
+        "import subprocess; subprocess.run('true', shell=True)",
+        "import os; os.system('true')",
+    ],
+)
+@pytest.mark.parametrize("room", ["app", "roam_core", "scripts", "tests"])
+def test_the_linter_bans_whatever_would_run_what_a_file_says(statement: str, room: str) -> None:
+    command = [sys.executable, "-m", "ruff", "check", "--stdin-filename", f"{room}/made_up.py", "-"]
+    done = subprocess.run(command, input=statement + "\n", cwd=ROOT, capture_output=True, text=True, check=False)
+    assert re.search(r"\bS[0-9]{3}\b", done.stdout), done.stdout + done.stderr

@@ -101,7 +101,7 @@ def judge(text: str, height: int) -> tuple[list[JudgedMask], _Item]:
 
     assert text.isascii()
     with patch.dict(sys.modules, {"NatronEngine": engine}):
-        exec(compile(text, "script", "exec"), {"app": SimpleNamespace(createNode=create), "json": json})
+        exec(compile(text, "script", "exec"), {"app": SimpleNamespace(createNode=create), "json": json})  # noqa: S102 - our own script
     return [_mask(item, height) for item in _beziers(base)], base
 
 

@@ -135,7 +135,7 @@ def run(monkeypatch: pytest.MonkeyPatch) -> Any:
         rotopaint.__dict__.update(Layer=Item, Shape=Item, AnimControlPoint=Point, CVec3=lambda *v: v, FlagType=flags)
         monkeypatch.setitem(sys.modules, "nuke", nuke)
         monkeypatch.setitem(sys.modules, "nuke.rotopaint", rotopaint)
-        exec(compile(script, "script.py", "exec"), {"__name__": "__main__"})
+        exec(compile(script, "script.py", "exec"), {"__name__": "__main__"})  # noqa: S102 - our own script
         assert changes == [1]
         return root
 
