@@ -28,7 +28,8 @@ FEWEST_PACKED_DRAWN = 17
 LARGEST_FRAME = 2**31 - 1
 """Frame numbers lie between minus this and this: the window counts them in 32 bits."""
 
-_ALIKE = ("type", "frames", "origin", "interpolation", "points", "feather", "confidence", "vertex_confidence", "inputs")
+_FIELDS = ("type", "origin", "interpolation", "points", "feather", "confidence", "vertex_confidence", "inputs")
+"""What a key by itself and packed keys have; `frame` and `frames` come to it."""
 
 
 # ---- numbers ---------------------------------------------------------------------------------------------------------
@@ -227,7 +228,7 @@ def _read_key(document: Document) -> Keyframe:
         confidence=None if confidence is None else number(confidence, "the confidence of a key"),
         vertex_confidence=None if vertices is None else listed_numbers(vertices),
         inputs=text(document.get("inputs", ""), "the inputs of a key"),
-        extra=_rest(document, ("frame", *_ALIKE[:1], *_ALIKE[2:])),
+        extra=_rest(document, ("frame", *_FIELDS)),
     )
 
 
@@ -241,7 +242,7 @@ def _read_run(document: Document) -> Iterator[Keyframe]:
     if vertices is not None and (vertices.ndim != 2 or len(vertices) != count):
         raise ValueError("the packed keys and their vertex_confidence differ in length")
     origin, interpolation = Origin(document["origin"]), Interpolation(document["interpolation"])
-    extra = _rest(document, _ALIKE)
+    extra = _rest(document, ("frames", *_FIELDS))
     for k, (frame, stamp) in enumerate(zip(frames, _stamps(document, count), strict=True)):
         yield Keyframe(
             frame=frame,
