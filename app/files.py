@@ -21,6 +21,7 @@ from app.preferences import Preferences
 from app.project_lock import Holder
 from app.view_state import ViewState
 from roam_core.errors import RoamError
+from roam_core.interchange.authorship import is_project
 from roam_core.roto import Clip, Project, backups, edit, file
 from roam_core.roto.relinking import other_content, other_size, relinked
 
@@ -352,7 +353,7 @@ def _doubt(path: Path, known: Fingerprint | None, written: Fingerprint | None) -
 def _rotated(path: Path, count: int) -> str:
     """Keep older versions of the file; a sentence where that cannot be. It never stands in the way of saving."""
     try:
-        backups.rotate(path, count)
+        backups.rotate(path, count, is_project)
     except RoamError as error:
         return str(error)
     return ""

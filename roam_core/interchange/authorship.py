@@ -51,6 +51,11 @@ def written_by_us(path: Path) -> Kind | None:
     return Kind.PICTURE if _PICTURE.match(head) and _software(path) == SOFTWARE else None
 
 
+def is_project(path: Path) -> bool:
+    """Whether the file at `path` is a project of ROAM's, whatever its name."""
+    return written_by_us(path) is Kind.PROJECT
+
+
 def _software(picture: Path) -> str:
     """The `Software` tag of a picture, from its header."""
     import OpenImageIO as oiio  # noqa: N813 - large: only where there is a picture

@@ -3,18 +3,18 @@
 from __future__ import annotations
 
 import os
-import shutil
 from collections import Counter
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 from roam_core.errors import RoamError
-from roam_core.interchange.authorship import Kind, written_by_us
+from roam_core.interchange.authorship import Kind, is_project, written_by_us
 from roam_core.interchange.mattes import MatteExporter
 from roam_core.interchange.protocol import STANDARD, Exporter, ExportOptions, WritesSeveral
 from roam_core.media import PlateSource, open_clip
 from roam_core.roto import Clip, Project
+from roam_core.roto.backups import rotate
 
 BACKUPS = 9
 """How many older projects are kept beside a project that is written over."""
@@ -134,37 +134,12 @@ def listed(paths: Sequence[Path]) -> str:
 
 
 def kept_aside(path: Path) -> Path | None:
-    """Keep the project at `path` as `NAME.1` before another takes its place; those before it move up by one.
+    """Keep the project at `path` as a backup before another takes its place (`roto.backups.rotate`).
 
-    The ninth goes; what has such a name and is no project of ROAM's is passed over. `path` itself stays until it is
-    written over. Returns where the project is kept now, or None where there was none.
-
-    Raises
-    ------
-    RoamError
-        when it cannot be kept.
+    Returns where it is kept; None where there was none, or where it is the newest backup already. Raises `RoamError`
+    when it cannot be kept.
     """
-    if written_by_us(path) is not Kind.PROJECT:
-        return None
-    numbered = [path.with_name(f"{path.name}.{number}") for number in range(1, BACKUPS + 1)]
-    places = [place for place in numbered if not os.path.lexists(place) or written_by_us(place) is Kind.PROJECT]
-    try:
-        free = next((k for k, place in enumerate(places) if not place.exists()), len(places) - 1)
-        for k in range(free, 0, -1):
-            places[k - 1].replace(places[k])
-        _copied(path, places[0])
-    except (OSError, IndexError) as error:
-        reason = getattr(error, "strerror", None) or "files of others have the names of its backups"
-        raise RoamError(f"The project {path} cannot be kept aside before it is written over: {reason}.") from None
-    return places[0]
-
-
-def _copied(path: Path, place: Path) -> None:
-    """A second name for the file, or a copy on file systems that have none."""
-    try:
-        os.link(path.resolve(), place)
-    except OSError:
-        shutil.copy2(path, place)
+    return rotate(path, BACKUPS, is_project) if is_project(path) else None
 
 
 def _is_free(path: Path, kind: Kind) -> bool:

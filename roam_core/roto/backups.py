@@ -5,6 +5,7 @@ from __future__ import annotations
 import contextlib
 import os
 import shutil
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
 from roam_core.errors import RoamError
@@ -25,12 +26,13 @@ def backup_path(path: Path, number: int) -> Path:
             name = name[:-1]
 
 
-def rotate(path: Path, count: int) -> None:
+def rotate(path: Path, count: int, is_ours: Callable[[Path], bool] = lambda _: True) -> Path | None:
     """Keep the file at `path` as its backup 1; the backups before it move up by one, and the one after `count` goes.
 
     Call it before the file is replaced. `path` itself is never moved: at every moment it is there, whole. Of a symbolic
-    link the file behind it is kept, beside that file. Nothing happens where there is no file, where `count` is below
-    1, or where backup 1 is the very same file already.
+    link the file behind it is kept, beside that file. What has the name of a backup and is not ours is passed over.
+    Returns where the file is kept; None, and nothing happens, where there is no file, where `count` is below 1, or
+    where the newest backup is the very same file already.
 
     Raises
     ------
@@ -40,13 +42,20 @@ def rotate(path: Path, count: int) -> None:
     target = Path(os.path.realpath(path))
     temporary = temporary_beside(target)
     try:
-        if count < 1 or not target.is_file() or _is_kept(target):
-            return
+        if count < 1 or not target.is_file():
+            return None
+        named = [backup_path(target, number) for number in range(1, count + 1)]
+        places = [place for place in named if not os.path.lexists(place) or is_ours(place)]
+        if not places:
+            raise RoamError(f"No backup of {path} can be kept: files of others have the names of its backups.")
+        if _is_same(target, places[0]):
+            return None
         _keep(target, temporary)
-        for number in range(_first_free(target, count), 1, -1):
-            backup_path(target, number - 1).replace(backup_path(target, number))
-        temporary.replace(backup_path(target, 1))
+        for number in range(_first_free(places), 0, -1):
+            places[number - 1].replace(places[number])
+        temporary.replace(places[0])
         flush_folder(target.parent)
+        return places[0]
     except OSError as error:
         raise RoamError(f"No backup of {path} can be kept: {error.strerror} ({target.parent}).") from None
     finally:
@@ -59,16 +68,16 @@ def _is_odd(path: Path) -> bool:
     return any("\ud800" <= letter <= "\udfff" for letter in path.name)
 
 
-def _is_kept(target: Path) -> bool:
+def _is_same(target: Path, place: Path) -> bool:
     try:
-        return target.samefile(backup_path(target, 1))
+        return target.samefile(place)
     except OSError:
         return False
 
 
-def _first_free(target: Path, count: int) -> int:
-    """The lowest number that no backup has, or `count`, whose backup then goes."""
-    return next((number for number in range(1, count) if not backup_path(target, number).exists()), count)
+def _first_free(places: Sequence[Path]) -> int:
+    """The first place without a backup, or the last one, whose backup then goes."""
+    return next((number for number, place in enumerate(places) if not place.exists()), len(places) - 1)
 
 
 def _keep(target: Path, temporary: Path) -> None:
