@@ -18,8 +18,10 @@ from app.journal.delta import Delta, applied
 from app.journal.record import Damaged, Entry, entries
 from app.journal.session import DECLINED, RECOVERED, is_held, journals
 from app.journal.writer import ROOT, VERSION
+from app.preferences import MOST_BACKUPS
 from roam_core.errors import RoamError
 from roam_core.roto import Project, file
+from roam_core.roto.backups import backup_path
 
 KEPT_SESSIONS = 10
 """Sessions kept whose work was saved, thrown away or recovered."""
@@ -217,10 +219,17 @@ def _base(recovery: Recovery, found: list[Entry]) -> tuple[Project, int]:
     begin = found[0].header
     if not begin.get("is_on_file"):
         return Project(), 0
-    now = None if recovery.original is None else Fingerprint.of(recovery.original)
-    if recovery.original is None or now is None or now.digest != begin.get("digest"):
-        raise RoamError(f"The journal builds on {recovery.name} as it was, and that file has changed or gone.")
-    return file.load(recovery.original), 0
+    if recovery.original is not None and (path := _as_it_was(recovery.original, str(begin.get("digest")))) is not None:
+        return file.load(path), 0
+    raise RoamError(f"The journal builds on {recovery.name} as it was, and that file has changed or gone.")
+
+
+def _as_it_was(original: Path, digest: str) -> Path | None:
+    """The artist's file, or the backup of it, that holds what a journal builds on: a save may have come between."""
+    for path in (original, *(backup_path(original.resolve(), number) for number in range(1, MOST_BACKUPS + 1))):
+        if (now := Fingerprint.of(path)) is not None and now.digest == digest:
+            return path
+    return None
 
 
 def _after(project: Project, entry: Entry) -> Project:

@@ -119,9 +119,14 @@ def notes(folder: Path) -> list[tuple[int, float]]:
 
 
 def recoveries(states: Path) -> list[Project]:
-    """All projects that the next start would offer to recover."""
-    found = recovery.offered(recovery.recoveries(states / "roam" / "journal"))
-    return [recovery.load(each)[0] for each in found]
+    """All projects that the next start would offer to recover, and that can be."""
+    found = []
+    for each in recovery.offered(recovery.recoveries(states / "roam" / "journal")):
+        try:
+            found.append(recovery.load(each)[0])
+        except RoamError as error:
+            print(error, file=sys.stderr)
+    return found
 
 
 def number(project: Project, mode: str) -> int:

@@ -22,7 +22,7 @@ from app.journal.recovery import KEPT_SESSIONS, Recovery
 from app.journal.writer import BASES
 from roam_core.errors import RoamError
 from roam_core.geometry.bezier import polygon_points
-from roam_core.roto import Clip, Keyframe, Origin, Project, edit, file, timing
+from roam_core.roto import Clip, Keyframe, Origin, Project, backups, edit, file, timing
 from tests.gui.journal.test_delta import random_edit
 
 SQUARE = polygon_points([(0, 0), (10, 0), (10, 10), (0, 10)])
@@ -112,6 +112,21 @@ def test_without_its_base_a_journal_is_refused_in_a_sentence(
     (tmp_path / "mine.roam").write_text("{", encoding="utf-8")
     with pytest.raises(RoamError, match=r"builds on mine\.roam"):
         recovery.load(found)
+
+
+def test_a_save_on_the_way_leaves_what_a_journal_builds_on_among_the_backups(
+    document: Document, journal: Journal, root: Path, tmp_path: Path
+) -> None:
+    mine = tmp_path / "mine.roam"
+    document.save(mine)
+    draw(document)
+    (found,) = crashed(journal, root)
+    journal._writer._open._copying.join()
+    for base in root.glob("*/*.roam"):
+        base.unlink()
+    backups.rotate(mine, 2)
+    file.save(Project(), mine)
+    assert recovery.load(found) == (document.project, "")
 
 
 def test_saving_and_closing_in_good_order_leave_nothing_to_offer(
