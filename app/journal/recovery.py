@@ -219,16 +219,17 @@ def _base(recovery: Recovery, found: list[Entry]) -> tuple[Project, int]:
     begin = found[0].header
     if not begin.get("is_on_file"):
         return Project(), 0
-    if recovery.original is not None and (path := _as_it_was(recovery.original, str(begin.get("digest")))) is not None:
-        return file.load(path), 0
+    digest = str(begin.get("digest"))
+    if recovery.original is not None and (place := _as_it_was(recovery.original, digest)) is not None:
+        return file.load(place), 0
     raise RoamError(f"The journal builds on {recovery.name} as it was, and that file has changed or gone.")
 
 
 def _as_it_was(original: Path, digest: str) -> Path | None:
     """The artist's file, or the backup of it, that holds what a journal builds on: a save may have come between."""
-    for path in (original, *(backup_path(original.resolve(), number) for number in range(1, MOST_BACKUPS + 1))):
-        if (now := Fingerprint.of(path)) is not None and now.digest == digest:
-            return path
+    for place in (original, *(backup_path(original.resolve(), number) for number in range(1, MOST_BACKUPS + 1))):
+        if (now := Fingerprint.of(place)) is not None and now.digest == digest:
+            return place
     return None
 
 
