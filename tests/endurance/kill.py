@@ -23,7 +23,7 @@ from roam_core.roto import Clip, Project, edit, file
 from tests.endurance.artist import MODES, NOTES, SQUARE, TRACKING, UNTITLED, WORK
 from tests.gui.windows import write_clip
 
-READY, LATEST = 60.0, 2.5
+READY, LATEST = 240.0, 2.5
 """Seconds after which an artist that notes nothing is stuck, and up to which one that works is killed."""
 FRAMES = 24
 

@@ -121,6 +121,13 @@ def test_what_the_shapes_of_an_object_are(shapes: list[RotoShape], expected: lis
     assert units(shapes, 20.0) == expected
 
 
+def test_outlines_that_were_fitted_to_one_mask_touch_and_do_not_overlap() -> None:
+    shapes = [square(0, 0, 160), square(159.4, 40, 12)]
+    assert units(shapes, 20.0) == [whole(0, 1)]
+    assert units([shapes[0], square(157.0, 40, 12)], 20.0) == [part(0), part(1)]
+    assert units([square(0, 0, 160), square(157.0, 40, 12)], 80.0) == [whole(0, 1)]  # four times as fine a picture
+
+
 def test_a_hole_belongs_to_the_nearest_shape_below_it() -> None:
     hole = square(22, 10, 10, hole=True)
     assert units([square(0, 0, 40), square(20, 0, 40), hole], 20.0) == [part(0), part(1, 2)]
