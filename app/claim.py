@@ -7,10 +7,10 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject
 
-from app import project_lock
 from app.document import Document
 from app.jobs.runner import Report, Runner
-from app.project_lock import Holder
+from roam_core.roto import project_lock
+from roam_core.roto.project_lock import Holder
 
 _numbers = itertools.count(1)
 

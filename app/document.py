@@ -9,9 +9,9 @@ from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QUndoStack
 
 from app.commands import ProjectEdit
-from app.fingerprint import Fingerprint
 from app.journal.beginning import Beginning
 from roam_core.roto import Project, RotoShape, file
+from roam_core.roto.fingerprint import Fingerprint
 from roam_core.roto.project import Layer
 
 UNDO_BYTES = 256 << 20

@@ -18,9 +18,9 @@ from app.folders import cache_folder
 from app.jobs.export import Export
 from app.jobs.importing import SHAPE_FILES, Import
 from app.personal import Personal
-from app.project_lock import Holder
 from app.view_state import ViewState
 from roam_core.errors import RoamError
+from roam_core.roto.project_lock import Holder
 
 if TYPE_CHECKING:
     from app.clip_dialog import ClipDialog, FoundClip

@@ -9,20 +9,19 @@ from typing import TYPE_CHECKING, Any
 
 from PySide6.QtCore import QObject, Signal
 
-from app import project_lock
 from app.claim import Claim
 from app.document import Document
-from app.fingerprint import Fingerprint
 from app.jobs.decode import PlateReader
 from app.jobs.runner import Ending, Report, Runner, Work
 from app.journal import recovery
 from app.journal.recovery import Recovery
 from app.preferences import Preferences
-from app.project_lock import Holder
 from app.view_state import ViewState
 from roam_core.errors import RoamError
 from roam_core.interchange.authorship import is_project
-from roam_core.roto import Clip, Project, backups, edit, file
+from roam_core.roto import Clip, Project, backups, edit, file, project_lock
+from roam_core.roto.fingerprint import Fingerprint
+from roam_core.roto.project_lock import Holder
 from roam_core.roto.relinking import other_content, other_size, relinked
 
 if TYPE_CHECKING:

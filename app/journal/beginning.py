@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from pathlib import Path
 
-from app.fingerprint import Fingerprint
 from roam_core.roto import Project
+from roam_core.roto.fingerprint import Fingerprint
 
 
 @dataclass(frozen=True)

@@ -13,7 +13,6 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
-from app.fingerprint import Fingerprint
 from app.journal.delta import Delta, applied
 from app.journal.record import Damaged, Entry, entries
 from app.journal.session import DECLINED, RECOVERED, is_held, journals
@@ -22,6 +21,7 @@ from app.preferences import MOST_BACKUPS
 from roam_core.errors import RoamError
 from roam_core.roto import Project, file
 from roam_core.roto.backups import backup_path
+from roam_core.roto.fingerprint import Fingerprint
 
 KEPT_SESSIONS = 10
 """Sessions kept whose work was saved, thrown away or recovered."""

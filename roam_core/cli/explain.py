@@ -15,7 +15,7 @@ from roam_core.cli.explain_picture import TOTAL, choices, drawn
 from roam_core.cli.lines import print_json
 from roam_core.cli.overwriting import add_overwrite
 from roam_core.cli.picking import picked
-from roam_core.cli.plate import Plate, opened
+from roam_core.cli.plate import Plate, loaded, opened
 from roam_core.cli.stopping import cancelling
 from roam_core.cli.track import require_target
 from roam_core.errors import RoamError
@@ -24,9 +24,8 @@ from roam_core.interchange.authorship import Kind
 from roam_core.interchange.matte_files import signed_png
 from roam_core.interchange.targets import Sources, require_free
 from roam_core.propagate.explain import REGION, Explanation, explain
-from roam_core.roto import Origin, Project, RotoShape, file
+from roam_core.roto import Origin, Project, RotoShape
 from roam_core.roto.file import write_atomically
-from roam_core.roto.relinking import relinked
 
 Row = Mapping[str, object]
 
@@ -50,7 +49,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace) -> int:
     """Carry out the command."""
-    project = relinked(file.load(arguments.project), arguments.project.parent)
+    project = loaded(arguments.project)
     wanted = keyed_shapes(project, arguments.project, arguments.frame, arguments.shape)
     if arguments.picture is not None:
         require_target(arguments.picture)

@@ -8,9 +8,9 @@ from pathlib import Path
 
 from roam_core.cli.matte_options import add_matte_arguments, matte_style
 from roam_core.cli.overwriting import add_overwrite
+from roam_core.cli.plate import loaded
 from roam_core.interchange import EXPORTERS, ExportOptions, KeyChoice, exporter_for
 from roam_core.interchange.targets import Sources, exported, require_free
-from roam_core.roto import file
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -48,7 +48,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(arguments: argparse.Namespace) -> int:
     """Carry out the command."""
     exporter = exporter_for(arguments.to)
-    project = file.load(arguments.project)
+    project = loaded(arguments.project)
     options = ExportOptions(
         frame_offset=arguments.frame_offset,
         keys=KeyChoice(arguments.keys),

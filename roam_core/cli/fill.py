@@ -17,10 +17,10 @@ from tqdm import tqdm
 from roam_core.cancel import CancelToken
 from roam_core.cli.keeping import kept
 from roam_core.cli.lines import print_json
-from roam_core.cli.overwriting import add_overwrite, project_writer
+from roam_core.cli.overwriting import add_overwrite, project_writer, tell_of_holder
 from roam_core.cli.picking import EVERYTHING, Picking, trackable
 from roam_core.cli.picking import add_arguments as add_picking
-from roam_core.cli.plate import Plate, opened
+from roam_core.cli.plate import Plate, loaded, opened
 from roam_core.cli.stopping import cancelling
 from roam_core.cli.track import matte_path, matte_targets, require_target, require_writable
 from roam_core.errors import RoamError
@@ -32,8 +32,7 @@ from roam_core.propagate import Termination, warm_up
 from roam_core.propagate.provenance import Stamps, clip_stamp, takes_part
 from roam_core.propagate.span import fill_span
 from roam_core.propagate.whole import whole_confidence
-from roam_core.roto import Origin, Project, RotoShape, file
-from roam_core.roto.relinking import relinked
+from roam_core.roto import Origin, Project, RotoShape
 
 FAILED = 1
 Gap = tuple[int, int]
@@ -54,8 +53,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(arguments: argparse.Namespace) -> int:
     """Carry out the command."""
     params = params_for(arguments.config)
-    project = relinked(file.load(arguments.project), arguments.project.parent)
     target = arguments.project if arguments.save is None else arguments.save
+    write = project_writer(target, arguments.project)
+    project = loaded(arguments.project)
     picking = Picking(arguments.shape, arguments.alone)
     gaps = gaps_of(project, arguments.project, picking)
     with opened(str(project.require_clip().path), project.clip) as plate:
@@ -67,9 +67,9 @@ def run(arguments: argparse.Namespace) -> int:
             overwrite=arguments.overwrite,
             rewritten=arguments.project,
         )
+        tell_of_holder(target)
         if arguments.matte is not None:
             require_writable(arguments.matte, create=True)
-        write = project_writer(target, arguments.project)
         wanted = [gap for gap in gaps if not is_filled(project, gap, params, plate, picking)]
         filled = fill_project(plate, project, wanted, params, write, picking)
         project = filled.project

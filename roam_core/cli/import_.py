@@ -6,13 +6,14 @@ import argparse
 import sys
 from pathlib import Path
 
-from roam_core.cli.overwriting import add_overwrite, project_writer
+from roam_core.cli.overwriting import add_overwrite, project_writer, tell_of_holder
+from roam_core.cli.plate import loaded
 from roam_core.cli.track import require_target
 from roam_core.errors import RoamError
 from roam_core.interchange import ImportOptions, importer_for
 from roam_core.interchange.authorship import Kind
 from roam_core.interchange.targets import Sources, require_free
-from roam_core.roto import edit, file
+from roam_core.roto import edit
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -30,7 +31,8 @@ def run(arguments: argparse.Namespace) -> int:
     """Carry out the command."""
     target = arguments.into if arguments.save is None else arguments.save
     importer = importer_for(arguments.source)
-    project = file.load(arguments.into)
+    write = project_writer(target, arguments.into)
+    project = loaded(arguments.into)
     require_target(target)
     require_free(
         [(target, Kind.PROJECT)],
@@ -38,6 +40,7 @@ def run(arguments: argparse.Namespace) -> int:
         overwrite=arguments.overwrite,
         rewritten=arguments.into,
     )
+    tell_of_holder(target)
     options = ImportOptions(frame_offset=arguments.frame_offset)
     imported = importer.read(arguments.source, project.require_clip(), options)
     for note in imported.notes:
@@ -46,7 +49,7 @@ def run(arguments: argparse.Namespace) -> int:
     if count == 0:
         raise RoamError(f"{arguments.source} holds no shape that ROAM can read; nothing was written.")
     project, _ = edit.add_items(project, imported.layer.children)
-    project_writer(target, arguments.into)(project)
+    write(project)
     print(f"Read {count} shape(s) from {arguments.source} into {target}.", file=sys.stderr)
     return 0
 

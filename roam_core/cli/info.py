@@ -6,9 +6,11 @@ import argparse
 from pathlib import Path
 
 from roam_core.media import open_clip
+from roam_core.media.finding import is_there
 from roam_core.propagate.provenance import Stamps
 from roam_core.propagate.worth import most_worth_fixing
 from roam_core.roto import Origin, RotoShape, file
+from roam_core.roto.relinking import relinked
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -43,6 +45,9 @@ def _project_lines(path: Path) -> list[str]:
             f"clip     {project.clip.path}, frames {project.clip.first}-{project.clip.last}, {width}x{height}, "
             f"{project.clip.fps:g} fps, {project.clip.colour_space}"
         )
+        if not is_there(project.clip.path):
+            found = relinked(project, path.parent).require_clip().path
+            lines.append(f"         is not there{'' if found == project.clip.path else f'; found again at {found}'}")
     stamps = Stamps.of(project.shapes, project.clip)
     lines.extend(_shape_line(shape, stamps) for shape in project.shapes)
     return lines

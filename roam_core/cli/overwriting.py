@@ -9,6 +9,8 @@ from pathlib import Path
 
 from roam_core.interchange.targets import kept_aside
 from roam_core.roto import Project, file
+from roam_core.roto.fingerprint import Fingerprint
+from roam_core.roto.project_lock import holder
 
 
 def add_overwrite(parser: argparse.ArgumentParser) -> None:
@@ -20,20 +22,30 @@ def add_overwrite(parser: argparse.ArgumentParser) -> None:
     )
 
 
-def project_writer(target: Path, rewritten: Path | None = None) -> Callable[[Project], None]:
-    """A function that writes projects to `target`.
+def project_writer(target: Path, read: Path | None = None) -> Callable[[Project], None]:
+    """A function that writes projects to `target`. Ask for it before `read`, the project to work on, is read.
 
-    Another project that is there is kept aside first, once, and the user is told; not so `rewritten`, the project that
-    the command works on.
+    A project that is there is kept aside first, and the user is told, unless it is what was read or written last:
+    another one, and what somebody else saved there meanwhile.
     """
-    is_own = rewritten is not None and target.exists() and target.samefile(rewritten)
-    is_first = not is_own
+    is_own = read is not None and target.exists() and read.exists() and target.samefile(read)
+    known = Fingerprint.of(target) if is_own else None
 
     def write(project: Project) -> None:
-        nonlocal is_first
-        if is_first and (kept := kept_aside(target)) is not None:
-            print(f"The project that was {target} is kept as {kept.name}.", file=sys.stderr)
-        is_first = False
+        nonlocal known
+        if (known is None or not known.is_of(target)) and (kept := kept_aside(target)) is not None:
+            if known is None:
+                said = f"The project that was {target} is kept as {kept.name}."
+            else:
+                said = f"roam: {target} was changed by somebody else meanwhile; what it held is kept as {kept.name}."
+            print(said, file=sys.stderr)
         file.save(project, target)
+        known = Fingerprint.of(target)
 
     return write
+
+
+def tell_of_holder(target: Path) -> None:
+    """Say who else has the project that will be written open."""
+    if (found := holder(target)) is not None:
+        print(f"roam: {target} is {found.sentence}; it is written all the same. Open it anew there.", file=sys.stderr)

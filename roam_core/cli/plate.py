@@ -6,6 +6,7 @@ import sys
 import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
+from pathlib import Path
 from typing import Any
 
 from numpy.typing import NDArray
@@ -14,8 +15,8 @@ from tqdm import tqdm
 from roam_core.errors import RoamError
 from roam_core.media import FrameCache, MissingFrame, PlateSource, declared, open_clip
 from roam_core.media.colour import to_engine
-from roam_core.roto import Clip
-from roam_core.roto.relinking import other_content, other_size
+from roam_core.roto import Clip, Project, file
+from roam_core.roto.relinking import other_content, other_size, relinked
 
 AHEAD = 4
 """Frames decoded ahead of the solver."""
@@ -60,6 +61,11 @@ class Plate:
         """Decode the frames that follow `frame` in `frames` in the background."""
         position = frames.index(frame)
         self.cache.read_ahead([f for f in frames[position + 1 : position + 1 + AHEAD] if f in self.source.frames])
+
+
+def loaded(path: Path) -> Project:
+    """The project of a file, with its plate where it lies now."""
+    return relinked(file.load(path), path.parent)
 
 
 @contextmanager

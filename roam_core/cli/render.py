@@ -11,6 +11,7 @@ from tqdm import tqdm
 
 from roam_core.cli.matte_options import add_matte_arguments, matte_style
 from roam_core.cli.overwriting import add_overwrite
+from roam_core.cli.plate import loaded
 from roam_core.cli.track import require_writable
 from roam_core.errors import RoamError
 from roam_core.interchange.authorship import Kind
@@ -19,7 +20,7 @@ from roam_core.interchange.mattes import planned, style_for, write_mattes
 from roam_core.interchange.naming import numbering
 from roam_core.interchange.targets import Sources, require_free
 from roam_core.media import open_clip
-from roam_core.roto import Project, file
+from roam_core.roto import Project
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -37,7 +38,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace) -> int:
     """Carry out the command."""
-    project = file.load(arguments.project)
+    project = loaded(arguments.project)
     clip, style = project.require_clip(), matte_style(arguments)
     first = clip.first if arguments.start is None else arguments.start
     last = clip.last if arguments.end is None else arguments.end

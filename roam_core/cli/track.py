@@ -14,7 +14,7 @@ from tqdm import tqdm
 
 from roam_core.cli.keeping import kept
 from roam_core.cli.lines import print_json
-from roam_core.cli.overwriting import add_overwrite, project_writer
+from roam_core.cli.overwriting import add_overwrite, project_writer, tell_of_holder
 from roam_core.cli.picking import EVERYTHING, Picking, trackable
 from roam_core.cli.picking import add_arguments as add_picking
 from roam_core.cli.plate import Plate, opened
@@ -30,6 +30,7 @@ from roam_core.propagate import FrameResult, Termination, track, warm_up
 from roam_core.propagate.provenance import clip_stamp
 from roam_core.propagate.whole import whole_confidence
 from roam_core.roto import Clip, Layer, Project, RotoShape, file
+from roam_core.roto.writing import writable_target
 
 Report = Callable[[FrameResult], None]
 
@@ -57,6 +58,7 @@ def run(arguments: argparse.Namespace) -> int:
     if arguments.landmarks is not None:
         require_landmarks(arguments.config, arguments.landmarks, arguments.save)
     init = Path(arguments.init)
+    write = None if arguments.save is None else project_writer(arguments.save, init)
     given = given_project(init)
     with opened(arguments.clip, given.clip if given else None) as plate:
         picking = Picking(arguments.shape, arguments.alone)
@@ -74,6 +76,8 @@ def run(arguments: argparse.Namespace) -> int:
             overwrite=arguments.overwrite,
             rewritten=rewritten,
         )
+        if arguments.save is not None:
+            tell_of_holder(arguments.save)
         if arguments.matte is not None:
             require_writable(arguments.matte, create=True)
         landmarks = LandmarkPaths()
@@ -92,7 +96,7 @@ def run(arguments: argparse.Namespace) -> int:
                 picking,
                 report=report,
                 mattes=arguments.matte,
-                keep=None if arguments.save is None else project_writer(arguments.save, rewritten),
+                keep=write,
             )
     if not arguments.json:
         count = len(trackable(project, picking))
@@ -282,6 +286,7 @@ def require_target(path: Path) -> None:
     if path.is_dir():
         raise RoamError(f"{path} is a folder; name the file to write.")
     require_writable(path.parent, create=False)
+    writable_target(path)
 
 
 def require_writable(folder: Path, *, create: bool) -> None:

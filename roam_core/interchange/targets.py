@@ -90,8 +90,8 @@ class Obstacles:
         """Raise `RoamError` for what is permitted only on the user's word."""
         if self.foreign:
             raise RoamError(
-                f"{listed(self.foreign)} is there already and is not of ROAM's making; name another place, or say "
-                "--overwrite."
+                f"{listed(self.foreign)} is there already and is no file of this kind that ROAM made; name another "
+                "place, or say --overwrite."
             )
 
 

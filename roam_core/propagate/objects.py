@@ -28,7 +28,7 @@ ENCLOSED = 0.97
 OVERLAP = 0.02
 """Share of the smaller of two shapes that both enclose, from which they overlap rather than touch."""
 TOUCH = 1.0
-"""Pixels of a 480-line image, along a side of the smaller one, that outlines share when they were fitted to one edge."""
+"""Pixels of a 480-line image, along a side of the smaller one, that outlines share when fitted to one edge."""
 CELLS = 48
 """Cells across the smaller of two shapes when they are compared."""
 
@@ -198,7 +198,7 @@ def units(shapes: Sequence[RotoShape], gap: float) -> list[Unit]:
             if host in (i, j):
                 shared -= _shared(*_met(shapes[hole], shapes[j if host == i else i]))
         smaller = min(a.area, b.area)
-        return shared > max(OVERLAP * smaller, TOUCH * gap / NEAR * smaller**0.5)
+        return bool(shared > max(OVERLAP * smaller, TOUCH * gap / NEAR * np.sqrt(smaller)))
 
     made = [Unit(Role.OCCLUDER, (k,)) for k in occluders]
     behind = [k for k in everything if k not in occluders]

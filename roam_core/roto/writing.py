@@ -35,7 +35,7 @@ def write_atomically(path: Path, content: bytes | Iterable[bytes]) -> None:
     RoamError
         when it cannot be written; also for a read-only file, and for what is no regular file. The old file stays.
     """
-    target = _writable_target(path)
+    target = writable_target(path)
     if target.parent not in _swept:
         _swept.add(target.parent)
         sweep(target.parent)
@@ -90,8 +90,14 @@ def flush_folder(folder: Path) -> None:
             os.close(handle)
 
 
-def _writable_target(path: Path) -> Path:
-    """The file that is to be replaced: `path`, or what it links to."""
+def writable_target(path: Path) -> Path:
+    """The file that is to be replaced: `path`, or what it links to.
+
+    Raises
+    ------
+    RoamError
+        when it may not be: it is read-only, or no regular file.
+    """
     try:
         target = Path(os.path.realpath(path))
         mode = target.stat().st_mode

@@ -11,13 +11,13 @@ from PySide6.QtGui import QImage
 from pytestqt.qtbot import QtBot
 
 from app.document import Document
-from app.fingerprint import Fingerprint
 from app.journal import recovery
 from app.journal.journal import Journal
 from app.main_window import MainWindow
 from app.recovery_dialog import PICTURE, RecoveryDialog
 from roam_core.geometry.bezier import polygon_points
 from roam_core.roto import Project, edit, file
+from roam_core.roto.fingerprint import Fingerprint
 from tests.gui.windows import FIRST, WAIT, opened_window, write_clip
 
 SQUARE = polygon_points([(40, 30), (80, 30), (80, 70), (40, 70)])

@@ -13,12 +13,11 @@ from pathlib import Path
 import pytest
 from pytestqt.qtbot import QtBot
 
-from app import project_lock
 from app.dialogs import Contested, Doubted, Unsaved
 from app.main_window import MainWindow
 from roam_core.errors import RoamError
 from roam_core.geometry.bezier import polygon_points
-from roam_core.roto import Project, backups, edit, file
+from roam_core.roto import Project, backups, edit, file, project_lock
 from tests.gui.windows import WAIT, opened_window
 
 SQUARE = polygon_points([(40, 30), (80, 30), (80, 70), (40, 70)])

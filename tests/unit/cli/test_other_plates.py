@@ -68,3 +68,24 @@ def test_a_plate_that_moved_near_the_project_is_filled(roam: Roam, plate: Plate,
     project = file.load(keyed)
     assert project.require_clip().path == moved
     assert project.shapes[0].frames == (1001, 1002, 1003)
+
+
+def test_mattes_of_a_moved_plate_have_its_names_and_stay_out_of_it(roam: Roam, plate: Plate, keyed: Path) -> None:
+    (plate.folder.parent / "media").mkdir()
+    moved = plate.folder.rename(plate.folder.parent / "media" / "plate")
+    names = sorted(path.name for path in moved.iterdir())
+    require_refusal(roam("render", keyed, "--out", moved), "is read for this")
+    require_refusal(roam("export", keyed, moved / "m.####.exr", "--to", "mattes"), "among the frames of the plate")
+    assert roam("render", keyed, "--out", plate.folder.parent / "mattes").status == 0
+    assert sorted(path.name for path in (plate.folder.parent / "mattes").iterdir()) == names
+    assert sorted(path.name for path in moved.iterdir()) == names
+
+
+def test_info_tells_of_a_plate_that_moved_or_is_gone(roam: Roam, plate: Plate, keyed: Path) -> None:
+    assert "is not there" not in roam("info", keyed).out
+    (plate.folder.parent / "media").mkdir()
+    moved = plate.folder.rename(plate.folder.parent / "media" / "plate")
+    assert f"is not there; found again at {moved}\n" in roam("info", keyed).out
+    project = file.load(keyed)
+    file.save(replace(project, clip=replace(project.require_clip(), path=plate.folder / "gone")), keyed)
+    assert "is not there\n" in roam("info", keyed).out

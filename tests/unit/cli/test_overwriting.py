@@ -2,22 +2,27 @@
 
 from __future__ import annotations
 
+import json
 import os
+from dataclasses import replace
 from pathlib import Path
 
 import cv2
 import numpy as np
 import pytest
 
+from roam_core.cli import fill
+from roam_core.cli.overwriting import project_writer
 from roam_core.media import open_clip
-from roam_core.roto import Clip, Project, edit, file
+from roam_core.roto import Clip, Layer, Project, edit, file
+from roam_core.roto.project_lock import lock_path
 from tests.unit.cli.conftest import SHOT, Plate, Roam
 from tests.unit.cli.test_bad_input import require_refusal, tree
 from tests.unit.cli.test_fill import CONFIG
 
 OVERWRITE = "--overwrite"
 READ = "is read for this and is never written over"
-FOREIGN = "is not of ROAM's making"
+FOREIGN = "is no file of this kind that ROAM made"
 
 
 @pytest.fixture
@@ -187,3 +192,56 @@ def test_the_demo_keeps_to_the_same_rules(roam: Roam, tmp_path: Path) -> None:
     require_refusal(roam("demo", "--headless", "--frames", tmp_path / "new", "--save", theirs), theirs, FOREIGN)
     require_refusal(roam("demo", "--headless", "--frames", frames), frames / "demo.1003.png", FOREIGN)
     assert tree(tmp_path) == before
+
+
+def test_what_somebody_saved_during_a_run_is_kept(roam: Roam, project: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The run writes what it read and made; the other state, saved meanwhile, becomes a backup."""
+    theirs = replace(file.load(project), root=Layer("root", "Theirs"))
+    monkeypatch.setattr(fill, "warm_up", lambda _: file.save(theirs, project))
+    done = roam("fill", project, *CONFIG)
+    assert done.status == 0
+    assert f"{project} was changed by somebody else meanwhile; what it held is kept as p.roam.1." in done.err
+    assert file.load(project).shapes[0].frames == (1001, 1002, 1003, 1004)
+    assert file.load(project.with_name("p.roam.1")) == theirs
+
+
+def test_what_somebody_saved_between_two_writes_is_kept(project: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Also of a project that did not exist before; what the run itself wrote is no news."""
+    ours, target = file.load(project), project.with_name("new.roam")
+    theirs = replace(ours, root=Layer("root", "Theirs"))
+    write = project_writer(target, project)
+    write(ours)
+    write(theirs)
+    assert not capsys.readouterr().err
+    file.save(ours, target)
+    write(theirs)
+    assert "new.roam.1" in capsys.readouterr().err
+    assert file.load(target.with_name("new.roam.1")) == ours
+
+
+def test_who_has_a_project_open_is_told(roam: Roam, plate: Plate, project: Path) -> None:
+    """The lock of another machine: nobody here knows whether its process is still there."""
+    lock = {"host": "far", "user": "ann", "process": 7, "since": 0.0, "mark": "m"}
+    lock_path(project).write_text(json.dumps(lock))
+    for words in (
+        ("fill", project, *CONFIG),
+        ("track", plate.folder, "--init", plate.mask, *CONFIG, "--end", 1001, "--save", project),
+        ("import", plate.mask, "--into", project),
+    ):
+        done = roam(*words)
+        assert done.status == 0
+        assert f"{project} is open on far by ann since" in done.err
+    lock_path(project).unlink()
+    os.mkfifo(lock_path(project))  # no lock: nobody waits for it
+    assert "is open on" not in roam("fill", project, *CONFIG).err
+
+
+def test_a_read_only_project_is_refused_before_anything_is_done(roam: Roam, plate: Plate, project: Path) -> None:
+    project.chmod(0o444)
+    (project.parent / "link.roam").symlink_to(project)
+    before = tree(project.parent)
+    for path in (project, project.parent / "link.roam"):
+        words = ("track", plate.folder, "--init", plate.mask, *CONFIG, "--save", path)
+        require_refusal(roam(*words), f"{path} cannot be written: it is read-only")
+    require_refusal(roam("fill", project, *CONFIG), "it is read-only")
+    assert tree(project.parent) == before

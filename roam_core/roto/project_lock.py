@@ -12,10 +12,13 @@ import uuid
 from dataclasses import asdict, dataclass
 from pathlib import Path
 
+from roam_core.bounded import bounded_bytes
 from roam_core.errors import RoamError
-from roam_core.roto import file
+from roam_core.roto.writing import write_atomically
 
 TYPE = "roam.Lock"
+MAX_BYTES = 1 << 16
+"""Larger files are no lock."""
 _made: set[str] = set()
 """The marks of the locks that this process holds: an older process may have had its number."""
 
@@ -59,7 +62,7 @@ def take(path: Path, *, anyway: bool = False) -> Holder | None:
         return None
     mine = Holder(platform.node(), _user(), os.getpid(), time.time(), uuid.uuid4().hex)
     try:
-        file.write_atomically(lock_path(path), json.dumps({"type": TYPE, **asdict(mine)}).encode())
+        write_atomically(lock_path(path), json.dumps({"type": TYPE, **asdict(mine)}).encode())
     except RoamError:
         return None  # a folder that cannot be written to: nobody can save there either
     _made.add(mine.mark)
@@ -92,10 +95,10 @@ def is_alive(process: int) -> bool:
 def _written(path: Path) -> Holder | None:
     """What the lock says, whoever wrote it; None where there is none that can be read."""
     try:
-        document = json.loads(lock_path(path).read_text(encoding="utf-8"))
+        document = json.loads(bounded_bytes(lock_path(path), MAX_BYTES))
         host, user, process = str(document["host"]), str(document["user"]), int(document["process"])
         return Holder(host, user, process, float(document["since"]), str(document["mark"]))
-    except (OSError, ValueError, KeyError, TypeError, OverflowError):
+    except (RoamError, OSError, ValueError, KeyError, TypeError, OverflowError, RecursionError):
         return None
 
 
