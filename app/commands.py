@@ -48,6 +48,11 @@ class ProjectEdit(QUndoCommand):
             known = self._weighed[is_undone] = held, other, held_only_by(held, other)
         return known[2]
 
+    @property
+    def most_bytes(self) -> int:
+        """The most that this step keeps, done or undone."""
+        return max(self.held_bytes(is_undone=is_undone) for is_undone in (False, True))
+
     def id(self) -> int:
         return 1 if self._merge_key else -1
 

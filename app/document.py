@@ -48,6 +48,8 @@ class Document(QObject):
         self.undo_stack = QUndoStack(self)
         self.undo_bytes = UNDO_BYTES
         """The most that the undo stack may hold; steps beyond it go, the oldest first."""
+        self._held_at_most = 0
+        """What the steps hold, or more: they are weighed one by one only where this passes the bound."""
         self._is_quiet = False
 
     @property
@@ -61,8 +63,11 @@ class Document(QObject):
         """
         if project is self._project or project == self._project:
             return
-        self.undo_stack.push(ProjectEdit(self._project, project, text, merge_key, self._show))
-        self._forget_oldest()
+        step = ProjectEdit(self._project, project, text, merge_key, self._show)
+        self._held_at_most += step.most_bytes
+        self.undo_stack.push(step)
+        if self._held_at_most > self.undo_bytes:
+            self._forget_oldest()
 
     def amend(self, text: str, change: Callable[[Project], Project], merge_key: str) -> None:
         """Make a change part of the undo step with `merge_key`, wherever that lies below later steps.
@@ -130,6 +135,7 @@ class Document(QObject):
         self._project, self._saved = project, saved
         self.path, self.fingerprint = beginning.original, beginning.fingerprint
         self.undo_stack.clear()
+        self._held_at_most = 0
         self.rebased.emit(fate, beginning)
         self.replaced.emit()
         self.path_changed.emit()
@@ -139,11 +145,13 @@ class Document(QObject):
         stack = self.undo_stack
         steps = [step for i in range(stack.count()) if isinstance(step := stack.command(i), ProjectEdit)]
         held = [step.held_bytes(is_undone=i >= stack.index()) for i, step in enumerate(steps)]
+        self._held_at_most = sum(step.most_bytes for step in steps)
         if (total := sum(held)) <= self.undo_bytes:
             return
         gone = 0
         while gone < stack.index() - 1 and total > SPARE * self.undo_bytes:
             total -= held[gone]
+            self._held_at_most -= steps[gone].most_bytes
             gone += 1
         if gone:
             self._keep_steps([step.copy() for step in steps[gone:]], stack.index() - gone)

@@ -75,3 +75,17 @@ def test_the_newest_step_stays_however_large(document: Document, shape_id: str) 
     document.undo_stack.undo()
     assert document.project is not before
     assert document.project.shape(shape_id).keys[0].points[0, 0, 0] == 1.0
+
+
+def test_steps_are_not_gone_through_while_they_hold_little(
+    document: Document, shape_id: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    gone_through: list[bool] = []
+    monkeypatch.setattr(document, "_forget_oldest", lambda: gone_through.append(True))
+    document.undo_bytes = 100 * STEP
+    for number in range(30):
+        move(document, shape_id, number)
+    assert not gone_through
+    document.undo_bytes = 10 * STEP
+    move(document, shape_id, 30.0)
+    assert gone_through
