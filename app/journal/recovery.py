@@ -43,6 +43,7 @@ class Recovery:
     when : the time of the last edit, in seconds since the epoch.
     edits, tracked, shapes : how many edits, tracked frames among them, and shapes and layers that they touched.
     settled : "" while it is to be offered; else what became of it: saved, discarded, declined or recovered.
+    is_recovered : True where the first of the edits is work that was recovered from another journal.
     is_damaged : True where the journal cannot be read to its end.
     """
 
@@ -54,6 +55,7 @@ class Recovery:
     tracked: int = 0
     shapes: int = 0
     settled: str = ""
+    is_recovered: bool = False
     is_damaged: bool = False
 
     @property
@@ -69,11 +71,14 @@ class Recovery:
     @property
     def sentence(self) -> str:
         """What would come back."""
-        counted = [_count(self.edits - self.tracked, "edit"), _count(self.tracked, "tracked frame")]
-        what = " and ".join(word for word in counted if word) or "Changes"
+        edits = self.edits - self.tracked - self.is_recovered
+        counted = [_count(edits, "edit"), _count(self.tracked, "tracked frame")]
+        recovered = ["recovered work"] if self.is_recovered else []
+        words = [*recovered, *(word for word in counted if word)] or ["changes"]
+        what = " and ".join(filter(None, (", ".join(words[:-1]), words[-1]))).capitalize()
         where = f" in {_count(self.shapes, 'shape')}" if self.shapes else ""
         since = " since the last save" if self.original else ""
-        damage = "; the journal is damaged behind them" if self.is_damaged else ""
+        damage = "; what came after them is damaged" if self.is_damaged else ""
         return f"{what}{where}{since}{damage}"
 
     @property
@@ -181,7 +186,8 @@ def _with(found: Recovery | None, entry: Entry, journal: Path, edited: set[str])
             raise ValueError("of a newer program")
         original = header["original"]
         path = None if original is None else Path(original)
-        return Recovery(journal, path, str(header["digest"] or ""), _time(header))
+        is_recovered = header.get("follows") is not None
+        return Recovery(journal, path, str(header["digest"] or ""), _time(header), is_recovered=is_recovered)
     if found is None:
         raise ValueError("an entry before the beginning")
     if entry.kind == "edit":

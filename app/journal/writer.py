@@ -205,7 +205,9 @@ class _Open:
         try:
             header = {"kind": "begin", "version": VERSION, "time": time.time(), "is_on_file": beginning.is_on_file}
             original = None if beginning.original is None else str(beginning.original)
-            journal.write(Entry(header | {"original": original, "digest": held.digest if held else None}))
+            follows = None if beginning.follows is None else beginning.follows.name
+            digest = held.digest if held else None
+            journal.write(Entry(header | {"original": original, "digest": digest, "follows": follows}))
         except BaseException:
             stream.close()
             path.unlink(missing_ok=True)

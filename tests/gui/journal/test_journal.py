@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import random
+import re
 import zlib
 from collections.abc import Iterator
 from contextlib import suppress
@@ -168,6 +169,11 @@ def test_a_recovered_project_is_in_the_new_journal_before_the_old_one_is_settled
     assert [each.settled for each in recovery.recoveries(root)] == ["recovered"]
     (new,) = recovery.offered(crashed(second, root))
     assert recovery.load(new)[0] == document.project
+    assert new.sentence == "Recovered work in 1 shape"
+    draw(other)
+    draw(other)
+    (new,) = recovery.offered(crashed(second, root))
+    assert re.fullmatch("Recovered work and [12] edits? in 3 shapes", new.sentence)  # two may share an entry
     second.close()
 
 
@@ -194,6 +200,7 @@ def test_every_crash_is_offered_and_a_damaged_one_hides_none(root: Path, qapp: o
         (second.journal, 2, True),
         (first.journal, 1, False),
     ]
+    assert found[0].sentence == "2 edits in 2 shapes; what came after them is damaged"
     project, sentence = recovery.load(found[0])
     assert len(project.shapes) == 2
     assert "damaged" in sentence
