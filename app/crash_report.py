@@ -6,6 +6,7 @@ Nothing is ever sent: a report is shown, and copied by whoever wants to.
 from __future__ import annotations
 
 import faulthandler
+import logging
 import os
 import platform
 import sys
@@ -26,6 +27,8 @@ KEPT = 10
 """Logs of native crashes that are kept."""
 MOST_TEXT = 64 << 10
 """Characters of a log that are shown."""
+
+log = logging.getLogger(__name__)
 
 
 def report(what: str, messages: Iterable[str] = ()) -> str:
@@ -50,16 +53,26 @@ def told(error: BaseException) -> str:
 
 
 class NativeLog:
-    """The file in `folder` to which Python writes where all threads were when the process dies of a native crash."""
+    """The file in `folder` to which Python writes where all threads were when the process dies of a native crash.
+
+    Where it cannot be made, a full disk for example, the window opens without it.
+    """
 
     def __init__(self, folder: Path) -> None:
-        folder.mkdir(parents=True, exist_ok=True)
         self._path = folder / f"{time.strftime('%Y%m%d-%H%M%S')}-{os.getpid()}.log"
-        self._file: IO[str] = self._path.open("w", encoding="utf-8")
-        faulthandler.enable(self._file)
+        self._file: IO[str] | None = None
+        try:
+            folder.mkdir(parents=True, exist_ok=True)
+            self._file = self._path.open("w", encoding="utf-8")
+        except OSError:
+            log.exception("a native crash would leave no log")
+        else:
+            faulthandler.enable(self._file)
 
     def close(self) -> None:
         """Nothing happened: leave no file."""
+        if self._file is None:
+            return
         faulthandler.disable()
         if sys.__stderr__ is not None:
             faulthandler.enable(sys.__stderr__)

@@ -21,6 +21,8 @@ if TYPE_CHECKING:
     from app.main_window import MainWindow
 
 KEPT, AT_RISK = "Your project is as it was, and every edit is in the journal.", "Save your work under a new name now."
+PATIENCE = 1.0
+"""Seconds for which the window waits until the journal holds every edit, before it says so."""
 MOST_SHOWN = 20
 """Different errors that are shown; an error that comes with every repaint is shown once."""
 
@@ -105,7 +107,7 @@ class Defects(QObject):
     def report_now(self) -> None:
         """Show a report that the artist asks for: versions, system, messages, and the last error of a job if any."""
         what = self._last_error.trace or "Asked for in the Help menu; no error was noted."
-        self._open("Problem report", KEPT).text.setPlainText(self._report(what))
+        self._open("Problem report", self._what_is_kept()).text.setPlainText(self._report(what))
 
     def tell_of(self, crashes: list[str]) -> None:
         """Tell of native crashes of before."""
@@ -132,13 +134,15 @@ class Defects(QObject):
         if trace in self._seen or len(self._seen) >= MOST_SHOWN:
             return
         self._seen.add(trace)
-        is_kept = self._window.journal.flush()
-        kept = KEPT if is_kept else AT_RISK
+        kept = self._what_is_kept()
         self._window.view_state.say(f"Something went wrong inside ROAM. {kept}")
         is_open = self.dialog is not None and isValid(self.dialog) and self.dialog.isVisible()
         before = self.dialog.text.toPlainText() + "\n" if self.dialog is not None and is_open else ""
         dialog = self._open("Something went wrong inside ROAM", kept)
         dialog.text.setPlainText(before + self._report(trace))
+
+    def _what_is_kept(self) -> str:
+        return KEPT if self._window.journal.flush(PATIENCE) else AT_RISK
 
     def _open(self, title: str, sentence: str) -> ReportDialog:
         if self.dialog is not None and isValid(self.dialog):

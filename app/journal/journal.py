@@ -37,9 +37,9 @@ class Journal(QObject):
         """Where the journals of this window lie; None before the first edit."""
         return self._session.folder
 
-    def flush(self) -> bool:
-        """Wait until every edit is on the disk; False where that takes very long or cannot be."""
-        return self._writer.flush()
+    def flush(self, wait: float = 10.0) -> bool:
+        """Wait until every edit is on the disk; False where that takes longer than `wait` seconds or cannot be."""
+        return self._writer.flush(wait)
 
     def leave_for_recovery(self) -> None:
         """The program has to end and cannot ask the artist: unsaved work is offered at the next start."""

@@ -103,10 +103,12 @@ def test_an_error_that_comes_again_is_shown_once(qtbot: QtBot, window: MainWindo
 def test_where_the_journal_fails_too_the_artist_is_told_to_save(
     qtbot: QtBot, window: MainWindow, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(window.journal, "flush", lambda: False)
+    monkeypatch.setattr(window.journal, "flush", lambda wait: False)
     in_a_slot()
     shown(qtbot, window, "ZeroDivisionError")
     assert window.defects.dialog is not None
+    assert window.defects.dialog.sentence.text() == AT_RISK
+    window.defects.report_now()
     assert window.defects.dialog.sentence.text() == AT_RISK
 
 
@@ -145,6 +147,14 @@ def test_a_native_crash_leaves_where_it_was_and_is_told_once(tmp_path: Path) -> 
     assert 'File "<string>"' in text
     assert crash_report.native_crashes(tmp_path) == []
     assert [path.suffix for path in tmp_path.iterdir()] == [".told"]
+
+
+def test_a_log_that_cannot_be_made_does_not_keep_the_window_shut(tmp_path: Path) -> None:
+    in_the_way = tmp_path / "crashes"
+    in_the_way.write_text("a file", encoding="utf-8")
+    crash_report.NativeLog(in_the_way).close()
+    assert crash_report.native_crashes(in_the_way) == []
+    assert in_the_way.read_text(encoding="utf-8") == "a file"
 
 
 def test_the_log_of_a_process_that_runs_is_left_alone(tmp_path: Path) -> None:
