@@ -254,6 +254,7 @@ class FileActions(QObject):
         elif answer is Contested.ANYWAY:
             self._files.open_anyway(path)
         else:
+            self._view.say(f"{path.name} was not opened.")
             self.refused_to_open.emit()
 
     def _suggested(self, suffix: str) -> Path:

@@ -267,6 +267,7 @@ def test_a_project_that_is_open_elsewhere_is_asked_about(
     assert len(window.document.project.shapes) == (answer is not Contested.CANCEL)
     assert window.document.is_modified == (answer is Contested.COPY)
     assert window.reopening.page.isVisible() == (answer is Contested.CANCEL)
+    assert ("was not opened" in window.status.sentence.text()) == (answer is Contested.CANCEL)
     ours = json.loads(project_lock.lock_path(mine).read_text(encoding="utf-8"))["process"] == os.getpid()
     assert ours == (answer is Contested.ANYWAY)
 
