@@ -116,6 +116,13 @@ class Defects(QObject):
             dialog = self._open("ROAM ended in a crash", sentence)
             dialog.text.setPlainText(self._report("\n".join(crashes)))
 
+    def wait_for(self, question: QDialog) -> None:
+        """Put an open report aside until a question is answered, so that neither lies upon the other."""
+        report = self.dialog
+        if report is not None and isValid(report) and report.isVisible():
+            report.hide()
+            question.finished.connect(lambda _: report.show() if isValid(report) else None)
+
     # ---- the rest is private
 
     def _in_a_slot(self, kind: type[BaseException], error: BaseException, trace: TracebackType | None) -> None:

@@ -75,6 +75,7 @@ class Recovering(QObject):
         self.dialog = dialog = RecoveryDialog(found, self._window, is_asked_for=is_asked_for)
         dialog.chosen.connect(self._open)
         dialog.declined.connect(self._decline)
+        self._window.defects.wait_for(dialog)
         dialog.open()
         for each in found:
             self._draw(each, dialog)

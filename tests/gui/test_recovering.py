@@ -136,6 +136,19 @@ def test_later_asks_again_at_the_next_start(qtbot: QtBot, window: MainWindow, ro
         window.recovering.dialog = None
 
 
+def test_the_report_of_a_crash_waits_for_the_answer(qtbot: QtBot, window: MainWindow, root: Path) -> None:
+    crash(root, None, 1)
+    window.defects.tell_of(["Fatal Python error: Segmentation fault"])
+    report = window.defects.dialog
+    assert report is not None
+    window.recovering.offer()
+    dialog = asked(qtbot, window)
+    assert not report.isVisible()
+    qtbot.mouseClick(dialog.later, Qt.MouseButton.LeftButton)
+    assert report.isVisible()
+    report.close()
+
+
 def test_what_cannot_be_recovered_is_a_sentence(qtbot: QtBot, window: MainWindow, root: Path, mine: Path) -> None:
     crash(root, mine, 1)
     for base in root.glob("*/*.roam"):
