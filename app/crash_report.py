@@ -17,7 +17,7 @@ from importlib import metadata
 from pathlib import Path
 from typing import IO
 
-from roam_core.roto.project_lock import is_alive
+from roam_core.roto.writing import is_alive
 
 DISTRIBUTION = "roam-roto"
 LIBRARIES = ("PySide6-Essentials", "numpy", "numba", "opencv-python-headless", "OpenImageIO", "scipy")

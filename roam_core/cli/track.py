@@ -56,7 +56,7 @@ def run(arguments: argparse.Namespace) -> int:
     # Everything that can be refused is refused before anything is written.
     params_for(arguments.config)
     if arguments.landmarks is not None:
-        require_landmarks(arguments.config, arguments.landmarks, arguments.save)
+        require_landmarks(arguments.config, arguments.landmarks)
     init = Path(arguments.init)
     write = None if arguments.save is None else project_writer(arguments.save, init)
     given = given_project(init)
@@ -269,15 +269,13 @@ def initial_project(init: Path, given: Project | None, plate: Plate, start: int)
     return Project(clip, Layer("root", "Root", tuple(shapes)))
 
 
-def require_landmarks(config: str, path: Path, project: Path | None) -> None:
+def require_landmarks(config: str, path: Path) -> None:
     """Refuse a file for landmarks that a run could not fill or write at its end."""
     if params_for(config).landmarks is None:
         able = " and ".join(name for name, params in CONFIGS.items() if params.landmarks is not None)
         raise RoamError(f"The configuration {config} has no landmarks to write; those of {able} do (--config).")
     if path.suffix.lower() != ".nk":
         raise RoamError(f"Landmarks are written as a Nuke script; {path.name} does not end in .nk.")
-    if project is not None and project.absolute() == path.absolute():
-        raise RoamError(f"--save and --landmarks both name {path}; give each a file of its own.")
     require_target(path)
 
 

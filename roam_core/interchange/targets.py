@@ -112,7 +112,7 @@ def obstacles(targets: Iterable[tuple[Path, Kind]], sources: Sources, rewritten:
         read=tuple(path for path, kind in there if _identity(path) in read),
         in_plate=tuple(path for path, kind in rest if kind is Kind.PICTURE and _identity(path.parent) == folder),
         odd=tuple(path for path, _ in there if not path.is_file() and not path.is_dir()),
-        twice=tuple(path for path, _ in wanted if places[os.path.realpath(path)] > 1),
+        twice=tuple(dict.fromkeys(path for path, _ in wanted if places[os.path.realpath(path)] > 1)),
         foreign=tuple(path for path, kind in there if path.is_file() and not _is_free(path, kind)),
     )
 

@@ -143,7 +143,7 @@ def _read(document: Any, folder: Path, name: str) -> Project:
     if not isinstance(document, dict) or document.get("type") != "roam.Project":
         raise RoamError(f"{name} is not a ROAM project.")
     version = document.get("version")
-    if not isinstance(version, int) or version < 1:
+    if type(version) is not int or version < 1:  # `true` is an int to Python
         raise RoamError(f"{name} says no valid version; it may be damaged.")
     if version > VERSION:
         raise RoamError(

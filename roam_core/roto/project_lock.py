@@ -6,7 +6,6 @@ import getpass
 import json
 import os
 import platform
-import sys
 import time
 import uuid
 from dataclasses import asdict, dataclass
@@ -14,7 +13,7 @@ from pathlib import Path
 
 from roam_core.bounded import bounded_bytes
 from roam_core.errors import RoamError
-from roam_core.roto.writing import write_atomically
+from roam_core.roto.writing import is_alive, write_atomically
 
 TYPE = "roam.Lock"
 MAX_BYTES = 1 << 16
@@ -75,21 +74,6 @@ def release(path: Path, mine: Holder) -> None:
     if now is not None and now.mark == mine.mark:
         lock_path(path).unlink(missing_ok=True)
     _made.discard(mine.mark)
-
-
-def is_alive(process: int) -> bool:
-    """Whether a process of this machine runs."""
-    if process <= 0:
-        return False
-    if sys.platform == "win32":  # a signal would end it there
-        return True
-    try:
-        os.kill(process, 0)
-    except ProcessLookupError:
-        return False
-    except (PermissionError, OverflowError):
-        return True
-    return True
 
 
 def _written(path: Path) -> Holder | None:

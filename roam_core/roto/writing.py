@@ -8,6 +8,7 @@ import os
 import re
 import secrets
 import stat
+import sys
 import time
 from collections.abc import Iterable
 from pathlib import Path
@@ -90,6 +91,21 @@ def flush_folder(folder: Path) -> None:
             os.close(handle)
 
 
+def is_alive(process: int, *, unknown: bool = True) -> bool:
+    """Whether a process of this machine runs; `unknown` on Windows, where asking by a signal would end it."""
+    if process <= 0:
+        return False
+    if sys.platform == "win32":
+        return unknown
+    try:
+        os.kill(process, 0)
+    except (ProcessLookupError, OverflowError):
+        return False
+    except OSError:
+        return True
+    return True
+
+
 def writable_target(path: Path) -> Path:
     """The file that is to be replaced: `path`, or what it links to.
 
@@ -130,19 +146,7 @@ def _is_stale(entry: os.DirEntry[str], process: int) -> bool:
     except OSError:
         return False
     old = time.time() - found.st_mtime > STALE_SECONDS
-    return old and stat.S_ISREG(found.st_mode) and not _is_alive(process)
-
-
-def _is_alive(process: int) -> bool:
-    if os.name == "nt":  # a signal there would end the process
-        return False
-    try:
-        os.kill(process, 0)
-    except (ProcessLookupError, OverflowError):
-        return False
-    except OSError:
-        return True
-    return True
+    return old and stat.S_ISREG(found.st_mode) and not is_alive(process, unknown=False)
 
 
 def _remove(temporary: Path) -> None:

@@ -181,6 +181,7 @@ def refused(path: Path) -> str:
         (b'{"type": "roam.Project"}', "no valid version"),
         (b'{"type": "roam.Project", "version": "one"}', "no valid version"),
         (b'{"type": "roam.Project", "version": 0}', "no valid version"),
+        (b'{"type": "roam.Project", "version": true}', "no valid version"),
         (b'{"type": "roam.Project", "version": 1}', "damaged"),
         (b"[" * 100_000, "not valid JSON"),
         (b'{"type": "roam.Project", "version": ' + b"1" * 5000 + b"}", "not valid JSON"),
