@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from roam_core.errors import RoamError
-from roam_core.media.fingerprint import content_of
+from roam_core.media.content import content_of
 from roam_core.roto.placement import LayerTransform, Placement
 from roam_core.roto.shape import Keyframe, RotoShape, placed, unplaced
 
@@ -35,7 +35,7 @@ class Clip:
 
     `path` is a folder, a pattern (`plate.%04d.exr`) or a movie; `first` and `last` are the plate's own frame numbers,
     both inclusive (frames may be missing between them); `size` is (width, height). `content` tells the plate from
-    others of its name (`roam_core.media.fingerprint`); "" where it is not known.
+    others of its name (`roam_core.media.content`); "" where it is not known.
     """
 
     path: Path

@@ -1,7 +1,8 @@
 """An artist in a process of its own, who works in the real application until it is killed.
 
 Each edit has a number, which the shape bears as its name, and is noted in a file once it is committed: what was noted
-is what the artist has seen. `python -m tests.endurance.artist MODE FOLDER`.
+is what the artist has seen; or, `flushed`, once the journal says that it is on the disk.
+`python -m tests.endurance.artist MODE FOLDER [flushed]`.
 """
 
 from __future__ import annotations
@@ -33,9 +34,9 @@ SQUARE = polygon_points([(20, 20), (80, 20), (80, 80), (20, 80)])
 class Artist(QObject):
     """Edits one shape again and again; or tracks it, again and again, and notes how many frames are solved."""
 
-    def __init__(self, window: MainWindow, mode: str, folder: Path) -> None:
+    def __init__(self, window: MainWindow, mode: str, folder: Path, *, flushed: bool) -> None:
         super().__init__(window)
-        self._window, self._mode, self._path = window, mode, folder / WORK
+        self._window, self._mode, self._path, self._flushed = window, mode, folder / WORK, flushed
         self._notes = os.open(folder / NOTES, os.O_WRONLY | os.O_CREAT | os.O_APPEND)
         self._number = 0
         self._timer = QTimer(self, interval=PACE)
@@ -80,12 +81,14 @@ class Artist(QObject):
 
     def _note(self, number: int) -> None:
         """Straight to the system, which keeps it when this process is killed."""
+        if self._flushed and not self._window.journal.flush():
+            return
         os.write(self._notes, f"{number} {time.time()}\n".encode())
 
 
 def main() -> int:
-    mode, folder = sys.argv[1:]
-    return launch._run(lambda window: Artist(window, mode, Path(folder)))
+    mode, folder, *how = sys.argv[1:]
+    return launch._run(lambda window: Artist(window, mode, Path(folder), flushed=bool(how)))
 
 
 if __name__ == "__main__":

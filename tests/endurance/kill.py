@@ -20,6 +20,7 @@ from app.journal import recovery
 from roam_core.errors import RoamError
 from roam_core.media import open_clip
 from roam_core.roto import Clip, Project, edit, file
+from tests.conftest import ROOT
 from tests.endurance.artist import MODES, NOTES, SQUARE, TRACKING, UNTITLED, WORK
 from tests.gui.windows import write_clip
 
@@ -69,17 +70,21 @@ def run(given: argparse.Namespace) -> int:
     return 0 if all(each.is_kept for each in outcomes) else 1
 
 
-def outcome(folder: Path, clip: Path, mode: str, after: float) -> Outcome:
-    """Let an artist work in `folder` and kill it so many seconds after its first edit."""
+def outcome(folder: Path, clip: Path, mode: str, after: float, *, flushed: bool = False) -> Outcome:
+    """Let an artist work in `folder` and kill it so many seconds after its first edit.
+
+    `flushed`: only what the journal said to be on the disk counts as committed.
+    """
     folder.mkdir()
     if mode != UNTITLED:
         project, _ = edit.new_shape(Project(Clip.of(open_clip(clip))), SQUARE, 1001, name="0")
         file.save(project, folder / WORK)
     states = {name: str(folder / "state") for name in ("XDG_STATE_HOME", "XDG_CONFIG_HOME")}
-    command = [sys.executable, "-m", "tests.endurance.artist", mode, str(folder)]
+    command = [sys.executable, "-m", "tests.endurance.artist", mode, str(folder), *(["flushed"] if flushed else [])]
     artist = subprocess.Popen(
         command,
-        env={**os.environ, **states, "QT_QPA_PLATFORM": "offscreen"},
+        env={**os.environ, **states, "QT_QPA_PLATFORM": "offscreen", "PYTHONPATH": str(ROOT)},
+        cwd=ROOT,
         stdout=subprocess.DEVNULL,
         stderr=subprocess.DEVNULL,
     )

@@ -3,17 +3,64 @@
 from __future__ import annotations
 
 import threading
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, NamedTuple, TypeVar
+
+import pytest
 
 from roam_core.cancel import CancelToken
+from roam_core.propagate import run
 from roam_core.propagate.result import FrameResult, Termination, TrackResult
-from roam_core.roto import Keyframe, Origin, edit
+from roam_core.roto import Keyframe, Origin, RotoShape, edit
+
+
+class Asked(NamedTuple):
+    """What the window asks of a run: all its shapes, those that are to get keys, and the rest of `run.track`."""
+
+    read: Any
+    shapes: Sequence[RotoShape]
+    wanted: list[RotoShape]
+    frames: range
+    config: str
+    token: CancelToken
+    clip: str
+
+
+class StandIn:
+    """Takes the place of `run.track`; what it finds is up to `found`."""
+
+    def track(
+        self,
+        read: Any,
+        shapes: Sequence[RotoShape],
+        frames: range,
+        config: str,
+        token: CancelToken,
+        clip: str,
+        memory: Any,
+        only: Collection[str],
+        alone: bool,
+    ) -> Iterator[FrameResult]:
+        wanted = [shape for shape in shapes if shape.id in only]
+        return self.found(Asked(read, shapes, wanted, frames, config, token, clip))
+
+    def found(self, asked: Asked) -> Iterator[FrameResult]:
+        """The frames of a run, one after the other."""
+        raise NotImplementedError
+
+
+Engine = TypeVar("Engine", bound=StandIn)
+
+
+def put_in(monkeypatch: pytest.MonkeyPatch, engine: Engine) -> Engine:
+    """Have the window ask this engine."""
+    monkeypatch.setattr(run, "track", engine.track)
+    return engine
 
 
 @dataclass
-class GlidingEngine:
+class GlidingEngine(StandIn):
     """Moves shapes by a pixel a frame, one frame for each `allow`; in doubt on frame 3, no picture on `damaged`."""
 
     is_deaf: bool = False
@@ -23,30 +70,20 @@ class GlidingEngine:
     def allow(self, frames: int) -> None:
         self.gate.release(frames)
 
-    def track(
-        self,
-        read: Any,
-        shapes: Any,
-        frames: range,
-        config: str,
-        token: CancelToken,
-        clip: str,
-        memory: Any,
-        only: Collection[str],
-        alone: bool,
-    ) -> Iterator[FrameResult]:
-        for frame in frames[1:]:
+    def found(self, asked: Asked) -> Iterator[FrameResult]:
+        for frame in asked.frames[1:]:
             while not self.gate.acquire(timeout=0.01):
                 if not self.is_deaf:
-                    token.check()
-            results = []
+                    asked.token.check()
             if frame == self.damaged:
-                gap = [TrackResult(frame, each, 0.0, {}, Termination.MISSING_FRAME) for each in shapes]
+                gap = [TrackResult(frame, each, 0.0, {}, Termination.MISSING_FRAME) for each in asked.shapes]
                 yield FrameResult(frame, tuple(gap))
                 continue
-            for shape in (each for each in shapes if each.id in only):
-                points = shape.at(frames[0]).points + (frame - frames[0])
-                key = Keyframe(frame, points, origin=Origin.ENGINE, confidence=0.4 if frame == 3 else 0.9)
-                moved = edit.set_engine_keys(shape, [key])
-                results.append(TrackResult(frame, moved, 0.4 if frame == 3 else 0.9, {}, Termination.CONVERGED, 0.01))
+            results = [self._moved(shape, frame, frame - asked.frames[0]) for shape in asked.wanted]
             yield FrameResult(frame, tuple(results), 0.01)
+
+    def _moved(self, shape: RotoShape, frame: int, pixels: int) -> TrackResult:
+        confidence = 0.4 if frame == 3 else 0.9
+        points = shape.at(frame - pixels).points + pixels
+        key = Keyframe(frame, points, origin=Origin.ENGINE, confidence=confidence)
+        return TrackResult(frame, edit.set_engine_keys(shape, [key]), confidence, {}, Termination.CONVERGED, 0.01)

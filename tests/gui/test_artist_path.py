@@ -63,7 +63,7 @@ def test_the_artists_path(qtbot: QtBot, tmp_path: Path, monkeypatch: pytest.Monk
     clip = write_clip(tmp_path / "plate")
     with (
         nothing_slow_in_the_window_thread(monkeypatch) as slow_calls,
-        opened_window(qtbot, clip, tmp_path / "autosave") as window,
+        opened_window(qtbot, clip, tmp_path / "journal") as window,
     ):
         document, view, canvas = window.document, window.view_state, window.canvas
 
@@ -119,7 +119,7 @@ def test_the_artists_path(qtbot: QtBot, tmp_path: Path, monkeypatch: pytest.Monk
 
 
 def test_two_shapes_are_tracked_in_one_run_and_one_step(qtbot: QtBot, tmp_path: Path) -> None:
-    with opened_window(qtbot, write_clip(tmp_path / "plate"), tmp_path / "autosave") as window:
+    with opened_window(qtbot, write_clip(tmp_path / "plate"), tmp_path / "journal") as window:
         draw_disc(qtbot, window)
         before = window.document.project
         window.shape_verbs.duplicate()
@@ -133,7 +133,7 @@ def test_two_shapes_are_tracked_in_one_run_and_one_step(qtbot: QtBot, tmp_path: 
 
 
 def test_backslash_fills_between_two_keys(qtbot: QtBot, tmp_path: Path) -> None:
-    with opened_window(qtbot, write_clip(tmp_path / "plate"), tmp_path / "autosave") as window:
+    with opened_window(qtbot, write_clip(tmp_path / "plate"), tmp_path / "journal") as window:
         draw_disc(qtbot, window)
         view, document = window.view_state, window.document
         view.set_frame(LAST)
@@ -155,7 +155,7 @@ def test_backslash_fills_between_two_keys(qtbot: QtBot, tmp_path: Path) -> None:
 def test_escape_stops_the_run_and_keeps_what_is_finished(
     qtbot: QtBot, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    with opened_window(qtbot, write_clip(tmp_path / "plate"), tmp_path / "autosave") as window:
+    with opened_window(qtbot, write_clip(tmp_path / "plate"), tmp_path / "journal") as window:
         draw_disc(qtbot, window)
         stop = window.actions_by_id["track.stop"]
         assert not stop.isEnabled()
@@ -184,7 +184,7 @@ def test_escape_stops_the_run_and_keeps_what_is_finished(
 
 def test_closing_amid_a_run_ends_it(qtbot: QtBot, tmp_path: Path) -> None:
     """The fixtures see to it that no thread, timer or window survives."""
-    with opened_window(qtbot, write_clip(tmp_path / "plate"), tmp_path / "autosave") as window:
+    with opened_window(qtbot, write_clip(tmp_path / "plate"), tmp_path / "journal") as window:
         draw_disc(qtbot, window)
         qtbot.keyClick(window.canvas, Qt.Key.Key_BracketRight)
         assert window.propagation.is_running

@@ -22,7 +22,7 @@ from tests.gui.windows import FIRST, WAIT, opened_window, write_clip
 
 @pytest.fixture
 def window(qtbot: QtBot, tmp_path: Path) -> Iterator[MainWindow]:
-    with opened_window(qtbot, None, tmp_path / "autosave", Personal(tmp_path)) as window:
+    with opened_window(qtbot, None, tmp_path / "journal", Personal(tmp_path)) as window:
         yield window
 
 

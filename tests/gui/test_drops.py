@@ -22,7 +22,7 @@ SQUARE = polygon_points([(40, 30), (80, 30), (80, 70), (40, 70)])
 
 @pytest.fixture
 def window(qtbot: QtBot, tmp_path: Path) -> Iterator[MainWindow]:
-    with opened_window(qtbot, write_clip(tmp_path / "plate", 3), tmp_path / "autosave") as window:
+    with opened_window(qtbot, write_clip(tmp_path / "plate", 3), tmp_path / "journal") as window:
         project, _ = edit.new_shape(window.document.project, SQUARE, FIRST)
         window.document.apply("Draw", project)
         yield window

@@ -200,7 +200,7 @@ def test_browse_asks_for_a_file_or_a_folder(
 
 
 def test_ctrl_e_opens_it_beside_the_work(qtbot: QtBot, tmp_path: Path) -> None:
-    with opened_window(qtbot, write_clip(tmp_path / "plate", 3), tmp_path / "autosave") as window:
+    with opened_window(qtbot, write_clip(tmp_path / "plate", 3), tmp_path / "journal") as window:
         qtbot.keyClick(window.canvas, Qt.Key.Key_E, Qt.KeyboardModifier.ControlModifier)
         dialog = window.findChild(ExportDialog)
         assert dialog is not None

@@ -28,7 +28,7 @@ def write_light(folder: Path) -> Path:
 
 
 def test_what_lies_above_white_is_told_and_brought_back(qtbot: QtBot, tmp_path: Path) -> None:
-    with opened_window(qtbot, write_light(tmp_path / "light"), tmp_path / "autosave") as window:
+    with opened_window(qtbot, write_light(tmp_path / "light"), tmp_path / "journal") as window:
         canvas, readout = window.canvas, window.findChild(Readout)
         spot = canvas.image_to_widget(20.5, 30.5).toPoint()
         qtbot.mouseMove(canvas, spot)

@@ -20,7 +20,7 @@ CONTROL = Qt.KeyboardModifier.ControlModifier
 
 @pytest.fixture
 def window(qtbot: QtBot, tmp_path: Path) -> Iterator[MainWindow]:
-    with opened_window(qtbot, None, tmp_path / "autosave", Personal(tmp_path)) as window:
+    with opened_window(qtbot, None, tmp_path / "journal", Personal(tmp_path)) as window:
         yield window
 
 
@@ -133,6 +133,6 @@ def test_the_table_is_searched_by_title_key_and_word(qtbot: QtBot, editor: Keyma
 
 def test_keys_that_cannot_be_read_are_told_at_the_start(qtbot: QtBot, tmp_path: Path) -> None:
     (tmp_path / "keymap.json").write_text("no keymap", encoding="utf-8")
-    with opened_window(qtbot, None, tmp_path / "autosave", Personal(tmp_path)) as window:
+    with opened_window(qtbot, None, tmp_path / "journal", Personal(tmp_path)) as window:
         assert "keymap.json is damaged" in window.status.sentence.text()
         assert window.actions_by_id.keymap == load_keymap()

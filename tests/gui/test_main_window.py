@@ -27,7 +27,7 @@ SQUARE = polygon_points([(40, 30), (80, 30), (80, 70), (40, 70)])
 
 @pytest.fixture
 def window(qtbot: QtBot, tmp_path: Path) -> Iterator[MainWindow]:
-    with opened_window(qtbot, write_clip(tmp_path / "plate"), tmp_path / "autosave") as window:
+    with opened_window(qtbot, write_clip(tmp_path / "plate"), tmp_path / "journal") as window:
         yield window
 
 

@@ -15,7 +15,7 @@ from tests.gui.windows import WAIT, opened_window, write_clip
 
 @pytest.fixture
 def window(qtbot: QtBot, tmp_path: Path) -> Iterator[MainWindow]:
-    with opened_window(qtbot, write_clip(tmp_path / "plate", 2), tmp_path / "autosave") as window:
+    with opened_window(qtbot, write_clip(tmp_path / "plate", 2), tmp_path / "journal") as window:
         window.document.save(tmp_path / "a.roam")
         yield window
 

@@ -30,7 +30,7 @@ def test_the_question_names_the_files(
     theirs.parent.mkdir()
     theirs.write_text("my own work")
     monkeypatch.setattr(dialogs, "choose_folder", lambda parent, title, start: theirs.parent)
-    with opened_window(qtbot, write_clip(tmp_path / "plate", 3), tmp_path / "autosave") as window:
+    with opened_window(qtbot, write_clip(tmp_path / "plate", 3), tmp_path / "journal") as window:
         draw_disc(qtbot, window)
         with qtbot.waitSignal(window.export.finished, timeout=WAIT):
             window.actions_by_id["file.export_mattes"].trigger()
@@ -49,7 +49,7 @@ def test_a_project_is_not_saved_onto_the_plate_nor_unasked_onto_what_is_no_proje
     monkeypatch.setattr(dialogs, "choose_save", lambda parent, start: next(chosen))
     monkeypatch.setattr(dialogs, "ask_overwrite", lambda parent, paths: list(paths) == [notes] and next(answers))
     frame = (plate / "plate.1002.png").read_bytes()
-    with opened_window(qtbot, plate, tmp_path / "autosave") as window:
+    with opened_window(qtbot, plate, tmp_path / "journal") as window:
         draw_disc(qtbot, window)
         window.file_actions.save_as()
         assert "is never written over" in window.view_state.message

@@ -20,7 +20,7 @@ from tests.gui.windows import opened_window
 
 @pytest.fixture
 def window(qtbot: QtBot, tmp_path: Path) -> Iterator[MainWindow]:
-    with opened_window(qtbot, None, tmp_path / "autosave") as window:
+    with opened_window(qtbot, None, tmp_path / "journal") as window:
         yield window
 
 

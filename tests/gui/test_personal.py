@@ -26,7 +26,7 @@ OTHERS = Preferences(2.5, 3, 7, "lean", 1.5, False)
 @pytest.fixture
 def window(qtbot: QtBot, tmp_path: Path) -> Iterator[MainWindow]:
     clip = write_clip(tmp_path / "plate", 2)
-    with opened_window(qtbot, clip, tmp_path / "autosave", Personal(tmp_path)) as window:
+    with opened_window(qtbot, clip, tmp_path / "journal", Personal(tmp_path)) as window:
         yield window
 
 
@@ -91,7 +91,7 @@ def test_damaged_settings_are_set_aside_and_told_and_the_window_opens(
         DAMAGES[damage](tmp_path / name)
     personal = Personal(tmp_path)
     assert (personal.preferences, personal.keys, personal.recent) == (Preferences(), OwnKeymap(), ())
-    with opened_window(qtbot, None, tmp_path / "autosave", personal) as window:
+    with opened_window(qtbot, None, tmp_path / "journal", personal) as window:
         settings.restore(window, tmp_path / "window.ini")
         told = f"{personal.trouble} {window.view_state.message}"
         for aside in tmp_path.glob("*.damaged"):

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator
+from collections.abc import Iterator
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
@@ -15,16 +14,15 @@ from pytestqt.qtbot import QtBot
 from app import settings
 from app.main_window import MainWindow
 from app.proposals import NONE_LEFT, sentence_of
-from roam_core.cancel import CancelToken
 from roam_core.geometry import bezier
 from roam_core.geometry.bezier import polygon_points
 from roam_core.params import CONFIGS
-from roam_core.propagate import run
 from roam_core.propagate.offers import Proposal
 from roam_core.propagate.provenance import Stamps, governing_key
 from roam_core.propagate.result import FrameResult, Termination, TrackResult
 from roam_core.proposal.topology import TopologyChange, TopologyKind
 from roam_core.roto import Keyframe, Origin, RotoShape, edit
+from tests.gui.engines import Asked, StandIn, put_in
 from tests.gui.windows import COUNT, FIRST, WAIT, opened_window, write_clip
 
 LAST = FIRST + COUNT - 1
@@ -36,30 +34,20 @@ RINGS = tuple(bezier.flatten(polygon_points(list(ring))) for ring in (LEFT, RIGH
 CTRL = Qt.KeyboardModifier.ControlModifier
 
 
-class Engine:
-    """Stands in for the engine: the shape stands still, and on three frames it is offered to be split."""
+class Engine(StandIn):
+    """The shape stands still, and on three frames it is offered to be split."""
 
     def __init__(self) -> None:
         self.kind, self.asked = TopologyKind.SPLIT, list[tuple[tuple[str, ...], int]]()
 
-    def track(
-        self,
-        read: Any,
-        shapes: Any,
-        frames: range,
-        config: str,
-        token: CancelToken,
-        clip: str,
-        memory: Any,
-        only: Collection[str],
-        alone: bool,
-    ) -> Iterator[FrameResult]:
-        wanted = [shape for shape in shapes if shape.id in only]
-        stamps = Stamps(shapes, clip, read(frames[0]).shape[:2])
-        self.asked.append((tuple(shape.id for shape in wanted), frames[0]))
+    def found(self, asked: Asked) -> Iterator[FrameResult]:
+        frames = asked.frames
+        stamps = Stamps(asked.shapes, asked.clip, asked.read(frames[0]).shape[:2])
+        self.asked.append((tuple(shape.id for shape in asked.wanted), frames[0]))
         for frame in frames[1:]:
-            token.check()
-            yield FrameResult(frame, tuple(self.solved(shape, frames, frame, config, stamps) for shape in wanted))
+            asked.token.check()
+            solved = [self.solved(shape, frames, frame, asked.config, stamps) for shape in asked.wanted]
+            yield FrameResult(frame, tuple(solved))
 
     def solved(self, shape: RotoShape, frames: range, frame: int, config: str, stamps: Stamps) -> TrackResult:
         source = governing_key(shape, frame, forward=frames.step > 0)
@@ -81,14 +69,13 @@ def engine(monkeypatch: pytest.MonkeyPatch) -> Engine:
     shape = RotoShape("s", "Warm", (Keyframe(FIRST, WHOLE),))
     change = TopologyChange(TopologyKind.SPLIT, RINGS, 1.0)
     assert Proposal.of(change, shape, FIRST, 1.0).after  # compiles what no run may have to wait for
-    monkeypatch.setattr(run, "track", engine.track)
-    return engine
+    return put_in(monkeypatch, engine)
 
 
 @pytest.fixture
 def window(qtbot: QtBot, tmp_path: Path, engine: Engine) -> Iterator[MainWindow]:
     """A window with a shape of two parts and a thread between them on the first frame."""
-    with opened_window(qtbot, write_clip(tmp_path / "plate"), tmp_path / "autosave") as window:
+    with opened_window(qtbot, write_clip(tmp_path / "plate"), tmp_path / "journal") as window:
         draw(window)
         yield window
 

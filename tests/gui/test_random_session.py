@@ -11,9 +11,8 @@ from pytestqt.qtbot import QtBot
 
 from app.main_window import MainWindow
 from roam_core.geometry.bezier import polygon_points
-from roam_core.propagate import run
 from roam_core.roto import Project, edit, file
-from tests.gui.engines import GlidingEngine
+from tests.gui.engines import GlidingEngine, put_in
 from tests.gui.windows import COUNT, FIRST, WAIT, opened_window, write_clip
 
 STEPS, MOST_SHAPES = 300, 5
@@ -22,9 +21,7 @@ SQUARE = polygon_points([(20, 20), (60, 20), (60, 60), (20, 60)])
 
 @pytest.fixture
 def engine(monkeypatch: pytest.MonkeyPatch) -> GlidingEngine:
-    engine = GlidingEngine()
-    monkeypatch.setattr(run, "track", engine.track)
-    return engine
+    return put_in(monkeypatch, GlidingEngine())
 
 
 @pytest.fixture

@@ -25,7 +25,7 @@ SQUARE = polygon_points([(40, 30), (80, 30), (80, 70), (40, 70)])
 @pytest.fixture
 def window(qtbot: QtBot, tmp_path: Path) -> Iterator[MainWindow]:
     personal = Personal(tmp_path, tmp_path / "cache")
-    with opened_window(qtbot, None, tmp_path / "autosave", personal) as window:
+    with opened_window(qtbot, None, tmp_path / "journal", personal) as window:
         yield window
 
 

@@ -12,9 +12,8 @@ from app.jobs.propagation import Propagation
 from app.jobs.runner import Ending, Runner
 from app.view_state import ViewState
 from roam_core.geometry.bezier import polygon_points
-from roam_core.propagate import run
 from roam_core.roto import Origin, Project, RotoShape, edit
-from tests.gui.engines import GlidingEngine
+from tests.gui.engines import GlidingEngine, put_in
 
 WAIT = 5000
 SQUARE = polygon_points([(0, 0), (10, 0), (10, 10), (0, 10)])
@@ -22,9 +21,7 @@ SQUARE = polygon_points([(0, 0), (10, 0), (10, 10), (0, 10)])
 
 @pytest.fixture
 def engine(monkeypatch: pytest.MonkeyPatch) -> GlidingEngine:
-    engine = GlidingEngine()
-    monkeypatch.setattr(run, "track", engine.track)
-    return engine
+    return put_in(monkeypatch, GlidingEngine())
 
 
 @pytest.fixture

@@ -6,8 +6,8 @@ from pathlib import Path
 
 import pytest
 
+from roam_core.media.content import HASHED_BYTES, content_hash
 from roam_core.media.finding import MOST_ENTRIES, is_there, places_near
-from roam_core.media.fingerprint import HASHED_BYTES, fingerprint
 
 
 def made(path: Path) -> Path:
@@ -38,19 +38,19 @@ def test_a_place_holds_a_folder_a_file_or_a_frame_of_the_pattern(tmp_path: Path,
 @pytest.mark.parametrize(
     "place",
     [
-        "job/work/sh010/a.%04d.png",
-        "job/work/plates/sh010/a.%04d.png",
+        "job/comp/sh010/a.%04d.png",
+        "job/comp/plates/sh010/a.%04d.png",
         "job/plates/sh010/a.%04d.png",
         "plates/sh010/a.%04d.png",
         "job/media/plates/sh010/a.%04d.png",
-        "job/work/a.%04d.png",
+        "job/comp/a.%04d.png",
     ],
 )
 def test_a_plate_is_looked_for_below_the_project_and_the_folders_above(tmp_path: Path, place: str) -> None:
     made(tmp_path / place.replace("%04d", "1001"))
-    (tmp_path / "job" / "work").mkdir(parents=True, exist_ok=True)
+    (tmp_path / "job" / "comp").mkdir(parents=True, exist_ok=True)
     lost = Path("/shows/old/plates/sh010/a.%04d.png")
-    assert tmp_path / place in list(places_near(tmp_path / "job" / "work", lost))
+    assert tmp_path / place in list(places_near(tmp_path / "job" / "comp", lost))
 
 
 def test_nothing_of_another_name_is_offered_and_the_nearest_comes_first(tmp_path: Path) -> None:
@@ -71,11 +71,11 @@ def test_the_search_is_bounded(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) 
     assert MOST_ENTRIES <= 1000
 
 
-def test_another_beginning_or_length_is_another_fingerprint(tmp_path: Path) -> None:
+def test_another_beginning_or_length_is_another_hash(tmp_path: Path) -> None:
     path, found = tmp_path / "a", []
     for content in (b"one", b"two", b"one ", bytes(HASHED_BYTES) + b"1", bytes(HASHED_BYTES) + b"12"):
         path.write_bytes(content)
-        found.append(fingerprint(path))
+        found.append(content_hash(path))
     assert len(set(found)) == 5
     assert {len(each) for each in found} == {32}
-    assert fingerprint(tmp_path / "none") == ""
+    assert content_hash(tmp_path / "none") == ""

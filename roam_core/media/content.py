@@ -14,11 +14,11 @@ HASHED_BYTES = 1 << 20
 
 
 def content_of(source: PlateSource) -> str:
-    """The fingerprint of a plate, 32 hexadecimal digits; "" where the file of its first frame cannot be read."""
-    return fingerprint(source.file_of(source.frames[0]))
+    """The content hash of a plate, 32 hexadecimal digits; "" where the file of its first frame cannot be read."""
+    return content_hash(source.file_of(source.frames[0]))
 
 
-def fingerprint(file: Path) -> str:
+def content_hash(file: Path) -> str:
     """A hash of a file's length and of its first `HASHED_BYTES`; "" where it cannot be read."""
     try:
         with file.open("rb") as opened:
