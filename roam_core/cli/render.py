@@ -71,6 +71,7 @@ def run(arguments: argparse.Namespace) -> int:
             (height, width),
             style=style,
             pixel_aspect=clip.pixel_aspect,
+            fps=clip.fps,
             progress=lambda share, _: show(bar, share),
         )
     if frames and not (written.made or written.kept):
