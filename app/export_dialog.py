@@ -7,6 +7,7 @@ from pathlib import Path
 
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import (
+    QCheckBox,
     QComboBox,
     QDialog,
     QDoubleSpinBox,
@@ -30,7 +31,7 @@ from app.jobs.export import Export
 from app.jobs.runner import Ending
 from app.matte_form import MatteForm
 from app.panels.controls import dense_form, form_label, number_field, weak_label
-from app.view_state import ViewState
+from app.view_state import ViewState, selected_shapes
 from roam_core.interchange import EXPORTERS, Exporter, ExportOptions, KeyChoice
 
 KEYS = {
@@ -86,6 +87,7 @@ class ExportDialog(QDialog):
         self.formats.header().setSectionResizeMode(0, mode.Stretch)
         self.formats.header().setSectionResizeMode(1, mode.ResizeToContents)
         self.formats.header().setStretchLastSection(False)
+        self.selected = QCheckBox("Selected shapes only")
         self.keys = QComboBox()
         self.tolerance = QDoubleSpinBox()
         self.tolerance.setRange(0.01, 100.0)
@@ -119,6 +121,7 @@ class ExportDialog(QDialog):
 
     def _lay_out(self) -> None:
         form = dense_form()
+        form.addRow(form_label("Shapes"), self.selected)
         form.addRow(form_label("Keys"), self.keys)
         self._tolerance_label = form_label("Within")
         form.addRow(self._tolerance_label, _row(self.tolerance, None))
@@ -147,6 +150,8 @@ class ExportDialog(QDialog):
 
     def _connect(self) -> None:
         self.formats.currentItemChanged.connect(lambda *_: self._pull_format())
+        self.selected.toggled.connect(lambda _: self._pull_hint())
+        self._view.selection_changed.connect(self._pull_hint)
         self.keys.currentIndexChanged.connect(lambda _: self._pull_keys())
         self.target.textChanged.connect(lambda _: self._pull_hint())
         self.mattes.file.currentIndexChanged.connect(lambda _: self._pull_hint())
@@ -189,6 +194,13 @@ class ExportDialog(QDialog):
             smoothing=self.smoothing.value() if self.smoothing.isEnabled() else 0.0,
             mattes=self.mattes.chosen,
         )
+
+    @property
+    def shapes(self) -> frozenset[str] | None:
+        """The ids of the shapes to export, None for all."""
+        if not self.selected.isChecked():
+            return None
+        return frozenset(shape.id for shape in selected_shapes(self._document.project, self._view.selection))
 
     @property
     def path(self) -> Path:
@@ -248,9 +260,12 @@ class ExportDialog(QDialog):
 
     def _pull_hint(self) -> None:
         is_named = bool(self.target.text().strip())
-        self.start.setEnabled(is_named and not self._is_ours)
+        has_shapes = self.shapes is None or bool(self.shapes)
+        self.start.setEnabled(is_named and has_shapes and not self._is_ours)
         if not is_named:
             self.hint.setText("Say where to write it.")
+        elif not has_shapes:
+            self.hint.setText("No shape is selected; select some, or export all.")
         elif self._is_folder:
             first = f"matte.{self.first.value()}{self.mattes.chosen.suffix}"
             self.hint.setText(f"A folder; its pictures are {first} and so on.")
@@ -280,7 +295,7 @@ class ExportDialog(QDialog):
     def _start(self) -> None:
         self.notes.clear()
         self._written = self.path
-        self._export.start(self.exporter.name, self._written, self.options)
+        self._export.start(self.exporter.name, self._written, self.options, self.shapes)
         self._is_ours = True
         self._pull_running()
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -12,6 +12,7 @@ from PySide6.QtCore import QObject, Signal
 from app.document import Document
 from app.jobs.runner import Ending, Report, Runner
 from roam_core.roto import Project
+from roam_core.roto.layers import only
 
 if TYPE_CHECKING:
     from roam_core.interchange import ExportOptions
@@ -43,10 +44,19 @@ class Export(QObject):
         super().__init__(parent)
         self._document, self._runner, self._may_overwrite = document, runner, may_overwrite
 
-    def start(self, format_name: str, path: Path, options: ExportOptions | None = None) -> None:
-        """Write the project as it is now to `path` (a file, or for mattes a folder) in the format of that name."""
-        file = self._document.path
-        self._start(_Request(self._document.project, file, format_name, path, options))
+    def start(
+        self,
+        format_name: str,
+        path: Path,
+        options: ExportOptions | None = None,
+        shapes: Collection[str] | None = None,
+    ) -> None:
+        """Write the project as it is now to `path` (a file, or for mattes a folder) in the format of that name.
+
+        Of the shapes only those of the ids `shapes`, all for None.
+        """
+        project, file = self._document.project, self._document.path
+        self._start(_Request(project if shapes is None else only(project, shapes), file, format_name, path, options))
 
     def _start(self, request: _Request) -> None:
         foreign: list[Path] = []

@@ -8,6 +8,7 @@ from pathlib import Path
 
 from roam_core.cli.matte_options import add_matte_arguments, matte_style
 from roam_core.cli.overwriting import add_overwrite
+from roam_core.cli.picking import add_only, with_only
 from roam_core.cli.plate import loaded
 from roam_core.interchange import EXPORTERS, ExportOptions, KeyChoice, exporter_for
 from roam_core.interchange.targets import Sources, exported, require_free
@@ -41,6 +42,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument("--frame-offset", type=int, default=0, metavar="N", help="added to every frame number")
     parser.add_argument("--frame", type=int, metavar="F", help="svg: the frame of the picture (the clip's first)")
+    add_only(parser)
     add_matte_arguments(parser)
     add_overwrite(parser)
 
@@ -48,7 +50,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(arguments: argparse.Namespace) -> int:
     """Carry out the command."""
     exporter = exporter_for(arguments.to)
-    project = loaded(arguments.project)
+    project = with_only(loaded(arguments.project), arguments.shape)
     options = ExportOptions(
         frame_offset=arguments.frame_offset,
         keys=KeyChoice(arguments.keys),

@@ -199,6 +199,32 @@ def test_browse_asks_for_a_file_or_a_folder(
     assert chosen == ["chosen.setting", "folder"]
 
 
+def test_selected_shapes_alone_are_exported_where_that_is_asked_for(
+    qtbot: QtBot, dialog: ExportDialog, document: Document, view_state: ViewState, tmp_path: Path
+) -> None:
+    project, other = edit.new_shape(document.project, SQUARE + 20.0, 1001, name="Other")
+    project, layer = edit.add_layer(project)
+    project, inner = edit.new_shape(project, SQUARE, 1001, name="Inner", layer_id=layer.id)
+    document.open(project, None)
+    dialog.choose("json")
+    dialog.selected.click()
+    assert not dialog.start.isEnabled()
+    assert "No shape is selected" in dialog.hint.text()
+    for chosen, names in (
+        ({other.id}, ["Other"]),
+        ({inner.id}, [layer.name]),
+        ({other.id, inner.id}, ["Other", layer.name]),
+    ):
+        view_state.select(frozenset(chosen))
+        export(qtbot, dialog)
+        assert [item["name"] for item in json.loads((tmp_path / "shot.json").read_text())["items"]] == names
+    view_state.select(frozenset())
+    assert not dialog.start.isEnabled()
+    dialog.selected.click()
+    export(qtbot, dialog)
+    assert len(json.loads((tmp_path / "shot.json").read_text())["items"]) == 3
+
+
 def test_ctrl_e_opens_it_beside_the_work(qtbot: QtBot, tmp_path: Path) -> None:
     with opened_window(qtbot, write_clip(tmp_path / "plate", 3), tmp_path / "journal") as window:
         qtbot.keyClick(window.canvas, Qt.Key.Key_E, Qt.KeyboardModifier.ControlModifier)
