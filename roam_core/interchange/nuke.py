@@ -107,7 +107,7 @@ class _Writer(ShapeWriter):
         if not layer.visible:
             attributes.append(("vis", 0))
         if not is_root or layer.opacity != 1.0:
-            attributes.append(("opc", layer.opacity))
+            attributes.append(("opc", layer.opacity_at(self.clip.first)))
         if layer.invert:
             attributes.append(("inv", 1))
         flags = (ROOT_FLAGS if is_root else RENDERABLE) | (LOCKED if layer.locked else 0)

@@ -14,6 +14,7 @@ from roam_core.roto.project import PALETTE
 
 BLEND_MODES = {
     BlendMode.ADD: 0,
+    BlendMode.PLUS: 0,
     BlendMode.MAX: 4,
     BlendMode.INTERSECT: 5,
     BlendMode.SUBTRACT: 12,
@@ -48,7 +49,7 @@ def shape_attributes(shape: RotoShape, clip: Clip, frame_offset: int) -> list[tu
     red, green, blue = shape.colour
     values: list[tuple[str, float]] = [
         ("vis", float(shape.visible)),
-        ("opc", shape.opacity),
+        ("opc", shape.opacity_at(clip.first)),
         ("bm", BLEND_MODES[shape.blend]),
         ("inv", float(shape.invert)),
         *zip(("ro", "go", "bo", "ao"), (red, green, blue, 1.0), strict=True),
@@ -59,7 +60,7 @@ def shape_attributes(shape: RotoShape, clip: Clip, frame_offset: int) -> list[tu
         values += [("mb", blur.samples / STANDARD_SAMPLES), ("mbs", blur.shutter)]
         values += [("mbsot", CUSTOM), ("mbso", blur.phase)]
     if shape.feather:
-        values += [("fo", 1), ("fx", shape.feather), ("fy", shape.feather)]
+        values += [("fo", 1), ("fx", shape.feather_at(clip.first)), ("fy", shape.feather_at(clip.first))]
     if shape.lifetime is not None:
         start, stop = (frame + frame_offset for frame in shape.lifetime)
         values += [("ltt", FRAME_RANGE), ("ltn", start), ("ltm", stop - 1)]

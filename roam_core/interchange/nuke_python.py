@@ -146,7 +146,10 @@ class _Writer(ShapeWriter):
     """Turns layers and shapes into plain values."""
 
     def layer(self, layer: Layer) -> dict[str, Any]:
-        attributes: list[tuple[str, float]] = [("vis", float(layer.visible)), ("opc", layer.opacity)]
+        attributes: list[tuple[str, float]] = [
+            ("vis", float(layer.visible)),
+            ("opc", layer.opacity_at(self.clip.first)),
+        ]
         attributes.append(("inv", float(layer.invert)))
         children = (  # Nuke's topmost comes first
             self.layer(child) if isinstance(child, Layer) else self.shape(child) for child in reversed(layer.children)

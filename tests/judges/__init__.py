@@ -1,1 +1,1 @@
-"""Judges that share no code with what they judge."""
+"""Judges of what leaves the program: readers and renderers that share no code with its writers."""
