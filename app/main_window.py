@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import Qt, QTimer
@@ -95,7 +96,8 @@ class MainWindow(QMainWindow):
         self.saver = Runner("saver", self)
         self.reader = PlateReader(self)
         self.files = Files(self.document, self.view_state, self.reader, self.writer, self.saver, self)
-        self.export = Export(self.document, self.writer, self, lambda paths: dialogs.ask_overwrite(self, paths))
+        asks = partial(dialogs.ask_overwrite, self), partial(dialogs.ask_lossy, self)
+        self.export = Export(self.document, self.writer, self, *asks)
         self.importing, self.copying = Import(self.document, self.writer, self), Copying(self.writer, self)
         self.journal = Journal(self.document, journal_root, self)
         self.propagation = Propagation(self.document, self.view_state, self.solver, self.reader.engine_frame, self)

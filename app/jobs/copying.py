@@ -33,7 +33,7 @@ class Copying(QObject):
             from roam_core.interchange.clipboard import node_text
 
             report.progress(0.0, f"Copying for {program} …")
-            options = ExportOptions(progress=report.progress, token=report.token)
+            options = ExportOptions(lossy=True, progress=report.progress, token=report.token)
             text, notes = node_text(format_name, project, options)
             report.partial(text)
             count = len(project.shapes)

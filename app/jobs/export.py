@@ -27,7 +27,8 @@ class Export(QObject):
     noted(sentences) : a tuple: what the format cannot hold and was left out or changed, before `finished`.
 
     What the project is made of (plate, project file) is never written over. Files that ROAM did not make are, if
-    `may_overwrite(paths)` says so: the artist, who is asked before anything is written.
+    `may_overwrite(paths)` says so: the artist, who is asked before anything is written. So is `may_lose(losses)` where
+    the mattes would differ in the other program and the options do not say that this was seen (`lossy`).
     """
 
     progress = Signal(float, str)
@@ -40,9 +41,16 @@ class Export(QObject):
         runner: Runner,
         parent: QObject | None = None,
         may_overwrite: Callable[[Sequence[Path]], bool] = lambda _: False,
+        may_lose: Callable[[Sequence[str]], bool] = lambda _: False,
     ) -> None:
         super().__init__(parent)
-        self._document, self._runner, self._may_overwrite = document, runner, may_overwrite
+        self._document, self._runner = document, runner
+        self._may_overwrite, self._may_lose = may_overwrite, may_lose
+
+    @property
+    def runner(self) -> Runner:
+        """Where exports are made, and where what they would lose is found out."""
+        return self._runner
 
     def start(
         self,
@@ -60,16 +68,27 @@ class Export(QObject):
 
     def _start(self, request: _Request) -> None:
         foreign: list[Path] = []
+        losses: list[str] = []
 
         def work(report: Report) -> str:
+            from roam_core.interchange.protocol import LossyExport
+
             foreign.extend(_foreign(request))
-            return "" if foreign else _export(report, request)
+            if foreign:
+                return ""
+            try:
+                return _export(report, request)
+            except LossyExport as refusal:
+                losses.extend(refusal.losses)
+                return ""
 
         def end(ending: Ending, sentence: str) -> None:
-            if ending is not Ending.DONE or not foreign:
+            if ending is not Ending.DONE or not (foreign or losses):
                 self._end(ending, sentence)
-            elif self._may_overwrite(foreign):
+            elif foreign and self._may_overwrite(foreign):
                 self._start(replace(request, overwrites=True))
+            elif losses and self._may_lose(losses):
+                self._start(replace(request, loses=True))
             else:
                 self._end(Ending.CANCELLED, "Nothing was exported; the files that are there stay.")
 
@@ -98,6 +117,7 @@ class _Request:
     path: Path
     options: ExportOptions | None
     overwrites: bool = False
+    loses: bool = False
 
 
 def _foreign(request: _Request) -> tuple[Path, ...]:
@@ -118,7 +138,9 @@ def _export(report: Report, request: _Request) -> str:
 
     path = request.path
     report.progress(0.0, f"Exporting to {path.name} …")
-    told = replace(request.options or ExportOptions(), progress=report.progress, token=report.token)
+    options = request.options or ExportOptions()
+    lossy = options.lossy or request.loses
+    told = replace(options, lossy=lossy, progress=report.progress, token=report.token)
     losses = EXPORTERS[request.format_name].export(request.project, path, told)
     report.partial(losses)
     return " ".join([f"Exported to {path}.", *losses])

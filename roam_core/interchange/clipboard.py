@@ -30,7 +30,7 @@ SIGNS: Mapping[str, re.Pattern[str]] = {
 def node_text(name: str, project: Project, options: ExportOptions = STANDARD) -> tuple[str, tuple[str, ...]]:
     """The text of the nodes that the export format `name` makes of all shapes, and what it notes.
 
-    What the format cannot hold is noted as well, not refused: nothing is written over by it.
+    Raises `LossyExport` as exports to files do, unless the options are `lossy`.
     """
     exporter = EXPORTERS[name]
     with tempfile.TemporaryDirectory(prefix="roam-") as folder:
