@@ -315,8 +315,9 @@ class ExportDialog(QDialog):
 
     def _show_foreseen(self, found: Foreseen) -> None:
         self._set_losses(found.losses)
-        head = ["The mattes would differ in the other program:"] if found.losses else []
-        self.notes.setPlainText("\n".join([*head, *found.losses, *found.notes]))
+        losses = ["The mattes would differ in the other program:", *found.losses] if found.losses else []
+        besides = ["", "Besides:"] if found.losses and found.notes else []
+        self.notes.setPlainText("\n".join([*losses, *besides, *found.notes]))
 
     def _set_losses(self, losses: tuple[str, ...]) -> None:
         self._losses = losses
