@@ -46,7 +46,7 @@ def run(given: argparse.Namespace) -> None:
             rows.append(_row(shot.name, kind, shape))
     head = ["shot", "outline", "frames", "straight: keys", "optimum", "error", "Nuke: keys", "error, at quarter frames"]
     title = f"Keys at {TOLERANCE:g} px; errors in pixels. {report.circumstances()}."
-    report.write("key-optimum", f"{title}\n\n{report.table(head, rows)}", {"rows": rows}, publish=given.publish)
+    report.write("key_optimum", f"{title}\n\n{report.table(head, rows)}", {"rows": rows}, publish=given.publish)
 
 
 def _row(shot: str, kind: str, shape: RotoShape) -> list[Any]:
