@@ -1,0 +1,1 @@
+"""Small renderers of other programs' files, each as that program composites; they share no code with our writers."""
