@@ -114,10 +114,15 @@ class _Writer(ShapeWriter):
 
     def parts(self, branch: Branch) -> list[dict[str, Any]]:
         """What is joined by nodes, bottom first: masks and branches."""
-        return [
-            self.branch(part.content) if isinstance(part.content, Branch) else self._mask(part.content, part.blend)
-            for part in parts_of(branch, holds)
-        ]
+        parts = []
+        for part in parts_of(branch, holds):
+            if isinstance(part.content, Branch):
+                parts.append(self.branch(part.content))
+                continue
+            # What is joined by a node is drawn above nothing in its own mask.
+            shapes = part.content if not parts else tuple(replace(each, blend=BlendMode.ADD) for each in part.content)
+            parts.append(self._mask(shapes, part.blend))
+        return parts
 
     def branch(self, branch: Branch) -> dict[str, Any]:
         """A branch and its parts."""
