@@ -1,1 +1,1 @@
-"""Small renderers of other programs' files, each as that program composites; they share no code with our writers."""
+"""Judges of what leaves the program: readers and renderers that share no code with its writers."""
