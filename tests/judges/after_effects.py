@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tests.judges.coverage import filled, soft, union
+from tests.judges.coverage import filled, filled_polygon, polyline, soft, union
 from tests.unit.interchange.node_judge import mask_of, ran
 
 Array = NDArray[np.float64]
@@ -78,7 +78,12 @@ class Scene:
             points = judged.points(moment)
             soft_width = float(np.ravel(width)[0])
             place = (offset - soft_width / 2.0, offset + soft_width / 2.0)
-            own = soft(points, size, *place) if soft_width else filled(points, size)
+            radii = self._radii(held["ADBE Mask Shape"], moment)
+            if radii is not None:
+                assert not soft_width, "no judge of feather points and a uniform feather"
+                own = squared(points, radii, size)
+            else:
+                own = soft(points, size, *place) if soft_width else filled(points, size)
             own = (1.0 - own if mask["inverted"] else own) * opacity / 100.0
             if joint is None:
                 assert mode in ("add", "subtract"), f"what {mode} does as the first mode is not documented"
@@ -92,6 +97,13 @@ class Scene:
             }[mode]
         return np.ones(size) if joint is None else joint
 
+    def _radii(self, path: dict[str, Any], moment: float) -> Array | None:
+        """How far the feather points of a path lie outside of its points."""
+        if all(not any(key["value"].get("featherRadii", [])) for key in path["keys"]):
+            return None
+        keys = [{**key, "value": key["value"]["featherRadii"]} for key in path["keys"]]
+        return np.asarray(self._value({"keys": keys}, moment), dtype=np.float64)
+
     def _value(self, held: dict[str, Any], moment: float) -> Any:
         """A property's value: straight from key to key, but for those that hold."""
         keys = held["keys"]
@@ -104,6 +116,20 @@ class Scene:
             return before["value"]
         u = (moment - times[index]) / (times[index + 1] - times[index])
         return (1.0 - u) * np.array(before["value"]) + u * np.array(after["value"])
+
+
+def squared(points: Array, radii: Array, size: tuple[int, int]) -> Array:
+    """The mean coverage of all outlines between an outline and the line square to it at distances that go evenly from
+    point to point; outside positive."""
+    line = polyline(points)
+    following = np.roll(line, -1, axis=0)
+    along = following - np.roll(line, 1, axis=0)
+    area = (line[:, 0] * following[:, 1] - following[:, 0] * line[:, 1]).sum()
+    square = np.stack([along[:, 1], -along[:, 0]], axis=1) * np.sign(area)
+    square /= np.maximum(np.hypot(square[:, 0], square[:, 1]), 1e-12)[:, None]
+    wide = np.interp(np.arange(len(line)) * len(points) / len(line), np.arange(len(points) + 1), [*radii, radii[0]])
+    shares = (np.arange(48) + 0.5) / 48
+    return np.asarray(np.mean([filled_polygon(line + s * wide[:, None] * square, size) for s in shares], axis=0))
 
 
 def matte(text: str, folder: Path, fps: float, frame: float, size: tuple[int, int]) -> Array:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
@@ -18,7 +19,7 @@ def is_there() -> bool:
 
 
 def mattes(
-    text: str, folder: Path, frames: list[int], size: tuple[int, int], aspect: float = 1.0
-) -> dict[int, NDArray[np.float32]]:
+    text: str, folder: Path, frames: Sequence[float], size: tuple[int, int], aspect: float = 1.0
+) -> dict[float, NDArray[np.float32]]:
     """The mattes `(h, w)` of a script at the frames; skips the test where there is no Blender."""
     return rendered(text, folder, (size[1], size[0]), aspect, frames).mattes

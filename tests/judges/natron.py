@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from tests.judges.coverage import filled, soft, union
+from tests.judges.coverage import between, filled, soft, union
 from tests.unit.interchange.judged import JudgedMask
 from tests.unit.interchange.natron_judge import Node, masks_of, nodes_of
 
@@ -48,7 +48,12 @@ def _drawn(masks: list[JudgedMask], frame: float, size: tuple[int, int]) -> Arra
             continue
         width = item.distance.at(frame)
         points = mask.points(frame)
-        own = soft(points, size, min(width, 0.0), max(width, 0.0)) if width else filled(points, size)
+        curve = JudgedMask(mask.name, mask.closed, mask.values["feather"]).points(frame)
+        if np.abs(curve - points).max() > 1e-6:
+            assert not width, "Natron adds a feather curve and a uniform feather; there is no judge of both"
+            own = between(points, curve, size)
+        else:
+            own = soft(points, size, min(width, 0.0), max(width, 0.0)) if width else filled(points, size)
         own = 1.0 - own if item.params["inverted"].value else own
         matte = OPERATIONS[item.operator.lower()](matte, own * item.opacity.at(frame))
     return matte

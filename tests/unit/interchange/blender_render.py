@@ -1,6 +1,7 @@
 """Run inside Blender by `blender_judge`: runs an exported script, then renders its mask through the compositor."""
 
 import json
+import math
 import os
 from pathlib import Path
 
@@ -28,7 +29,7 @@ else:
 target = tree.nodes.new("CompositorNodeComposite")
 tree.links.new(source.outputs[0], target.inputs[0])
 for frame in wanted["frames"]:
-    scene.frame_set(frame)
+    scene.frame_set(math.floor(frame), subframe=frame % 1.0)
     render.filepath = str(Path(wanted["out"]) / f"{frame}.exr")
     bpy.ops.render.render(write_still=True)
 
