@@ -71,10 +71,9 @@ class Scene:
             mode = mask["mode"]
             if mode == "none" or not judged.closed:
                 continue
-            width, offset, opacity = (
-                self._value(mask["properties"][f"ADBE Mask {name}"], moment)
-                for name in ("Feather", "Offset", "Opacity")
-            )
+            held = mask["properties"]
+            width, offset = (self._value(held[f"ADBE Mask {name}"], moment) for name in ("Feather", "Offset"))
+            opacity = self._value(held["ADBE Mask Opacity"], moment)
             points = judged.points(moment)
             soft_width = float(np.ravel(width)[0])
             place = (offset - soft_width / 2.0, offset + soft_width / 2.0)
