@@ -11,7 +11,7 @@ from app.document import Document
 from app.jobs.runner import Ending, Report, Runner
 from roam_core.roto import edit
 
-SHAPE_FILES = (".nk", ".gizmo", ".fxs", ".sfx", ".svg", ".json")
+SHAPE_FILES = (".nk", ".gizmo", ".fxs", ".sfx", ".setting", ".svg", ".json")
 """Suffixes of files that hold shapes and cannot be a clip or a project."""
 
 
