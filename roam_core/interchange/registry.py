@@ -9,6 +9,7 @@ from roam_core.errors import RoamError
 from roam_core.interchange.after_effects import AfterEffectsExporter
 from roam_core.interchange.blender import BlenderExporter
 from roam_core.interchange.fusion import FusionExporter
+from roam_core.interchange.fusion_reading import FusionImporter
 from roam_core.interchange.masks import MaskImporter
 from roam_core.interchange.mattes import MatteExporter
 from roam_core.interchange.natron import NatronExporter
@@ -57,7 +58,14 @@ EXPORTERS = Exporters(
 )
 
 
-IMPORTERS: tuple[Importer, ...] = (NukeImporter(), SilhouetteImporter(), SvgFormat(), JsonFormat(), MaskImporter())
+IMPORTERS: tuple[Importer, ...] = (
+    NukeImporter(),
+    SilhouetteImporter(),
+    FusionImporter(),
+    SvgFormat(),
+    JsonFormat(),
+    MaskImporter(),
+)
 """Every format that can be read."""
 
 
