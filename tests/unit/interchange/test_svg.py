@@ -178,7 +178,7 @@ def test_what_is_no_outline_is_named_and_the_rest_is_kept(tmp_path: Path) -> Non
     made = read(drawing(body), tmp_path)
     assert [shape.name for shape in made.layer.shapes()] == ["bad", "good"]
     notes = " ".join(made.notes)
-    for words in ("'Use' refers to lies in another file", "'text'", "'image'", "'bad' is damaged", "'turned' was left out"):
+    for words in ("'Use' refers to lies in another", "'text'", "'image'", "'bad' is damaged", "'turned' was left out"):
         assert words in notes
 
 
