@@ -1,0 +1,1 @@
+"""Judges of what leaves the program: readers and renderers that share no code with its writers."""
