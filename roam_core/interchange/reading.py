@@ -134,6 +134,7 @@ class ShapeReader:
     keys: int = 0
     parts: int = 0
     _ids: dict[str, int] = field(default_factory=dict)
+    _told: set[str] = field(default_factory=set)
 
     def __post_init__(self) -> None:
         if abs(self.options.frame_offset) > MAX_FRAMES:
@@ -198,7 +199,8 @@ class ShapeReader:
 
     def note(self, sentence: str) -> None:
         """Remember a loss, once: a hundred shapes with one trouble make one sentence each, not a hundred alike."""
-        if sentence not in self.notes:
+        if sentence not in self._told:
+            self._told.add(sentence)
             self.notes.append(sentence)
 
     def finished(self, children: tuple[Layer | RotoShape, ...], size: tuple[float, float] | None = None) -> Imported:
