@@ -33,11 +33,15 @@ class KeyedCurves:
     reaching: Array
 
 
+STEP = 1.0 / 1024.0
+"""Frames before the next key at which a held one stands once more: no sample of motion blur falls in between."""
+
+
 @dataclass(frozen=True)
 class TimedKeys:
     """Keys on Nuke's frames; for each span a slope of its own, True where it is flat, or None where it is straight."""
 
-    times: list[int]
+    times: list[float]
     keys: list[Keyframe]
     spans: list[Slopes | bool | None]
 
@@ -61,12 +65,14 @@ class TimedKeys:
 def timed_keys(shape: RotoShape, slopes: Sequence[Slopes | None], offset: int) -> TimedKeys:
     """The keys of a shape on Nuke's frames; `slopes` are those of its spans, if it has any.
 
-    Nuke's list has no word for a hold, so the key of a HOLD stands once more on the last frame before the next key.
+    The grammar has a word for a key that steps, an integer behind its slopes; but its page gives the default a number
+    that would be a step, public tools count otherwise, and no file at hand holds one. So the key of a HOLD stands once
+    more right before the next key (`STEP`), with flat slopes: a step for whoever knows cubics.
 
     Raises `RoamError` for frames that single precision would round.
     """
     keys: list[Keyframe] = []
-    times: list[int] = []
+    times: list[float] = []
     spans: list[Slopes | bool | None] = []
     for key, following, slope in zip_longest(shape.keys, shape.keys[1:], slopes):
         keys.append(key)
@@ -74,13 +80,18 @@ def timed_keys(shape: RotoShape, slopes: Sequence[Slopes | None], offset: int) -
         if following is None:
             break
         spans.append(slope or key.interpolation is not Interpolation.LINEAR)
-        if key.interpolation is Interpolation.HOLD and following.frame - key.frame > 1:
+        if key.interpolation is Interpolation.HOLD and (last := _right_before(following.frame + offset)) > times[-1]:
             keys.append(key)
-            times.append(following.frame - 1 + offset)
+            times.append(last)
             spans.append(True)
     if max(abs(time) for time in times) > LAST_EXACT_FRAME:
         raise RoamError(f"The shape {shape.name!r} has keys on frames beyond {LAST_EXACT_FRAME}, which Nuke rounds.")
     return TimedKeys(times, keys, spans)
+
+
+def _right_before(frame: int) -> float:
+    """The moment `STEP` before a frame, or the last one that single precision knows."""
+    return min(float(np.float32(frame - STEP)), float(np.nextafter(np.float32(frame), np.float32(-np.inf))))
 
 
 def outline_triples(points: Array, height: float) -> Array:

@@ -1,4 +1,4 @@
-"""Nuke, by a Python script: the same shapes made through `nuke.rotopaint`, as a cross-check of the pasted text.
+"""Nuke, by a Python script: the same nodes made through `nuke.rotopaint`, as a cross-check of the pasted text.
 
 Run it in Nuke's script editor. The part that does the work is the same in every script; what the project holds stands
 in front of it as JSON in ASCII, so that no name can be anything but a name. It runs under Python 2.7 and 3.
@@ -7,10 +7,13 @@ in front of it as JSON in ASCII, so that no name can be anything but a name. It 
 from __future__ import annotations
 
 import json
+from collections.abc import Iterator
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
 from roam_core.interchange.nuke_attributes import shape_attributes
+from roam_core.interchange.nuke_graph import Joined, Painted, Step, is_one_node, own_nodes, steps
 from roam_core.interchange.nuke_keys import (
     KeyedCurves,
     feather_slopes,
@@ -19,13 +22,14 @@ from roam_core.interchange.nuke_keys import (
     outline_triples,
     timed_keys,
 )
+from roam_core.interchange.nuke_names import KNOB, LAYER_KNOB, Names, inert, layer_word
 from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter
 from roam_core.interchange.reduction import Motion
 from roam_core.interchange.stilled import stilled
 from roam_core.roto import Layer, Project, RotoShape
 from roam_core.roto.file import write_atomically
 
-SCRIPT = '''# Shapes from ROAM for Nuke's script editor: makes one Roto node.
+SCRIPT = '''# Shapes from ROAM for Nuke's script editor: makes a Roto node, or several that are joined.
 import json
 import sys
 
@@ -104,14 +108,41 @@ def fill(knob, parent, children):
             parent.append(make_shape(knob, values))
 
 
-def main():
+def remember(node, values):
+    """Labels to read, and what ROAM's reader takes names from."""
+    node["label"].setValue(text(values["label"]))
+    for name, value in values["knobs"]:
+        node.addKnob(nuke.String_Knob(name, name, value))
+
+
+def roto(values, left):
     node = nuke.nodes.Roto()
     node["output"].setValue("alpha")
+    if values["over"]:
+        node.setInput(0, left.pop())
     knob = node["curves"]
     root = knob.rootLayer
-    attributes_of(root, DOCUMENT["attributes"])
-    fill(knob, root, DOCUMENT["children"])
+    attributes_of(root, values["root"]["attributes"])
+    fill(knob, root, values["root"]["children"])
     knob.changed()
+    return node
+
+
+def main():
+    """Each step takes the last nodes that are left, and leaves one."""
+    left = []
+    for step in DOCUMENT:
+        if step["node"] == "Roto":
+            node = roto(step, left)
+        else:
+            node = getattr(nuke.nodes, step["node"])()
+            for name, value in step["set"]:
+                node[name].setValue(value)
+            for index in range(step["inputs"]):
+                node.setInput(index, left.pop())
+        if step["label"] or step["knobs"]:
+            remember(node, step)
+        left.append(node)
 
 
 main()
@@ -134,16 +165,46 @@ class NukePythonExporter:
 
 
 def python_document(project: Project, options: ExportOptions = STANDARD) -> tuple[str, tuple[str, ...]]:
-    """The text of a script that makes all shapes of `project`, and a sentence for each shape that was reduced."""
+    """The text of a script that makes all shapes of `project`, and a sentence for each thing that it says otherwise."""
     project = stilled(project)
-    writer = _Writer(project.require_clip(), options, len(project.shapes))
-    document = json.dumps(writer.layer(project.root), ensure_ascii=True, allow_nan=False)
+    root = project.root
+    writer = _Writer(project.require_clip(), options, len(project.shapes), names=Names.of(root))
+    writer.notes += writer.names.notes()
+    made = [writer.roto(root)] if is_one_node(root) else [node for step in steps(root) for node in writer.nodes(step)]
+    if len(made) > 1:
+        writer.notes.append(own_nodes(root))
+    document = json.dumps(made, ensure_ascii=True, allow_nan=False)
     pieces = (document[start : start + 100] for start in range(0, len(document), 100))
     return SCRIPT % "\n".join(f"    {piece!r}" for piece in pieces), tuple(writer.notes)
 
 
+@dataclass
 class _Writer(ShapeWriter):
     """Turns layers and shapes into plain values."""
+
+    names: Names = field(default_factory=Names)
+
+    def nodes(self, step: Step) -> Iterator[dict[str, Any]]:
+        """The nodes of a step, each with the number of last ones that it takes."""
+        if isinstance(step, Painted):
+            yield self.roto(step.layer, is_over=step.is_over)
+        elif isinstance(step, Joined):
+            yield _node("Merge2", 2, [("operation", step.operation)])
+            if step.operation == "plus":
+                yield _node("Clamp", 1, [("channels", "alpha")])
+        else:
+            layer = step.layer
+            if layer.invert:
+                yield _node("Invert", 1, [("channels", "alpha")])
+            if layer.opacity != 1.0:
+                yield _node("Multiply", 1, [("channels", "alpha"), ("value", layer.opacity)])
+            yield {**_node("NoOp", 1, []), "label": inert(layer.name), "knobs": [(LAYER_KNOB, layer_word(layer))]}
+
+    def roto(self, root: Layer, *, is_over: bool = False) -> dict[str, Any]:
+        """A Roto node that paints what lies in a layer."""
+        names = self.names.within(root)
+        knobs = [(KNOB, names.knob)] if names.changed else []
+        return {**_node("Roto", 0, []), "over": is_over, "root": self.layer(root), "label": names.label, "knobs": knobs}
 
     def layer(self, layer: Layer) -> dict[str, Any]:
         attributes: list[tuple[str, float]] = [("vis", float(layer.visible)), ("opc", layer.opacity)]
@@ -152,7 +213,7 @@ class _Writer(ShapeWriter):
             self.layer(child) if isinstance(child, Layer) else self.shape(child) for child in reversed(layer.children)
         )
         return {
-            "name": _sound(layer.name),
+            "name": self.names.by_id.get(layer.id, "Root"),
             "attributes": attributes,
             "locked": layer.locked,
             "children": list(children),
@@ -167,7 +228,7 @@ class _Writer(ShapeWriter):
             values = [feather_triples(key.points, key.feather) for key in timed.keys]
             curves.append(timed.curves(values, feather_slopes))
         return {
-            "name": _sound(shape.name),
+            "name": self.names.by_id[shape.id],
             "open": not shape.closed,
             "locked": shape.locked,
             "attributes": shape_attributes(shape, self.clip, self.options.frame_offset),
@@ -183,6 +244,5 @@ def _entries(curves: KeyedCurves) -> list[list[tuple[list[float], list[float], l
     return [list(pair) for pair in zip(columns[::2], columns[1::2], strict=True)]
 
 
-def _sound(name: str) -> str:
-    """A name without lone surrogates, which Nuke could not encode."""
-    return name.encode("utf-16-le", "surrogatepass").decode("utf-16-le", "replace")
+def _node(species: str, inputs: int, values: list[tuple[str, Any]]) -> dict[str, Any]:
+    return {"node": species, "inputs": inputs, "set": values, "label": "", "knobs": []}

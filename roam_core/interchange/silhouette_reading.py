@@ -12,7 +12,16 @@ from numpy.typing import NDArray
 
 from roam_core.errors import RoamError
 from roam_core.interchange.keying import Key, keys_of
-from roam_core.interchange.reading import PLAIN, Imported, ImportOptions, ShapeReader, brief, quietly, sensible
+from roam_core.interchange.reading import (
+    PLAIN,
+    Imported,
+    ImportOptions,
+    ShapeReader,
+    brief,
+    origin_of,
+    quietly,
+    sensible,
+)
 from roam_core.interchange.silhouette import MODES, PATH_KINDS
 from roam_core.interchange.silhouette_project import project_session, project_shapes, unpacked
 from roam_core.interchange.silhouette_values import (
@@ -232,8 +241,13 @@ class _SessionReader:
         is_plain = not outer and not outlines.bends
         raw = self._plain(outlines) if is_plain else self._moved(outlines, label, outer)
         keys = tuple(
-            Keyframe(self._frame(f), grips.points_of(self.session.pixels(v), spline, closed), interpolation=i)
-            for f, i, v in raw
+            Keyframe(
+                self._frame(key.frame),
+                grips.points_of(self.session.pixels(key.value), spline, closed),
+                interpolation=key.interpolation,
+                **origin_of(key),
+            )
+            for key in raw
         )
         if not sensible(keys):
             raise ValueError("a point of it lies nowhere near the image")
@@ -242,7 +256,7 @@ class _SessionReader:
     def _plain(self, outlines: Track) -> list[Key]:
         frames = [round(frame) for frame in outlines.frames.tolist()]
         return [
-            (frame, Interpolation.HOLD if outlines.holds(k) else Interpolation.LINEAR, value.reshape(-1, 3, 2))
+            Key(frame, Interpolation.HOLD if outlines.holds(k) else Interpolation.LINEAR, value.reshape(-1, 3, 2), True)
             for k, (frame, value) in enumerate(zip(frames, outlines.values, strict=True))
         ]
 
@@ -258,7 +272,7 @@ class _SessionReader:
 
         times = set(outlines.frames.tolist()).union(*(form.times for form in outer))
         keys = keys_of(values, times, lambda made: self.reader.check_points(made * count, label, made))
-        return [(frame, interpolation, value / scale) for frame, interpolation, value in keys]
+        return [key._replace(value=key.value / scale) for key in keys]
 
     def _grips(self, path: Element, label: str, spline: Spline) -> Array:
         """What the artist holds of one path, `(P, 3, 2)`, in the file's units: that is what layers move."""
