@@ -198,4 +198,4 @@ def _differs(a: object, b: object) -> bool:
 
 
 def _plain(layer: Layer) -> tuple[object, ...]:
-    return (layer.name, layer.visible, layer.locked, layer.opacity, layer.invert, layer.transform)
+    return (layer.name, layer.visible, layer.locked, layer.opacity, layer.invert, layer.blend, layer.transform)

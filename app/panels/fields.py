@@ -8,16 +8,27 @@ from typing import TypeVar
 
 from PySide6.QtCore import QEvent, QSignalBlocker, Qt, Signal
 from PySide6.QtGui import QEnterEvent, QFocusEvent, QKeyEvent, QMouseEvent, QWheelEvent
-from PySide6.QtWidgets import QCheckBox, QDoubleSpinBox, QLabel, QWidget
+from PySide6.QtWidgets import QCheckBox, QComboBox, QDoubleSpinBox, QLabel, QWidget
 
 from app import style
 from app.panels.controls import LABEL_WIDTH
+from roam_core.roto import BlendMode
 
 MIXED = "mixed"
 """What a control shows for things that differ."""
 
 PIXELS_A_STEP = 4.0
 """How far the pointer goes for one step while it drags a label, in widget units."""
+
+MEANINGS = {
+    BlendMode.ADD: "Joins with what lies under it, soft edges as one painted over the other",
+    BlendMode.PLUS: "The sum of both, as projects of earlier versions added: soft edges that overlap grow hard",
+    BlendMode.SUBTRACT: "Cuts a hole into what lies under it",
+    BlendMode.INTERSECT: "Keeps only what both cover",
+    BlendMode.DIFFERENCE: "Keeps what one of both covers and the other does not",
+    BlendMode.MAX: "The greater of both",
+}
+"""What the modes do, for tooltips."""
 
 Value = TypeVar("Value")
 _gestures = count(1)
@@ -155,6 +166,30 @@ class ScrubLabel(QLabel):
         if event.type() is QEvent.Type.EnabledChange and not self.isEnabled():
             self._last = None
         super().changeEvent(event)
+
+
+class BlendBox(QComboBox):
+    """The modes by which a matte may join what lies under it. It can show that they differ.
+
+    `picked(mode)` tells of a mode that is not the one that was shown.
+    """
+
+    picked = Signal(BlendMode)
+
+    def __init__(self, tip: str) -> None:
+        super().__init__()
+        self.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
+        self.setPlaceholderText(MIXED)
+        self.setToolTip(tip)
+        for mode in BlendMode:
+            self.addItem(mode.value.capitalize(), mode)
+            self.setItemData(self.count() - 1, MEANINGS[mode], Qt.ItemDataRole.ToolTipRole)
+        self.currentIndexChanged.connect(lambda _: self.picked.emit(BlendMode(self.currentData())))
+
+    def show_mode(self, mode: BlendMode | None) -> None:
+        """Show a mode, or that they differ (None)."""
+        with QSignalBlocker(self):
+            self.setCurrentIndex(-1 if mode is None else self.findData(mode))
 
 
 class SwitchBox(QCheckBox):

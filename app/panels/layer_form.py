@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QLineEdit, QPush
 from app import style
 from app.document import Document
 from app.panels.controls import dense_form, form_label
-from app.panels.fields import NumberField, ScrubLabel, SwitchBox, shared
+from app.panels.fields import BlendBox, NumberField, ScrubLabel, SwitchBox, shared
 from app.view_state import ViewState
 from roam_core.roto import Layer, edit
 from roam_core.roto.following import still
@@ -33,6 +33,9 @@ class LayerForm(QWidget):
         self.name.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
         self.name.editingFinished.connect(self._push_name)
         form.addRow(form_label("Layer"), self.name)
+        self.blend = BlendBox("How the joint matte of the layer joins what lies under it")
+        self.blend.picked.connect(lambda mode: self.push("Layer blend", blend=mode))
+        form.addRow(form_label("Blend"), self.blend)
         self.opacity = NumberField(0.0, 100.0, suffix=" %", tip="Of the joint matte of all that lies in the layer")
         self.opacity.edited.connect(lambda value, key: self.push("Layer opacity", key, opacity=value / 100))
         form.addRow(ScrubLabel("Opacity", self.opacity), self.opacity)
@@ -109,10 +112,11 @@ class LayerForm(QWidget):
         self.name.setText(layers[0].name if is_one else "")
         self.name.setPlaceholderText("" if is_one else f"{len(layers)} layers")
         self.name.setEnabled(is_one and is_free)
-        self.opacity.show_value(shared(layer.opacity * 100 for layer in layers))
+        self.blend.show_mode(shared(layer.blend for layer in layers))
+        self.opacity.show_value(shared(layer.opacity_at(self._view.frame) * 100 for layer in layers))
         for name, box in (("visible", self.visible), ("locked", self.locked), ("invert", self.invert)):
             box.show_value(shared(getattr(layer, name) for layer in layers))
-        for control in (self.opacity, self.invert):
+        for control in (self.blend, self.opacity, self.invert):
             control.setEnabled(is_free)
         self._motion.setText(_told(layers))
         self.clear_motion.setEnabled(is_free and any(layer.transform for layer in layers))

@@ -8,7 +8,6 @@ from typing import Any
 
 from PySide6.QtCore import QSignalBlocker, Qt
 from PySide6.QtWidgets import (
-    QComboBox,
     QGridLayout,
     QHBoxLayout,
     QLabel,
@@ -24,11 +23,12 @@ from app.document import Document
 from app.navigation import clip_frames
 from app.panels.colour_row import ColourRow
 from app.panels.controls import FRAME_LIMIT, dense_form, form_label
-from app.panels.fields import MIXED, NumberField, ScrubLabel, SwitchBox, shared
+from app.panels.fields import BlendBox, NumberField, ScrubLabel, SwitchBox, shared
 from app.panels.layer_form import LayerForm
 from app.panels.object_form import ObjectForm
 from app.view_state import ViewState, selected_shapes
-from roam_core.roto import BlendMode, MotionBlur, RotoShape
+from roam_core.roto import MotionBlur, RotoShape
+from roam_core.roto.animated import set_at
 from roam_core.roto.edit import MIN_POINTS_CLOSED
 from roam_core.roto.properties import begin_at, end_at, limit_lifetime, set_motion_blur
 
@@ -99,21 +99,28 @@ class PropertiesPanel(QWidget):
         )
         colours.picked.connect(lambda colour: self.push("Colour", colour=colour))
 
-        self.blend = blend = QComboBox()
-        blend.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
-        blend.setPlaceholderText(MIXED)
-        blend.setToolTip("How the shape joins what lies under it in its layer")
-        for mode in BlendMode:
-            blend.addItem(mode.value.capitalize(), mode)
-        self._add_row(form_label("Blend"), blend, lambda shapes: _show_blend(blend, shapes))
-        blend.currentIndexChanged.connect(lambda _: self.push("Blend", blend=BlendMode(blend.currentData())))
+        self.blend = blend = BlendBox("How the shape joins what lies under it in its layer")
+        self._add_row(
+            form_label("Blend"), blend, lambda shapes: blend.show_mode(shared(shape.blend for shape in shapes))
+        )
+        blend.picked.connect(lambda mode: self.push("Blend", blend=mode))
 
         self.opacity = NumberField(0.0, 100.0, suffix=" %")
-        self._add_number("Opacity", self.opacity, lambda s: s.opacity * 100, lambda s, v: replace(s, opacity=v / 100))
+        self._add_number(
+            "Opacity",
+            self.opacity,
+            lambda s: s.opacity_at(self._view.frame) * 100,
+            lambda s, v: replace(s, opacity=set_at(s.opacity, self._view.frame, v / 100)),
+        )
 
         tip = "Width of an even soft edge; below zero it lies inside"
         self.feather = NumberField(-500.0, 500.0, suffix=" px", decimals=1, step=0.5, tip=tip)
-        self._add_number("Feather", self.feather, lambda s: s.feather, lambda s, v: replace(s, feather=v))
+        self._add_number(
+            "Feather",
+            self.feather,
+            lambda s: s.feather_at(self._view.frame),
+            lambda s, v: replace(s, feather=set_at(s.feather, self._view.frame, v)),
+        )
 
     def _build_switches(self) -> None:
         self.visible = SwitchBox("Visible", "A hidden shape takes no part in the matte")
@@ -259,11 +266,6 @@ class PropertiesPanel(QWidget):
         is_one = len(shapes) == 1
         self.name.setText(shapes[0].name if is_one else "")
         self.name.setPlaceholderText("" if is_one else f"{len(shapes)} shapes")
-
-
-def _show_blend(blend: QComboBox, shapes: Shapes) -> None:
-    mode = shared(shape.blend for shape in shapes)
-    blend.setCurrentIndex(-1 if mode is None else blend.findData(mode))
 
 
 def _here(tip: str) -> QToolButton:

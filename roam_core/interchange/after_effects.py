@@ -24,6 +24,7 @@ Array = NDArray[np.float64]
 
 MODES = {
     BlendMode.ADD: "ADD",
+    BlendMode.PLUS: "ADD",
     BlendMode.SUBTRACT: "SUBTRACT",
     BlendMode.INTERSECT: "INTERSECT",
     BlendMode.DIFFERENCE: "DIFFERENCE",
@@ -101,9 +102,9 @@ class _Writer(ShapeWriter):
             "locked": shape.locked,
             "blurred": shape.motion_blur is not None,
             "color": list(shape.colour),
-            "feather": abs(shape.feather),
-            "expansion": shape.feather / 2.0,
-            "opacity": 100.0 * shape.opacity,
+            "feather": abs(shape.feather_at(self.clip.first)),
+            "expansion": shape.feather_at(self.clip.first) / 2.0,
+            "opacity": 100.0 * shape.opacity_at(self.clip.first),
             "steps": [[self._frame(frame), 100.0 * value] for frame, value in opacity_steps(shape)],
             "keys": [self._key(key, shape.closed, is_feathered) for key in shape.keys],
         }

@@ -25,7 +25,8 @@ from roam_core.roto.file import write_atomically
 Array = NDArray[np.float64]
 
 BLENDS = {
-    BlendMode.ADD: "ADD",
+    BlendMode.ADD: "MERGE_ADD",
+    BlendMode.PLUS: "ADD",
     BlendMode.SUBTRACT: "MERGE_SUBTRACT",
     BlendMode.INTERSECT: "MUL",
     BlendMode.DIFFERENCE: "DIFFERENCE",
@@ -85,7 +86,7 @@ class _Writer(ShapeWriter):
             "hidden": not shape.visible,
             "locked": shape.locked,
             "closed": shape.closed,
-            "alpha": shape.opacity,
+            "alpha": shape.opacity_at(self.clip.first),
             "steps": [[self._frame(frame), value] for frame, value in opacity_steps(shape)],
             "keys": [[self._frame(key.frame), self._rows(key, shape)] for key in shape.keys],
         }
@@ -93,7 +94,7 @@ class _Writer(ShapeWriter):
     def _rows(self, key: Keyframe, shape: RotoShape) -> list[list[float]]:
         """Each point as x, y, left x, left y, right x, right y and weight."""
         places = mask_space(key.points[:, [ANCHOR, IN, OUT]], self.clip).reshape(-1, 6)
-        widths = np.maximum(np.maximum(feather_radii(key, shape.closed), shape.feather), 0.0)
+        widths = np.maximum(np.maximum(feather_radii(key, shape.closed), shape.feather_at(self.clip.first)), 0.0)
         width, height = self.clip.size
         weights = np.minimum(widths / max(width * self.clip.pixel_aspect, height), 1.0)
         rows: list[list[float]] = np.round(np.column_stack([places, weights]), DECIMALS).tolist()
@@ -108,7 +109,9 @@ class _Writer(ShapeWriter):
                 f"Blender's feather lies square to the outline: the feather curve of {shape.name!r} keeps its width at "
                 "each point, not its handles."
             )
-        if shape.feather < 0.0 or any((feather_radii(key, shape.closed) < 0.0).any() for key in shape.keys):
+        if shape.feather_at(self.clip.first) < 0.0 or any(
+            (feather_radii(key, shape.closed) < 0.0).any() for key in shape.keys
+        ):
             self.notes.append(f"Blender feathers outwards only: the inner feather of {shape.name!r} was left out.")
         if shape.invert and shape.opacity != 1.0:
             self.notes.append(f"Blender inverts after the opacity: {shape.name!r} is white outside there, not grey.")

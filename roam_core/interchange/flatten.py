@@ -7,6 +7,7 @@ from dataclasses import dataclass, field, replace
 
 from roam_core.interchange.stilled import stilled
 from roam_core.roto import BlendMode, Interpolation, Keyframe, Layer, Project, RotoShape
+from roam_core.roto.animated import product
 
 SCALED_BY_OPACITY = {BlendMode.ADD, BlendMode.DIFFERENCE, BlendMode.MAX}
 """Scaling these shapes scales what their layer adds alike; the others act on what is scaled already."""
@@ -34,10 +35,10 @@ class Flattening:
         for child in layer.children:
             visible, locked = child.visible and layer.visible, child.locked or layer.locked
             if isinstance(child, Layer):
-                self.add(replace(child, visible=visible, locked=locked, opacity=child.opacity * layer.opacity))
+                self.add(replace(child, visible=visible, locked=locked, opacity=product(child.opacity, layer.opacity)))
                 continue
             share = layer.opacity if child.blend in SCALED_BY_OPACITY else 1.0
-            self.shapes.append(replace(child, visible=visible, locked=locked, opacity=child.opacity * share))
+            self.shapes.append(replace(child, visible=visible, locked=locked, opacity=product(child.opacity, share)))
 
     def _note_losses(self, layer: Layer) -> None:
         """A layer joins its shapes first and is added then: alike only above nothing, or where all are added anyway."""
@@ -87,4 +88,4 @@ def lifetime_steps(shape: RotoShape) -> list[tuple[int, bool]]:
 
 def opacity_steps(shape: RotoShape) -> list[tuple[int, float]]:
     """The same for programs that only know opacity: frames and opacities, each of which holds to the next."""
-    return [(frame, shape.opacity if is_there else 0.0) for frame, is_there in lifetime_steps(shape)]
+    return [(frame, shape.opacity_at(frame) if is_there else 0.0) for frame, is_there in lifetime_steps(shape)]

@@ -24,6 +24,7 @@ Array = NDArray[np.float64]
 
 PAINT_MODES = {
     BlendMode.ADD: "Merge",
+    BlendMode.PLUS: "Add",
     BlendMode.SUBTRACT: "Subtract",
     BlendMode.INTERSECT: "Multiply",
     BlendMode.DIFFERENCE: "Invert",
@@ -107,13 +108,14 @@ class _Writer(ShapeWriter):
             ("PixelAspect", f"Value = {{ {self.clip.pixel_aspect:g}, 1 }}"),
             ("ClippingMode", 'Value = FuID { "None" }'),
         ]
-        if shape.feather:
-            values.append(("SoftEdge", f"Value = {_decimal(abs(shape.feather) / width)}"))
-            values.append(("BorderWidth", f"Value = {_decimal(shape.feather / 2.0 / width)}"))
+        feather = shape.feather_at(self.clip.first)
+        if feather:
+            values.append(("SoftEdge", f"Value = {_decimal(abs(feather) / width)}"))
+            values.append(("BorderWidth", f"Value = {_decimal(feather / 2.0 / width)}"))
         if shape.lifetime is not None:
             values.append(("Level", f'SourceOp = "{tool}Level", Source = "Value"'))
         elif shape.opacity != 1.0:
-            values.append(("Level", f"Value = {_decimal(shape.opacity)}"))
+            values.append(("Level", f"Value = {_decimal(shape.opacity_at(self.clip.first))}"))
         return [*values, *_motion_blur(shape), *self._ends(shape, tool)]
 
     def _ends(self, shape: RotoShape, tool: str) -> list[tuple[str, str]]:

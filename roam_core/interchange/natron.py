@@ -23,6 +23,7 @@ Array = NDArray[np.float64]
 
 OPERATORS = {
     BlendMode.ADD: "eMergeOver",
+    BlendMode.PLUS: "eMergePlus",
     BlendMode.SUBTRACT: "eMergeStencil",
     BlendMode.INTERSECT: "eMergeMask",
     BlendMode.DIFFERENCE: "eMergeDifference",

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from roam_core.geometry.bezier import ANCHOR
 from roam_core.interchange.nuke_attributes import shape_attributes
-from roam_core.interchange.nuke_graph import Joined, Painted, is_one_node, own_nodes, steps
+from roam_core.interchange.nuke_graph import OPERATIONS, Joined, Painted, is_one_node, steps, told
 from roam_core.interchange.nuke_keys import (
     KeyedCurves,
     feather_slopes,
@@ -34,13 +34,15 @@ from roam_core.interchange.nuke_text import (
     RENDERABLE,
     ROOT_FLAGS,
     attribute_list,
+    knob_curve,
     number,
     numbers,
 )
-from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter
+from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter, settled
 from roam_core.interchange.reduction import Motion
 from roam_core.interchange.stilled import stilled
-from roam_core.roto import Layer, Project, RotoShape
+from roam_core.roto import BlendMode, Layer, Project, RotoShape
+from roam_core.roto.animated import Animatable
 from roam_core.roto.file import write_atomically
 
 Array = NDArray[np.float64]
@@ -61,7 +63,7 @@ class NukeExporter:
         text, notes = roto_document(project, options)
         options.advance(1.0, f"Writing {path.name}")
         write_atomically(path, text.encode("utf-8"))
-        return notes
+        return settled(notes, (), options)
 
 
 def roto_script(project: Project, options: ExportOptions = STANDARD) -> str:
@@ -78,7 +80,7 @@ def roto_document(project: Project, options: ExportOptions = STANDARD) -> tuple[
     project = stilled(project)
     clip = project.require_clip()
     writer = _Writer(clip, options, len(project.shapes), names=Names.of(project.root))
-    writer.notes += writer.names.notes()
+    writer.notes += (*told(project.root), *writer.names.notes())
     nodes = [writer.roto(project.root, 1)] if is_one_node(project.root) else list(writer.joined(project.root))
     return HEAD + "".join(nodes), tuple(writer.notes)
 
@@ -128,18 +130,18 @@ class _Writer(ShapeWriter):
                 rotos += 1
                 yield self.roto(step.layer, rotos, is_over=step.is_over)
             elif isinstance(step, Joined):
-                yield _node("Merge2", ["inputs 2", f"operation {step.operation}"])
-                if step.operation == "plus":
+                yield _node("Merge2", ["inputs 2", f"operation {OPERATIONS[step.mode]}"])
+                if step.mode is BlendMode.PLUS:
                     yield _node("Clamp", ["channels alpha"])
             else:
                 yield from self._finished(step.layer)
-        self.notes.append(own_nodes(root))
 
     def _finished(self, layer: Layer) -> Iterator[str]:
         if layer.invert:
             yield _node("Invert", ["channels alpha"])
         if layer.opacity != 1.0:
-            yield _node("Multiply", ["channels alpha", f"value {layer.opacity!r}"])
+            value = knob_curve(layer.opacity, self.options.frame_offset)
+            yield _node("Multiply", ["channels alpha", f"value {value}"])
         name = LAYER_KNOB
         yield _node(
             "NoOp",
@@ -153,7 +155,7 @@ class _Writer(ShapeWriter):
 
     def layer(self, layer: Layer, indent: str, *, is_root: bool = False) -> list[str]:
         width, height = self.clip.size
-        attributes: list[tuple[str, float]] = []
+        attributes: list[tuple[str, Animatable]] = []
         if not layer.visible:
             attributes.append(("vis", 0))
         if not is_root or layer.opacity != 1.0:
@@ -165,7 +167,7 @@ class _Writer(ShapeWriter):
             f"{indent}{{layer {'Root' if is_root else roto_string(self.names.by_id[layer.id])}",
             f"{indent} {{f {flags}}}",
             f"{indent} {{t {number(width / 2)} {number(height / 2)}}}",
-            f"{indent} {attribute_list(attributes)}",
+            f"{indent} {attribute_list(attributes, self.options.frame_offset)}",
         ]
         for child in reversed(layer.children):  # Nuke lists what lies on top first
             inner = indent + " "
@@ -178,6 +180,7 @@ class _Writer(ShapeWriter):
         height = self.clip.size[1]
         timed = timed_keys(shape, slopes, self.options.frame_offset)
         outline = timed.curves([outline_triples(key.points, height) for key in timed.keys], outline_slopes)
+        attributes = shape_attributes(shape, self.clip, self.options.frame_offset)
         pivot = shape.keys[0].points[:, ANCHOR].mean(axis=0)
         name, flags = roto_string(self.names.by_id[shape.id]), RELATIVE_TANGENTS | (0 if shape.closed else OPEN)
         feather = [indent + "  idem"]
@@ -191,7 +194,7 @@ class _Writer(ShapeWriter):
             *feather,
             f"{indent} }}",
             f"{indent} {{tx {number(timed.times[0])} {number(pivot[0])} {number(height - pivot[1])}}}",
-            f"{indent} {attribute_list(shape_attributes(shape, self.clip, self.options.frame_offset))}}}",
+            f"{indent} {attribute_list(attributes, self.options.frame_offset)}}}",
         ]
 
 

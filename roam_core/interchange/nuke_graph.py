@@ -8,13 +8,23 @@ which painting one shape after the other is the same.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 
+from roam_core.interchange.sums import UNIONS, Item, is_shown, is_soft_sum, sums_as_unions
 from roam_core.roto import BlendMode, Layer, RotoShape
+from roam_core.roto.animated import is_always
 
-Item = Layer | RotoShape
+OPERATIONS = {
+    BlendMode.ADD: "over",
+    BlendMode.PLUS: "plus",
+    BlendMode.SUBTRACT: "out",
+    BlendMode.INTERSECT: "in",
+    BlendMode.DIFFERENCE: "difference",
+    BlendMode.MAX: "max",
+}
+"""What a `Merge2` does to alpha, whose input B is the last matte and A the one before it."""
 
 
 @dataclass(frozen=True)
@@ -27,9 +37,9 @@ class Painted:
 
 @dataclass(frozen=True)
 class Joined:
-    """The last matte joined with the one before it: `over` for a union, `plus` for a sum that is cut at one."""
+    """The last matte joined with the one before it, which lies under it."""
 
-    operation: str
+    mode: BlendMode
 
 
 @dataclass(frozen=True)
@@ -44,18 +54,19 @@ Step = Painted | Joined | Finished
 
 def is_one_node(root: Layer) -> bool:
     """True when a single Roto node makes the same matte."""
-    return not _stands_alone(root, False) and not any(map(_is_soft_sum, root.shapes()))
+    return not _stands_alone(replace(root, blend=BlendMode.ADD), [])
 
 
 def steps(root: Layer) -> Iterator[Step]:
     """How the matte of a layer is made, each step working on the last mattes that are left: a stack, as in a script."""
     waiting: list[Item] = []
-    begun = shown = False
+    under: list[Item] = []
+    begun = False
     for child in root.children:
-        if not (_stands_alone(child, shown) if isinstance(child, Layer) else _is_soft_sum(child)):
+        if not _is_alone(child, under):
             waiting.append(child)
         else:
-            if waiting:
+            if waiting or (child.blend is not BlendMode.ADD and not begun):
                 yield Painted(_part(root, waiting), begun)
                 begun, waiting = True, []
             if isinstance(child, Layer):
@@ -63,52 +74,53 @@ def steps(root: Layer) -> Iterator[Step]:
             else:
                 yield Painted(_part(root, [replace(child, blend=BlendMode.ADD)]), False)
             if begun:
-                yield Joined("over" if isinstance(child, Layer) else "plus")
+                yield Joined(child.blend)
             begun = True
-        shown = shown or _shows([child])
+        if is_shown(child):
+            under.append(child)
     if waiting or not begun:
         yield Painted(_part(root, waiting), begun)
     yield Finished(root)
 
 
-def own_nodes(root: Layer) -> str:
-    """A sentence on what is painted by nodes of its own."""
-    made = list(steps(root))
-    names = [step.layer.name for step in made if isinstance(step, Finished) and step.layer is not root]
-    for painted, join in pairwise(made):
-        if isinstance(painted, Painted) and isinstance(join, Joined) and join.operation == "plus":
-            names += [item.name for item in painted.layer.children]
-    what = ", ".join(map(repr, names)) or "the whole"
-    return f"Nuke gets nodes of their own for {what}: one Roto node is not known to join layers as ROAM does."
+def told(root: Layer) -> Iterator[str]:
+    """Sentences on what is painted by nodes of its own, and on sums that are painted as unions."""
+    if not is_one_node(root):
+        made = list(steps(root))
+        names = [step.layer.name for step in made if isinstance(step, Finished) and step.layer is not root]
+        for painted, join in pairwise(made):
+            if isinstance(painted, Painted) and join == Joined(BlendMode.PLUS):
+                names += [item.name for item in painted.layer.children]
+        what = ", ".join(map(repr, names)) or "the whole"
+        yield f"Nuke gets nodes of their own for {what}: one Roto node is not known to join layers as ROAM does."
+    if sums := [repr(item.name) for item in sums_as_unions(root)]:
+        some = ", ".join(sums[:6]) + (" and others" if len(sums) > 6 else "")
+        yield f"Nuke unites where ROAM adds {some}: pixels that two edges share are darker there."
 
 
 def _part(layer: Layer, items: list[Item]) -> Layer:
     return replace(layer, children=tuple(items), opacity=1.0, invert=False)
 
 
-def _shows(items: list[Item] | tuple[Item, ...]) -> bool:
-    return any(item.visible and (isinstance(item, RotoShape) or _shows(item.children)) for item in items)
+def _is_alone(item: Item, under: Sequence[Item]) -> bool:
+    return is_soft_sum(item, under) if isinstance(item, RotoShape) else _stands_alone(item, under)
 
 
-def _stands_alone(layer: Layer, is_above: bool) -> bool:
+def _stands_alone(layer: Layer, under: Sequence[Item]) -> bool:
     """True where shapes painted one by one onto what lies under them are not the layer's own matte, joined with that.
 
-    A union of unions is one union. Other modes act on what lies under them, unless there is nothing (`is_above`).
+    A union of unions is one union. Other modes act on what lies under them, unless there is nothing.
     """
     if not layer.visible:
         return False
-    shown = [child for child in layer.children if child.visible]
-    if layer.invert or (layer.opacity != 1.0 and shown):
+    shown = [child for child in layer.children if is_shown(child)]
+    if layer.invert or layer.blend not in UNIONS or is_soft_sum(layer, under):
         return True
-    for k, child in enumerate(shown):
-        above = is_above or k > 0
-        if isinstance(child, Layer):
-            if _stands_alone(child, above):
-                return True
-        elif is_above and child.blend is not BlendMode.ADD:
+    if shown and not is_always(layer.opacity, 1.0):
+        return True
+    below = list(under)
+    for child in shown:
+        if _is_alone(child, below) or (under and child.blend not in UNIONS):
             return True
-    return False
-
-
-def _is_soft_sum(item: Item) -> bool:
+        below.append(child)
     return False

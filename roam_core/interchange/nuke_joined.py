@@ -6,12 +6,20 @@ script do to a matte is no matter of shapes.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
+import numpy as np
+
+from roam_core.interchange.nuke_attributes import animated_of
+from roam_core.interchange.nuke_graph import OPERATIONS
 from roam_core.interchange.nuke_names import LAYER_KNOB, read_layer_word
 from roam_core.interchange.nuke_script import Word
-from roam_core.roto import BlendMode, Layer, RotoShape
+from roam_core.interchange.reading import ShapeReader
+from roam_core.interchange.sums import Item
+from roam_core.roto import BlendMode, Layer
+from roam_core.roto.animated import Animatable, mapped
 
 Knobs = dict[str, Word]
 
@@ -20,11 +28,10 @@ Knobs = dict[str, Word]
 class _Matte:
     """What a node gives: what lies in it, bottom first, and what was done to the whole of it."""
 
-    children: tuple[Layer | RotoShape, ...] = ()
+    children: tuple[Item, ...] = ()
     visible: bool = True
-    locked: bool = False
     invert: bool = False
-    opacity: float = 1.0
+    opacity: Animatable = 1.0
 
 
 def is_joined(nodes: Sequence[tuple[str, Knobs]]) -> bool:
@@ -32,9 +39,7 @@ def is_joined(nodes: Sequence[tuple[str, Knobs]]) -> bool:
     return any(LAYER_KNOB in knobs for _, knobs in nodes)
 
 
-def joined(
-    nodes: Sequence[tuple[str, Knobs]], root_of: Callable[[Knobs], Layer], fresh_id: Callable[[str], str]
-) -> Layer | None:
+def joined(nodes: Sequence[tuple[str, Knobs]], root_of: Callable[[Knobs], Layer], reader: ShapeReader) -> Layer | None:
     """What the last node of a script gives, as a layer; None where they are not joined as ROAM joins them.
 
     `root_of` reads the layers and shapes of one Roto node.
@@ -46,24 +51,23 @@ def joined(
 
     for species, knobs in nodes:
         if "curves" in knobs:
-            under = _Matte() if _inputs(knobs) == 0 else last()
+            under = _Matte() if _word(knobs, "inputs", "1") == "0" else last()
             root = root_of(knobs)
             left.append(replace(under, children=(*under.children, *root.children), visible=root.visible))
         elif species == "Invert":
             left.append(replace(last(), invert=True))
         elif species == "Multiply":
-            left.append(replace(last(), opacity=_opacity(knobs)))
+            left.append(replace(last(), opacity=_opacity(_word(knobs, "value", "1"), reader)))
         elif species == "Merge2":
             branch, under = last(), last()
-            children = branch.children
-            if "operation" in knobs and knobs["operation"].value == "plus":
-                children = tuple(map(_adding, children))
+            mode = _MODES.get(_word(knobs, "operation", "over"), BlendMode.ADD)
+            children = (replace(child, blend=mode) for child in branch.children)
             left.append(replace(under, children=(*under.children, *children)))
         elif LAYER_KNOB in knobs:
             matte = last()
             name, locked = read_layer_word(knobs[LAYER_KNOB].value)
             layer = Layer(
-                fresh_id("layer"), name, matte.children, visible=matte.visible, locked=locked,
+                reader.fresh_id("layer"), name, matte.children, visible=matte.visible, locked=locked,
                 opacity=matte.opacity, invert=matte.invert,
             )  # fmt: skip
             left.append(_Matte((layer,)))
@@ -71,17 +75,28 @@ def joined(
     return whole[0] if len(whole) == 1 and isinstance(whole[0], Layer) else None
 
 
-def _inputs(knobs: Knobs) -> int:
-    word = knobs["inputs"].value if "inputs" in knobs else "1"
-    return int(word) if word.isdecimal() else 1
+_MODES = {operation: mode for mode, operation in OPERATIONS.items()}
 
 
-def _opacity(knobs: Knobs) -> float:
+def _word(knobs: Knobs, name: str, default: str) -> str:
+    return knobs[name].value if name in knobs else default
+
+
+def _opacity(word: str, reader: ShapeReader) -> Animatable:
+    """A number, or an animation curve of straight spans; what else it may be says nothing."""
+    keys = [(float(time), float(value)) for time, value in _KEY.findall(word)]
     try:
-        return min(max(float(knobs["value"].value), 0.0), 1.0)
-    except (KeyError, ValueError):
+        value: Animatable = float(word) if not keys else _curve(keys, reader)
+    except ValueError:
         return 1.0
+    return mapped(value, lambda number: min(max(number, 0.0), 1.0))
 
 
-def _adding(item: Layer | RotoShape) -> Layer | RotoShape:
-    return replace(item, blend=BlendMode.ADD) if isinstance(item, RotoShape) else item
+_KEY = re.compile(r" x(-?[\d.]+(?:e[-+]?\d+)?) (-?[\d.]+(?:e[-+]?\d+)?)(?=[ }])")
+
+
+def _curve(keys: list[tuple[float, float]], reader: ShapeReader) -> Animatable:
+    times, values = np.array(keys).T
+    if (np.diff(times) <= 0.0).any():
+        raise ValueError("the keys are not in order")
+    return animated_of(lambda moments: np.interp(moments, times, values), times.tolist(), reader)

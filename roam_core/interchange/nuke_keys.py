@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from roam_core.errors import RoamError
 from roam_core.geometry.bezier import ANCHOR, IN, OUT
 from roam_core.interchange.reduction import Slopes
-from roam_core.roto import Interpolation, Keyframe, RotoShape
+from roam_core.roto import Animated, Interpolation, Keyframe, RotoShape
 
 Array = NDArray[np.float64]
 
@@ -92,6 +92,54 @@ def timed_keys(shape: RotoShape, slopes: Sequence[Slopes | None], offset: int) -
 def _right_before(frame: int) -> float:
     """The moment `STEP` before a frame, or the last one that single precision knows."""
     return min(float(np.float32(frame - STEP)), float(np.nextafter(np.float32(frame), np.float32(-np.inf))))
+
+
+@dataclass(frozen=True)
+class ValueCurve:
+    """An animated value as Nuke's curve: `times`, `values`, and the slopes on either side of each key, all (K,)."""
+
+    times: list[float]
+    values: list[float]
+    left: list[float]
+    right: list[float]
+
+
+def value_curve(value: Animated, offset: int) -> ValueCurve:
+    """The keys of an animated value on Nuke's frames; holds as `timed_keys` has them."""
+    made = ValueCurve([], [], [], [])
+    reaching = 0.0
+    for key, following in zip_longest(value.keys, value.keys[1:]):
+        time, leaving = float(key.frame + offset), 0.0
+        if following is not None and key.interpolation is Interpolation.LINEAR:
+            leaving = (following.value - key.value) / (following.frame - key.frame)
+        _append(made, time, key.value, reaching, leaving)
+        if following is not None and key.interpolation is Interpolation.HOLD:
+            last = _right_before(following.frame + offset)
+            if last > time:
+                _append(made, last, key.value, 0.0, 0.0)
+        reaching = leaving
+    return made
+
+
+def straight_keys(value: Animated, offset: int) -> list[tuple[float, float]]:
+    """Times and values of the same for a curve of straight spans: a smooth span has a key on every frame."""
+    made: list[tuple[float, float]] = []
+    for key, following in zip_longest(value.keys, value.keys[1:]):
+        made.append((float(key.frame + offset), key.value))
+        if following is None:
+            break
+        if key.interpolation is Interpolation.HOLD and (last := _right_before(following.frame + offset)) > made[-1][0]:
+            made.append((last, key.value))
+        if key.interpolation is Interpolation.SMOOTH and key.value != following.value:
+            made += [(float(frame + offset), value.at(frame)) for frame in range(key.frame + 1, following.frame)]
+    return made
+
+
+def _append(made: ValueCurve, time: float, value: float, left: float, right: float) -> None:
+    for column, number in zip(
+        (made.times, made.values, made.left, made.right), (time, value, left, right), strict=True
+    ):
+        column.append(number)
 
 
 def outline_triples(points: Array, height: float) -> Array:

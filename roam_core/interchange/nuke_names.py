@@ -73,9 +73,9 @@ class Names:
     @property
     def label(self) -> str:
         """The true names beside the ASCII ones, for a reader of the node."""
-        lines = [f"{plain} = {true}" for plain, true in list(self.changed.items())[:TOLD]]
+        lines = [inert(f"{plain} = {true}") for plain, true in list(self.changed.items())[:TOLD]]
         more = len(self.changed) - TOLD
-        return inert("\n".join([*lines, f"and {more} more"] if more > 0 else lines))
+        return "\n".join([*lines, f"and {more} more"] if more > 0 else lines)
 
     @property
     def knob(self) -> str:
@@ -116,13 +116,16 @@ _BARE = re.compile(r"[A-Za-z][A-Za-z0-9_.-]*")
 
 
 def inert(text: str) -> str:
-    """Any text as Nuke may evaluate it, in a label: nothing of it runs."""
-    return _sound(text).translate(_HARMLESS)
+    """Any text as a line of a label, which Nuke evaluates: nothing of it runs."""
+    return _CONTROL.sub(" ", _sound(text)).translate(_HARMLESS)
+
+
+_CONTROL = re.compile(r"[\x00-\x1f\x7f-\x9f\u2028\u2029]")
 
 
 def knob_text(text: str) -> str:
-    """The same as a word of a script."""
-    shown = inert(text)
+    """The same, of several lines, as a word of a script."""
+    shown = "\n".join(map(inert, text.split("\n")))
     return '"' + re.sub(r'["\\{}]', r"\\\g<0>", shown).replace("\n", "\\n") + '"'
 
 

@@ -78,7 +78,7 @@ class NukeImporter:
             height = (own or script_size or clip.size)[1]
             return _NodeReader(reader, height, _name(knobs), names).root(knobs["curves"])
 
-        whole = joined(every, root_of, reader.fresh_id) if is_joined(every) else None
+        whole = joined(every, root_of, reader) if is_joined(every) else None
         layers = [whole] if whole is not None else [root_of(knobs) for knobs in nodes]
         if len(layers) == 1 and _says_nothing(layers[0]):
             return reader.finished(layers[0].children, size)
@@ -160,7 +160,7 @@ class _NodeReader:
             tuple(reversed(children)),
             visible=attributes.number("vis", 1) != 0,
             locked=bool(flags & LOCKED),
-            opacity=min(max(attributes.number("opc", 1), 0.0), 1.0),
+            opacity=attributes.opacity(self.reader),
             invert=attributes.number("inv", 0) != 0,
         )
 
@@ -204,7 +204,7 @@ class _NodeReader:
         if not sensible(keys):
             raise FormError("a point of it lies nowhere near the image")
         shape_id = self.reader.fresh_id("shape")
-        fields = attributes.shape_fields(self.reader.clip, self.reader.frame, int(shape_id.rpartition("-")[2]) - 1)
+        fields = attributes.shape_fields(self.reader, int(shape_id.rpartition("-")[2]) - 1)
         fields["visible"] = fields["visible"] and bool(flags & RENDERABLE)
         return RotoShape(shape_id, name, keys, closed=not curve_flags & OPEN, locked=bool(flags & LOCKED), **fields)
 

@@ -8,7 +8,8 @@ from __future__ import annotations
 
 import json
 import math
-from dataclasses import dataclass
+from collections.abc import Callable
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, TypeVar
 
@@ -20,6 +21,7 @@ from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter
 from roam_core.interchange.reading import MAX_PARTS, PLAIN, Imported, ImportOptions, ShapeReader, brief, sensible
 from roam_core.interchange.stilled import stilled
 from roam_core.roto import (
+    Animated,
     BlendMode,
     Clip,
     Interpolation,
@@ -30,14 +32,19 @@ from roam_core.roto import (
     Project,
     RotoShape,
     Spline,
+    ValueKey,
     grips,
 )
+from roam_core.roto.animated import Animatable
 from roam_core.roto.file import write_atomically
 
 Array = NDArray[np.float64]
+Number = Callable[..., float]
+"""Reads a number of a field: `_Reader._number` or `_share`."""
+
 Kind = TypeVar("Kind", BlendMode, Interpolation, Origin, Spline)
 
-FORMAT, VERSION = "roam-shapes", 1
+FORMAT, VERSION = "roam-shapes", 2
 
 
 class JsonFormat:
@@ -95,8 +102,9 @@ class _Writer(ShapeWriter):
             "name": layer.name,
             "visible": layer.visible,
             "locked": layer.locked,
-            "opacity": layer.opacity,
+            "opacity": self._value(layer.opacity),
             "invert": layer.invert,
+            "blend": layer.blend.value,
             "items": self.items(layer),
         }
 
@@ -112,15 +120,25 @@ class _Writer(ShapeWriter):
             "locked": shape.locked,
             "colour": list(shape.colour),
             "blend": shape.blend.value,
-            "opacity": shape.opacity,
+            "opacity": self._value(shape.opacity),
             "invert": shape.invert,
-            "feather": shape.feather,
+            "feather": self._value(shape.feather),
             "motion_blur": None
             if blur is None
             else {"shutter": blur.shutter, "phase": blur.phase, "samples": blur.samples},
             "lifetime": None if shape.lifetime is None else [frame + offset for frame in shape.lifetime],
             "keys": [self._key(key) for key in shape.keys],
         }
+
+    def _value(self, value: Animatable) -> Any:
+        """A number; of what varies a list of its keys."""
+        if not isinstance(value, Animated):
+            return value
+        offset = self.options.frame_offset
+        return [
+            {"frame": key.frame + offset, "value": key.value, "interpolation": key.interpolation.value}
+            for key in value.keys
+        ]
 
     def _key(self, key: Keyframe) -> dict[str, Any]:
         values: dict[str, Any] = {
@@ -151,11 +169,12 @@ class _Reader(ShapeReader):
             raise RoamError(f"{self.path} is no valid JSON.") from None
         if not isinstance(document, dict) or document.get("format") != FORMAT:
             raise RoamError(f'{self.path} holds no shapes: its "format" is not "{FORMAT}".')
-        if document.get("version") != VERSION:
+        version = document.get("version")
+        if version not in (1, VERSION):
             raise RoamError(
-                f"{self.path} has version {brief(str(document.get('version')))} of the format; this program reads "
-                f"version {VERSION}."
+                f"{self.path} has version {brief(str(version))} of the format; this program reads up to {VERSION}."
             )
+        self._sums = version == 1
         size = tuple(self._number(document, name, "the file") for name in ("width", "height"))
         if min(size) <= 0.0:
             raise self._refusal("the file", "width and height must be positive")
@@ -172,7 +191,11 @@ class _Reader(ShapeReader):
                 children.append(self._layer(item, inner, depth))
             else:
                 children.append(self._shape(item, inner))
-        return tuple(children)
+        return tuple(children[:1] + [self._as_it_was(child) for child in children[1:]])
+
+    def _as_it_was(self, item: Layer | RotoShape) -> Layer | RotoShape:
+        """In version 1 what lies on others was added by the clamped sum."""
+        return replace(item, blend=BlendMode.PLUS) if self._sums and item.blend is BlendMode.ADD else item
 
     def _layer(self, values: dict[str, Any], place: str, depth: int) -> Layer:
         return Layer(
@@ -181,8 +204,9 @@ class _Reader(ShapeReader):
             self._items(values, place, depth + 1),
             visible=self._truth(values, "visible", True, place),
             locked=self._truth(values, "locked", False, place),
-            opacity=self._share(values, "opacity", 1.0, place),
+            opacity=self._animatable(values, "opacity", 1.0, place, self._share),
             invert=self._truth(values, "invert", False, place),
+            blend=self._choice(BlendMode, values, "blend", BlendMode.ADD, place),
         )
 
     def _shape(self, values: dict[str, Any], place: str) -> RotoShape:
@@ -202,9 +226,9 @@ class _Reader(ShapeReader):
                 closed=self._truth(values, "closed", True, place),
                 colour=(red, green, blue),
                 blend=blend,
-                opacity=self._share(values, "opacity", 1.0, place),
+                opacity=self._animatable(values, "opacity", 1.0, place, self._share),
                 invert=self._truth(values, "invert", False, place),
-                feather=self._number(values, "feather", place, 0.0),
+                feather=self._animatable(values, "feather", 0.0, place, self._number),
                 motion_blur=self._motion_blur(values, place),
                 lifetime=self._lifetime(values, place),
                 visible=self._truth(values, "visible", True, place),
@@ -271,7 +295,25 @@ class _Reader(ShapeReader):
         assert isinstance(value, int | float)
         return float(value)
 
-    def _share(self, values: dict[str, Any], field: str, default: float, place: str) -> float:
+    def _animatable(self, values: dict[str, Any], field: str, default: float, place: str, read: Number) -> Animatable:
+        """A number, or a list of keys: frame, value, interpolation."""
+        keys = values.get(field)
+        if not isinstance(keys, list):
+            return read(values, field, place, default)
+        self.check_keys(len(keys))
+        try:
+            return Animated(tuple(self._value_key(key, f"{place}, {field}", read) for key in keys))
+        except ValueError as error:
+            raise self._refusal(place, str(error)) from None
+
+    def _value_key(self, values: Any, place: str, read: Number) -> ValueKey:
+        if not isinstance(values, dict):
+            raise self._refusal(place, "a key must be an object")
+        frame = self._frame(self._number(values, "frame", place), place)
+        interpolation = self._choice(Interpolation, values, "interpolation", Interpolation.LINEAR, place)
+        return ValueKey(frame, read(values, "value", place), interpolation)
+
+    def _share(self, values: dict[str, Any], field: str, place: str, default: float | None = None) -> float:
         value = self._number(values, field, place, default)
         if not 0.0 <= value <= 1.0:
             raise self._refusal(place, f'"{field}" must lie between 0 and 1')

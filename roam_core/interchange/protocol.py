@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field, replace
 from enum import StrEnum
 from itertools import pairwise
@@ -50,6 +50,7 @@ class ExportOptions:
         motion on these frames as it is.
     frame : the plate's frame for formats of still pictures; None is the first that is written.
     mattes : how pictures are written.
+    lossy : write although the mattes will differ in the other program.
     progress : called with the finished fraction and a few words.
     token : cancels the export at its next safe point; no half-written file is left behind.
     """
@@ -61,6 +62,7 @@ class ExportOptions:
     frames: range | None = None
     frame: int | None = None
     mattes: MatteStyle = field(default_factory=MatteStyle)
+    lossy: bool = False
     progress: Progress | None = None
     token: CancelToken | None = None
 
@@ -94,6 +96,25 @@ class ExportOptions:
 STANDARD = ExportOptions()
 
 
+class LossyExport(RoamError):
+    """A format cannot hold what makes the matte; nothing was written.
+
+    `losses` has a sentence for each shape or layer that would look different.
+    """
+
+    def __init__(self, losses: Iterable[str]) -> None:
+        self.losses = tuple(losses)
+        super().__init__(" ".join(("Nothing was written, for the mattes would differ.", *self.losses)))
+
+
+def settled(notes: Iterable[str], losses: Iterable[str], options: ExportOptions) -> tuple[str, ...]:
+    """What an exporter tells: its losses and then its notes; a `LossyExport` for losses that nobody agreed to."""
+    losses = tuple(losses)
+    if losses and not options.lossy:
+        raise LossyExport(losses)
+    return (*losses, *notes)
+
+
 class Exporter(Protocol):
     """One format to write: one file of this package, one line in `registry.py`.
 
@@ -122,6 +143,8 @@ class Exporter(Protocol):
 
         Raises
         ------
+        LossyExport
+            when the mattes would differ in the other program, and the options are not `lossy`.
         RoamError
             when the project has no clip, holds a point that is not a sensible number, or the file cannot be written.
         """
@@ -141,7 +164,8 @@ class WritesSeveral(Protocol):
 class ShapeWriter:
     """What the writers of formats share: the clip, the options, the progress over `total` shapes, and what they tell.
 
-    `notes` has one sentence for each loss, and for each shape whose keys were smoothed or reduced.
+    `losses` has one sentence for each thing that makes the matte differ in the other program; `notes` for what else is
+    left out, and for each shape whose keys were smoothed or reduced. `settled` weighs them before anything is written.
     """
 
     KINDS: ClassVar[frozenset[Spline]] = frozenset({Spline.BEZIER})
@@ -152,6 +176,7 @@ class ShapeWriter:
     total: int
     done: int = 0
     notes: list[str] = field(default_factory=list)
+    losses: list[str] = field(default_factory=list)
 
     def __post_init__(self) -> None:
         self.options.frames_of(self.clip)

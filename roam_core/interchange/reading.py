@@ -18,6 +18,7 @@ from roam_core.errors import RoamError
 from roam_core.interchange.keying import Key
 from roam_core.interchange.protocol import FARTHEST, MAX_FRAMES
 from roam_core.roto import Clip, Keyframe, Layer, Origin, RotoShape
+from roam_core.roto.animated import mapped
 from roam_core.roto.imported import IMPORT, stamped
 
 MAX_BYTES = 48 << 20
@@ -171,6 +172,12 @@ class ShapeReader:
             )
         self.options.advance(0.0, f"Shape {brief(shape)}")
 
+    def check_keys(self, count: int) -> None:
+        """Count the keys of an animated value with those of shapes; refuse more than a file may hold."""
+        self.keys += count
+        if self.keys > MAX_KEYS:
+            raise RoamError(f"{self.path} holds more than {MAX_KEYS} keys; split it into several files.")
+
     def fresh_id(self, kind: str) -> str:
         """`shape-1`, `shape-2`, ...: unique within this file; more than `MAX_ITEMS` are refused."""
         self._ids[kind] = self._ids.get(kind, 0) + 1
@@ -227,10 +234,10 @@ def sensible(keys: tuple[Keyframe, ...]) -> bool:
 
 def _scaled(layer: Layer, ratio: np.ndarray[tuple[int], np.dtype[np.float64]]) -> Layer:
     mean = float(np.sqrt(ratio.prod()))
-    children = (
-        _scaled(child, ratio)
-        if isinstance(child, Layer)
-        else replace(child.map_points(lambda points: points * ratio), feather=child.feather * mean)
-        for child in layer.children
-    )
+
+    def scaled(shape: RotoShape) -> RotoShape:
+        feather = mapped(shape.feather, lambda width: width * mean)
+        return replace(shape.map_points(lambda points: points * ratio), feather=feather)
+
+    children = (_scaled(child, ratio) if isinstance(child, Layer) else scaled(child) for child in layer.children)
     return replace(layer, children=tuple(children))

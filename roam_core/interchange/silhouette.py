@@ -27,6 +27,7 @@ Array = NDArray[np.float64]
 
 MODES = {
     BlendMode.ADD: "Add",
+    BlendMode.PLUS: "Add",
     BlendMode.SUBTRACT: "Subtract",
     BlendMode.INTERSECT: "Inside",
     BlendMode.DIFFERENCE: "Difference",
@@ -93,7 +94,7 @@ class _Writer(ShapeWriter):
 
     def fill_layer(self, element: ET.Element, layer: Layer, opacity: float) -> None:
         """Properties and children of a layer; `opacity` is what the layers around it leave of its shapes'."""
-        opacity *= layer.opacity
+        opacity *= layer.opacity_at(self.clip.first)
         if opacity != 1.0 and layer.invert:  # scaling what is inverted does not scale what becomes of it
             self.notes.append(f"Silhouette layers have no opacity: that of the inverted {layer.name!r} was left out.")
             opacity = 1.0
@@ -123,7 +124,7 @@ class _Writer(ShapeWriter):
         element.attrib.update(_flags(shape))
         properties = ET.SubElement(element, "Properties")
         share = opacity if shape.blend in SCALED_BY_THEIR_LAYER else 1.0
-        self._add_opacity(properties, shape, 100.0 * share * shape.opacity)
+        self._add_opacity(properties, shape, 100.0 * share * shape.opacity_at(self.clip.first))
         _constant(properties, "motionBlur", _truth(shape.motion_blur is not None))
         _constant(properties, "outlineColor", _tuple(np.array(shape.colour)))
         _constant(properties, "mode", MODES[shape.blend])

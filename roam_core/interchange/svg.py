@@ -129,7 +129,7 @@ class _Writer(ShapeWriter):
         if shape.spline is not Spline.BEZIER:
             path.set("data-roam-spline", shape.spline.value)
         if shape.feather:
-            path.set("data-roam-feather", _decimal(shape.feather))
+            path.set("data-roam-feather", _decimal(shape.feather_at(self.frame)))
         if not shape.closed:
             ends = (*outline.points[0, IN], *outline.points[-1, OUT])
             path.set("data-roam-ends", " ".join(_decimal(float(value)) for value in ends))
@@ -139,7 +139,7 @@ class _Writer(ShapeWriter):
         if not item.visible:
             values["display"] = "none"
         if item.opacity != 1.0:
-            values["opacity"] = _decimal(item.opacity)
+            values["opacity"] = _decimal(item.opacity_at(self.frame))
         if item.invert:
             values["data-roam-invert"] = "true"
         if item.locked:

@@ -16,6 +16,10 @@ Draw = Callable[[RotoShape, float, tuple[int, int]], Patch]
 
 
 def _add(under: Matte, matte: Matte) -> Matte:
+    return under + matte * (np.float32(1.0) - under)
+
+
+def _plus(under: Matte, matte: Matte) -> Matte:
     total: Matte = np.minimum(under + matte, np.float32(1.0))
     return total
 
@@ -40,6 +44,7 @@ def _max(under: Matte, matte: Matte) -> Matte:
 
 BLENDS: dict[BlendMode, Callable[[Matte, Matte], Matte]] = {
     BlendMode.ADD: _add,
+    BlendMode.PLUS: _plus,
     BlendMode.SUBTRACT: _subtract,
     BlendMode.INTERSECT: _intersect,
     BlendMode.DIFFERENCE: _difference,
@@ -54,9 +59,9 @@ def render_matte(
     """The joint matte of shapes at one frame.
 
     Shapes are joined bottom first. A layer is joined inside itself, then inverted, then scaled by its opacity, and
-    added to what lies under it; a project is its root layer. What is invisible takes no part, and neither does a shape
-    that is open or outside its lifetime: it does not count as an empty one, which under INTERSECT would wipe out what
-    lies under it.
+    joined with what lies under it by its mode; a project is its root layer. What is invisible takes no part, nor does a
+    shape that is open or outside its lifetime: it does not count as an empty one, which under INTERSECT would wipe out
+    what lies under it.
 
     Parameters
     ----------
@@ -81,8 +86,9 @@ def _layer_matte(layer: Layer, frame: float, size: tuple[int, int], drawn: Draw)
     matte = _join(layer.children, frame, size, drawn)
     if layer.invert:
         np.subtract(np.float32(1.0), matte, out=matte)
-    if layer.opacity != 1.0:
-        matte *= np.float32(layer.opacity)
+    opacity = layer.opacity_at(frame)
+    if opacity != 1.0:
+        matte *= np.float32(opacity)
     return matte
 
 
@@ -92,7 +98,7 @@ def _join(items: Iterable[Layer | RotoShape], frame: float, size: tuple[int, int
         if not item.visible:
             continue
         if isinstance(item, Layer):
-            matte = _add(matte, _layer_matte(item, frame, size, drawn))
+            matte = BLENDS[item.blend](matte, _layer_matte(item, frame, size, drawn))
         elif has_area(item, frame):
             _put(drawn(item, frame, size), item.blend, matte)
     return matte

@@ -73,15 +73,17 @@ def shape_patch(shape: RotoShape, frame: float, size: tuple[int, int]) -> Patch:
         return Patch(0, 0, np.zeros((0, 0), dtype=np.float32))
     moments = _moments(shape, frame)
     outlines = [shape.at(moment) for moment in moments]
-    top, bottom, left, right = _reach(outlines, shape.feather, size)
+    feathers = [shape.feather_at(moment) for moment in moments]
+    top, bottom, left, right = _reach(outlines, max(feathers), size)
     values = np.zeros((bottom - top, right - left), dtype=np.float32)
     if values.size:
-        values = _over_shutter([_moved(outline, left, top) for outline in outlines], shape, values.shape)
+        values = _over_shutter([_moved(outline, left, top) for outline in outlines], feathers, shape, values.shape)
     outside = 0.0
     if shape.invert:
         values, outside = np.float32(1.0) - values, 1.0
-    if shape.opacity != 1.0:
-        values, outside = values * np.float32(shape.opacity), outside * shape.opacity
+    opacity = shape.opacity_at(frame)
+    if opacity != 1.0:
+        values, outside = values * np.float32(opacity), outside * opacity
     return Patch(top, left, values, outside)
 
 
@@ -152,21 +154,21 @@ def _moved(outline: Outline, left: int, top: int) -> Outline:
     return Outline(outline.points - np.array([left, top], dtype=np.float64), outline.feather, outline.closed)
 
 
-def _over_shutter(outlines: list[Outline], shape: RotoShape, size: tuple[int, int]) -> Matte:
-    """The mean matte over the open shutter, from its outlines at the borders of equal parts of it.
+def _over_shutter(outlines: list[Outline], feathers: list[float], shape: RotoShape, size: tuple[int, int]) -> Matte:
+    """The mean matte over the open shutter, from outlines and feathers at the borders and middles of equal parts of it.
 
     A shape with a soft edge is filled once a part, at its middle. One without is swept through each part, from border
     to border, so that its edge leaves an even ramp however far it moves.
     """
-    if len(outlines) == 1 or all(_same(outline, outlines[0]) for outline in outlines[1:]):
-        return outline_matte(outlines[0], shape.feather, size)
-    is_soft = shape.feather != 0.0 or any(o.feather is not None and o.feather.any() for o in outlines)
+    if len(set(feathers)) == 1 and all(_same(outline, outlines[0]) for outline in outlines[1:]):
+        return outline_matte(outlines[0], feathers[0], size)
+    is_soft = any(feathers) or any(o.feather is not None and o.feather.any() for o in outlines)
     if not is_soft and not any(key.interpolation is Interpolation.HOLD for key in shape.keys):
         return _swept(outlines[::2], size)
     total = np.zeros(size, dtype=np.float32)
     middles = outlines[1::2]
-    for outline in middles:
-        total += outline_matte(outline, shape.feather, size)
+    for outline, feather in zip(middles, feathers[1::2], strict=True):
+        total += outline_matte(outline, feather, size)
     return total / np.float32(len(middles))
 
 

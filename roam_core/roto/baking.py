@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from roam_core.roto.animated import Interpolation
 from roam_core.roto.placement import Placement
 from roam_core.roto.project import Layer, Project
-from roam_core.roto.shape import Interpolation, Keyframe, Origin, RotoShape
+from roam_core.roto.shape import Keyframe, Origin, RotoShape
 
 
 def baked(shape: RotoShape) -> RotoShape:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from roam_core.errors import RoamError
+from roam_core.roto.animated import frames_of
 from roam_core.roto.project import Layer, Project
 from roam_core.roto.shape import RotoShape
 
@@ -32,9 +33,10 @@ class Count:
     def __init__(self) -> None:
         self._items = self._keys = 0
 
-    def layer(self, depth: int) -> None:
+    def layer(self, layer: Layer, depth: int) -> None:
         """A layer that lies in `depth` others."""
         require(depth, MAX_DEPTH, "layers in layers")
+        self._span(frames_of(layer.opacity), layer.name)
         self._item()
 
     def keys(self, number: int) -> None:
@@ -46,10 +48,14 @@ class Count:
         """A shape; its keys are counted apart, before they are made."""
         self._item()
         require(shape.point_count, MAX_POINTS, f"points in the shape {shape.name[:60]!r}")
-        span = shape.keys[-1].frame - shape.keys[0].frame + 1
-        require(span, MAX_SPAN, f"frames between the keys of {shape.name[:60]!r}")
+        for frames in (shape.frames, frames_of(shape.opacity), frames_of(shape.feather)):
+            self._span(frames, shape.name)
         if shape.motion_blur is not None:
             require(shape.motion_blur.samples, MAX_SAMPLES, "samples of motion blur")
+
+    def _span(self, frames: tuple[int, ...], name: str) -> None:
+        if frames:
+            require(frames[-1] - frames[0] + 1, MAX_SPAN, f"frames between the keys of {name[:60]!r}")
 
     def _item(self) -> None:
         self._items += 1
@@ -75,12 +81,13 @@ def require_bounds(project: Project) -> None:
     try:
         while waiting:
             layer, depth = waiting.pop()
-            count.layer(depth)
+            count.layer(layer, depth)
+            count.keys(len(frames_of(layer.opacity)))
             for child in layer.children:
                 if isinstance(child, Layer):
                     waiting.append((child, depth + 1))
                 else:
-                    count.keys(len(child.keys))
+                    count.keys(len(child.keys) + len(frames_of(child.opacity)) + len(frames_of(child.feather)))
                     count.shape(child)
     except ValueError as error:
         raise RoamError(f"The project cannot be saved: {error}; take some away.") from None

@@ -14,8 +14,9 @@ from roam_core.errors import RoamError
 from roam_core.geometry import bezier, bspline, merging
 from roam_core.geometry.bezier import ANCHOR, IN, OUT
 from roam_core.roto import grips as held
+from roam_core.roto.animated import Interpolation
 from roam_core.roto.project import PALETTE, Layer, Project
-from roam_core.roto.shape import Interpolation, Keyframe, Origin, RotoShape, Spline
+from roam_core.roto.shape import Keyframe, Origin, RotoShape, Spline
 
 Array = NDArray[np.float64]
 Part = tuple[int, int]

@@ -8,7 +8,8 @@ from pathlib import Path, PurePosixPath
 from typing import Any
 
 from roam_core.media.finding import is_there
-from roam_core.roto.bounds import MAX_SPAN, Count, require
+from roam_core.roto.animated import Animatable, Animated, Interpolation, ValueKey
+from roam_core.roto.bounds import MAX_DEPTH, MAX_SPAN, Count, require
 from roam_core.roto.packing import number, text, unpacked_keys, unpacked_numbers, whole
 from roam_core.roto.placement import LayerTransform
 from roam_core.roto.project import Clip, Layer, Mark, Project
@@ -82,7 +83,7 @@ def _read_path(document: Document, folder: Path) -> Path:
 
 
 def _read_layer(document: Document, count: Count, depth: int) -> Layer:
-    count.layer(depth)
+    require(depth, MAX_DEPTH, "layers in layers")
     children: list[Layer | RotoShape] = []
     for child in document["children"]:
         if child["type"] == "Layer":
@@ -94,17 +95,22 @@ def _read_layer(document: Document, count: Count, depth: int) -> Layer:
         else:
             raise ValueError("what stands among the layers is no layer and no shape")
     transform = document.get("transform")
-    return Layer(
+    layer = Layer(
         id=text(document["id"], "the id of a layer"),
         name=text(document["name"], "the name of a layer"),
         visible=_flag(document, "visible"),
         locked=_flag(document, "locked"),
-        opacity=number(document["opacity"], "the opacity of a layer"),
+        opacity=_read_value(document["opacity"], "the opacity of a layer", count),
         invert=_flag(document, "invert"),
+        blend=BlendMode(document.get("blend", BlendMode.ADD)),
         transform=None if transform is None else _read_transform(transform),
         children=tuple(children),
-        extra=_rest(document, "type", "id", "name", "visible", "locked", "opacity", "invert", "transform", "children"),
+        extra=_rest(
+            document, "type", "id", "name", "visible", "locked", "opacity", "invert", "blend", "transform", "children"
+        ),
     )
+    count.layer(layer, depth)
+    return layer
 
 
 def _read_transform(document: Document) -> LayerTransform:
@@ -124,9 +130,9 @@ def _read_shape(document: Document, count: Count) -> RotoShape:
         closed=_flag(document, "closed"),
         colour=(number(red, "a colour"), number(green, "a colour"), number(blue, "a colour")),
         blend=BlendMode(document["blend"]),
-        opacity=number(document["opacity"], "the opacity of a shape"),
+        opacity=_read_value(document["opacity"], "the opacity of a shape", count),
         invert=_flag(document, "invert"),
-        feather=number(document["feather"], "the feather of a shape"),
+        feather=_read_value(document["feather"], "the feather of a shape", count),
         motion_blur=None if blur is None else _read_blur(blur),
         lifetime=None if lifetime is None else _read_pair(lifetime, "a lifetime"),
         visible=_flag(document, "visible"),
@@ -141,6 +147,24 @@ def _read_shape(document: Document, count: Count) -> RotoShape:
             "lifetime", "visible", "locked", "spline", "link", "attached", "depth", "keys",
         ),
     )  # fmt: skip
+
+
+def _read_value(value: Any, name: str, count: Count) -> Animatable:
+    if not isinstance(value, dict):
+        return number(value, name)
+    if value["type"] != "Animated":
+        raise ValueError(f"{name} is no number and no animated value")
+    count.keys(len(value["keys"]))
+    return Animated(tuple(_read_value_key(key, name) for key in value["keys"]))
+
+
+def _read_value_key(document: Document, name: str) -> ValueKey:
+    return ValueKey(
+        frame=whole(document["frame"], f"a frame of {name}"),
+        value=number(document["value"], name),
+        interpolation=Interpolation(document["interpolation"]),
+        extra=_rest(document, "type", "frame", "value", "interpolation"),
+    )
 
 
 def _read_keys(documents: list[Document], count: Count) -> tuple[Keyframe, ...]:

@@ -7,7 +7,7 @@ from typing import Any
 
 from roam_core.roto.packing import listed_rows, packed_numbers
 
-VERSION = 2
+VERSION = 3
 """The version of `.roam` files that this program writes."""
 
 
@@ -30,5 +30,20 @@ def _pack_matrices(document: dict[str, Any]) -> dict[str, Any]:
     return document
 
 
-STEPS: dict[int, Callable[[dict[str, Any]], dict[str, Any]]] = {1: _pack_matrices}
+def _sum_what_was_added(document: dict[str, Any]) -> dict[str, Any]:
+    """2 to 3: "add" was the clamped sum, which is "plus" now, and layers were joined by it.
+
+    What lies lowest in its layer joins with nothing, by either the same: it becomes what "add" is now.
+    """
+    waiting = [document["root"]]
+    while waiting:
+        for index, child in enumerate(waiting.pop()["children"]):
+            if child["type"] == "Layer":
+                waiting.append(child)
+            if index > 0 and child.get("blend", "add") == "add":
+                child["blend"] = "plus"
+    return document
+
+
+STEPS: dict[int, Callable[[dict[str, Any]], dict[str, Any]]] = {1: _pack_matrices, 2: _sum_what_was_added}
 """`STEPS[v]` turns a document of version v into one of version v + 1."""

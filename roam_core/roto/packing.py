@@ -16,7 +16,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from roam_core.roto.shape import Interpolation, Keyframe, Origin
+from roam_core.roto.animated import Interpolation
+from roam_core.roto.shape import Keyframe, Origin
 
 Array = NDArray[np.float64]
 Document = dict[str, Any]

@@ -10,8 +10,9 @@ from typing import TYPE_CHECKING, Any
 
 from roam_core.errors import RoamError
 from roam_core.media.content import content_of
+from roam_core.roto.animated import Animatable, value_at
 from roam_core.roto.placement import LayerTransform, Placement
-from roam_core.roto.shape import Keyframe, RotoShape, placed, unplaced
+from roam_core.roto.shape import BlendMode, Keyframe, RotoShape, placed, unplaced
 
 if TYPE_CHECKING:
     from roam_core.media.source import PlateSource
@@ -84,7 +85,9 @@ class Mark:
 class Layer:
     """A group of shapes and layers in the order of compositing: the first lies at the bottom.
 
-    `transform` moves all that lies in it; None leaves it where it is. The keys of its shapes are in layer space.
+    Its children are joined in it, inverted where it says so, scaled by its `opacity`, and joined with what lies under
+    it by its `blend`. `transform` moves all that lies in it; None leaves it where it is. The keys of its shapes are in
+    layer space.
     """
 
     id: str
@@ -92,10 +95,15 @@ class Layer:
     children: tuple[Layer | RotoShape, ...] = ()
     visible: bool = True
     locked: bool = False
-    opacity: float = 1.0
+    opacity: Animatable = 1.0
     invert: bool = False
+    blend: BlendMode = BlendMode.ADD
     transform: LayerTransform | None = None
     extra: Mapping[str, Any] = field(default_factory=dict, hash=False)
+
+    def opacity_at(self, frame: float) -> float:
+        """The opacity of its joint matte at `frame`."""
+        return value_at(self.opacity, frame)
 
     def shapes(self) -> Iterator[RotoShape]:
         """All shapes below this layer, bottom first."""

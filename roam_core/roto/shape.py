@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from roam_core.geometry import bezier, bspline
+from roam_core.roto.animated import Animatable, Interpolation, value_at
 from roam_core.roto.placement import Placement, carried, matrix_at
 
 Array = NDArray[np.float64]
@@ -25,18 +26,15 @@ class Origin(StrEnum):
     ENGINE = "engine"
 
 
-class Interpolation(StrEnum):
-    """How a shape moves from a key to the next one."""
-
-    LINEAR = "linear"
-    SMOOTH = "smooth"
-    HOLD = "hold"
-
-
 class BlendMode(StrEnum):
-    """How a shape's matte joins what lies under it in its layer."""
+    """How a shape's matte `b` joins the matte `a` of what lies under it in its layer.
+
+    ADD is the union of two coverages, `a + b - a b`: what painting one over the other gives, which needs no clamp. PLUS
+    is the sum, clamped at 1: what ADD was in project files before version 3.
+    """
 
     ADD = "add"
+    PLUS = "plus"
     SUBTRACT = "subtract"
     INTERSECT = "intersect"
     DIFFERENCE = "difference"
@@ -160,8 +158,9 @@ class RotoShape:
     ----------
     id : stable identity inside a project, for example `shape-1`.
     keys : at least one key, strictly increasing frames.
+    opacity : in [0, 1], constant or through time.
     lifetime : half-open frame range in which the shape exists, or None for always.
-    feather : width of the uniform soft edge in pixels, outwards positive.
+    feather : width of the uniform soft edge in pixels, outwards positive, constant or through time.
     spline : what the artist holds of the curve; of a BSPLINE every key's points are those of a uniform B-spline.
     link : the artist's word on what is solved together: shapes of one link are one whole object, and nothing else is;
         "" leaves it to the outlines (`propagate.objects`).
@@ -178,9 +177,9 @@ class RotoShape:
     closed: bool = True
     colour: tuple[float, float, float] = (0.90, 0.62, 0.0)
     blend: BlendMode = BlendMode.ADD
-    opacity: float = 1.0
+    opacity: Animatable = 1.0
     invert: bool = False
-    feather: float = 0.0
+    feather: Animatable = 0.0
     motion_blur: MotionBlur | None = None
     lifetime: tuple[int, int] | None = None
     visible: bool = True
@@ -235,6 +234,14 @@ class RotoShape:
         """False outside the shape's lifetime."""
         return self.lifetime is None or self.lifetime[0] <= frame < self.lifetime[1]
 
+    def opacity_at(self, frame: float) -> float:
+        """The opacity at `frame`."""
+        return value_at(self.opacity, frame)
+
+    def feather_at(self, frame: float) -> float:
+        """The width of the uniform soft edge at `frame`, in pixels."""
+        return value_at(self.feather, frame)
+
     def depth_at(self, frame: int) -> int:
         """The level of the last of its `depth` pairs at or before `frame`; 0 without one."""
         return next((level for start, level in reversed(self.depth) if start <= frame), 0)
@@ -250,9 +257,7 @@ class RotoShape:
         before, after = self.keys[max(index - 1, 0)], self.keys[min(index, len(self.keys) - 1)]
         if before is after or before.frame == frame or before.interpolation is Interpolation.HOLD:
             return Outline(before.points, before.feather, self.closed, self.spline)
-        u = (frame - before.frame) / (after.frame - before.frame)
-        if before.interpolation is Interpolation.SMOOTH:
-            u = u * u * (3.0 - 2.0 * u)
+        u = before.interpolation.share((frame - before.frame) / (after.frame - before.frame))
         feather = _blend_feather(before.feather, after.feather, u)
         return Outline(_blend(before.points, after.points, u), feather, self.closed, self.spline)
 

@@ -6,8 +6,9 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
 
 from roam_core.roto import edit
+from roam_core.roto.animated import Interpolation
 from roam_core.roto.project import Mark, Project
-from roam_core.roto.shape import Interpolation, Keyframe, Origin, RotoShape
+from roam_core.roto.shape import Keyframe, Origin, RotoShape
 
 Place = tuple[str, int]
 """Where a key lies: (shape id, frame)."""

@@ -8,12 +8,13 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
+from roam_core.roto.animated import Animatable, Animated
 from roam_core.roto.bounds import require_bounds
 from roam_core.roto.migrate import VERSION
 from roam_core.roto.packing import packed_keys, packed_numbers
 from roam_core.roto.placement import LayerTransform
 from roam_core.roto.project import Clip, Layer, Mark, Project
-from roam_core.roto.shape import MotionBlur, RotoShape
+from roam_core.roto.shape import BlendMode, MotionBlur, RotoShape
 
 _ENCODER = json.JSONEncoder(ensure_ascii=False, allow_nan=False)
 
@@ -80,8 +81,9 @@ def _layer(layer: Layer) -> dict[str, Any]:
         "name": layer.name,
         "visible": layer.visible,
         "locked": layer.locked,
-        "opacity": layer.opacity,
+        "opacity": _value(layer.opacity),
         "invert": layer.invert,
+        **({} if layer.blend is BlendMode.ADD else {"blend": layer.blend.value}),
         **({} if layer.transform is None else {"transform": _transform(layer.transform)}),
         "children": layer.children,
         **layer.extra,
@@ -97,6 +99,16 @@ def _transform(transform: LayerTransform) -> dict[str, Any]:
     }
 
 
+def _value(value: Animatable) -> Any:
+    if not isinstance(value, Animated):
+        return value
+    keys = [
+        {"type": "ValueKey", "frame": key.frame, "value": key.value, "interpolation": key.interpolation, **key.extra}
+        for key in value.keys
+    ]
+    return {"type": "Animated", "keys": keys}
+
+
 def _blur(blur: MotionBlur) -> dict[str, Any]:
     values = {"shutter": blur.shutter, "phase": blur.phase, "samples": blur.samples}
     return {"type": "MotionBlur", **values, **blur.extra}
@@ -110,9 +122,9 @@ def _shape(shape: RotoShape) -> dict[str, Any]:
         "closed": shape.closed,
         "colour": list(shape.colour),
         "blend": shape.blend.value,
-        "opacity": shape.opacity,
+        "opacity": _value(shape.opacity),
         "invert": shape.invert,
-        "feather": shape.feather,
+        "feather": _value(shape.feather),
         "motion_blur": None if shape.motion_blur is None else _blur(shape.motion_blur),
         "lifetime": None if shape.lifetime is None else list(shape.lifetime),
         "visible": shape.visible,

@@ -11,6 +11,7 @@ import re
 import struct
 from collections.abc import Iterator
 from dataclasses import dataclass, field
+from itertools import pairwise
 from typing import Union
 
 STEP, LINEAR, CUBIC = range(3)
@@ -28,7 +29,7 @@ class Text:
     value: str
 
 
-Tree = Union[Text, list["Tree"]]
+Tree = Union[Text, list["Tree"]]  # noqa: UP007
 
 _QUOTED = re.compile(r'"((?:[ !#-&(-\[\]-z|~]|\\["\'\\{}])*)"')
 _UNQUOTED = re.compile(r"[!#-&(-\[\]-z|~]+")
@@ -93,7 +94,7 @@ def at(curve: Curve, frame: float) -> float:
     """The value of a curve: constant beyond its ends, between two keys a cubic, a straight line or a step."""
     if frame <= curve[0].time:
         return curve[0].value
-    for a, b in zip(curve, curve[1:], strict=False):
+    for a, b in pairwise(curve):
         if frame < b.time:
             span = b.time - a.time
             u = (frame - a.time) / span

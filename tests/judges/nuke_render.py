@@ -32,7 +32,7 @@ def matte(text: str, frame: float, size: tuple[int, int]) -> Array:
         elif node.species == "Merge2":
             assert node.knobs["inputs"] == "2"
             b, a = left.pop(), left.pop()
-            left.append({"over": a + b - a * b, "plus": a + b}[node.knobs["operation"]])
+            left.append(_merged(a, b, node.knobs["operation"]))
         elif node.species == "Invert":
             left.append(1.0 - left.pop())
         elif node.species == "Multiply":
@@ -43,6 +43,19 @@ def matte(text: str, frame: float, size: tuple[int, int]) -> Array:
             assert node.species == "NoOp", node.species
     (result,) = left
     return result
+
+
+def _merged(a: Array, b: Array, operation: str) -> Array:
+    """What the operations of a `Merge2` are documented to do to alpha; B is the first input, the last node before."""
+    results: dict[str, Array] = {
+        "over": a + b - a * b,
+        "plus": a + b,
+        "out": a * (1.0 - b),
+        "in": a * b,
+        "difference": np.abs(a - b),
+        "max": np.maximum(a, b),
+    }
+    return results[operation]
 
 
 def _knob(node: Node, name: str, frame: float) -> float:
@@ -57,10 +70,10 @@ def _knob(node: Node, name: str, frame: float) -> float:
 
 
 def _painted(layer: Layer, under: Array, frame: float) -> Array:
-    assert layer.value("opc", frame, 1.0) == 1.0 or layer.value("vis", frame, 1.0) == 0.0
-    assert layer.value("inv", frame, 0.0) == 0.0 or layer.value("vis", frame, 1.0) == 0.0
     if layer.value("vis", frame, 1.0) == 0.0:
         return under
+    assert not layer.children or layer.value("opc", frame, 1.0) == 1.0
+    assert layer.value("inv", frame, 0.0) == 0.0
     for child in reversed(layer.children):
         if isinstance(child, Layer):
             under = _painted(child, under, frame)

@@ -12,6 +12,7 @@ from hypothesis.extra.numpy import arrays
 from numpy.typing import NDArray
 
 from roam_core.roto import (
+    Animated,
     BlendMode,
     Clip,
     Interpolation,
@@ -24,9 +25,11 @@ from roam_core.roto import (
     Project,
     RotoShape,
     Spline,
+    ValueKey,
     edit,
     grips,
 )
+from roam_core.roto.animated import Animatable
 
 Array = NDArray[np.float64]
 FOLDER = Path("/shots/project")
@@ -50,6 +53,16 @@ def points_of(count: int) -> st.SearchStrategy[Array]:
 
 def shares() -> st.SearchStrategy[float]:
     return st.floats(0.0, 1.0)
+
+
+@st.composite
+def animatables(draw: st.DrawFn, values: st.SearchStrategy[float]) -> Animatable:
+    """A value that stays, or one with keys."""
+    if draw(st.booleans()):
+        return draw(values)
+    frames = draw(st.lists(st.integers(-50, 2000), min_size=1, max_size=4, unique=True))
+    modes = st.sampled_from(Interpolation)
+    return Animated(tuple(ValueKey(frame, draw(values), draw(modes), draw(unknown_fields())) for frame in frames))
 
 
 def unknown_fields() -> st.SearchStrategy[dict[str, Any]]:
@@ -102,9 +115,9 @@ def roto_shapes(draw: st.DrawFn, shape_id: str = "shape-1", interpolation: Inter
         closed=closed,
         colour=draw(st.tuples(shares(), shares(), shares())),
         blend=draw(st.sampled_from(BlendMode)),
-        opacity=draw(shares()),
+        opacity=draw(animatables(shares())),
         invert=draw(st.booleans()),
-        feather=draw(st.floats(-50.0, 50.0)),
+        feather=draw(animatables(st.floats(-50.0, 50.0))),
         motion_blur=draw(st.none() | motion_blurs()),
         lifetime=draw(st.none() | st.integers(1, 500).map(lambda length: (start, start + length))),
         visible=draw(st.booleans()),

@@ -97,6 +97,11 @@ def root_of(imported: Imported) -> Layer:
     return children[0] if len(children) == 1 and isinstance(children[0], Layer) else imported.layer
 
 
+def held(blend: BlendMode) -> BlendMode:
+    """Neither Nuke nor Silhouette tells the clamped sum from the union."""
+    return BlendMode.ADD if blend is BlendMode.PLUS else blend
+
+
 def check_motion(ours: RotoShape, theirs: RotoShape, *, feather: bool) -> None:
     assert set(ours.frames) <= set(theirs.frames)
     middles = [(a + b) // 2 for a, b in pairwise(ours.frames)]
@@ -136,7 +141,8 @@ def test_nuke_gives_everything_back(project: Project) -> None:
         )  # fmt: skip
         if isinstance(was, RotoShape):
             assert isinstance(item, RotoShape)
-            assert (item.closed, item.blend, item.colour) == (was.closed, was.blend, was.colour)
+            assert item.blend in (was.blend, held(was.blend))
+            assert (item.closed, item.colour) == (was.closed, was.colour)
             assert (item.feather, item.lifetime, item.motion_blur) == (was.feather, was.lifetime, was.motion_blur)
             check_motion(was, item, feather=True)
 

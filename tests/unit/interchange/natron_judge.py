@@ -91,7 +91,7 @@ def judge(text: str, height: int) -> tuple[list[JudgedMask], _Item]:
     base = _Item()
     roto = SimpleNamespace(getBaseLayer=lambda: base, createLayer=_Item, createBezier=_Bezier)
     engine = ModuleType("NatronEngine")
-    operators = {name: name for name in ("Over", "Stencil", "Mask", "Difference", "Max")}
+    operators = {name: name for name in ("Over", "Plus", "Stencil", "Mask", "Difference", "Max")}
     enum = SimpleNamespace(**{f"eMerge{name}": name for name in operators})
     engine.Natron = SimpleNamespace(MergingFunctionEnum=enum)  # type: ignore[attr-defined]
 

@@ -47,7 +47,7 @@ def test_feather_points_are_those_of_the_feather_curve(project: Project) -> None
 def test_operators_are_those_of_the_modes() -> None:
     shapes = tuple(replace(animated("x"), id=f"shape-{k}", blend=mode) for k, mode in enumerate(BlendMode))
     masks, _ = judge(natron_script(Project(CLIP, Layer("root", "Root", shapes)))[0], 1080)
-    operators = ["Over", "Stencil", "Mask", "Difference", "Max"]
+    operators = ["Over", "Plus", "Stencil", "Mask", "Difference", "Max"]
     assert [mask.values["item"].operator for mask in masks] == operators
 
 

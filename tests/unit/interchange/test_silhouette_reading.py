@@ -13,7 +13,7 @@ from roam_core.errors import RoamError
 from roam_core.geometry import bezier
 from roam_core.interchange import Imported, ImportOptions, read_shapes
 from roam_core.interchange.reading import MAX_DEPTH
-from roam_core.roto import BlendMode, Clip, Interpolation, Layer, RotoShape, Spline
+from roam_core.roto import BlendMode, Clip, Interpolation, Layer, Origin, RotoShape, Spline
 
 CLIP = Clip(Path("plate"), 1001, 1040, (200, 100))
 HEAD = '<Silhouette width="200" height="100" pixelAspect="1" sessionStartFrame="1001">'

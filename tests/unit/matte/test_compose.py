@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from roam_core.matte import render_matte, shape_matte
-from roam_core.roto import BlendMode, Layer, Project, RotoShape
+from roam_core.roto import Animated, BlendMode, Interpolation, Layer, Project, RotoShape, ValueKey
 from tests.unit.matte.conftest import rectangle
 
 SIZE = (20, 24)
@@ -25,7 +25,8 @@ def pair(blend: BlendMode, opacity: float = 0.5) -> list[RotoShape]:
 @pytest.mark.parametrize(
     ("blend", "left", "both", "right"),
     [
-        (BlendMode.ADD, 0.75, 1.0, 0.5),
+        (BlendMode.ADD, 0.75, 0.875, 0.5),
+        (BlendMode.PLUS, 0.75, 1.0, 0.5),
         (BlendMode.SUBTRACT, 0.75, 0.375, 0.0),
         (BlendMode.INTERSECT, 0.0, 0.375, 0.0),
         (BlendMode.DIFFERENCE, 0.75, 0.25, 0.5),
@@ -58,7 +59,22 @@ def test_layers_are_joined_inside_themselves_first() -> None:
     outer = replace(rectangle(0.0, 0.0, 24.0, 20.0), id="shape-3", opacity=0.5)
     inside = Layer("layer-1", "Cut", (lower, hole))
     matte = render_matte(Layer("root", "Root", (outer, inside)), 1, SIZE)
-    assert [matte[at] for at in (LEFT, BOTH, RIGHT)] == pytest.approx([1.0, 0.5, 0.5])
+    assert [matte[at] for at in (LEFT, BOTH, RIGHT)] == pytest.approx([0.875, 0.5, 0.5])
+
+
+@pytest.mark.parametrize("blend", BlendMode)
+def test_a_layer_joins_by_its_mode_as_a_shape_does(blend: BlendMode) -> None:
+    lower, upper = pair(blend)
+    layer = Layer("layer-1", "Upper", (replace(upper, blend=BlendMode.ADD),), blend=blend)
+    joined = render_matte(Layer("root", "Root", (lower, layer)), 1, SIZE)
+    np.testing.assert_array_equal(joined, render_matte([lower, upper], 1, SIZE))
+
+
+def test_the_opacity_of_shapes_and_layers_goes_by_its_keys(square: RotoShape) -> None:
+    fades = Animated((ValueKey(1, 0.0), ValueKey(5, 1.0, Interpolation.HOLD), ValueKey(9, 0.5)))
+    layer = Layer("layer-1", "Fades", (replace(square, opacity=fades),), opacity=fades)
+    shown = [render_matte(Layer("root", "Root", (layer,)), frame, SIZE)[10, 10] for frame in (0, 3, 5, 8, 9, 20)]
+    assert shown == pytest.approx([0.0, 0.25, 1.0, 1.0, 0.25, 0.25])
 
 
 def test_a_layer_is_inverted_then_scaled(square: RotoShape) -> None:

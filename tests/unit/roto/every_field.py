@@ -9,6 +9,7 @@ import numpy as np
 
 from roam_core.geometry import bezier
 from roam_core.roto import (
+    Animated,
     BlendMode,
     Clip,
     Interpolation,
@@ -21,6 +22,7 @@ from roam_core.roto import (
     Project,
     RotoShape,
     Spline,
+    ValueKey,
 )
 
 POINTS = bezier.polygon_points([(0.1, 0.2), (10.0, 1 / 3), (-7.25, 1e-17)])
@@ -53,10 +55,11 @@ def first_project(folder: Path) -> Project:
         -2.5, MotionBlur(0.7, -0.1, 12), (1001, 1049), False, True, Spline.BSPLINE, "body", False,
         ((1001, 1), (1010, -1)), extra={"later": LATER},
     )  # fmt: skip
-    polygon = RotoShape("shape-2", "Box", tuple(Keyframe(k, POINTS + k / 7.0, None, Origin.ENGINE) for k in range(RUN)))
+    box = tuple(Keyframe(k, POINTS + k / 7.0, None, Origin.ENGINE) for k in range(RUN))
+    polygon = RotoShape("shape-2", "Box", box, blend=BlendMode.PLUS)  # "add" in versions 1 and 2
     turn = np.array([[0.9, -0.1, 12.5], [0.1, 0.9, 1 / 3], [1e-5, 0.0, 1.0]])
     moves = LayerTransform.of({1001: np.eye(3), 1003: turn})
-    inner = Layer("layer-1", "Inner", (shape, polygon), False, True, 0.5, True, moves, {"later": LATER})
+    inner = Layer("layer-1", "Inner", (shape, polygon), False, True, 0.5, True, transform=moves, extra={"later": LATER})
     clip = Clip(
         folder / "plates" / "plate.%04d.exr", 1001, 1048, (960, 540), 23.976, 2.0, "linear", extra={"later": LATER}
     )
@@ -75,7 +78,7 @@ def second_project(folder: Path) -> Project:
     shape = replace(shape, motion_blur=replace(shape.motion_blur, extra={"later": LATER}))
     all_told = tuple(replace(key, frame=key.frame + 100, extra={"later": LATER}) for key in shape.keys[1 : RUN + 1])
     last = replace(all_told[0], frame=1200, interpolation=Interpolation.SMOOTH)
-    tracked = RotoShape("shape-3", "Tracked", (*all_told, last))
+    tracked = RotoShape("shape-3", "Tracked", (*all_told, last), blend=BlendMode.PLUS)
     moves = replace(inner.transform, extra={"later": LATER})
     inner = replace(inner, children=(shape, *inner.children[1:], tracked), transform=moves)
     return replace(
@@ -84,3 +87,18 @@ def second_project(folder: Path) -> Project:
         root=replace(first.root, children=(inner,)),
         marks=(replace(first.marks[0], extra={"later": LATER}), *first.marks[1:]),
     )
+
+
+def third_project(folder: Path) -> Project:
+    """What a file of version 3 may hold: values that vary with time, and layers that join by a mode."""
+    second = second_project(folder)
+    inner = second.root.children[0]
+    assert isinstance(inner, Layer)
+    hold = ValueKey(1010, 0.125, Interpolation.HOLD, {"later": LATER})
+    fades = Animated((ValueKey(1001, 1 / 3), hold, ValueKey(1020, 1.0, Interpolation.SMOOTH)))
+    soft = Animated((ValueKey(1001, -2.5), ValueKey(1040, 12.0)))
+    shape, *others = inner.shapes()
+    faded = RotoShape("shape-4", "Faded", (Keyframe(1001, POINTS),), opacity=fades, feather=soft)
+    shape = replace(shape, opacity=fades, feather=soft)
+    inner = replace(inner, children=(shape, *others, faded), opacity=fades, blend=BlendMode.SUBTRACT)
+    return replace(second, root=replace(second.root, children=(inner,)))

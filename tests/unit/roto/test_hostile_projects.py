@@ -14,10 +14,10 @@ import pytest
 from roam_core.errors import RoamError
 from roam_core.roto import Keyframe, Layer, MotionBlur, Project, RotoShape, file
 from roam_core.roto.bounds import MAX_DEPTH, MAX_ITEMS, MAX_KEYS, MAX_SAMPLES, MAX_SPAN
-from tests.unit.roto.every_field import CURVE, second_project
+from tests.unit.roto.every_field import CURVE, third_project
 
 FOLDER = Path("/shots/show")
-TEXT = file.dumps(second_project(FOLDER), FOLDER)
+TEXT = file.dumps(third_project(FOLDER), FOLDER)
 Document = dict[str, Any]
 posix = pytest.mark.skipif(os.name != "posix", reason="needs FIFOs and devices")
 
@@ -191,7 +191,7 @@ def test_what_could_not_be_read_again_is_not_saved(tmp_path: Path, monkeypatch: 
     for bound in ("MAX_BYTES", "MAX_VALUES", "MAX_NAMES"):
         monkeypatch.setattr(file, bound, 100)
         with pytest.raises(RoamError, match="too large for a file"):
-            file.save(second_project(FOLDER), path)
+            file.save(third_project(FOLDER), path)
         monkeypatch.undo()
     assert path.read_bytes() == before
 

@@ -6,6 +6,7 @@ import dataclasses
 import inspect
 import json
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -13,14 +14,28 @@ from typing import Any
 import numpy as np
 import pytest
 
-from roam_core.roto import Keyframe, LayerTransform, Project, RotoShape, file, placement, project, shape
+from roam_core.geometry import bezier
+from roam_core.matte import render_matte
+from roam_core.matte.rasterise import shape_matte
+from roam_core.roto import (
+    Keyframe,
+    Layer,
+    LayerTransform,
+    Project,
+    RotoShape,
+    animated,
+    file,
+    placement,
+    project,
+    shape,
+)
 from roam_core.roto.migrate import STEPS, VERSION
 from roam_core.roto.shape import Outline
-from tests.unit.roto.every_field import first_project, second_project
+from tests.unit.roto.every_field import first_project, second_project, third_project
 
 FOLDER = Path("/shots/show")
 STORED = Path(__file__).with_name("projects")
-EXAMPLES = {1: first_project, 2: second_project}
+EXAMPLES = {1: first_project, 2: second_project, 3: third_project}
 """What the stored project of each version holds."""
 NOT_STORED = {(RotoShape, "placement"), (LayerTransform, "_digest")}
 """What follows from the rest."""
@@ -44,7 +59,7 @@ def objects_in(value: Any) -> Iterator[Any]:
             yield from objects_in(item)
 
 
-MODELS = defined_in(shape, project, placement)
+MODELS = defined_in(shape, project, placement, animated)
 FIELDS = [
     (kind, field)
     for kind in sorted(MODELS, key=lambda kind: kind.__name__)
@@ -73,7 +88,7 @@ def default_of(field: dataclasses.Field[Any]) -> Any:
 @pytest.fixture(scope="module")
 def pairs() -> list[tuple[Any, Any]]:
     """Every object of the fullest project, beside what came of it from a file."""
-    given = second_project(FOLDER)
+    given = third_project(FOLDER)
     again = file.loads(file.dumps(given, FOLDER), FOLDER)
     return list(zip(objects_in(given), objects_in(again), strict=True))
 
@@ -100,7 +115,7 @@ def test_both_forms_of_a_key_hold_every_field(field: Any) -> None:
 
 
 def test_every_object_in_a_file_says_its_type() -> None:
-    document = json.loads(file.dumps(second_project(FOLDER), FOLDER))
+    document = json.loads(file.dumps(third_project(FOLDER), FOLDER))
     found: set[str] = set()
     waiting: list[Any] = [document]
     while waiting:
@@ -141,3 +156,29 @@ def test_the_step_to_version_2_packs_the_matrices_of_layers() -> None:
     new = STEPS[1](old)
     packed = new["root"]["children"][0]["transform"]["matrices"]
     assert (packed["type"], packed["shape"]) == ("Numbers", [2, 3, 3])
+
+
+def test_the_step_to_version_3_keeps_the_sums_that_shapes_were_joined_by() -> None:
+    """Only what lies on others: the lowest of a layer joins with nothing, and may be called what it is called now."""
+    shapes = [{"type": "RotoShape", "blend": "add"}, {"type": "RotoShape", "blend": "add"}]
+    layers = [{"type": "Layer", "children": shapes}, {"type": "Layer", "children": []}]
+    new = STEPS[2]({"root": {"type": "Layer", "children": layers}})
+    lower, upper = new["root"]["children"]
+    assert [child["blend"] for child in lower["children"]] == ["add", "plus"]
+    assert ("blend" in lower, upper["blend"]) == (False, "plus")
+
+
+def test_overlapping_soft_edges_of_an_older_project_render_as_they_did() -> None:
+    def edges(version: int) -> Project:
+        keys = (Keyframe(1, bezier.polygon_points([(10.0, 10.0), (30.0, 10.0), (30.0, 30.0), (10.0, 30.0)])),)
+        left, right = RotoShape("shape-1", "A", keys, feather=8.0), RotoShape("shape-2", "B", keys, feather=8.0)
+        layer = Layer("layer-1", "Above", (replace(left, id="shape-3", opacity=0.5),))
+        text = file.dumps(Project(None, Layer("root", "Root", (left, right, layer))), FOLDER)
+        return file.loads(json.dumps(json.loads(text) | {"version": version}), FOLDER)
+
+    alone = shape_matte(edges(2).shapes[0], 1, (40, 40))
+    before = np.minimum(np.minimum(alone + alone, 1.0) + 0.5 * alone, 1.0)
+    np.testing.assert_allclose(render_matte(edges(2), 1, (40, 40)), before, atol=1e-6)
+    union = 1.0 - (1.0 - alone) ** 2 * (1.0 - 0.5 * alone)
+    np.testing.assert_allclose(render_matte(edges(3), 1, (40, 40)), union, atol=1e-6)
+    assert np.abs(before - union).max() > 0.2
