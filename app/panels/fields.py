@@ -92,6 +92,10 @@ class NumberField(QDoubleSpinBox):
             self.setValue(value)
         self.edited.emit(self.value(), self._merge_key)
 
+    def forget_typing(self) -> None:
+        """What was typed is no value to give: it was taken back."""
+        self._typed = False
+
     # ---- Qt's own doors
 
     def textFromValue(self, value: float) -> str:

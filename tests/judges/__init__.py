@@ -1,1 +1,1 @@
-"""Judges of files that ROAM writes: readers and renderers which share no code with its writers."""
+"""Judges of what leaves the program: readers and renderers that share no code with its writers."""

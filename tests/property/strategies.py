@@ -56,13 +56,14 @@ def shares() -> st.SearchStrategy[float]:
 
 
 @st.composite
-def animatables(draw: st.DrawFn, values: st.SearchStrategy[float]) -> Animatable:
-    """A value that stays, or one with keys."""
+def animatables(draw: st.DrawFn, values: st.SearchStrategy[float], *, extra: bool = True) -> Animatable:
+    """A value that stays, or one with keys, which may hold fields of a later program."""
     if draw(st.booleans()):
         return draw(values)
     frames = draw(st.lists(st.integers(-50, 2000), min_size=1, max_size=4, unique=True))
     modes = st.sampled_from(Interpolation)
-    return Animated(tuple(ValueKey(frame, draw(values), draw(modes), draw(unknown_fields())) for frame in frames))
+    later = unknown_fields() if extra else st.just({})
+    return Animated(tuple(ValueKey(frame, draw(values), draw(modes), draw(later)) for frame in frames))
 
 
 def unknown_fields() -> st.SearchStrategy[dict[str, Any]]:

@@ -28,6 +28,7 @@ from roam_core.roto import (
     Spline,
     grips,
 )
+from tests.property.strategies import animatables
 
 WITHIN = 0.01
 SIZE = (96, 64)
@@ -81,6 +82,19 @@ def layers(draw: st.DrawFn, depth: int, item_id: str = "root") -> Layer:
 projects = st.builds(
     lambda first, root: Project(Clip(Path("plate"), first, first + 50, SIZE), root), st.integers(-3, 9), layers(2)
 )
+
+
+def in_time(layer: Layer, draw: st.DrawFn) -> Layer:
+    """The layer and all in it with modes of layers, and values that vary with time."""
+    opacities, widths = animatables(fractions, extra=False), animatables(st.floats(-20.0, 20.0, width=32), extra=False)
+    children = (
+        in_time(child, draw)
+        if isinstance(child, Layer)
+        else replace(child, opacity=draw(opacities), feather=draw(widths))
+        for child in layer.children
+    )
+    blend = layer.blend if layer.id == "root" else draw(st.sampled_from(BlendMode))
+    return replace(layer, children=tuple(children), opacity=draw(opacities), blend=blend)
 
 
 def returned(project: Project, name: str, options: ExportOptions = STANDARD) -> Imported:
@@ -155,7 +169,7 @@ def test_silhouette_gives_back_what_it_holds(project: Project) -> None:
     assert [shape.name for shape in found] == [xml_text(shape.name) for shape in expected]
     for shape, was in zip(found, expected, strict=True):
         assert (shape.visible, shape.locked, shape.invert) == (was.visible, was.locked, was.invert)
-        assert (shape.closed, shape.blend, shape.spline) == (was.closed, was.blend, was.spline)
+        assert (shape.closed, shape.blend, shape.spline) == (was.closed, held(was.blend), was.spline)
         np.testing.assert_allclose(shape.colour, was.colour, atol=1e-6)
         assert (shape.motion_blur is None) == (was.motion_blur is None)
         assert shape.lifetime == was.lifetime
@@ -163,13 +177,14 @@ def test_silhouette_gives_back_what_it_holds(project: Project) -> None:
 
 
 @settings(deadline=None, max_examples=25, phases=[Phase.explicit, Phase.reuse, Phase.generate])
-@given(projects)
-def test_json_gives_everything_back(project: Project) -> None:
+@given(projects, st.data())
+def test_json_gives_everything_back(project: Project, data: st.DataObject) -> None:
+    project = replace(project, root=in_time(project.root, data.draw))
     root = root_of(returned(project, "json"))
     for item, was in zip([root, *root.items()], [project.root, *project.root.items()], strict=True):
         assert item.name == was.name or item.name == "file"
-        assert (item.visible, item.locked, item.invert, item.opacity) == (
-            was.visible, was.locked, was.invert, was.opacity,
+        assert (item.visible, item.locked, item.invert, item.opacity, item.blend) == (
+            was.visible, was.locked, was.invert, was.opacity, was.blend,
         )  # fmt: skip
         if isinstance(was, RotoShape):
             assert isinstance(item, RotoShape)
