@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from roam_core.roto import Interpolation
+from roam_core.roto import Animated, Interpolation, ValueKey
 
 Array = NDArray[np.float64]
 
@@ -19,6 +19,9 @@ CLOSE = 0.005
 
 NEAR = 0.05
 """The same for the keys that stand between two of the file's, where one of our interpolations alone is not `CLOSE`."""
+
+FINE = 1000.0
+"""Opacities and widths are keyed as pixels are, but so many times finer."""
 
 STEP = 1 / 16
 """Frames: a change from one key to the next that takes no longer is a step, which others say so who know no holds."""
@@ -71,6 +74,23 @@ def keys_of(values: Callable[[Array], Array], times: Iterable[float], count: Cal
             count(frames[k + 1] - frame - 1)
             keys += _between(values, frame, frames[k + 1])
     return _with_holds(keys)
+
+
+def animated_of(
+    values: Callable[[Array], Array],
+    times: Iterable[float],
+    frame: Callable[[float], int],
+    count: Callable[[int], None],
+) -> Animated:
+    """A number, such as an opacity, that the file gives at any moments (T,): with its own keys, and few between them.
+
+    `frame` turns the file's frames into the plate's; `times` and `count` as for `keys_of`.
+    """
+    keys = keys_of(lambda moments: values(moments)[:, None] * FINE, times, count)
+    exact = values(np.array([key.frame for key in keys], dtype=np.float64)).tolist()
+    return Animated(
+        tuple(ValueKey(frame(key.frame), value, key.interpolation) for key, value in zip(keys, exact, strict=True))
+    )
 
 
 def _steps(values: Callable[[Array], Array], stamps: list[float]) -> set[int]:

@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+import math
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from roam_core.interchange.keying import keys_of
+from roam_core.interchange.keying import animated_of
 from roam_core.interchange.nuke_curves import Curve, FollowsExpressionError, constant, curve
+from roam_core.interchange.nuke_keys import right_before
 from roam_core.interchange.nuke_script import Nested, decoded
 from roam_core.interchange.reading import ShapeReader
-from roam_core.roto import Animated, BlendMode, Clip, MotionBlur, RotoShape, ValueKey
+from roam_core.roto import BlendMode, Clip, MotionBlur, RotoShape
 from roam_core.roto.animated import Animatable, mapped
 from roam_core.roto.project import PALETTE
 
@@ -45,9 +47,6 @@ UNKNOWN = {
 
 Tell = Callable[[str], None]
 
-FINE = 1000.0
-"""Opacities and widths are keyed as pixels are, but so many times finer."""
-
 
 def shape_attributes(shape: RotoShape, clip: Clip, frame_offset: int) -> list[tuple[str, Animatable]]:
     """Name and value of what an artist sees in the shape's properties; `opc` is always there.
@@ -73,20 +72,9 @@ def shape_attributes(shape: RotoShape, clip: Clip, frame_offset: int) -> list[tu
         values += [("fo", 1), ("fx", shape.feather), ("fy", shape.feather)]
     if shape.lifetime is not None:
         start, stop = (frame + frame_offset for frame in shape.lifetime)
-        values += [("ltt", FRAME_RANGE), ("ltn", start), ("ltm", stop - 1)]
+        values += [("ltt", FRAME_RANGE), ("ltn", start), ("ltm", right_before(stop))]  # its range is closed
     values += [("osw", 10 if shape.closed else 0), ("osf", 0), ("str", 1), ("spx", width / 2), ("spy", height / 2)]
     return [*values, ("sb", 1), ("tt", BEZIER_TOOL)]
-
-
-def animated_of(values: Callable[[Array], Array], times: Iterable[float], reader: ShapeReader) -> Animatable:
-    """A value that the file gives at any moments (T,), with its own keys and few between them."""
-    keys = keys_of(lambda moments: values(moments)[:, None] * FINE, times, reader.check_keys)
-    exact = values(np.array([key.frame for key in keys], dtype=np.float64)).tolist()
-    return Animated(
-        tuple(
-            ValueKey(reader.frame(key.frame), value, key.interpolation) for key, value in zip(keys, exact, strict=True)
-        )
-    )
 
 
 class Attributes:
@@ -114,7 +102,8 @@ class Attributes:
         def mean(moments: Array) -> Array:
             return np.asarray(np.mean([each.at(moments) for each in curves], axis=0))
 
-        return animated_of(mean, {time for each in curves for time in each.times if not each.is_constant}, reader)
+        times = {time for each in curves if not each.is_constant for time in each.times.tolist()}
+        return animated_of(mean, times, reader.frame, reader.check_keys)
 
     def _curve(self, name: str, default: float) -> Curve:
         item = self._items.get(name)
@@ -187,7 +176,7 @@ class Attributes:
         kind = int(self.number("ltt", ALWAYS))
         if kind not in (TO_FRAME, ONE_FRAME, FROM_FRAME, FRAME_RANGE):
             return None
-        first, last = frame(self.number("ltn", clip.first)), frame(self.number("ltm", clip.last))
+        first, last = frame(self.number("ltn", clip.first)), frame(math.floor(self.number("ltm", clip.last)))
         if kind == ONE_FRAME:
             return first, first + 1
         if kind == TO_FRAME:  # up to the first of its two numbers

@@ -11,8 +11,9 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
+from numpy.typing import NDArray
 
-from roam_core.interchange.nuke_attributes import animated_of
+from roam_core.interchange.keying import animated_of
 from roam_core.interchange.nuke_graph import OPERATIONS
 from roam_core.interchange.nuke_names import LAYER_KNOB, read_layer_word
 from roam_core.interchange.nuke_script import Word
@@ -21,6 +22,7 @@ from roam_core.interchange.sums import Item
 from roam_core.roto import BlendMode, Layer
 from roam_core.roto.animated import Animatable, mapped
 
+Array = NDArray[np.float64]
 Knobs = dict[str, Word]
 
 
@@ -99,4 +101,6 @@ def _curve(keys: list[tuple[float, float]], reader: ShapeReader) -> Animatable:
     times, values = np.array(keys).T
     if (np.diff(times) <= 0.0).any():
         raise ValueError("the keys are not in order")
-    return animated_of(lambda moments: np.interp(moments, times, values), times.tolist(), reader)
+    return animated_of(
+        lambda moments: np.interp(moments, times, values), times.tolist(), reader.frame, reader.check_keys
+    )

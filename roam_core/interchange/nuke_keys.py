@@ -80,7 +80,7 @@ def timed_keys(shape: RotoShape, slopes: Sequence[Slopes | None], offset: int) -
         if following is None:
             break
         spans.append(slope or key.interpolation is not Interpolation.LINEAR)
-        if key.interpolation is Interpolation.HOLD and (last := _right_before(following.frame + offset)) > times[-1]:
+        if key.interpolation is Interpolation.HOLD and (last := right_before(following.frame + offset)) > times[-1]:
             keys.append(key)
             times.append(last)
             spans.append(True)
@@ -89,7 +89,7 @@ def timed_keys(shape: RotoShape, slopes: Sequence[Slopes | None], offset: int) -
     return TimedKeys(times, keys, spans)
 
 
-def _right_before(frame: int) -> float:
+def right_before(frame: int) -> float:
     """The moment `STEP` before a frame, or the last one that single precision knows."""
     return min(float(np.float32(frame - STEP)), float(np.nextafter(np.float32(frame), np.float32(-np.inf))))
 
@@ -114,7 +114,7 @@ def value_curve(value: Animated, offset: int) -> ValueCurve:
             leaving = (following.value - key.value) / (following.frame - key.frame)
         _append(made, time, key.value, reaching, leaving)
         if following is not None and key.interpolation is Interpolation.HOLD:
-            last = _right_before(following.frame + offset)
+            last = right_before(following.frame + offset)
             if last > time:
                 _append(made, last, key.value, 0.0, 0.0)
         reaching = leaving
@@ -128,7 +128,7 @@ def straight_keys(value: Animated, offset: int) -> list[tuple[float, float]]:
         made.append((float(key.frame + offset), key.value))
         if following is None:
             break
-        if key.interpolation is Interpolation.HOLD and (last := _right_before(following.frame + offset)) > made[-1][0]:
+        if key.interpolation is Interpolation.HOLD and (last := right_before(following.frame + offset)) > made[-1][0]:
             made.append((last, key.value))
         if key.interpolation is Interpolation.SMOOTH and key.value != following.value:
             made += [(float(frame + offset), value.at(frame)) for frame in range(key.frame + 1, following.frame)]

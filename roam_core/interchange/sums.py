@@ -23,7 +23,7 @@ def is_shown(item: Item) -> bool:
 
 
 def is_soft(item: Item) -> bool:
-    """True where the matte is grey somewhere else than in the pixels of a sharp edge."""
+    """True where the matte is grey somewhere else than on sharp or blurred edges."""
     if not item.visible:
         return False
     if not is_always(item.opacity, 1.0):
@@ -31,7 +31,7 @@ def is_soft(item: Item) -> bool:
     if isinstance(item, Layer):
         return any(map(is_soft, item.children))
     has_curve = any(key.feather is not None and key.feather.any() for key in item.keys)
-    return has_curve or item.motion_blur is not None or not is_always(item.feather, 0.0)
+    return has_curve or not is_always(item.feather, 0.0)
 
 
 def is_soft_sum(item: Item, under: Sequence[Item]) -> bool:
@@ -40,7 +40,7 @@ def is_soft_sum(item: Item, under: Sequence[Item]) -> bool:
 
 
 def sums_as_unions(layer: Layer) -> Iterator[Item]:
-    """What is summed with something under it, where a union differs on sharp edges alone."""
+    """What is summed with something under it, where a union differs on edges alone."""
     under: list[Item] = []
     for child in filter(is_shown, layer.children):
         if under and child.blend is BlendMode.PLUS and not is_soft_sum(child, under):

@@ -13,7 +13,7 @@ from hypothesis import Phase, given, settings
 from hypothesis import strategies as st
 
 from roam_core.errors import RoamError
-from roam_core.interchange import EXPORTERS, Imported, read_shapes
+from roam_core.interchange import EXPORTERS, ExportOptions, Imported, read_shapes
 from roam_core.interchange.protocol import MAX_FRAMES
 from roam_core.interchange.reading import sensible
 from roam_core.roto import (
@@ -58,7 +58,7 @@ def whole(name: str) -> str:
     root = Layer("root", "Root", (shapes[0], Layer("l", "Inner", shapes[1:], opacity=0.5, locked=True)))
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "file"
-        EXPORTERS[name].export(Project(CLIP, root), path)
+        EXPORTERS[name].export(Project(CLIP, root), path, ExportOptions(lossy=True))
         text = path.read_text(encoding="utf-8")
     if name == "silhouette":
         matrix = '<Property id="transform.matrix"><Key frame="0">(1,0,0,0,0,1,0,0,0,0,1,0,0.1,0,0,1)</Key></Property>'

@@ -13,7 +13,7 @@ from roam_core.errors import RoamError
 from roam_core.geometry import bezier
 from roam_core.interchange import Imported, ImportOptions, read_shapes
 from roam_core.interchange.reading import MAX_DEPTH
-from roam_core.roto import BlendMode, Clip, Interpolation, Layer, Origin, RotoShape, Spline
+from roam_core.roto import Animated, BlendMode, Clip, Interpolation, Layer, Origin, RotoShape, Spline, ValueKey
 
 CLIP = Clip(Path("plate"), 1001, 1040, (200, 100))
 HEAD = '<Silhouette width="200" height="100" pixelAspect="1" sessionStartFrame="1001">'
@@ -178,10 +178,15 @@ def test_an_opacity_that_rises_from_and_falls_to_zero_is_a_lifetime(read: Read) 
     assert (shape.opacity, shape.lifetime) == (0.5, (1005, 1010))
 
 
+def test_an_animated_opacity_keeps_its_keys(read: Read) -> None:
+    imported = read(shape_xml(properties=keyed("opacity", (0, "10"), (9, "90"))))
+    assert only(imported).opacity == Animated((ValueKey(1001, 0.1), ValueKey(1010, 0.9)))
+    assert imported.notes == ()
+
+
 @pytest.mark.parametrize(
     ("properties", "note"),
     [
-        (keyed("opacity", (0, "10"), (9, "90")), "animated"),
         (constant("mode", "Screen"), "'Screen'"),
         (constant("feather", "3"), "feather was left out"),
     ],
