@@ -11,6 +11,9 @@ from app.panels.fields import NumberField
 Field = QLineEdit | QAbstractSpinBox
 """What is typed into."""
 
+KEEPS_KEYBOARD = "keepsKeyboard"
+"""The property of a field that knows itself when it is done with: the palette's."""
+
 LEAVING = {Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_Escape}
 
 
@@ -45,7 +48,8 @@ class FocusFollowsPointer(QObject):
         if self._field is not None:
             self._field.removeEventFilter(self)
             self._field = None
-        if isinstance(now, Field) and now.window() is self._viewer.window():
+        is_ours = isinstance(now, Field) and now.window() is self._viewer.window()
+        if isinstance(now, Field) and is_ours and not now.property(KEEPS_KEYBOARD):
             self._field, self._before = now, _line_of(now).text()
             now.installEventFilter(self)
 

@@ -20,6 +20,7 @@ from PySide6.QtWidgets import (
 from app import style
 from app.action_specs import SPECS, ActionSpec
 from app.actions import Actions
+from app.focus import KEEPS_KEYBOARD
 from app.fuzzy import fuzzy_score, words_begin
 from app.menus import menu_of
 from app.search_words import WORDS
@@ -77,6 +78,7 @@ class Palette(QFrame):
         self.setObjectName("palette")
         self.field, self.list = QLineEdit(), QTreeWidget()
         self.field.setPlaceholderText("Do what?")
+        self.field.setProperty(KEEPS_KEYBOARD, True)
         self.field.installEventFilter(self)
         self.field.textChanged.connect(lambda _: self._pull())
         self._build_list()
@@ -130,16 +132,19 @@ class Palette(QFrame):
     def shown(self) -> list[str]:
         """The ids of the actions in the list, best first."""
         items = (self.list.topLevelItem(row) for row in range(self.list.topLevelItemCount()))
-        return [item.data(0, Qt.ItemDataRole.UserRole) for item in items if item is not None]
+        named = (item.data(0, Qt.ItemDataRole.UserRole) for item in items if item is not None)
+        return [name for name in named if name]
 
     # ---- the rest is private
 
     def _pull(self) -> None:
         self.list.clear()
         items = [self._item(entry) for entry in found(self._entries, self.field.text(), self._lately)]
-        self.list.addTopLevelItems(items)
         if items:
+            self.list.addTopLevelItems(items)
             self.list.setCurrentItem(items[0])
+        else:
+            self._say_nothing()
         self.list.setFixedHeight(min(max(len(items), 1), MOST_ROWS) * style.ROW_HEIGHT)
         self.resize(self.width(), self.sizeHint().height())
 
@@ -162,6 +167,13 @@ class Palette(QFrame):
                 item.setForeground(column, _DISABLED)
         return item
 
+    def _say_nothing(self) -> None:
+        """Show a row that says that nothing was found; it can be neither chosen nor run."""
+        item = QTreeWidgetItem(["Nothing is called so; try another word, or fewer letters."])
+        item.setFlags(Qt.ItemFlag.NoItemFlags)
+        self.list.addTopLevelItem(item)
+        item.setFirstColumnSpanned(True)
+
     def _step(self, rows: int) -> None:
         if (current := self.list.currentItem()) is None:
             return
@@ -171,7 +183,7 @@ class Palette(QFrame):
             self.list.setCurrentItem(item)
 
     def _run(self, item: QTreeWidgetItem | None) -> None:
-        if item is None:
+        if item is None or not item.flags() & Qt.ItemFlag.ItemIsEnabled:
             return
         name = item.data(0, Qt.ItemDataRole.UserRole)
         action = self._actions[name]

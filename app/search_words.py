@@ -35,7 +35,7 @@ WORDS: Mapping[str, str] = {
     "shape.show_all": "unhide reveal visibility eye",
     "key.set": "keyframe insert add autokey",
     "key.delete": "keyframe remove",
-    "track.forward": "propagate rotobrush follow solve play",
+    "track.forward": "propagate rotobrush follow solve play motion",
     "track.backward": "propagate rotobrush follow solve",
     "track.to_next_key": "propagate until",
     "track.fill": "interpolate inbetween tween both directions",

@@ -14,6 +14,7 @@ from benchmarks import (
     drift,
     fewest_keys,
     kernels,
+    key_optimum,
     mattes,
     paper,
     part_sheets,
@@ -44,6 +45,7 @@ BENCHMARKS: dict[str, ModuleType] = {
     "part_sheets": part_sheets,
     "mattes": mattes,
     "keys": fewest_keys,
+    "key_optimum": key_optimum,
     "window": window,
     "saving": saving,
 }

@@ -76,10 +76,6 @@ def _reach(shot: Shot, shape: RotoShape, reach: float) -> dict[str, Any]:
     }
 
 
-def _overlap(shot: Shot, shape: RotoShape, frame: int) -> float:
-    return shots.overlap(shots.matte([shape], frame, shot.size), shot.mask(frame))
-
-
 def _told(reduction: Reduction) -> dict[str, Any]:
     return {"keys": len(reduction.shape.keys), "error": [reduction.max_error, reduction.mean_error]}
 

@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QLineEdit, QSizePolicy, QToolTip, QWidget
 
 from app import style
 from app.document import Document
+from app.focus import KEEPS_KEYBOARD
 from app.timeline.axis import TimeAxis, paint_playhead
 from app.timeline.scale import LABEL_WIDTH
 from roam_core.roto import Mark, Project, timing
@@ -163,6 +164,7 @@ class MarkField(QLineEdit):
         super().__init__(band)
         self._band, self._frame, self._is_asking = band, 0, False
         self.setObjectName("markField")
+        self.setProperty(KEEPS_KEYBOARD, True)
         self.setPlaceholderText("a word on this mark")
         self.setVisible(False)
         self.editingFinished.connect(self._keep)

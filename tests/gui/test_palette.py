@@ -107,3 +107,15 @@ def test_letters_typed_into_it_are_no_keys_of_the_window(qtbot: QtBot, window: M
     assert window.playback.speed == 0
     assert window.view_state.tool == "select"
     assert palette.field.text() == "lib"
+
+
+def test_it_says_when_it_finds_nothing(qtbot: QtBot, window: MainWindow, palette: Palette) -> None:
+    qtbot.keyClicks(palette.field, "xyzzyx")
+    assert palette.shown == []
+    row = palette.list.topLevelItem(0)
+    assert row is not None
+    assert row.text(0) == "Nothing is called so; try another word, or fewer letters."
+    qtbot.keyClick(palette.field, Qt.Key.Key_Return)
+    assert palette.isVisible(), "there was nothing to run"
+    palette.field.setText("motion")
+    assert "track.forward" in palette.shown
