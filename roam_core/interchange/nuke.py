@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from roam_core.geometry.bezier import ANCHOR
-from roam_core.interchange.nuke_attributes import shape_attributes
+from roam_core.interchange.nuke_attributes import BLEND_MODES, shape_attributes
 from roam_core.interchange.nuke_graph import OPERATIONS, Joined, Painted, is_one_node, steps, told
 from roam_core.interchange.nuke_keys import (
     KeyedCurves,
@@ -162,6 +162,8 @@ class _Writer(ShapeWriter):
             attributes.append(("opc", layer.opacity))
         if layer.invert:
             attributes.append(("inv", 1))
+        if BLEND_MODES[layer.blend] and not is_root:  # an invisible one: others have a node of their own
+            attributes.append(("bm", BLEND_MODES[layer.blend]))
         flags = (ROOT_FLAGS if is_root else RENDERABLE) | (LOCKED if layer.locked else 0)
         lines = [
             f"{indent}{{layer {'Root' if is_root else roto_string(self.names.by_id[layer.id])}",

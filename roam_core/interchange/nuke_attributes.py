@@ -129,7 +129,7 @@ class Attributes:
             "visible": self.number("vis", 1) != 0,
             "opacity": self.opacity(reader),
             "invert": self.number("inv", 0) != 0,
-            "blend": self._blend(),
+            "blend": self.blend(),
             "colour": self._colour(number),
             "feather": self._feather(reader),
             "motion_blur": self._blur(),
@@ -143,7 +143,8 @@ class Attributes:
             if any(silent.number(name, np.nan) != defaults[name] for name in given):
                 self._tell(f"{meaning} was left out")
 
-    def _blend(self) -> BlendMode:
+    def blend(self) -> BlendMode:
+        """How a shape or layer joins what lies under it; told where it is in none of our modes."""
         value = self.number("bm", 0)
         for mode, number in BLEND_MODES.items():
             if number == value:

@@ -109,7 +109,7 @@ def value_curve(value: Animated, offset: int) -> ValueCurve:
     made = ValueCurve([], [], [], [])
     reaching = 0.0
     for key, following in zip_longest(value.keys, value.keys[1:]):
-        time, leaving = float(key.frame + offset), 0.0
+        time, leaving = _counted(key.frame + offset), 0.0
         if following is not None and key.interpolation is Interpolation.LINEAR:
             leaving = (following.value - key.value) / (following.frame - key.frame)
         _append(made, time, key.value, reaching, leaving)
@@ -121,11 +121,20 @@ def value_curve(value: Animated, offset: int) -> ValueCurve:
     return made
 
 
+def _counted(frame: int) -> float:
+    """A frame of an animated value as Nuke counts; a `RoamError` where single precision would round it."""
+    if abs(frame) > LAST_EXACT_FRAME:
+        raise RoamError(
+            f"An opacity or feather has a key on frame {frame}; Nuke rounds those beyond {LAST_EXACT_FRAME}."
+        )
+    return float(frame)
+
+
 def straight_keys(value: Animated, offset: int) -> list[tuple[float, float]]:
     """Times and values of the same for a curve of straight spans: a smooth span has a key on every frame."""
     made: list[tuple[float, float]] = []
     for key, following in zip_longest(value.keys, value.keys[1:]):
-        made.append((float(key.frame + offset), key.value))
+        made.append((_counted(key.frame + offset), key.value))
         if following is None:
             break
         if key.interpolation is Interpolation.HOLD and (last := right_before(following.frame + offset)) > made[-1][0]:

@@ -12,7 +12,7 @@ from dataclasses import astuple, dataclass, field
 from pathlib import Path
 from typing import Any
 
-from roam_core.interchange.nuke_attributes import shape_attributes
+from roam_core.interchange.nuke_attributes import BLEND_MODES, shape_attributes
 from roam_core.interchange.nuke_graph import OPERATIONS, Joined, Painted, Step, is_one_node, steps, told
 from roam_core.interchange.nuke_keys import (
     KeyedCurves,
@@ -242,6 +242,7 @@ class _Writer(ShapeWriter):
 
     def layer(self, layer: Layer) -> dict[str, Any]:
         attributes = [("vis", float(layer.visible)), ("opc", layer.opacity), ("inv", float(layer.invert))]
+        attributes.append(("bm", BLEND_MODES[layer.blend]))
         children = (  # Nuke's topmost comes first
             self.layer(child) if isinstance(child, Layer) else self.shape(child) for child in reversed(layer.children)
         )

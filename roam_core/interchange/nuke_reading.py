@@ -162,6 +162,7 @@ class _NodeReader:
             locked=bool(flags & LOCKED),
             opacity=attributes.opacity(self.reader),
             invert=attributes.number("inv", 0) != 0,
+            blend=attributes.blend(),
         )
 
     def _shape(self, word: Word, parts: list[Word], outer: Sequence[Transform]) -> Iterator[RotoShape]:

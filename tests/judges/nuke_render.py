@@ -72,14 +72,16 @@ def _knob(node: Node, name: str, frame: float) -> float:
 def _painted(layer: Layer, under: Array, frame: float) -> Array:
     if layer.value("vis", frame, 1.0) == 0.0:
         return under
-    assert not layer.children or layer.value("opc", frame, 1.0) == 1.0
-    assert layer.value("inv", frame, 0.0) == 0.0
+    painted = under
     for child in reversed(layer.children):
         if isinstance(child, Layer):
-            under = _painted(child, under, frame)
+            painted = _painted(child, painted, frame)
         elif shows(child, frame):
-            under = _blended(under, shape_matte(child, frame, under.shape), round(child.value("bm", frame, 0.0)))
-    return under
+            mode = round(child.value("bm", frame, 0.0))
+            painted = _blended(painted, shape_matte(child, frame, under.shape), mode)
+    says = [layer.value(name, frame, default) != default for name, default in (("opc", 1.0), ("inv", 0.0), ("bm", 0.0))]
+    assert painted is under or not any(says), "a layer that shows something says what Nuke is not known to do"
+    return painted
 
 
 def shows(shape: Shape, frame: float) -> bool:
