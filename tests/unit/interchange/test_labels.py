@@ -45,6 +45,7 @@ def overlap(a: Any, b: Any) -> float:
 # ---- COCO ------------------------------------------------------------------------------------------------------------
 
 
+@pytest.mark.filterwarnings("ignore:__array__ implementation")  # COCO's own, with numpy 2
 def test_cocos_own_code_finds_our_pixels() -> None:
     """Polygons where shapes lie side by side, runs where one cuts: both are the matte's pixels."""
     masks = pytest.importorskip("pycocotools.mask", reason="COCO's own code is the judge: install the extra dev")

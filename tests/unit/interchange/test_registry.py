@@ -27,7 +27,7 @@ def test_an_unknown_format_is_answered_with_the_known_ones() -> None:
     assert "flame" not in EXPORTERS
 
 
-@pytest.mark.parametrize("name", [name for name in EXPORTERS if name != "mattes"])
+@pytest.mark.parametrize("name", [name for name in EXPORTERS if name not in ("mattes", "mlt")])  # they write several
 def test_a_file_appears_whole_or_not_at_all(project: Project, tmp_path: Path, name: str) -> None:
     """A cancelled export leaves what was there; progress rises; nothing but the file is in the folder."""
     path = tmp_path / f"p{EXPORTERS[name].suffix}"
@@ -38,7 +38,8 @@ def test_a_file_appears_whole_or_not_at_all(project: Project, tmp_path: Path, na
         EXPORTERS[name].export(project, path, ExportOptions(token=token))
     assert path.read_text() == "before"
     told: list[float] = []
-    losses = EXPORTERS[name].export(project, path, ExportOptions(progress=lambda share, _: told.append(share)))
+    options = ExportOptions(lossy=True, progress=lambda share, _: told.append(share))
+    losses = EXPORTERS[name].export(project, path, options)
     assert path.stat().st_size > 1000
     assert told == sorted(told)
     assert told[-1] == 1.0

@@ -44,7 +44,7 @@ def test_every_mode_hard_soft_dimmed_and_inverted(mode: BlendMode) -> None:
         over = disc("Over", 290.0, blend=mode, feather=feather, opacity=opacity, invert=invert)
         overlap, error = compared(Project(CLIP, Layer("root", "Root", (disc("Under", 190.0), over))), zoom=2)
         assert overlap > 0.997, (feather, opacity, invert)
-        assert error < 0.001
+        assert error < 0.0025  # less than a level of 8 bits
 
 
 @pytest.mark.parametrize("name", ["modes", "layers", "inverted", "soft edges", "in time"])
@@ -57,7 +57,7 @@ def test_the_scenes_that_ask_one_thing_each(name: str) -> None:
 
 def test_feather_curves_on_either_side_of_the_outline_are_painted() -> None:
     for curve in (0.3, -0.3):
-        overlap, error = compared(Project(CLIP, Layer("root", "Root", (disc("Soft", 240.0, curve),))), zoom=3)
+        overlap, error = compared(Project(CLIP, Layer("root", "Root", (disc("Soft", 240.0, curve),))))
         assert overlap > 0.998
         assert error < 0.0005
 
