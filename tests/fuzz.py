@@ -136,7 +136,7 @@ def read_settings(name: str) -> Callable[[Path], object]:
 READERS: dict[str, tuple[str, Callable[[str, Path], bytes], str, Callable[[Path], object]]] = {
     **{
         name: (EXPORTERS[name].suffix, written, name, read_shape_file)
-        for name in ("nuke", "silhouette", "svg", "json", "coco", "cvat", "mlt")
+        for name in ("nuke", "silhouette", "svg", "json", "fusion", "coco", "cvat", "mlt")
     },
     "project": (".roam", written, "project", read_project),
     **{

@@ -12,6 +12,7 @@ from roam_core.interchange.coco import CocoExporter
 from roam_core.interchange.cvat import CvatExporter
 from roam_core.interchange.cvat_reading import CvatImporter
 from roam_core.interchange.fusion import FusionExporter
+from roam_core.interchange.fusion_reading import FusionImporter
 from roam_core.interchange.json_files import JsonImporter
 from roam_core.interchange.masks import MaskImporter
 from roam_core.interchange.mattes import MatteExporter
@@ -68,6 +69,7 @@ EXPORTERS = Exporters(
 IMPORTERS: tuple[Importer, ...] = (
     NukeImporter(),
     SilhouetteImporter(),
+    FusionImporter(),
     SvgFormat(),
     JsonImporter(),
     CvatImporter(),

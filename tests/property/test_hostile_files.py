@@ -104,7 +104,7 @@ def check(imported: Imported) -> None:
     file.dumps(project, Path("/shots"))
 
 
-@pytest.mark.parametrize("name", ["nuke", "silhouette", "svg", "json", "coco", "cvat", "mlt"])
+@pytest.mark.parametrize("name", ["nuke", "silhouette", "svg", "json", "fusion", "coco", "cvat", "mlt"])
 def test_a_damaged_file_gives_sensible_shapes_or_one_sentence(name: str) -> None:
     suffix = EXPORTERS[name].suffix
 

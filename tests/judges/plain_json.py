@@ -1,0 +1,82 @@
+"""Our JSON as somebody would read it who has nothing but its description in docs/FORMATS.md."""
+
+from __future__ import annotations
+
+import json
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tests.judges.coverage import between, filled, soft, union
+
+Array = NDArray[np.float64]
+
+BLENDS = {
+    "add": union,
+    "plus": lambda under, own: np.minimum(under + own, 1.0),
+    "subtract": lambda under, own: under * (1.0 - own),
+    "intersect": lambda under, own: under * own,
+    "difference": lambda under, own: np.abs(under - own),
+    "max": np.maximum,
+}
+
+
+def matte(text: str, frame: float, size: tuple[int, int]) -> Array:
+    """The matte `(h, w)` at a frame."""
+    return _joined(json.loads(text)["items"], frame, size)
+
+
+def names(text: str) -> list[str]:
+    """The names of all shapes, in the order of the file."""
+    return list(_names(json.loads(text)["items"]))
+
+
+def _names(items: list[Any]) -> list[str]:
+    return [name for item in items for name in (_names(item["items"]) if "items" in item else [item["name"]])]
+
+
+def _joined(items: list[Any], frame: float, size: tuple[int, int]) -> Array:
+    joint = np.zeros(size)
+    for item in items:
+        own = _own(item, frame, size) if item["visible"] else None
+        if own is not None:
+            own = 1.0 - own if item["invert"] else own
+            joint = BLENDS[item["blend"]](joint, own * _value(item["opacity"], frame))
+    return joint
+
+
+def _own(item: dict[str, Any], frame: float, size: tuple[int, int]) -> Array | None:
+    if item["kind"] == "layer":
+        return _joined(item["items"], frame, size)
+    life = item["lifetime"]
+    if not item["closed"] or (life is not None and not life[0] <= frame < life[1]):
+        return None
+    points = _moved([(key["frame"], key["interpolation"], _points(key["points"])) for key in item["keys"]], frame)
+    width = _value(item["feather"], frame)
+    if any(key.get("feather") for key in item["keys"]):
+        assert width == 0.0, "no judge of both kinds of feather"
+        offsets = [(key["frame"], key["interpolation"], _points(key["feather"])) for key in item["keys"]]
+        return between(points, points + _moved(offsets, frame), size)
+    return soft(points, size, min(width, 0.0), max(width, 0.0)) if width else filled(points, size)
+
+
+def _points(rows: list[list[float]]) -> Array:
+    return np.array([row * (6 // len(row)) for row in rows]).reshape(-1, 3, 2)
+
+
+def _value(value: Any, frame: float) -> float:
+    if not isinstance(value, list):
+        return float(value)
+    return float(_moved([(key["frame"], key["interpolation"], key["value"]) for key in value], frame))
+
+
+def _moved(keys: list[tuple[float, str, Any]], frame: float) -> Any:
+    index = max((k for k, (at, _, _) in enumerate(keys) if at <= frame), default=0)
+    start, how, value = keys[index]
+    if frame <= start or index == len(keys) - 1 or how == "hold":
+        return value
+    stop, _, following = keys[index + 1]
+    share = (frame - start) / (stop - start)
+    share = share * share * (3.0 - 2.0 * share) if how == "smooth" else share
+    return (1.0 - share) * value + share * following
