@@ -56,9 +56,9 @@ class CocoExporter:
 def coco_document(project: Project, options: ExportOptions = STANDARD) -> tuple[dict[str, Any], list[str], list[str]]:
     """The data set as plain values, sentences on what it cannot hold, and on what it shows otherwise."""
     project = stilled(project)
-    writer = _Writer(project.require_clip(), options, len(project.shapes))
+    writer = _Writer(project.require_clip(), replace(options, progress=None), len(project.shapes))
     root = writer.prepared(project.root)
-    return writer.document(root), writer.notes, writer.losses
+    return writer.document(root, options), writer.notes, writer.losses
 
 
 @dataclass
@@ -93,7 +93,8 @@ class _Writer(ShapeWriter):
         if any(shape.opacity_at(frame) != 1.0 for frame in shape.frames):
             self.notes.append(f"Objects are opaque: the opacity of {shape.name!r} was left out.")
 
-    def document(self, root: Layer) -> dict[str, Any]:
+    def document(self, root: Layer, told_to: ExportOptions) -> dict[str, Any]:
+        """The data set; `told_to` hears of each frame."""
         objects = self._objects(root)
         if root.invert or not root.visible:
             self.losses.append("The inversion and visibility of the root layer are lost: it is no object.")
@@ -102,7 +103,7 @@ class _Writer(ShapeWriter):
         images: list[dict[str, Any]] = []
         annotations: list[dict[str, Any]] = []
         for number, frame in enumerate(frames, start=1):
-            self.options.advance(number / (len(frames) + 1), f"Frame {frame}")
+            told_to.advance(number / (len(frames) + 1), f"Frame {frame}")
             told = frame + self.options.frame_offset
             file_name = f"{self.clip.path.stem.rstrip('.#%0123456789d') or 'frame'}.{told:06d}.png"
             images.append({"id": number, "width": width, "height": height, "file_name": file_name, "frame": told})

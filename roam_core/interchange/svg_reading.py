@@ -407,8 +407,7 @@ class SvgReader(ShapeReader):
             return False
         points, size = item.keys[0].points, np.array(self.clip.size)
         corners, low, high = points[:, ANCHOR], points.min(axis=(0, 1)), points.max(axis=(0, 1))
-        is_box = len(points) == 4 and all((corner == low).any() and (corner == high).any() for corner in corners)
-        is_box = is_box and all(((corner == low) | (corner == high)).all() for corner in corners)
+        is_box = len(points) == 4 and bool(((corners == low) | (corners == high)).all())
         straight = bool((points == points[:, :1]).all())
         return is_box and straight and bool((low <= 0.01).all() and (high >= size - 0.01).all())
 

@@ -49,9 +49,11 @@ def test_the_artists_keys_are_cut_where_the_artist_saw_them_move() -> None:
 @pytest.mark.parametrize("choice", KeyChoice)
 def test_every_format_writes_them(project: Project, tmp_path: Path, name: str, choice: KeyChoice) -> None:
     whole, part = tmp_path / "whole", tmp_path / "part"
-    EXPORTERS[name].export(project, whole, ExportOptions(keys=choice))
-    EXPORTERS[name].export(project, part, ExportOptions(keys=choice, frames=range(1002, 1010)))
-    assert part.read_text() != whole.read_text()
+    EXPORTERS[name].export(project, whole, ExportOptions(keys=choice, lossy=True))
+    EXPORTERS[name].export(project, part, ExportOptions(keys=choice, lossy=True, frames=range(1002, 1010)))
+    texts = [[path.read_text() for path in sorted(tmp_path.glob(f"{word}*"))] for word in ("part", "whole")]
+    assert all(texts)
+    assert texts[0] != texts[1]
 
 
 def test_json_holds_no_key_beyond_them(project: Project, tmp_path: Path) -> None:

@@ -29,10 +29,10 @@ def test_a_format_holds_the_motion(name: str, project: Project, tmp_path: Path) 
     for word, each in (("moving", moving), ("baked", stilled(moving)), ("still", project)):
         path = tmp_path / word / f"shapes{exporter.suffix}"
         path.parent.mkdir()
-        exporter.export(each, path)
+        exporter.export(each, path, ExportOptions(lossy=True))
         texts[word] = {file.name: file.read_bytes() for file in sorted(path.parent.rglob("*")) if file.is_file()}
     assert texts["moving"] == texts["baked"]
-    if name != "svg":  # one picture, of the first frame, on which the layer still stands
+    if name not in ("svg", "coco"):  # a picture of the first frame, when the layer stands; what is hidden is no object
         assert texts["moving"] != texts["still"]
 
 

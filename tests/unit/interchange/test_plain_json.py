@@ -114,7 +114,7 @@ SHAPE, KEY = ("items", 0, "items", 0), ("items", 0, "items", 0, "keys", 0)
 @pytest.mark.parametrize(
     ("place", "value", "sentence"),
     [
-        (("format",), "other", 'its "format" is not "roam-shapes"'),
+        (("format",), "other", 'has neither a "format" of "roam-shapes"'),
         (("version",), 3, "has version '3' of the format; this program reads up to 2"),
         (("width",), "wide", 'in the file, "width" must be a number'),
         (("height",), 0, "in the file, width and height must be positive"),

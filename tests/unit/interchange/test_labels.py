@@ -1,0 +1,223 @@
+"""COCO, CVAT and MLT: what is written is what their own code and ours read back."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from roam_core.errors import RoamError
+from roam_core.interchange import EXPORTERS, ExportOptions, Imported, read_shapes
+from roam_core.interchange.coco import coco_document
+from roam_core.interchange.polygons import clipped, mask_of, runs_of, runs_of_text
+from roam_core.interchange.protocol import LossyExport
+from roam_core.matte import render_matte
+from roam_core.roto import BlendMode, Clip, Interpolation, Keyframe, Layer, Project, RotoShape
+from tests.judges.scenes import blob
+
+SIZE = (320, 240)
+CLIP = Clip(Path("/shots/plate.%04d.exr"), 1001, 1012, SIZE)
+
+
+def project(*items: Layer | RotoShape) -> Project:
+    named = [replace(item, id=f"item-{number}") for number, item in enumerate(items)]
+    return Project(CLIP, Layer("root", "Root", tuple(named)))
+
+
+def car(**values: Any) -> RotoShape:
+    return blob("Car", 120.0, 120.0, 70.0, 50.0, **values)
+
+
+def back(name: str, what: Project, folder: Path, options: ExportOptions = ExportOptions()) -> Imported:  # noqa: B008
+    path = folder / f"p{EXPORTERS[name].suffix}"
+    EXPORTERS[name].export(what, path, options)
+    return read_shapes(path, CLIP)
+
+
+def overlap(a: Any, b: Any) -> float:
+    return float((a & b).sum() / (a | b).sum())
+
+
+# ---- COCO ------------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.filterwarnings("ignore:__array__ implementation")  # COCO's own, with numpy 2
+def test_cocos_own_code_finds_our_pixels() -> None:
+    """Polygons where shapes lie side by side, runs where one cuts: both are the matte's pixels."""
+    masks = pytest.importorskip("pycocotools.mask", reason="COCO's own code is the judge: install the extra dev")
+    hole = blob("Hole", 220.0, 120.0, 20.0, 15.0, blend=BlendMode.SUBTRACT)
+    ring = Layer("l", "Ring", (replace(blob("Outer", 220.0, 120.0, 50.0, 60.0), id="o"), replace(hole, id="h")))
+    what = project(car(), ring)
+    document, _, losses = coco_document(what)
+    assert losses == []
+    for image in document["images"]:
+        ours = render_matte(what, image["frame"], SIZE[::-1]) > 0.5
+        theirs = np.zeros(SIZE[::-1], dtype=bool)
+        for row in document["annotations"]:
+            if row["image_id"] == image["id"]:
+                runs = masks.frPyObjects(row["segmentation"], SIZE[1], SIZE[0])
+                theirs |= masks.decode(masks.merge(runs) if isinstance(runs, list) else runs).astype(bool)
+        assert overlap(ours, theirs) > 0.995  # COCO rasterises in fifths of a pixel
+    kinds = {type(row["segmentation"]) for row in document["annotations"]}
+    assert kinds == {list, dict}
+    assert [category["name"] for category in document["categories"]] == ["Car", "Ring"]
+
+
+def test_coco_comes_back_as_polygons_with_keys_on_every_frame(tmp_path: Path) -> None:
+    made = back("coco", project(car(lifetime=(1003, 1008))), tmp_path)
+    (shape,) = made.layer.shapes()
+    assert shape.name == "Car"
+    assert shape.frames == tuple(range(1003, 1008))
+    assert shape.lifetime == (1003, 1008)
+    for frame in (1003, 1006):
+        ours, theirs = (render_matte(layer, frame, SIZE[::-1]) for layer in (project(car()).root, made.layer))
+        assert np.abs(ours - theirs).max() < 0.15
+        assert np.abs(ours - theirs).mean() < 0.001
+
+
+def test_cocos_runs_come_back_as_fitted_shapes(tmp_path: Path) -> None:
+    what = project(car(), blob("Cut", 120.0, 120.0, 25.0, 20.0, blend=BlendMode.SUBTRACT))
+    made = back("coco", what, tmp_path, ExportOptions(frames=range(1001, 1004)))
+    for frame in (1001, 1003):
+        ours, theirs = (render_matte(layer, frame, SIZE[::-1]) > 0.5 for layer in (what.root, made.layer))
+        assert overlap(ours, theirs) > 0.97
+
+
+def test_a_foreign_data_set_is_read_by_its_names(tmp_path: Path) -> None:
+    square = [[10, 10, 50, 10, 50, 50, 10, 50]]
+    document = {
+        "images": [
+            {"id": number, "file_name": f"a/shot_{1001 + 2 * number:04d}.jpg", "width": 640, "height": 480}
+            for number in range(3)
+        ],
+        "categories": [{"id": 7, "name": "Katze"}],
+        "annotations": [
+            {"id": number, "image_id": number, "category_id": 7, "segmentation": square, "bbox": [10, 10, 40, 40]}
+            for number in range(3)
+        ],
+    }
+    path = tmp_path / "labels.json"
+    path.write_text(json.dumps(document))
+    made = read_shapes(path, CLIP)
+    (shape,) = made.layer.shapes()
+    assert (shape.name, shape.frames) == ("Katze", (1001, 1003, 1005))
+    np.testing.assert_allclose(shape.keys[0].points[0, 0], (5.0, 5.0))
+    assert "640 x 480" in made.notes[0]
+
+
+def test_runs_of_pixels_go_both_ways() -> None:
+    mask = np.random.default_rng(3).random((7, 5)) > 0.5
+    np.testing.assert_array_equal(mask_of(runs_of(mask), 7, 5), mask)
+    pixels = pytest.importorskip("pycocotools.mask", reason="COCO's own code is the judge: install the extra dev")
+    large = np.zeros((300, 200), dtype=np.uint8)
+    large[20:280, 30:150] = np.random.default_rng(4).random((260, 120)) > 0.3
+    text = pixels.encode(np.asfortranarray(large))["counts"].decode()
+    assert runs_of_text(text) == runs_of(large.astype(bool))
+
+
+def test_polygons_are_cut_at_the_picture() -> None:
+    diamond = np.array([[-10.0, 5.0], [5.0, -10.0], [20.0, 5.0], [5.0, 20.0]])
+    inside = clipped(diamond, (10, 10))
+    assert inside.min() == 0.0
+    assert inside.max() == 10.0
+    assert len(clipped(diamond + 100.0, (10, 10))) == 0
+
+
+# ---- CVAT ------------------------------------------------------------------------------------------------------------
+
+
+def test_cvat_keeps_keys_lifetimes_names_and_labels(tmp_path: Path) -> None:
+    arm = replace(blob("Arm", 200.0, 100.0, 40.0, 30.0, lifetime=(1004, 1009)), id="arm")
+    made = back("cvat", project(car(), Layer("l", "Man", (arm,))), tmp_path)
+    first, second = made.layer.shapes()
+    assert [item.name for item in made.layer.children] == ["Car", "Man"]
+    assert (first.name, first.frames, first.lifetime) == ("Car", (1001, 1006, 1012), None)
+    assert (second.name, second.frames, second.lifetime) == ("Arm", (1004, 1006, 1008), (1004, 1009))
+    for frame in range(1001, 1013):
+        what = project(car(), arm)
+        ours, theirs = (render_matte(layer, frame, SIZE[::-1]) for layer in (what.root, made.layer))
+        assert np.abs(ours - theirs).mean() < 0.001
+
+
+def test_cvat_holds_and_smooth_spans_move_as_they_do(tmp_path: Path) -> None:
+    for kind in (Interpolation.HOLD, Interpolation.SMOOTH):
+        keys = tuple(replace(key, interpolation=kind) for key in car().keys)
+        made = back("cvat", project(replace(car(), keys=keys)), tmp_path)
+        what = project(replace(car(), keys=keys))
+        for frame in (1001, 1003, 1005, 1006, 1010, 1012):
+            ours, theirs = (render_matte(layer, frame, SIZE[::-1]) for layer in (what.root, made.layer))
+            assert np.abs(ours - theirs).mean() < 0.001
+
+
+def test_what_cvat_and_mlt_cannot_hold_is_refused_unless_it_is_agreed_to(tmp_path: Path) -> None:
+    what = project(car(), blob("Cut", 120.0, 120.0, 20.0, 20.0, blend=BlendMode.DIFFERENCE))
+    for name in ("cvat", "mlt"):
+        path = tmp_path / f"p{EXPORTERS[name].suffix}"
+        with pytest.raises(LossyExport, match="'Cut'"):
+            EXPORTERS[name].export(what, path)
+        assert not path.exists()
+        notes = EXPORTERS[name].export(what, path, ExportOptions(lossy=True))
+        assert "'Cut'" in notes[0]
+
+
+IMAGES = """<?xml version="1.0" encoding="utf-8"?>
+<annotations><version>1.1</version>
+ <image id="0" name="a.png" width="320" height="240">
+  <box label="car" xtl="10" ytl="20" xbr="50" ybr="60" rotation="90" z_order="1"/>
+  <polygon label="man" points="1,1;9,1;9,9" z_order="0"/><points label="eye" points="1,1"/>
+ </image>
+ <image id="4" name="b.png" width="320" height="240"><ellipse label="sun" cx="90" cy="90" rx="9" ry="5"/></image>
+</annotations>"""
+
+
+def test_images_of_cvat_become_shapes_of_a_frame(tmp_path: Path) -> None:
+    path = tmp_path / "a.xml"
+    path.write_text(IMAGES)
+    made = read_shapes(path, CLIP)
+    shapes = {shape.name: shape for shape in made.layer.shapes()}
+    assert list(shapes) == ["man", "sun", "car"]
+    assert shapes["sun"].lifetime == (1005, 1006)
+    np.testing.assert_allclose(np.sort(shapes["car"].keys[0].points[:, 0], axis=0)[[0, -1]], [(10, 20), (50, 60)])
+    assert "'points' was left out" in made.notes[0]
+
+
+# ---- MLT, and which JSON it is ---------------------------------------------------------------------------------------
+
+
+def test_mlts_splines_come_back_with_their_keys(tmp_path: Path) -> None:
+    made = back("mlt", project(car()), tmp_path)
+    (shape,) = made.layer.shapes()
+    assert shape.frames == (1001, 1006, 1012)
+    for frame in (1001, 1004, 1012):
+        np.testing.assert_allclose(shape.at(frame).points, car().at(frame).points, atol=1e-5)
+    text = json.loads((tmp_path / "p.json").read_text())
+    first = text["00"][0]
+    np.testing.assert_allclose(np.array(first) * SIZE, car().keys[0].points[0][[1, 0, 2]], atol=1e-5)
+
+
+def test_mlt_writes_a_file_a_shape_and_says_what_its_filter_needs(tmp_path: Path) -> None:
+    cut = blob("Cut", 120.0, 120.0, 20.0, 20.0, blend=BlendMode.SUBTRACT, feather=8.0)
+    exporter = EXPORTERS["mlt"]
+    notes = exporter.export(project(car(), cut), tmp_path / "p.json")
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["p.Car.json", "p.Cut.json"]
+    assert any("'Cut': alpha operation 'sub', a feather of about 4" in note for note in notes)
+
+
+@pytest.mark.parametrize("text", ["[]", "{}", "3", '{"a": 1}', '{"images": 3, "annotations": []}', '{"format": "x"}'])
+def test_json_of_no_kind_is_refused_in_a_sentence(tmp_path: Path, text: str) -> None:
+    path = tmp_path / "a.json"
+    path.write_text(text)
+    with pytest.raises(RoamError, match=r"holds no shapes: it has neither a \"format\""):
+        read_shapes(path, CLIP)
+
+
+def test_a_still_polygon_without_a_track_is_told_apart_by_its_key() -> None:
+    key = Keyframe(1001, blob("x", 9.0, 9.0).keys[0].points)
+    document, notes, _ = coco_document(project(RotoShape("s", "Still", (key,), opacity=0.5, feather=3.0)))
+    assert len(document["annotations"]) == len(CLIP.frame_range)
+    assert any("opacity of 'Still'" in note for note in notes)
+    assert any("feather of 'Still'" in note for note in notes)
