@@ -13,7 +13,7 @@ WORDS: Mapping[str, str] = {
     "file.save_as": "version copy",
     "help.report": "bug crash error issue trace support",
     "file.recover": "crash autosave backup journal lost restore",
-    "file.import_shapes": "nuke silhouette svg roto load",
+    "file.import_shapes": "nuke silhouette fusion svg roto load",
     "file.import_masks": "mattes alpha segmentation load",
     "file.export": "nuke silhouette fusion blender mocha after effects svg render write output",
     "file.export_mattes": "render alpha png exr tiff masks write output",

@@ -15,7 +15,7 @@ from roam_core.roto import Clip, edit
 if TYPE_CHECKING:
     from roam_core.interchange import Imported, ImportOptions
 
-SHAPE_FILES = (".nk", ".gizmo", ".fxs", ".sfx", ".svg", ".json")
+SHAPE_FILES = (".nk", ".gizmo", ".fxs", ".sfx", ".setting", ".svg", ".json")
 """Suffixes of files that hold shapes and cannot be a clip or a project."""
 
 

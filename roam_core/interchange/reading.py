@@ -8,16 +8,18 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import Protocol
+from typing import Any, Protocol
 
 import numpy as np
 
 from roam_core.bounded import bounded_bytes
 from roam_core.cancel import CancelToken, Progress
 from roam_core.errors import RoamError
+from roam_core.interchange.keying import Key
 from roam_core.interchange.protocol import FARTHEST, MAX_FRAMES
-from roam_core.roto import Clip, Keyframe, Layer, RotoShape
+from roam_core.roto import Clip, Keyframe, Layer, Origin, RotoShape
 from roam_core.roto.animated import mapped
+from roam_core.roto.imported import IMPORT, stamped
 
 MAX_BYTES = 48 << 20
 """Larger files are refused before they are read; a format whose text takes longer to read has a lower bound."""
@@ -134,6 +136,7 @@ class ShapeReader:
     keys: int = 0
     parts: int = 0
     _ids: dict[str, int] = field(default_factory=dict)
+    _told: set[str] = field(default_factory=set)
 
     def __post_init__(self) -> None:
         if abs(self.options.frame_offset) > MAX_FRAMES:
@@ -198,7 +201,8 @@ class ShapeReader:
 
     def note(self, sentence: str) -> None:
         """Remember a loss, once: a hundred shapes with one trouble make one sentence each, not a hundred alike."""
-        if sentence not in self.notes:
+        if sentence not in self._told:
+            self._told.add(sentence)
             self.notes.append(sentence)
 
     def finished(self, children: tuple[Layer | RotoShape, ...], size: tuple[float, float] | None = None) -> Imported:
@@ -216,7 +220,14 @@ class ShapeReader:
                 f"The file speaks of pictures of {size[0]:g} x {size[1]:g} pixels, the clip has {width} x {height}: "
                 "the shapes were scaled."
             )
-        return Imported(layer, tuple(self.notes))
+        return Imported(
+            Layer(layer.id, layer.name, tuple(stamped(child) for child in layer.children)), tuple(self.notes)
+        )
+
+
+def origin_of(key: Key) -> dict[str, Any]:
+    """The fields of a `Keyframe` that say who made it: the file's own are the artist's, those between them are not."""
+    return {} if key.is_own else {"origin": Origin.ENGINE, "inputs": IMPORT}
 
 
 def brief(name: str) -> str:
