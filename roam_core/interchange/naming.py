@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 import unicodedata
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Collection, Iterable
 from pathlib import Path
 
 LONGEST = 80
@@ -40,8 +40,9 @@ def ascii_name(text: str) -> str:
     """A name in printable ASCII that still reads like it; a name that is printable ASCII already comes back as it is.
 
     Accents fall (`é` becomes `e`); Latin letters with strokes and hooks, ligatures, Cyrillic, Greek, kana, Hangul and
-    the digits of every script are written with Latin letters; every space and line break is a space; what has no
-    letters of that kind, such as a Chinese character, is `u` and its code point. Not empty unless `text` is.
+    the digits of every script are written with Latin letters; letters of other scripts and signs by their names in
+    Unicode (`shin`, `grinning-face`); every space and line break is a space; what has no name of that kind, such as a
+    Chinese character, is `u` and its code point. Not empty unless `text` is.
     """
     if text.isascii() and text.isprintable():
         return text
@@ -49,15 +50,13 @@ def ascii_name(text: str) -> str:
     return whole if whole.strip() else "".join(f"u{ord(character):04X}" for character in text)
 
 
-def unique_names(names: Iterable[str]) -> list[str]:
-    """For each name its `ascii_name`; one that had to be changed gets a number where another would be called the same.
-
-    Case makes no difference. Names that are ASCII already stay as they are, two that are equal too.
-    """
-    names = list(names)
-    plain = [ascii_name(name) for name in names]
-    taken = {name.lower() for name, changed in zip(names, plain, strict=True) if name == changed}
-    return [name if name == changed else _free(changed, taken) for name, changed in zip(names, plain, strict=True)]
+def distinct(name: str, taken: Collection[str]) -> str:
+    """The name, or the name and the first number from 2 on that none of `taken` is called."""
+    number, free = 1, name
+    while free in taken:
+        number += 1
+        free = f"{name} {number}"
+    return free
 
 
 def file_words(names: Iterable[str]) -> list[str]:
@@ -72,18 +71,13 @@ def file_words(names: Iterable[str]) -> list[str]:
         stem = re.sub(r"[^A-Za-z0-9_-]+", "_", ascii_name(name))[:LONGEST].strip("_-") or "shape"
         if stem.lower() in RESERVED:
             stem = f"{stem}_"
-        words.append(_free(stem, taken))
+        word, number = stem, 1
+        while word.lower() in taken:
+            number += 1
+            word = f"{stem}_{number}"
+        taken.add(word.lower())
+        words.append(word)
     return words
-
-
-def _free(stem: str, taken: set[str]) -> str:
-    """The name, with a number where it is taken in any case; it is taken then."""
-    word, number = stem, 1
-    while word.lower() in taken:
-        number += 1
-        word = f"{stem}_{number}"
-    taken.add(word.lower())
-    return word
 
 
 def _latin(character: str) -> str:
@@ -100,11 +94,23 @@ def _latin(character: str) -> str:
         return " "
     if (digit := unicodedata.decimal(character, None)) is not None:
         return str(digit)
-    named = _NAMED.fullmatch(unicodedata.name(character, ""))
+    named = _SOUNDED.fullmatch(unicodedata.name(character, ""))
     if named is not None:
         return _cased((named["latin"] or named["syllable"]).lower(), character)
     base = unicodedata.normalize("NFKD", character)[0]
-    return f"u{ord(character):04X}" if base == character else _latin(base)
+    return _named(character) if base == character else _latin(base)
+
+
+def _named(character: str) -> str:
+    """By the character's name in Unicode: the last word of a letter's, all of a sign's; or by its number."""
+    if unicodedata.category(character) == "Cs":  # half of a character, without the other
+        return "_"
+    name = unicodedata.name(character, "").lower()
+    if "ideograph" not in name:
+        words = name.rpartition(" ")[2] if unicodedata.category(character)[0] in "LM" else name
+        if spelled := re.sub(r"[^a-z0-9]+", "-", words).strip("-"):
+            return spelled
+    return f"u{ord(character):04X}"
 
 
 def _cased(letters: str, character: str) -> str:
@@ -112,7 +118,7 @@ def _cased(letters: str, character: str) -> str:
     return letters.capitalize() if character.isupper() else letters
 
 
-_NAMED = re.compile(
+_SOUNDED = re.compile(
     r"LATIN (?:SMALL |CAPITAL )?(?:LETTER|LIGATURE) (?P<latin>[A-Z]{1,2})(?: WITH .*)?"
     r"|(?:HIRAGANA LETTER|KATAKANA LETTER|HANGUL SYLLABLE) (?:SMALL )?(?P<syllable>[A-Z]+)"
 )

@@ -14,7 +14,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 from urllib.parse import quote, unquote
 
-from roam_core.interchange.transliteration import distinct, transliterated
+from roam_core.interchange.naming import ascii_name, distinct
 from roam_core.roto import Layer
 
 KNOB = "roam_names"
@@ -130,7 +130,7 @@ def knob_text(text: str) -> str:
 
 
 def _plain(name: str) -> str:
-    return transliterated(name).translate(_HARMLESS)
+    return ascii_name(name).translate(_HARMLESS)
 
 
 def _sound(text: str) -> str:

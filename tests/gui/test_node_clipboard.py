@@ -16,7 +16,7 @@ from pytestqt.qtbot import QtBot
 from app.main_window import MainWindow
 from roam_core.geometry.bezier import polygon_points
 from roam_core.interchange.clipboard import format_of, node_text, read_text
-from roam_core.roto import Project, edit
+from roam_core.roto import Layer, Project, edit
 from tests.gui.windows import opened_window, write_clip
 
 WAIT = 30_000
@@ -100,7 +100,7 @@ def test_with_nothing_to_copy_the_clipboard_stays(qtbot: QtBot, window: MainWind
     assert QGuiApplication.clipboard().text() == "kept"
 
 
-@pytest.mark.parametrize("name", ["nuke", "svg", "json", "silhouette"])
+@pytest.mark.parametrize("name", ["nuke", "fusion", "svg", "json", "silhouette"])
 def test_text_of_another_program_is_pasted_selected_and_undone_as_one(
     qtbot: QtBot, window: MainWindow, name: str
 ) -> None:
@@ -111,7 +111,9 @@ def test_text_of_another_program_is_pasted_selected_and_undone_as_one(
     assert len({shape.id for shape in after.shapes}) == 4
     np.testing.assert_allclose(after.shapes[2].at(1001).points, SQUARE, atol=1e-3)
     assert window.view_state.selection.shapes == {shape.id for shape in after.shapes[2:]}
-    assert window.view_state.layers == {after.root.children[2].id}
+    pasted_layers = {child.id for child in after.root.children[2:] if isinstance(child, Layer)}
+    assert window.view_state.layers == pasted_layers
+    assert bool(pasted_layers) is (name != "fusion")  # whose masks know no layers
     assert window.status.sentence.text().startswith("Read 2 shape(s) from the clipboard.")
     assert entry(window, "Undo Paste").isEnabled()
     window.document.undo_stack.undo()

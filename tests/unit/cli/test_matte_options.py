@@ -8,6 +8,7 @@ import OpenImageIO as oiio  # noqa: N813
 import pytest
 
 from roam_core.roto import Clip, Keyframe, Layer, Project, RotoShape, file
+from tests.judges.exr_header import header, rate, time_code
 from tests.unit.cli.conftest import Roam, read_matte
 from tests.unit.matte.conftest import rectangle
 
@@ -49,6 +50,8 @@ def test_shapes_become_channels_of_an_exr_file(roam: Roam, project: Path, tmp_pa
     assert sorted(spec.channelnames) == ["A", "Left_arm.A", "Right.A"]
     assert (spec.x, spec.y, spec.width, spec.height) == (2, 2, 18, 10)
     assert (str(spec.format), spec.get_string_attribute("compression")) == ("float", "rle")
+    told = header(out / "m.0008.exr")
+    assert (rate(told), time_code(told)) == ((24, 1), "00:00:00:08")
 
 
 def test_sixteen_bit_tiffs_are_written_when_asked_for(roam: Roam, project: Path, tmp_path: Path) -> None:

@@ -98,9 +98,9 @@ def test_openexr_itself_reads_rate_and_time_code(shape: RotoShape, tmp_path: Pat
     told = openexr.File(str(written(shape, tmp_path, 3601, 59.94))).header()
     assert told["framesPerSecond"] == Fraction(60000, 1001)
     code = told["timeCode"]
-    assert (code.hours(), code.minutes(), code.seconds(), code.frame()) == (0, 1, 0, 2)
-    assert code.dropFrame()
-    assert code.fieldPhase()
+    assert (code.hours, code.minutes, code.seconds, code.frame) == (0, 1, 0, 2)
+    assert code.dropFrame
+    assert code.fieldPhase
 
 
 def test_a_rate_is_the_fraction_that_its_decimals_stand_for() -> None:
