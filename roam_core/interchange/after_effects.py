@@ -2,11 +2,16 @@
 
 Positions are pixels of the layer from its top-left corner, y down; handles are relative to their vertex; times are
 seconds. The script is plain ASCII and old JavaScript (ECMAScript 3), and every name in it is a quoted string.
+
+Masks of a layer are joined one after the other. Where layers of shapes act as one, compositions join them in white on
+black, by blending modes over what is opaque: Normal in white is the union, in black it subtracts, Screen adds a
+composition, Difference inverts it above white. The outcome is the layer's luma matte.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -14,22 +19,45 @@ import numpy as np
 from numpy.typing import NDArray
 
 from roam_core.geometry.bezier import ANCHOR, IN, OUT
-from roam_core.interchange.flatten import flattened, opacity_steps
+from roam_core.interchange.after_effects_program import PROGRAM
+from roam_core.interchange.flatten import (
+    Branch,
+    Part,
+    branched,
+    dimmed_first,
+    opacity_keys,
+    parts_of,
+    straight_keys,
+    takes_part,
+)
 from roam_core.interchange.literals import javascript_literal
-from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter
-from roam_core.roto import BlendMode, Keyframe, Project, RotoShape
+from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter, settled
+from roam_core.roto import BlendMode, Interpolation, Keyframe, Project, RotoShape
+from roam_core.roto.animated import Animatable, ValueKey, mapped, value_at, values_of
 from roam_core.roto.file import write_atomically
 
 Array = NDArray[np.float64]
 
 MODES = {
     BlendMode.ADD: "ADD",
-    BlendMode.PLUS: "ADD",
     BlendMode.SUBTRACT: "SUBTRACT",
     BlendMode.INTERSECT: "INTERSECT",
     BlendMode.DIFFERENCE: "DIFFERENCE",
     BlendMode.MAX: "LIGHTEN",
 }
+LAYER_MODES = {
+    BlendMode.ADD: "SCREEN",
+    BlendMode.SUBTRACT: "MULTIPLY",
+    BlendMode.INTERSECT: "MULTIPLY",
+    BlendMode.DIFFERENCE: "DIFFERENCE",
+    BlendMode.MAX: "LIGHTEN",
+    BlendMode.PLUS: "ADD",
+}
+"""Blending modes of opaque layers in white on black; what subtracts is inverted first."""
+
+OPAQUE = (BlendMode.DIFFERENCE, BlendMode.MAX, BlendMode.PLUS)
+"""Modes for which a shape needs a picture of its own; in the others its white or black lies above what is there."""
+
 HIDDEN = "NONE"
 """The mode of a mask that takes no part: After Effects knows no other way to hide one."""
 
@@ -59,12 +87,16 @@ class AfterEffectsExporter:
 def mask_script(project: Project, options: ExportOptions = STANDARD) -> tuple[str, tuple[str, ...]]:
     """The script for all shapes of `project`, and a sentence for each thing that it cannot hold.
 
-    Frame f of the plate lies (f + offset - first frame) / fps seconds after the start of the layer.
+    Frame f of the plate lies (f + offset - first frame) / fps seconds after the start of the layer; a composition that
+    the script makes is numbered from the plate's first frame.
     """
     clip = project.require_clip()
-    flat = flattened(project, "After Effects")
-    writer = _Writer(clip, options, len(flat.shapes))
-    masks = [writer.mask(shape) for shape in flat.shapes]
+    root = branched(project, timed_intersect=False)
+    shapes = list(root.shapes())
+    writer = _Writer(clip, options, len(shapes))
+    parts = writer.parts(root) if root.opacity == 1.0 and not root.invert else [writer.branch(root)]
+    if not shapes or (len(parts) == 1 and "masks" in parts[0] and any(takes_part(shape) for shape in shapes)):
+        parts = [{"masks": [], **(parts[0] if parts else {}), "isFlat": True}]
     frame = {
         "width": clip.size[0],
         "height": clip.size[1],
@@ -72,42 +104,84 @@ def mask_script(project: Project, options: ExportOptions = STANDARD) -> tuple[st
         "fps": clip.fps,
         "first": clip.first,
         "last": clip.last,
+        "blurred": any(shape.motion_blur is not None for shape in shapes),
     }
-    lines = ",\n".join(f"    {javascript_literal(mask)}" for mask in masks)
-    text = PROGRAM.replace("@CLIP@", javascript_literal(frame)).replace(
-        "@MASKS@", f"[\n{lines}\n  ]" if masks else "[]"
-    )
-    if len(masks) > MOST_MASKS:
-        writer.notes.append(
-            f"After Effects takes {MOST_MASKS} masks on a layer: export fewer shapes than {len(masks)}."
-        )
-    return text, (*flat.notes, *writer.notes)
+    lines = ",\n".join(f"    {javascript_literal(part)}" for part in parts)
+    text = PROGRAM.replace("@CLIP@", javascript_literal(frame)).replace("@PARTS@", f"[\n{lines}\n  ]")
+    return text, settled(writer.notes, writer.losses, options)
 
 
 @dataclass
 class _Writer(ShapeWriter):
     """Turns shapes into the plain values from which the script builds masks."""
 
-    has_begun: bool = False
+    def parts(self, branch: Branch) -> list[dict[str, Any]]:
+        """The layers of a composition, bottom first: solids with masks, and compositions."""
+        return [
+            self.branch(part.content) if isinstance(part.content, Branch) else self._masks(part.content, part.blend)
+            for part in _within_bounds(parts_of(branch, lambda shape: shape.blend in MODES))
+        ]
+
+    def branch(self, branch: Branch) -> dict[str, Any]:
+        """A composition of its own; an inverted one lies above white and takes from it."""
+        branch = dimmed_first(branch)
+        if branch.blend is BlendMode.SUBTRACT:  # to multiply by what is left
+            branch = replace(branch, invert=not branch.invert)
+        inner = self.parts(branch)
+        if branch.invert:
+            inner = [
+                {"name": "Everything", "grey": 1, "masks": [], "blend": "NORMAL", "opacity": 100.0},
+                {"name": branch.name, "parts": inner, "blend": "DIFFERENCE", "opacity": 100.0},
+            ]
+        opacity = self._value(mapped(branch.opacity, lambda share: 100.0 * share))
+        return {"name": branch.name, "parts": inner, "blend": LAYER_MODES[branch.blend], "opacity": opacity}
+
+    def _masks(self, shapes: tuple[RotoShape, ...], blend: BlendMode) -> dict[str, Any]:
+        """A solid with masks; black where it takes away from what lies under it."""
+        masks = [self.mask(shape) for shape in shapes]
+        name = next((shape.name for shape in shapes if takes_part(shape)), "ROAM")
+        # A solid whose masks all have the mode None would be full.
+        opacity = 100.0 if any(takes_part(shape) for shape in shapes) else 0.0
+        solid = {"name": name, "grey": 1, "masks": masks, "blend": "NORMAL", "opacity": opacity}
+        if blend in OPAQUE:
+            for mask in masks:
+                mask["mode"] = MODES[BlendMode.ADD] if mask["mode"] != HIDDEN else HIDDEN
+            return {"name": name, "parts": [solid], "blend": LAYER_MODES[blend], "opacity": 100.0}
+        if blend is not BlendMode.ADD:
+            # Black that leaves out the shape is an intersection; a mask that subtracts leaves out, above a full layer.
+            mode = MODES[BlendMode.ADD if blend is BlendMode.SUBTRACT else BlendMode.SUBTRACT]
+            for mask in masks:
+                mask["mode"] = mode if mask["mode"] != HIDDEN else HIDDEN
+            solid["grey"] = 0
+        return solid
 
     def mask(self, shape: RotoShape) -> dict[str, Any]:
+        """One mask."""
         shape = self.begun(shape)
         self._note_losses(shape)
         is_feathered = any(key.feather is not None and key.feather.any() for key in shape.keys)
         return {
             "name": shape.name,
-            "mode": MODES[shape.blend] if shape.visible else HIDDEN,
+            "mode": MODES.get(shape.blend, "ADD") if shape.visible else HIDDEN,
             "closed": shape.closed,
             "inverted": shape.invert,
             "locked": shape.locked,
             "blurred": shape.motion_blur is not None,
             "color": list(shape.colour),
-            "feather": abs(shape.feather_at(self.clip.first)),
-            "expansion": shape.feather_at(self.clip.first) / 2.0,
-            "opacity": 100.0 * shape.opacity_at(self.clip.first),
-            "steps": [[self._frame(frame), 100.0 * value] for frame, value in opacity_steps(shape)],
+            "feather": self._value(mapped(shape.feather, abs)),
+            "expansion": self._value(mapped(shape.feather, lambda width: width / 2.0)),
+            "opacity": self._keyed(opacity_keys(shape), shape.opacity, 100.0),
             "keys": [self._key(key, shape.closed, is_feathered) for key in shape.keys],
         }
+
+    def _value(self, value: Animatable) -> Any:
+        return self._keyed(straight_keys(value), value)
+
+    def _keyed(self, keys: tuple[ValueKey, ...], value: Animatable, scale: float = 1.0) -> Any:
+        """A number, or keys as frame, number and whether it holds."""
+        if not keys:
+            return scale * value_at(value, self.clip.first)
+        return [[self._frame(key.frame), scale * key.value, key.interpolation is Interpolation.HOLD] for key in keys]
 
     def _key(self, key: Keyframe, closed: bool, is_feathered: bool) -> dict[str, Any]:
         anchor = key.points[:, ANCHOR]
@@ -131,7 +205,7 @@ class _Writer(ShapeWriter):
                 f"After Effects' feather points lie square to the outline: the feather curve of {shape.name!r} keeps "
                 "its width at each point, not its handles."
             )
-        if shape.feather:
+        if any(values_of(shape.feather)):
             self.notes.append(
                 f"The feather of {shape.name!r} became a feather and an expansion of half its width, which together "
                 "cover the same ground."
@@ -142,11 +216,20 @@ class _Writer(ShapeWriter):
             self.notes.append(
                 f"Masks cannot be hidden in After Effects: {shape.name!r} has the mode None instead of {shape.blend}."
             )
-        elif not self.has_begun and shape.blend is not BlendMode.ADD:
-            self.notes.append(
-                f"{shape.name!r} lies lowest; After Effects begins with a full layer there, ROAM with none."
-            )
-        self.has_begun |= shape.visible
+
+
+def _within_bounds(parts: list[Part]) -> list[Part]:
+    """The parts with no more masks on a layer than After Effects takes."""
+    return [piece for part in parts for piece in _pieces(part)]
+
+
+def _pieces(part: Part) -> Iterator[Part]:
+    if isinstance(part.content, Branch) or len(part.content) <= MOST_MASKS:
+        yield part
+        return
+    yield Part(part.blend, part.content[:MOST_MASKS])
+    for shape in part.content[MOST_MASKS:]:
+        yield Part(shape.blend if takes_part(shape) else BlendMode.ADD, (shape,))
 
 
 def feather_radii(key: Keyframe, closed: bool) -> Array:
@@ -171,116 +254,3 @@ def feather_radii(key: Keyframe, closed: bool) -> Array:
 
 def _rounded(values: Array) -> Any:
     return (np.round(values, DECIMALS) + 0.0).tolist()
-
-
-PROGRAM = """\
-// Masks from ROAM. In After Effects: File > Scripts > Run Script File.
-// With one layer selected the masks go onto it, scaled to its size; otherwise onto a new solid.
-(function () {
-  var clip = @CLIP@;
-  var masks = @MASKS@;
-
-  function composition() {
-    var item = app.project.activeItem;
-    if (item && item instanceof CompItem) { return item; }
-    var seconds = (clip.last - clip.first + 1) / clip.fps;
-    item = app.project.items.addComp("ROAM", clip.width, clip.height, clip.aspect, seconds, clip.fps);
-    item.openInViewer();
-    return item;
-  }
-
-  function target(comp) {
-    var picked = comp.selectedLayers;
-    if (picked.length === 1 && picked[0].property("ADBE Mask Parade")) { return picked[0]; }
-    return comp.layers.addSolid([1, 1, 1], "ROAM", clip.width, clip.height, clip.aspect, comp.duration);
-  }
-
-  function scaled(pairs, x, y) {
-    var result = [];
-    for (var i = 0; i < pairs.length; i++) { result.push([pairs[i][0] * x, pairs[i][1] * y]); }
-    return result;
-  }
-
-  function outline(key, closed, x, y) {
-    var shape = new Shape(), count = key.v.length, mean = Math.sqrt(x * y);
-    shape.vertices = scaled(key.v, x, y);
-    shape.inTangents = scaled(key.i, x, y);
-    shape.outTangents = scaled(key.o, x, y);
-    shape.closed = closed;
-    if (key.r) {
-      var segments = [], places = [], radii = [], types = [], zeros = [];
-      for (var i = 0; i < count; i++) {
-        var isLast = !closed && i === count - 1 && count > 1;
-        segments.push(isLast ? i - 1 : i);
-        places.push(isLast ? 1 : 0);
-        radii.push(key.r[i] * mean);
-        types.push(key.r[i] < 0 ? 1 : 0);
-        zeros.push(0);
-      }
-      shape.featherSegLocs = segments;
-      shape.featherRelSegLocs = places;
-      shape.featherRadii = radii;
-      shape.featherTypes = types;
-      shape.featherInterps = zeros;
-      shape.featherTensions = zeros;
-      shape.featherRelCornerAngles = zeros;
-    }
-    return shape;
-  }
-
-  function moves(path, keys) {
-    var kinds = {
-      "linear": KeyframeInterpolationType.LINEAR,
-      "hold": KeyframeInterpolationType.HOLD,
-      "smooth": KeyframeInterpolationType.BEZIER
-    };
-    for (var i = 0; i < keys.length; i++) {
-      var before = i === 0 ? "linear" : keys[i - 1].t;
-      if (before === "hold") { before = "linear"; }
-      if (before === "smooth" || keys[i].t === "smooth") {
-        var ease = [new KeyframeEase(0, 100 / 3)];
-        path.setTemporalEaseAtKey(i + 1, ease, ease);
-      }
-      path.setInterpolationTypeAtKey(i + 1, kinds[before], kinds[keys[i].t]);
-    }
-  }
-
-  function show(mask, data, start) {
-    var opacity = mask.property("ADBE Mask Opacity");
-    if (data.steps.length === 0) { opacity.setValue(data.opacity); return; }
-    for (var i = 0; i < data.steps.length; i++) {
-      opacity.setValueAtTime(start + data.steps[i][0] / clip.fps, data.steps[i][1]);
-    }
-    for (i = 0; i < data.steps.length; i++) {
-      opacity.setInterpolationTypeAtKey(i + 1, KeyframeInterpolationType.HOLD, KeyframeInterpolationType.HOLD);
-    }
-  }
-
-  function add(layer, data) {
-    var x = layer.width / clip.width, y = layer.height / clip.height, times = [], shapes = [];
-    var mask = layer.property("ADBE Mask Parade").addProperty("ADBE Mask Atom");
-    try { mask.name = data.name; } catch (error) { mask.name = data.name.substring(0, 31); }
-    var path = mask.property("ADBE Mask Shape");
-    for (var i = 0; i < data.keys.length; i++) {
-      times.push(layer.startTime + data.keys[i].f / clip.fps);
-      shapes.push(outline(data.keys[i], data.closed, x, y));
-    }
-    path.setValuesAtTimes(times, shapes);
-    moves(path, data.keys);
-    mask.maskMode = MaskMode[data.mode];
-    mask.inverted = data.inverted;
-    mask.color = data.color;
-    mask.maskMotionBlur = data.blurred ? MaskMotionBlur.ON : MaskMotionBlur.OFF;
-    mask.property("ADBE Mask Feather").setValue([data.feather * x, data.feather * y]);
-    mask.property("ADBE Mask Offset").setValue(data.expansion * Math.sqrt(x * y));
-    show(mask, data, layer.startTime);
-    if (typeof MaskFeatherFalloff !== "undefined") { mask.maskFeatherFalloff = MaskFeatherFalloff.FFO_LINEAR; }
-    mask.locked = data.locked;
-  }
-
-  app.beginUndoGroup("Masks from ROAM");
-  var layer = target(composition());
-  for (var k = 0; k < masks.length; k++) { add(layer, masks[k]); }
-  app.endUndoGroup();
-})();
-"""

@@ -1,70 +1,231 @@
-"""Layers of shapes as one list of shapes, for programs whose masks know no layers."""
+"""Layers of shapes as programs join them whose masks know no layers: one list where that shows the same, else branches.
+
+A layer joins its shapes first, then is inverted, then scaled by its opacity, and then joined with what lies under it.
+Most layers are folders only: their shapes, one after the other, give the same matte. The others are kept as branches,
+for which a program needs something of its own: a composition, a second chain of masks, a node.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from dataclasses import dataclass, field, replace
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass, replace
+from itertools import zip_longest
 
+from roam_core.geometry import bezier
 from roam_core.interchange.stilled import stilled
 from roam_core.roto import BlendMode, Interpolation, Keyframe, Layer, Project, RotoShape
-from roam_core.roto.animated import product
+from roam_core.roto.animated import Animatable, Animated, ValueKey, mapped, product, value_at, value_keys
 
-SCALED_BY_OPACITY = {BlendMode.ADD, BlendMode.DIFFERENCE, BlendMode.MAX}
-"""Scaling these shapes scales what their layer adds alike; the others act on what is scaled already."""
+TAKING = (BlendMode.SUBTRACT, BlendMode.INTERSECT)
+"""Modes that only take away from what lies under them: above nothing they leave nothing."""
 
 
-@dataclass
-class Flattening:
-    """The shapes of a project one after the other, and what that order cannot say.
+@dataclass(frozen=True)
+class Branch:
+    """What is joined inside itself, then inverted, then scaled by its opacity, and joined with what lies under it.
 
     Attributes
     ----------
-    program : as sentences call it.
-    shapes : in the order of compositing, bottom first; opacity, lock and visibility of their layers are folded into
-        them.
-    notes : one sentence for each layer whose joint matte its shapes cannot build one by one.
+    name : of the layer.
+    items : bottom first. Lock and visibility of layers are folded into their shapes.
     """
 
-    program: str
-    shapes: list[RotoShape] = field(default_factory=list)
-    notes: list[str] = field(default_factory=list)
+    name: str
+    items: tuple[RotoShape | Branch, ...]
+    opacity: Animatable = 1.0
+    invert: bool = False
+    blend: BlendMode = BlendMode.ADD
 
-    def add(self, layer: Layer) -> None:
-        """Append the shapes of a layer and of the layers in it."""
-        self._note_losses(layer)
-        for child in layer.children:
-            visible, locked = child.visible and layer.visible, child.locked or layer.locked
-            if isinstance(child, Layer):
-                self.add(replace(child, visible=visible, locked=locked, opacity=product(child.opacity, layer.opacity)))
-                continue
-            share = layer.opacity if child.blend in SCALED_BY_OPACITY else 1.0
-            self.shapes.append(replace(child, visible=visible, locked=locked, opacity=product(child.opacity, share)))
+    @property
+    def is_flat(self) -> bool:
+        """True when the matte is that of its shapes, joined one after the other."""
+        return self.opacity == 1.0 and not self.invert and not any(isinstance(item, Branch) for item in self.items)
 
-    def _note_losses(self, layer: Layer) -> None:
-        """A layer joins its shapes first and is added then: alike only above nothing, or where all are added anyway."""
-        shown = [shape for shape in layer.shapes() if shape.visible]
-        if layer.invert:
-            self.notes.append(f"{self.program} has no layers of masks: {layer.name!r} is not inverted there.")
-        is_plain = all(shape.blend is BlendMode.ADD for shape in shown)
-        lies_lowest = not any(shape.visible for shape in self.shapes)
-        if layer.visible and len(shown) > 1 and (layer.opacity != 1.0 or not (is_plain or lies_lowest)):
-            self.notes.append(
-                f"{self.program} has no layers of masks: the shapes of {layer.name!r} join what lies under them one by "
-                "one there, so their joint matte may differ."
-            )
+    def shapes(self) -> Iterator[RotoShape]:
+        """All shapes, bottom first."""
+        for item in self.items:
+            if isinstance(item, Branch):
+                yield from item.shapes()
+            else:
+                yield item
 
 
-def flattened(project: Project, program: str) -> Flattening:
-    """The project's shapes as one list, for a program of that name."""
+@dataclass(frozen=True)
+class Part:
+    """A branch, or shapes that are joined one after the other, and the mode by which it joins what lies under it."""
+
+    blend: BlendMode
+    content: Branch | tuple[RotoShape, ...]
+
+
+def branched(project: Project, timed_intersect: bool = True) -> Branch:
+    """The project with as few branches as show its matte.
+
+    `timed_intersect` is False for programs where an intersecting shape with a lifetime can be without one, as
+    `without_timed_intersect` makes it.
+    """
     project = stilled(project)
-    flat = Flattening(program)
-    flat.add(project.root)
-    return flat
+    root = _branch(project.root, visible=True, locked=False)
+    if timed_intersect or project.clip is None:
+        return root
+    return without_timed_intersect(root, project.clip.size)
+
+
+def takes_part(item: RotoShape | Branch) -> bool:
+    """False for shapes that never show: hidden and open ones."""
+    return isinstance(item, Branch) or (item.visible and item.closed)
+
+
+def _branch(layer: Layer, visible: bool, locked: bool) -> Branch:
+    visible, locked = visible and layer.visible, locked or layer.locked
+    items: list[RotoShape | Branch] = []
+    for child in layer.children:
+        if isinstance(child, Layer):
+            lies_lowest = not any(takes_part(item) for item in items)
+            inner = _branch(child, visible, locked)
+            if lies_lowest and inner.blend in TAKING:
+                items += (replace(shape, visible=False) for shape in inner.shapes())
+            elif visible and child.visible:
+                items += _dissolved(replace(inner, blend=BlendMode.ADD) if lies_lowest else inner, lies_lowest)
+            else:
+                items += inner.shapes()
+        else:
+            items.append(replace(child, visible=child.visible and visible, locked=child.locked or locked))
+    if not visible:
+        return Branch(layer.name, tuple(items))
+    return Branch(layer.name, tuple(_above_nothing(items)), layer.opacity, layer.invert, layer.blend)
+
+
+def _above_nothing(items: Iterable[RotoShape | Branch]) -> Iterator[RotoShape | Branch]:
+    """The items with modes that other programs, too, understand of shapes which lie above nothing."""
+    is_lowest = True
+    for item in items:
+        if isinstance(item, RotoShape) and is_lowest and takes_part(item) and item.blend is not BlendMode.ADD:
+            item = replace(item, visible=False) if item.blend in TAKING else replace(item, blend=BlendMode.ADD)
+        is_lowest = is_lowest and not takes_part(item)
+        yield item
+
+
+def _dissolved(branch: Branch, lies_lowest: bool) -> list[RotoShape | Branch]:
+    """What shows the same as the branch where it stands: its own items where they do, else the branch."""
+    shown = [item for item in branch.items if takes_part(item)]
+    if not shown and not branch.invert and branch.blend is not BlendMode.INTERSECT:
+        return list(branch.items)
+    if len(shown) == 1 and (single := _single(branch, shown[0])) is not None:
+        return [single if item is shown[0] else item for item in branch.items]
+    if branch.invert or branch.opacity != 1.0:
+        return [branch]
+    is_sum = all(item.blend is BlendMode.ADD for item in shown)
+    if lies_lowest or (is_sum and branch.blend is BlendMode.ADD):
+        return list(branch.items)
+    if is_sum and branch.blend is BlendMode.SUBTRACT:  # what all leave is what is left by one after the other
+        return [replace(item, blend=BlendMode.SUBTRACT) for item in branch.items]
+    return [branch]
+
+
+def _single(branch: Branch, item: RotoShape | Branch) -> RotoShape | Branch | None:
+    """The only item of a branch with the branch's own properties, or None where it cannot take them."""
+    is_temporary = isinstance(item, RotoShape) and item.lifetime is not None
+    if branch.invert and (item.opacity != 1.0 or is_temporary):
+        return None
+    if branch.blend is BlendMode.INTERSECT and is_temporary:  # a shape that is not there takes no part, its layer does
+        return None
+    if isinstance(branch.opacity, Animated) and isinstance(item.opacity, Animated):
+        return None
+    opacity = product(branch.opacity, item.opacity)
+    return replace(item, opacity=opacity, invert=item.invert != branch.invert, blend=branch.blend)
+
+
+def dimmed_first(branch: Branch) -> Branch:
+    """The branch for programs whose layers fade between what lies under them and the joint picture.
+
+    Added or subtracted that is the same; in other modes the branch must be dimmed before it is joined.
+    """
+    if branch.opacity == 1.0 or branch.blend in (BlendMode.ADD, BlendMode.SUBTRACT):
+        return branch
+    return Branch(branch.name, (replace(branch, blend=BlendMode.ADD),), blend=branch.blend)
+
+
+def parts_of(branch: Branch, holds: Callable[[RotoShape], bool] = lambda shape: True) -> list[Part]:
+    """A branch as parts, bottom first: as many shapes as possible in one, for programs that join within their masks.
+
+    Only the lowest part joins its shapes by their own modes; in all others every shape is added. What the masks of a
+    program do not hold is a part of its own, above nothing as well.
+    """
+    parts: list[Part] = []
+    for item in branch.items:
+        below = parts[-1].content if parts else None
+        if isinstance(item, Branch):
+            parts.append(Part(item.blend, item))
+        elif isinstance(below, tuple) and (not takes_part(item) or _extends(below, len(parts) == 1, item, holds)):
+            parts[-1] = Part(parts[-1].blend, (*below, item))
+        else:
+            parts.append(Part(item.blend if takes_part(item) else BlendMode.ADD, (item,)))
+    return parts
+
+
+def _extends(run: tuple[RotoShape, ...], is_lowest: bool, shape: RotoShape, holds: Callable[[RotoShape], bool]) -> bool:
+    """True when the shape may join the others of a part."""
+    shown = [other for other in (*run, shape) if takes_part(other)]
+    return all(holds(other) and (is_lowest or other.blend is BlendMode.ADD) for other in shown)
+
+
+def without_timed_intersect(branch: Branch, size: tuple[int, int]) -> Branch:
+    """The branch for programs in which a shape outside of its lifetime is black, which under INTERSECT takes all.
+
+    Intersecting is subtracting the inverse, and of a shape that is not wholly opaque also a share of everything.
+    """
+    items: list[RotoShape | Branch] = []
+    for item in branch.items:
+        if isinstance(item, Branch):
+            items.append(without_timed_intersect(item, size))
+        elif item.lifetime is None or item.blend is not BlendMode.INTERSECT or not takes_part(item):
+            items.append(item)
+        else:
+            taking = replace(item, blend=BlendMode.SUBTRACT)
+            items.append(replace(taking, invert=not item.invert, opacity=1.0))
+            if item.opacity != 1.0:
+                opacity = mapped(item.opacity, lambda value: 1.0 - value)
+                rest = everything(f"{item.name} rest", size, item.keys[0].frame)
+                rest = replace(rest, blend=BlendMode.SUBTRACT, opacity=opacity, lifetime=item.lifetime)
+                items.append(replace(rest, id=f"{item.id}-rest", locked=item.locked))
+    return replace(branch, items=tuple(items))
+
+
+def everything(name: str, size: tuple[int, int], frame: int) -> RotoShape:
+    """A shape around the whole picture of `size` (width, height)."""
+    width, height = size
+    corners = [(-width, -height), (2.0 * width, -height), (2.0 * width, 2.0 * height), (-width, 2.0 * height)]
+    return RotoShape("shape-everything", name, (Keyframe(frame, bezier.polygon_points(corners)),))
+
+
+JUST_BEFORE = 1.0 / 256.0
+"""Frames before a step at which a key stands that holds the value until then; single precision keeps it to frame
+65,536."""
+
+
+@dataclass(frozen=True)
+class Moment:
+    """A key at any moment: what stands on the frame `key`, at `time`."""
+
+    time: float
+    key: Keyframe
+
+
+def moments(shape: RotoShape, offset: int) -> list[Moment]:
+    """Every key at its frame plus `offset`, for programs that move linearly from every key; the key of each HOLD once
+    more just before the next key, so that it holds between frames, too."""
+    result: list[Moment] = []
+    for key, following in zip(shape.keys, (*shape.keys[1:], None), strict=True):
+        result.append(Moment(key.frame + offset, key))
+        if key.interpolation is Interpolation.HOLD and following is not None:
+            result.append(Moment(following.frame + offset - JUST_BEFORE, key))
+    return result
 
 
 def without_holds(shape: RotoShape) -> RotoShape:
     """The shape with the key of each HOLD once more on the last frame before the next key, for programs that move
-    linearly from every key: on whole frames they then show what ROAM shows."""
+    linearly from every key and know whole frames only: on these they then show what ROAM shows."""
     return replace(shape, keys=tuple(_moving_keys(shape)))
 
 
@@ -86,6 +247,40 @@ def lifetime_steps(shape: RotoShape) -> list[tuple[int, bool]]:
     return [(start - 1, False), (start, True), (stop, False)]
 
 
-def opacity_steps(shape: RotoShape) -> list[tuple[int, float]]:
-    """The same for programs that only know opacity: frames and opacities, each of which holds to the next."""
-    return [(frame, shape.opacity_at(frame) if is_there else 0.0) for frame, is_there in lifetime_steps(shape)]
+def straight_keys(value: Animatable) -> tuple[ValueKey, ...]:
+    """The keys of a value, linear or held, with one on every frame of smooth spans; nothing of a constant one."""
+    keys, result = value_keys(value), list[ValueKey]()
+    for key, following in zip_longest(keys, keys[1:]):
+        if key.interpolation is not Interpolation.SMOOTH or following is None:
+            result.append(key)
+            continue
+        frames = range(key.frame, following.frame)
+        result += (ValueKey(frame, value_at(value, frame), Interpolation.LINEAR) for frame in frames)
+    return tuple(result)
+
+
+def opacity_keys(shape: RotoShape) -> tuple[ValueKey, ...]:
+    """The opacity as keys, straight or held; outside of the lifetime it is 0. Nothing where it is constant."""
+    keys = straight_keys(shape.opacity)
+    if shape.lifetime is None:
+        return keys
+    start, stop = shape.lifetime
+    last = stop - 1
+    before = [key for key in keys if key.frame <= start]
+    first = ValueKey(start, shape.opacity_at(start), before[-1].interpolation if before else Interpolation.HOLD)
+    inside = [first, *(key for key in keys if start < key.frame < last)]
+    if last > start and keys:
+        inside.append(ValueKey(last, shape.opacity_at(last)))
+    inside[-1] = replace(inside[-1], interpolation=Interpolation.HOLD)
+    hold = Interpolation.HOLD
+    return (ValueKey(start - 1, 0.0, hold), *inside, ValueKey(stop, 0.0, hold))
+
+
+def value_moments(keys: Iterable[ValueKey], offset: int) -> list[tuple[float, float]]:
+    """Times and values of keys that are straight or held, for programs that move linearly from every key."""
+    listed, result = list(keys), list[tuple[float, float]]()
+    for key, following in zip_longest(listed, listed[1:]):
+        result.append((key.frame + offset, key.value))
+        if key.interpolation is Interpolation.HOLD and following is not None and key.value != following.value:
+            result.append((following.frame + offset - JUST_BEFORE, key.value))
+    return result

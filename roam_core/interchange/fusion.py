@@ -1,23 +1,36 @@
 """Fusion and DaVinci Resolve `.setting`: a chain of polygon masks as a Lua table that pastes into the flow.
 
 Positions are measured from the image's centre, x in image widths and y in image heights, y up; handles are relative to
-their anchor, L incoming and R outgoing. Each mask is the effect mask of the next: bottom first, as in ROAM.
+their anchor, L incoming and R outgoing. Each mask is the effect mask of the next: bottom first, as in ROAM. A layer
+that acts as one is a chain of its own; a Background that is cut out by it is a picture, of which a bitmap mask makes
+one mask of the chain. What never shows, hidden and open shapes, stands beside the chains.
 """
 
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass, field
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
 from roam_core.geometry.bezier import ANCHOR, IN, OUT
-from roam_core.interchange.flatten import flattened, opacity_steps, without_holds
+from roam_core.interchange.flatten import (
+    Branch,
+    branched,
+    everything,
+    moments,
+    opacity_keys,
+    straight_keys,
+    takes_part,
+    value_moments,
+)
 from roam_core.interchange.literals import lua_literal
-from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter, without_smooth_keys
+from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter, settled, without_smooth_keys
 from roam_core.roto import BlendMode, Keyframe, Project, RotoShape
+from roam_core.roto.animated import Animatable, ValueKey, mapped, value_at, values_of
 from roam_core.roto.file import write_atomically
 
 Array = NDArray[np.float64]
@@ -38,6 +51,14 @@ LONGEST_TOOL = 60
 TOOL_SPACING = 110
 """Units of the flow from one tool to the next."""
 
+DEEPER = 99
+"""Units of the flow from a chain to the branches that join it."""
+
+FLOAT = 4
+"""The depth of a Background that is 32 bit float."""
+
+CLIPPING = ("ClippingMode", 'Value = FuID { "None" }')
+
 
 class FusionExporter:
     """Writes every shape of a project as a polygon mask, chained in the order of compositing."""
@@ -57,73 +78,189 @@ class FusionExporter:
 def fusion_setting(project: Project, options: ExportOptions = STANDARD) -> tuple[str, tuple[str, ...]]:
     """The Lua text with all shapes of `project`, and a sentence for each thing that it cannot hold."""
     clip = project.require_clip()
-    flat = flattened(project, "Fusion")
-    writer = _Writer(clip, options, len(flat.shapes))
-    tools = [line for shape in flat.shapes for line in writer.mask(shape)]
-    text = "\n".join(["{", " Tools = ordered() {", *tools, " },", "}", ""])
-    return text, (*flat.notes, *writer.notes)
+    root = branched(project, timed_intersect=False)
+    writer = _Writer(clip, options, max(len(list(root.shapes())), 1))
+    if root.opacity == 1.0 and not root.invert:
+        writer.chain(root)
+    else:
+        writer.chain(Branch("Root", (root,)))
+    text = "\n".join(["{", " Tools = ordered() {", *writer.lines, " },", "}", ""])
+    return text, settled(writer.notes, writer.losses, options)
 
 
 @dataclass
 class _Writer(ShapeWriter):
-    """Turns shapes into tools; remembers the names that are taken and the mask before."""
+    """Turns shapes into tools, and remembers the names that are taken.
+
+    Attributes
+    ----------
+    lines : of all tools so far.
+    images : tools that make a picture of a mask, by the mask's name.
+    depth : of the chain that is being written.
+    """
 
     taken: set[str] = field(default_factory=set)
-    below: str = ""
+    lines: list[str] = field(default_factory=list)
+    images: dict[str, str] = field(default_factory=dict)
+    depth: int = 0
+    tools: int = 0
 
-    def mask(self, shape: RotoShape) -> list[str]:
-        """The lines of a mask tool and of the spline that animates it."""
-        shape = without_holds(without_smooth_keys(self.begun(shape)))
+    def chain(self, branch: Branch) -> str:
+        """Write the masks of a branch, each joined with the one before; the name of the last, "" where none shows."""
+        below, is_grey = "", False
+        for item in branch.items:
+            if not takes_part(item):
+                assert isinstance(item, RotoShape)
+                self._mask(item, "", PAINT_MODES[item.blend])
+                continue
+            is_grey = is_grey or has_grey(item)
+            below = self._branch(item, below) if isinstance(item, Branch) else self._shape(item, below, is_grey)
+        return below
+
+    def _branch(self, branch: Branch, below: str) -> str:
+        """A chain of its own, joined as one mask."""
+        self.depth += 1
+        source = self.chain(branch)
+        if not source:
+            source = self._mask(everything(branch.name, self.clip.size, self.clip.first), "", "Merge")
+            branch = replace(branch, invert=not branch.invert)
+        self.depth -= 1
+        keys = straight_keys(branch.opacity)
+        if branch.blend is BlendMode.ADD and not (branch.invert and branch.opacity != 1.0):
+            return self._bitmap(branch.name, source, below, "Merge", branch.invert, branch.opacity, keys)
+        # In which order a mask inverts and dims is not known.
+        if branch.invert:
+            source = self._bitmap(branch.name, source, "", "Merge", invert=True)
+        if branch.opacity != 1.0:
+            source = self._bitmap(branch.name, source, "", "Merge", False, branch.opacity, keys)
+        return self._joined(branch.name, source, below, branch.blend)
+
+    def _shape(self, shape: RotoShape, below: str, is_grey: bool) -> str:
+        """A mask that is joined with the chain below it; several tools where one mode would not show the same.
+
+        `is_grey` says whether the mask or the chain has grey beside that of hard edges.
+        """
+        is_dimmed = shape.opacity != 1.0 or shape.lifetime is not None
+        if shape.invert and is_dimmed:
+            alone = self._mask(replace(shape, opacity=1.0, lifetime=None), "", "Merge")
+            alone = self._bitmap(shape.name, alone, "", "Merge", False, shape.opacity, opacity_keys(shape))
+            return self._joined(shape.name, alone, below, shape.blend)
+        if shape.blend is BlendMode.SUBTRACT and is_grey and not is_dimmed:
+            return self._mask(replace(shape, invert=not shape.invert), below, "Multiply")
+        if shape.blend in (BlendMode.SUBTRACT, BlendMode.DIFFERENCE) and is_grey:
+            return self._joined(shape.name, self._mask(shape, "", "Merge"), below, shape.blend)
+        return self._mask(shape, below, PAINT_MODES[shape.blend])
+
+    def _joined(self, name: str, alone: str, below: str, blend: BlendMode) -> str:
+        """A mask that stands alone, joined with a chain; exactly, where the two are grey as well."""
+        if blend is BlendMode.SUBTRACT:  # Subtract takes grey from grey, ours multiplies by what is left
+            return self._bitmap(name, alone, below, "Multiply", invert=True)
+        if blend is BlendMode.DIFFERENCE:  # 1 - ((1 - greater) + lesser); Invert is no difference of greys
+            greater, lesser = (self._bitmap(name, alone, below, mode) for mode in ("Maximum", "Minimum"))
+            inverse = self._bitmap(name, greater, lesser, "Add", invert=True)
+            return self._bitmap(name, inverse, "", "Merge", invert=True)
+        return self._bitmap(name, alone, below, PAINT_MODES[blend])
+
+    def _mask(self, shape: RotoShape, below: str, mode: str) -> str:
+        """A polygon mask and the splines that animate it; its name."""
+        shape = without_smooth_keys(self.begun(shape))
         self._note_losses(shape)
         tool = self._tool_name(shape.name)
-        place = (self.done - 1) * TOOL_SPACING
-        lines = [
-            f"  {tool} = PolylineMask {{",
-            *([] if shape.visible else ["   PassThrough = true,"]),
-            *(["   Locked = true,"] if shape.locked else []),
-            "   NameSet = true,",
-            "   Inputs = {",
-            *(f"    {name} = Input {{ {value}, }}," for name, value in self._inputs(shape, tool)),
-            "   },",
-            f"   ViewInfo = OperatorInfo {{ Pos = {{ {place}, 0 }} }},",
-            "  },",
-            *self._path(shape, f"{tool}Polyline"),
-            *self._level(shape, f"{tool}Level"),
-        ]
-        self.below = tool
-        return lines
-
-    def _inputs(self, shape: RotoShape, tool: str) -> list[tuple[str, str]]:
-        width, height = self.clip.size
-        values: list[tuple[str, str]] = []
-        if self.below:
-            values.append(("EffectMask", f'SourceOp = "{self.below}", Source = "Mask"'))
+        values = [*self._joint(below, mode, shape.invert), *self._frame_format("MaskWidth", "MaskHeight"), CLIPPING]
+        splines = self._keyed(values, tool, "Level", shape.opacity, opacity_keys(shape), 1.0)
+        width = self.clip.size[0]
+        for name, feather in (
+            ("SoftEdge", mapped(shape.feather, lambda wide: abs(wide) / width)),
+            ("BorderWidth", mapped(shape.feather, lambda wide: wide / 2.0 / width)),
+        ):
+            splines += self._keyed(values, tool, name, feather, straight_keys(feather), 0.0)
         values += [
-            ("PaintMode", f'Value = FuID {{ "{PAINT_MODES[shape.blend]}" }}'),
-            ("Invert", f"Value = {int(shape.invert)}"),
-            ("UseFrameFormatSettings", "Value = 0"),
-            ("OutputSize", 'Value = FuID { "Custom" }'),
-            ("MaskWidth", f"Value = {width}"),
-            ("MaskHeight", f"Value = {height}"),
-            ("PixelAspect", f"Value = {{ {self.clip.pixel_aspect:g}, 1 }}"),
-            ("ClippingMode", 'Value = FuID { "None" }'),
-        ]
-        feather = shape.feather_at(self.clip.first)
-        if feather:
-            values.append(("SoftEdge", f"Value = {_decimal(abs(feather) / width)}"))
-            values.append(("BorderWidth", f"Value = {_decimal(feather / 2.0 / width)}"))
-        if shape.lifetime is not None:
-            values.append(("Level", f'SourceOp = "{tool}Level", Source = "Value"'))
-        elif shape.opacity != 1.0:
-            values.append(("Level", f"Value = {_decimal(shape.opacity_at(self.clip.first))}"))
-        return [*values, *_motion_blur(shape), *self._ends(shape, tool)]
-
-    def _ends(self, shape: RotoShape, tool: str) -> list[tuple[str, str]]:
-        return [
+            *_motion_blur(shape),
             ("Comments", f"Value = {lua_literal(shape.name)}"),
             ("Polyline", f'SourceOp = "{tool}Polyline", Source = "Value"'),
             ("Polyline2", "Value = Polyline { }, Disabled = true"),
         ]
+        self._write(tool, "PolylineMask", values, shape)
+        self.lines += [*self._path(shape, f"{tool}Polyline"), *splines]
+        return tool
+
+    def _bitmap(
+        self,
+        name: str,
+        source: str,
+        below: str,
+        mode: str,
+        invert: bool = False,
+        level: Animatable = 1.0,
+        keys: Sequence[ValueKey] = (),
+    ) -> str:
+        """A mask made of another one, by a picture of it; its name."""
+        image = self.images.get(source)
+        if image is None:
+            image = self.images[source] = self._tool_name(f"{source}Image")
+            white = [(f"TopLeft{part}", "Value = 1") for part in ("Red", "Green", "Blue", "Alpha")]
+            values = [*self._frame_format("Width", "Height"), ("Depth", f"Value = {FLOAT}"), *white]
+            self._write(image, "Background", [*values, ("EffectMask", f'SourceOp = "{source}", Source = "Mask"')])
+        tool = self._tool_name(f"{name} joined")
+        values = [
+            *self._joint(below, mode, invert),
+            *self._frame_format("MaskWidth", "MaskHeight"),
+            CLIPPING,
+            ("Image", f'SourceOp = "{image}", Source = "Output"'),
+            ("Channel", 'Value = FuID { "Alpha" }'),
+        ]
+        splines = self._keyed(values, tool, "Level", level, keys, 1.0)
+        self._write(tool, "BitmapMask", [*values, ("Comments", f"Value = {lua_literal(name)}")])
+        self.lines += splines
+        return tool
+
+    def _write(self, tool: str, kind: str, values: list[tuple[str, str]], shape: RotoShape | None = None) -> None:
+        place, self.tools = self.tools * TOOL_SPACING, self.tools + 1
+        self.lines += [
+            f"  {tool} = {kind} {{",
+            *(["   PassThrough = true,"] if shape is not None and not shape.visible else []),
+            *(["   Locked = true,"] if shape is not None and shape.locked else []),
+            "   NameSet = true,",
+            "   Inputs = {",
+            *(f"    {name} = Input {{ {value}, }}," for name, value in values),
+            "   },",
+            f"   ViewInfo = OperatorInfo {{ Pos = {{ {place}, {-DEEPER * self.depth} }} }},",
+            "  },",
+        ]
+
+    def _joint(self, below: str, mode: str, invert: bool) -> list[tuple[str, str]]:
+        """How a mask joins the one below it."""
+        effect = [("EffectMask", f'SourceOp = "{below}", Source = "Mask"')] if below else []
+        return [*effect, ("PaintMode", f'Value = FuID {{ "{mode}" }}'), ("Invert", f"Value = {int(invert)}")]
+
+    def _frame_format(self, width: str, height: str) -> list[tuple[str, str]]:
+        return [
+            ("UseFrameFormatSettings", "Value = 0"),
+            (width, f"Value = {self.clip.size[0]}"),
+            (height, f"Value = {self.clip.size[1]}"),
+            ("PixelAspect", f"Value = {{ {self.clip.pixel_aspect:g}, 1 }}"),
+        ]
+
+    def _keyed(
+        self,
+        values: list[tuple[str, str]],
+        tool: str,
+        name: str,
+        value: Animatable,
+        keys: Sequence[ValueKey],
+        standard: float,
+    ) -> list[str]:
+        """Add an input that is not `standard` to `values`; the lines of its spline where it has keys."""
+        if not keys:
+            number = value_at(value, self.clip.first)
+            if number != standard:
+                values.append((name, f"Value = {_decimal(number)}"))
+            return []
+        values.append((name, f'SourceOp = "{tool}{name}", Source = "Value"'))
+        lines = [f"  {tool}{name} = BezierSpline {{", "   NameSet = true,", "   KeyFrames = {"]
+        for time, number in value_moments(keys, self.options.frame_offset):
+            lines.append(f"    [{_decimal(time)}] = {{ {_decimal(number)}, Flags = {{ Linear = true }} }},")
+        return [*lines, "   },", "  },"]
 
     def _path(self, shape: RotoShape, spline: str) -> list[str]:
         red, green, blue = (round(255.0 * share) for share in shape.colour)
@@ -133,13 +270,13 @@ class _Writer(ShapeWriter):
             "   NameSet = true,",
             "   KeyFrames = {",
         ]
-        for index, key in enumerate(shape.keys):
+        for index, moment in enumerate(moments(shape, self.options.frame_offset)):
             lines += [
-                f"    [{self._frame(key.frame)}] = {{ {index}, Flags = {{ Linear = true, LockedY = true }}, "
+                f"    [{_decimal(moment.time)}] = {{ {index}, Flags = {{ Linear = true, LockedY = true }}, "
                 "Value = Polyline {",
                 *(["      Closed = true,"] if shape.closed else []),
                 "      Points = {",
-                *(f"       {{ {point} }}," for point in self._points(key)),
+                *(f"       {{ {point} }}," for point in self._points(moment.key)),
                 "      },",
                 "    } },",
             ]
@@ -155,29 +292,13 @@ class _Writer(ShapeWriter):
         rows = np.concatenate([centre, incoming, outgoing], axis=1).tolist()
         return [", ".join(f"{name} = {_decimal(v)}" for name, v in zip(names, row, strict=True)) for row in rows]
 
-    def _level(self, shape: RotoShape, spline: str) -> list[str]:
-        """The opacity of a shape with a lifetime: straight from value to value on neighbouring frames."""
-        steps = opacity_steps(shape)
-        if not steps:
-            return []
-        keys = dict(steps) | {frame - 1: value for (frame, _), (_, value) in zip(steps[1:], steps, strict=False)}
-        lines = [f"  {spline} = BezierSpline {{", "   NameSet = true,", "   KeyFrames = {"]
-        for frame in sorted(keys):
-            lines.append(f"    [{self._frame(frame)}] = {{ {_decimal(keys[frame])}, Flags = {{ Linear = true }} }},")
-        return [*lines, "   },", "  },"]
-
-    def _frame(self, frame: int) -> int:
-        return frame + self.options.frame_offset
-
     def _note_losses(self, shape: RotoShape) -> None:
         if any(key.feather is not None and key.feather.any() for key in shape.keys):
             self.notes.append(f"The feather curve of {shape.name!r} was left out: Fusion's masks have one soft edge.")
-        if shape.feather:
+        if any(values_of(shape.feather)):
             self.notes.append(
                 f"Fusion softens on both sides of an outline: {shape.name!r} may look a little different."
             )
-        if shape.blend is not BlendMode.ADD and not self.below:
-            self.notes.append(f"{shape.name!r} lies lowest, where Fusion may not {shape.blend.value} as ROAM does.")
 
     def _tool_name(self, name: str) -> str:
         """An identifier for a tool, as near to the shape's name as Fusion allows, and free."""
@@ -185,11 +306,19 @@ class _Writer(ShapeWriter):
         if not stem or stem[0].isdigit() or stem.lower() in LUA_WORDS:
             stem = f"Shape_{stem}".rstrip("_")
         free, number = stem, 1
-        while not self.taken.isdisjoint(names := {free, f"{free}Polyline", f"{free}Level"}):
+        parts = ("", "Polyline", "Level", "SoftEdge", "BorderWidth")
+        while not self.taken.isdisjoint(names := {f"{free}{part}" for part in parts}):
             number += 1
             free = f"{stem}_{number}"
         self.taken |= names
         return free
+
+
+def has_grey(item: RotoShape | Branch) -> bool:
+    """True for what is neither black nor white, beside the pixels of hard edges."""
+    if isinstance(item, Branch):
+        return item.opacity != 1.0 or any(has_grey(inner) for inner in item.items if takes_part(inner))
+    return item.opacity != 1.0 or any(values_of(item.feather)) or item.motion_blur is not None
 
 
 def _motion_blur(shape: RotoShape) -> list[tuple[str, str]]:

@@ -1,10 +1,12 @@
 """Natron `.py`: a script for Natron's script editor that builds a Roto node with layers, shapes and feather points.
 
-Positions are pixels from the image's lower left corner, y up; handles and feather points are absolute.
+Positions are pixels from the image's lower left corner, y up; handles and feather points are absolute. Layers of a Roto
+node only group. Where a layer acts as one it is a Roto node of its own, joined by Merge nodes.
 """
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -13,10 +15,21 @@ import numpy as np
 from numpy.typing import NDArray
 
 from roam_core.geometry.bezier import ANCHOR, IN, OUT
-from roam_core.interchange.flatten import flattened, lifetime_steps, without_holds
+from roam_core.interchange.flatten import (
+    Branch,
+    branched,
+    dimmed_first,
+    everything,
+    lifetime_steps,
+    moments,
+    parts_of,
+    straight_keys,
+    takes_part,
+)
 from roam_core.interchange.literals import python_literal, whole
-from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter, without_smooth_keys
-from roam_core.roto import BlendMode, Layer, Project, RotoShape
+from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter, settled, without_smooth_keys
+from roam_core.roto import BlendMode, Interpolation, Layer, Project, RotoShape
+from roam_core.roto.animated import Animatable, ValueKey, value_at, values_of
 from roam_core.roto.file import write_atomically
 
 Array = NDArray[np.float64]
@@ -29,6 +42,16 @@ OPERATORS = {
     BlendMode.DIFFERENCE: "eMergeDifference",
     BlendMode.MAX: "eMergeMax",
 }
+OPERATIONS = {
+    BlendMode.ADD: "over",
+    BlendMode.PLUS: "plus",
+    BlendMode.SUBTRACT: "stencil",
+    BlendMode.INTERSECT: "mask",
+    BlendMode.DIFFERENCE: "difference",
+    BlendMode.MAX: "max",
+}
+"""Of a Merge node; A is what lies above."""
+
 DECIMALS = 6
 
 
@@ -50,22 +73,56 @@ class NatronExporter:
 def natron_script(project: Project, options: ExportOptions = STANDARD) -> tuple[str, tuple[str, ...]]:
     """The script for all layers and shapes of `project`, and a sentence for each thing that it cannot hold."""
     clip = project.require_clip()
-    flat = flattened(project, "Natron")
-    writer = _Writer(clip, options, len(flat.shapes), flat={shape.id: shape for shape in flat.shapes})
-    tree = writer.children(project.root)
-    return PROGRAM.replace("@TREE@", python_literal(tree)), (*flat.notes, *writer.notes)
+    root = branched(project)
+    shapes = list(root.shapes())
+    writer = _Writer(clip, options, max(len(shapes), 1), flat={shape.id: shape for shape in shapes})
+    if root.is_flat:
+        parts = [writer.part("ROAM", writer.children(project.root))]
+    else:
+        parts = writer.parts(root) if root.opacity == 1.0 and not root.invert else [writer.branch(root)]
+    text = PROGRAM.replace("@PARTS@", python_literal(parts))
+    return text, settled(writer.notes, writer.losses, options)
 
 
 @dataclass
 class _Writer(ShapeWriter):
-    """Turns layers and shapes into the plain values from which the script builds items."""
+    """Turns layers and shapes into the plain values from which the script builds items and nodes."""
 
     flat: dict[str, RotoShape] = field(default_factory=dict)
+
+    def part(self, name: str, items: list[dict[str, Any]], blend: BlendMode = BlendMode.ADD) -> dict[str, Any]:
+        """A Roto node, and how it is merged with what lies under it."""
+        return {"name": whole(name), "items": items, "operation": OPERATIONS[blend], "mix": [1.0, []]}
+
+    def parts(self, branch: Branch) -> list[dict[str, Any]]:
+        """What Merge nodes join, bottom first: Roto nodes and branches."""
+        parts = []
+        for part in parts_of(branch):
+            if isinstance(part.content, Branch):
+                parts.append(self.branch(part.content))
+                continue
+            name = next((shape.name for shape in part.content if takes_part(shape)), "ROAM")
+            # What is merged by a node is drawn above nothing in its own.
+            mode = BlendMode.ADD if parts else None
+            items = [self._shape(shape, mode) for shape in reversed(part.content)]
+            parts.append(self.part(name, items, part.blend))
+        return parts
+
+    def branch(self, branch: Branch) -> dict[str, Any]:
+        """A branch and its parts; an inverted one is taken from a shape around everything."""
+        branch = dimmed_first(branch)
+        inner = self.parts(branch)
+        if branch.invert:
+            full = self._shape(everything("Everything", self.clip.size, self.clip.first), None)
+            taken = {"name": whole(branch.name), "parts": inner, "operation": "stencil", "mix": [1.0, []]}
+            inner = [self.part("Everything", [full]), taken]
+        mix = self._keyed(branch.opacity, straight_keys(branch.opacity))
+        return {"name": whole(branch.name), "parts": inner, "operation": OPERATIONS[branch.blend], "mix": mix}
 
     def children(self, layer: Layer) -> list[dict[str, Any]]:
         """Items of a layer, the topmost first, as Natron lists them."""
         return [
-            self._layer(child) if isinstance(child, Layer) else self._shape(self.flat[child.id])
+            self._layer(child) if isinstance(child, Layer) else self._shape(self.flat[child.id], None)
             for child in reversed(layer.children)
         ]
 
@@ -77,34 +134,44 @@ class _Writer(ShapeWriter):
             "children": self.children(layer),
         }
 
-    def _shape(self, shape: RotoShape) -> dict[str, Any]:
-        shape = without_holds(without_smooth_keys(self.begun(shape)))
+    def _shape(self, shape: RotoShape, mode: BlendMode | None) -> dict[str, Any]:
+        """One shape, by its own mode where `mode` is None."""
+        shape = without_smooth_keys(self.begun(shape))
         blur = shape.motion_blur
-        if any(key.feather is not None and key.feather.any() for key in shape.keys) and shape.feather:
+        if any(key.feather is not None and key.feather.any() for key in shape.keys) and any(values_of(shape.feather)):
             self.notes.append(
                 f"{shape.name!r} has a feather curve and a uniform feather; Natron adds one to the other."
             )
+        if shape.blend is BlendMode.PLUS and takes_part(shape):
+            self.notes.append(f"Natron's Plus goes beyond 1 where {shape.name!r} overlaps what lies under it.")
         return {
             "name": whole(shape.name),
             "locked": shape.locked,
             "visible": shape.visible,
             "closed": shape.closed,
             "inverted": shape.invert,
-            "operator": OPERATORS[shape.blend],
+            "operator": OPERATORS[shape.blend if mode is None else mode],
             "color": list(shape.colour),
-            "opacity": shape.opacity,
-            "feather": shape.feather,
+            "opacity": self._keyed(shape.opacity, straight_keys(shape.opacity)),
+            "feather": self._keyed(shape.feather, straight_keys(shape.feather)),
             "activated": [[self._frame(frame), is_active] for frame, is_active in lifetime_steps(shape)],
             "blur": None if blur is None else [blur.samples, blur.shutter, blur.phase],
             "keys": [
                 [
-                    self._frame(key.frame),
-                    self._rows(key.points),
-                    self._rows(key.points if key.feather is None else key.points + key.feather),
+                    moment.time,
+                    self._rows(moment.key.points),
+                    self._rows(
+                        moment.key.points if moment.key.feather is None else moment.key.points + moment.key.feather
+                    ),
                 ]
-                for key in shape.keys
+                for moment in moments(shape, self.options.frame_offset)
             ],
         }
+
+    def _keyed(self, value: Animatable, keys: Sequence[ValueKey]) -> list[Any]:
+        """A number, and keys as frame, number and whether it holds."""
+        held = [[self._frame(key.frame), key.value, key.interpolation is Interpolation.HOLD] for key in keys]
+        return [value_at(value, self.clip.first), held]
 
     def _rows(self, points: Array) -> list[list[float]]:
         """Each point as x, y, left x, left y, right x, right y; y up."""
@@ -122,7 +189,7 @@ import json
 
 import NatronEngine
 
-TREE = json.loads(@TREE@)
+PARTS = json.loads(@PARTS@)
 
 
 def named(item, name, number):
@@ -134,6 +201,20 @@ def put(bezier, knob, value):
     param = bezier.getParam(knob)
     if param is not None:
         param.setValue(value)
+
+
+def animate(param, value):
+    number, keys = value
+    if param is None:
+        return
+    if not keys:
+        param.setValue(number)
+    kinds = NatronEngine.Natron.KeyframeTypeEnum
+    for frame, number, holds in keys:
+        param.setValueAtTime(number, frame)
+    for frame, number, holds in keys:
+        kind = kinds.eKeyframeTypeConstant if holds else kinds.eKeyframeTypeLinear
+        param.setInterpolationAtTime(frame, kind)
 
 
 def add_shape(roto, parent, data, number):
@@ -151,8 +232,8 @@ def add_shape(roto, parent, data, number):
     bezier.setCurveFinished(data["closed"])
     bezier.setCompositingOperator(getattr(NatronEngine.Natron.MergingFunctionEnum, data["operator"]))
     bezier.setOverlayColor(*data["color"])
-    bezier.getOpacityParam().setValue(data["opacity"])
-    bezier.getFeatherDistanceParam().setValue(data["feather"])
+    animate(bezier.getOpacityParam(), data["opacity"])
+    animate(bezier.getFeatherDistanceParam(), data["feather"])
     put(bezier, "inverted", data["inverted"])
     if data["activated"]:
         put(bezier, "lifeTime", 4)
@@ -183,7 +264,36 @@ def add_items(roto, parent, items, number):
     return number
 
 
-node = app.createNode("fr.inria.built-in.Roto")
-roto = node.getRotoContext()
-add_items(roto, roto.getBaseLayer(), TREE, 0)
+def roto(part):
+    node = app.createNode("fr.inria.built-in.Roto")
+    node.setLabel(part["name"])
+    context = node.getRotoContext()
+    add_items(context, context.getBaseLayer(), part["items"], 0)
+    return node
+
+
+def merged(part, under, above):
+    # Input 0 is B, which lies under input 1, A.
+    node = app.createNode("net.sf.openfx.MergePlugin")
+    node.setLabel(part["name"])
+    node.getParam("operation").set(part["operation"])
+    animate(node.getParam("mix"), part["mix"])
+    if under is not None:
+        node.connectInput(0, under)
+    node.connectInput(1, above)
+    return node
+
+
+def matte(part):
+    if "items" in part:
+        return roto(part)
+    node = None
+    for inner in part["parts"]:
+        above = matte(inner)
+        is_plain = node is None and inner["mix"] == [1.0, []]
+        node = above if is_plain else merged(inner, node, above)
+    return roto({"name": part["name"], "items": []}) if node is None else node
+
+
+matte({"name": "ROAM", "parts": PARTS})
 """

@@ -44,11 +44,13 @@ class ImportOptions:
     Attributes
     ----------
     frame_offset : what was added to the plate's frame numbers when the file was written; reading takes it off again.
+    content : what is read in place of a file, such as a text of the clipboard; the path is then its name alone.
     progress : called with the finished fraction and a few words.
     token : cancels the reading at its next safe point.
     """
 
     frame_offset: int = 0
+    content: bytes | None = field(default=None, repr=False)
     progress: Progress | None = None
     token: CancelToken | None = None
 
@@ -134,6 +136,7 @@ class ShapeReader:
     keys: int = 0
     parts: int = 0
     _ids: dict[str, int] = field(default_factory=dict)
+    _told: set[str] = field(default_factory=set)
 
     def __post_init__(self) -> None:
         if abs(self.options.frame_offset) > MAX_FRAMES:
@@ -141,7 +144,12 @@ class ShapeReader:
 
     def content(self, most: int | None = None) -> bytes:
         """The whole file; one sentence when it is missing, no file, or larger than `most` (`MAX_BYTES` for None)."""
-        return bounded_bytes(self.path, MAX_BYTES if most is None else most)
+        most, given = MAX_BYTES if most is None else most, self.options.content
+        if given is None:
+            return bounded_bytes(self.path, most)
+        if len(given) > most:
+            raise RoamError(f"{self.path} holds more than {most >> 20} MiB; copy fewer shapes at once.")
+        return given
 
     def text(self, most: int | None = None) -> str:
         """The whole file as UTF-8 text, with bytes that are none replaced and a byte-order mark taken off."""
@@ -193,7 +201,8 @@ class ShapeReader:
 
     def note(self, sentence: str) -> None:
         """Remember a loss, once: a hundred shapes with one trouble make one sentence each, not a hundred alike."""
-        if sentence not in self.notes:
+        if sentence not in self._told:
+            self._told.add(sentence)
             self.notes.append(sentence)
 
     def finished(self, children: tuple[Layer | RotoShape, ...], size: tuple[float, float] | None = None) -> Imported:

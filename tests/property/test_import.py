@@ -13,6 +13,7 @@ from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
 from roam_core.interchange import EXPORTERS, ExportOptions, Imported, read_shapes
+from roam_core.interchange.literals import whole
 from roam_core.interchange.protocol import STANDARD
 from roam_core.interchange.xml import xml_text
 from roam_core.matte import render_matte
@@ -206,3 +207,43 @@ def test_svg_gives_back_what_a_still_picture_holds(project: Project, frame: int)
         np.testing.assert_allclose(shape.colour, was.colour, atol=1 / 255)
         np.testing.assert_allclose([shape.opacity, shape.feather], [was.opacity, was.feather], atol=1e-5)
         np.testing.assert_allclose(shape.keys[0].points, was.at(frame).points, atol=WITHIN)
+
+
+def without_feather_curves(layer: Layer) -> Layer:
+    children = (
+        without_feather_curves(child)
+        if isinstance(child, Layer)
+        else replace(child, keys=tuple(replace(key, feather=None) for key in child.keys))
+        for child in layer.children
+    )
+    return replace(layer, children=tuple(children))
+
+
+@settings(deadline=None, max_examples=25, phases=[Phase.explicit, Phase.reuse, Phase.generate])
+@given(projects)
+def test_fusion_gives_the_matte_back(project: Project) -> None:
+    """What other tools stand for comes back as layers; the feather curve does not."""
+    imported = returned(project, "fusion")
+    keyless = without_feather_curves(project.root)
+    for frame in (*project.require_clip().frame_range[::17], *{f for s in project.shapes for f in s.frames}):
+        ours, theirs = (render_matte(layer, frame, SIZE[::-1]) for layer in (keyless, imported.layer))
+        np.testing.assert_allclose(theirs, ours, atol=2e-3)
+    assert {whole(shape.name) for shape in project.shapes} <= {shape.name for shape in imported.layer.shapes()}
+
+
+@settings(deadline=None, max_examples=25, phases=[Phase.explicit, Phase.reuse, Phase.generate])
+@given(st.lists(shapes(), min_size=1, max_size=4))
+def test_fusion_gives_opaque_shapes_back_as_they_are(listed: list[RotoShape]) -> None:
+    plain = [
+        replace(shape, opacity=1.0, lifetime=None, feather=0.0, motion_blur=None, blend=BlendMode.ADD)
+        for shape in listed
+    ]
+    project = Project(Clip(Path("plate"), -9, 60, SIZE), Layer("root", "Root", tuple(plain)))
+    found = list(returned(project, "fusion").layer.children)
+    assert len(found) == len(plain)
+    for was, item in zip(plain, found, strict=True):
+        assert isinstance(item, RotoShape)
+        assert (item.name, item.closed, item.invert) == (whole(was.name), was.closed, was.invert)
+        assert (item.visible, item.locked, item.blend) == (was.visible, was.locked, was.blend)
+        np.testing.assert_allclose(item.colour, was.colour, atol=0.5 / 255)
+        check_motion(was, item, feather=False)

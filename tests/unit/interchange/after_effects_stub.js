@@ -1,4 +1,5 @@
 // Stands in for After Effects: objects that remember what a script does to them, printed as JSON in the end.
+// Compositions within a layer come along as its `comp`.
 // Usage: node after_effects_stub.js SCRIPT.jsx [width height] - with a size, one layer of that size is selected.
 "use strict";
 const fs = require("fs");
@@ -36,11 +37,20 @@ function group() {
   });
 }
 
-function layer(name, width, height) {
-  const masks = [];
+function layer(name, width, height, grey, comp) {
+  const masks = [], transform = {};
+  const way = { property(wanted) {
+    if (!["ADBE Opacity", "ADBE Anchor Point", "ADBE Position", "ADBE Scale", "ADBE Rotate Z"].includes(wanted)) {
+      throw new Error("unknown property " + wanted);
+    }
+    return (transform[wanted] ||= property(wanted));
+  } };
   return {
-    name, width, height, startTime: 0, masks,
+    name, width, height, grey, comp, startTime: 0, masks, transform, enabled: true, blendingMode: "normal",
+    moveBefore(other) { this.lies = "before " + other.name; },
+    setTrackMatte(other, kind) { this.matte = { layer: other, kind }; },
     property(wanted) {
+      if (wanted === "ADBE Transform Group") { return way; }
       if (wanted !== "ADBE Mask Parade") { throw new Error("unknown property " + wanted); }
       return { addProperty(kind) {
         if (kind !== "ADBE Mask Atom") { throw new Error("unknown property " + kind); }
@@ -55,11 +65,12 @@ function layer(name, width, height) {
 class CompItem {
   constructor(name, width, height, aspect, duration, fps) {
     Object.assign(this, { name, width, height, aspect, duration, fps, selectedLayers: [], all: [] });
-    this.layers = { addSolid: (color, title, w, h) => {
-      const solid = layer(title, w, h);
-      this.all.push(solid);
-      return solid;
-    } };
+    Object.assign(this, { displayStartFrame: 0 });
+    const put = (made) => { this.all.push(made); return made; };
+    this.layers = {
+      addSolid: (color, title, w, h) => put(layer(title, w, h, color[0])),
+      add: (comp) => put(layer(comp.name, comp.width, comp.height, 0, comp)),
+    };
   }
   openInViewer() {}
 }
@@ -86,6 +97,9 @@ const world = {
   KeyframeInterpolationType: { LINEAR: "linear", HOLD: "hold", BEZIER: "bezier" },
   MaskMode: { NONE: "none", ADD: "add", SUBTRACT: "subtract", INTERSECT: "intersect", DIFFERENCE: "difference",
               LIGHTEN: "lighten" },
+  BlendingMode: { NORMAL: "normal", SCREEN: "screen", DIFFERENCE: "difference", LIGHTEN: "lighten", ADD: "add",
+                  MULTIPLY: "multiply" },
+  TrackMatteType: { LUMA: "luma" },
   MaskMotionBlur: { ON: "on", OFF: "off" },
   MaskFeatherFalloff: { FFO_LINEAR: "linear" },
 };
@@ -93,9 +107,23 @@ const text = fs.readFileSync(script, "latin1");
 if (/[^\x00-\x7f]/.test(text)) { throw new Error("the script is not ASCII"); }
 vm.runInNewContext(text, world, { timeout: 20000 });
 const comp = project.activeItem || project.comps[0];
-const masks = comp.all[0].masks.map((mask) => ({
-  name: mask.name, mode: mask.maskMode, inverted: mask.inverted, color: mask.color, blur: mask.maskMotionBlur,
-  falloff: mask.maskFeatherFalloff, locked: mask.locked, properties: mask.properties,
+function told(made) {
+  const masks = made.masks.map((mask) => ({
+    name: mask.name, mode: mask.maskMode, inverted: mask.inverted, color: mask.color, blur: mask.maskMotionBlur,
+    falloff: mask.maskFeatherFalloff, locked: mask.locked, properties: mask.properties,
+  }));
+  const { name, width, height, grey, blendingMode, transform, enabled, startTime } = made;
+  const matte = made.matte && { ...told(made.matte.layer), kind: made.matte.kind, parent: made.matte.layer.parent.name };
+  const comp = made.comp && { ...about(made.comp), layers: made.comp.all.map(told) };
+  return { name, width, height, grey, blendingMode, transform, enabled, startTime, masks, matte, comp };
+}
+
+function about(comp) {
+  const { name, width, height, aspect, duration, fps, displayStartFrame, motionBlur } = comp;
+  return { name, width, height, aspect, duration, fps, displayStartFrame, motionBlur };
+}
+
+const first = comp.all[0];
+console.log(JSON.stringify({
+  comp: about(comp), layer: { name: first.name, width: first.width }, masks: told(first).masks, scene: told(first),
 }));
-const { name, all, selectedLayers, layers, ...about } = comp;
-console.log(JSON.stringify({ comp: about, layer: { name: all[0].name, width: all[0].width }, masks }));

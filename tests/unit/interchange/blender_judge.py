@@ -12,6 +12,7 @@ import os
 import shutil
 import subprocess
 import sys
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
@@ -29,7 +30,7 @@ RENDER = Path(__file__).with_name("blender_render.py")
 class Rendered:
     """Mattes `(h, w)` by frame, and what Blender holds of each mask layer."""
 
-    mattes: dict[int, NDArray[np.float32]]
+    mattes: dict[float, NDArray[np.float32]]
     layers: list[dict[str, Any]]
 
 
@@ -45,14 +46,14 @@ def command() -> tuple[str, ...] | None:
     return None
 
 
-def rendered(script: str, folder: Path, size: tuple[int, int], aspect: float, frames: list[int]) -> Rendered:
+def rendered(script: str, folder: Path, size: tuple[int, int], aspect: float, frames: Sequence[float]) -> Rendered:
     """Run the script and render the frames at `size` (width, height); skips where there is no Blender."""
     blender = command()
     if blender is None:
         pytest.skip("Blender is not installed (pip install roam-roto[blender], on Python 3.11)")
     path = folder / "masks.py"
     path.write_bytes(script.encode("ascii"))
-    wanted = {"script": str(path), "out": str(folder), "size": size, "aspect": aspect, "frames": frames}
+    wanted = {"script": str(path), "out": str(folder), "size": size, "aspect": aspect, "frames": list(frames)}
     environment = os.environ | {"ROAM_WANTED": json.dumps(wanted)}
     done = subprocess.run(
         [*blender, str(RENDER)], env=environment, capture_output=True, text=True, timeout=300, check=False

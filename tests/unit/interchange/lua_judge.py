@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import Any
 
 import lupa
@@ -11,6 +12,7 @@ from numpy.typing import NDArray
 from tests.unit.interchange.judged import JudgedMask
 
 CONSTRUCTORS = ("Input", "Polyline", "FuID", "PolylineMask", "BezierSpline", "OperatorInfo")
+TOOLS = ("BitmapMask", "Background")
 BAD_WORDS = ("os", "io", "debug", "package", "require", "load", "dofile", "loadstring", "loadfile", "python")
 
 
@@ -19,7 +21,7 @@ def evaluated(text: str) -> dict[str, Any]:
     lua = lupa.LuaRuntime(register_eval=False, register_builtins=False, unpack_returned_tuples=True)
     chunk = lua.eval("function(text, environment) return load('return ' .. text, 'setting', 't', environment) end")
     environment = lua.table()
-    for name in CONSTRUCTORS:
+    for name in (*CONSTRUCTORS, *TOOLS):
         environment[name] = lua.eval(f"function(values) values.kind = {name!r}; return values end")
     environment["ordered"] = lua.eval("function() return function(values) return values end end")
     made = chunk(text, environment)
@@ -33,26 +35,14 @@ def _plain(value: Any) -> Any:
 
 
 def judge(text: str) -> list[JudgedMask]:
-    """The masks of a setting, from the bottom of the chain to its top."""
+    """The polygon masks of a setting, in the order of the file."""
     tools = evaluated(text)
-    masks = {name: tool for name, tool in tools.items() if tool["kind"] == "PolylineMask"}
-    above = {_source(tool, "EffectMask"): name for name, tool in masks.items()}
-    assert len(above) == len(masks)
-    chain: list[JudgedMask] = []
-    name = above.get(None)
-    while name is not None:
-        chain.append(_mask(name, masks[name], tools))
-        name = above.get(name)
-    assert len(chain) == len(masks)
-    return chain
+    names = re.findall(r"^  (\w+) = PolylineMask \{", text, flags=re.MULTILINE)
+    assert len(set(names)) == len(names) == sum(tool["kind"] == "PolylineMask" for tool in tools.values())
+    return [mask_of(name, tools[name], tools) for name in names]
 
 
-def _source(tool: dict[str, Any], name: str) -> str | None:
-    made = tool["Inputs"].get(name)
-    return None if made is None else made.get("SourceOp")
-
-
-def _mask(name: str, tool: dict[str, Any], tools: dict[str, Any]) -> JudgedMask:
+def mask_of(name: str, tool: dict[str, Any], tools: dict[str, Any]) -> JudgedMask:
     inputs = tool["Inputs"]
     values = {key: made.get("Value") for key, made in inputs.items()}
     size = (values["MaskWidth"], values["MaskHeight"])
@@ -66,9 +56,20 @@ def _mask(name: str, tool: dict[str, Any], tools: dict[str, Any]) -> JudgedMask:
     closed = {spline["KeyFrames"][frame]["Value"].get("Closed", False) for frame in frames}
     assert len(closed) == 1
     keys = {frame: _points(spline["KeyFrames"][frame]["Value"]["Points"], size) for frame in frames}
-    level = tools[inputs["Level"]["SourceOp"]]["KeyFrames"] if "SourceOp" in inputs.get("Level", {}) else {}
-    extra = {"tool": name, "level": {frame: key[1] for frame, key in level.items()}, "hidden": "PassThrough" in tool}
+    extra = {"tool": name, "level": keys_of("Level", tool, tools), "hidden": "PassThrough" in tool}
+    extra["below"] = inputs.get("EffectMask", {}).get("SourceOp")
     return JudgedMask(values["Comments"], closed.pop(), keys, values | extra)
+
+
+def keys_of(name: str, tool: dict[str, Any], tools: dict[str, Any]) -> dict[float, float]:
+    """Frames and numbers of an input that a spline drives; nothing where none does."""
+    made = tool["Inputs"].get(name, {})
+    if "SourceOp" not in made:
+        return {}
+    assert made["Source"] == "Value"
+    keys = tools[made["SourceOp"]]["KeyFrames"]
+    assert all(key["Flags"] == {"Linear": True} for key in keys.values())
+    return {frame: key[1] for frame, key in keys.items()}
 
 
 def _points(rows: dict[int, dict[str, float]], size: tuple[int, int]) -> NDArray[np.float64]:

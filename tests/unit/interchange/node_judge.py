@@ -33,10 +33,10 @@ def ran(text: str, folder: Path, layer: tuple[int, int] | None = None) -> dict[s
 
 def masks(made: dict[str, Any], fps: float, first: int, start: float = 0.0) -> list[JudgedMask]:
     """The masks in the order in which After Effects applies them, with frames for seconds."""
-    return [_mask(mask, fps, first, start) for mask in made["masks"]]
+    return [mask_of(mask, fps, first, start) for mask in made["masks"]]
 
 
-def _mask(mask: dict[str, Any], fps: float, first: int, start: float) -> JudgedMask:
+def mask_of(mask: dict[str, Any], fps: float, first: int, start: float) -> JudgedMask:
     path = mask["properties"]["ADBE Mask Shape"]["keys"]
     assert [key["time"] for key in path] == sorted(key["time"] for key in path)
     frames = [round((key["time"] - start) * fps + first, 6) for key in path]

@@ -7,9 +7,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from roam_core.interchange.flatten import flattened, opacity_steps, without_holds
+from roam_core.interchange.flatten import branched, moments, opacity_keys, without_holds
 from roam_core.matte import render_matte
-from roam_core.roto import BlendMode, Interpolation, Layer, Project, RotoShape
+from roam_core.roto import Animated, BlendMode, Interpolation, Layer, Project, RotoShape, ValueKey
 from tests.unit.interchange.conftest import animated
 from tests.unit.matte.conftest import rectangle
 
@@ -31,24 +31,29 @@ HOLE = block(2, 6.0, blend=BlendMode.SUBTRACT)
         (Layer("l", "L", (block(1, 2.0, opacity=0.5),), opacity=0.5), (block(9, 5.0),), True),
         (Layer("l", "L", (block(1, 2.0), HOLE)), (block(9, 5.0),), False),
         (Layer("l", "L", (block(1, 2.0), block(3, 8.0)), opacity=0.5), (), False),
-        (Layer("l", "L", (block(1, 2.0),), invert=True), (), False),
+        (Layer("l", "L", (block(1, 2.0), block(3, 8.0)), invert=True), (), False),
+        (Layer("l", "L", (block(1, 2.0),), invert=True), (block(9, 5.0),), True),
+        (Layer("l", "L", (block(1, 2.0), block(3, 8.0)), blend=BlendMode.SUBTRACT), (block(9, 5.0),), True),
+        (Layer("l", "L", (block(1, 2.0),), blend=BlendMode.INTERSECT), (block(9, 5.0),), True),
+        (Layer("l", "L", (block(1, 2.0), block(3, 8.0)), blend=BlendMode.INTERSECT), (block(9, 5.0),), False),
+        (Layer("l", "L", (), blend=BlendMode.INTERSECT), (block(9, 5.0),), False),
         (Layer("l", "L", (block(1, 2.0), HOLE), visible=False), (block(9, 5.0),), True),
     ],
 )
-def test_the_shapes_of_a_layer_join_alike_or_it_is_told(
+def test_the_shapes_of_a_layer_join_alike_or_stay_a_branch(
     layer: Layer, below: tuple[RotoShape, ...], is_alike: bool
 ) -> None:
     root = Layer("root", "Root", (*below, layer))
-    flat = flattened(Project(None, root), "Crayon")
-    joined = render_matte(Layer("flat", "Flat", tuple(flat.shapes)), 1, SIZE)
-    assert np.allclose(joined, render_matte(root, 1, SIZE), atol=1e-6) is is_alike
-    assert (flat.notes == []) is is_alike
-    assert all("Crayon" in note and "'L'" in note for note in flat.notes)
+    flat = branched(Project(None, root))
+    joined = render_matte(Layer("flat", "Flat", tuple(flat.shapes())), 1, SIZE)
+    assert flat.is_flat is is_alike
+    if flat.is_flat:
+        assert np.allclose(joined, render_matte(root, 1, SIZE), atol=1e-6)
 
 
 def test_locks_and_visibility_of_layers_reach_their_shapes() -> None:
     inner = Layer("i", "I", (block(1, 2.0),), locked=True)
-    (shape,) = flattened(Project(None, Layer("root", "Root", (Layer("o", "O", (inner,), visible=False),))), "X").shapes
+    (shape,) = branched(Project(None, Layer("root", "Root", (Layer("o", "O", (inner,), visible=False),)))).shapes()
     assert (shape.locked, shape.visible) == (True, False)
 
 
@@ -61,6 +66,24 @@ def test_holds_become_two_keys_that_are_right_on_every_frame() -> None:
         np.testing.assert_allclose(moving.at(frame).points, held.at(frame).points, atol=1e-9)
 
 
+def test_holds_become_keys_just_before_the_next_between_frames_too() -> None:
+    held = animated("Held", Interpolation.HOLD)
+    assert [moment.time for moment in moments(held, 1)] == [
+        1002, 1012 - 1 / 256, 1012, 1013 - 1 / 256, 1013, 1031 - 1 / 256, 1031
+    ]  # fmt: skip
+    assert [moment.key.frame for moment in moments(held, 1)] == [1001, 1001, 1011, 1011, 1012, 1012, 1030]
+
+
 def test_lifetimes_become_steps_of_the_opacity() -> None:
-    assert opacity_steps(block(1, 0.0, opacity=0.25)) == []
-    assert opacity_steps(block(1, 0.0, opacity=0.25, lifetime=(5, 9))) == [(4, 0.0), (5, 0.25), (9, 0.0)]
+    assert opacity_keys(block(1, 0.0, opacity=0.25)) == ()
+    keys = opacity_keys(block(1, 0.0, opacity=0.25, lifetime=(5, 9)))
+    assert [(key.frame, key.value) for key in keys] == [(4, 0.0), (5, 0.25), (9, 0.0)]
+    assert {key.interpolation for key in keys} == {Interpolation.HOLD}
+
+
+def test_keys_of_the_opacity_count_within_the_lifetime() -> None:
+    fade = Animated((ValueKey(1, 0.0), ValueKey(6, 0.5, Interpolation.SMOOTH), ValueKey(12, 1.0)))
+    shape = block(1, 0.0, opacity=fade, lifetime=(4, 10))
+    curve = Animated(opacity_keys(shape))
+    for frame in range(15):
+        assert curve.at(frame) == pytest.approx(fade.at(frame) if 4 <= frame < 10 else 0.0)

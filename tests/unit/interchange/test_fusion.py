@@ -5,15 +5,16 @@ from __future__ import annotations
 from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from roam_core.interchange.fusion import fusion_setting
 from roam_core.interchange.literals import whole
-from roam_core.roto import BlendMode, Clip, Layer, MotionBlur, Project, RotoShape
+from roam_core.roto import Animated, BlendMode, Clip, Interpolation, Layer, MotionBlur, Project, RotoShape, ValueKey
 from tests.unit.interchange.conftest import CLIP, animated
-from tests.unit.interchange.lua_judge import evaluated, judge
+from tests.unit.interchange.lua_judge import evaluated, judge, keys_of
 
 names = st.text(max_size=12) | st.text("{}[]()\\\"'; \n\r\0%-", max_size=12)
 
@@ -64,7 +65,8 @@ def test_opacity_feather_and_blur_are_values_of_the_mask() -> None:
 
 def test_a_lifetime_is_a_level_that_is_right_on_every_frame() -> None:
     (mask,) = judge(fusion_setting(only(shape("A", opacity=0.5, lifetime=(1005, 1015))))[0])
-    assert mask.values["level"] == {1004: 0, 1005: 0.5, 1014: 0.5, 1015: 0}
+    before = 1.0 / 256.0
+    assert mask.values["level"] == {1004: 0, 1005 - before: 0, 1005: 0.5, 1015 - before: 0.5, 1015: 0}
 
 
 def test_hidden_masks_pass_through() -> None:
@@ -75,9 +77,24 @@ def test_hidden_masks_pass_through() -> None:
 def test_what_is_lost_is_told(project: Project) -> None:
     notes = fusion_setting(project)[1]
     assert any("feather curve of 'Soft'" in note for note in notes)
-    assert any("'Body' is not inverted" in note for note in notes)
-    lowest = fusion_setting(only(shape("A", blend=BlendMode.SUBTRACT)))[1]
-    assert any("'A' lies lowest" in note for note in lowest)
+
+
+def test_holds_hold_between_frames(project: Project) -> None:
+    held = next(shape for shape in project.shapes if shape.name == "Held")
+    mask = next(mask for mask in judge(fusion_setting(project)[0]) if mask.name == "Held")
+    for frame in np.arange(1001.0, 1031.0, 0.25):
+        np.testing.assert_allclose(mask.points(frame), held.at(frame).points, atol=0.01)
+
+
+def test_opacity_and_feather_keep_their_keys() -> None:
+    opacity = Animated((ValueKey(1001, 0.25, Interpolation.HOLD), ValueKey(1005, 0.5), ValueKey(1009, 1.0)))
+    text = fusion_setting(
+        only(shape("A", opacity=opacity, feather=Animated((ValueKey(1001, 0.0), ValueKey(1009, 19.2)))))
+    )[0]
+    tools = evaluated(text)
+    assert keys_of("Level", tools["A"], tools) == {1001: 0.25, 1005 - 1 / 256: 0.25, 1005: 0.5, 1009: 1.0}
+    assert keys_of("SoftEdge", tools["A"], tools) == pytest.approx({1001: 0.0, 1009: 0.01})
+    assert keys_of("BorderWidth", tools["A"], tools) == pytest.approx({1001: 0.0, 1009: 0.005})
 
 
 def test_tools_have_names_of_their_own_that_are_words_of_lua() -> None:

@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 
 from roam_core.interchange.natron import natron_script
-from roam_core.roto import BlendMode, Layer, Project
+from roam_core.roto import Animated, BlendMode, Interpolation, Layer, Project, ValueKey
 from tests.unit.interchange.conftest import CLIP, animated
 from tests.unit.interchange.natron_judge import judge
 
@@ -54,4 +54,21 @@ def test_operators_are_those_of_the_modes() -> None:
 def test_what_is_lost_is_told(project: Project) -> None:
     notes = natron_script(project)[1]
     assert any("'Soft' has a feather curve and a uniform feather" in note for note in notes)
-    assert any("'Body' is not inverted" in note for note in notes)
+
+
+def test_holds_hold_between_frames(project: Project) -> None:
+    held = next(shape for shape in project.shapes if shape.name == "Held")
+    mask = next(mask for mask in judge(natron_script(project)[0], 1080)[0] if mask.name == "Held")
+    for frame in np.arange(1001.0, 1031.0, 0.25):
+        np.testing.assert_allclose(mask.points(frame), held.at(frame).points, atol=0.01)
+
+
+def test_opacity_and_feather_keep_their_keys() -> None:
+    opacity = Animated((ValueKey(1001, 0.25, Interpolation.HOLD), ValueKey(1005, 0.5), ValueKey(1009, 1.0)))
+    wide = Animated((ValueKey(1001, 0.0), ValueKey(1009, 8.0)))
+    shape = replace(animated("x"), opacity=opacity, feather=wide)
+    masks, _ = judge(natron_script(Project(CLIP, Layer("root", "Root", (shape,))))[0], 1080)
+    item = masks[0].values["item"]
+    assert item.opacity.keys == {1001: 0.25, 1005: 0.5, 1009: 1.0}
+    assert item.opacity.kinds == {1001: "Constant", 1005: "Linear", 1009: "Linear"}
+    assert item.distance.keys == {1001: 0.0, 1009: 8.0}

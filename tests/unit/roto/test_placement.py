@@ -10,7 +10,7 @@ import pytest
 
 from roam_core.geometry import affine, projective
 from roam_core.geometry.bezier import ANCHOR, polygon_points
-from roam_core.interchange.flatten import flattened
+from roam_core.interchange.flatten import branched
 from roam_core.interchange.plain_json import json_document
 from roam_core.matte import render_matte
 from roam_core.roto import Clip, Interpolation, Keyframe, Layer, LayerTransform, MotionBlur, Origin, Project, edit, file
@@ -111,7 +111,7 @@ def test_baking_keeps_the_shapes_own_keys() -> None:
 
 def test_exports_hold_the_motion() -> None:
     one = project()
-    (shape,) = flattened(one, "Test").shapes
+    (shape,) = branched(one).shapes()
     np.testing.assert_allclose(shape.at(5).points[0, ANCHOR], [18, 14])
     assert "18.0" in json_document(one)[0]
 
