@@ -10,10 +10,10 @@ and an underscore.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from dataclasses import dataclass, field
 
-from roam_core.interchange.transliteration import distinct, transliterated
+from roam_core.interchange.naming import ascii_name
 from roam_core.roto import Layer
 
 KNOB = "roam_names"
@@ -50,7 +50,7 @@ class Names:
         for item in items:
             plain = _plain(item.name)
             if plain != item.name:
-                plain = distinct(plain.strip() or "unnamed", taken)
+                plain = _distinct(plain.strip() or "unnamed", taken)
                 taken.add(plain)
                 names.changed[plain] = _sound(item.name)
             names.by_id[item.id] = plain
@@ -129,7 +129,16 @@ def knob_text(text: str) -> str:
 
 
 def _plain(name: str) -> str:
-    return transliterated(name).translate(_HARMLESS)
+    return ascii_name(name).translate(_HARMLESS)
+
+
+def _distinct(name: str, taken: Collection[str]) -> str:
+    """The name, or the name and the first number from 2 on that none of `taken` is called."""
+    number, free = 1, name
+    while free in taken:
+        number += 1
+        free = f"{name} {number}"
+    return free
 
 
 def _coded(text: str) -> str:
