@@ -12,7 +12,6 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass, field
-from urllib.parse import quote, unquote
 
 from roam_core.interchange.naming import ascii_name, distinct
 from roam_core.roto import Layer
@@ -79,8 +78,8 @@ class Names:
 
     @property
     def knob(self) -> str:
-        """The same for `true_names`: letters, digits and `%=,._~-` only."""
-        return ",".join(f"{quote(plain, safe='')}={quote(true, safe='')}" for plain, true in self.changed.items())
+        """The same for `true_names`: letters, digits and `%=,._-` only."""
+        return ",".join(f"{_coded(plain)}={_coded(true)}" for plain, true in self.changed.items())
 
     def lines(self) -> tuple[list[str], list[str]]:
         """The lines of a node that hold the label, and those of the knob; none where no name had to change."""
@@ -93,18 +92,18 @@ class Names:
 def true_names(knob: str) -> dict[str, str]:
     """True names by ASCII ones, as the knob tells them."""
     pairs = (pair.partition("=") for pair in knob.split(","))
-    return {unquote(plain): unquote(true) for plain, sign, true in pairs if sign}
+    return {_decoded(plain): _decoded(true) for plain, sign, true in pairs if sign}
 
 
 def layer_word(layer: Layer) -> str:
-    """Name and lock of a layer, as letters, digits and `%,._~-`."""
-    return f"{quote(_sound(layer.name), safe='')},{'locked' if layer.locked else 'free'}"
+    """Name and lock of a layer, as letters, digits and `%,._-`."""
+    return f"{_coded(layer.name)},{'locked' if layer.locked else 'free'}"
 
 
 def read_layer_word(word: str) -> tuple[str, bool]:
     """What `layer_word` told: the name, and whether the layer is locked."""
     name, _, lock = word.partition(",")
-    return unquote(name), lock == "locked"
+    return _decoded(name), lock == "locked"
 
 
 def roto_string(name: str) -> str:
@@ -131,6 +130,18 @@ def knob_text(text: str) -> str:
 
 def _plain(name: str) -> str:
     return ascii_name(name).translate(_HARMLESS)
+
+
+def _coded(text: str) -> str:
+    """Any text as letters, digits and `_.-`, everything else as `%` and two hexadecimal digits for each byte."""
+    return re.sub(rb"[^A-Za-z0-9_.-]", lambda found: b"%%%02X" % found.group()[0], _sound(text).encode()).decode(
+        "ascii"
+    )
+
+
+def _decoded(word: str) -> str:
+    codes = re.sub(rb"%([0-9A-Fa-f]{2})", lambda found: bytes([int(found.group(1), 16)]), word.encode())
+    return codes.decode("utf-8", "replace")
 
 
 def _sound(text: str) -> str:

@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 from roam_core.geometry import bspline
 from roam_core.geometry.bezier import ANCHOR, IN, OUT
 from roam_core.interchange.authorship import MARK
+from roam_core.interchange.flatten import everything
 from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter, settled, without_smooth_keys
 from roam_core.interchange.stilled import stilled
 from roam_core.interchange.sums import UNIONS, Item, is_shown
@@ -54,6 +55,10 @@ SCALED_BY_THEIR_LAYER = {BlendMode.ADD, BlendMode.PLUS, BlendMode.DIFFERENCE, Bl
 """Scaling these scales what they do in the layer; those that subtract or lie inside act on what is scaled."""
 
 
+VEIL = "Opacity of "
+"""How the name of a shape begins that holds the opacity of its layer, whose name follows."""
+
+
 class SilhouetteExporter:
     """Writes all layers and shapes of a project as a Silhouette shape file."""
 
@@ -73,7 +78,7 @@ def silhouette_document(project: Project, options: ExportOptions = STANDARD) -> 
     """The text of a shape file with all shapes of `project`, and a sentence for each thing that it cannot hold.
 
     The key of frame f is numbered f minus the clip's first frame plus the options' offset; the session's own range
-    stays the plate's. Raises `LossyExport` where the matte would differ, unless the options are `lossy`.
+    stays the plate's.
     """
     project = stilled(project)
     clip = project.require_clip()
@@ -87,6 +92,8 @@ def silhouette_document(project: Project, options: ExportOptions = STANDARD) -> 
         sessionStartFrame=str(clip.first),
     )
     writer = _Writer(clip, options, len(project.shapes))
+    project = replace(project, root=writer.veiled(project.root))
+    writer.total = len(project.shapes)
     root = ET.SubElement(session, "Layer", type="Layer", label=xml_text(project.root.name), expanded="True")
     if not project.root.visible or project.root.locked:
         root.attrib.update(_flags(project.root))
@@ -111,11 +118,24 @@ class _Writer(ShapeWriter):
 
     KINDS = frozenset(PATH_KINDS)
 
+    def veiled(self, layer: Layer) -> Layer:
+        """The layer with a shape of its opacity lying inside of all that is in it, where its shapes cannot have it."""
+        children = tuple(self.veiled(child) if isinstance(child, Layer) else child for child in layer.children)
+        layer = replace(layer, children=children)
+        if is_always(layer.opacity, 1.0) or not is_shown(layer) or _folds(layer):
+            return layer
+        name = f"{VEIL}{layer.name}"
+        self.notes.append(f"Silhouette layers have no opacity: that of {layer.name!r} is a shape inside, {name!r}.")
+        veil = everything(name, self.clip.size, self.clip.first)
+        veil = replace(veil, id=f"{layer.id} opacity", blend=BlendMode.INTERSECT, opacity=layer.opacity)
+        held = layer.children if not layer.invert else (replace(layer, opacity=1.0, blend=BlendMode.ADD),)
+        return replace(layer, children=(*held, veil), opacity=1.0, invert=False)
+
     def fill_layer(self, element: ET.Element, layer: Layer, opacity: Animatable) -> None:
         """Properties and children of a layer; `opacity` is what the layers around it leave of its shapes'."""
         opacity = product(opacity, layer.opacity)
-        if not is_always(opacity, 1.0):
-            opacity = self._shared(layer, opacity)
+        if layer.opacity != 1.0:
+            self.notes.append(f"Silhouette layers have no opacity: that of {layer.name!r} went into its shapes.")
         properties = ET.SubElement(element, "Properties")
         _constant(properties, "color", "(1.000000,1.000000,1.000000)")
         _constant(properties, "invert", _truth(layer.invert))
@@ -128,30 +148,6 @@ class _Writer(ShapeWriter):
                 self.fill_layer(inner, child, opacity if child.blend in SCALED_BY_THEIR_LAYER else 1.0)
             else:
                 self.add_shape(objects, child, opacity)
-
-    def _shared(self, layer: Layer, opacity: Animatable) -> Animatable:
-        """The opacity that goes into what lies in a layer, and what that loses.
-
-        Scaling the shapes scales their joint matte, but where a union or a sum joins two: both are scaled there.
-        """
-        if layer.invert:  # scaling what is inverted does not scale what becomes of it
-            if is_shown(layer):
-                self.losses.append(
-                    f"Silhouette layers have no opacity: that of the inverted layer {layer.name!r} was left out."
-                )
-            return 1.0
-        if layer.opacity != 1.0:
-            self.notes.append(f"Silhouette layers have no opacity: that of {layer.name!r} went into its shapes.")
-        under: list[Item] = []
-        for child in filter(is_shown, layer.children):
-            if child.blend in UNIONS and any(_may_overlap(child, each) for each in under):
-                self.losses.append(
-                    f"Silhouette layers have no opacity: where shapes of the dimmed layer {layer.name!r} overlap they "
-                    "are brighter there than in ROAM."
-                )
-                break
-            under.append(child)
-        return opacity
 
     def add_shape(self, objects: ET.Element, shape: RotoShape, opacity: Animatable) -> None:
         shape = without_smooth_keys(self.begun(shape))
@@ -231,6 +227,20 @@ def _straight(value: Animated) -> Iterator[ValueKey]:
             continue
         frames = range(key.frame, following.frame if key.value != following.value else key.frame + 1)
         yield from (ValueKey(frame, value.at(frame)) for frame in frames)
+
+
+def _folds(layer: Layer) -> bool:
+    """True where scaling what lies in a layer scales its joint matte, which no inversion and no union of two does."""
+    if layer.invert:
+        return False
+    under: list[Item] = []
+    for child in filter(is_shown, layer.children):
+        if child.blend in UNIONS and any(_may_overlap(child, each) for each in under):
+            return False
+        if isinstance(child, Layer) and child.blend in SCALED_BY_THEIR_LAYER and not _folds(child):
+            return False
+        under.append(child)
+    return True
 
 
 def _may_overlap(first: Item, second: Item) -> bool:

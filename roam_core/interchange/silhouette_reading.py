@@ -22,7 +22,7 @@ from roam_core.interchange.reading import (
     quietly,
     sensible,
 )
-from roam_core.interchange.silhouette import MODES, PATH_KINDS
+from roam_core.interchange.silhouette import MODES, PATH_KINDS, VEIL
 from roam_core.interchange.silhouette_project import project_session, project_shapes, unpacked
 from roam_core.interchange.silhouette_values import (
     MATRIX,
@@ -142,7 +142,7 @@ class _SessionReader:
                     self.reader.note(f"The {name} of the layer {brief(label)} was left out: {error}.")
         inner = [LayerTransform(parts), *outer] if parts else outer
         objects = properties.get("objects")
-        return Layer(
+        layer = Layer(
             self.reader.fresh_id("layer"),
             label,
             () if objects is None else tuple(self._items(objects, inner)),
@@ -152,6 +152,7 @@ class _SessionReader:
             invert=_truth(_text(properties, "invert", "")),
             blend=self._blend(_text(properties, "mode", MODES[BlendMode.ADD]), f"layer {brief(label)}"),
         )
+        return _unveiled(layer)
 
     def _shape(self, element: Element, label: str, outer: Sequence[LayerTransform]) -> RotoShape:
         properties = self._properties(element, f"The shape {brief(label)}")
@@ -291,6 +292,18 @@ class _SessionReader:
 
     def _frame(self, number: float) -> int:
         return self.reader.frame(number + self.session.start)
+
+
+def _unveiled(layer: Layer) -> Layer:
+    """The layer with the opacity that our writer gave it by a shape inside of all others."""
+    veil = layer.children[-1] if layer.children else None
+    if not isinstance(veil, RotoShape) or (veil.name, veil.blend) != (f"{VEIL}{layer.name}", BlendMode.INTERSECT):
+        return layer
+    held = layer.children[:-1]
+    inner = held[0] if len(held) == 1 else None
+    if isinstance(inner, Layer) and inner.invert and inner.name == layer.name and not layer.invert:
+        return replace(layer, children=inner.children, invert=True, opacity=veil.opacity)
+    return replace(layer, children=held, opacity=veil.opacity)
 
 
 def _comes_and_goes(opacity: Track) -> bool:

@@ -12,9 +12,9 @@ from scipy.interpolate import BSpline
 
 from roam_core.errors import RoamError
 from roam_core.geometry import bezier
-from roam_core.interchange import EXPORTERS, ExportOptions, KeyChoice
-from roam_core.interchange.protocol import LossyExport
+from roam_core.interchange import EXPORTERS, ExportOptions, KeyChoice, read_shapes
 from roam_core.interchange.silhouette import MODES, silhouette_document
+from roam_core.matte import render_matte
 from roam_core.roto import (
     Animated,
     BlendMode,
@@ -28,6 +28,8 @@ from roam_core.roto import (
     ValueKey,
     grips,
 )
+from tests.judges.scenes import SCENES
+from tests.judges.silhouette import matte
 from tests.unit.interchange.conftest import CLIP, animated, points
 from tests.unit.interchange.silhouette_judge import JudgedLayer, JudgedShape, judge
 
@@ -118,13 +120,47 @@ def test_a_layers_opacity_goes_into_the_shapes_that_it_scales(blend: BlendMode, 
     assert "'Body' went into its shapes" in silhouette_document(project)[1][0]
 
 
-def test_an_inverted_layers_opacity_is_told_as_lost() -> None:
-    project = only(animated("A"), opacity=0.5, invert=True)
-    lossy = ExportOptions(lossy=True)
-    assert judged(project, lossy)["A"].properties["opacity"] == "100.000000"
-    assert "inverted layer 'Body' was left out" in silhouette_document(project, lossy)[1][0]
-    with pytest.raises(LossyExport, match="'Body' was left out"):
-        silhouette_document(project)
+def test_an_inverted_layers_opacity_is_a_shape_inside() -> None:
+    text, notes = silhouette_document(only(animated("A"), opacity=0.5, invert=True))
+    outer = judge(text)[1].children[0]
+    assert isinstance(outer, JudgedLayer)
+    inner, veil = outer.children
+    assert isinstance(inner, JudgedLayer)
+    assert isinstance(veil, JudgedShape)
+    assert (outer.properties["invert"], inner.properties["invert"]) == ("false", "true")
+    assert (veil.properties["mode"], veil.properties["opacity"]) == ("Inside", "50.000000")
+    assert inner.shapes()[0].properties["opacity"] == "100.000000"
+    assert notes == ("Silhouette layers have no opacity: that of 'Body' is a shape inside, 'Opacity of Body'.",)
+
+
+@pytest.mark.parametrize("invert", [False, True])
+def test_the_opacity_of_a_layer_comes_back(invert: bool, tmp_path: Path) -> None:
+    shapes = (animated("A"), replace(animated("B"), id="b"))
+    value = Animated((ValueKey(1001, 0.25), ValueKey(1010, 0.75)))
+    EXPORTERS["silhouette"].export(only(*shapes, opacity=value, invert=invert), tmp_path / "a.fxs")
+    (found,) = read_shapes(tmp_path / "a.fxs", CLIP).layer.children
+    assert isinstance(found, Layer)
+    assert (found.name, found.opacity, found.invert) == ("Body", value, invert)
+    assert [shape.name for shape in found.shapes()] == ["A", "B"]
+
+
+@pytest.mark.parametrize("name", ["layers", "in time", "modes", "inverted"])
+def test_the_matte_is_ours(name: str) -> None:
+    scene = SCENES[name]
+    if name == "in time":  # its feather has no place in the file
+        scene = replace(scene, project=without_feather(scene.project))
+    clip = scene.project.require_clip()
+    text, _ = silhouette_document(scene.project)
+    for frame in scene.moments[1:3]:
+        ours = render_matte(scene.project, frame, clip.size[::-1])
+        theirs = matte(text, frame, clip.size[::-1])
+        assert np.minimum(ours, theirs).sum() >= 0.999 * np.maximum(ours, theirs).sum()
+
+
+def without_feather(project: Project) -> Project:
+    for shape in project.shapes:
+        project = project.with_shape(replace(shape, feather=0.0))
+    return project
 
 
 def square(left: float, **fields: Any) -> RotoShape:
@@ -134,7 +170,7 @@ def square(left: float, **fields: Any) -> RotoShape:
 
 
 @pytest.mark.parametrize(
-    ("upper", "is_lost"),
+    ("upper", "is_veiled"),
     [
         (square(150.0), True),
         (square(150.0, blend=BlendMode.PLUS), True),
@@ -145,14 +181,13 @@ def square(left: float, **fields: Any) -> RotoShape:
         (square(150.0, visible=False), False),
     ],
 )
-def test_a_dimmed_layer_whose_shapes_unite_where_they_overlap_is_a_loss(upper: RotoShape, is_lost: bool) -> None:
+def test_a_dimmed_layer_whose_shapes_unite_where_they_overlap_has_a_shape_inside(
+    upper: RotoShape, is_veiled: bool
+) -> None:
     layer = Layer("layer-1", "Pair", (square(100.0), upper), opacity=0.5)
     project = Project(CLIP, Layer("root", "Root", (layer,)))
-    if not is_lost:
-        silhouette_document(project)
-        return
-    with pytest.raises(LossyExport, match="dimmed layer 'Pair' overlap"):
-        silhouette_document(project)
+    written = [shape.label for shape in judge(silhouette_document(project)[0])[1].shapes()]
+    assert ("Opacity of Pair" in written) is is_veiled
 
 
 def test_layers_have_their_modes() -> None:
@@ -206,7 +241,7 @@ def test_labels_survive_xml(name: str, label: str, tmp_path: Path) -> None:
 
 
 def test_what_is_lost_is_told(project: Project, tmp_path: Path) -> None:
-    notes = EXPORTERS["silhouette"].export(project, tmp_path / "a.fxs", ExportOptions(lossy=True))
+    notes = EXPORTERS["silhouette"].export(project, tmp_path / "a.fxs")
     assert any("feather of 'Soft'" in note for note in notes)
     assert any("shutter" in note and "'Soft'" in note for note in notes)
 
