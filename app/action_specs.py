@@ -47,7 +47,9 @@ SPECS: tuple[ActionSpec, ...] = (
     ActionSpec("edit.history", "History", tip="Show every step and go back to any", checkable=True),
     ActionSpec("edit.copy", "Copy", _VIEWER, tip="Copy the selected shapes"),
     ActionSpec("edit.cut", "Cut", _VIEWER, tip="Cut the selected shapes"),
-    ActionSpec("edit.paste", "Paste", _VIEWER, tip="Paste the copied shapes"),
+    ActionSpec("edit.paste", "Paste", _VIEWER, tip="Paste the copied shapes, also those copied in Nuke or Fusion"),
+    ActionSpec("edit.copy_nuke", "Copy for Nuke", tip="The selected shapes, or all, as a node to paste into a script"),
+    ActionSpec("edit.copy_fusion", "Copy for Fusion", tip="The selected shapes, or all, as nodes to paste into a flow"),
     ActionSpec("tool.select", "Select", _VIEWER, "tool-select", "Select and drag shapes, points and handles", True),
     ActionSpec(
         "tool.transform", "Transform", _VIEWER, "tool-transform", "Move, turn, scale and shear points or shapes", True

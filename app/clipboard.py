@@ -18,10 +18,19 @@ from roam_core.roto.baking import baked
 
 
 class ShapeClipboard:
-    """The verbs behind Ctrl+C, X and V in the viewer. Other windows of ROAM understand what was copied."""
+    """The verbs behind Ctrl+C, X and V in the viewer. Other windows of ROAM understand what was copied.
 
-    def __init__(self, document: Document, view_state: ViewState, parent: QWidget | None = None) -> None:
-        self._document, self._view = document, view_state
+    `paste_text(text)` takes shapes out of text of another program, and says whether it knows its kind.
+    """
+
+    def __init__(
+        self,
+        document: Document,
+        view_state: ViewState,
+        parent: QWidget | None = None,
+        paste_text: Callable[[str], bool] = lambda _: False,
+    ) -> None:
+        self._document, self._view, self._paste_text = document, view_state, paste_text
         self.keys = KeyClipboard(document, view_state, parent)
 
     def handlers(self) -> dict[str, Callable[[], object]]:
@@ -49,10 +58,12 @@ class ShapeClipboard:
         if copied_keys() is not None:
             self.keys.paste()
             return
+        text = QGuiApplication.clipboard().text()
         try:
-            copied = file.loads(QGuiApplication.clipboard().text(), Path(), "the clipboard").shapes
+            copied = file.loads(text, Path(), "the clipboard").shapes
         except RoamError:
-            self._view.say("There is no shape to paste; copy one first.")
+            if not self._paste_text(text):
+                self._view.say("There is no shape to paste; copy one first, here or in another program.")
             return
         project, ids = self._document.project, []
         for shape in linking.relinked(project, copied):

@@ -11,6 +11,8 @@ from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
 from app.files import PROJECT_SUFFIX
 
 MOVIES = "Movies (*.mov *.mp4 *.avi *.mkv *.m4v *.mxf *.webm);;All files (*)"
+MOST_LOSSES = 6
+"""How many sentences a question shows at once."""
 PROJECTS = f"ROAM projects (*{PROJECT_SUFFIX})"
 
 
@@ -94,6 +96,22 @@ def ask_overwrite(parent: QWidget, paths: Sequence[Path]) -> bool:
     box.setEscapeButton(keep)
     box.exec()
     return box.clickedButton() is overwrite
+
+
+def ask_lossy(parent: QWidget, losses: Sequence[str]) -> bool:
+    """Ask before an export whose mattes would differ in the other program; what differs is named."""
+    box = QMessageBox(parent)
+    box.setWindowTitle("ROAM")
+    box.setText("Export, although the mattes would differ in the other program?")
+    box.setInformativeText("\n".join(losses[:MOST_LOSSES]))
+    if len(losses) > MOST_LOSSES:
+        box.setDetailedText("\n".join(losses))
+    anyway = box.addButton("Export anyway", QMessageBox.ButtonRole.AcceptRole)
+    stay = box.addButton(QMessageBox.StandardButton.Cancel)
+    box.setDefaultButton(stay)
+    box.setEscapeButton(stay)
+    box.exec()
+    return box.clickedButton() is anyway
 
 
 def choose_clip_folder(parent: QWidget, start: Path) -> Path | None:

@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 
 from PySide6.QtCore import Qt
+from PySide6.QtGui import QHideEvent, QShowEvent
 from PySide6.QtWidgets import (
+    QCheckBox,
     QComboBox,
     QDialog,
     QDoubleSpinBox,
@@ -27,11 +30,13 @@ from PySide6.QtWidgets import (
 from app import dialogs, style
 from app.document import Document
 from app.jobs.export import Export
+from app.jobs.foreseeing import Foresight
 from app.jobs.runner import Ending
 from app.matte_form import MatteForm
 from app.panels.controls import dense_form, form_label, number_field, weak_label
-from app.view_state import ViewState
+from app.view_state import ViewState, selected_shapes
 from roam_core.interchange import EXPORTERS, Exporter, ExportOptions, KeyChoice
+from roam_core.interchange.foresight import Foreseen
 
 KEYS = {
     KeyChoice.EVERY: "Every key",
@@ -64,6 +69,9 @@ class ExportDialog(QDialog):
         super().__init__(parent)
         self._document, self._view, self._export, self._suggested = document, view_state, export, suggested
         self._is_ours, self._written = False, Path()
+        self._losses: tuple[str, ...] = ()
+        """What the artist sees that the format would lose, as long as nothing else is chosen."""
+        self._foresight = Foresight(export.runner, self)
         self.setWindowTitle("Export")
         self.resize(760, 560)
         self._build()
@@ -86,6 +94,7 @@ class ExportDialog(QDialog):
         self.formats.header().setSectionResizeMode(0, mode.Stretch)
         self.formats.header().setSectionResizeMode(1, mode.ResizeToContents)
         self.formats.header().setStretchLastSection(False)
+        self.selected = QCheckBox("Selected shapes only")
         self.keys = QComboBox()
         self.tolerance = QDoubleSpinBox()
         self.tolerance.setRange(0.01, 100.0)
@@ -109,7 +118,7 @@ class ExportDialog(QDialog):
         self.hint = weak_label("")
         self.notes = QPlainTextEdit()
         self.notes.setReadOnly(True)
-        self.notes.setPlaceholderText("What a format cannot hold is told here after the export.")
+        self.notes.setPlaceholderText("What the format cannot hold is told here.")
         self.bar = QProgressBar()
         self.bar.setRange(0, 1000)
         self.bar.setTextVisible(False)
@@ -119,6 +128,7 @@ class ExportDialog(QDialog):
 
     def _lay_out(self) -> None:
         form = dense_form()
+        form.addRow(form_label("Shapes"), self.selected)
         form.addRow(form_label("Keys"), self.keys)
         self._tolerance_label = form_label("Within")
         form.addRow(self._tolerance_label, _row(self.tolerance, None))
@@ -147,10 +157,16 @@ class ExportDialog(QDialog):
 
     def _connect(self) -> None:
         self.formats.currentItemChanged.connect(lambda *_: self._pull_format())
+        self.selected.toggled.connect(lambda _: self._pull_shapes())
+        self._view.selection_changed.connect(lambda: self._pull_shapes() if self.selected.isChecked() else None)
+        self._document.changed.connect(lambda _: self._look_ahead())
+        self._foresight.seen.connect(self._show_foreseen)
         self.keys.currentIndexChanged.connect(lambda _: self._pull_keys())
         self.target.textChanged.connect(lambda _: self._pull_hint())
         self.mattes.file.currentIndexChanged.connect(lambda _: self._pull_hint())
         self.first.valueChanged.connect(lambda _: self._pull_hint())
+        for field in (self.first, self.last):
+            field.valueChanged.connect(lambda _: self._look_ahead())
         self.all_frames.clicked.connect(self._take_all_frames)
         self.in_out.clicked.connect(self._take_range)
         self.browse.clicked.connect(self._browse)
@@ -189,6 +205,13 @@ class ExportDialog(QDialog):
             smoothing=self.smoothing.value() if self.smoothing.isEnabled() else 0.0,
             mattes=self.mattes.chosen,
         )
+
+    @property
+    def shapes(self) -> frozenset[str] | None:
+        """The ids of the shapes to export, None for all."""
+        if not self.selected.isChecked():
+            return None
+        return frozenset(shape.id for shape in selected_shapes(self._document.project, self._view.selection))
 
     @property
     def path(self) -> Path:
@@ -239,18 +262,29 @@ class ExportDialog(QDialog):
     def _pull_keys(self) -> None:
         """What is asked about keys depends on which are written: the artist's own are never moved."""
         keys = self.keys.currentData()
+        if keys is None:  # the list is being filled
+            return
         for widgets, is_used in (
             ((self._tolerance_label, self.tolerance), keys == KeyChoice.REDUCED),
             ((self._smoothing_label, self.smoothing, self._smoothing_word), keys != KeyChoice.ARTIST),
         ):
             for widget in widgets:
                 widget.setEnabled(is_used)
+        self._look_ahead()
+
+    def _pull_shapes(self) -> None:
+        """Other shapes are to be exported."""
+        self._pull_hint()
+        self._look_ahead()
 
     def _pull_hint(self) -> None:
         is_named = bool(self.target.text().strip())
-        self.start.setEnabled(is_named and not self._is_ours)
+        has_shapes = self.shapes is None or bool(self.shapes)
+        self.start.setEnabled(is_named and has_shapes and not self._is_ours)
         if not is_named:
             self.hint.setText("Say where to write it.")
+        elif not has_shapes:
+            self.hint.setText("No shape is selected; select some, or export all.")
         elif self._is_folder:
             first = f"matte.{self.first.value()}{self.mattes.chosen.suffix}"
             self.hint.setText(f"A folder; its pictures are {first} and so on.")
@@ -267,6 +301,36 @@ class ExportDialog(QDialog):
         self.first.setValue(first)
         self.last.setValue(stop - 1)
 
+    # ---- what would be lost
+
+    def _look_ahead(self) -> None:
+        """Find out what the format would lose of what is chosen now; until that is known nothing may be lost."""
+        self._set_losses(())
+        if self._is_ours:
+            return
+        self.notes.clear()
+        project = self._document.project
+        if self.isVisible() and project.clip is not None:
+            self._foresight.ask(self.exporter.name, project, self.options, self.shapes)
+
+    def _show_foreseen(self, found: Foreseen) -> None:
+        self._set_losses(found.losses)
+        losses = ["The mattes would differ in the other program:", *found.losses] if found.losses else []
+        besides = ["", "Besides:"] if found.losses and found.notes else []
+        self.notes.setPlainText("\n".join([*losses, *besides, *found.notes]))
+
+    def _set_losses(self, losses: tuple[str, ...]) -> None:
+        self._losses = losses
+        self.start.setText("Export anyway" if losses else "Export")
+
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
+        self._look_ahead()
+
+    def hideEvent(self, event: QHideEvent) -> None:
+        self._foresight.drop()
+        super().hideEvent(event)
+
     # ---- the export
 
     def _browse(self) -> None:
@@ -278,9 +342,11 @@ class ExportDialog(QDialog):
             self.target.setText(str(chosen))
 
     def _start(self) -> None:
+        self._foresight.drop()
         self.notes.clear()
         self._written = self.path
-        self._export.start(self.exporter.name, self._written, self.options)
+        options = replace(self.options, lossy=bool(self._losses))
+        self._export.start(self.exporter.name, self._written, options, self.shapes)
         self._is_ours = True
         self._pull_running()
 

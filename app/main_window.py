@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import Qt, QTimer
@@ -23,6 +24,7 @@ from app.file_actions import FileActions
 from app.files import Files
 from app.focus import FocusFollowsPointer
 from app.history import History
+from app.jobs.copying import Copying
 from app.jobs.decode import PlateReader
 from app.jobs.export import Export
 from app.jobs.importing import Import
@@ -35,6 +37,7 @@ from app.journal.journal import Journal
 from app.layer_verbs import LayerVerbs
 from app.mask_shapes import MaskShapes
 from app.navigation import Navigation
+from app.node_clipboard import NodeClipboard
 from app.object_verbs import ObjectVerbs
 from app.panels.controls import tool_button
 from app.panels.mode_bar import ModeBar
@@ -93,8 +96,9 @@ class MainWindow(QMainWindow):
         self.saver = Runner("saver", self)
         self.reader = PlateReader(self)
         self.files = Files(self.document, self.view_state, self.reader, self.writer, self.saver, self)
-        self.export = Export(self.document, self.writer, self, lambda paths: dialogs.ask_overwrite(self, paths))
-        self.importing = Import(self.document, self.writer, self)
+        asks = partial(dialogs.ask_overwrite, self), partial(dialogs.ask_lossy, self)
+        self.export = Export(self.document, self.writer, self, *asks)
+        self.importing, self.copying = Import(self.document, self.writer, self), Copying(self.writer, self)
         self.journal = Journal(self.document, journal_root, self)
         self.propagation = Propagation(self.document, self.view_state, self.solver, self.reader.engine_frame, self)
         self.proposals = Proposals(self.document, self.view_state, self.propagation, self)
@@ -102,7 +106,7 @@ class MainWindow(QMainWindow):
         self.pictures = PictureWork(self.eye, self)
         self.belonging = Belonging(self.document, self.view_state, self.eye, self)
         self.planar = PlanarTrack(self.document, self.view_state, self.solver, self.reader.engine_frame, self)
-        works = self.files, self.export, self.importing, self.propagation, self.planar, self.pictures
+        works = self.files, self.export, self.importing, self.copying, self.propagation, self.planar, self.pictures
         self.under_way = UnderWay(*works, parent=self)
         self.playback = Playback(self.view_state, self)
         self.navigation = Navigation(self.document, self.view_state)
@@ -232,7 +236,8 @@ class MainWindow(QMainWindow):
 
     def _handlers(self) -> dict[str, Callable[[], object]]:
         """What each action calls; tools and switches are connected by their own widgets."""
-        clipboard = ShapeClipboard(self.document, self.view_state, self)
+        nodes = NodeClipboard(self.document, self.view_state, self.copying, self.importing)
+        clipboard = ShapeClipboard(self.document, self.view_state, self, nodes.paste)
         history = History(self.document, self.view_state)
         files, tracking, time, playback = self.file_actions, self.tracking, self.navigation, self.playback
         handlers: dict[str, Callable[[], object]] = {
@@ -255,6 +260,7 @@ class MainWindow(QMainWindow):
             files,
             history,
             clipboard,
+            nodes,
             self.shape_verbs,
             MaskShapes(self, self.document, self.view_state, self.pictures),
             SplineVerbs(self.document, self.view_state),

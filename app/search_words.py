@@ -20,6 +20,8 @@ WORDS: Mapping[str, str] = {
     "file.quit": "exit close leave",
     "edit.undo": "revert back",
     "edit.history": "undo list steps",
+    "edit.copy_nuke": "clipboard roto node script export",
+    "edit.copy_fusion": "clipboard davinci resolve setting mask node export",
     "tool.select": "pick arrow move edit",
     "tool.bezier": "pen spline draw roto mask path",
     "tool.polygon": "linear straight draw roto mask path",

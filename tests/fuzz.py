@@ -28,7 +28,7 @@ import OpenImageIO as oiio  # noqa: N813 - the name its own manual uses
 
 from roam_core.bounded import bounded_bytes
 from roam_core.errors import RoamError
-from roam_core.interchange import EXPORTERS, read_shapes
+from roam_core.interchange import EXPORTERS, ExportOptions, read_shapes
 from roam_core.matte.vectorise import read_mask
 from roam_core.media import open_clip
 from roam_core.roto import Clip, Interpolation, Keyframe, Layer, Project, RotoShape, file
@@ -69,8 +69,8 @@ def written(name: str, folder: Path) -> bytes:
     if name == "project":
         file.save(project(), path)
     else:
-        EXPORTERS[name].export(project(), path)
-    return path.read_bytes()
+        EXPORTERS[name].export(project(), path, ExportOptions(lossy=True))
+    return min(folder.iterdir()).read_bytes()
 
 
 def picture(suffix: str, folder: Path) -> bytes:
@@ -136,7 +136,7 @@ def read_settings(name: str) -> Callable[[Path], object]:
 READERS: dict[str, tuple[str, Callable[[str, Path], bytes], str, Callable[[Path], object]]] = {
     **{
         name: (EXPORTERS[name].suffix, written, name, read_shape_file)
-        for name in ("nuke", "silhouette", "svg", "json", "fusion")
+        for name in ("nuke", "silhouette", "svg", "json", "fusion", "coco", "cvat", "mlt")
     },
     "project": (".roam", written, "project", read_project),
     **{

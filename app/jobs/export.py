@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -12,6 +12,7 @@ from PySide6.QtCore import QObject, Signal
 from app.document import Document
 from app.jobs.runner import Ending, Report, Runner
 from roam_core.roto import Project
+from roam_core.roto.layers import only
 
 if TYPE_CHECKING:
     from roam_core.interchange import ExportOptions
@@ -26,7 +27,8 @@ class Export(QObject):
     noted(sentences) : a tuple: what the format cannot hold and was left out or changed, before `finished`.
 
     What the project is made of (plate, project file) is never written over. Files that ROAM did not make are, if
-    `may_overwrite(paths)` says so: the artist, who is asked before anything is written.
+    `may_overwrite(paths)` says so: the artist, who is asked before anything is written. So is `may_lose(losses)` where
+    the mattes would differ in the other program and the options do not say that this was seen (`lossy`).
     """
 
     progress = Signal(float, str)
@@ -39,27 +41,54 @@ class Export(QObject):
         runner: Runner,
         parent: QObject | None = None,
         may_overwrite: Callable[[Sequence[Path]], bool] = lambda _: False,
+        may_lose: Callable[[Sequence[str]], bool] = lambda _: False,
     ) -> None:
         super().__init__(parent)
-        self._document, self._runner, self._may_overwrite = document, runner, may_overwrite
+        self._document, self._runner = document, runner
+        self._may_overwrite, self._may_lose = may_overwrite, may_lose
 
-    def start(self, format_name: str, path: Path, options: ExportOptions | None = None) -> None:
-        """Write the project as it is now to `path` (a file, or for mattes a folder) in the format of that name."""
-        file = self._document.path
-        self._start(_Request(self._document.project, file, format_name, path, options))
+    @property
+    def runner(self) -> Runner:
+        """Where exports are made, and where what they would lose is found out."""
+        return self._runner
+
+    def start(
+        self,
+        format_name: str,
+        path: Path,
+        options: ExportOptions | None = None,
+        shapes: Collection[str] | None = None,
+    ) -> None:
+        """Write the project as it is now to `path` (a file, or for mattes a folder) in the format of that name.
+
+        Of the shapes only those of the ids `shapes`, all for None.
+        """
+        project, file = self._document.project, self._document.path
+        self._start(_Request(project if shapes is None else only(project, shapes), file, format_name, path, options))
 
     def _start(self, request: _Request) -> None:
         foreign: list[Path] = []
+        losses: list[str] = []
 
         def work(report: Report) -> str:
+            from roam_core.interchange.protocol import LossyExport
+
             foreign.extend(_foreign(request))
-            return "" if foreign else _export(report, request)
+            if foreign:
+                return ""
+            try:
+                return _export(report, request)
+            except LossyExport as refusal:
+                losses.extend(refusal.losses)
+                return ""
 
         def end(ending: Ending, sentence: str) -> None:
-            if ending is not Ending.DONE or not foreign:
+            if ending is not Ending.DONE or not (foreign or losses):
                 self._end(ending, sentence)
-            elif self._may_overwrite(foreign):
+            elif foreign and self._may_overwrite(foreign):
                 self._start(replace(request, overwrites=True))
+            elif losses and self._may_lose(losses):
+                self._start(replace(request, loses=True))
             else:
                 self._end(Ending.CANCELLED, "Nothing was exported; the files that are there stay.")
 
@@ -88,6 +117,7 @@ class _Request:
     path: Path
     options: ExportOptions | None
     overwrites: bool = False
+    loses: bool = False
 
 
 def _foreign(request: _Request) -> tuple[Path, ...]:
@@ -108,7 +138,9 @@ def _export(report: Report, request: _Request) -> str:
 
     path = request.path
     report.progress(0.0, f"Exporting to {path.name} …")
-    told = replace(request.options or ExportOptions(), progress=report.progress, token=report.token)
+    options = request.options or ExportOptions()
+    lossy = options.lossy or request.loses
+    told = replace(options, lossy=lossy, progress=report.progress, token=report.token)
     losses = EXPORTERS[request.format_name].export(request.project, path, told)
     report.partial(losses)
     return " ".join([f"Exported to {path}.", *losses])

@@ -1,15 +1,19 @@
-"""Imports as a job: a file of shapes is read on the worker, then put on top of the project as one undo step."""
+"""Imports as a job: shapes of a file or of a text are read on the worker, then put on top as one undo step."""
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from PySide6.QtCore import QObject, Signal
 
 from app.document import Document
 from app.jobs.runner import Ending, Report, Runner
-from roam_core.roto import edit
+from roam_core.roto import Clip, edit
+
+if TYPE_CHECKING:
+    from roam_core.interchange import Imported, ImportOptions
 
 SHAPE_FILES = (".nk", ".gizmo", ".fxs", ".sfx", ".setting", ".svg", ".json")
 """Suffixes of files that hold shapes and cannot be a clip or a project."""
@@ -21,10 +25,12 @@ class Import(QObject):
     Signals
     -------
     progress(fraction, text), finished(ending, sentence) : the job's news.
+    pasted(ids) : the layers and shapes of a text were put in; a frozenset, before `finished`.
     """
 
     progress = Signal(float, str)
     finished = Signal(object, str)
+    pasted = Signal(object)
 
     def __init__(self, document: Document, runner: Runner, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -33,22 +39,42 @@ class Import(QObject):
 
     def start(self, path: Path) -> None:
         """Read a file of shapes, or a folder of masks, into the project's clip."""
+
+        def read(clip: Clip, options: ImportOptions) -> Imported:
+            from roam_core.interchange import read_shapes
+
+            return read_shapes(path, clip, options)
+
+        self._start(path.name, read, lambda imported: self._put_in("Import shapes", imported))
+
+    def paste(self, text: str) -> None:
+        """Read a text of another program, or of our own files of shapes, into the project's clip."""
+
+        def read(clip: Clip, options: ImportOptions) -> Imported:
+            from roam_core.interchange.clipboard import read_text
+
+            return read_text(text, clip, options)
+
+        self._start("the clipboard", read, lambda imported: self.pasted.emit(self._put_in("Paste", imported)))
+
+    def _start(
+        self, name: str, read: Callable[[Clip, ImportOptions], Imported], put_in: Callable[[Any], object]
+    ) -> None:
         project = self._document.project
 
         def work(report: Report) -> str:
-            from roam_core.interchange import ImportOptions, read_shapes
+            from roam_core.interchange import ImportOptions
 
-            report.progress(0.0, f"Reading {path.name} …")
-            options = ImportOptions(progress=report.progress, token=report.token)
-            imported = read_shapes(path, project.require_clip(), options)
+            report.progress(0.0, f"Reading {name} …")
+            imported = read(project.require_clip(), ImportOptions(progress=report.progress, token=report.token))
             count = sum(1 for _ in imported.layer.shapes())
             if count:
                 report.partial(imported)
-            return " ".join([f"Read {count} shape(s) from {path.name}.", *imported.notes])
+            return " ".join([f"Read {count} shape(s) from {name}.", *imported.notes])
 
         job = self._runner.start("import", work)
         job.progress.connect(self.progress)
-        job.partial.connect(self._put_in)
+        job.partial.connect(put_in)
         job.ended.connect(self._end)
 
     def stop(self) -> None:
@@ -56,9 +82,11 @@ class Import(QObject):
         if (job := self._runner.running("import")) is not None:
             job.drop()
 
-    def _put_in(self, imported: Any) -> None:
-        project, _ = edit.add_items(self._document.project, imported.layer.children)
-        self._document.apply("Import shapes", project)
+    def _put_in(self, step: str, imported: Imported) -> frozenset[str]:
+        """Put what was read on top of the project; gives the ids of its upper-most layers and shapes."""
+        project, ids = edit.add_items(self._document.project, imported.layer.children)
+        self._document.apply(step, project)
+        return frozenset(ids)
 
     def _end(self, ending: Ending, sentence: str) -> None:
         self.finished.emit(ending, "Import stopped." if ending is Ending.CANCELLED else sentence)

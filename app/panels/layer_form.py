@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
@@ -12,9 +13,12 @@ from app import style
 from app.document import Document
 from app.panels.controls import dense_form, form_label
 from app.panels.fields import BlendBox, NumberField, ScrubLabel, SwitchBox, shared
+from app.panels.value_key import ValueKeyButton, ValueVerb, keyed_row
 from app.view_state import ViewState
-from roam_core.roto import Layer, edit
+from roam_core.roto import Layer
+from roam_core.roto.animated import Animated, set_at
 from roam_core.roto.following import still
+from roam_core.roto.value_keys import with_value
 
 FREE_OF_LOCKS = {"visible", "locked"}
 """What can be changed on a locked layer."""
@@ -37,8 +41,10 @@ class LayerForm(QWidget):
         self.blend.picked.connect(lambda mode: self.push("Layer blend", blend=mode))
         form.addRow(form_label("Blend"), self.blend)
         self.opacity = NumberField(0.0, 100.0, suffix=" %", tip="Of the joint matte of all that lies in the layer")
-        self.opacity.edited.connect(lambda value, key: self.push("Layer opacity", key, opacity=value / 100))
-        form.addRow(ScrubLabel("Opacity", self.opacity), self.opacity)
+        self.opacity.edited.connect(self._push_opacity)
+        self.opacity_key = ValueKeyButton()
+        self.opacity_key.acted.connect(lambda text, verb: self._push_value(f"Layer opacity: {text}", verb))
+        form.addRow(ScrubLabel("Opacity", self.opacity), keyed_row(self.opacity, self.opacity_key))
         form.addRow(form_label("State"), self._switches())
         self._motion = QLabel()
         self._motion.setToolTip("The frames on which a track moves the layer")
@@ -52,6 +58,7 @@ class LayerForm(QWidget):
         form.addRow(form_label("Motion"), row)
         for signal in (document.changed, document.replaced, view_state.selection_changed):
             signal.connect(self._pull)
+        view_state.frame_changed.connect(self._follow)
         self._pull()
 
     @property
@@ -62,14 +69,26 @@ class LayerForm(QWidget):
 
     def push(self, text: str, merge_key: str = "", **values: Any) -> None:
         """Set fields of every shown layer that is not locked, as one undo step."""
+        self._push_each(text, lambda layer: replace(layer, **values), merge_key, values.keys() <= FREE_OF_LOCKS)
+
+    # ---- the rest is private
+
+    def _push_each(
+        self, text: str, verb: Callable[[Layer], Layer], merge_key: str = "", works_locked: bool = False
+    ) -> None:
         project = self._document.project
         for layer in self.layers:
-            if (not layer.locked or values.keys() <= FREE_OF_LOCKS) and replace(layer, **values) != layer:
-                project = edit.set_properties(project, layer.id, **values)
+            if (works_locked or not layer.locked) and verb(layer) != layer:
+                project = project.map_item(layer.id, verb)
         self._document.apply(text, project, merge_key)
         self._pull()
 
-    # ---- the rest is private
+    def _push_opacity(self, percent: float, merge_key: str) -> None:
+        frame = self._view.frame
+        self._push_value("Layer opacity", lambda value: set_at(value, frame, percent / 100), merge_key)
+
+    def _push_value(self, text: str, verb: ValueVerb, merge_key: str = "") -> None:
+        self._push_each(text, lambda layer: with_value(layer, "opacity", verb), merge_key)
 
     def _switches(self) -> QGridLayout:
         self.visible = SwitchBox("Visible", "What lies in a hidden layer takes no part in the matte")
@@ -104,6 +123,11 @@ class LayerForm(QWidget):
             self.push("Rename", name=name)
         self._pull()
 
+    def _follow(self) -> None:
+        self.opacity_key.frame = self._view.frame
+        if any(isinstance(layer.opacity, Animated) for layer in self.layers):
+            self._pull()
+
     def _pull(self, _ids: object = None) -> None:
         layers = self.layers
         if not layers:
@@ -114,9 +138,10 @@ class LayerForm(QWidget):
         self.name.setEnabled(is_one and is_free)
         self.blend.show_mode(shared(layer.blend for layer in layers))
         self.opacity.show_value(shared(layer.opacity_at(self._view.frame) * 100 for layer in layers))
+        self.opacity_key.show_values([layer.opacity for layer in layers], self._view.frame)
         for name, box in (("visible", self.visible), ("locked", self.locked), ("invert", self.invert)):
             box.show_value(shared(getattr(layer, name) for layer in layers))
-        for control in (self.blend, self.opacity, self.invert):
+        for control in (self.blend, self.opacity, self.opacity_key, self.invert):
             control.setEnabled(is_free)
         self._motion.setText(_told(layers))
         self.clear_motion.setEnabled(is_free and any(layer.transform for layer in layers))

@@ -26,11 +26,13 @@ from app.panels.controls import FRAME_LIMIT, dense_form, form_label
 from app.panels.fields import BlendBox, NumberField, ScrubLabel, SwitchBox, shared
 from app.panels.layer_form import LayerForm
 from app.panels.object_form import ObjectForm
+from app.panels.value_key import ValueKeyButton, keyed_row
 from app.view_state import ViewState, selected_shapes
 from roam_core.roto import MotionBlur, RotoShape
-from roam_core.roto.animated import set_at
+from roam_core.roto.animated import Animated, value_at
 from roam_core.roto.edit import MIN_POINTS_CLOSED
 from roam_core.roto.properties import begin_at, end_at, limit_lifetime, set_motion_blur
+from roam_core.roto.value_keys import set_value, with_value
 
 NOTHING = "Select a shape to see its properties."
 FREE_OF_LOCKS = {"visible", "locked"}
@@ -62,6 +64,8 @@ class PropertiesPanel(QWidget):
         super().__init__(parent)
         self._document, self._view = document, view_state
         self._fields: list[Field] = []
+        self._values: list[str] = []
+        """Names of the values that may vary with time."""
         self._lifetime_rows: list[QWidget] = []
         self._form_page = QWidget()
         self._form = dense_form()
@@ -83,6 +87,7 @@ class PropertiesPanel(QWidget):
         self._build_lifetime()
         for signal in (document.changed, document.replaced, view_state.selection_changed):
             signal.connect(self._pull)
+        view_state.frame_changed.connect(self._follow)
         self._pull()
 
     # ---- the controls, two lines each: model to widget, widget to model
@@ -105,22 +110,13 @@ class PropertiesPanel(QWidget):
         )
         blend.picked.connect(lambda mode: self.push("Blend", blend=mode))
 
-        self.opacity = NumberField(0.0, 100.0, suffix=" %")
-        self._add_number(
-            "Opacity",
-            self.opacity,
-            lambda s: s.opacity_at(self._view.frame) * 100,
-            lambda s, v: replace(s, opacity=set_at(s.opacity, self._view.frame, v / 100)),
-        )
+        self.opacity, self.opacity_key = NumberField(0.0, 100.0, suffix=" %"), ValueKeyButton()
+        self._add_value("Opacity", self.opacity, self.opacity_key, 100.0)
 
         tip = "Width of an even soft edge; below zero it lies inside"
         self.feather = NumberField(-500.0, 500.0, suffix=" px", decimals=1, step=0.5, tip=tip)
-        self._add_number(
-            "Feather",
-            self.feather,
-            lambda s: s.feather_at(self._view.frame),
-            lambda s, v: replace(s, feather=set_at(s.feather, self._view.frame, v)),
-        )
+        self.feather_key = ValueKeyButton()
+        self._add_value("Feather", self.feather, self.feather_key)
 
     def _build_switches(self) -> None:
         self.visible = SwitchBox("Visible", "A hidden shape takes no part in the matte")
@@ -205,6 +201,25 @@ class PropertiesPanel(QWidget):
         self._add_row(ScrubLabel(label, field), field, lambda shapes: field.show_value(shared(map(get, shapes))))
         field.edited.connect(lambda value, key: self.push_each(label, lambda shape: put(shape, value), key))
 
+    def _add_value(self, label: str, field: NumberField, button: ValueKeyButton, unit: float = 1.0) -> None:
+        """A row for a value that may vary with time; `unit` is what the field shows for 1."""
+        name = label.lower()
+
+        def show(shapes: Shapes) -> None:
+            values, frame = [getattr(shape, name) for shape in shapes], self._view.frame
+            field.show_value(shared(value_at(value, frame) * unit for value in values))
+            button.show_values(values, frame)
+
+        def put(shape: RotoShape, number: float) -> RotoShape:
+            return set_value(shape, name, self._view.frame, number / unit)
+
+        self._values.append(name)
+        self._add_row(ScrubLabel(label, field), keyed_row(field, button), show)
+        field.edited.connect(lambda number, key: self.push_each(label, lambda shape: put(shape, number), key))
+        button.acted.connect(
+            lambda text, verb: self.push_each(f"{label}: {text}", lambda shape: with_value(shape, name, verb))
+        )
+
     def _add_switch(self, name: str, box: SwitchBox) -> None:
         def show(shapes: Shapes) -> None:
             box.show_value(shared(getattr(shape, name) for shape in shapes))
@@ -260,6 +275,13 @@ class PropertiesPanel(QWidget):
             self._form.setRowVisible(field_row, any(shape.motion_blur for shape in selected))
         for row in self._lifetime_rows:
             self._form.setRowVisible(row, any(shape.lifetime for shape in selected))
+
+    def _follow(self) -> None:
+        """Another frame: what varies is another value there, and what does not may be told as before."""
+        if any(isinstance(getattr(shape, name), Animated) for shape in self._selected() for name in self._values):
+            self._pull()
+        for button in (self.opacity_key, self.feather_key):
+            button.frame = self._view.frame
 
     def _show_name(self, shapes: Shapes) -> None:
         """A name belongs to one shape."""

@@ -12,7 +12,12 @@ MOVES = {
     Interpolation.SMOOTH: "moves on smoothly",
     Interpolation.HOLD: "holds still up to the next key",
 }
-WAYS = {"forward": "tracked forward", "backward": "tracked backward", "fill": "filled between two keys"}
+WAYS = {
+    "forward": "tracked forward",
+    "backward": "tracked backward",
+    "fill": "filled between two keys",
+    "import": "read from a file between two of its keys",
+}
 
 
 def key_tip(shape: RotoShape, frame: int, marks: KeyMarks) -> str:

@@ -8,8 +8,11 @@ from pathlib import Path
 
 from roam_core.cli.matte_options import add_matte_arguments, matte_style
 from roam_core.cli.overwriting import add_overwrite
+from roam_core.cli.picking import add_only, with_only
 from roam_core.cli.plate import loaded
+from roam_core.errors import RoamError
 from roam_core.interchange import EXPORTERS, ExportOptions, KeyChoice, exporter_for
+from roam_core.interchange.protocol import LossyExport
 from roam_core.interchange.targets import Sources, exported, require_free
 
 
@@ -41,6 +44,10 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument("--frame-offset", type=int, default=0, metavar="N", help="added to every frame number")
     parser.add_argument("--frame", type=int, metavar="F", help="svg: the frame of the picture (the clip's first)")
+    parser.add_argument(
+        "--lossy", action="store_true", help="write even where the mattes would differ in the other program"
+    )
+    add_only(parser)
     add_matte_arguments(parser)
     add_overwrite(parser)
 
@@ -48,7 +55,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(arguments: argparse.Namespace) -> int:
     """Carry out the command."""
     exporter = exporter_for(arguments.to)
-    project = loaded(arguments.project)
+    project = with_only(loaded(arguments.project), arguments.shape)
     options = ExportOptions(
         frame_offset=arguments.frame_offset,
         keys=KeyChoice(arguments.keys),
@@ -57,14 +64,18 @@ def run(arguments: argparse.Namespace) -> int:
         frames=None if arguments.frames is None else range(arguments.frames[0], arguments.frames[1] + 1),
         frame=arguments.frame,
         mattes=matte_style(arguments),
+        lossy=arguments.lossy,
     )
     require_free(
         exported(exporter, project, arguments.out, options),
         Sources.of_clip(project.clip, arguments.project),
         overwrite=arguments.overwrite,
     )
-    losses = exporter.export(project, arguments.out, options)
+    try:
+        notes = exporter.export(project, arguments.out, options)
+    except LossyExport as refusal:
+        raise RoamError(f"{refusal} To write it all the same, say --lossy.") from None
     print(f"Wrote {len(project.shapes)} shape(s) to {arguments.out}.", file=sys.stderr)
-    for loss in losses:
-        print(loss, file=sys.stderr)
+    for note in notes:
+        print(note, file=sys.stderr)
     return 0

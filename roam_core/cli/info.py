@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 from pathlib import Path
 
+from roam_core.interchange.authorship import is_project
 from roam_core.media import open_clip
 from roam_core.media.finding import is_there
 from roam_core.propagate.provenance import Stamps
@@ -20,7 +21,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace) -> int:
     """Carry out the command."""
-    if arguments.project.suffix.lower() == ".roam":
+    if arguments.project.suffix.lower() == ".roam" or is_project(arguments.project):
         for line in _project_lines(arguments.project):
             print(line)
         return 0

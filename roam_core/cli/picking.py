@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 from roam_core.errors import RoamError
 from roam_core.roto import Project, RotoShape
+from roam_core.roto.layers import only
 
 
 @dataclass(frozen=True)
@@ -36,12 +37,32 @@ def picked(project: Project, names: Sequence[str] | None) -> list[RotoShape]:
     """The shapes with these names or ids, all for None; one sentence for a name that no closed shape has."""
     if not names:
         return list(project.shapes)
-    closed = [shape for shape in project.shapes if shape.closed]
+    return _named([shape for shape in project.shapes if shape.closed], names, "closed shape")
+
+
+def add_only(parser: argparse.ArgumentParser) -> None:
+    """Declare `--shape` for a command that writes shapes or pictures of them."""
+    parser.add_argument(
+        "--shape", action="append", metavar="NAME", help="write only this shape, or these (name or id; may be repeated)"
+    )
+
+
+def with_only(project: Project, names: Sequence[str] | None) -> Project:
+    """The project with the shapes of these names or ids alone, open ones too; all for None.
+
+    Raises `RoamError` for a name that no shape has.
+    """
+    if not names:
+        return project
+    return only(project, [shape.id for shape in _named(project.shapes, names, "shape")])
+
+
+def _named(shapes: Sequence[RotoShape], names: Sequence[str], kind: str) -> list[RotoShape]:
     for name in names:
-        if not any(name in (shape.name, shape.id) for shape in closed):
-            known = ", ".join(repr(shape.name) for shape in closed) or "none"
-            raise RoamError(f"There is no closed shape {name!r}; the closed shapes of the project: {known}.")
-    return [shape for shape in closed if shape.name in names or shape.id in names]
+        if not any(name in (shape.name, shape.id) for shape in shapes):
+            known = ", ".join(repr(shape.name) for shape in shapes) or "none"
+            raise RoamError(f"There is no {kind} {name!r}; the {kind}s of the project: {known}.")
+    return [shape for shape in shapes if shape.name in names or shape.id in names]
 
 
 def trackable(project: Project, picking: Picking = EVERYTHING) -> list[RotoShape]:

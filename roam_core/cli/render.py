@@ -11,6 +11,7 @@ from tqdm import tqdm
 
 from roam_core.cli.matte_options import add_matte_arguments, matte_style
 from roam_core.cli.overwriting import add_overwrite
+from roam_core.cli.picking import add_only, with_only
 from roam_core.cli.plate import loaded
 from roam_core.cli.track import require_writable
 from roam_core.errors import RoamError
@@ -32,13 +33,14 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--name", metavar="PATTERN", help="of the files, such as '{name}.####.exr' (default: as the plate's frames)"
     )
+    add_only(parser)
     add_matte_arguments(parser)
     add_overwrite(parser)
 
 
 def run(arguments: argparse.Namespace) -> int:
     """Carry out the command."""
-    project = loaded(arguments.project)
+    project = with_only(loaded(arguments.project), arguments.shape)
     clip, style = project.require_clip(), matte_style(arguments)
     first = clip.first if arguments.start is None else arguments.start
     last = clip.last if arguments.end is None else arguments.end
@@ -71,6 +73,7 @@ def run(arguments: argparse.Namespace) -> int:
             (height, width),
             style=style,
             pixel_aspect=clip.pixel_aspect,
+            fps=clip.fps,
             progress=lambda share, _: show(bar, share),
         )
     if frames and not (written.made or written.kept):

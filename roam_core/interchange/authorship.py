@@ -22,6 +22,9 @@ _SHAPES = re.compile(
     rb"|\{\n Tools = ordered\(\) \{\n"  # Fusion knows no comments everywhere; it lays out its own files otherwise
     rb"|<\?xml[^>]*\?>\n<svg [^>\n]*data-roam-frame="  # an editor that saves it again breaks this line
     rb'|\{\n "format": "roam-shapes"'
+    rb'|\{\n "info": \{"description": "Shapes from ROAM"'  # COCO
+    rb"|<\?xml[^>]*\?>\n<!-- Written by ROAM -->"  # CVAT
+    rb'|\{\n "\d+": \[\[\['  # MLT's splines hold nothing but frames; it lays them out otherwise
 )
 _PICTURE = re.compile(rb"\x89PNG|\x76\x2f\x31\x01|II\*\x00|MM\x00\*|II\+\x00|MM\x00\+")
 """How PNG, EXR and TIFF files begin."""

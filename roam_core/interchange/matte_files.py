@@ -18,6 +18,7 @@ import OpenImageIO as oiio  # noqa: N813
 from roam_core.errors import RoamError
 from roam_core.interchange.authorship import SOFTWARE
 from roam_core.interchange.matte_style import DataWindow, Depth, MatteFile, MatteStyle
+from roam_core.interchange.timecode import Moment
 from roam_core.matte import Matte, Patch
 from roam_core.roto.file import write_atomically
 
@@ -39,10 +40,12 @@ def write_picture(
     style: MatteStyle,
     aspect: float,
     names: Mapping[str, str],
+    moment: Moment | None = None,
 ) -> None:
     """Write mattes by channel, of pictures of `size` (h, w), to one file in the style that is asked for.
 
-    `aspect` is the pixels'; `names` are those of layers and shapes by channel, kept in the file where it can hold them.
+    `aspect` is the pixels'; `names` are those of layers and shapes by channel, kept in the file where it can hold them;
+    `moment` is the frame's, for EXR files, which hold the rate and the time code.
     Raises `RoamError` when the file cannot be written.
     """
     if style.file is MatteFile.PNG:
@@ -55,6 +58,8 @@ def write_picture(
     spec.attribute("Software", SOFTWARE)
     if names:
         spec.attribute(NAMES, json.dumps(dict(names), ensure_ascii=True))
+    if moment is not None and style.file is MatteFile.EXR:
+        _tell_time(spec, moment)
     write_atomically(path, _encoded(path, pixels, spec, style))
 
 
@@ -120,6 +125,18 @@ def _pixels(channels: Mapping[str, Patch], size: tuple[int, int], style: MatteSt
     if style.file is MatteFile.EXR:
         spec.channelnames = tuple(channels)
     return pixels, spec
+
+
+def _tell_time(spec: Any, moment: Moment) -> None:
+    """Put the rate and the time code under the names of OpenEXR's standard attributes.
+
+    OpenImageIO translates the name of the time code alone; the other it writes letter by letter, so that its own
+    spelling, `FramesPerSecond`, would be unknown to other readers.
+    """
+    spec.attribute("framesPerSecond", oiio.TypeRational, (moment.rate.numerator, moment.rate.denominator))
+    code = moment.time_code()
+    if code is not None:
+        spec.attribute("smpte:TimeCode", oiio.TypeTimeCode, (code, 0))
 
 
 def _encoded(path: Path, pixels: Any, spec: Any, style: MatteStyle) -> bytes:

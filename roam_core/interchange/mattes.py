@@ -12,6 +12,7 @@ from roam_core.interchange.matte_files import JOINT, encode_png, write_picture
 from roam_core.interchange.matte_style import SUFFIXES, Gathering, MatteFile, MatteStyle, Parts
 from roam_core.interchange.naming import file_words, numbering
 from roam_core.interchange.protocol import STANDARD, ExportOptions, with_chosen_keys
+from roam_core.interchange.timecode import Moment
 from roam_core.matte import Patch, render_matte, shape_patch
 from roam_core.roto import Layer, Project, RotoShape
 from roam_core.roto.file import write_atomically
@@ -66,6 +67,9 @@ class MatteExporter:
             name_for,
             (clip.size[1], clip.size[0]),
             style=style,
+            pixel_aspect=clip.pixel_aspect,
+            fps=clip.fps,
+            frame_offset=options.frame_offset,
             progress=options.progress,
             token=options.token,
         )
@@ -155,6 +159,8 @@ def write_mattes(
     *,
     style: MatteStyle = PNG,
     pixel_aspect: float = 1.0,
+    fps: float | None = None,
+    frame_offset: int = 0,
     progress: Progress | None = None,
     token: CancelToken | None = None,
 ) -> Written:
@@ -170,6 +176,8 @@ def write_mattes(
     size : (h, w) of the pictures.
     style : kind, depth and compression of the files, and what has one.
     pixel_aspect : of the pictures, noted in EXR and TIFF files.
+    fps : frames a second, noted in EXR files with the time code of each frame; None notes neither.
+    frame_offset : added to the plate's frame numbers for the time code.
     progress, token : told of, and asked before, every frame; a cancelled run leaves the frames that are finished.
 
     Returns
@@ -197,7 +205,8 @@ def write_mattes(
         if _is_kept(paths, style):
             kept += paths
         else:
-            _write_frame(shapes, frame, size, parts, paths, style, pixel_aspect)
+            moment = None if fps is None else Moment(frame + frame_offset, fps)
+            _write_frame(shapes, frame, size, parts, paths, style, pixel_aspect, moment)
             made += paths
     written = Written(tuple(made), tuple(kept))
     if progress is not None:
@@ -232,6 +241,7 @@ def _write_frame(
     paths: list[Path],
     style: MatteStyle,
     pixel_aspect: float,
+    moment: Moment | None,
 ) -> None:
     """The pictures of one frame; a shape that stands in several of them is filled once."""
     filled: dict[str, Patch] = {}
@@ -252,12 +262,12 @@ def _write_frame(
     if style.gathering is Gathering.CHANNELS:
         channels = {f"{part.word}.{JOINT}": own(part) for part in parts} | {JOINT: matte(shapes)}
         names = {f"{part.word}.{JOINT}": part.name for part in parts}
-        write_picture(paths[0], channels, size, style, pixel_aspect, names)
+        write_picture(paths[0], channels, size, style, pixel_aspect, names, moment)
     elif style.parts is Parts.ALL:
-        write_picture(paths[0], {JOINT: matte(shapes)}, size, style, pixel_aspect, {})
+        write_picture(paths[0], {JOINT: matte(shapes)}, size, style, pixel_aspect, {}, moment)
     else:
         for part, path in zip(parts, paths, strict=True):
-            write_picture(path, {JOINT: own(part)}, size, style, pixel_aspect, {JOINT: part.name})
+            write_picture(path, {JOINT: own(part)}, size, style, pixel_aspect, {JOINT: part.name}, moment)
 
 
 def _plan(

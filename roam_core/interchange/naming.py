@@ -1,8 +1,9 @@
-"""Names of files: the frame's number in a pattern, and a shape's name as a name that every file system takes."""
+"""Names of files and in ASCII: the frame's number in a pattern, and a shape's name in letters that others take."""
 
 from __future__ import annotations
 
 import re
+import unicodedata
 from collections.abc import Callable, Iterable
 from pathlib import Path
 
@@ -35,21 +36,106 @@ def is_numbered(pattern: str) -> bool:
 _MARK = re.compile(r"(.*?)(#+|%(?:0(\d))?d)(.*)", flags=re.DOTALL)
 
 
+def ascii_name(text: str) -> str:
+    """A name in printable ASCII that still reads like it; a name that is printable ASCII already comes back as it is.
+
+    Accents fall (`é` becomes `e`); Latin letters with strokes and hooks, ligatures, Cyrillic, Greek, kana, Hangul and
+    the digits of every script are written with Latin letters; every space and line break is a space; what has no
+    letters of that kind, such as a Chinese character, is `u` and its code point. Not empty unless `text` is.
+    """
+    if text.isascii() and text.isprintable():
+        return text
+    whole = "".join(_latin(character) for character in unicodedata.normalize("NFKC", text))
+    return whole if whole.strip() else "".join(f"u{ord(character):04X}" for character in text)
+
+
+def unique_names(names: Iterable[str]) -> list[str]:
+    """For each name its `ascii_name`; one that had to be changed gets a number where another would be called the same.
+
+    Case makes no difference. Names that are ASCII already stay as they are, two that are equal too.
+    """
+    names = list(names)
+    plain = [ascii_name(name) for name in names]
+    taken = {name.lower() for name, changed in zip(names, plain, strict=True) if name == changed}
+    return [name if name == changed else _free(changed, taken) for name, changed in zip(names, plain, strict=True)]
+
+
 def file_words(names: Iterable[str]) -> list[str]:
     """For each name a word for files and channels: letters, digits, `-` and `_`, unlike every other also in lower case.
 
-    What else a name holds becomes `_`; a second word of the same letters gets a number.
+    The letters are those of `ascii_name`; what else it holds becomes `_`. A second word of the same letters gets a
+    number.
     """
     words: list[str] = []
     taken: set[str] = set()
     for name in names:
-        stem = re.sub(r"[^A-Za-z0-9_-]+", "_", name)[:LONGEST].strip("_-") or "shape"
+        stem = re.sub(r"[^A-Za-z0-9_-]+", "_", ascii_name(name))[:LONGEST].strip("_-") or "shape"
         if stem.lower() in RESERVED:
             stem = f"{stem}_"
-        word, number = stem, 1
-        while word.lower() in taken:
-            number += 1
-            word = f"{stem}_{number}"
-        taken.add(word.lower())
-        words.append(word)
+        words.append(_free(stem, taken))
     return words
+
+
+def _free(stem: str, taken: set[str]) -> str:
+    """The name, with a number where it is taken in any case; it is taken then."""
+    word, number = stem, 1
+    while word.lower() in taken:
+        number += 1
+        word = f"{stem}_{number}"
+    taken.add(word.lower())
+    return word
+
+
+def _latin(character: str) -> str:
+    """What stands for one character of a composed text in printable ASCII; nothing for marks that change others."""
+    if character.isascii():
+        return character if character.isprintable() else " " if character.isspace() else ""
+    small = character.lower()
+    if small in _SPELLED:
+        return _cased(_SPELLED[small], character)
+    category = unicodedata.category(character)
+    if category in ("Mn", "Me", "Cf"):
+        return ""
+    if category[0] == "Z":
+        return " "
+    if (digit := unicodedata.decimal(character, None)) is not None:
+        return str(digit)
+    named = _NAMED.fullmatch(unicodedata.name(character, ""))
+    if named is not None:
+        return _cased((named["latin"] or named["syllable"]).lower(), character)
+    base = unicodedata.normalize("NFKD", character)[0]
+    return f"u{ord(character):04X}" if base == character else _latin(base)
+
+
+def _cased(letters: str, character: str) -> str:
+    """The letters, with a capital in front where the character is one."""
+    return letters.capitalize() if character.isupper() else letters
+
+
+_NAMED = re.compile(
+    r"LATIN (?:SMALL |CAPITAL )?(?:LETTER|LIGATURE) (?P<latin>[A-Z]{1,2})(?: WITH .*)?"
+    r"|(?:HIRAGANA LETTER|KATAKANA LETTER|HANGUL SYLLABLE) (?:SMALL )?(?P<syllable>[A-Z]+)"
+)
+"""Names in the Unicode standard that say which Latin letters a character is or sounds like."""
+
+
+def _table(characters: str, letters: str) -> dict[str, str]:
+    """Each character with its letters; `_` stands for none."""
+    return {one: "" if other == "_" else other for one, other in zip(characters.split(), letters.split(), strict=True)}
+
+
+_SPELLED = {
+    **_table("ß þ ð ı ŋ ə ĸ", "ss th d i ng e k"),
+    **_table(
+        "а б в г д е ё ж з и й к л м н о п р с т у ф х ц ч ш щ ъ ы ь э ю я",
+        "a b v g d e e zh z i y k l m n o p r s t u f kh ts ch sh shch _ y _ e yu ya",
+    ),
+    **_table("і ї є ґ ў ђ ј љ њ ћ џ ѓ ќ ѕ", "i yi ye g u dj j lj nj c dz g k dz"),
+    **_table(
+        "α β γ δ ε ζ η θ ι κ λ μ ν ξ ο π ρ σ ς τ υ φ χ ψ ω",
+        "a b g d e z i th i k l m n x o p r s s t y f ch ps o",
+    ),
+    **_table("‐ ‑ ‒ – — ― − ⁄ × · • → ←", "- - - - - - - / x . * -> <-"),
+    **_table("‘ ’ ‚ ʼ “ ” „ « » ° € £ © ® ー", '\' \' \' \' " " " " " deg EUR GBP (c) (r) _'),
+}
+"""Small letters and signs whose names and parts do not tell how they are written in ASCII."""

@@ -7,13 +7,16 @@ incoming handle, anchor, outgoing handle; keys carry a value and a slope in unit
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from dataclasses import dataclass, field
 from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
 from roam_core.geometry.bezier import ANCHOR
-from roam_core.interchange.nuke_attributes import shape_attributes
+from roam_core.interchange.nuke_attributes import BLEND_MODES, shape_attributes
+from roam_core.interchange.nuke_graph import OPERATIONS, Joined, Painted, is_one_node, steps, told
 from roam_core.interchange.nuke_keys import (
     KeyedCurves,
     feather_slopes,
@@ -22,6 +25,7 @@ from roam_core.interchange.nuke_keys import (
     outline_triples,
     timed_keys,
 )
+from roam_core.interchange.nuke_names import LAYER_KNOB, Names, knob_text, layer_word, roto_string
 from roam_core.interchange.nuke_text import (
     HEAD,
     LOCKED,
@@ -30,17 +34,21 @@ from roam_core.interchange.nuke_text import (
     RENDERABLE,
     ROOT_FLAGS,
     attribute_list,
+    knob_curve,
     number,
     numbers,
-    tcl_word,
 )
-from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter
+from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter, settled
 from roam_core.interchange.reduction import Motion
 from roam_core.interchange.stilled import stilled
-from roam_core.roto import Layer, Project, RotoShape
+from roam_core.roto import BlendMode, Layer, Project, RotoShape
+from roam_core.roto.animated import Animatable
 from roam_core.roto.file import write_atomically
 
 Array = NDArray[np.float64]
+
+XPOS = 110
+"""How far apart nodes stand in the graph."""
 
 
 class NukeExporter:
@@ -55,7 +63,7 @@ class NukeExporter:
         text, notes = roto_document(project, options)
         options.advance(1.0, f"Writing {path.name}")
         write_atomically(path, text.encode("utf-8"))
-        return notes
+        return settled(notes, (), options)
 
 
 def roto_script(project: Project, options: ExportOptions = STANDARD) -> str:
@@ -64,58 +72,104 @@ def roto_script(project: Project, options: ExportOptions = STANDARD) -> str:
 
 
 def roto_document(project: Project, options: ExportOptions = STANDARD) -> tuple[str, tuple[str, ...]]:
-    """As `roto_script`, and a sentence for each shape whose keys were reduced."""
+    """As `roto_script`, and a sentence for each thing that the nodes say otherwise.
+
+    One Roto node holds it all, unless a layer must be a matte of its own (`nuke_graph`): then several, and the nodes
+    that join them.
+    """
     project = stilled(project)
     clip = project.require_clip()
-    width, height = clip.size
-    first, last = (frame + options.frame_offset for frame in (clip.first, clip.last))
-    writer = _Writer(clip, options, len(project.shapes))
-    text = "\n".join(
-        [
-            HEAD.rstrip(),
+    writer = _Writer(clip, options, len(project.shapes), names=Names.of(project.root))
+    writer.notes += (*told(project.root), *writer.names.notes())
+    nodes = [writer.roto(project.root, 1)] if is_one_node(project.root) else list(writer.joined(project.root))
+    return HEAD + "".join(nodes), tuple(writer.notes)
+
+
+@dataclass
+class _Writer(ShapeWriter):
+    """Turns layers and shapes into lines of nested lists."""
+
+    names: Names = field(default_factory=Names)
+
+    def roto(self, root: Layer, number_of: int, *, is_over: bool = False) -> str:
+        """A Roto node that paints what lies in a layer, over the last node's matte or over nothing."""
+        width, height = self.clip.size
+        first, last = (frame + self.options.frame_offset for frame in (self.clip.first, self.clip.last))
+        label, names = self.names.within(root).lines()
+        lines = [
             "Roto {",
-            " inputs 0",
+            *([] if is_over else [" inputs 0"]),
             " output alpha",
-            f' format "{width} {height} 0 0 {width} {height} {clip.pixel_aspect:g} ROAM_{width}x{height}"',
+            f' format "{width} {height} 0 0 {width} {height} {self.clip.pixel_aspect:g} ROAM_{width}x{height}"',
             f" curves {{{{{{v {number(1.2)}}}",
             "  {f 0}",
             "  {n",
-            *writer.layer(project.root, "   ", is_root=True),
+            *self.layer(root, "   ", is_root=True),
             "  }}}",
-            " name Roto1",
+            f" name Roto{number_of}",
+            *label,
             " selected true",
-            " xpos 0",
+            f" xpos {XPOS * (number_of - 1)}",
             " ypos 0",
             " addUserKnob {20 ROAM}",
             ' addUserKnob {3 first_frame l "first frame"}',
             f" first_frame {first}",
             ' addUserKnob {3 last_frame l "last frame"}',
             f" last_frame {last}",
+            *names,
             "}",
             "",
         ]
-    )
-    return text, tuple(writer.notes)
+        return "\n".join(lines)
 
+    def joined(self, root: Layer) -> Iterator[str]:
+        """The nodes of `nuke_graph.steps`, in the order of a script: each takes the last ones that are left."""
+        rotos = 0
+        for step in steps(root):
+            if isinstance(step, Painted):
+                rotos += 1
+                yield self.roto(step.layer, rotos, is_over=step.is_over)
+            elif isinstance(step, Joined):
+                yield _node("Merge2", ["inputs 2", f"operation {OPERATIONS[step.mode]}"])
+                if step.mode is BlendMode.PLUS:
+                    yield _node("Clamp", ["channels alpha"])
+            else:
+                yield from self._finished(step.layer)
 
-class _Writer(ShapeWriter):
-    """Turns layers and shapes into lines of nested lists."""
+    def _finished(self, layer: Layer) -> Iterator[str]:
+        if layer.invert:
+            yield _node("Invert", ["channels alpha"])
+        if layer.opacity != 1.0:
+            value = knob_curve(layer.opacity, self.options.frame_offset)
+            yield _node("Multiply", ["channels alpha", f"value {value}"])
+        name = LAYER_KNOB
+        yield _node(
+            "NoOp",
+            [
+                f"label {knob_text(layer.name)}",
+                "addUserKnob {20 ROAM}",
+                f"addUserKnob {{1 {name} l layer +INVISIBLE}}",
+                f"{name} {layer_word(layer)}",
+            ],
+        )
 
     def layer(self, layer: Layer, indent: str, *, is_root: bool = False) -> list[str]:
         width, height = self.clip.size
-        attributes: list[tuple[str, float]] = []
+        attributes: list[tuple[str, Animatable]] = []
         if not layer.visible:
             attributes.append(("vis", 0))
         if not is_root or layer.opacity != 1.0:
-            attributes.append(("opc", layer.opacity_at(self.clip.first)))
+            attributes.append(("opc", layer.opacity))
         if layer.invert:
             attributes.append(("inv", 1))
+        if BLEND_MODES[layer.blend] and not is_root:  # an invisible one: others have a node of their own
+            attributes.append(("bm", BLEND_MODES[layer.blend]))
         flags = (ROOT_FLAGS if is_root else RENDERABLE) | (LOCKED if layer.locked else 0)
         lines = [
-            f"{indent}{{layer {'Root' if is_root else tcl_word(layer.name)}",
+            f"{indent}{{layer {'Root' if is_root else roto_string(self.names.by_id[layer.id])}",
             f"{indent} {{f {flags}}}",
             f"{indent} {{t {number(width / 2)} {number(height / 2)}}}",
-            f"{indent} {attribute_list(attributes)}",
+            f"{indent} {attribute_list(attributes, self.options.frame_offset)}",
         ]
         for child in reversed(layer.children):  # Nuke lists what lies on top first
             inner = indent + " "
@@ -128,21 +182,26 @@ class _Writer(ShapeWriter):
         height = self.clip.size[1]
         timed = timed_keys(shape, slopes, self.options.frame_offset)
         outline = timed.curves([outline_triples(key.points, height) for key in timed.keys], outline_slopes)
+        attributes = shape_attributes(shape, self.clip, self.options.frame_offset)
         pivot = shape.keys[0].points[:, ANCHOR].mean(axis=0)
-        flags = RELATIVE_TANGENTS | (0 if shape.closed else OPEN)
+        name, flags = roto_string(self.names.by_id[shape.id]), RELATIVE_TANGENTS | (0 if shape.closed else OPEN)
         feather = [indent + "  idem"]
         if any(key.feather is not None for key in timed.keys):
             values = [feather_triples(key.points, key.feather) for key in timed.keys]
             feather = _control_curve(timed.curves(values, feather_slopes), flags, indent + "  ")
         return [
-            f"{indent}{{curvegroup {tcl_word(shape.name)} {RENDERABLE | (LOCKED if shape.locked else 0)} bezier",
+            f"{indent}{{curvegroup {name} {RENDERABLE | (LOCKED if shape.locked else 0)} bezier",
             f"{indent} {{",
             *_control_curve(outline, flags, indent + "  "),
             *feather,
             f"{indent} }}",
             f"{indent} {{tx {number(timed.times[0])} {number(pivot[0])} {number(height - pivot[1])}}}",
-            f"{indent} {attribute_list(shape_attributes(shape, self.clip, self.options.frame_offset))}}}",
+            f"{indent} {attribute_list(attributes, self.options.frame_offset)}}}",
         ]
+
+
+def _node(species: str, knobs: list[str]) -> str:
+    return "\n".join([f"{species} {{", *(f" {knob}" for knob in knobs), "}", ""])
 
 
 # ---- points and keys -------------------------------------------------------------------------------------------------

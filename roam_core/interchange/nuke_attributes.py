@@ -2,15 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import math
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
-from roam_core.interchange.nuke_curves import FollowsExpressionError, curve
+from roam_core.interchange.keying import animated_of
+from roam_core.interchange.nuke_curves import Curve, FollowsExpressionError, constant, curve
+from roam_core.interchange.nuke_keys import right_before
 from roam_core.interchange.nuke_script import Nested, decoded
+from roam_core.interchange.reading import ShapeReader
 from roam_core.roto import BlendMode, Clip, MotionBlur, RotoShape
+from roam_core.roto.animated import Animatable, mapped
 from roam_core.roto.project import PALETTE
+
+Array = NDArray[np.float64]
 
 BLEND_MODES = {
     BlendMode.ADD: 0,
@@ -40,16 +48,17 @@ UNKNOWN = {
 Tell = Callable[[str], None]
 
 
-def shape_attributes(shape: RotoShape, clip: Clip, frame_offset: int) -> list[tuple[str, float]]:
+def shape_attributes(shape: RotoShape, clip: Clip, frame_offset: int) -> list[tuple[str, Animatable]]:
     """Name and value of what an artist sees in the shape's properties; `opc` is always there.
 
-    A shape without a word on its opacity is said to arrive transparent in some versions.
+    A shape without a word on its opacity is said to arrive transparent in some versions. An open one has no width: it
+    has no area in ROAM.
     """
     width, height = clip.size
     red, green, blue = shape.colour
-    values: list[tuple[str, float]] = [
+    values: list[tuple[str, Animatable]] = [
         ("vis", float(shape.visible)),
-        ("opc", shape.opacity_at(clip.first)),
+        ("opc", shape.opacity),
         ("bm", BLEND_MODES[shape.blend]),
         ("inv", float(shape.invert)),
         *zip(("ro", "go", "bo", "ao"), (red, green, blue, 1.0), strict=True),
@@ -60,11 +69,11 @@ def shape_attributes(shape: RotoShape, clip: Clip, frame_offset: int) -> list[tu
         values += [("mb", blur.samples / STANDARD_SAMPLES), ("mbs", blur.shutter)]
         values += [("mbsot", CUSTOM), ("mbso", blur.phase)]
     if shape.feather:
-        values += [("fo", 1), ("fx", shape.feather_at(clip.first)), ("fy", shape.feather_at(clip.first))]
+        values += [("fo", 1), ("fx", shape.feather), ("fy", shape.feather)]
     if shape.lifetime is not None:
         start, stop = (frame + frame_offset for frame in shape.lifetime)
-        values += [("ltt", FRAME_RANGE), ("ltn", start), ("ltm", stop - 1)]
-    values += [("osw", 10), ("osf", 0), ("str", 1), ("spx", width / 2), ("spy", height / 2)]
+        values += [("ltt", FRAME_RANGE), ("ltn", start), ("ltm", right_before(stop))]  # its range is closed
+    values += [("osw", 10 if shape.closed else 0), ("osf", 0), ("str", 1), ("spx", width / 2), ("spy", height / 2)]
     return [*values, ("sb", 1), ("tt", BEZIER_TOOL)]
 
 
@@ -79,33 +88,52 @@ class Attributes:
 
     def number(self, name: str, default: float) -> float:
         """A value, or its first one where it is animated; the default where the file says nothing sensible."""
-        item = self._items.get(name)
-        if item is None:
-            return default
-        try:
-            if isinstance(item, list) and item and isinstance(item[0], str) and item[0].lstrip('"').startswith("="):
-                self._tell(f"its {name!r} follows an expression, which is not run; it has its last value")
-                return decoded(item[-1]) if isinstance(item[-1], str) else default
-            values = curve(item, None)
-        except (FollowsExpressionError, ValueError, IndexError):
-            self._tell(f"its {name!r} cannot be read")
-            return default
+        values = self._curve(name, default)
         if not values.is_constant:
             self._tell(f"its {name!r} is animated; it has the first value")
         return float(values.values[0])
 
-    def shape_fields(self, clip: Clip, frame: Callable[[float], int], number: int) -> dict[str, Any]:
+    def animatable(self, names: Sequence[str], default: float, reader: ShapeReader) -> Animatable:
+        """The mean of some values through time, with their own keys."""
+        curves = [self._curve(name, default) for name in names]
+        if all(each.is_constant for each in curves):
+            return float(np.mean([each.values[0] for each in curves]))
+
+        def mean(moments: Array) -> Array:
+            return np.asarray(np.mean([each.at(moments) for each in curves], axis=0))
+
+        times = {time for each in curves if not each.is_constant for time in each.times.tolist()}
+        return animated_of(mean, times, reader.frame, reader.check_keys)
+
+    def _curve(self, name: str, default: float) -> Curve:
+        item = self._items.get(name)
+        if item is None:
+            return constant(default)
+        try:
+            if isinstance(item, list) and item and isinstance(item[0], str) and item[0].lstrip('"').startswith("="):
+                self._tell(f"its {name!r} follows an expression, which is not run; it has its last value")
+                return constant(decoded(item[-1]) if isinstance(item[-1], str) else default)
+            return curve(item, None)
+        except (FollowsExpressionError, ValueError, IndexError):
+            self._tell(f"its {name!r} cannot be read")
+            return constant(default)
+
+    def opacity(self, reader: ShapeReader) -> Animatable:
+        """The opacity of a shape or layer, in [0, 1]."""
+        return mapped(self.animatable(("opc",), 1.0, reader), lambda value: min(max(value, 0.0), 1.0))
+
+    def shape_fields(self, reader: ShapeReader, number: int) -> dict[str, Any]:
         """What the attributes make of a `RotoShape`; `number` chooses the colour of a shape that has none."""
         self._note_unknown()
         return {
             "visible": self.number("vis", 1) != 0,
-            "opacity": min(max(self.number("opc", 1), 0.0), 1.0),
+            "opacity": self.opacity(reader),
             "invert": self.number("inv", 0) != 0,
-            "blend": self._blend(),
+            "blend": self.blend(),
             "colour": self._colour(number),
-            "feather": self._feather(),
+            "feather": self._feather(reader),
             "motion_blur": self._blur(),
-            "lifetime": self._lifetime(clip, frame),
+            "lifetime": self._lifetime(reader.clip, reader.frame),
         }
 
     def _note_unknown(self) -> None:
@@ -115,7 +143,8 @@ class Attributes:
             if any(silent.number(name, np.nan) != defaults[name] for name in given):
                 self._tell(f"{meaning} was left out")
 
-    def _blend(self) -> BlendMode:
+    def blend(self) -> BlendMode:
+        """How a shape or layer joins what lies under it; told where it is in none of our modes."""
         value = self.number("bm", 0)
         for mode, number in BLEND_MODES.items():
             if number == value:
@@ -127,13 +156,14 @@ class Attributes:
         red, green, blue, alpha = (min(max(self.number(name, 0), 0.0), 1.0) for name in ("ro", "go", "bo", "ao"))
         return (red, green, blue) if alpha > 0 else PALETTE[number % len(PALETTE)]
 
-    def _feather(self) -> float:
+    def _feather(self, reader: ShapeReader) -> Animatable:
         if self.number("fo", 1) == 0:
             return 0.0
-        across, down = self.number("fx", 0), self.number("fy", 0)
-        if across != down:
-            self._tell("its feather differs in x and y; it has the mean")
-        return 0.5 * (across + down)
+        across, down = (self.animatable((name,), 0.0, reader) for name in ("fx", "fy"))
+        if across == down:
+            return across
+        self._tell("its feather differs in x and y; it has the mean")
+        return self.animatable(("fx", "fy"), 0.0, reader)
 
     def _blur(self) -> MotionBlur | None:
         if self.number("mbo", 0) == 0:
@@ -147,7 +177,7 @@ class Attributes:
         kind = int(self.number("ltt", ALWAYS))
         if kind not in (TO_FRAME, ONE_FRAME, FROM_FRAME, FRAME_RANGE):
             return None
-        first, last = frame(self.number("ltn", clip.first)), frame(self.number("ltm", clip.last))
+        first, last = frame(self.number("ltn", clip.first)), frame(math.floor(self.number("ltm", clip.last)))
         if kind == ONE_FRAME:
             return first, first + 1
         if kind == TO_FRAME:  # up to the first of its two numbers

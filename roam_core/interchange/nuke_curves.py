@@ -117,7 +117,7 @@ def curve(item: str | Nested, times: list[float] | None) -> Curve:
     Raises `FollowsExpressionError`, `FormError`, or `ValueError` for a word that is no number.
     """
     if isinstance(item, str):
-        return _constant(decoded(item))
+        return constant(decoded(item))
     refuse_expression(item)
     table = _plain_table(item) if times is not None and len(item) == len(times) else None
     if table is None:
@@ -171,7 +171,8 @@ def shared_times(item: str | Nested) -> list[float]:
     return times
 
 
-def _constant(value: float) -> Curve:
+def constant(value: float) -> Curve:
+    """A curve that never changes."""
     still = np.array([[0.0, 1.0]])
     return Curve(np.zeros(1), np.array([value]), still, still, np.array([CUBIC], dtype=np.intp))
 

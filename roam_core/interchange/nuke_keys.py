@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from roam_core.errors import RoamError
 from roam_core.geometry.bezier import ANCHOR, IN, OUT
 from roam_core.interchange.reduction import Slopes
-from roam_core.roto import Interpolation, Keyframe, RotoShape
+from roam_core.roto import Animated, Interpolation, Keyframe, RotoShape
 
 Array = NDArray[np.float64]
 
@@ -33,11 +33,15 @@ class KeyedCurves:
     reaching: Array
 
 
+STEP = 1.0 / 1024.0
+"""Frames before the next key at which a held one stands once more: no sample of motion blur falls in between."""
+
+
 @dataclass(frozen=True)
 class TimedKeys:
     """Keys on Nuke's frames; for each span a slope of its own, True where it is flat, or None where it is straight."""
 
-    times: list[int]
+    times: list[float]
     keys: list[Keyframe]
     spans: list[Slopes | bool | None]
 
@@ -61,12 +65,14 @@ class TimedKeys:
 def timed_keys(shape: RotoShape, slopes: Sequence[Slopes | None], offset: int) -> TimedKeys:
     """The keys of a shape on Nuke's frames; `slopes` are those of its spans, if it has any.
 
-    Nuke's list has no word for a hold, so the key of a HOLD stands once more on the last frame before the next key.
+    The grammar has a word for a key that steps, an integer behind its slopes; but its page gives the default a number
+    that would be a step, public tools count otherwise, and no file at hand holds one. So the key of a HOLD stands once
+    more right before the next key (`STEP`), with flat slopes: a step for whoever knows cubics.
 
     Raises `RoamError` for frames that single precision would round.
     """
     keys: list[Keyframe] = []
-    times: list[int] = []
+    times: list[float] = []
     spans: list[Slopes | bool | None] = []
     for key, following, slope in zip_longest(shape.keys, shape.keys[1:], slopes):
         keys.append(key)
@@ -74,13 +80,75 @@ def timed_keys(shape: RotoShape, slopes: Sequence[Slopes | None], offset: int) -
         if following is None:
             break
         spans.append(slope or key.interpolation is not Interpolation.LINEAR)
-        if key.interpolation is Interpolation.HOLD and following.frame - key.frame > 1:
+        if key.interpolation is Interpolation.HOLD and (last := right_before(following.frame + offset)) > times[-1]:
             keys.append(key)
-            times.append(following.frame - 1 + offset)
+            times.append(last)
             spans.append(True)
     if max(abs(time) for time in times) > LAST_EXACT_FRAME:
         raise RoamError(f"The shape {shape.name!r} has keys on frames beyond {LAST_EXACT_FRAME}, which Nuke rounds.")
     return TimedKeys(times, keys, spans)
+
+
+def right_before(frame: int) -> float:
+    """The moment `STEP` before a frame, or the last one that single precision knows."""
+    return min(float(np.float32(frame - STEP)), float(np.nextafter(np.float32(frame), np.float32(-np.inf))))
+
+
+@dataclass(frozen=True)
+class ValueCurve:
+    """An animated value as Nuke's curve: `times`, `values`, and the slopes on either side of each key, all (K,)."""
+
+    times: list[float]
+    values: list[float]
+    left: list[float]
+    right: list[float]
+
+
+def value_curve(value: Animated, offset: int) -> ValueCurve:
+    """The keys of an animated value on Nuke's frames; holds as `timed_keys` has them."""
+    made = ValueCurve([], [], [], [])
+    reaching = 0.0
+    for key, following in zip_longest(value.keys, value.keys[1:]):
+        time, leaving = _counted(key.frame + offset), 0.0
+        if following is not None and key.interpolation is Interpolation.LINEAR:
+            leaving = (following.value - key.value) / (following.frame - key.frame)
+        _append(made, time, key.value, reaching, leaving)
+        if following is not None and key.interpolation is Interpolation.HOLD:
+            last = right_before(following.frame + offset)
+            if last > time:
+                _append(made, last, key.value, 0.0, 0.0)
+        reaching = leaving
+    return made
+
+
+def _counted(frame: int) -> float:
+    """A frame of an animated value as Nuke counts; a `RoamError` where single precision would round it."""
+    if abs(frame) > LAST_EXACT_FRAME:
+        raise RoamError(
+            f"An opacity or feather has a key on frame {frame}; Nuke rounds those beyond {LAST_EXACT_FRAME}."
+        )
+    return float(frame)
+
+
+def straight_keys(value: Animated, offset: int) -> list[tuple[float, float]]:
+    """Times and values of the same for a curve of straight spans: a smooth span has a key on every frame."""
+    made: list[tuple[float, float]] = []
+    for key, following in zip_longest(value.keys, value.keys[1:]):
+        made.append((_counted(key.frame + offset), key.value))
+        if following is None:
+            break
+        if key.interpolation is Interpolation.HOLD and (last := right_before(following.frame + offset)) > made[-1][0]:
+            made.append((last, key.value))
+        if key.interpolation is Interpolation.SMOOTH and key.value != following.value:
+            made += [(float(frame + offset), value.at(frame)) for frame in range(key.frame + 1, following.frame)]
+    return made
+
+
+def _append(made: ValueCurve, time: float, value: float, left: float, right: float) -> None:
+    for column, number in zip(
+        (made.times, made.values, made.left, made.right), (time, value, left, right), strict=True
+    ):
+        column.append(number)
 
 
 def outline_triples(points: Array, height: float) -> Array:

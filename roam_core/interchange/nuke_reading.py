@@ -23,10 +23,21 @@ from roam_core.interchange.nuke_curves import (
     transform,
     values_at,
 )
+from roam_core.interchange.nuke_joined import is_joined, joined
 from roam_core.interchange.nuke_keys import UP
+from roam_core.interchange.nuke_names import KNOB, true_names
 from roam_core.interchange.nuke_script import Nested, Script, Word
 from roam_core.interchange.nuke_text import LOCKED, OPEN, RELATIVE_TANGENTS, RENDERABLE
-from roam_core.interchange.reading import PLAIN, Imported, ImportOptions, ShapeReader, brief, quietly, sensible
+from roam_core.interchange.reading import (
+    PLAIN,
+    Imported,
+    ImportOptions,
+    ShapeReader,
+    brief,
+    origin_of,
+    quietly,
+    sensible,
+)
 from roam_core.roto import Clip, Keyframe, Layer, RotoShape
 
 Array = NDArray[np.float64]
@@ -50,27 +61,33 @@ class NukeImporter:
         """
         reader = ShapeReader(path, clip, options)
         script = Script(reader)
-        nodes, sizes = [], []
-        script_size: tuple[float, float] | None = None
-        for species, body in script.nodes():
-            knobs = body.knobs()
-            if species == "Root" and "format" in knobs:
-                script_size = _size(knobs["format"])
-            if "curves" in knobs and species not in ("Root", "Viewer"):
-                nodes.append(knobs)
-                sizes.append(_size(knobs["format"]) if "format" in knobs else None)
+        every = [(species, body.knobs()) for species, body in script.nodes()]
+        nodes = [knobs for species, knobs in every if "curves" in knobs and species not in ("Root", "Viewer")]
         if not nodes:
             raise RoamError(f"{path} holds no Roto or RotoPaint node.")
-        layers = []
+        scripts = [_size(knobs["format"]) for species, knobs in every if species == "Root" and "format" in knobs]
+        script_size = scripts[-1] if scripts else None
+        sizes = [_size(knobs["format"]) if "format" in knobs else None for knobs in nodes]
         size = next((size for size in (*sizes, script_size) if size is not None), None)
-        for knobs, own in zip(nodes, sizes, strict=True):
+        if any(own not in (None, size) for own in sizes):
+            reader.note("The nodes differ in their formats; all were scaled as the first.")
+
+        def root_of(knobs: dict[str, Word]) -> Layer:
+            own = _size(knobs["format"]) if "format" in knobs else None
+            names = true_names(knobs[KNOB].value) if KNOB in knobs else {}
             height = (own or script_size or clip.size)[1]
-            if own not in (None, size):
-                reader.note("The nodes differ in their formats; all were scaled as the first.")
-            layers.append(_NodeReader(reader, height, _name(knobs)).root(knobs["curves"]))
+            return _NodeReader(reader, height, _name(knobs), names).root(knobs["curves"])
+
+        whole = joined(every, root_of, reader) if is_joined(every) else None
+        layers = [whole] if whole is not None else [root_of(knobs) for knobs in nodes]
         if len(layers) == 1 and _says_nothing(layers[0]):
             return reader.finished(layers[0].children, size)
         return reader.finished(tuple(reversed(layers)), size)
+
+
+def _offsets(value: Array) -> Array | None:
+    """The feather's offsets among `(1 | 2, P, 3, 2)` of outline and feather curve; None where there are none."""
+    return None if len(value) == 1 or not np.abs(value[1] - value[0]).max() > 1e-6 else value[1] - value[0]
 
 
 def _name(knobs: dict[str, Word]) -> str:
@@ -101,6 +118,7 @@ class _NodeReader:
     reader: ShapeReader
     height: float
     node: str
+    true_names: dict[str, str]
 
     def root(self, curves: Word) -> Layer:
         """The node's layers and shapes, in a layer that bears its name."""
@@ -120,7 +138,7 @@ class _NodeReader:
 
     def _layer(self, word: Word, outer: Sequence[Transform]) -> Layer:
         items = word.words()[1:]
-        name = items.pop(0).value if items else "?"
+        name = self._true(items.pop(0).value) if items else "?"
         flags, form, attributes = 0, Transform({}), Attributes([], self._teller("layer", name))
         children: list[Layer | RotoShape] = []
         for item in items:
@@ -142,13 +160,14 @@ class _NodeReader:
             tuple(reversed(children)),
             visible=attributes.number("vis", 1) != 0,
             locked=bool(flags & LOCKED),
-            opacity=min(max(attributes.number("opc", 1), 0.0), 1.0),
+            opacity=attributes.opacity(self.reader),
             invert=attributes.number("inv", 0) != 0,
+            blend=attributes.blend(),
         )
 
     def _shape(self, word: Word, parts: list[Word], outer: Sequence[Transform]) -> Iterator[RotoShape]:
         """The shape, or nothing and a note when it is none that we can hold."""
-        name = parts[1].value if len(parts) > 1 else "?"
+        name = self._true(parts[1].value) if len(parts) > 1 else "?"
         try:
             if not word.is_whole:
                 raise FormError("it is cut off")
@@ -186,7 +205,7 @@ class _NodeReader:
         if not sensible(keys):
             raise FormError("a point of it lies nowhere near the image")
         shape_id = self.reader.fresh_id("shape")
-        fields = attributes.shape_fields(self.reader.clip, self.reader.frame, int(shape_id.rpartition("-")[2]) - 1)
+        fields = attributes.shape_fields(self.reader, int(shape_id.rpartition("-")[2]) - 1)
         fields["visible"] = fields["visible"] and bool(flags & RENDERABLE)
         return RotoShape(shape_id, name, keys, closed=not curve_flags & OPEN, locked=bool(flags & LOCKED), **fields)
 
@@ -230,12 +249,13 @@ class _NodeReader:
         raw: list[Key] = keys_of(motion.at, times, lambda keys: self.reader.check_points(keys * count, name, keys))
         return tuple(
             Keyframe(
-                self.reader.frame(frame),
-                value[0],
-                None if len(value) == 1 or not np.abs(value[1] - value[0]).max() > 1e-6 else value[1] - value[0],
-                interpolation=interpolation,
+                self.reader.frame(key.frame),
+                key.value[0],
+                _offsets(key.value),
+                interpolation=key.interpolation,
+                **origin_of(key),
             )
-            for frame, interpolation, value in raw
+            for key in raw
         )
 
     def _transform(self, word: Word, kind: str, name: str) -> Transform:
@@ -251,6 +271,9 @@ class _NodeReader:
         for part in form.unknown:
             self._teller(kind, name)(f"the {part} of its transform was left out")
         return form
+
+    def _true(self, name: str) -> str:
+        return self.true_names.get(name, name)
 
     def _teller(self, kind: str, name: str) -> Callable[[str], None]:
         return lambda sentence: self.reader.note(f"The {kind} {brief(name)}: {sentence}.")

@@ -9,6 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from roam_core.interchange.authorship import MARK
+from roam_core.interchange.nuke_keys import straight_keys, value_curve
+from roam_core.roto.animated import Animatable, Animated
 
 Array = NDArray[np.float64]
 
@@ -39,9 +41,27 @@ def _escaped(match: re.Match[str]) -> str:
     return {" ": "\\ ", "\n": "\\n", "\t": "\\t", "\r": "\\r"}.get(character, f"\\u{ord(character):04x}")
 
 
-def attribute_list(values: Iterable[tuple[str, float]]) -> str:
+def attribute_list(values: Iterable[tuple[str, Animatable]], frame_offset: int) -> str:
     """Names and values as the list of a layer's or shape's attributes."""
-    return "{" + " ".join(["a", *(f"{name} {number(value)}" for name, value in values)]) + "}"
+    return "{" + " ".join(["a", *(f"{name} {_attribute(value, frame_offset)}" for name, value in values)]) + "}"
+
+
+def _attribute(value: Animatable, frame_offset: int) -> str:
+    """A number; or keys, each with its time, its value, and slope and length on either side."""
+    if not isinstance(value, Animated):
+        return number(value)
+    curve = value_curve(value, frame_offset)
+    table = np.array([curve.times, curve.values, curve.left, curve.right])
+    words = (numbers(column) for column in table.T)
+    return "{" + " ".join(f"{{{time} {at} {left} 1 {right} 1}}" for time, at, left, right in words) + "}"
+
+
+def knob_curve(value: Animatable, frame_offset: int) -> str:
+    """A number as the value of a node's knob: itself, or an animation curve of straight spans."""
+    if not isinstance(value, Animated):
+        return repr(value)
+    keys = " ".join(f"x{time:.10g} {at!r}" for time, at in straight_keys(value, frame_offset))
+    return f"{{{{curve L {keys}}}}}"
 
 
 def number(value: float) -> str:

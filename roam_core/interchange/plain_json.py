@@ -17,13 +17,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from roam_core.errors import RoamError
+from roam_core.geometry import bspline
 from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter
-from roam_core.interchange.reading import MAX_PARTS, PLAIN, Imported, ImportOptions, ShapeReader, brief, sensible
+from roam_core.interchange.reading import Imported, ShapeReader, brief, sensible
 from roam_core.interchange.stilled import stilled
 from roam_core.roto import (
     Animated,
     BlendMode,
-    Clip,
     Interpolation,
     Keyframe,
     Layer,
@@ -61,10 +61,6 @@ class JsonFormat:
         options.advance(1.0, f"Writing {path.name}")
         write_atomically(path, text.encode("ascii"))
         return notes
-
-    def read(self, path: Path, clip: Clip, options: ImportOptions = PLAIN) -> Imported:
-        """Read all layers and shapes of a file; a file that is not of the format is refused with the place."""
-        return _Reader(path, clip, options).shapes()
 
 
 def json_document(project: Project, options: ExportOptions = STANDARD) -> tuple[str, tuple[str, ...]]:
@@ -155,20 +151,11 @@ class _Writer(ShapeWriter):
 # ---- reading ---------------------------------------------------------------------------------------------------------
 
 
-class _Reader(ShapeReader):
+class JsonReader(ShapeReader):
     """Turns plain values into layers and shapes; every refusal says where."""
 
-    def shapes(self) -> Imported:
-        text = self.text()
-        # Every list, object and comma may become an object in memory: they are counted before the text is taken apart.
-        if max(text.count("{") + text.count("["), text.count(",") // 4) > MAX_PARTS:
-            raise RoamError(f"{self.path} holds more than {MAX_PARTS} lists and objects; split it into several files.")
-        try:
-            document = json.loads(text)
-        except (ValueError, RecursionError):
-            raise RoamError(f"{self.path} is no valid JSON.") from None
-        if not isinstance(document, dict) or document.get("format") != FORMAT:
-            raise RoamError(f'{self.path} holds no shapes: its "format" is not "{FORMAT}".')
+    def shapes(self, document: dict[str, Any]) -> Imported:
+        """All layers and shapes of a document of the format, which is known by its `format`."""
         version = document.get("version")
         if version not in (1, VERSION):
             raise RoamError(
@@ -236,7 +223,7 @@ class _Reader(ShapeReader):
             )
         except ValueError as error:
             raise self._refusal(place, str(error)) from None
-        return grips.with_spline(shape, spline) if spline is Spline.BSPLINE else shape
+        return _as_bspline(shape) if spline is Spline.BSPLINE else shape
 
     def _key(self, values: Any, name: str, place: str) -> Keyframe:
         if not isinstance(values, dict):
@@ -357,6 +344,14 @@ class _Reader(ShapeReader):
             return self.frame(number)
         except ValueError as error:
             raise self._refusal(place, str(error)) from None
+
+
+def _as_bspline(shape: RotoShape) -> RotoShape:
+    """The shape as a B-spline: bit by bit where its points are those of one, else the one that lies nearest."""
+    most = max(float(np.abs(key.points).max()) for key in shape.keys)
+    if all(bspline.is_bspline(key.points, shape.closed, 1e-9 * max(most, 1.0)) for key in shape.keys):
+        return replace(shape, spline=Spline.BSPLINE)
+    return grips.with_spline(shape, Spline.BSPLINE)
 
 
 def _numbers(values: list[Any]) -> bool:

@@ -8,16 +8,18 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import Protocol
+from typing import Any, Protocol
 
 import numpy as np
 
 from roam_core.bounded import bounded_bytes
 from roam_core.cancel import CancelToken, Progress
 from roam_core.errors import RoamError
+from roam_core.interchange.keying import Key
 from roam_core.interchange.protocol import FARTHEST, MAX_FRAMES
-from roam_core.roto import Clip, Keyframe, Layer, RotoShape
+from roam_core.roto import Clip, Keyframe, Layer, Origin, RotoShape
 from roam_core.roto.animated import mapped
+from roam_core.roto.imported import IMPORT, stamped
 
 MAX_BYTES = 48 << 20
 """Larger files are refused before they are read; a format whose text takes longer to read has a lower bound."""
@@ -42,11 +44,13 @@ class ImportOptions:
     Attributes
     ----------
     frame_offset : what was added to the plate's frame numbers when the file was written; reading takes it off again.
+    content : what is read in place of a file, such as a text of the clipboard; the path is then its name alone.
     progress : called with the finished fraction and a few words.
     token : cancels the reading at its next safe point.
     """
 
     frame_offset: int = 0
+    content: bytes | None = field(default=None, repr=False)
     progress: Progress | None = None
     token: CancelToken | None = None
 
@@ -132,6 +136,7 @@ class ShapeReader:
     keys: int = 0
     parts: int = 0
     _ids: dict[str, int] = field(default_factory=dict)
+    _told: set[str] = field(default_factory=set)
 
     def __post_init__(self) -> None:
         if abs(self.options.frame_offset) > MAX_FRAMES:
@@ -139,7 +144,12 @@ class ShapeReader:
 
     def content(self, most: int | None = None) -> bytes:
         """The whole file; one sentence when it is missing, no file, or larger than `most` (`MAX_BYTES` for None)."""
-        return bounded_bytes(self.path, MAX_BYTES if most is None else most)
+        most, given = MAX_BYTES if most is None else most, self.options.content
+        if given is None:
+            return bounded_bytes(self.path, most)
+        if len(given) > most:
+            raise RoamError(f"{self.path} holds more than {most >> 20} MiB; copy fewer shapes at once.")
+        return given
 
     def text(self, most: int | None = None) -> str:
         """The whole file as UTF-8 text, with bytes that are none replaced and a byte-order mark taken off."""
@@ -191,7 +201,8 @@ class ShapeReader:
 
     def note(self, sentence: str) -> None:
         """Remember a loss, once: a hundred shapes with one trouble make one sentence each, not a hundred alike."""
-        if sentence not in self.notes:
+        if sentence not in self._told:
+            self._told.add(sentence)
             self.notes.append(sentence)
 
     def finished(self, children: tuple[Layer | RotoShape, ...], size: tuple[float, float] | None = None) -> Imported:
@@ -209,7 +220,14 @@ class ShapeReader:
                 f"The file speaks of pictures of {size[0]:g} x {size[1]:g} pixels, the clip has {width} x {height}: "
                 "the shapes were scaled."
             )
-        return Imported(layer, tuple(self.notes))
+        return Imported(
+            Layer(layer.id, layer.name, tuple(stamped(child) for child in layer.children)), tuple(self.notes)
+        )
+
+
+def origin_of(key: Key) -> dict[str, Any]:
+    """The fields of a `Keyframe` that say who made it: the file's own are the artist's, those between them are not."""
+    return {} if key.is_own else {"origin": Origin.ENGINE, "inputs": IMPORT}
 
 
 def brief(name: str) -> str:

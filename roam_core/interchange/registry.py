@@ -8,10 +8,15 @@ from pathlib import Path
 from roam_core.errors import RoamError
 from roam_core.interchange.after_effects import AfterEffectsExporter
 from roam_core.interchange.blender import BlenderExporter
+from roam_core.interchange.coco import CocoExporter
+from roam_core.interchange.cvat import CvatExporter
+from roam_core.interchange.cvat_reading import CvatImporter
 from roam_core.interchange.fusion import FusionExporter
 from roam_core.interchange.fusion_reading import FusionImporter
+from roam_core.interchange.json_files import JsonImporter
 from roam_core.interchange.masks import MaskImporter
 from roam_core.interchange.mattes import MatteExporter
+from roam_core.interchange.mlt import MltExporter
 from roam_core.interchange.natron import NatronExporter
 from roam_core.interchange.nuke import NukeExporter
 from roam_core.interchange.nuke_python import NukePythonExporter
@@ -53,6 +58,9 @@ EXPORTERS = Exporters(
         NatronExporter(),
         SvgFormat(),
         JsonFormat(),
+        CocoExporter(),
+        CvatExporter(),
+        MltExporter(),
         MatteExporter(),
     ]
 )
@@ -63,7 +71,8 @@ IMPORTERS: tuple[Importer, ...] = (
     SilhouetteImporter(),
     FusionImporter(),
     SvgFormat(),
-    JsonFormat(),
+    JsonImporter(),
+    CvatImporter(),
     MaskImporter(),
 )
 """Every format that can be read."""

@@ -9,6 +9,9 @@ description: what stands here follows the exporters that artists use to bring sh
 from __future__ import annotations
 
 import xml.etree.ElementTree as ET
+from collections.abc import Iterator
+from dataclasses import replace
+from itertools import zip_longest
 from pathlib import Path
 
 import numpy as np
@@ -17,10 +20,23 @@ from numpy.typing import NDArray
 from roam_core.geometry import bspline
 from roam_core.geometry.bezier import ANCHOR, IN, OUT
 from roam_core.interchange.authorship import MARK
-from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter, without_smooth_keys
+from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter, settled, without_smooth_keys
 from roam_core.interchange.stilled import stilled
+from roam_core.interchange.sums import UNIONS, Item, is_shown
 from roam_core.interchange.xml import xml_text
-from roam_core.roto import BlendMode, Clip, Interpolation, Keyframe, Layer, Project, RotoShape, Spline
+from roam_core.roto import (
+    Animated,
+    BlendMode,
+    Clip,
+    Interpolation,
+    Keyframe,
+    Layer,
+    Project,
+    RotoShape,
+    Spline,
+    ValueKey,
+)
+from roam_core.roto.animated import Animatable, is_always, product, value_at
 from roam_core.roto.file import write_atomically
 
 Array = NDArray[np.float64]
@@ -34,8 +50,8 @@ MODES = {
     BlendMode.MAX: "Max",
 }
 PATH_KINDS = {Spline.BEZIER: "Bezier", Spline.BSPLINE: "Bspline"}
-SCALED_BY_THEIR_LAYER = {BlendMode.ADD, BlendMode.DIFFERENCE, BlendMode.MAX}
-"""Scaling these shapes scales the layer's joint matte alike; subtracting and inside shapes act on what is scaled."""
+SCALED_BY_THEIR_LAYER = {BlendMode.ADD, BlendMode.PLUS, BlendMode.DIFFERENCE, BlendMode.MAX}
+"""Scaling these scales what they do in the layer; those that subtract or lie inside act on what is scaled."""
 
 
 class SilhouetteExporter:
@@ -47,17 +63,17 @@ class SilhouetteExporter:
 
     def export(self, project: Project, path: Path, options: ExportOptions = STANDARD) -> tuple[str, ...]:
         """Write `project` to `path`; what Silhouette's file cannot hold comes back as sentences."""
-        text, notes = silhouette_document(project, options)
+        text, told = silhouette_document(project, options)
         options.advance(1.0, f"Writing {path.name}")
         write_atomically(path, text.encode("utf-8"))
-        return notes
+        return told
 
 
 def silhouette_document(project: Project, options: ExportOptions = STANDARD) -> tuple[str, tuple[str, ...]]:
     """The text of a shape file with all shapes of `project`, and a sentence for each thing that it cannot hold.
 
     The key of frame f is numbered f minus the clip's first frame plus the options' offset; the session's own range
-    stays the plate's.
+    stays the plate's. Raises `LossyExport` where the matte would differ, unless the options are `lossy`.
     """
     project = stilled(project)
     clip = project.require_clip()
@@ -74,10 +90,13 @@ def silhouette_document(project: Project, options: ExportOptions = STANDARD) -> 
     root = ET.SubElement(session, "Layer", type="Layer", label=xml_text(project.root.name), expanded="True")
     if not project.root.visible or project.root.locked:
         root.attrib.update(_flags(project.root))
-    writer.fill_layer(root, project.root, 1.0)
+    writer.fill_layer(root, replace(project.root, blend=BlendMode.ADD), 1.0)
     ET.indent(session, " ")
     text = f"<!-- Silhouette Shape File -->\n<!-- {MARK} -->\n" + ET.tostring(session, encoding="unicode") + "\n"
-    return text, tuple(writer.notes)
+    if sums := [repr(item.name) for item in project.root.items() if item.blend is BlendMode.PLUS]:
+        some = ", ".join(sums[:6]) + (" and others" if len(sums) > 6 else "")
+        writer.notes.append(f"Silhouette has one Add for ROAM's add and plus: that is what {some} became.")
+    return text, settled(writer.notes, writer.losses, options)
 
 
 def normalised(points: Array, clip: Clip) -> Array:
@@ -92,28 +111,49 @@ class _Writer(ShapeWriter):
 
     KINDS = frozenset(PATH_KINDS)
 
-    def fill_layer(self, element: ET.Element, layer: Layer, opacity: float) -> None:
+    def fill_layer(self, element: ET.Element, layer: Layer, opacity: Animatable) -> None:
         """Properties and children of a layer; `opacity` is what the layers around it leave of its shapes'."""
-        opacity *= layer.opacity_at(self.clip.first)
-        if opacity != 1.0 and layer.invert:  # scaling what is inverted does not scale what becomes of it
-            self.notes.append(f"Silhouette layers have no opacity: that of the inverted {layer.name!r} was left out.")
-            opacity = 1.0
-        elif layer.opacity != 1.0:
-            self.notes.append(f"Silhouette layers have no opacity: that of {layer.name!r} went into its shapes.")
+        opacity = product(opacity, layer.opacity)
+        if not is_always(opacity, 1.0):
+            opacity = self._shared(layer, opacity)
         properties = ET.SubElement(element, "Properties")
         _constant(properties, "color", "(1.000000,1.000000,1.000000)")
         _constant(properties, "invert", _truth(layer.invert))
-        _constant(properties, "mode", MODES[BlendMode.ADD])
+        _constant(properties, "mode", MODES[layer.blend])
         objects = ET.SubElement(properties, "Property", id="objects", constant="True", expanded="True")
         for child in layer.children:  # bottom first, as in ROAM
             if isinstance(child, Layer):
                 inner = ET.SubElement(objects, "Object", type="Layer", label=xml_text(child.name), expanded="True")
                 inner.attrib.update(_flags(child))
-                self.fill_layer(inner, child, opacity)
+                self.fill_layer(inner, child, opacity if child.blend in SCALED_BY_THEIR_LAYER else 1.0)
             else:
                 self.add_shape(objects, child, opacity)
 
-    def add_shape(self, objects: ET.Element, shape: RotoShape, opacity: float) -> None:
+    def _shared(self, layer: Layer, opacity: Animatable) -> Animatable:
+        """The opacity that goes into what lies in a layer, and what that loses.
+
+        Scaling the shapes scales their joint matte, but where a union or a sum joins two: both are scaled there.
+        """
+        if layer.invert:  # scaling what is inverted does not scale what becomes of it
+            if is_shown(layer):
+                self.losses.append(
+                    f"Silhouette layers have no opacity: that of the inverted layer {layer.name!r} was left out."
+                )
+            return 1.0
+        if layer.opacity != 1.0:
+            self.notes.append(f"Silhouette layers have no opacity: that of {layer.name!r} went into its shapes.")
+        under: list[Item] = []
+        for child in filter(is_shown, layer.children):
+            if child.blend in UNIONS and any(_may_overlap(child, each) for each in under):
+                self.losses.append(
+                    f"Silhouette layers have no opacity: where shapes of the dimmed layer {layer.name!r} overlap they "
+                    "are brighter there than in ROAM."
+                )
+                break
+            under.append(child)
+        return opacity
+
+    def add_shape(self, objects: ET.Element, shape: RotoShape, opacity: Animatable) -> None:
         shape = without_smooth_keys(self.begun(shape))
         if shape.point_count < 2:
             self.notes.append(f"Silhouette refuses shapes of a single point: {shape.name!r} was left out.")
@@ -124,7 +164,7 @@ class _Writer(ShapeWriter):
         element.attrib.update(_flags(shape))
         properties = ET.SubElement(element, "Properties")
         share = opacity if shape.blend in SCALED_BY_THEIR_LAYER else 1.0
-        self._add_opacity(properties, shape, 100.0 * share * shape.opacity_at(self.clip.first))
+        self._add_opacity(properties, shape, product(shape.opacity, share))
         _constant(properties, "motionBlur", _truth(shape.motion_blur is not None))
         _constant(properties, "outlineColor", _tuple(np.array(shape.colour)))
         _constant(properties, "mode", MODES[shape.blend])
@@ -141,15 +181,16 @@ class _Writer(ShapeWriter):
         if shape.motion_blur is not None:
             self.notes.append(f"Silhouette's shutter is the session's: that of {shape.name!r} was left out.")
 
-    def _add_opacity(self, properties: ET.Element, shape: RotoShape, percent: float) -> None:
-        """A constant, or for a lifetime keys that hold zero, the opacity, and zero again."""
-        if shape.lifetime is None:
-            _constant(properties, "opacity", f"{percent:.6f}")
+    def _add_opacity(self, properties: ET.Element, shape: RotoShape, opacity: Animatable) -> None:
+        """A constant or keys; for a lifetime they hold zero before and after it."""
+        if shape.lifetime is None and not isinstance(opacity, Animated):
+            _constant(properties, "opacity", f"{100.0 * opacity:.6f}")
             return
-        opacity = ET.SubElement(properties, "Property", id="opacity")
-        start, stop = shape.lifetime
-        for frame, value in ((start - 1, 0.0), (start, percent), (stop, 0.0)):
-            ET.SubElement(opacity, "Key", frame=self._frame(frame), interp="hold").text = f"{value:.6f}"
+        entry = ET.SubElement(properties, "Property", id="opacity")
+        for key in opacity_keys(opacity, shape.lifetime):
+            interp = "hold" if key.interpolation is Interpolation.HOLD else "linear"
+            element = ET.SubElement(entry, "Key", frame=self._frame(key.frame), interp=interp)
+            element.text = f"{100.0 * key.value:.6f}"
 
     def _add_path_key(self, parent: ET.Element, key: Keyframe, shape: RotoShape) -> None:
         interp = "hold" if key.interpolation is Interpolation.HOLD else "linear"
@@ -164,6 +205,48 @@ class _Writer(ShapeWriter):
 
     def _frame(self, frame: int) -> str:
         return str(frame - self.clip.first + self.options.frame_offset)
+
+
+def opacity_keys(opacity: Animatable, lifetime: tuple[int, int] | None) -> list[ValueKey]:
+    """Keys that hold or move straight, and that hold zero outside of a lifetime."""
+    keys = list(_straight(opacity)) if isinstance(opacity, Animated) else []
+    if lifetime is None:
+        return keys
+    (start, stop), hold = lifetime, Interpolation.HOLD
+    lasting = Animated(tuple(keys)) if keys else Animated((ValueKey(start, value_at(opacity, start), hold),))
+    before = next((key for key in reversed(lasting.keys) if key.frame <= start), None)
+    first = ValueKey(start, lasting.at(start), before.interpolation if before else hold)
+    inside = [first, *(key for key in lasting.keys if start < key.frame < stop)]
+    if inside[-1].frame < stop - 1 and inside[-1].interpolation is not hold:
+        inside.append(ValueKey(stop - 1, lasting.at(stop - 1)))
+    inside[-1] = replace(inside[-1], interpolation=hold)
+    return [ValueKey(start - 1, 0.0, hold), *inside, ValueKey(stop, 0.0, hold)]
+
+
+def _straight(value: Animated) -> Iterator[ValueKey]:
+    """The keys of a value, with one on every frame of its smooth spans."""
+    for key, following in zip_longest(value.keys, value.keys[1:]):
+        if following is None or key.interpolation is not Interpolation.SMOOTH:
+            yield key
+            continue
+        frames = range(key.frame, following.frame if key.value != following.value else key.frame + 1)
+        yield from (ValueKey(frame, value.at(frame)) for frame in frames)
+
+
+def _may_overlap(first: Item, second: Item) -> bool:
+    """False where the boxes around two shapes or layers, over all frames, do not meet."""
+    (low, high), (below, above) = _box(first), _box(second)
+    return bool((low <= above).all() and (below <= high).all())
+
+
+def _box(item: Item) -> tuple[Array, Array]:
+    shapes = item.shapes() if isinstance(item, Layer) else [item]
+    if any(shape.invert for shape in shapes):
+        return np.full(2, -np.inf), np.full(2, np.inf)
+    shapes = item.shapes() if isinstance(item, Layer) else [item]
+    points = [key.points.reshape(-1, 2) for shape in shapes for key in shape.keys]
+    whole = np.concatenate(points) if points else np.full((1, 2), np.nan)
+    return whole.min(axis=0) - 1.0, whole.max(axis=0) + 1.0
 
 
 def _flags(item: Layer | RotoShape) -> dict[str, str]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from xml.etree.ElementTree import Element
 
@@ -11,8 +11,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from roam_core.errors import RoamError
-from roam_core.interchange.keying import Key, keys_of
-from roam_core.interchange.reading import PLAIN, Imported, ImportOptions, ShapeReader, brief, quietly, sensible
+from roam_core.interchange.keying import Key, animated_of, keys_of
+from roam_core.interchange.reading import (
+    PLAIN,
+    Imported,
+    ImportOptions,
+    ShapeReader,
+    brief,
+    origin_of,
+    quietly,
+    sensible,
+)
 from roam_core.interchange.silhouette import MODES, PATH_KINDS
 from roam_core.interchange.silhouette_project import project_session, project_shapes, unpacked
 from roam_core.interchange.silhouette_values import (
@@ -28,6 +37,7 @@ from roam_core.interchange.silhouette_values import (
 )
 from roam_core.interchange.xml import local_name, parsed
 from roam_core.roto import BlendMode, Clip, Interpolation, Keyframe, Layer, MotionBlur, RotoShape, Spline, grips
+from roam_core.roto.animated import Animatable
 from roam_core.roto.project import PALETTE
 
 Array = NDArray[np.float64]
@@ -132,16 +142,15 @@ class _SessionReader:
                     self.reader.note(f"The {name} of the layer {brief(label)} was left out: {error}.")
         inner = [LayerTransform(parts), *outer] if parts else outer
         objects = properties.get("objects")
-        if _text(properties, "mode", MODES[BlendMode.ADD]) != MODES[BlendMode.ADD]:
-            self.reader.note(f"The blend mode of the layer {brief(label)} was left out: ROAM's layers add.")
         return Layer(
             self.reader.fresh_id("layer"),
             label,
             () if objects is None else tuple(self._items(objects, inner)),
             visible=not _truth(element.get("hidden")),
             locked=_truth(element.get("locked")),
-            opacity=self._percent(properties, f"layer {brief(label)}")[0],
+            opacity=self._percent(properties, f"layer {brief(label)}", may_begin=False)[0],
             invert=_truth(_text(properties, "invert", "")),
+            blend=self._blend(_text(properties, "mode", MODES[BlendMode.ADD]), f"layer {brief(label)}"),
         )
 
     def _shape(self, element: Element, label: str, outer: Sequence[LayerTransform]) -> RotoShape:
@@ -163,7 +172,7 @@ class _SessionReader:
             closed=closed,
             spline=spline,
             colour=colour,
-            blend=self._blend(_text(properties, "mode", MODES[BlendMode.ADD]), label),
+            blend=self._blend(_text(properties, "mode", MODES[BlendMode.ADD]), f"shape {brief(label)}"),
             opacity=opacity,
             invert=_truth(_text(properties, "invert", "")),
             motion_blur=MotionBlur() if _truth(_text(properties, "motionBlur", "")) else None,
@@ -185,28 +194,33 @@ class _SessionReader:
                 self.reader.note(f"{subject}: {meaning} was left out.")
         return found
 
-    def _blend(self, mode: str, label: str) -> BlendMode:
+    def _blend(self, mode: str, subject: str) -> BlendMode:
         for blend, name in MODES.items():
             if name == mode:
                 return blend
-        self.reader.note(f"The mode {brief(mode)} of the shape {brief(label)} is none of ROAM's; it adds.")
+        self.reader.note(f"The mode {brief(mode)} of the {subject} is none of ROAM's; it adds.")
         return BlendMode.ADD
 
-    def _percent(self, properties: dict[str, Element], subject: str) -> tuple[float, tuple[int, int] | None]:
-        """Opacity in [0, 1], and the lifetime where the keys are zero, one value held, and zero again."""
+    def _percent(
+        self, properties: dict[str, Element], subject: str, *, may_begin: bool = True
+    ) -> tuple[Animatable, tuple[int, int] | None]:
+        """Opacity in [0, 1], and the lifetime where keys begin and end with a zero that is held, as our writer's do."""
         if "opacity" not in properties:
             return 1.0, None
         try:
-            opacity = track(properties["opacity"], 1)
-            shares = np.clip(opacity.values[:, 0] / 100.0, 0.0, 1.0)
-            if len(shares) == 3 and shares[0] == shares[2] == 0.0 and opacity.holds(0) and opacity.holds(1):
-                return float(shares[1]), (self._frame(opacity.frames[1]), self._frame(opacity.frames[2]))
+            keyed = track(properties["opacity"], 1)
         except ValueError as error:
             self.reader.note(f"The opacity of the {subject} was left out: {error}.")
             return 1.0, None
-        if not (shares == shares[0]).all():
-            self.reader.note(f"The opacity of the {subject} is animated; it has the largest value.")
-        return float(shares.max()), None
+        keyed = replace(keyed, values=np.clip(keyed.values / 100.0, 0.0, 1.0))
+        lifetime = None
+        if may_begin and _comes_and_goes(keyed):
+            lifetime = (self._frame(keyed.frames[1]), self._frame(keyed.frames[-1]))
+            keyed = Track(keyed.frames[1:-1], keyed.values[1:-1], keyed.moves[1:-1])
+        if (keyed.values == keyed.values[0]).all():
+            return float(keyed.values[0, 0]), lifetime
+        opacity = animated_of(lambda moments: keyed.at(moments)[:, 0], keyed.times, self._frame, self.reader.check_keys)
+        return opacity, lifetime
 
     # ---- points ------------------------------------------------------------------------------------------------------
 
@@ -232,8 +246,13 @@ class _SessionReader:
         is_plain = not outer and not outlines.bends
         raw = self._plain(outlines) if is_plain else self._moved(outlines, label, outer)
         keys = tuple(
-            Keyframe(self._frame(f), grips.points_of(self.session.pixels(v), spline, closed), interpolation=i)
-            for f, i, v in raw
+            Keyframe(
+                self._frame(key.frame),
+                grips.points_of(self.session.pixels(key.value), spline, closed),
+                interpolation=key.interpolation,
+                **origin_of(key),
+            )
+            for key in raw
         )
         if not sensible(keys):
             raise ValueError("a point of it lies nowhere near the image")
@@ -242,7 +261,7 @@ class _SessionReader:
     def _plain(self, outlines: Track) -> list[Key]:
         frames = [round(frame) for frame in outlines.frames.tolist()]
         return [
-            (frame, Interpolation.HOLD if outlines.holds(k) else Interpolation.LINEAR, value.reshape(-1, 3, 2))
+            Key(frame, Interpolation.HOLD if outlines.holds(k) else Interpolation.LINEAR, value.reshape(-1, 3, 2), True)
             for k, (frame, value) in enumerate(zip(frames, outlines.values, strict=True))
         ]
 
@@ -258,7 +277,7 @@ class _SessionReader:
 
         times = set(outlines.frames.tolist()).union(*(form.times for form in outer))
         keys = keys_of(values, times, lambda made: self.reader.check_points(made * count, label, made))
-        return [(frame, interpolation, value / scale) for frame, interpolation, value in keys]
+        return [key._replace(value=key.value / scale) for key in keys]
 
     def _grips(self, path: Element, label: str, spline: Spline) -> Array:
         """What the artist holds of one path, `(P, 3, 2)`, in the file's units: that is what layers move."""
@@ -272,6 +291,12 @@ class _SessionReader:
 
     def _frame(self, number: float) -> int:
         return self.reader.frame(number + self.session.start)
+
+
+def _comes_and_goes(opacity: Track) -> bool:
+    """True for keys that hold zero up to a frame, and from another one on."""
+    ends = opacity.values[[0, -1], 0]
+    return len(opacity.frames) > 2 and not ends.any() and opacity.holds(0) and opacity.holds(len(opacity.frames) - 2)
 
 
 def _kind(paths: Sequence[Element]) -> Spline:

@@ -1,30 +1,29 @@
 """SVG pictures of the shapes on single frames: layers as groups, each shape as one path of cubic Bezier curves.
 
-Positions are pixels from the top-left corner, y down, as in ROAM. What SVG has no word for stands in attributes whose
-names begin with `data-roam-`; drawing programs pass over them and the reader takes them up again.
+Positions are pixels from the top-left corner, y down, as in ROAM. What any renderer paints is the matte: white, as
+opaque as the matte is white (`svg_painting`). What SVG has no word for stands in attributes whose names begin with
+`data-roam-`; drawing programs pass over them and the reader takes them up again.
 """
 
 from __future__ import annotations
 
 import xml.etree.ElementTree as ET
-from dataclasses import dataclass, field, replace
-from itertools import pairwise
+from collections.abc import Iterable
+from dataclasses import dataclass, replace
 from pathlib import Path
 
-import numpy as np
-
-from roam_core.geometry.bezier import ANCHOR, IN, OUT
 from roam_core.interchange.naming import file_words, is_numbered, numbering
-from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter, with_chosen_keys
+from roam_core.interchange.protocol import STANDARD, ExportOptions, with_chosen_keys
 from roam_core.interchange.reading import PLAIN, Imported, ImportOptions, quietly
 from roam_core.interchange.stilled import stilled
+from roam_core.interchange.svg_painting import Painter
 from roam_core.interchange.svg_reading import SvgReader
-from roam_core.interchange.svg_words import INKSCAPE, LABEL, SVG
-from roam_core.interchange.xml import xml_text
-from roam_core.roto import BlendMode, Clip, Layer, Outline, Project, RotoShape, Spline
+from roam_core.interchange.svg_words import INKSCAPE, SODIPODI, SVG, XLINK, svg_tag
+from roam_core.roto import Clip, Project
 from roam_core.roto.file import write_atomically
 
-FILL_OPACITY = 0.35
+PAGE = "#404040"
+"""The page's colour in Inkscape, before which white shapes are seen."""
 
 
 class SvgFormat:
@@ -52,12 +51,16 @@ class SvgFormat:
         project = replace(project, root=with_chosen_keys(project.root, options, smoothed))
         options = replace(options, smoothing=0.0)
         name_for, told = numbering(path.name, options.frame_offset), dict.fromkeys(smoothed)
+        absent: dict[str, list[int]] = {}
         for done, frame in enumerate(frames):
             options.advance(done / len(frames), f"Frame {frame}")
-            text, notes = svg_document(project, frame, replace(options, progress=None))
-            write_atomically(path.with_name(name_for(frame)), text.encode("utf-8"))
-            told |= dict.fromkeys(notes)
-        return tuple(told)
+            picture = _picture(project, frame, replace(options, progress=None))
+            write_atomically(path.with_name(name_for(frame)), picture.text.encode("utf-8"))
+            told |= dict.fromkeys(picture.notes)
+            for shape_id in picture.absent:
+                absent.setdefault(shape_id, []).append(frame)
+        names = {shape.id: shape.name for shape in project.shapes}
+        return (*told, *(_absence(names[shape_id], on) for shape_id, on in absent.items()))
 
     def files(self, project: Project, path: Path, options: ExportOptions = STANDARD) -> tuple[Path, ...]:
         """The pictures that `export` writes."""
@@ -74,101 +77,48 @@ class SvgFormat:
 
 def svg_document(project: Project, frame: int, options: ExportOptions = STANDARD) -> tuple[str, tuple[str, ...]]:
     """The picture of all shapes of `project` on one frame, and a sentence for each thing that it cannot hold."""
+    picture, names = _picture(project, frame, options), {shape.id: shape.name for shape in project.shapes}
+    return picture.text, (*picture.notes, *(_absence(names[shape_id], [frame]) for shape_id in picture.absent))
+
+
+@dataclass(frozen=True)
+class _Picture:
+    """A picture's text, what it cannot hold, and the ids of the shapes that do not exist on its frame."""
+
+    text: str
+    notes: tuple[str, ...]
+    absent: tuple[str, ...]
+
+
+def _picture(project: Project, frame: int, options: ExportOptions) -> _Picture:
     project = stilled(project)
-    clip = project.require_clip()
+    clip, root = project.require_clip(), project.root
     width, height = (str(length) for length in clip.size)
-    ET.register_namespace("", SVG)
-    ET.register_namespace("inkscape", INKSCAPE)
-    picture = ET.Element(f"{{{SVG}}}svg", width=width, height=height, viewBox=f"0 0 {width} {height}")
+    for prefix, space in {"": SVG, "inkscape": INKSCAPE, "sodipodi": SODIPODI, "xlink": XLINK}.items():
+        ET.register_namespace(prefix, space)
+    picture = ET.Element(svg_tag("svg"), width=width, height=height, viewBox=f"0 0 {width} {height}")
     picture.set("data-roam-frame", str(frame + options.frame_offset))
-    items = [project.root, *project.root.items()]
+    ET.SubElement(picture, f"{{{SODIPODI}}}namedview", pagecolor=PAGE)
+    items = [root, *root.items()]
     ids = dict(zip((item.id for item in items), file_words(item.name for item in items), strict=True))
-    writer = _Writer(clip, options, len(project.shapes), frame=frame, ids=ids)
-    writer.fill(picture, project.root)
-    if project.root.opacity != 1.0 or project.root.invert or not project.root.visible:
-        writer.notes.append("The root layer's own opacity, inversion and visibility were left out.")
+    painter = Painter(clip, options, len(project.shapes), frame=frame, ids=ids)
+    if root.visible and not root.locked and not root.invert and root.opacity_at(frame) == 1.0:
+        painter.fill(picture, root)
+    else:
+        painter.group(picture, root)
     ET.indent(picture, " ")
     text = ET.tostring(picture, encoding="unicode", xml_declaration=False)
-    return f'<?xml version="1.0" encoding="UTF-8"?>\n{text}\n', tuple(writer.notes)
+    return _Picture(f'<?xml version="1.0" encoding="UTF-8"?>\n{text}\n', tuple(painter.notes), tuple(painter.absent))
 
 
-@dataclass
-class _Writer(ShapeWriter):
-    """Turns layers and shapes into elements."""
-
-    KINDS = frozenset(Spline)
-
-    frame: int = 0
-    ids: dict[str, str] = field(default_factory=dict)
-
-    def fill(self, parent: ET.Element, layer: Layer) -> None:
-        """The children of a layer, bottom first: SVG paints in this order too."""
-        for child in layer.children:
-            if isinstance(child, Layer):
-                group = ET.SubElement(parent, f"{{{SVG}}}g", self._attributes(child))
-                group.set(f"{{{INKSCAPE}}}groupmode", "layer")
-                self.fill(group, child)
-            else:
-                self._add_path(parent, child)
-
-    def _add_path(self, parent: ET.Element, shape: RotoShape) -> None:
-        shape = self.begun(shape)
-        if not shape.exists_at(self.frame):
-            self.notes.append(f"{shape.name!r} does not exist on frame {self.frame}: it was left out.")
-            return
-        outline = shape.at(self.frame)
-        self._note_losses(shape)
-        colour = "#" + "".join(f"{round(255 * min(max(share, 0.0), 1.0)):02x}" for share in shape.colour)
-        path = ET.SubElement(parent, f"{{{SVG}}}path", self._attributes(shape))
-        path.set("d", path_data(outline))
-        path.set("fill", colour if shape.closed else "none")
-        path.set("fill-opacity", f"{FILL_OPACITY}")
-        path.set("stroke", colour)
-        if shape.blend is not BlendMode.ADD:
-            path.set("data-roam-blend", shape.blend.value)
-        if shape.spline is not Spline.BEZIER:
-            path.set("data-roam-spline", shape.spline.value)
-        if shape.feather:
-            path.set("data-roam-feather", _decimal(shape.feather_at(self.frame)))
-        if not shape.closed:
-            ends = (*outline.points[0, IN], *outline.points[-1, OUT])
-            path.set("data-roam-ends", " ".join(_decimal(float(value)) for value in ends))
-
-    def _attributes(self, item: Layer | RotoShape) -> dict[str, str]:
-        values = {"id": self.ids[item.id], LABEL: xml_text(item.name)}
-        if not item.visible:
-            values["display"] = "none"
-        if item.opacity != 1.0:
-            values["opacity"] = _decimal(item.opacity_at(self.frame))
-        if item.invert:
-            values["data-roam-invert"] = "true"
-        if item.locked:
-            values["data-roam-locked"] = "true"
-        return values
-
-    def _note_losses(self, shape: RotoShape) -> None:
-        outline = shape.at(self.frame)
-        if outline.feather is not None and outline.feather.any():
-            self.notes.append(f"SVG has no feather curves: that of {shape.name!r} was left out.")
-        if shape.motion_blur is not None:
-            self.notes.append(f"A still picture has no shutter: that of {shape.name!r} was left out.")
-
-
-def path_data(outline: Outline) -> str:
-    """An outline as the data of a path; the segment that closes it is written out, so that its handles are kept."""
-    points = np.concatenate([outline.points, outline.points[:1]]) if outline.closed else outline.points
-    words = [f"M {_pair(points[0, ANCHOR])}"]
-    for start, end in pairwise(points):
-        is_straight = (start[OUT] == start[ANCHOR]).all() and (end[IN] == end[ANCHOR]).all()
-        places = [end[ANCHOR]] if is_straight else [start[OUT], end[IN], end[ANCHOR]]
-        words.append(" ".join(["L" if is_straight else "C", *(_pair(place) for place in places)]))
-    return " ".join([*words, "Z"] if outline.closed else words)
-
-
-def _pair(place: np.ndarray[tuple[int], np.dtype[np.float64]]) -> str:
-    return f"{_decimal(float(place[0]))},{_decimal(float(place[1]))}"
-
-
-def _decimal(value: float) -> str:
-    """Six decimals without trailing zeros."""
-    return f"{value:.6f}".rstrip("0").rstrip(".") if round(value, 6) else "0"
+def _absence(name: str, frames: Iterable[int]) -> str:
+    spans: list[list[int]] = []
+    for frame in sorted(frames):
+        if spans and spans[-1][1] == frame - 1:
+            spans[-1][1] = frame
+        else:
+            spans.append([frame, frame])
+    told = [str(first) if first == last else f"{first} to {last}" for first, last in spans[:4]]
+    more = " and on others" if len(spans) > 4 else ""
+    word = "frame" if len(spans) == 1 and spans[0][0] == spans[0][1] else "frames"
+    return f"{name!r} does not exist on {word} {', '.join(told)}{more}: it was left out."

@@ -6,11 +6,13 @@ import math
 import re
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
 
-from roam_core.interchange.svg_words import NUMBER, number
+from roam_core.geometry.bezier import ANCHOR, IN, OUT
+from roam_core.interchange.svg_words import NUMBER, decimal, number
 
 Array = NDArray[np.float64]
 Place = tuple[float, float]
@@ -120,6 +122,21 @@ class _Pen:
             out, into = _towards(self.at, self.control, 2 / 3), _towards(end, self.control, 2 / 3)
         spline.curve_to(out, into, end)
         return end
+
+
+def path_data(points: Array, closed: bool) -> str:
+    """Points `(P, 3, 2)` as the data of a path; the segment that closes it is written out, for its handles' sake."""
+    points = np.concatenate([points, points[:1]]) if closed else points
+    words = [f"M {_pair(points[0, ANCHOR])}"]
+    for start, end in pairwise(points):
+        is_straight = (start[OUT] == start[ANCHOR]).all() and (end[IN] == end[ANCHOR]).all()
+        places = [end[ANCHOR]] if is_straight else [start[OUT], end[IN], end[ANCHOR]]
+        words.append(" ".join(["L" if is_straight else "C", *(_pair(place) for place in places)]))
+    return " ".join([*words, "Z"] if closed else words)
+
+
+def _pair(place: Array) -> str:
+    return f"{decimal(float(place[0]))},{decimal(float(place[1]))}"
 
 
 def parsed_path(text: str, count: Callable[[int], None] = lambda _: None) -> tuple[list[Spline], bool]:

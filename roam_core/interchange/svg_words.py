@@ -15,7 +15,14 @@ Array = NDArray[np.float64]
 
 SVG = "http://www.w3.org/2000/svg"
 INKSCAPE = "http://www.inkscape.org/namespaces/inkscape"
-LABEL = f"{{{INKSCAPE}}}label"
+SODIPODI = "http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd"
+XLINK = "http://www.w3.org/1999/xlink"
+LABEL, LAYER_MODE, INSENSITIVE = f"{{{INKSCAPE}}}label", f"{{{INKSCAPE}}}groupmode", f"{{{SODIPODI}}}insensitive"
+
+AID, PART = "data-roam-aid", "data-roam-part"
+"""Of elements that serve our picture alone, and of those that only wrap shapes of ours."""
+
+LIGHT, DARK = "white", "black"
 
 NUMBER = r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?"
 UNITS = {"": 1.0, "px": 1.0, "pt": 96 / 72, "pc": 16.0, "in": 96.0, "cm": 96 / 2.54, "mm": 96 / 25.4, "q": 96 / 101.6}
@@ -24,7 +31,29 @@ UNITS = {"": 1.0, "px": 1.0, "pt": 96 / 72, "pc": 16.0, "in": 96.0, "cm": 96 / 2
 MAX_TRANSFORMS = 100
 """Of one list: drawing programs write one or two."""
 
+COLOURS = {
+    "black": "#000000", "silver": "#c0c0c0", "gray": "#808080", "grey": "#808080", "white": "#ffffff",
+    "maroon": "#800000", "red": "#ff0000", "purple": "#800080", "fuchsia": "#ff00ff", "green": "#008000",
+    "lime": "#00ff00", "olive": "#808000", "yellow": "#ffff00", "navy": "#000080", "blue": "#0000ff",
+    "teal": "#008080", "aqua": "#00ffff", "orange": "#ffa500",
+}  # fmt: skip
+
 IDENTITY: Array = np.array([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]])
+
+
+def svg_tag(name: str) -> str:
+    """The tag of an element of SVG."""
+    return f"{{{SVG}}}{name}"
+
+
+def xlink_href() -> str:
+    """The attribute by which a `use` names what it repeats, in the spelling that all programs know."""
+    return f"{{{XLINK}}}href"
+
+
+def decimal(value: float) -> str:
+    """Six decimals without trailing zeros."""
+    return f"{value:.6f}".rstrip("0").rstrip(".") if round(value, 6) else "0"
 
 
 def number(word: str) -> float:
@@ -51,8 +80,9 @@ def length(text: str | None, whole: float, default: float = 0.0) -> float:
 
 
 def colour(text: str | None) -> tuple[float, float, float] | None:
-    """A colour of the forms `#rgb`, `#rrggbb` and `rgb(...)`, or None."""
+    """A colour of the forms `#rgb`, `#rrggbb` and `rgb(...)`, or one of CSS's sixteen old names, or None."""
     text = (text or "").strip().lower()
+    text = COLOURS.get(text, text)
     if re.fullmatch(r"#[0-9a-f]{3}", text):
         text = "#" + "".join(2 * digit for digit in text[1:])
     if re.fullmatch(r"#[0-9a-f]{6}", text):
@@ -62,6 +92,12 @@ def colour(text: str | None) -> tuple[float, float, float] | None:
         red, green, blue = (min(max(share / (100.0 if "%" in text else 255.0), 0.0), 1.0) for share in shares)
         return red, green, blue
     return None
+
+
+def lightness(text: str) -> float | None:
+    """How white a colour is in a luminance mask, in [0, 1], by the shares that SVG lays down; None for no colour."""
+    found = colour(text)
+    return None if found is None else 0.2125 * found[0] + 0.7154 * found[1] + 0.0721 * found[2]
 
 
 def transform(text: str | None) -> Array:

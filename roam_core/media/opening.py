@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -99,7 +100,18 @@ def _open_file(file: Path) -> PlateSource:
         return _movie(file)
     found = find_sequences(file.parent, {file.suffix.lower()})
     owner = next((sequence for sequence in found if sequence.holds(file.name)), None)
-    return _images(owner or FileSequence(file.parent, {1: file.name}, None))
+    sequence = owner or FileSequence(file.parent, {1: file.name}, None)
+    if file.suffix.lower() in _image_extensions():
+        return _images(sequence)
+    try:
+        return _images(sequence)  # a picture under another name is known by its content
+    except RoamError:
+        if not os.access(file, os.R_OK):
+            raise
+        raise RoamError(
+            f"{file} is no ROAM project, no picture and no movie. Open a folder of pictures, a movie, or a project, "
+            "whose name ends with .roam; shapes of other programs are imported into a project."
+        ) from None
 
 
 def _open_pattern(place: Path) -> PlateSource:

@@ -23,6 +23,7 @@ from roam_core.errors import RoamError
 from roam_core.params import RoamParams, params_for
 from roam_core.propagate.objects import near, objects
 from roam_core.roto import BlendMode, Clip, Keyframe, Origin, RotoShape
+from roam_core.roto.imported import import_stamp, is_import
 from roam_core.roto.sight import is_shut, opened
 
 REVISION = 3
@@ -237,6 +238,8 @@ class Stamps:
         """True for an ENGINE key of one of the shapes when anything that it was computed from has changed since."""
         if key.origin is not Origin.ENGINE:
             return False
+        if is_import(key):
+            return import_stamp(shape, key.frame) != key.inputs
         made, k = Stamp.read(key.inputs), self._places.get(shape.id)
         params = known_params(made.config)
         if params is None or k is None:

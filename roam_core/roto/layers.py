@@ -29,6 +29,23 @@ def top_items(project: Project, item_ids: Collection[str]) -> list[str]:
     return list(found(project.root))
 
 
+def only(project: Project, item_ids: Collection[str]) -> Project:
+    """The project with these shapes, and those in these layers, alone; layers that hold none of them fall away.
+
+    What is left keeps its place: layers around it still move, dim, hide and invert it.
+    """
+    chosen = set(item_ids)
+
+    def pruned(layer: Layer) -> Layer:
+        if layer.id in chosen:
+            return layer
+        children = (pruned(child) if isinstance(child, Layer) else child for child in layer.children)
+        kept = (c for c in children if c.id in chosen or (isinstance(c, Layer) and any(c.shapes())))
+        return replace(layer, children=tuple(kept))
+
+    return replace(project, root=pruned(project.root))
+
+
 def grouped(project: Project, item_ids: Collection[str], name: str = "") -> tuple[Project, Layer]:
     """Put layers and shapes into a new layer, which takes the place of the upper-most of them.
 

@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import json
 import threading
+from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 from numpy.typing import NDArray
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QComboBox
+from PySide6.QtWidgets import QComboBox, QMessageBox, QWidget
 from pytestqt.qtbot import QtBot
 
 from app import dialogs
@@ -20,9 +22,11 @@ from app.jobs.export import Export
 from app.jobs.runner import Runner
 from app.view_state import ViewState
 from roam_core.geometry.bezier import polygon_points
-from roam_core.interchange import EXPORTERS, KeyChoice
+from roam_core.interchange import EXPORTERS, ExportOptions, KeyChoice
 from roam_core.interchange.matte_style import DataWindow, Depth, Gathering, MatteFile, Parts
 from roam_core.interchange.mattes import MatteExporter
+from roam_core.interchange.plain_json import JsonFormat
+from roam_core.interchange.protocol import STANDARD, settled
 from roam_core.roto import Clip, Keyframe, Origin, Project, edit
 from tests.gui.windows import opened_window, write_clip
 
@@ -197,6 +201,128 @@ def test_browse_asks_for_a_file_or_a_folder(
         qtbot.mouseClick(dialog.browse, LEFT)
         chosen.append(dialog.path.name)
     assert chosen == ["chosen.setting", "folder"]
+
+
+def test_selected_shapes_alone_are_exported_where_that_is_asked_for(
+    qtbot: QtBot, dialog: ExportDialog, document: Document, view_state: ViewState, tmp_path: Path
+) -> None:
+    project, other = edit.new_shape(document.project, SQUARE + 20.0, 1001, name="Other")
+    project, layer = edit.add_layer(project)
+    project, inner = edit.new_shape(project, SQUARE, 1001, name="Inner", layer_id=layer.id)
+    document.open(project, None)
+    dialog.choose("json")
+    dialog.selected.click()
+    assert not dialog.start.isEnabled()
+    assert "No shape is selected" in dialog.hint.text()
+    for chosen, names in (
+        ({other.id}, ["Other"]),
+        ({inner.id}, [layer.name]),
+        ({other.id, inner.id}, ["Other", layer.name]),
+    ):
+        view_state.select(frozenset(chosen))
+        export(qtbot, dialog)
+        assert [item["name"] for item in json.loads((tmp_path / "shot.json").read_text())["items"]] == names
+    view_state.select(frozenset())
+    assert not dialog.start.isEnabled()
+    dialog.selected.click()
+    export(qtbot, dialog)
+    assert len(json.loads((tmp_path / "shot.json").read_text())["items"]) == 3
+
+
+class Flat(JsonFormat):
+    """A format that holds no inverted shapes, and no names but short ones."""
+
+    def export(self, project: Project, path: Path, options: ExportOptions = STANDARD) -> tuple[str, ...]:
+        notes, losses = [], []
+        for shape in project.shapes:
+            if shape.invert:
+                losses.append(f"{shape.name!r} is not inverted there.")
+            if len(shape.name) > 9:
+                notes.append(f"{shape.name!r} was cut.")
+        told = settled(notes, losses, options)
+        super().export(project, path, options)
+        return told
+
+
+@pytest.fixture
+def lossy(qtbot: QtBot, dialog: ExportDialog, document: Document, monkeypatch: pytest.MonkeyPatch) -> Document:
+    """The dialog on a format that cannot hold the square, which is inverted."""
+    monkeypatch.setitem(EXPORTERS, "json", Flat())
+    (shape,) = document.project.shapes
+    document.apply("Invert", document.project.with_shape(replace(shape, name="Inside out", invert=True)))
+    dialog.choose("json")
+    return document
+
+
+TOLD = "'Inside out' is not inverted there.", "'Inside out' was cut."
+LOSSES = f"The mattes would differ in the other program:\n{TOLD[0]}\n\nBesides:\n{TOLD[1]}"
+
+
+def test_what_would_be_lost_is_shown_before_anything_is_written(
+    qtbot: QtBot, dialog: ExportDialog, lossy: Document, tmp_path: Path
+) -> None:
+    qtbot.waitUntil(lambda: dialog.notes.toPlainText() == LOSSES, timeout=WAIT)
+    assert dialog.start.text() == "Export anyway"
+    assert list(tmp_path.iterdir()) == []
+    told = export(qtbot, dialog)
+    path = tmp_path / "shot.json"
+    assert told.splitlines() == [f"Exported to {path}.", *TOLD]
+    assert frames_in(path) == list(range(1001, 1011))
+
+
+def test_the_loss_is_told_of_what_is_chosen_now(
+    qtbot: QtBot, dialog: ExportDialog, lossy: Document, view_state: ViewState
+) -> None:
+    qtbot.waitUntil(lambda: dialog.start.text() == "Export anyway", timeout=WAIT)
+    dialog.choose("nuke")
+    assert dialog.start.text() == "Export"
+    dialog.choose("json")
+    qtbot.waitUntil(lambda: dialog.start.text() == "Export anyway", timeout=WAIT)
+    project, plain = edit.new_shape(lossy.project, SQUARE, 1001, name="Plain")
+    lossy.apply("Draw", project)
+    assert dialog.start.text() == "Export"  # not known yet: pressed now, it asks
+    view_state.select(frozenset({plain.id}))
+    with qtbot.waitSignal(dialog._foresight.seen, timeout=WAIT):
+        dialog.selected.click()
+    assert dialog.start.text() == "Export"
+    assert dialog.notes.toPlainText() == ""
+    with qtbot.waitSignal(dialog._foresight.seen, timeout=WAIT):
+        dialog.selected.click()
+    assert dialog.start.text() == "Export anyway"
+
+
+@pytest.mark.parametrize("answer", [True, False])
+def test_a_loss_that_was_not_seen_is_asked_about(
+    qtbot: QtBot, dialog: ExportDialog, lossy: Document, tmp_path: Path, answer: bool
+) -> None:
+    asked: list[Sequence[str]] = []
+
+    def ask(losses: Sequence[str]) -> bool:
+        asked.append(losses)
+        return answer
+
+    dialog._export._may_lose = ask
+    told = export(qtbot, dialog)  # before the losses are found out
+    assert asked == [["'Inside out' is not inverted there."]]
+    assert (tmp_path / "shot.json").exists() is answer
+    assert told.startswith("Exported to" if answer else "Nothing was exported")
+
+
+@pytest.mark.parametrize("answer", ["Export anyway", "Cancel"])
+def test_the_question_names_what_would_be_lost(qtbot: QtBot, monkeypatch: pytest.MonkeyPatch, answer: str) -> None:
+    shown: list[str] = []
+
+    def click(box: QMessageBox) -> int:
+        shown.extend((box.informativeText(), box.detailedText()))
+        next(button for button in box.buttons() if button.text().replace("&", "") == answer).click()
+        return 0
+
+    monkeypatch.setattr(QMessageBox, "exec", click)
+    parent = QWidget()
+    qtbot.addWidget(parent)
+    losses = [f"Shape {k} is lost." for k in range(9)]
+    assert dialogs.ask_lossy(parent, losses) is (answer == "Export anyway")
+    assert shown == ["\n".join(losses[:6]), "\n".join(losses)]
 
 
 def test_ctrl_e_opens_it_beside_the_work(qtbot: QtBot, tmp_path: Path) -> None:

@@ -156,7 +156,8 @@ def test_nuke_gives_everything_back(project: Project) -> None:
         )  # fmt: skip
         if isinstance(was, RotoShape):
             assert isinstance(item, RotoShape)
-            assert (item.closed, item.blend, item.colour) == (was.closed, held(was.blend), was.colour)
+            assert item.blend in (was.blend, held(was.blend))
+            assert (item.closed, item.colour) == (was.closed, was.colour)
             assert (item.feather, item.lifetime, item.motion_blur) == (was.feather, was.lifetime, was.motion_blur)
             check_motion(was, item, feather=True)
 
@@ -164,7 +165,7 @@ def test_nuke_gives_everything_back(project: Project) -> None:
 @settings(deadline=None, max_examples=25, phases=[Phase.explicit, Phase.reuse, Phase.generate])
 @given(projects)
 def test_silhouette_gives_back_what_it_holds(project: Project) -> None:
-    imported = returned(project, "silhouette")
+    imported = returned(project, "silhouette", ExportOptions(lossy=True))
     found, expected = list(imported.layer.shapes()), list(project.shapes)
     assert [shape.name for shape in found] == [xml_text(shape.name) for shape in expected]
     for shape, was in zip(found, expected, strict=True):

@@ -189,8 +189,7 @@ def test_a_turn_of_the_wheel_is_one_step(panel: PropertiesPanel, document: Docum
 
 
 def label_of(panel: PropertiesPanel, field: NumberField) -> ScrubLabel:
-    label = panel._form.labelForField(field)
-    assert isinstance(label, ScrubLabel)
+    (label,) = (label for label in panel.findChildren(ScrubLabel) if label._field is field)
     return label
 
 

@@ -55,6 +55,22 @@ def test_an_empty_folder(roam: Roam, plate: Plate, outputs: tuple[object, ...]) 
     assert tree(plate.folder.parent) == before
 
 
+@pytest.mark.parametrize("name", ["notes.txt", "notes", "hero.nk"])
+def test_a_text_file_in_place_of_a_project_is_no_damaged_image(roam: Roam, tmp_path: Path, name: str) -> None:
+    (tmp_path / name).write_text("to do: buy milk")
+    done = roam("info", tmp_path / name)
+    require_refusal(done, f"{tmp_path / name} is no ROAM project, no picture and no movie. Open a folder of pictures")
+    assert "OpenImageIO" not in done.err
+
+
+def test_a_backup_is_known_as_a_project_and_a_picture_by_its_content(roam: Roam, plate: Plate, tmp_path: Path) -> None:
+    file.save(Project(), tmp_path / "shot.roam.1")
+    assert roam("info", tmp_path / "shot.roam.1").out.startswith("project ")
+    picture = tmp_path / "picture.bak"
+    picture.write_bytes(plate.mask.read_bytes())
+    assert "1 present" in roam("info", picture).out
+
+
 def test_a_text_file_as_an_image(roam: Roam, plate: Plate, outputs: tuple[object, ...]) -> None:
     folder = plate.folder.parent / "text"
     folder.mkdir()

@@ -98,3 +98,27 @@ def test_nothing_visible_is_told(roam: Roam, project: Path, tmp_path: Path) -> N
     done = roam("render", project, "--out", tmp_path / "out", "--per", "shape")
     assert done.status == 1
     assert "Nothing is visible" in done.err
+
+
+def test_a_named_shape_is_rendered_and_exported_alone(roam: Roam, project: Path, tmp_path: Path) -> None:
+    done = roam("render", project, "--out", tmp_path / "out", "--start", 8, "--end", 8, "--shape", "Right")
+    assert (done.status, done.err) == (0, f"Wrote 1 matte(s) to {tmp_path / 'out'}.\n")
+    matte = read_matte(tmp_path / "out" / "0008.png")
+    assert (matte[5, 5], matte[8, 14]) == (0, 255)
+    out = tmp_path / "p.json"
+    for words, count in ((("Right",), 1), (("shape-1", "Right"), 2), ((), 2)):
+        asked = [word for name in words for word in ("--shape", name)]
+        done = roam("export", project, "--to", "json", out, *asked)
+        assert (done.status, done.err) == (0, f"Wrote {count} shape(s) to {out}.\n")
+        assert [("Left arm" in out.read_text()), ("Right" in out.read_text())] == [count == 2, True]
+
+
+@pytest.mark.parametrize("command", ["render", "export"])
+def test_a_shape_that_is_not_there_is_named_with_those_that_are(
+    roam: Roam, project: Path, tmp_path: Path, command: str
+) -> None:
+    out = ("--out", tmp_path / "out") if command == "render" else ("--to", "nuke", tmp_path / "out")
+    done = roam(command, project, *out, "--shape", "Left")
+    assert done.status == 1
+    assert done.err == "roam: There is no shape 'Left'; the shapes of the project: 'Left arm', 'Right'.\n"
+    assert not (tmp_path / "out").exists()

@@ -8,6 +8,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from roam_core.interchange import EXPORTERS, ExportOptions
+from roam_core.interchange.plain_json import JsonFormat
+from roam_core.interchange.protocol import STANDARD, settled
 from roam_core.roto import Clip, Keyframe, Layer, Origin, Project, RotoShape, file
 from tests.unit.cli.conftest import Roam
 from tests.unit.matte.conftest import rectangle
@@ -49,6 +52,31 @@ def test_what_a_format_cannot_hold_is_told(roam: Roam, project: Path) -> None:
     done = roam("export", project, "--to", "fusion", project.parent / "p.setting")
     assert done.status == 0
     assert "Fusion softens on both sides of an outline: 'Soft' may look a little different." in done.err
+
+
+class Flat(JsonFormat):
+    """A format that holds no shapes at all."""
+
+    def export(self, project: Project, path: Path, options: ExportOptions = STANDARD) -> tuple[str, ...]:
+        told = settled(["A note."], [f"{shape.name!r} is lost." for shape in project.shapes], options)
+        return told + super().export(project, path, options)
+
+
+def test_what_makes_the_matte_differ_is_refused_unless_it_is_agreed_to(
+    roam: Roam, project: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setitem(EXPORTERS, "json", Flat())
+    out = project.parent / "p.json"
+    done = roam("export", project, "--to", "json", out)
+    assert (done.status, done.out) == (1, "")
+    sentences = (
+        "Nothing was written, for the mattes would differ. 'Arm' is lost. To write it all the same, say --lossy."
+    )
+    assert done.err == f"roam: {sentences}\n"
+    assert not out.exists()
+    done = roam("export", project, "--to", "json", out, "--lossy")
+    assert (done.status, done.err) == (0, f"Wrote 1 shape(s) to {out}.\n'Arm' is lost.\nA note.\n")
+    assert out.exists()
 
 
 @pytest.mark.parametrize("frame", [7, 8])

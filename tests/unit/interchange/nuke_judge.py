@@ -76,15 +76,30 @@ class JudgedNode:
 
 def judge(script: str) -> JudgedNode:
     """Parse a script with one Roto node; anything unexpected in it is an error."""
+    (node,) = judge_all(script)
+    return node
+
+
+def judge_all(script: str) -> list[JudgedNode]:
+    """The Roto nodes of a script, in its order."""
     interpreter = tcl.available()
-    words = interpreter.split(interpreter.node_body(script))
-    assert len(words) % 2 == 0
-    knobs = {name: value for name, value in zip(words[::2], words[1::2], strict=True) if name != "addUserKnob"}
+    return [_node(interpreter, body) for body in interpreter.node_bodies(script)]
+
+
+def judged_shapes(script: str) -> list[JudgedShape]:
+    """The shapes of all Roto nodes of a script, bottom first."""
+    return [shape for node in judge_all(script) for shape in reversed(node.root.shapes())]
+
+
+def _node(interpreter: tcl.Tcl, text: str) -> JudgedNode:
+    words = interpreter.split(text)
+    body = list(zip(words[::2], words[1::2], strict=True))
+    knobs = {name: value for name, value in body if name != "addUserKnob"}
     width, height = (int(word) for word in knobs["format"].split()[:2])
     (document,) = interpreter.split(knobs["curves"])
-    version, flags, body = (interpreter.split(item) for item in interpreter.split(document))
-    assert [version[0], flags, body[0]] == ["v", ["f", "0"], "n"]
-    (root,) = body[1:]
+    version, flags, items = (interpreter.split(item) for item in interpreter.split(document))
+    assert [version[0], flags, items[0]] == ["v", ["f", "0"], "n"]
+    (root,) = items[1:]
     return JudgedNode(knobs, _Reader(interpreter, height).layer(root), (width, height))
 
 

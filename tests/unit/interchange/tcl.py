@@ -14,8 +14,12 @@ import pytest
 class Tcl(Protocol):
     """As much of Tcl as a judge needs."""
 
+    def node_bodies(self, script: str) -> list[str]:
+        """Run a script that may hold nothing but `version`, Rotos, and what joins them; the bodies of the Rotos."""
+        ...
+
     def node_body(self, script: str) -> str:
-        """Run a script that may hold nothing but `version` and one `Roto`; the Roto's body."""
+        """The body of a script's one Roto."""
         ...
 
     def split(self, text: str) -> list[str]:
@@ -25,7 +29,8 @@ class Tcl(Protocol):
 
 WORDS = """
 proc version args {}
-proc Roto body {set ::body $body}
+proc Roto body {lappend ::bodies $body}
+foreach node {Merge2 Invert Multiply Clamp NoOp} {proc $node body {}}
 proc unknown args {error "the script runs [lindex $args 0]"}
 """
 
@@ -44,8 +49,10 @@ while {[gets stdin line] >= 0} {
             set words {}
             foreach word $text {lappend words [coded $word]}
         } else {
+            interp eval judge {set ::bodies {}}
             interp eval judge $text
-            set words [coded [interp eval judge {set ::body}]]
+            set words {}
+            foreach word [interp eval judge {set ::bodies}] {lappend words [coded $word]}
         }
     } message]
     if {$failed} {puts ![coded $message]} else {puts [join $words]}
@@ -62,9 +69,14 @@ class TkinterTcl:
         self._interpreter = tkinter.Tcl()
         self._interpreter.eval(WORDS)
 
-    def node_body(self, script: str) -> str:
+    def node_bodies(self, script: str) -> list[str]:
+        self._interpreter.eval("set ::bodies {}")
         self._interpreter.eval(script)
-        return str(self._interpreter.getvar("body"))
+        return self.split(str(self._interpreter.eval("set ::bodies")))
+
+    def node_body(self, script: str) -> str:
+        (body,) = self.node_bodies(script)
+        return body
 
     def split(self, text: str) -> list[str]:
         return [str(word) for word in self._interpreter.splitlist(text)]
@@ -85,8 +97,12 @@ class TclshTcl:
         """Let the program end: it does at the end of its input."""
         self._process.communicate(timeout=10)
 
+    def node_bodies(self, script: str) -> list[str]:
+        return self._ask("e", script)
+
     def node_body(self, script: str) -> str:
-        return self._ask("e", script)[0]
+        (body,) = self.node_bodies(script)
+        return body
 
     def split(self, text: str) -> list[str]:
         return self._ask("s", text)

@@ -166,7 +166,7 @@ def group(shape: RotoShape) -> Layer:
 def test_every_shape_has_a_file_in_a_folder_of_its_own_that_shows_it_alone(group: Layer, tmp_path: Path) -> None:
     paths = write_mattes(group, [1002], tmp_path, name_for, SIZE, style=MatteStyle(parts=Parts.SHAPE)).made
     names = [path.relative_to(tmp_path).as_posix() for path in paths]
-    assert names == ["Triangle/m.1002.png", "Triangle_2/m.1002.png", "H_lle_name/m.1002.png"]
+    assert names == ["Triangle/m.1002.png", "Triangle_2/m.1002.png", "Holle_name/m.1002.png"]
     alone = [shape for shape in group.shapes() if shape.name not in ("Unseen", "In the dark")]
     for shape, path in zip(alone, paths, strict=True):
         picture = cv2.imread(str(path), cv2.IMREAD_UNCHANGED)
@@ -194,13 +194,13 @@ def test_a_file_of_channels_holds_every_shape_by_name_and_the_joint_matte(
     style = MatteStyle(MatteFile.EXR, Depth.FLOAT, None, Parts.SHAPE, Gathering.CHANNELS, window)
     (path,) = write_mattes(group, [1002], tmp_path, name_for, SIZE, style=style).made
     channels, spec = read(path)
-    assert set(channels) == {"A", "Triangle.A", "Triangle_2.A", "H_lle_name.A"}
+    assert set(channels) == {"A", "Triangle.A", "Triangle_2.A", "Holle_name.A"}
     np.testing.assert_array_equal(channels["A"], render_matte(group, 1002, SIZE))
     shape, other = list(group.shapes())[:2]
     np.testing.assert_array_equal(channels["Triangle.A"], shape_matte(shape, 1002, SIZE))
     np.testing.assert_array_equal(channels["Triangle_2.A"], shape_matte(other, 1002, SIZE))
     names = json.loads(spec.get_string_attribute("roam:names"))
-    assert names == {"Triangle.A": "Triangle", "Triangle_2.A": "Triangle", "H_lle_name.A": "Hölle {name}/.."}
+    assert names == {"Triangle.A": "Triangle", "Triangle_2.A": "Triangle", "Holle_name.A": "Hölle {name}/.."}
 
 
 def test_a_tight_window_leaves_out_the_black(shape: RotoShape, tmp_path: Path) -> None:

@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from roam_core.interchange.naming import LONGEST, file_words, is_numbered, numbering
+from roam_core.interchange.naming import LONGEST, ascii_name, file_words, is_numbered, numbering, unique_names
 
 
 @pytest.mark.parametrize(
@@ -29,7 +29,7 @@ def test_a_pattern_names_a_frame(pattern: str, name: str) -> None:
 
 
 def test_names_that_look_alike_stay_apart() -> None:
-    assert file_words(["Arm", "arm", "A/m", "A m", "", "..", "CON", "Ärm"]) == [
+    assert file_words(["Arm", "arm", "A/m", "A m", "", "..", "CON", "Ärm", "手", "足"]) == [
         "Arm",
         "arm_2",
         "A_m",
@@ -37,8 +37,51 @@ def test_names_that_look_alike_stay_apart() -> None:
         "shape",
         "shape_2",
         "CON_",
-        "rm",
+        "Arm_3",
+        "u624B",
+        "u8DB3",
     ]
+
+
+@pytest.mark.parametrize(
+    ("name", "plain"),
+    [
+        ("Arm 1 {left}", "Arm 1 {left}"),
+        ("Ärmel é", "Armel e"),
+        ("e\N{COMBINING ACUTE ACCENT}", "e"),
+        ("Straße ẞ Øre łódź Æther", "Strasse Ss Ore lodz Aether"),
+        ("Рука Щука объём", "Ruka Shchuka obem"),
+        ("Χέρι Ψυχή", "Cheri Psychi"),
+        ("さくら カメラ 한글", "sakura kamera hangeul"),
+        ("ｆｕｌｌ ﬁn ① ٣", "full fin 1 3"),
+        ("a\tb\u00a0c\u2003d\x07e", "a b c de"),
+        ("“left” – ‘arm’…", "\"left\" - 'arm'..."),
+        ("手 1", "u624B 1"),
+        ("\N{GRINNING FACE}", "u1F600"),
+        ("ь", "u044C"),
+        ("", ""),
+    ],
+)
+def test_a_name_is_written_in_ascii_that_reads_like_it(name: str, plain: str) -> None:
+    assert ascii_name(name) == plain
+
+
+@given(st.text(max_size=20))
+def test_any_name_in_ascii_is_printable_and_not_empty(name: str) -> None:
+    plain = ascii_name(name)
+    assert plain.isascii()
+    assert plain.isprintable()
+    assert bool(plain.strip()) >= bool(name.strip())
+    assert ascii_name(plain) == plain
+
+
+def test_ascii_names_stay_and_others_get_out_of_their_way() -> None:
+    assert unique_names(["Übung", "Ubung", "ÜBUNG", "Arm", "Arm"]) == ["Ubung_2", "Ubung", "UBUNG_3", "Arm", "Arm"]
+
+
+@given(st.lists(st.text(st.characters(min_codepoint=0xA0, max_codepoint=0x500), min_size=1, max_size=3), max_size=8))
+def test_names_that_had_to_be_changed_are_unlike_every_other(names: list[str]) -> None:
+    assert len({plain.lower() for plain in unique_names(names)}) == len(names)
 
 
 @given(st.lists(st.text(max_size=120), max_size=8))

@@ -11,13 +11,14 @@ import pytest
 
 from roam_core.cancel import Cancelled, CancelToken
 from roam_core.errors import RoamError
-from roam_core.interchange import EXPORTERS, ExportOptions, KeyChoice
+from roam_core.interchange import EXPORTERS, ExportOptions, KeyChoice, read_shapes
 from roam_core.interchange.nuke import roto_script
 from roam_core.interchange.nuke_text import tcl_word
-from roam_core.roto import BlendMode, Keyframe, Layer, Project, RotoShape
+from roam_core.roto import BlendMode, Interpolation, Keyframe, Layer, Project, RotoShape
+from tests.judges import nuke_grammar
 from tests.unit.interchange import tcl
 from tests.unit.interchange.conftest import CLIP, animated, points
-from tests.unit.interchange.nuke_judge import JudgedLayer, JudgedShape, judge
+from tests.unit.interchange.nuke_judge import JudgedLayer, JudgedShape, judge, judged_shapes
 
 WITHIN = 0.01
 
@@ -49,7 +50,7 @@ HOSTILE = [
 
 def judged(project: Project, options: ExportOptions | None = None) -> dict[str, JudgedShape]:
     script = roto_script(project, options) if options else roto_script(project)
-    return {shape.name: shape for shape in judge(script).root.shapes()}
+    return {shape.name: shape for shape in judged_shapes(script)}
 
 
 def only(shape: RotoShape) -> Project:
@@ -89,8 +90,25 @@ def test_a_smooth_key_is_the_same_cubic(project: Project) -> None:
         np.testing.assert_allclose(written.points(frame), shape.at(frame).points, atol=WITHIN)
 
 
-def test_a_held_key_stands_again_before_the_next(project: Project) -> None:
-    assert judged(project)["Held"].times == [1001, 1010, 1011, 1012, 1029, 1030]
+def test_a_held_key_stands_again_right_before_the_next(project: Project) -> None:
+    times = judged(project)["Held"].times
+    np.testing.assert_allclose(times, [1001, 1011, 1011, 1012, 1012, 1030, 1030], atol=2 / 1024)
+    assert times == sorted(set(times))
+
+
+def test_a_held_shape_does_not_slide_between_frames_either(project: Project) -> None:
+    shape, written = next(s for s in project.shapes if s.name == "Held"), judged(project)["Held"]
+    for frame in (1001.5, 1010.5, 1010.99, 1011.5, 1029.75, 1029.99, 1030.5):
+        np.testing.assert_allclose(written.points(frame), shape.at(frame).points, atol=WITHIN)
+
+
+def test_a_hold_near_the_last_exact_frame_stands_on_whole_ones() -> None:
+    last = 1 << 24
+    clip = replace(CLIP, first=last - 8, last=last)
+    frames = (last - 8, last - 1, last)
+    keys = tuple(Keyframe(frame, points(frame), interpolation=Interpolation.HOLD) for frame in frames)
+    project = Project(clip, Layer("root", "Root", (RotoShape("a", "A", keys),)))
+    assert judged(project)["A"].times == [last - 8, last - 2, last - 1, last]
 
 
 def test_a_feather_curve_is_written_and_no_curve_is_idem(project: Project) -> None:
@@ -109,7 +127,8 @@ def test_attributes_and_flags(project: Project) -> None:
     assert [soft[name] for name in ("opc", "bm", "inv", "vis")] == [0.25, 12, 1, 1]
     assert [soft[name] for name in ("mbo", "mb", "mbs", "mbsot", "mbso")] == [1, 2, 0.75, 3, -0.375]
     assert [soft[name] for name in ("fo", "fx", "fy")] == [1, 12.5, 12.5]
-    assert [soft[name] for name in ("ltt", "ltn", "ltm")] == [4, 1005, 1014]  # Nuke's range is closed
+    assert [soft[name] for name in ("ltt", "ltn")] == [4, 1005]
+    assert 1014.99 < soft["ltm"] < 1015  # Nuke's range is closed
     still = shapes["Still"]
     assert [still.attributes[name] for name in ("opc", "mbo", "ro", "go", "bo")] == [1, 0, 0.25, 0.5, 0.75]
     assert "ltt" not in still.attributes
@@ -141,7 +160,7 @@ def test_the_node_knows_the_format_and_the_range(project: Project) -> None:
 def test_the_offset_moves_keys_and_lifetimes(project: Project) -> None:
     shapes = judged(project, ExportOptions(frame_offset=-1000))
     assert shapes["Arm"].times == [1, 11, 12, 30]
-    assert [shapes["Soft"].attributes[name] for name in ("ltn", "ltm")] == [5, 14]
+    assert [shapes["Soft"].attributes[name] for name in ("ltn", "ltm")] == pytest.approx([5, 15], abs=2 / 1024)
 
 
 def test_the_artists_keys_alone_may_be_written(project: Project) -> None:
@@ -163,21 +182,58 @@ def test_a_coordinate_that_rests_has_one_key() -> None:
 
 
 @pytest.mark.parametrize("name", HOSTILE)
-def test_hostile_names_run_nothing_and_come_back_equal(name: str) -> None:
+def test_hostile_names_run_nothing_and_come_back_equal(name: str, tmp_path: Path) -> None:
+    """Tcl and the vendor's grammar read the same ASCII name, and the reader the true one."""
     shape = replace(animated("A"), name=name)
-    layer = Layer("layer-1", name, (shape,))
-    root = judge(roto_script(Project(CLIP, Layer("root", "Root", (layer,))))).root
-    (inner,) = root.children
+    project = Project(CLIP, Layer("root", "Root", (Layer("layer-1", name, (shape,)),)))
+    target = tmp_path / "a.nk"
+    EXPORTERS["nuke"].export(project, target)
+    (inner,) = judge(target.read_text("utf-8")).root.children
     assert isinstance(inner, JudgedLayer)
-    assert inner.name == name
-    assert inner.shapes()[0].name == name
+    (found,) = nuke_grammar.shapes(target.read_text("utf-8"))
+    assert found.name == inner.shapes()[0].name
+    assert (found.name.isascii(), inner.name.isascii()) == (True, True)
+    if name.isascii() and name.isprintable() and name and not set(name) & set("[]$"):
+        assert (inner.name, found.name) == (name, name)
     np.testing.assert_allclose(inner.shapes()[0].points(1005), shape.at(1005).points, atol=WITHIN)
+    (read,) = read_shapes(target, CLIP).layer.children
+    assert isinstance(read, Layer)
+    assert (read.name, read.children[0].name) == (name, name)
+
+
+@pytest.mark.parametrize(
+    ("name", "written"),
+    [
+        ("Shape 1", '"Shape 1"'),
+        ("Arm", "Arm"),
+        ('say "cheese"', '"say \\"cheese\\""'),
+        ("back\\slash", '"back\\\\slash"'),
+        ("o'clock", r'"o\'clock"'),
+        ("{", '"\\{"'),
+        ("", '""'),
+        ("[exit] $x", '"(exit) _x"'),
+        ("Größe", "Grosse"),
+    ],
+)
+def test_names_are_strings_of_the_grammar(name: str, written: str) -> None:
+    assert f"{{curvegroup {written} 512 bezier" in roto_script(only(replace(animated("A"), name=name or "")))
+
+
+def test_names_that_change_are_distinct_told_and_stand_in_the_label(tmp_path: Path) -> None:
+    shapes = [replace(animated("A"), id=f"s{k}", name=name) for k, name in enumerate(("Größe", "Grosse", "Grösse"))]
+    target = tmp_path / "a.nk"
+    (note,) = EXPORTERS["nuke"].export(Project(CLIP, Layer("root", "Root", tuple(shapes))), target)
+    assert {shape.name for shape in judged_shapes(target.read_text("utf-8"))} == {"Grosse", "Grosse 2", "Grosse 3"}
+    assert "'Größe' is called 'Grosse 2'" in note
+    assert "Grosse 3 = Grösse" in judge(target.read_text("utf-8")).knobs["label"]
+    assert [shape.name for shape in read_shapes(target, CLIP).layer.shapes()] == ["Größe", "Grosse", "Grösse"]
 
 
 def test_a_lone_surrogate_is_replaced_and_the_file_stays_utf8(tmp_path: Path) -> None:
     target = tmp_path / "a.nk"
     EXPORTERS["nuke"].export(only(replace(animated("A"), name="half \ud83d")), target)
-    assert judge(target.read_text(encoding="utf-8")).root.shapes()[0].name == "half \ufffd"
+    assert judge(target.read_text(encoding="utf-8")).root.shapes()[0].name == "half _"
+    assert [shape.name for shape in read_shapes(target, CLIP).layer.shapes()] == ["half \ufffd"]
 
 
 @pytest.mark.parametrize("name", HOSTILE)

@@ -13,7 +13,7 @@ from roam_core.cancel import Cancelled, CancelToken
 from roam_core.errors import RoamError
 from roam_core.interchange import Imported, ImportOptions, read_shapes
 from roam_core.interchange.reading import MAX_DEPTH, MAX_POINTS
-from roam_core.roto import BlendMode, Clip, Interpolation, Layer, MotionBlur, RotoShape
+from roam_core.roto import Animated, BlendMode, Clip, Interpolation, Layer, MotionBlur, RotoShape, ValueKey
 
 CLIP = Clip(Path("/plates/shot.%04d.exr"), 1001, 1040, (200, 100))
 SQUARE = "{0 0} {10 20} {0 0} {0 0} {30 20} {0 0} {-4 1} {30 40} {5 -2}"
@@ -241,10 +241,28 @@ def test_types_of_lifetime(read: Read, words: str, lifetime: tuple[int, int] | N
     assert only(read(node(group(attributes=words)))).lifetime == lifetime
 
 
+def test_animated_opacity_and_feather_keep_their_keys(read: Read) -> None:
+    words = "opc {{1001 0 -} {1011 1 -}} fx {{1001 2 0 1 1 1} {1005 6 1 1 0 1}} fy {{1001 2 0 1 1 1} {1005 6 1 1 0 1}}"
+    imported = read(node(group(attributes=words)))
+    shape = only(imported)
+    assert shape.opacity == Animated((ValueKey(1001, 0.0, Interpolation.SMOOTH), ValueKey(1011, 1.0)))
+    assert shape.feather == Animated((ValueKey(1001, 2.0), ValueKey(1005, 6.0)))
+    assert imported.notes == ()
+
+
+def test_an_opacity_that_moves_otherwise_has_few_keys_between(read: Read) -> None:
+    shape = only(read(node(group(attributes="opc {{1001 0 0 1 0.15 1} {1021 1 0 1 0 1}}"))))
+    assert isinstance(shape.opacity, Animated)
+    assert {1001, 1021} < set(shape.opacity.frames)
+    u = np.linspace(0.0, 1.0, 21)
+    truth = 3 * (1 - u) ** 2 * u * 1.0 + 3 * (1 - u) * u * u + u**3
+    np.testing.assert_allclose([shape.opacity_at(1001 + frame) for frame in range(21)], truth, atol=1e-4)
+
+
 @pytest.mark.parametrize(
     ("words", "note"),
     [
-        ("opc {{1 0 -} {9 1 -}}", "'opc' is animated"),
+        ("inv {{1 0 -} {9 1 -}}", "'inv' is animated"),
         ("bm 99", "blend mode 99"),
         ("fx 1 fy 3", "differs in x and y"),
         ("r 0.5", "colour of its paint"),

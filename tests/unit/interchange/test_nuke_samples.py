@@ -77,6 +77,8 @@ def test_keys_of_a_moving_sample_are_those_of_its_text(name: str, tmp_path: Path
     frames = [nuke_judge.number(time) for time in interpreter.split(times)]
     assert len(frames) == KEYS[name]
     (shape,) = read_shapes(SAMPLES / f"{name}.nk", CLIP).layer.shapes()
+    assert list(shape.artist_frames) == frames
+    assert all(key.inputs.startswith("import:") for key in shape.keys if key.frame not in frames)
     for index, point in enumerate(points[1::3]):
         for axis, column in enumerate(interpreter.split(point)):
             values = expanded(interpreter, column, len(frames))

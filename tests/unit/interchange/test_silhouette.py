@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -12,8 +13,21 @@ from scipy.interpolate import BSpline
 from roam_core.errors import RoamError
 from roam_core.geometry import bezier
 from roam_core.interchange import EXPORTERS, ExportOptions, KeyChoice
-from roam_core.interchange.silhouette import silhouette_document
-from roam_core.roto import BlendMode, Clip, Keyframe, Layer, Project, RotoShape, Spline, grips
+from roam_core.interchange.protocol import LossyExport
+from roam_core.interchange.silhouette import MODES, silhouette_document
+from roam_core.roto import (
+    Animated,
+    BlendMode,
+    Clip,
+    Interpolation,
+    Keyframe,
+    Layer,
+    Project,
+    RotoShape,
+    Spline,
+    ValueKey,
+    grips,
+)
 from tests.unit.interchange.conftest import CLIP, animated, points
 from tests.unit.interchange.silhouette_judge import JudgedLayer, JudgedShape, judge
 
@@ -106,8 +120,57 @@ def test_a_layers_opacity_goes_into_the_shapes_that_it_scales(blend: BlendMode, 
 
 def test_an_inverted_layers_opacity_is_told_as_lost() -> None:
     project = only(animated("A"), opacity=0.5, invert=True)
-    assert judged(project)["A"].properties["opacity"] == "100.000000"
-    assert "inverted 'Body' was left out" in silhouette_document(project)[1][0]
+    lossy = ExportOptions(lossy=True)
+    assert judged(project, lossy)["A"].properties["opacity"] == "100.000000"
+    assert "inverted layer 'Body' was left out" in silhouette_document(project, lossy)[1][0]
+    with pytest.raises(LossyExport, match="'Body' was left out"):
+        silhouette_document(project)
+
+
+def square(left: float, **fields: Any) -> RotoShape:
+    corners = [(left, 100.0), (left + 100.0, 100.0), (left + 100.0, 200.0), (left, 200.0)]
+    key = Keyframe(1001, bezier.polygon_points(corners))
+    return RotoShape(f"shape-{left:g}", f"Square {left:g}", (key,), **fields)
+
+
+@pytest.mark.parametrize(
+    ("upper", "is_lost"),
+    [
+        (square(150.0), True),
+        (square(150.0, blend=BlendMode.PLUS), True),
+        (square(300.0), False),
+        (square(300.0, invert=True), True),
+        (square(150.0, blend=BlendMode.MAX), False),
+        (square(150.0, blend=BlendMode.SUBTRACT), False),
+        (square(150.0, visible=False), False),
+    ],
+)
+def test_a_dimmed_layer_whose_shapes_unite_where_they_overlap_is_a_loss(upper: RotoShape, is_lost: bool) -> None:
+    layer = Layer("layer-1", "Pair", (square(100.0), upper), opacity=0.5)
+    project = Project(CLIP, Layer("root", "Root", (layer,)))
+    if not is_lost:
+        silhouette_document(project)
+        return
+    with pytest.raises(LossyExport, match="dimmed layer 'Pair' overlap"):
+        silhouette_document(project)
+
+
+def test_layers_have_their_modes() -> None:
+    layers = [Layer(f"l{k}", mode.value, (animated("A"),), blend=mode) for k, mode in enumerate(BlendMode)]
+    text, notes = silhouette_document(Project(CLIP, Layer("root", "Root", tuple(layers))))
+    written = [layer.properties["mode"] for layer in judge(text)[1].children]
+    assert written == [MODES[mode] for mode in BlendMode]
+    assert notes == ("Silhouette has one Add for ROAM's add and plus: that is what 'plus' became.",)
+
+
+def test_an_opacity_that_varies_is_keyed() -> None:
+    smooth, hold = Interpolation.SMOOTH, Interpolation.HOLD
+    value = Animated((ValueKey(1001, 0.0, smooth), ValueKey(1004, 1.0, hold), ValueKey(1010, 0.25)))
+    shape = replace(animated("A"), opacity=value)
+    written = judged(only(shape))["A"].opacity
+    assert written == pytest.approx({frame - 1001: 100 * value.at(frame) for frame in (1001, 1002, 1003, 1004, 1010)})
+    alive = judged(only(replace(shape, lifetime=(1003, 1009))))["A"].opacity
+    assert alive == pytest.approx({1: 0.0, 2: 100 * value.at(1003), 3: 100.0, 8: 0.0})
 
 
 def test_held_and_smooth_keys(project: Project) -> None:
@@ -143,7 +206,7 @@ def test_labels_survive_xml(name: str, label: str, tmp_path: Path) -> None:
 
 
 def test_what_is_lost_is_told(project: Project, tmp_path: Path) -> None:
-    notes = EXPORTERS["silhouette"].export(project, tmp_path / "a.fxs")
+    notes = EXPORTERS["silhouette"].export(project, tmp_path / "a.fxs", ExportOptions(lossy=True))
     assert any("feather of 'Soft'" in note for note in notes)
     assert any("shutter" in note and "'Soft'" in note for note in notes)
 

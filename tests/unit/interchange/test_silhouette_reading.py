@@ -13,7 +13,7 @@ from roam_core.errors import RoamError
 from roam_core.geometry import bezier
 from roam_core.interchange import Imported, ImportOptions, read_shapes
 from roam_core.interchange.reading import MAX_DEPTH
-from roam_core.roto import BlendMode, Clip, Interpolation, Layer, RotoShape, Spline
+from roam_core.roto import Animated, BlendMode, Clip, Interpolation, Layer, Origin, RotoShape, Spline, ValueKey
 
 CLIP = Clip(Path("plate"), 1001, 1040, (200, 100))
 HEAD = '<Silhouette width="200" height="100" pixelAspect="1" sessionStartFrame="1001">'
@@ -147,8 +147,10 @@ def test_catmullrom_keys_go_by_the_cubic_through_their_neighbours(read: Read) ->
     keys = [path_key(10 * k, shifted(0.01 * k * k), interp="catmullrom") for k in range(4)]
     shape = only(read(shape_xml(*keys)))
     x = [float(shape.at(1001 + frame).anchors[0, 0]) for frame in (5, 10, 13, 15, 20, 25, 30)]
-    np.testing.assert_allclose(x, [100.5, 101, 100 + 1.3**2, 102.25, 104, 106.5, 109], atol=1e-6)
-    assert set(shape.frames) == {1001, *range(1011, 1022), 1031}
+    np.testing.assert_allclose(x, [100.5, 101, 100 + 1.3**2, 102.25, 104, 106.5, 109], atol=0.05)
+    assert shape.artist_frames == (1001, 1011, 1021, 1031)
+    assert 0 < len(shape.keys) - 4 < 9
+    assert all(1011 < key.frame < 1021 for key in shape.keys if key.origin is Origin.ENGINE)
 
 
 def test_two_or_three_catmullrom_keys_need_no_others(read: Read) -> None:
@@ -176,10 +178,15 @@ def test_an_opacity_that_rises_from_and_falls_to_zero_is_a_lifetime(read: Read) 
     assert (shape.opacity, shape.lifetime) == (0.5, (1005, 1010))
 
 
+def test_an_animated_opacity_keeps_its_keys(read: Read) -> None:
+    imported = read(shape_xml(properties=keyed("opacity", (0, "10"), (9, "90"))))
+    assert only(imported).opacity == Animated((ValueKey(1001, 0.1), ValueKey(1010, 0.9)))
+    assert imported.notes == ()
+
+
 @pytest.mark.parametrize(
     ("properties", "note"),
     [
-        (keyed("opacity", (0, "10"), (9, "90")), "animated"),
         (constant("mode", "Screen"), "'Screen'"),
         (constant("feather", "3"), "feather was left out"),
     ],
@@ -241,7 +248,7 @@ def test_a_tracked_matrix_with_perspective_moves_the_control_points(read: Read) 
     expected = (CONTROLS + np.array([0.2, 0.0])) / (1.0 + 0.5 * CONTROLS[:, :1])
     np.testing.assert_allclose(shape.at(1011).grips[:, 0], expected * 100 + [100, 50], atol=1e-6)
     half = (CONTROLS + np.array([0.1, 0.0])) / (1.0 + 0.25 * CONTROLS[:, :1])
-    np.testing.assert_allclose(shape.at(1006).grips[:, 0], half * 100 + [100, 50], atol=0.01)
+    np.testing.assert_allclose(shape.at(1006).grips[:, 0], half * 100 + [100, 50], atol=0.06)
 
 
 @pytest.mark.parametrize(

@@ -83,7 +83,7 @@ def test_names_come_back_but_for_what_xml_cannot_hold(tmp_path: Path) -> None:
 
 def test_what_is_lost_is_told(project: Project) -> None:
     notes = " ".join(svg_document(project, 1010)[1])
-    for words in ("no feather curves: that of 'Soft'", "no shutter: that of 'Soft'"):
+    for words in ("The feather curve of 'Soft' was written as outlines", "no shutter: that of 'Soft'"):
         assert words in notes
     assert svg_document(project, 1020)[1] == ("'Soft' does not exist on frame 1020: it was left out.",)
 
@@ -178,7 +178,7 @@ def test_what_is_no_outline_is_named_and_the_rest_is_kept(tmp_path: Path) -> Non
     made = read(drawing(body), tmp_path)
     assert [shape.name for shape in made.layer.shapes()] == ["bad", "good"]
     notes = " ".join(made.notes)
-    for words in ("'use'", "'text'", "'image'", "'bad' is damaged", "'turned' was left out"):
+    for words in ("'Use' refers to lies in another", "'text'", "'image'", "'bad' is damaged", "'turned' was left out"):
         assert words in notes
 
 

@@ -146,7 +146,7 @@ def test_images_come_before_movies(tmp_path: Path) -> None:
         ("plate/q.%04d.png", r"follows the pattern q\.%04d\.png; the folder holds p\.%02d\.png \(2 frames"),
         ("plate/p.%04d.png", r"No file .* follows"),
         ("plate/p.01.png/x.%04d.png", "cannot be read"),
-        ("plate/notes.txt", r"notes\.txt is no image"),
+        ("plate/notes.txt", r"notes\.txt is no ROAM project, no picture"),
         ("a\0b", "is no path that can be opened|does not exist"),
         ("\udcff.png", "does not exist"),
         ("x" * 5000, "is no path that can be opened|does not exist"),

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -9,7 +11,7 @@ from roam_core.errors import RoamError
 from roam_core.geometry.bezier import polygon_points
 from roam_core.matte import render_matte
 from roam_core.roto import Layer, LayerTransform, Project, edit
-from roam_core.roto.layers import grouped, moved, top_items, ungrouped
+from roam_core.roto.layers import grouped, moved, only, top_items, ungrouped
 
 SQUARE = polygon_points([(2.0, 2.0), (12.0, 2.0), (12.0, 9.0), (2.0, 9.0)])
 TURN = np.array([[0.8, -0.6, 9.0], [0.6, 0.8, -2.0], [1e-3, 0.0, 1.0]])
@@ -127,3 +129,28 @@ def test_an_untouched_shape_stays_the_very_same(project: Project) -> None:
     after = edit.set_properties(moving, "shape-1", name="other")
     assert after.shape("shape-3") is moving.shape("shape-3")
     assert after.shape("shape-1") is not moving.shape("shape-1")
+
+
+@pytest.mark.parametrize(
+    ("chosen", "tree"),
+    [
+        ({"shape-1", "shape-3"}, "a ((c))"),
+        ({"shape-2"}, "(b)"),
+        ({"layer-2", "shape-4"}, "((c)) d"),
+        ({"layer-1"}, "(b (c))"),
+        ({"root"}, "a (b (c)) d"),
+        (set(), ""),
+        ({"shape-9"}, ""),
+    ],
+)
+def test_only_what_is_asked_for_stays_and_the_layers_around_it(project: Project, chosen: set[str], tree: str) -> None:
+    assert told(only(project, chosen).root) == tree
+
+
+def test_a_shape_alone_stays_where_its_layers_put_it(project: Project) -> None:
+    moving = project.map_item("layer-1", lambda layer: replace(layer, transform=LayerTransform((1,), TURN[None])))
+    moving = moving.map_item("layer-2", lambda layer: replace(layer, opacity=0.5))
+    alone = only(moving, {"shape-3"})
+    (shape,) = alone.shapes
+    np.testing.assert_array_equal(shape.at(1).points, moving.shape("shape-3").at(1).points)
+    assert render_matte(alone, 1, (24, 32)).max() == pytest.approx(0.5)

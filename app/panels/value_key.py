@@ -1,0 +1,109 @@
+"""The small button beside a value that may vary with time: shows whether it has a key here, sets and deletes keys."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from functools import partial
+
+from PySide6.QtCore import QPoint, Qt, Signal
+from PySide6.QtGui import QAction
+from PySide6.QtWidgets import QHBoxLayout, QMenu, QToolButton, QWidget
+
+from app import style
+from app.panels.fields import NumberField, shared
+from roam_core.roto import Interpolation
+from roam_core.roto.animated import Animatable
+from roam_core.roto.value_keys import Keying, interpolated, keyed, keying, leading_key, still, unkeyed
+
+ValueVerb = Callable[[Animatable], Animatable]
+
+LOOKS = {
+    Keying.CONSTANT: ("value-none", style.WEAK, "It never varies. Click to set a key on this frame"),
+    Keying.KEY: ("value-here", style.ACCENT, "It has a key on this frame. Click to delete it"),
+    Keying.BETWEEN: ("value-between", style.ACCENT, "It varies, without a key on this frame. Click to set one"),
+}
+"""Drawing, colour and tooltip of each state."""
+
+
+class ValueKeyButton(QToolButton):
+    """Empty for a constant, filled for a key on this frame, half filled for a value that varies without one here.
+
+    Of several things it is filled where all have a key here, empty where all are constant. It never takes the keyboard.
+
+    `acted(text, verb)` asks for a change: what it is called and what becomes of each value.
+    """
+
+    acted = Signal(str, object)
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setObjectName("flat")
+        self.setIconSize(style.ICON_SIZE)
+        self.setFixedSize(20, 20)
+        self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        self.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
+        self.customContextMenuRequested.connect(self._show_menu)
+        self.clicked.connect(self._click)
+        self._icons = {state: style.icon(name, colour) for state, (name, colour, _) in LOOKS.items()}
+        self.frame = 0
+        """The frame on which keys are set and deleted."""
+        self.state = Keying.CONSTANT
+        self.menu_of_keys = QMenu(self)
+        self._set = self._entry("Set key", lambda value: keyed(value, self.frame))
+        self._delete = self._entry("Delete key", lambda value: unkeyed(value, self.frame))
+        self._delete_all = self._entry("Delete all keys", lambda value: still(value, self.frame))
+        self.menu_of_keys.addSeparator()
+        self._ways = {kind: self._way(kind) for kind in Interpolation}
+        self.show_values([0.0], 0)
+
+    def show_values(self, values: Sequence[Animatable], frame: int) -> None:
+        """Show what the values have on a frame."""
+        self.frame = frame
+        states = {keying(value, frame) for value in values}
+        self.state = states.pop() if len(states) == 1 else Keying.BETWEEN
+        self.setIcon(self._icons[self.state])
+        self.setToolTip(LOOKS[self.state][2])
+        leading = [key for value in values if (key := leading_key(value, frame)) is not None]
+        way = shared(key.interpolation for key in leading) if leading else None
+        self._set.setEnabled(self.state is not Keying.KEY)
+        self._delete.setEnabled(any(keying(value, frame) is Keying.KEY for value in values))
+        for action in (self._delete_all, *self._ways.values()):
+            action.setEnabled(bool(leading))
+        for kind, action in self._ways.items():
+            action.setChecked(kind is way)
+
+    # ---- the rest is private
+
+    def _entry(self, text: str, verb: ValueVerb) -> QAction:
+        action = self.menu_of_keys.addAction(text)
+        action.triggered.connect(lambda: self.acted.emit(text.lower(), verb))
+        return action
+
+    def _way(self, kind: Interpolation) -> QAction:
+        action = self._entry(kind.value.capitalize(), lambda value: interpolated(value, self.frame, kind))
+        action.setCheckable(True)
+        action.setToolTip("How the value goes on from its key here, or the last one before")
+        return action
+
+    def _click(self) -> None:
+        (self._delete if self.state is Keying.KEY else self._set).trigger()
+
+    def _show_menu(self, place: QPoint) -> None:
+        self.menu_of_keys.popup(self.mapToGlobal(place))
+
+
+def keyed_row(field: NumberField, button: ValueKeyButton) -> QWidget:
+    """A field with its button beside it, as one row of a form."""
+    row = QWidget()
+    box = QHBoxLayout(row)
+    box.setContentsMargins(0, 0, 0, 0)
+    box.setSpacing(4)
+    box.addWidget(field, 1)
+    box.addWidget(button)
+    field.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
+    field.customContextMenuRequested.connect(partial(_popup, field, button))
+    return row
+
+
+def _popup(field: NumberField, button: ValueKeyButton, place: QPoint) -> None:
+    button.menu_of_keys.popup(field.mapToGlobal(place))

@@ -1,0 +1,57 @@
+"""Shapes by way of the clipboard: nodes as text that other programs paste, and text of theirs that holds shapes."""
+
+from __future__ import annotations
+
+import re
+import tempfile
+from collections.abc import Mapping
+from dataclasses import replace
+from pathlib import Path
+
+from roam_core.errors import RoamError
+from roam_core.interchange.protocol import STANDARD, ExportOptions
+from roam_core.interchange.reading import PLAIN, Imported, Importer, ImportOptions
+from roam_core.interchange.registry import EXPORTERS, IMPORTERS
+from roam_core.roto import Clip, Project
+
+CLIPBOARD = Path("The clipboard")
+"""What stands for a file's name in sentences."""
+
+SIGNS: Mapping[str, re.Pattern[str]] = {
+    "json": re.compile(r'\A\s*\{[^{\[]{0,400}?"format"\s*:\s*"roam-shapes"'),
+    "svg": re.compile(r"\A[^<]{0,10}(?:<[?!][^<]*){0,50}<(?:\w+:)?svg[\s>]"),
+    "silhouette": re.compile(r"\A[^<]{0,10}(?:<[?!][^<]*){0,50}<Silhouette[\s>]"),
+    "fusion": re.compile(r"\A\s*\{\s*Tools\s*="),
+    "nuke": re.compile(r"(?m)^[ \t]{0,99}(?:set cut_paste_input\b|Roto(?:Paint)?\d*[ \t]{0,9}\{|curves[ \t]{0,9}\{)"),
+}
+"""By what text each format is known, by the format's name; the first that fits is meant."""
+
+
+def node_text(name: str, project: Project, options: ExportOptions = STANDARD) -> tuple[str, tuple[str, ...]]:
+    """The text of the nodes that the export format `name` makes of all shapes, and what it notes.
+
+    Raises `LossyExport` as exports to files do, unless the options are `lossy`.
+    """
+    exporter = EXPORTERS[name]
+    with tempfile.TemporaryDirectory(prefix="roam-") as folder:
+        path = Path(folder) / f"shapes{exporter.suffix}"
+        notes = exporter.export(project, path, options)
+        return path.read_text(encoding="utf-8"), notes
+
+
+def format_of(text: str) -> Importer | None:
+    """The format whose shapes the text holds by its look, or None."""
+    text = text.removeprefix("\ufeff")
+    readers = {importer.name: importer for importer in IMPORTERS}
+    return next((readers[name] for name, sign in SIGNS.items() if name in readers and sign.search(text)), None)
+
+
+def read_text(text: str, clip: Clip, options: ImportOptions = PLAIN) -> Imported:
+    """Read the shapes of a text, whatever its format, into pixels and frames of `clip`, as of a file.
+
+    Raises `RoamError` when the text is of no format that is read, is damaged, or goes beyond the limits of files.
+    """
+    importer = format_of(text)
+    if importer is None:
+        raise RoamError(f"{CLIPBOARD} holds no shapes of a kind that ROAM reads.")
+    return importer.read(CLIPBOARD, clip, replace(options, content=text.encode("utf-8", "surrogatepass")))
