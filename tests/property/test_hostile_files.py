@@ -30,6 +30,7 @@ from roam_core.roto import (
     file,
     grips,
 )
+from roam_core.roto.animated import values_of
 
 CLIP = Clip(Path("plate"), 1001, 1040, (640, 480))
 WORDS = (
@@ -93,9 +94,9 @@ def check(imported: Imported) -> None:
     for shape in imported.layer.shapes():
         assert sensible(shape.keys)
         assert all(abs(frame) <= MAX_FRAMES for frame in shape.frames)
-        assert 0.0 <= shape.opacity <= 1.0
+        assert all(0.0 <= value <= 1.0 for value in values_of(shape.opacity))
         assert all(0.0 <= share <= 1.0 for share in shape.colour)
-        assert abs(shape.feather) < 1e30
+        assert all(abs(value) < 1e30 for value in values_of(shape.feather))
         assert shape.lifetime is None or shape.lifetime[0] < shape.lifetime[1]
     for note in imported.notes:
         assert "\n" not in note
