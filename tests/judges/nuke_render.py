@@ -13,8 +13,8 @@ import re
 import numpy as np
 from numpy.typing import NDArray
 
+from tests.judges.coverage import between, filled, soft
 from tests.judges.nuke_grammar import RENDERABLE, Layer, Node, Shape, nodes
-from tests.judges.scanlines import between, filled, polyline, softened
 
 Array = NDArray[np.float64]
 
@@ -106,15 +106,20 @@ def shape_matte(shape: Shape, frame: float, size: tuple[int, ...]) -> Array:
 
 
 def _covered(shape: Shape, moment: float, frame: float, size: tuple[int, int]) -> Array:
-    down = np.array([1.0, -1.0])
-    triples = np.array(shape.triples(moment)) * down + [0.0, size[0]]
-    line = polyline(triples)
-    if shape.feather is None:
-        covered = filled(line, size)
-    else:
-        covered = between(triples, np.array(shape.feather_triples(moment)) * down + [0.0, size[0]], size)
+    points = _down(shape.triples(moment), size[0])
+    covered = filled(points, size)
+    if shape.feather is not None:
+        covered = between(points, _down(shape.feather_triples(moment), size[0]), size)
     width = shape.value("fx", frame, 0.0) if shape.value("fo", frame, 1.0) else 0.0
-    return softened(covered, line, width) if width else covered
+    if width == 0.0:
+        return covered
+    ramp = soft(points, size, min(width, 0.0), max(width, 0.0))
+    return np.maximum(covered, ramp) if width > 0.0 else np.minimum(covered, ramp)
+
+
+def _down(triples: list[list[tuple[float, float]]], height: int) -> Array:
+    """Anchor, in- and out-handle `(P, 3, 2)`, y down."""
+    return np.asarray(np.array(triples)[:, [1, 0, 2]] * [1.0, -1.0] + [0.0, height])
 
 
 def _blended(under: Array, matte: Array, mode: int) -> Array:

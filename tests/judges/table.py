@@ -35,6 +35,7 @@ class Judge:
     names : the names of its shapes, or None where the format has none.
     still : true for formats of one frame a file.
     least : what every cell must reach.
+    step : differences up to this count as none: what a picture of few levels cannot tell apart.
     missing : why it cannot judge here, or nothing.
     """
 
@@ -44,6 +45,7 @@ class Judge:
     names: Callable[[Path], list[str]] | None = None
     still: bool = False
     least: float = 0.999
+    step: float = 0.0
     missing: str = ""
 
 
@@ -87,7 +89,8 @@ def _overlap(judge: Judge, project: Project, moment: float, folder: Path) -> flo
     if judge.still or not path.exists():
         EXPORTERS[judge.exporter].export(project, path, ExportOptions(frame=frame, lossy=True))
     ours = render_matte(project, moment, (clip.size[1], clip.size[0])).astype(np.float64)
-    return overlap(ours, judge.matte(path, clip, moment))
+    theirs = judge.matte(path, clip, moment)
+    return overlap(ours, np.where(np.abs(ours - theirs) <= judge.step, ours, theirs))
 
 
 def _path(judge: Judge, folder: Path) -> Path:
