@@ -25,6 +25,7 @@ from roam_core.interchange.flatten import (
     Part,
     branched,
     dimmed_first,
+    hidden_notes,
     opacity_keys,
     parts_of,
     straight_keys,
@@ -108,7 +109,7 @@ def mask_script(project: Project, options: ExportOptions = STANDARD) -> tuple[st
     }
     lines = ",\n".join(f"    {javascript_literal(part)}" for part in parts)
     text = PROGRAM.replace("@CLIP@", javascript_literal(frame)).replace("@PARTS@", f"[\n{lines}\n  ]")
-    return text, settled(writer.notes, writer.losses, options)
+    return text, settled([*hidden_notes(project, root), *writer.notes], writer.losses, options)
 
 
 @dataclass

@@ -22,6 +22,7 @@ from roam_core.interchange.blender_program import PROGRAM
 from roam_core.interchange.flatten import (
     Branch,
     branched,
+    hidden_notes,
     opacity_keys,
     parts_of,
     straight_keys,
@@ -77,7 +78,7 @@ def blender_script(project: Project, options: ExportOptions = STANDARD) -> tuple
         parts = [{"name": "ROAM", "layers": [], "blend": "add", "invert": False, "opacity": [1.0, []]}]
     frames = [frame + options.frame_offset for frame in (clip.first, clip.last)]
     text = PROGRAM.replace("@FRAMES@", str(frames)).replace("@PARTS@", python_literal(parts))
-    return text, settled(writer.notes, writer.losses, options)
+    return text, settled([*hidden_notes(project, root), *writer.notes], writer.losses, options)
 
 
 def unit(clip: Clip) -> Array:

@@ -71,6 +71,26 @@ def branched(project: Project, timed_intersect: bool = True) -> Branch:
     return without_timed_intersect(root, project.clip.size)
 
 
+def hidden_notes(project: Project, root: Branch) -> list[str]:
+    """A sentence for each visible shape that lies above nothing and takes from it: it shows nothing, and is hidden."""
+    written = {shape.id: shape for shape in root.shapes()}
+    return [
+        f"{shape.name!r} takes away where nothing lies under it: it was written as hidden."
+        for shape in _shown(project.root)
+        if shape.closed and shape.id in written and not written[shape.id].visible
+    ]
+
+
+def _shown(layer: Layer) -> Iterator[RotoShape]:
+    """The visible shapes of visible layers."""
+    if layer.visible:
+        for child in layer.children:
+            if isinstance(child, Layer):
+                yield from _shown(child)
+            elif child.visible:
+                yield child
+
+
 def takes_part(item: RotoShape | Branch) -> bool:
     """False for shapes that never show: hidden and open ones."""
     return isinstance(item, Branch) or (item.visible and item.closed)

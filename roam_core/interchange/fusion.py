@@ -21,6 +21,7 @@ from roam_core.interchange.flatten import (
     Branch,
     branched,
     everything,
+    hidden_notes,
     moments,
     opacity_keys,
     straight_keys,
@@ -85,7 +86,7 @@ def fusion_setting(project: Project, options: ExportOptions = STANDARD) -> tuple
     else:
         writer.chain(Branch("Root", (root,)))
     text = "\n".join(["{", " Tools = ordered() {", *writer.lines, " },", "}", ""])
-    return text, settled(writer.notes, writer.losses, options)
+    return text, settled([*hidden_notes(project, root), *writer.notes], writer.losses, options)
 
 
 @dataclass

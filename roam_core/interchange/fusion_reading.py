@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
+from itertools import accumulate
 from pathlib import Path
 
 import numpy as np
@@ -143,6 +144,9 @@ class _Flow:
             following = below
         self.above.difference_update(entered)
         found.reverse()
+        # No item comes before one that lies under it, wherever the file has it.
+        tops = accumulate((place for place, _ in found), max)
+        found = [(top, item) for top, (_, item) in zip(tops, found, strict=True)]
         if found and found[0][1].blend is not BlendMode.ADD:
             # Without an effect mask a paint mode has no meaning; hidden shapes keep theirs.
             place, lowest = found[0]

@@ -10,8 +10,13 @@ from typing import Any
 from roam_core.errors import RoamError
 from roam_core.interchange.reading import MAX_NUMBER, ShapeReader, brief
 
-MOST_NUMBERS = 3_000_000
-"""A point has six."""
+VALUE, TABLE, POINT = 2, 5, 3
+"""What a value, a table and a point, which is taken in one go, count of the parts that a file may hold: about as their
+times."""
+
+POINT_TEXT = re.compile(r"\{ ?(?:[A-Z]{1,2} = -?[0-9][0-9.]{0,30}(?:[eE][-+]?[0-9]{1,3})?(?:, |,| )?){2,7}\}")
+"""A point as Fusion and ROAM write it; others are read as any table."""
+PART = re.compile(r"([A-Z]{1,2}) = ([-0-9.eE+]+)")
 
 TOKEN = re.compile(
     r"""(?P<number>-?(?:0[xX][0-9a-fA-F]{1,12}|(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?))"""
@@ -55,7 +60,6 @@ def parsed(reader: ShapeReader, text: str) -> Table:
 class _Parser:
     reader: ShapeReader
     text: str
-    numbers: int = 0
 
     def __post_init__(self) -> None:
         self.tokens = self._tokens()
@@ -84,6 +88,9 @@ class _Parser:
             elif text.startswith("--", place):
                 stop = text.find("\n", place)
                 place = len(text) if stop < 0 else stop
+            elif text[place] == "{" and (found := POINT_TEXT.match(text, place)):
+                place = found.end()
+                yield "point", found.group()
             elif found := TOKEN.match(text, place):
                 place = found.end()
                 yield found.lastgroup or "", found.group()
@@ -102,12 +109,12 @@ class _Parser:
         self._advance()
 
     def _value(self, depth: int) -> Any:
+        self.reader.check_parts(VALUE)
         match self.kind:
             case "number":
-                self.numbers += 1
-                if self.numbers > MOST_NUMBERS:
-                    raise RoamError(f"{self.reader.path} holds more than {MOST_NUMBERS} numbers; split it.")
                 return self._number(self._advance())
+            case "point":
+                return self._point(self._advance())
             case "string":
                 return _unquoted(self._advance()[1:-1])
             case "long":
@@ -127,7 +134,10 @@ class _Parser:
 
     def _table(self, kind: str, depth: int) -> Table:
         self.reader.check_depth(depth)
-        self.reader.check_parts()
+        if self.kind == "point":
+            point = self._point(self._advance())
+            return Table(kind, point.named)
+        self.reader.check_parts(TABLE)
         table = Table(kind)
         self._expect("{")
         while self.word != "}" or self.kind != "mark":
@@ -161,8 +171,15 @@ class _Parser:
         else:
             table.listed.append(self._value(depth))
 
+    def _point(self, text: str) -> Table:
+        self.reader.check_parts(POINT)
+        return Table("", {name: self._number(word) for name, word in PART.findall(text)})
+
     def _number(self, word: str) -> float:
-        value = float(int(word, 16)) if "x" in word.lower() else float(word)
+        try:
+            value = float(int(word, 16)) if "x" in word.lower() else float(word)
+        except ValueError:
+            raise self._trouble() from None
         if not abs(value) <= MAX_NUMBER:
             raise RoamError(f"{self.reader.path} holds the number {brief(word)}; no picture is that large.")
         return value

@@ -20,6 +20,7 @@ from roam_core.interchange.flatten import (
     branched,
     dimmed_first,
     everything,
+    hidden_notes,
     lifetime_steps,
     moments,
     parts_of,
@@ -81,7 +82,7 @@ def natron_script(project: Project, options: ExportOptions = STANDARD) -> tuple[
     else:
         parts = writer.parts(root) if root.opacity == 1.0 and not root.invert else [writer.branch(root)]
     text = PROGRAM.replace("@PARTS@", python_literal(parts))
-    return text, settled(writer.notes, writer.losses, options)
+    return text, settled([*hidden_notes(project, root), *writer.notes], writer.losses, options)
 
 
 @dataclass

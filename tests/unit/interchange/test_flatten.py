@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from roam_core.interchange.flatten import branched, moments, opacity_keys, without_holds
+from roam_core.interchange.flatten import branched, hidden_notes, moments, opacity_keys, without_holds
 from roam_core.matte import render_matte
 from roam_core.roto import Animated, BlendMode, Interpolation, Layer, Project, RotoShape, ValueKey
 from tests.unit.interchange.conftest import animated
@@ -87,3 +87,13 @@ def test_keys_of_the_opacity_count_within_the_lifetime() -> None:
     curve = Animated(opacity_keys(shape))
     for frame in range(15):
         assert curve.at(frame) == pytest.approx(fade.at(frame) if 4 <= frame < 10 else 0.0)
+
+
+def test_shapes_that_take_from_nothing_are_hidden_and_named() -> None:
+    hole = replace(HOLE, name="Hole")
+    one = Project(None, Layer("root", "Root", (hole, block(1, 2.0))))
+    root = branched(one)
+    assert [shape.visible for shape in root.shapes()] == [False, True]
+    assert hidden_notes(one, root) == ["'Hole' takes away where nothing lies under it: it was written as hidden."]
+    other = Project(None, Layer("root", "Root", (block(1, 2.0), hole, replace(HOLE, id="shape-7", visible=False))))
+    assert hidden_notes(other, branched(other)) == []
