@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from PySide6.QtCore import QObject, Signal
 
 from app.document import Document
 from app.jobs.runner import Ending, Report, Runner
 from roam_core.roto import edit
+
+if TYPE_CHECKING:
+    from roam_core.interchange import MaskOptions
 
 SHAPE_FILES = (".nk", ".gizmo", ".fxs", ".sfx", ".svg", ".json")
 """Suffixes of files that hold shapes and cannot be a clip or a project."""
@@ -31,15 +34,15 @@ class Import(QObject):
         self._document, self._runner = document, runner
         document.replaced.connect(self.stop)
 
-    def start(self, path: Path) -> None:
-        """Read a file of shapes, or a folder of masks, into the project's clip."""
+    def start(self, path: Path, masks: MaskOptions | None = None) -> None:
+        """Read a file of shapes, or a folder of masks as `masks` say, into the project's clip."""
         project = self._document.project
 
         def work(report: Report) -> str:
-            from roam_core.interchange import ImportOptions, read_shapes
+            from roam_core.interchange import ImportOptions, MaskOptions, read_shapes
 
             report.progress(0.0, f"Reading {path.name} …")
-            options = ImportOptions(progress=report.progress, token=report.token)
+            options = ImportOptions(masks=masks or MaskOptions(), progress=report.progress, token=report.token)
             imported = read_shapes(path, project.require_clip(), options)
             count = sum(1 for _ in imported.layer.shapes())
             if count:
