@@ -1,4 +1,4 @@
-"""The dialog before masks come in: how near the curves must lie, with how many keys, and what is too small to follow."""
+"""The dialog before masks come in: how near curves must lie, with how many keys, and what is too small to follow."""
 
 from __future__ import annotations
 

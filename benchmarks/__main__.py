@@ -14,6 +14,7 @@ from benchmarks import (
     drift,
     fewest_keys,
     kernels,
+    masks_in,
     mattes,
     paper,
     part_sheets,
@@ -44,6 +45,7 @@ BENCHMARKS: dict[str, ModuleType] = {
     "part_sheets": part_sheets,
     "mattes": mattes,
     "keys": fewest_keys,
+    "masks_in": masks_in,
     "window": window,
     "saving": saving,
 }

@@ -1,4 +1,4 @@
-"""Reads sequences of masks: each part becomes a Bezier whose points stay on their spots, with as few keys as will do."""
+"""Reads sequences of masks: each part becomes a Bezier whose points stay on their spots, with as few keys as do."""
 
 from __future__ import annotations
 
@@ -155,7 +155,7 @@ def _tell(reader: ShapeReader, shapes: list[RotoShape], parts: list[Fitted], wan
     if rest:
         keys, frames = sum(len(part.keys) for part in rest), sum(len(part.frames) for part in rest)
         reader.note(
-            f"{len(rest)} more shapes: {keys} keys for {frames} frames, {sum(part.beyond for part in rest)} of them beyond "
-            f"{wanted.tolerance:g} px; {max(part.greatest for part in rest):.1f} px at the farthest scrap, IoU at least "
-            f"{min(part.overlap for part in rest):.3f}."
+            f"{len(rest)} more shapes: {keys} keys for {frames} frames, {sum(part.beyond for part in rest)} of them "
+            f"beyond {wanted.tolerance:g} px; {max(part.greatest for part in rest):.1f} px at the farthest scrap, IoU "
+            f"at least {min(part.overlap for part in rest):.3f}."
         )

@@ -13,8 +13,9 @@ FINE = 8
 """Vertices of a segment at which the curve is compared with an outline."""
 
 DEEP = 0.25
-"""How far a scrap reaches beyond the tolerance at least, against the straight way between its ends: a long stretch that
-strays a little is none."""
+"""How far a scrap reaches beyond the tolerance at least, against the straight way between its ends, ..."""
+SHALLOW = 2.0
+"""... or within how many tolerances it stays: a long stretch that strays far is none."""
 
 
 @njit(nogil=True, cache=True)
@@ -236,7 +237,7 @@ def best_cubic(run, control):  # type: ignore[no-untyped-def]
     for m in range(count):
         t[m] /= total
     worst = 0.0
-    for turn in range(4):
+    for _ in range(4):
         aa, ab, bb = 1e-6, 0.0, 1e-6
         ra, rb = np.zeros(2), np.zeros(2)
         for axis in range(2):  # a weak pull to thirds of the chord
@@ -339,7 +340,7 @@ def solved_band(band, side):  # type: ignore[no-untyped-def]
 
 @njit(nogil=True, cache=True)
 def distances(places, line, near):  # type: ignore[no-untyped-def]
-    """Distance `(K,)` from each of `places (K, 2)` to the closed `line (L, 2)`; any that is not above `near` will do."""
+    """Distance `(K,)` from each of `places (K, 2)` to the closed `line (L, 2)`; any up to `near` will do."""
     total, hint = len(line), 0
     result = np.empty(len(places))
     for m in range(len(places)):
@@ -367,7 +368,8 @@ def excused(away, line, tolerance, scrap, is_scrap):  # type: ignore[no-untyped-
     """The greatest of the distances `away (K,)` of a closed line's vertices, apart from stretches that are scraps.
 
     A stretch beyond the tolerance is one when what lies beyond it, summed along the stretch, is at most `scrap` square
-    pixels, and it is `DEEP` for its width; `is_scrap (K,)` tells which vertices are on one, and their distances count as the tolerance.
+    pixels, and it is `DEEP` for its width or `SHALLOW`. `is_scrap (K,)` tells which vertices are on one; their distances count as
+    the tolerance.
     """
     count = len(away)
     is_scrap[:] = False
@@ -392,7 +394,7 @@ def excused(away, line, tolerance, scrap, is_scrap):  # type: ignore[no-untyped-
             k += 1
         a, b = (first + begin - 1) % count, (first + k) % count
         wide = np.sqrt((line[b, 0] - line[a, 0]) ** 2 + (line[b, 1] - line[a, 1]) ** 2)
-        if beyond <= scrap and DEEP * wide <= most - tolerance:
+        if beyond <= scrap and (most <= SHALLOW * tolerance or DEEP * wide <= most - tolerance):
             for m in range(begin, k):
                 is_scrap[(first + m) % count] = True
             worst = max(worst, tolerance)

@@ -95,7 +95,7 @@ def matched(points: Array, ring: Array, poses: list[Array], scale: float = 1.0) 
 
 
 def followed(nodes: Array, share: Array, ring: Array, poses: list[Array], scale: float = 1.0) -> Array:
-    """Where nodes `(N, 2)` of one outline lie on the next one, the closed polyline `ring (K, 2)`, which runs as they do.
+    """Where nodes `(N, 2)` of one outline lie on the next, the closed polyline `ring (K, 2)`, which runs as they do.
 
     As `matched`, for nodes that are there already: `share (N,)` of its length is expected from each to the next, and of
     `poses (2, 3)` one carries them near. What lies between two nodes moves as they do.

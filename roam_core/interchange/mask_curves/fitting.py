@@ -1,4 +1,4 @@
-"""Splines with keys fitted to the outlines of all frames: least squares over a window of keys, held to the tolerance."""
+"""Splines with keys fitted to the outlines of all frames: least squares over a window of keys, within a tolerance."""
 
 from __future__ import annotations
 
@@ -13,8 +13,8 @@ from roam_core.kernels.mask_fit import (
     add_anchors,
     add_points,
     add_segments,
-    drawn,
     distances,
+    drawn,
     excused,
     put_on,
     segment_sums,

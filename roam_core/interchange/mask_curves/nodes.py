@@ -83,7 +83,7 @@ def _glided(nodes: Array, ring: Array, pose: Array, scale: float) -> Array:
         system = (rows * weight[:, None]).T @ (rows * weight[:, None]) + np.diag(spread + 1e-6)
         grow, turn, dx, dy = np.linalg.solve(system, (rows * weight[:, None]).T @ (weight * off))
         linear = np.array([[1.0 + grow, -turn], [turn, 1.0 + grow]])
-        change = np.column_stack([linear, middle + [dx, dy] - linear @ middle])
+        change = np.column_stack([linear, middle + np.array([dx, dy]) - linear @ middle])
         pose = np.column_stack([change[:, :2] @ pose[:, :2], change[:, :2] @ pose[:, 2] + change[:, 2]])
     return np.asarray(pose)
 

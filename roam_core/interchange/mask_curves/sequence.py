@@ -1,4 +1,4 @@
-"""A sequence of masks as shapes: few of them, with few points that stay put and few keys, all told how near they lie."""
+"""A sequence of masks as shapes: few, with few points that stay put and few keys, and how near they lie is told."""
 
 from __future__ import annotations
 
@@ -66,8 +66,8 @@ class Fitted:
             else f"within {tolerance:g} px of the masks' outline on all frames but {self.beyond}"
         )
         return (
-            f"{name!r}: {points} points, {kept}, {within} ({self.mean:.2f} px on average, {self.greatest:.1f} px at the "
-            f"farthest scrap), IoU at least {self.overlap:.3f}."
+            f"{name!r}: {points} points, {kept}, {within} but for scraps ({self.mean:.2f} px on average, "
+            f"{self.greatest:.1f} px at the farthest scrap), IoU at least {self.overlap:.3f}."
         )
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass, field
 from itertools import pairwise
 from typing import Any
@@ -18,7 +17,7 @@ from roam_core.proposal.pairing import paired, poses
 Array = NDArray[np.float64]
 
 ALIKE = 0.5
-"""IoU of two outlines, the one moved onto the other, below which they are not the same part: it merged, or fell apart."""
+"""IoU of two outlines, one moved onto the other, below which they are not the same part: it merged, or fell apart."""
 CORNERS = 80
 """Vertices of an outline by which it is paired."""
 CELLS = 64.0
@@ -27,8 +26,10 @@ CELLS = 64.0
 
 @dataclass(eq=False)
 class Ring:
-    """An outline `line (K, 2)` of a mask, clockwise on screen; of a hole, `parent` is the outline around it, and of what
-    lies in a hole, `around` is that hole."""
+    """An outline `line (K, 2)` of a mask, clockwise on screen.
+
+    Of a hole, `parent` is the outline around it; of what lies in a hole, `around` is that hole.
+    """
 
     line: Array
     parent: Ring | None = None
