@@ -368,8 +368,8 @@ def excused(away, line, tolerance, scrap, is_scrap):  # type: ignore[no-untyped-
     """The greatest of the distances `away (K,)` of a closed line's vertices, apart from stretches that are scraps.
 
     A stretch beyond the tolerance is one when what lies beyond it, summed along the stretch, is at most `scrap` square
-    pixels, and it is `DEEP` for its width or `SHALLOW`. `is_scrap (K,)` tells which vertices are on one; their distances count as
-    the tolerance.
+    pixels, and it is `DEEP` for its width or `SHALLOW`. `is_scrap (K,)` tells which vertices are on one; their
+    distances count as the tolerance.
     """
     count = len(away)
     is_scrap[:] = False
