@@ -145,9 +145,17 @@ class FileActions(QObject):
             self._import.start(path)
 
     def import_masks(self) -> None:
+        """Ask for a folder of masks, and how near and with how few keys they are to be followed."""
         folder = dialogs.choose_folder(self._window, "Import the masks of a folder", self._start_folder())
-        if folder is not None:
-            self._import.start(folder)
+        if folder is None:
+            return
+        from app.mask_dialog import MaskDialog
+
+        clip = self._document.project.clip
+        dialog = MaskDialog(folder.name, clip.size if clip else None, self._window)
+        dialog.accepted.connect(lambda: self._import.start(folder, dialog.options))
+        dialog.finished.connect(dialog.deleteLater)
+        dialog.open()
 
     def export(self) -> None:
         """Show the export dialog; it stays as it was left."""

@@ -15,6 +15,7 @@ from benchmarks import (
     fewest_keys,
     kernels,
     key_optimum,
+    masks_in,
     mattes,
     paper,
     part_sheets,
@@ -46,6 +47,7 @@ BENCHMARKS: dict[str, ModuleType] = {
     "mattes": mattes,
     "keys": fewest_keys,
     "key_optimum": key_optimum,
+    "masks_in": masks_in,
     "window": window,
     "saving": saving,
 }

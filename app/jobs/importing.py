@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -13,7 +14,7 @@ from app.jobs.runner import Ending, Report, Runner
 from roam_core.roto import Clip, edit
 
 if TYPE_CHECKING:
-    from roam_core.interchange import Imported, ImportOptions
+    from roam_core.interchange import Imported, ImportOptions, MaskOptions
 
 SHAPE_FILES = (".nk", ".gizmo", ".fxs", ".sfx", ".setting", ".svg", ".json")
 """Suffixes of files that hold shapes and cannot be a clip or a project."""
@@ -37,13 +38,13 @@ class Import(QObject):
         self._document, self._runner = document, runner
         document.replaced.connect(self.stop)
 
-    def start(self, path: Path) -> None:
-        """Read a file of shapes, or a folder of masks, into the project's clip."""
+    def start(self, path: Path, masks: MaskOptions | None = None) -> None:
+        """Read a file of shapes, or a folder of masks as `masks` say, into the project's clip."""
 
         def read(clip: Clip, options: ImportOptions) -> Imported:
             from roam_core.interchange import read_shapes
 
-            return read_shapes(path, clip, options)
+            return read_shapes(path, clip, options if masks is None else replace(options, masks=masks))
 
         self._start(path.name, read, lambda imported: self._put_in("Import shapes", imported))
 

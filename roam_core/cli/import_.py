@@ -10,8 +10,9 @@ from roam_core.cli.overwriting import add_overwrite, project_writer, tell_of_hol
 from roam_core.cli.plate import loaded
 from roam_core.cli.track import require_target
 from roam_core.errors import RoamError
-from roam_core.interchange import ImportOptions, importer_for
+from roam_core.interchange import ImportOptions, KeyChoice, MaskOptions, importer_for
 from roam_core.interchange.authorship import Kind
+from roam_core.interchange.reading import SPECK
 from roam_core.interchange.targets import Sources, require_free
 from roam_core.roto import edit
 
@@ -23,6 +24,26 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--save", type=Path, metavar="OUT.roam", help="where to write it (default: P.roam itself)")
     parser.add_argument(
         "--frame-offset", type=int, default=0, metavar="N", help="what was added to the frame numbers on export"
+    )
+    masks = parser.add_argument_group("masks", "for a folder of masks, or one picture of a numbered sequence")
+    masks.add_argument(
+        "--tolerance",
+        type=float,
+        default=MaskOptions.tolerance,
+        metavar="PX",
+        help="how far curves may stray from the masks' outline (%(default)g)",
+    )
+    masks.add_argument(
+        "--keys",
+        choices=[KeyChoice.EVERY.value, KeyChoice.REDUCED.value],
+        default=MaskOptions.keys.value,
+        help="a key on every frame, or as few as hold the tolerance (%(default)s)",
+    )
+    masks.add_argument(
+        "--speckle",
+        type=float,
+        metavar="AREA",
+        help=f"leave out what is smaller, in square pixels; 0 keeps all ({SPECK:g} for masks of 480 lines)",
     )
     add_overwrite(parser)
 
@@ -41,7 +62,8 @@ def run(arguments: argparse.Namespace) -> int:
         rewritten=arguments.into,
     )
     tell_of_holder(target)
-    options = ImportOptions(frame_offset=arguments.frame_offset)
+    masks = MaskOptions(arguments.tolerance, KeyChoice(arguments.keys), arguments.speckle)
+    options = ImportOptions(frame_offset=arguments.frame_offset, masks=masks)
     imported = importer.read(arguments.source, project.require_clip(), options)
     for note in imported.notes:
         print(note, file=sys.stderr)

@@ -2,7 +2,7 @@
 
 from roam_core.interchange.mattes import write_matte, write_mattes
 from roam_core.interchange.protocol import Exporter, ExportOptions, KeyChoice
-from roam_core.interchange.reading import Imported, Importer, ImportOptions
+from roam_core.interchange.reading import Imported, Importer, ImportOptions, MaskOptions
 from roam_core.interchange.registry import EXPORTERS, IMPORTERS, exporter_for, importer_for, read_shapes
 
 __all__ = [
@@ -14,6 +14,7 @@ __all__ = [
     "Imported",
     "Importer",
     "KeyChoice",
+    "MaskOptions",
     "exporter_for",
     "importer_for",
     "read_shapes",

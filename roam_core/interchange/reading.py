@@ -16,7 +16,8 @@ from roam_core.bounded import bounded_bytes
 from roam_core.cancel import CancelToken, Progress
 from roam_core.errors import RoamError
 from roam_core.interchange.keying import Key
-from roam_core.interchange.protocol import FARTHEST, MAX_FRAMES
+from roam_core.interchange.protocol import FARTHEST, MAX_FRAMES, KeyChoice
+from roam_core.params import scale_for
 from roam_core.roto import Clip, Keyframe, Layer, Origin, RotoShape
 from roam_core.roto.animated import mapped
 from roam_core.roto.imported import IMPORT, stamped
@@ -37,6 +38,31 @@ MAX_PARTS = 1_000_000
 """Whatever else a reader makes an object of: elements, words, curves, transforms, lists; about three seconds."""
 
 
+SPECK = 64.0
+"""Square pixels of a 480-line mask: what is smaller is a speck, unless the artist says otherwise."""
+
+
+@dataclass(frozen=True)
+class MaskOptions:
+    """How sequences of masks become shapes.
+
+    Attributes
+    ----------
+    tolerance : pixels of the masks between their outline and the curve, either way, on every frame.
+    keys : a key on every frame, or as few as hold the tolerance (`KeyChoice.EVERY`, `KeyChoice.REDUCED`).
+    speckle : square pixels; smaller parts and holes are left out, and what strays farther than the tolerance at one
+        place may be half as large in all. 0 follows everything; None is `SPECK`, larger for masks of more lines.
+    """
+
+    tolerance: float = 1.0
+    keys: KeyChoice = KeyChoice.REDUCED
+    speckle: float | None = None
+
+    def speckle_for(self, size: tuple[int, int]) -> float:
+        """The area below which something is a speck in masks of `size` (width, height), in square pixels."""
+        return SPECK * scale_for(size[::-1]) ** 2 if self.speckle is None else self.speckle
+
+
 @dataclass(frozen=True)
 class ImportOptions:
     """What an artist may choose, and the channels to whoever waits.
@@ -45,12 +71,14 @@ class ImportOptions:
     ----------
     frame_offset : what was added to the plate's frame numbers when the file was written; reading takes it off again.
     content : what is read in place of a file, such as a text of the clipboard; the path is then its name alone.
+    masks : how masks become shapes.
     progress : called with the finished fraction and a few words.
     token : cancels the reading at its next safe point.
     """
 
     frame_offset: int = 0
     content: bytes | None = field(default=None, repr=False)
+    masks: MaskOptions = field(default_factory=MaskOptions)
     progress: Progress | None = None
     token: CancelToken | None = None
 

@@ -138,6 +138,28 @@ def read_image(file: Path) -> Image:
     return _in_display_window(pixels, source)
 
 
+def read_alpha(file: Path) -> Image | None:
+    """The alpha of one image, thrice `(h, w, 3)` in its display window, uint8 or float32; None where it has none.
+
+    Raises
+    ------
+    DamagedFrame
+        when it is no image, damaged or cut short.
+    """
+    try:
+        source = _open(file)
+    except RoamError as error:
+        raise DamagedFrame(str(error)) from None
+    spec = source.spec()
+    if spec.alpha_channel < 0:
+        return None
+    kind = "uint8" if spec.format.basetype == oiio.UINT8 else "float"
+    pixels = source.read_image(0, 0, spec.alpha_channel, spec.alpha_channel + 1, kind)
+    if pixels is None or source.has_error:
+        raise DamagedFrame(f"{file} cannot be read; it is damaged or cut short ({_reason(source)}). Render it again.")
+    return _in_display_window(np.repeat(pixels, 3, axis=2), source)
+
+
 def _separately(file: Path, source: Any, channels: Sequence[int], kind: str) -> Image:
     """The channels one after another `(h, w, 3)`."""
     planes = [source.read_image(0, 0, channel, channel + 1, kind) for channel in channels]

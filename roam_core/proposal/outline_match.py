@@ -94,13 +94,47 @@ def matched(points: Array, ring: Array, poses: list[Array], scale: float = 1.0) 
     return best
 
 
+def followed(nodes: Array, share: Array, ring: Array, poses: list[Array], scale: float = 1.0) -> Array:
+    """Where nodes `(N, 2)` of one outline lie on the next, the closed polyline `ring (K, 2)`, which runs as they do.
+
+    As `matched`, for nodes that are there already: `share (N,)` of its length is expected from each to the next, and of
+    `poses (2, 3)` one carries them near. What lies between two nodes moves as they do.
+
+    Returns shares `(N,)` of the ring's length from its first vertex on, rising; they may run on beyond 1.
+    """
+    points = bezier.polygon_points(nodes)
+    some = np.arange(0, len(nodes), round(COARSE))
+    rough = _begun(points[some], nodes[some], some, np.add.reduceat(share, some), ring, COARSE * scale)
+    best = rough
+    for pose in poses:
+        for _ in range(SETTLE):
+            found = _posed(rough, pose, scale)
+            best = min(best, found, key=lambda match: match.energy)
+            pose = similarity.fit(rough.nodes, rough.samples[found.at], rough.share)
+    start = _begun(points, nodes, np.arange(len(nodes)), share, ring, scale)
+    pose = similarity.fit(rough.nodes, best.nodes)
+    best = _again(start, similarity.apply(pose, start.nodes), NEAR[0] * scale)
+    for near, reach in zip(NEAR[1:], REACH, strict=True):
+        shift = _smoothed(best.samples[best.at] - best.nodes, best.share * polyline.length(best.nodes), reach * scale)
+        best = _again(best, best.nodes + shift, near * scale)
+    count = len(best.samples)
+    at = best.at[0] + (best.at - best.at[0]) % count
+    around = np.concatenate([at[-1:] - count, at, at[:1] + count])
+    even = (around[:-2] + 2.0 * around[1:-1] + around[2:]) / 4.0
+    return np.asarray(even / count)
+
+
+def _begun(points: Array, nodes: Array, first: NDArray[np.intp], share: Array, ring: Array, scale: float) -> Match:
+    samples = polyline.resample(ring, max(3 * len(nodes), int(polyline.length(ring) / (STEP * scale))))
+    at = np.zeros(len(nodes), dtype=np.int64)
+    return Match(points, nodes, first, share, samples, (surroundings(nodes), surroundings(samples)), at, np.inf)
+
+
 def _unmatched(points: Array, ring: Array, coarse: float, scale: float) -> Match:
     nodes, first, share = _nodes(points, coarse * SPACING * scale)
     if polyline.signed_area(ring) * polyline.signed_area(nodes) < 0:
         ring = ring[::-1]
-    samples = polyline.resample(ring, max(3 * len(nodes), int(polyline.length(ring) / (coarse * STEP * scale))))
-    at = np.zeros(len(nodes), dtype=np.int64)
-    return Match(points, nodes, first, share, samples, (surroundings(nodes), surroundings(samples)), at, np.inf)
+    return _begun(points, nodes, first, share, ring, coarse * scale)
 
 
 def _posed(start: Match, pose: Array, scale: float) -> Match:

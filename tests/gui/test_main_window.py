@@ -16,6 +16,7 @@ from app.canvas.viewing import GroundKind
 from app.clip_dialog import ClipDialog
 from app.dialogs import Unsaved
 from app.main_window import MainWindow
+from app.mask_dialog import MaskDialog
 from app.panels.panel import Panel
 from roam_core.geometry.bezier import polygon_points
 from roam_core.media import finding
@@ -191,8 +192,10 @@ def test_the_menu_imports_files_and_folders_of_masks(
     assert "no Silhouette shape file" in window.status.sentence.text()
     masks = write_clip(tmp_path / "masks", 2)
     monkeypatch.setattr(dialogs, "choose_folder", lambda parent, title, start: masks)
+    window.actions_by_id["file.import_masks"].trigger()
+    (dialog,) = window.findChildren(MaskDialog)
     with qtbot.waitSignal(window.importing.finished, timeout=WAIT) as finished:
-        window.actions_by_id["file.import_masks"].trigger()
+        dialog.accept()
     assert "masks" in finished.args[1]
 
 

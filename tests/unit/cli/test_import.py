@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import cv2
 import numpy as np
 import pytest
 
@@ -63,3 +64,29 @@ def test_bad_files_are_one_sentence(roam: Roam, project: Path, name: str, conten
     assert message in done.err
     assert len(done.err.splitlines()) == 1
     assert project.read_bytes() == before
+
+
+def test_masks_become_few_keys_or_every_one_and_what_was_achieved_is_told(roam: Roam, project: Path) -> None:
+    folder = project.parent / "mattes"
+    folder.mkdir()
+    for f in range(5):
+        mask = np.zeros((1080, 1920), np.uint8)
+        cv2.circle(mask, (300 + 9 * f, 300), 60, 255, -1, cv2.LINE_AA)
+        cv2.imwrite(str(folder / f"m.{1001 + f}.png"), mask)
+    for keys, count in (("reduced", 2), ("every", 5)):
+        target = project.parent / f"{keys}.roam"
+        words = ("--tolerance", 1, "--keys", keys)
+        done = roam("import", folder, "--into", project, "--save", target, *words)
+        assert done.status == 0
+        assert f"{count} keys for 5 frames, within 1 px" in done.err
+        assert len(file.load(target).shapes[-1].keys) == count
+
+
+def test_a_tolerance_that_is_none_is_refused(roam: Roam, project: Path) -> None:
+    folder = project.parent / "mattes"
+    folder.mkdir()
+    cv2.imwrite(str(folder / "m.1001.png"), np.full((1080, 1920), 255, np.uint8))
+    done = roam("import", folder, "--into", project, "--tolerance", -1)
+    assert done.status != 0
+    assert "positive number of pixels" in done.err
+    assert len(file.load(project).shapes) == 1
