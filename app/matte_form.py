@@ -8,7 +8,7 @@ from enum import StrEnum
 from PySide6.QtWidgets import QCheckBox, QComboBox, QWidget
 
 from app.panels.controls import dense_form, form_label
-from roam_core.interchange.matte_style import (
+from roam_core.interchange.mattes.style import (
     COMPRESSIONS,
     DEPTHS,
     DataWindow,

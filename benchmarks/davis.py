@@ -20,7 +20,7 @@ import numpy as np
 from benchmarks import paper_rows, processes, report, restarts, shots, variants
 from benchmarks.contact_sheet import contact_sheet
 from roam_core import shapes_from_mask, track
-from roam_core.interchange.mattes import write_matte
+from roam_core.interchange.mattes.exporter import write_matte
 from roam_core.media import open_clip
 from roam_core.params import CONFIGS
 from roam_core.propagate import warm_up

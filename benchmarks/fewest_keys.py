@@ -15,8 +15,8 @@ from benchmarks import demo_shot, report, shots
 from benchmarks.shots import Shot
 from roam_core import track
 from roam_core.errors import RoamError
-from roam_core.interchange.reduction import Motion, Reduction, reduced
-from roam_core.interchange.smoothing import smoothed
+from roam_core.interchange.keys.reduction import Motion, Reduction, reduced
+from roam_core.interchange.keys.smoothing import smoothed
 from roam_core.params import DEFAULT_CONFIG
 from roam_core.roto import RotoShape
 

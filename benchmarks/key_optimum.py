@@ -16,8 +16,8 @@ from numpy.typing import NDArray
 
 from benchmarks import demo_shot, fewest_keys, report, shots
 from roam_core.geometry import bezier
-from roam_core.interchange.reduction import Motion, Reduction, reduced
-from roam_core.interchange.smoothing import smoothed
+from roam_core.interchange.keys.reduction import Motion, Reduction, reduced
+from roam_core.interchange.keys.smoothing import smoothed
 from roam_core.roto import RotoShape
 
 Array = NDArray[np.float64]

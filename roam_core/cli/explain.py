@@ -21,7 +21,7 @@ from roam_core.cli.track import require_target
 from roam_core.errors import RoamError
 from roam_core.features import PreparedFrame
 from roam_core.interchange.authorship import Kind
-from roam_core.interchange.matte_files import signed_png
+from roam_core.interchange.mattes.files import signed_png
 from roam_core.interchange.targets import Sources, require_free
 from roam_core.propagate.explain import REGION, Explanation, explain
 from roam_core.roto import Origin, Project, RotoShape

@@ -25,7 +25,7 @@ from roam_core.cli.stopping import cancelling
 from roam_core.cli.track import matte_path, matte_targets, require_target, require_writable
 from roam_core.errors import RoamError
 from roam_core.interchange.authorship import Kind
-from roam_core.interchange.mattes import write_matte
+from roam_core.interchange.mattes.exporter import write_matte
 from roam_core.interchange.targets import Sources, require_free
 from roam_core.params import CONFIGS, DEFAULT_CONFIG, RoamParams, params_for
 from roam_core.propagate import Termination, warm_up

@@ -21,8 +21,8 @@ from roam_core.cli.plate import Plate, opened
 from roam_core.cli.stopping import cancelling
 from roam_core.errors import RoamError
 from roam_core.interchange.authorship import Kind
-from roam_core.interchange.mattes import write_matte
-from roam_core.interchange.nuke_landmarks import LandmarkPaths, write_landmarks
+from roam_core.interchange.mattes.exporter import write_matte
+from roam_core.interchange.nuke.landmarks import LandmarkPaths, write_landmarks
 from roam_core.interchange.targets import Sources, require_free
 from roam_core.matte.vectorise import read_mask, shapes_from_mask
 from roam_core.params import CONFIGS, DEFAULT_CONFIG, params_for

@@ -7,8 +7,8 @@ from collections.abc import Hashable
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from roam_core.interchange.mattes import MatteExporter
-from roam_core.interchange.nuke_tracks import NukeTracksExporter
+from roam_core.interchange.mattes.exporter import MatteExporter
+from roam_core.interchange.nuke.tracks import NukeTracksExporter
 from roam_core.interchange.protocol import STANDARD, Exporter, ExportOptions, KeyChoice, LossyExport
 from roam_core.roto import Keyframe, Layer, LayerTransform, Project, RotoShape
 

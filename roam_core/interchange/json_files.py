@@ -7,9 +7,9 @@ from pathlib import Path
 from typing import Any
 
 from roam_core.errors import RoamError
-from roam_core.interchange.coco_reading import CocoReader, is_coco
-from roam_core.interchange.mlt import is_mlt
-from roam_core.interchange.mlt_reading import MltReader
+from roam_core.interchange.labels.coco_reading import CocoReader, is_coco
+from roam_core.interchange.mlt.exporter import is_mlt
+from roam_core.interchange.mlt.reading import MltReader
 from roam_core.interchange.plain_json import FORMAT, JsonReader
 from roam_core.interchange.reading import MAX_PARTS, PLAIN, Imported, ImportOptions, ShapeReader, quietly
 from roam_core.roto import Clip

@@ -13,9 +13,9 @@ import numpy as np
 
 from roam_core.cancel import CancelToken, Progress
 from roam_core.errors import RoamError
-from roam_core.interchange.matte_style import MatteStyle
-from roam_core.interchange.reduction import Motion, Slopes, reduced
-from roam_core.interchange.smoothing import smoothed
+from roam_core.interchange.keys.reduction import Motion, Slopes, reduced
+from roam_core.interchange.keys.smoothing import smoothed
+from roam_core.interchange.mattes.style import MatteStyle
 from roam_core.interchange.stilled import BY_LAYER
 from roam_core.roto import Clip, Interpolation, Keyframe, Layer, Origin, Project, RotoShape, Spline
 
@@ -116,7 +116,7 @@ def settled(notes: Iterable[str], losses: Iterable[str], options: ExportOptions)
 
 
 class Exporter(Protocol):
-    """One format to write: one file of this package, one line in `registry.py`.
+    """One format to write: one room or file of this package, one line in `registry.py`.
 
     Attributes
     ----------

@@ -15,7 +15,7 @@ import numpy as np
 from roam_core.bounded import bounded_bytes
 from roam_core.cancel import CancelToken, Progress
 from roam_core.errors import RoamError
-from roam_core.interchange.keying import Key
+from roam_core.interchange.keys.keying import Key
 from roam_core.interchange.protocol import FARTHEST, MAX_FRAMES, KeyChoice
 from roam_core.params import scale_for
 from roam_core.roto import Clip, Keyframe, Layer, Origin, RotoShape
@@ -113,7 +113,7 @@ class Imported:
 
 
 class Importer(Protocol):
-    """One format to read: one file of this package, one line in `registry.py`.
+    """One format to read: one room or file of this package, one line in `registry.py`.
 
     Attributes
     ----------

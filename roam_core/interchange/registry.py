@@ -1,4 +1,4 @@
-"""All formats, to write by name and to read by suffix. A new one is a file of this package and a line here."""
+"""All formats, to write by name and to read by suffix. A new one is a room or file of this package and a line here."""
 
 from __future__ import annotations
 
@@ -6,28 +6,28 @@ from collections.abc import Iterable
 from pathlib import Path
 
 from roam_core.errors import RoamError
-from roam_core.interchange.after_effects import AfterEffectsExporter
-from roam_core.interchange.blender import BlenderExporter
-from roam_core.interchange.coco import CocoExporter
-from roam_core.interchange.cvat import CvatExporter
-from roam_core.interchange.cvat_reading import CvatImporter
-from roam_core.interchange.fusion import FusionExporter
-from roam_core.interchange.fusion_reading import FusionImporter
+from roam_core.interchange.after_effects.exporter import AfterEffectsExporter
+from roam_core.interchange.blender.exporter import BlenderExporter
+from roam_core.interchange.fusion.exporter import FusionExporter
+from roam_core.interchange.fusion.reading import FusionImporter
 from roam_core.interchange.json_files import JsonImporter
-from roam_core.interchange.masks import MaskImporter
-from roam_core.interchange.mattes import MatteExporter
-from roam_core.interchange.mlt import MltExporter
+from roam_core.interchange.labels.coco import CocoExporter
+from roam_core.interchange.labels.cvat import CvatExporter
+from roam_core.interchange.labels.cvat_reading import CvatImporter
+from roam_core.interchange.masks.importer import MaskImporter
+from roam_core.interchange.mattes.exporter import MatteExporter
+from roam_core.interchange.mlt.exporter import MltExporter
 from roam_core.interchange.natron import NatronExporter
-from roam_core.interchange.nuke import NukeExporter
-from roam_core.interchange.nuke_python import NukePythonExporter
-from roam_core.interchange.nuke_reading import NukeImporter
-from roam_core.interchange.nuke_tracks import NukeTracksExporter
+from roam_core.interchange.nuke.exporter import NukeExporter
+from roam_core.interchange.nuke.python_script import NukePythonExporter
+from roam_core.interchange.nuke.reading import NukeImporter
+from roam_core.interchange.nuke.tracks import NukeTracksExporter
 from roam_core.interchange.plain_json import JsonFormat
 from roam_core.interchange.protocol import Exporter
 from roam_core.interchange.reading import PLAIN, Imported, Importer, ImportOptions
-from roam_core.interchange.silhouette import SilhouetteExporter
-from roam_core.interchange.silhouette_reading import SilhouetteImporter
-from roam_core.interchange.svg import SvgFormat
+from roam_core.interchange.silhouette.exporter import SilhouetteExporter
+from roam_core.interchange.silhouette.reading import SilhouetteImporter
+from roam_core.interchange.svg.format import SvgFormat
 from roam_core.roto import Clip
 
 

@@ -10,7 +10,7 @@ from pathlib import Path
 
 from roam_core.errors import RoamError
 from roam_core.interchange.authorship import Kind, is_project, written_by_us
-from roam_core.interchange.mattes import MatteExporter
+from roam_core.interchange.mattes.exporter import MatteExporter
 from roam_core.interchange.protocol import STANDARD, Exporter, ExportOptions, WritesSeveral
 from roam_core.media import PlateSource, open_clip
 from roam_core.roto import Clip, Project

@@ -9,10 +9,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
-from roam_core.interchange.nuke import roto_script
-from roam_core.interchange.nuke_names import Names
-from roam_core.interchange.nuke_text import tcl_word
-from roam_core.interchange.silhouette import silhouette_document
+from roam_core.interchange.nuke.exporter import roto_script
+from roam_core.interchange.nuke.names import Names
+from roam_core.interchange.nuke.text import tcl_word
+from roam_core.interchange.silhouette.exporter import silhouette_document
 from roam_core.interchange.xml import xml_text
 from roam_core.roto import BlendMode, Clip, Interpolation, Keyframe, Layer, Project, RotoShape
 from tests.judges import nuke_grammar

@@ -10,7 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from roam_core.interchange import ExportOptions
-from roam_core.interchange.nuke import roto_document
+from roam_core.interchange.nuke.exporter import roto_document
 from roam_core.interchange.xml import xml_text
 from roam_core.matte import render_matte
 from roam_core.roto import BlendMode, Clip, Keyframe, Layer, Project, RotoShape

@@ -12,7 +12,7 @@ from app.jobs.importing import SHAPE_FILES, Import
 from app.jobs.runner import Ending, Runner
 from roam_core.geometry.bezier import polygon_points
 from roam_core.interchange import IMPORTERS
-from roam_core.interchange.nuke import roto_script
+from roam_core.interchange.nuke.exporter import roto_script
 from roam_core.roto import Clip, Project, edit
 
 WAIT = 30_000

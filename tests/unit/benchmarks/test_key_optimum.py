@@ -8,7 +8,7 @@ import numpy as np
 
 from benchmarks.key_optimum import _places, is_good, optimum
 from roam_core.geometry import bezier
-from roam_core.interchange.reduction import reduced
+from roam_core.interchange.keys.reduction import reduced
 from roam_core.roto import Keyframe, Origin, RotoShape
 
 SQUARE = bezier.polygon_points([(0.0, 0.0), (40.0, 0.0), (40.0, 30.0), (0.0, 30.0)])

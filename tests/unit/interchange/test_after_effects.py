@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from roam_core.geometry import bezier
-from roam_core.interchange.after_effects import feather_radii, mask_script
+from roam_core.interchange.after_effects.exporter import feather_radii, mask_script
 from roam_core.roto import Animated, BlendMode, Interpolation, Keyframe, Layer, Project, RotoShape, ValueKey
 from tests.unit.interchange import node_judge
 from tests.unit.interchange.conftest import CLIP, animated

@@ -15,7 +15,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from roam_core.geometry import bezier
-from roam_core.interchange.blender import blender_script, mask_space
+from roam_core.interchange.blender.exporter import blender_script, mask_space
 from roam_core.interchange.literals import whole
 from roam_core.matte import render_matte
 from roam_core.roto import BlendMode, Clip, Keyframe, Layer, Project, RotoShape

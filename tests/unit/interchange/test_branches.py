@@ -10,9 +10,9 @@ import numpy as np
 import pytest
 
 from roam_core.geometry import bezier
-from roam_core.interchange.after_effects import mask_script
-from roam_core.interchange.blender import blender_script
-from roam_core.interchange.fusion import fusion_setting
+from roam_core.interchange.after_effects.exporter import mask_script
+from roam_core.interchange.blender.exporter import blender_script
+from roam_core.interchange.fusion.exporter import fusion_setting
 from roam_core.interchange.natron import natron_script
 from roam_core.matte import render_matte
 from roam_core.roto import Animated, BlendMode, Clip, Interpolation, Keyframe, Layer, Project, RotoShape, ValueKey

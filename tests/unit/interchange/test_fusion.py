@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from roam_core.interchange.fusion import fusion_setting
+from roam_core.interchange.fusion.exporter import fusion_setting
 from roam_core.interchange.literals import whole
 from roam_core.roto import Animated, BlendMode, Clip, Interpolation, Layer, MotionBlur, Project, RotoShape, ValueKey
 from tests.unit.interchange.conftest import CLIP, animated

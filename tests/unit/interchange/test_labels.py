@@ -12,8 +12,8 @@ import pytest
 
 from roam_core.errors import RoamError
 from roam_core.interchange import EXPORTERS, ExportOptions, Imported, read_shapes
-from roam_core.interchange.coco import coco_document
-from roam_core.interchange.polygons import clipped, mask_of, runs_of, runs_of_text
+from roam_core.interchange.labels.coco import coco_document
+from roam_core.interchange.labels.polygons import clipped, mask_of, runs_of, runs_of_text
 from roam_core.interchange.protocol import LossyExport
 from roam_core.matte import render_matte
 from roam_core.roto import BlendMode, Clip, Interpolation, Keyframe, Layer, Project, RotoShape

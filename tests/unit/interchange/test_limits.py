@@ -10,10 +10,10 @@ import pytest
 
 from roam_core.errors import RoamError
 from roam_core.interchange import read_shapes, reading
-from roam_core.interchange.nuke_script import MAX_LISTS
+from roam_core.interchange.nuke.script import MAX_LISTS
 from roam_core.interchange.reading import MAX_ITEMS, MAX_KEYS, MAX_PARTS, MAX_POINTS
-from roam_core.interchange.svg_reading import MAX_DRAWING
-from roam_core.interchange.svg_words import MAX_TRANSFORMS
+from roam_core.interchange.svg.reading import MAX_DRAWING
+from roam_core.interchange.svg.words import MAX_TRANSFORMS
 from tests.unit.interchange.conftest import CLIP
 
 SVG = '<svg xmlns="http://www.w3.org/2000/svg">{}</svg>'

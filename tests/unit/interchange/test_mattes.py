@@ -17,8 +17,8 @@ from roam_core.cancel import Cancelled, CancelToken
 from roam_core.errors import RoamError
 from roam_core.geometry import bezier
 from roam_core.interchange import EXPORTERS, ExportOptions, KeyChoice, write_mattes
-from roam_core.interchange.matte_files import encode_png
-from roam_core.interchange.matte_style import (
+from roam_core.interchange.mattes.files import encode_png
+from roam_core.interchange.mattes.style import (
     COMPRESSIONS,
     DEPTHS,
     DataWindow,

@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 
 from roam_core.geometry import bezier
-from roam_core.interchange.matte_style import Parts
-from roam_core.interchange.mattes import parts_of
+from roam_core.interchange.keys.reduction import reduced
+from roam_core.interchange.mattes.exporter import parts_of
+from roam_core.interchange.mattes.style import Parts
 from roam_core.interchange.protocol import ExportOptions, KeyChoice, exported_keys
-from roam_core.interchange.reduction import reduced
 from roam_core.interchange.registry import EXPORTERS
 from roam_core.interchange.stilled import BY_LAYER, stilled
 from roam_core.matte import render_matte

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from roam_core.errors import RoamError
 from roam_core.geometry import bezier, similarity
-from roam_core.interchange.nuke_landmarks import LEAST_FRAMES, MOST_TRACKS, LandmarkPaths, write_landmarks
+from roam_core.interchange.nuke.landmarks import LEAST_FRAMES, MOST_TRACKS, LandmarkPaths, write_landmarks
 from roam_core.propagate import FrameResult, Landmarks, Termination, TrackResult, track
 from roam_core.roto import Clip, Keyframe, RotoShape
 from tests.golden.shots import Shot, blob, inverse, pose

@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 from roam_core.interchange import EXPORTERS, read_shapes
-from roam_core.interchange.nuke import roto_document, roto_script
-from roam_core.interchange.nuke_graph import is_one_node
+from roam_core.interchange.nuke.exporter import roto_document, roto_script
+from roam_core.interchange.nuke.graph import is_one_node
 from roam_core.matte import render_matte
 from roam_core.roto import BlendMode, Layer, Project, RotoShape
 from tests.judges import nuke_grammar

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from roam_core.interchange import Imported, read_shapes
-from roam_core.interchange.nuke import roto_script
+from roam_core.interchange.nuke.exporter import roto_script
 from roam_core.roto import Clip, Layer, Project
 from tests.unit.interchange import nuke_judge, tcl
 

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from roam_core.errors import RoamError
 from roam_core.geometry.bezier import polygon_points
 from roam_core.interchange import EXPORTERS, ExportOptions
-from roam_core.interchange.nuke_tracks import COLUMNS, Track, box_motion, layer_motion, tracker_node
+from roam_core.interchange.nuke.tracks import COLUMNS, Track, box_motion, layer_motion, tracker_node
 from roam_core.roto import Keyframe, Layer, LayerTransform, Origin, Project, RotoShape
 from tests.unit.interchange import tcl
 from tests.unit.interchange.conftest import CLIP

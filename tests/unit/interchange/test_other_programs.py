@@ -10,8 +10,8 @@ import numpy as np
 import pytest
 
 from roam_core.interchange import ExportOptions
-from roam_core.interchange.after_effects import mask_script
-from roam_core.interchange.fusion import fusion_setting
+from roam_core.interchange.after_effects.exporter import mask_script
+from roam_core.interchange.fusion.exporter import fusion_setting
 from roam_core.interchange.natron import natron_script
 from roam_core.roto import Clip, Interpolation, Keyframe, Layer, Project, RotoShape
 from tests.unit.interchange import lua_judge, natron_judge, node_judge

@@ -11,9 +11,9 @@ from numpy.typing import NDArray
 from roam_core.cancel import Cancelled, CancelToken
 from roam_core.errors import RoamError
 from roam_core.interchange import ExportOptions, KeyChoice
-from roam_core.interchange.nuke import roto_document
-from roam_core.interchange.reduction import Motion, fewest, reduced
-from roam_core.interchange.silhouette import silhouette_document
+from roam_core.interchange.keys.reduction import Motion, fewest, reduced
+from roam_core.interchange.nuke.exporter import roto_document
+from roam_core.interchange.silhouette.exporter import silhouette_document
 from roam_core.roto import Interpolation, Keyframe, Layer, Origin, Project, RotoShape
 from tests.golden.shots import blob
 from tests.reference.key_spans import ref_span_error

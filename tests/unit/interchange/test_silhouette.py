@@ -13,7 +13,7 @@ from scipy.interpolate import BSpline
 from roam_core.errors import RoamError
 from roam_core.geometry import bezier
 from roam_core.interchange import EXPORTERS, ExportOptions, KeyChoice, read_shapes
-from roam_core.interchange.silhouette import MODES, silhouette_document
+from roam_core.interchange.silhouette.exporter import MODES, silhouette_document
 from roam_core.matte import render_matte
 from roam_core.roto import (
     Animated,

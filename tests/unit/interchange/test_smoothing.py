@@ -14,8 +14,8 @@ from roam_core.cancel import Cancelled, CancelToken
 from roam_core.errors import RoamError
 from roam_core.geometry import bspline
 from roam_core.interchange import EXPORTERS, ExportOptions, KeyChoice
-from roam_core.interchange.reduction import reduced
-from roam_core.interchange.smoothing import SLIDE, STIFFNESS, smoothed
+from roam_core.interchange.keys.reduction import reduced
+from roam_core.interchange.keys.smoothing import SLIDE, STIFFNESS, smoothed
 from roam_core.roto import Clip, Interpolation, Keyframe, Layer, Origin, Project, RotoShape, Spline
 from tests.golden.shots import blob, outline_distance
 from tests.unit.interchange.judged import farthest

@@ -10,7 +10,7 @@ import pytest
 
 from roam_core.errors import RoamError
 from roam_core.interchange import EXPORTERS, ExportOptions, Imported, read_shapes
-from roam_core.interchange.svg import svg_document
+from roam_core.interchange.svg.format import svg_document
 from roam_core.matte import render_matte
 from roam_core.roto import BlendMode, Clip, Layer, Project, RotoShape
 from tests.unit.interchange import qt_judge

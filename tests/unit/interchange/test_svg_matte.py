@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from roam_core.interchange import EXPORTERS, ExportOptions, read_shapes
-from roam_core.interchange.svg import svg_document
+from roam_core.interchange.svg.format import svg_document
 from roam_core.matte import render_matte
 from roam_core.roto import BlendMode, Clip, Keyframe, Layer, Project, RotoShape
 from tests.judges import svg as judge

@@ -7,11 +7,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from roam_core.interchange.after_effects import mask_script
-from roam_core.interchange.fusion import fusion_setting
+from roam_core.interchange.after_effects.exporter import mask_script
+from roam_core.interchange.fusion.exporter import fusion_setting
 from roam_core.interchange.natron import natron_script
-from roam_core.interchange.nuke import roto_script
-from roam_core.interchange.silhouette import silhouette_document
+from roam_core.interchange.nuke.exporter import roto_script
+from roam_core.interchange.silhouette.exporter import silhouette_document
 from roam_core.roto import Clip, Keyframe, Layer, Project, RotoShape
 from tests.unit.interchange import lua_judge, natron_judge, node_judge, nuke_judge, silhouette_judge
 

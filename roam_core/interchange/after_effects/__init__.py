@@ -1,0 +1,1 @@
+"""After Effects: a script that makes masks and compositions."""

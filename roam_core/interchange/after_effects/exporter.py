@@ -1,0 +1,257 @@
+"""After Effects `.jsx`: a script that puts every shape as a mask on the selected layer, or on a new solid.
+
+Positions are pixels of the layer from its top-left corner, y down; handles are relative to their vertex; times are
+seconds. The script is plain ASCII and old JavaScript (ECMAScript 3), and every name in it is a quoted string.
+
+Masks of a layer are joined one after the other. Where layers of shapes act as one, compositions join them in white on
+black, by blending modes over what is opaque: Normal in white is the union, in black it subtracts, Screen adds a
+composition, Difference inverts it above white. The outcome is the layer's luma matte.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from roam_core.geometry.bezier import ANCHOR, IN, OUT
+from roam_core.interchange.after_effects.program import PROGRAM
+from roam_core.interchange.flatten import (
+    Branch,
+    Part,
+    branched,
+    dimmed_first,
+    hidden_notes,
+    opacity_keys,
+    parts_of,
+    straight_keys,
+    takes_part,
+)
+from roam_core.interchange.literals import javascript_literal
+from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter, settled
+from roam_core.roto import BlendMode, Interpolation, Keyframe, Project, RotoShape
+from roam_core.roto.animated import Animatable, ValueKey, mapped, value_at, values_of
+from roam_core.roto.file import write_atomically
+
+Array = NDArray[np.float64]
+
+MODES = {
+    BlendMode.ADD: "ADD",
+    BlendMode.SUBTRACT: "SUBTRACT",
+    BlendMode.INTERSECT: "INTERSECT",
+    BlendMode.DIFFERENCE: "DIFFERENCE",
+    BlendMode.MAX: "LIGHTEN",
+}
+LAYER_MODES = {
+    BlendMode.ADD: "SCREEN",
+    BlendMode.SUBTRACT: "MULTIPLY",
+    BlendMode.INTERSECT: "MULTIPLY",
+    BlendMode.DIFFERENCE: "DIFFERENCE",
+    BlendMode.MAX: "LIGHTEN",
+    BlendMode.PLUS: "ADD",
+}
+"""Blending modes of opaque layers in white on black; what subtracts is inverted first."""
+
+OPAQUE = (BlendMode.DIFFERENCE, BlendMode.MAX, BlendMode.PLUS)
+"""Modes for which a shape needs a picture of its own; in the others its white or black lies above what is there."""
+
+HIDDEN = "NONE"
+"""The mode of a mask that takes no part: After Effects knows no other way to hide one."""
+
+DECIMALS = 6
+MOST_MASKS = 127
+"""On one layer."""
+
+OUTER, INNER = 0, 1
+"""Directions of After Effects' feather points."""
+
+
+class AfterEffectsExporter:
+    """Writes a script that builds a mask for every shape of a project."""
+
+    name = "after-effects"
+    title = "After Effects masks (script)"
+    suffix = ".jsx"
+
+    def export(self, project: Project, path: Path, options: ExportOptions = STANDARD) -> tuple[str, ...]:
+        """Write `project` to `path`; what After Effects' masks cannot hold comes back as sentences."""
+        text, notes = mask_script(project, options)
+        options.advance(1.0, f"Writing {path.name}")
+        write_atomically(path, text.encode("ascii"))
+        return notes
+
+
+def mask_script(project: Project, options: ExportOptions = STANDARD) -> tuple[str, tuple[str, ...]]:
+    """The script for all shapes of `project`, and a sentence for each thing that it cannot hold.
+
+    Frame f of the plate lies (f + offset - first frame) / fps seconds after the start of the layer; a composition that
+    the script makes is numbered from the plate's first frame.
+    """
+    clip = project.require_clip()
+    root = branched(project, timed_intersect=False)
+    shapes = list(root.shapes())
+    writer = _Writer(clip, options, len(shapes))
+    parts = writer.parts(root) if root.opacity == 1.0 and not root.invert else [writer.branch(root)]
+    if not shapes or (len(parts) == 1 and "masks" in parts[0] and any(takes_part(shape) for shape in shapes)):
+        parts = [{"masks": [], **(parts[0] if parts else {}), "isFlat": True}]
+    frame = {
+        "width": clip.size[0],
+        "height": clip.size[1],
+        "aspect": clip.pixel_aspect,
+        "fps": clip.fps,
+        "first": clip.first,
+        "last": clip.last,
+        "blurred": any(shape.motion_blur is not None for shape in shapes),
+    }
+    lines = ",\n".join(f"    {javascript_literal(part)}" for part in parts)
+    text = PROGRAM.replace("@CLIP@", javascript_literal(frame)).replace("@PARTS@", f"[\n{lines}\n  ]")
+    return text, settled([*hidden_notes(project, root), *writer.notes], writer.losses, options)
+
+
+@dataclass
+class _Writer(ShapeWriter):
+    """Turns shapes into the plain values from which the script builds masks."""
+
+    def parts(self, branch: Branch) -> list[dict[str, Any]]:
+        """The layers of a composition, bottom first: solids with masks, and compositions."""
+        return [
+            self.branch(part.content) if isinstance(part.content, Branch) else self._masks(part.content, part.blend)
+            for part in _within_bounds(parts_of(branch, lambda shape: shape.blend in MODES))
+        ]
+
+    def branch(self, branch: Branch) -> dict[str, Any]:
+        """A composition of its own; an inverted one lies above white and takes from it."""
+        branch = dimmed_first(branch)
+        if branch.blend is BlendMode.SUBTRACT:  # to multiply by what is left
+            branch = replace(branch, invert=not branch.invert)
+        inner = self.parts(branch)
+        if branch.invert:
+            inner = [
+                {"name": "Everything", "grey": 1, "masks": [], "blend": "NORMAL", "opacity": 100.0},
+                {"name": branch.name, "parts": inner, "blend": "DIFFERENCE", "opacity": 100.0},
+            ]
+        opacity = self._value(mapped(branch.opacity, lambda share: 100.0 * share))
+        return {"name": branch.name, "parts": inner, "blend": LAYER_MODES[branch.blend], "opacity": opacity}
+
+    def _masks(self, shapes: tuple[RotoShape, ...], blend: BlendMode) -> dict[str, Any]:
+        """A solid with masks; black where it takes away from what lies under it."""
+        masks = [self.mask(shape) for shape in shapes]
+        name = next((shape.name for shape in shapes if takes_part(shape)), "ROAM")
+        # A solid whose masks all have the mode None would be full.
+        opacity = 100.0 if any(takes_part(shape) for shape in shapes) else 0.0
+        solid = {"name": name, "grey": 1, "masks": masks, "blend": "NORMAL", "opacity": opacity}
+        if blend in OPAQUE:
+            for mask in masks:
+                mask["mode"] = MODES[BlendMode.ADD] if mask["mode"] != HIDDEN else HIDDEN
+            return {"name": name, "parts": [solid], "blend": LAYER_MODES[blend], "opacity": 100.0}
+        if blend is not BlendMode.ADD:
+            # Black that leaves out the shape is an intersection; a mask that subtracts leaves out, above a full layer.
+            mode = MODES[BlendMode.ADD if blend is BlendMode.SUBTRACT else BlendMode.SUBTRACT]
+            for mask in masks:
+                mask["mode"] = mode if mask["mode"] != HIDDEN else HIDDEN
+            solid["grey"] = 0
+        return solid
+
+    def mask(self, shape: RotoShape) -> dict[str, Any]:
+        """One mask."""
+        shape = self.begun(shape)
+        self._note_losses(shape)
+        is_feathered = any(key.feather is not None and key.feather.any() for key in shape.keys)
+        return {
+            "name": shape.name,
+            "mode": MODES.get(shape.blend, "ADD") if shape.visible else HIDDEN,
+            "closed": shape.closed,
+            "inverted": shape.invert,
+            "locked": shape.locked,
+            "blurred": shape.motion_blur is not None,
+            "color": list(shape.colour),
+            "feather": self._value(mapped(shape.feather, abs)),
+            "expansion": self._value(mapped(shape.feather, lambda width: width / 2.0)),
+            "opacity": self._keyed(opacity_keys(shape), shape.opacity, 100.0),
+            "keys": [self._key(key, shape.closed, is_feathered) for key in shape.keys],
+        }
+
+    def _value(self, value: Animatable) -> Any:
+        return self._keyed(straight_keys(value), value)
+
+    def _keyed(self, keys: tuple[ValueKey, ...], value: Animatable, scale: float = 1.0) -> Any:
+        """A number, or keys as frame, number and whether it holds."""
+        if not keys:
+            return scale * value_at(value, self.clip.first)
+        return [[self._frame(key.frame), scale * key.value, key.interpolation is Interpolation.HOLD] for key in keys]
+
+    def _key(self, key: Keyframe, closed: bool, is_feathered: bool) -> dict[str, Any]:
+        anchor = key.points[:, ANCHOR]
+        values: dict[str, Any] = {
+            "f": self._frame(key.frame),
+            "t": key.interpolation.value,
+            "v": _rounded(anchor),
+            "i": _rounded(key.points[:, IN] - anchor),
+            "o": _rounded(key.points[:, OUT] - anchor),
+        }
+        if is_feathered:
+            values["r"] = _rounded(feather_radii(key, closed))
+        return values
+
+    def _frame(self, frame: int) -> int:
+        return frame + self.options.frame_offset - self.clip.first
+
+    def _note_losses(self, shape: RotoShape) -> None:
+        if any(key.feather is not None and key.feather.any() for key in shape.keys):
+            self.notes.append(
+                f"After Effects' feather points lie square to the outline: the feather curve of {shape.name!r} keeps "
+                "its width at each point, not its handles."
+            )
+        if any(values_of(shape.feather)):
+            self.notes.append(
+                f"The feather of {shape.name!r} became a feather and an expansion of half its width, which together "
+                "cover the same ground."
+            )
+        if shape.motion_blur is not None:
+            self.notes.append(f"After Effects' shutter is the composition's: that of {shape.name!r} was left out.")
+        if not shape.visible:
+            self.notes.append(
+                f"Masks cannot be hidden in After Effects: {shape.name!r} has the mode None instead of {shape.blend}."
+            )
+
+
+def _within_bounds(parts: list[Part]) -> list[Part]:
+    """The parts with no more masks on a layer than After Effects takes."""
+    return [piece for part in parts for piece in _pieces(part)]
+
+
+def _pieces(part: Part) -> Iterator[Part]:
+    if isinstance(part.content, Branch) or len(part.content) <= MOST_MASKS:
+        yield part
+        return
+    yield Part(part.blend, part.content[:MOST_MASKS])
+    for shape in part.content[MOST_MASKS:]:
+        yield Part(shape.blend if takes_part(shape) else BlendMode.ADD, (shape,))
+
+
+def feather_radii(key: Keyframe, closed: bool) -> Array:
+    """How far the feather curve lies from each anchor `(P,)`, pixels: outside of the outline positive.
+
+    The outside is told by the polygon of the anchors; on an open path it is the right-hand side on the screen.
+    """
+    if key.feather is None:
+        return np.zeros(len(key.points))
+    anchor, offset = key.points[:, ANCHOR], key.feather[:, ANCHOR]
+    ahead, behind = np.roll(anchor, -1, axis=0), np.roll(anchor, 1, axis=0)
+    if not closed:
+        ahead[-1], behind[0] = anchor[-1], anchor[0]
+    along = ahead - behind
+    area = float((anchor[:, 0] * ahead[:, 1] - ahead[:, 0] * anchor[:, 1]).sum())
+    side = along[:, 1] * offset[:, 0] - along[:, 0] * offset[:, 1]
+    if closed and area < 0.0:
+        side = -side
+    lengths: Array = np.hypot(offset[:, 0], offset[:, 1])
+    return np.where(side < 0.0, -lengths, lengths)
+
+
+def _rounded(values: Array) -> Any:
+    return (np.round(values, DECIMALS) + 0.0).tolist()

@@ -1,0 +1,1 @@
+"""Blender: a script that makes masks, and a node group that joins them."""

@@ -1,0 +1,1 @@
+"""Fusion and Resolve: settings out and in."""

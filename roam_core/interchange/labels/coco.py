@@ -1,0 +1,210 @@
+"""COCO instances for those who label data: every object on every frame as polygons, or as runs where it has holes.
+
+An object is what lies directly in the root: a shape, or a layer with all that lies in it; its name is its category, its
+`track_id` the same on all frames. Sources: the format's own description, and the code that rasterises it (`maskApi.c`):
+positions are pixels from the image's top-left corner, y down, and a pixel is inside where its centre is. Runs count
+pixels column after column, zeros first.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from roam_core.interchange.labels.polygons import BELONG, Flattener, area, clipped, runs_of
+from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter, settled
+from roam_core.interchange.stilled import stilled
+from roam_core.matte import render_matte
+from roam_core.roto import BlendMode, Layer, Project, RotoShape
+from roam_core.roto.file import write_atomically
+
+Array = NDArray[np.float64]
+Item = Layer | RotoShape
+
+JOINING = {BlendMode.ADD, BlendMode.PLUS, BlendMode.MAX}
+"""Modes that leave hard objects side by side."""
+
+CUTTING = {BlendMode.SUBTRACT, BlendMode.INTERSECT}
+"""Modes of what changes the objects under it and is none itself."""
+
+DIGITS = 3
+"""Decimals of a coordinate: a thousandth of a pixel."""
+
+
+class CocoExporter:
+    """Writes the objects of a project as the instances of a data set: one file, an image a frame."""
+
+    name = "coco"
+    title = "COCO instances"
+    suffix = ".json"
+
+    def export(self, project: Project, path: Path, options: ExportOptions = STANDARD) -> tuple[str, ...]:
+        """Write the objects on all chosen frames."""
+        document, notes, losses = coco_document(project, options)
+        told = settled(notes, losses, options)
+        options.advance(1.0, f"Writing {path.name}")
+        write_atomically(path, (_dumps(document) + "\n").encode("ascii"))
+        return told
+
+
+def coco_document(project: Project, options: ExportOptions = STANDARD) -> tuple[dict[str, Any], list[str], list[str]]:
+    """The data set as plain values, sentences on what it cannot hold, and on what it shows otherwise."""
+    project = stilled(project)
+    writer = _Writer(project.require_clip(), replace(options, progress=None), len(project.shapes))
+    root = writer.prepared(project.root)
+    return writer.document(root, options), writer.notes, writer.losses
+
+
+@dataclass
+class _Writer(ShapeWriter):
+    flatteners: dict[str, Flattener] = field(default_factory=dict)
+
+    def prepared(self, layer: Layer) -> Layer:
+        """The layer with the keys that are to be written, hard and opaque; what that leaves out is told."""
+        children: list[Item] = []
+        for child in layer.children:
+            if isinstance(child, Layer):
+                children.append(self.prepared(child))
+                continue
+            shape = self.begun(child)
+            if not shape.closed or not shape.visible:
+                self.notes.append(f"{shape.name!r} is open or invisible, no object: it was left out.")
+                continue
+            self._tell(shape)
+            keys = tuple(replace(key, feather=None) for key in shape.keys)
+            seen = {frame: shape.opacity_at(frame) > 0.0 for frame in self.options.frames_of(self.clip)}
+            if any(seen.values()):
+                children.append(replace(shape, keys=keys, feather=0.0, opacity=1.0, motion_blur=None))
+        return replace(layer, children=tuple(children), opacity=1.0)
+
+    def _tell(self, shape: RotoShape) -> None:
+        soft = any(shape.feather_at(frame) for frame in shape.frames) or any(
+            key.feather is not None and key.feather.any() for key in shape.keys
+        )
+        left = [word for word, is_so in (("feather", soft), ("motion blur", shape.motion_blur is not None)) if is_so]
+        if left:
+            self.notes.append(f"Objects are hard: {' and '.join(left)} of {shape.name!r} were left out.")
+        if any(shape.opacity_at(frame) != 1.0 for frame in shape.frames):
+            self.notes.append(f"Objects are opaque: the opacity of {shape.name!r} was left out.")
+
+    def document(self, root: Layer, told_to: ExportOptions) -> dict[str, Any]:
+        """The data set; `told_to` hears of each frame."""
+        objects = self._objects(root)
+        if root.invert or not root.visible:
+            self.losses.append("The inversion and visibility of the root layer are lost: it is no object.")
+        names = list(dict.fromkeys(item.name for item, _ in objects))
+        frames, width, height = self.options.frames_of(self.clip), *self.clip.size
+        images: list[dict[str, Any]] = []
+        annotations: list[dict[str, Any]] = []
+        for number, frame in enumerate(frames, start=1):
+            told_to.advance(number / (len(frames) + 1), f"Frame {frame}")
+            told = frame + self.options.frame_offset
+            file_name = f"{self.clip.path.stem.rstrip('.#%0123456789d') or 'frame'}.{told:06d}.png"
+            images.append({"id": number, "width": width, "height": height, "file_name": file_name, "frame": told})
+            for track, (item, cutters) in enumerate(objects, start=1):
+                found = self._segmentation(item, cutters, frame)
+                if found is not None:
+                    kind = names.index(item.name) + 1
+                    ids = {"id": len(annotations) + 1, "image_id": number, "category_id": kind, "track_id": track}
+                    annotations.append({**ids, **found, "iscrowd": 0})
+        self.notes.append(BELONG)
+        categories = [{"id": k, "name": name, "supercategory": ""} for k, name in enumerate(names, start=1)]
+        return {
+            "info": {"description": "Shapes from ROAM", "version": "1.0"},
+            "licenses": [],
+            "images": images,
+            "categories": categories,
+            "annotations": annotations,
+        }
+
+    def _objects(self, root: Layer) -> list[tuple[Item, tuple[Item, ...]]]:
+        """Each object, with what lies above it and cuts it."""
+        objects: list[tuple[Item, tuple[Item, ...]]] = []
+        items = [item for item in root.children if item.visible]
+        for k, item in enumerate(items):
+            if item.blend in CUTTING:
+                continue
+            if item.blend is BlendMode.DIFFERENCE and k:
+                self.losses.append(f"COCO has no mode 'difference': {item.name!r} is an object of its own.")
+            above = tuple(other for other in items[k + 1 :] if other.blend in CUTTING)
+            objects.append((replace(item, blend=BlendMode.ADD), above))
+        return objects
+
+    def _segmentation(self, item: Item, cutters: tuple[Item, ...], frame: int) -> dict[str, Any] | None:
+        """Polygons where shapes lie side by side, else the pixels that are inside; None where there is nothing."""
+        shapes = _side_by_side(item)
+        if shapes is None or any(_exists(cutter, frame) for cutter in cutters):
+            return self._runs(item, cutters, frame)
+        polygons = []
+        for shape in shapes:
+            if not shape.exists_at(frame):
+                continue
+            if shape.id not in self.flatteners:
+                self.flatteners[shape.id] = Flattener(shape)
+            places = clipped(self.flatteners[shape.id].places(shape.at(frame).points), self.clip.size)
+            places = places.round(DIGITS)
+            if len(places) > 2 and area(places) > 0.0:
+                polygons.append(places)
+        if not polygons:
+            return None
+        every = np.concatenate(polygons)
+        (left, top), (right, bottom) = every.min(axis=0), every.max(axis=0)
+        return {
+            "segmentation": [places.ravel().tolist() for places in polygons],
+            "area": round(sum(area(places) for places in polygons), DIGITS),
+            "bbox": [round(float(value), DIGITS) for value in (left, top, right - left, bottom - top)],
+        }
+
+    def _runs(self, item: Item, cutters: tuple[Item, ...], frame: int) -> dict[str, Any] | None:
+        height, width = self.clip.size[1], self.clip.size[0]
+        mask = render_matte(Layer("object", "", (item, *cutters)), frame, (height, width)) > 0.5
+        if not mask.any():
+            return None
+        rows, columns = np.flatnonzero(mask.any(axis=1)), np.flatnonzero(mask.any(axis=0))
+        box = [columns[0], rows[0], columns[-1] - columns[0] + 1, rows[-1] - rows[0] + 1]
+        return {
+            "segmentation": {"size": [height, width], "counts": runs_of(mask)},
+            "area": int(mask.sum()),
+            "bbox": [int(value) for value in box],
+        }
+
+
+def _side_by_side(item: Item) -> list[RotoShape] | None:
+    """The shapes of an object that is their union, or None."""
+    if item.invert:
+        return None
+    if isinstance(item, RotoShape):
+        return [item]
+    found: list[RotoShape] = []
+    for child in item.children:
+        if not child.visible:
+            continue
+        shapes = _side_by_side(child) if child.blend in JOINING else None
+        if shapes is None:
+            return None
+        found += shapes
+    return found
+
+
+def _exists(item: Item, frame: int) -> bool:
+    return item.exists_at(frame) if isinstance(item, RotoShape) else True
+
+
+def _dumps(document: dict[str, Any]) -> str:
+    """JSON with one image, category or annotation a line."""
+
+    def lines() -> Iterator[str]:
+        for word, value in document.items():
+            if isinstance(value, list) and value:
+                rows = ",\n".join(f"  {json.dumps(row, separators=(',', ':'))}" for row in value)
+                yield f' "{word}": [\n{rows}\n ]'
+            else:
+                yield f' "{word}": {json.dumps(value)}'
+
+    return "{\n" + ",\n".join(lines()) + "\n}"

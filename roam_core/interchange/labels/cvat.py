@@ -1,0 +1,154 @@
+"""CVAT's XML for video (version 1.1): each shape as a track of polygons whose keyframes are the shape's keys.
+
+Source: the format's published description. Positions are pixels from the image's top-left corner, y down; frames count
+from 0, the clip's first. A polygon with `keyframe="1"` was set by somebody, CVAT moves its points straight to the next;
+`outside="1"` ends a track until the next keyframe; a larger `z_order` is nearer.
+"""
+
+from __future__ import annotations
+
+import xml.etree.ElementTree as ET
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from roam_core.interchange.authorship import MARK
+from roam_core.interchange.flatten import without_holds
+from roam_core.interchange.labels.polygons import BELONG, Flattener
+from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter, settled, without_smooth_keys
+from roam_core.interchange.stilled import stilled
+from roam_core.interchange.xml import xml_text
+from roam_core.roto import BlendMode, Layer, Project, RotoShape
+from roam_core.roto.file import write_atomically
+
+Array = NDArray[np.float64]
+
+JOINING = {BlendMode.ADD, BlendMode.PLUS, BlendMode.MAX}
+"""Modes that leave hard shapes side by side, as labels are."""
+
+NAME = "name"
+"""The attribute of a track that holds the shape's name where the label is that of its layer."""
+
+
+class CvatExporter:
+    """Writes every shape as a track; its label is the name of the layer in the root that it lies in, or its own."""
+
+    name = "cvat"
+    title = "CVAT for video"
+    suffix = ".xml"
+
+    def export(self, project: Project, path: Path, options: ExportOptions = STANDARD) -> tuple[str, ...]:
+        """Write all shapes to `path`."""
+        text, notes, losses = cvat_document(project, options)
+        told = settled(notes, losses, options)
+        options.advance(1.0, f"Writing {path.name}")
+        write_atomically(path, text.encode("utf-8"))
+        return told
+
+
+def cvat_document(project: Project, options: ExportOptions = STANDARD) -> tuple[str, list[str], list[str]]:
+    """The text with all shapes, sentences on what it cannot hold, and on what it shows otherwise."""
+    project = stilled(project)
+    clip = project.require_clip()
+    writer = _Writer(clip, options, len(project.shapes))
+    frames = options.frames_of(clip)
+    writer.add(project.root, "")
+    root = ET.Element("annotations")
+    ET.SubElement(root, "version").text = "1.1"
+    task = ET.SubElement(ET.SubElement(root, "meta"), "task")
+    for word, value in (("name", clip.path.name), ("size", len(clip.frame_range)), ("mode", "interpolation")):
+        ET.SubElement(task, word).text = xml_text(str(value))
+    ET.SubElement(task, "start_frame").text = str(frames[0] - clip.first + options.frame_offset)
+    ET.SubElement(task, "stop_frame").text = str(frames[-1] - clip.first + options.frame_offset)
+    labels = ET.SubElement(task, "labels")
+    for name in dict.fromkeys(label for label, _ in writer.tracks):
+        label = ET.SubElement(labels, "label")
+        ET.SubElement(label, "name").text = xml_text(name)
+        attribute = ET.SubElement(ET.SubElement(label, "attributes"), "attribute")
+        for word, value in ((NAME, NAME), ("mutable", "False"), ("input_type", "text"), ("default_value", "")):
+            ET.SubElement(attribute, word).text = value
+        ET.SubElement(attribute, "values")
+    size = ET.SubElement(task, "original_size")
+    for word, length in zip(("width", "height"), clip.size, strict=True):
+        ET.SubElement(size, word).text = str(length)
+    for number, (name, track) in enumerate(writer.tracks):
+        track.set("id", str(number))
+        track.set("label", xml_text(name))
+        root.append(track)
+    writer.notes.append(BELONG)
+    ET.indent(root, " ")
+    text = ET.tostring(root, encoding="unicode", xml_declaration=False)
+    return f'<?xml version="1.0" encoding="utf-8"?>\n<!-- {MARK} -->\n{text}\n', writer.notes, writer.losses
+
+
+@dataclass
+class _Writer(ShapeWriter):
+    tracks: list[tuple[str, ET.Element]] = field(default_factory=list)
+
+    def add(self, layer: Layer, label: str) -> None:
+        """The shapes of a layer and of those in it; `label` is "" in the root."""
+        if layer.invert or layer.blend not in JOINING:
+            self.losses.append(f"CVAT has no layers of masks: mode and inversion of {layer.name!r} are lost.")
+        for child in layer.children:
+            if isinstance(child, Layer):
+                self.add(child, label or child.name)
+            else:
+                self._add_track(child, label or child.name)
+
+    def _add_track(self, shape: RotoShape, label: str) -> None:
+        shape = self.begun(shape)
+        if shape.point_count < (3 if shape.closed else 2):
+            self.notes.append(f"{shape.name!r} has too few points for CVAT: it was left out.")
+            return
+        self._tell(shape)
+        moving = without_holds(without_smooth_keys(shape))
+        flattener, track = Flattener(moving), ET.Element("track", source="manual")
+        for frame, is_there in sorted(self._frames(moving).items()):
+            places = flattener.places(moving.at(frame).points)
+            values = {
+                "frame": str(frame - self.clip.first + self.options.frame_offset),
+                "keyframe": "1",
+                "outside": "0" if is_there else "1",
+                "occluded": "0",
+                "points": ";".join(f"{x:.3f},{y:.3f}" for x, y in places.tolist()),
+                "z_order": str(len(self.tracks)),
+            }
+            element = ET.SubElement(track, "polygon" if shape.closed else "polyline", values)
+            if shape.name != label:
+                ET.SubElement(element, "attribute", name=NAME).text = xml_text(shape.name)
+        if len(track):
+            self.tracks.append((label, track))
+
+    def _frames(self, shape: RotoShape) -> dict[int, bool]:
+        """The keyframes of a track, and whether the shape is there: within the clip, and within its lifetime."""
+        frames = self.options.frames_of(self.clip)
+        start, stop = (frames[0], frames[-1] + 1) if shape.lifetime is None else shape.lifetime
+        start, stop = max(start, frames[0]), min(stop, frames[-1] + 1)
+        if start >= stop:
+            self.notes.append(f"{shape.name!r} does not exist on the frames that are written: it was left out.")
+            return {}
+        found = dict.fromkeys((frame for frame in shape.frames if start <= frame < stop), True)
+        found[start] = True
+        if shape.frames[0] < stop - 1 < shape.frames[-1]:
+            found[stop - 1] = True
+        if stop <= frames[-1]:
+            found[stop] = False
+        return found
+
+    def _tell(self, shape: RotoShape) -> None:
+        name = f"{shape.name!r}"
+        if shape.closed and (shape.invert or shape.blend not in JOINING):
+            what = "inversion" if shape.invert else f"mode {shape.blend.value!r}"
+            self.losses.append(f"Polygons of CVAT only add: the {what} of {name} is lost.")
+        soft = any(shape.feather_at(frame) for frame in shape.frames) or any(
+            key.feather is not None and key.feather.any() for key in shape.keys
+        )
+        dim = any(shape.opacity_at(frame) != 1.0 for frame in shape.frames)
+        blurred = shape.motion_blur is not None
+        left = [word for word, is_so in (("feather", soft), ("opacity", dim), ("motion blur", blurred)) if is_so]
+        if left:
+            self.notes.append(f"Labels are hard and opaque: {', '.join(left)} of {name} were left out.")
+        if not shape.visible:
+            self.notes.append(f"CVAT hides no tracks in a file: the invisible {name} is seen there.")

@@ -1,0 +1,161 @@
+"""Reads sequences of masks: each part becomes a Bezier whose points stay on their spots, with as few keys as do."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from roam_core.errors import RoamError
+from roam_core.interchange.masks.sequence import Fitted, Wanted, as_shapes, in_order, part_as_keys
+from roam_core.interchange.masks.tracks import Track, Tracker
+from roam_core.interchange.protocol import KeyChoice
+from roam_core.interchange.reading import PLAIN, Imported, ImportOptions, MaskOptions, ShapeReader
+from roam_core.matte.vectorise import coverage_of
+from roam_core.media import open_clip
+from roam_core.media.sequence import ImageSequence, read_alpha
+from roam_core.media.source import DamagedFrame, PlateSource
+from roam_core.params import scale_for
+from roam_core.roto import Clip, RotoShape
+
+READING = 0.25
+"""Share of the work that reading the masks is."""
+FOLLOWED = 0.25
+"""Share of the area of a speck below which an outline is not even followed from mask to mask."""
+TOLD = 12
+"""Shapes that get a sentence of their own; of more only the worst figures are told."""
+
+
+class MaskImporter:
+    """Fits shapes to masks, white inside: a folder, a pattern, or one picture of a numbered sequence."""
+
+    name = "masks"
+    title = "Mask pictures"
+    suffixes = ("", ".png", ".tif", ".tiff", ".exr", ".jpg", ".jpeg", ".dpx")
+    """The empty one stands for a folder."""
+
+    def read(self, path: Path, clip: Clip, options: ImportOptions = PLAIN) -> Imported:
+        """Fit shapes to the masks of a sequence; its pictures are numbered as the clip's frames.
+
+        A part of the masks is one shape for as long as it is one part: it begins where it comes up or parts from
+        another, and ends where it vanishes or joins a larger one. All keys are the artist's. What was achieved is told
+        in a sentence a shape: keys, and how near the curves lie to the masks.
+        """
+        reader = ShapeReader(path, clip, options)
+        source = open_clip(path)
+        wanted = _wanted(options.masks, source)
+        tracker = _followed(source, reader, wanted)
+        if not tracker.tracks:
+            raise RoamError(f"Nothing is white in the masks {path}; paint the object white and the rest black.")
+        kept = _without_specks(tracker, reader, _speck(options.masks, source))
+        shapes = _fitted_shapes(kept, source, reader, wanted)
+        if source.missing:
+            reader.note(f"{len(source.missing)} masks are missing between the first and the last; no keys stand there.")
+        return reader.finished(tuple(shapes), source.size)
+
+
+def _wanted(asked: MaskOptions, source: PlateSource) -> Wanted:
+    if not 0.0 < asked.tolerance < np.inf:
+        raise RoamError(f"The tolerance of masks must be a positive number of pixels, not {asked.tolerance:g}.")
+    if asked.keys is KeyChoice.ARTIST:
+        raise RoamError("Masks have no keys of an artist's; ask for every key or for reduced ones.")
+    if asked.speckle is not None and not 0.0 <= asked.speckle < np.inf:
+        raise RoamError(f"The area of specks must be a number of square pixels, not {asked.speckle:g}.")
+    scale = scale_for(source.size[::-1])
+    return Wanted(asked.tolerance, _speck(asked, source) / 2.0, scale, asked.keys is KeyChoice.EVERY)
+
+
+def _speck(asked: MaskOptions, source: PlateSource) -> float:
+    return asked.speckle_for(source.size)
+
+
+def _followed(source: PlateSource, reader: ShapeReader, wanted: Wanted) -> Tracker:
+    """The parts of all masks that can be read."""
+    tracker = Tracker(max(FOLLOWED * 2.0 * wanted.scrap, 1.0))
+    frames = source.frames
+    for done, number in enumerate(frames):
+        reader.options.advance(READING * done / len(frames), f"Mask of frame {number}")
+        try:
+            field = _coverage(source, number)
+        except DamagedFrame as damage:
+            reader.note(f"{damage} The shapes pass over frame {number}.")
+            continue
+        tracker.take(field, reader.frame(number) + reader.options.frame_offset)
+    return tracker
+
+
+def _coverage(source: PlateSource, number: int) -> NDArray[np.float64]:
+    """A mask as coverage: its alpha where it has one that is not white all over, else its brightest channel."""
+    alpha: Any = read_alpha(source.file_of(number)) if isinstance(source, ImageSequence) else None
+    if alpha is not None:
+        covered = coverage_of(alpha)
+        if covered.min() < 1.0:
+            return covered
+    return coverage_of(source.read(number))
+
+
+def _without_specks(tracker: Tracker, reader: ShapeReader, speck: float) -> list[Track]:
+    """The parts that are worth a shape, in the order of compositing; where there are none, the largest of all."""
+    kept = [track for track in tracker.tracks if track.largest >= speck]
+    if not any(not track.is_hole for track in kept):
+        kept.append(max((track for track in tracker.tracks if not track.is_hole), key=lambda track: track.largest))
+    left = tracker.scraps + sum(len(track.frames) for track in tracker.tracks) - sum(len(t.frames) for t in kept)
+    if left:
+        reader.note(
+            f"{left} specks and pinholes on {len(tracker.taken)} masks were left out, each below {speck:.0f} square "
+            "pixels; the smallest area that is followed can be chosen (--speckle)."
+        )
+    return in_order(kept)
+
+
+@dataclass
+class _Progress:
+    """How far the fitting has come: `whole` is all of the work, `done` what lies behind."""
+
+    reader: ShapeReader
+    whole: float
+    done: float = 0.0
+
+    def told(self, track: Track, name: str, share: float) -> None:
+        at = (self.done + share * _work(track)) / self.whole
+        self.reader.options.advance(READING + (1.0 - READING) * min(at, 1.0), f"Curves of {name}")
+
+
+def _work(track: Track) -> float:
+    return float(sum(len(ring.line) for ring in track.rings))
+
+
+def _fitted_shapes(tracks: list[Track], source: PlateSource, reader: ShapeReader, wanted: Wanted) -> list[RotoShape]:
+    progress = _Progress(reader, max(sum(_work(track) for track in tracks), 1.0))
+    token = reader.options.token
+    parts: list[tuple[Track, Fitted]] = []
+    for number, track in enumerate(tracks, start=1):
+        name = f"part {number} of {len(tracks)}"
+        found = part_as_keys(
+            track,
+            wanted,
+            (lambda: None) if token is None else token.check,
+            lambda share, track=track, name=name: progress.told(track, name, share),  # type: ignore[misc]
+        )
+        progress.done += _work(track)
+        reader.check_points(sum(len(points) for _, points in found.keys), name, len(found.keys))
+        parts.append((track, found))
+    shapes = as_shapes(parts, source.frames[0], source.frames[-1], reader.options.frame_offset)
+    _tell(reader, shapes, [part for _, part in parts], wanted)
+    return shapes
+
+
+def _tell(reader: ShapeReader, shapes: list[RotoShape], parts: list[Fitted], wanted: Wanted) -> None:
+    for shape, part in list(zip(shapes, parts, strict=True))[:TOLD]:
+        reader.note(part.report(shape.name, wanted.tolerance))
+    rest = parts[TOLD:]
+    if rest:
+        keys, frames = sum(len(part.keys) for part in rest), sum(len(part.frames) for part in rest)
+        reader.note(
+            f"{len(rest)} more shapes: {keys} keys for {frames} frames, {sum(part.beyond for part in rest)} of them "
+            f"beyond {wanted.tolerance:g} px; {max(part.greatest for part in rest):.1f} px at the farthest scrap, IoU "
+            f"at least {min(part.overlap for part in rest):.3f}."
+        )

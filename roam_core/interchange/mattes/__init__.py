@@ -1,0 +1,1 @@
+"""Mattes as pictures: files, styles, channels, time codes."""

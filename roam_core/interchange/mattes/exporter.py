@@ -1,0 +1,325 @@
+"""Mattes as sequences of pictures: of all shapes jointly, of every layer or of every shape, frame by frame."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from roam_core.cancel import CancelToken, Progress
+from roam_core.errors import RoamError
+from roam_core.interchange.mattes.files import JOINT, encode_png, write_picture
+from roam_core.interchange.mattes.style import SUFFIXES, Gathering, MatteFile, MatteStyle, Parts
+from roam_core.interchange.mattes.timecode import Moment
+from roam_core.interchange.naming import file_words, numbering
+from roam_core.interchange.protocol import STANDARD, ExportOptions, with_chosen_keys
+from roam_core.matte import Patch, render_matte, shape_patch
+from roam_core.roto import Layer, Project, RotoShape
+from roam_core.roto.file import write_atomically
+
+Shapes = Project | Layer | Sequence[RotoShape]
+NAME = "{name}"
+"""In a file's name: where the word of the layer or shape goes."""
+
+PNG = MatteStyle()
+
+OTHER_SUFFIXES = {
+    ".jpg",
+    ".jpeg",
+    ".dpx",
+    ".tga",
+    ".bmp",
+    ".gif",
+    ".webp",
+    ".psd",
+    ".sgi",
+    ".mov",
+    ".mp4",
+    ".avi",
+    ".mkv",
+}
+"""Of pictures and movies that are not written: a path with one of these is no folder that somebody means."""
+
+
+class MatteExporter:
+    """Writes mattes of the visible shapes for every frame of the clip, or for those that are asked for."""
+
+    name = "mattes"
+    title = "Mattes (PNG, EXR, TIFF)"
+    suffix = ".png"
+
+    def export(self, project: Project, path: Path, options: ExportOptions = STANDARD) -> tuple[str, ...]:
+        """Write the pictures of every frame in the style of the options.
+
+        A `path` without the suffix of a picture is a folder, made when missing, for `matte.1001.png` and so on. With
+        it, the suffix says what kind of file is written, and the frame's number goes in place of `####` or `%04d` in
+        the file's name, or before the suffix where there is neither; the name of a layer or shape goes in place of
+        `{name}`, or makes a folder of its own.
+        """
+        clip = project.require_clip()
+        folder, name_for, style = self._place(path, options)
+        notes: list[str] = []
+        shown = replace(project, root=with_chosen_keys(project.root, options, notes))
+        written = write_mattes(
+            shown,
+            options.frames_of(clip),
+            folder,
+            name_for,
+            (clip.size[1], clip.size[0]),
+            style=style,
+            pixel_aspect=clip.pixel_aspect,
+            fps=clip.fps,
+            frame_offset=options.frame_offset,
+            progress=options.progress,
+            token=options.token,
+        )
+        return (*notes, written.report()) if written.kept else tuple(notes)
+
+    def files(self, project: Project, path: Path, options: ExportOptions = STANDARD) -> tuple[Path, ...]:
+        """The pictures that `export` would write now."""
+        folder, name_for, style = self._place(path, options)
+        return planned(project, options.frames_of(project.require_clip()), folder, name_for, style)
+
+    def _place(self, path: Path, options: ExportOptions) -> tuple[Path, Callable[[int], str], MatteStyle]:
+        """The folder, the names by frame, and the style that the suffix of `path` asks for."""
+        style = options.mattes
+        if path.suffix.lower() in OTHER_SUFFIXES and not path.is_dir():
+            raise RoamError(f"Mattes are written as PNG, EXR or TIFF; {path.name} would be none of these.")
+        if path.suffix.lower() in SUFFIXES:
+            folder, pattern = path.parent, path.name
+            style = style_for(path, style)
+        else:
+            folder, pattern = path, f"matte.####{style.suffix}"
+        return folder, numbering(pattern, options.frame_offset), style
+
+
+def style_for(path: Path, style: MatteStyle) -> MatteStyle:
+    """The style with the kind of file that the suffix of `path` names.
+
+    Raises `RoamError` when a style that was chosen for another kind does not fit.
+    """
+    kind = SUFFIXES[path.suffix.lower()]
+    if kind is style.file:
+        return style
+    if style.file is not MatteFile.PNG:
+        raise RoamError(f"{path.name} is the name of {kind.upper()} files, but {style.file.upper()} is asked for.")
+    return replace(style, file=kind)
+
+
+@dataclass(frozen=True)
+class Part:
+    """What has a matte of its own: a word for files and channels, its name, and shapes or a layer."""
+
+    word: str
+    name: str
+    content: Layer | tuple[RotoShape, ...]
+
+
+def parts_of(shapes: Shapes, parts: Parts) -> list[Part]:
+    """What has a matte of its own, bottom first.
+
+    A shape's own matte shows it alone, as if it were added; a layer's what the layer joins, without those around it.
+    Shapes that lie in the root beside its layers are a part by its name. What is invisible has none.
+    """
+    if parts is Parts.ALL:
+        return []
+    root = shapes.plate_root if isinstance(shapes, Project) else shapes
+    if not isinstance(root, Layer):
+        root = Layer("root", "Root", tuple(root))
+    found: list[tuple[str, Layer | tuple[RotoShape, ...]]]
+    if parts is Parts.SHAPE:
+        found = [(shape.name, (shape,)) for shape in _shown_shapes(root)]
+    else:
+        loose = tuple(child for child in root.children if isinstance(child, RotoShape) and child.visible)
+        found = [(root.name, loose)] if loose and root.visible else []
+        found += [(layer.name, layer) for layer in _shown_layers(root)]
+    words = file_words(name for name, _ in found)
+    return [Part(word, name, content) for word, (name, content) in zip(words, found, strict=True)]
+
+
+@dataclass(frozen=True)
+class Written:
+    """The pictures of a run, in the order of the frames: those `made` now, and those `kept` as they were."""
+
+    made: tuple[Path, ...]
+    kept: tuple[Path, ...] = ()
+
+    def report(self, place: str = "") -> str:
+        """One sentence on how many there are of each; `place` tells where, such as " to mattes"."""
+        kept = f"; {len(self.kept)} there already" if self.kept else ""
+        return f"Wrote {len(self.made)} matte(s){place}{kept}."
+
+
+def write_mattes(
+    shapes: Shapes,
+    frames: Iterable[int],
+    folder: Path,
+    name_for: Callable[[int], str],
+    size: tuple[int, int],
+    *,
+    style: MatteStyle = PNG,
+    pixel_aspect: float = 1.0,
+    fps: float | None = None,
+    frame_offset: int = 0,
+    progress: Progress | None = None,
+    token: CancelToken | None = None,
+) -> Written:
+    """Render and write the pictures of each frame; each appears under its name only when it is whole.
+
+    Parameters
+    ----------
+    shapes : a project, a layer or shapes in the order of compositing, as for `render_matte`.
+    frames : the plate's frame numbers.
+    folder : made when it is missing.
+    name_for : gives the file name of a frame. Where every layer or shape has files of its own, its word goes in place
+        of `{name}`, or is the name of a folder in `folder`.
+    size : (h, w) of the pictures.
+    style : kind, depth and compression of the files, and what has one.
+    pixel_aspect : of the pictures, noted in EXR and TIFF files.
+    fps : frames a second, noted in EXR files with the time code of each frame; None notes neither.
+    frame_offset : added to the plate's frame numbers for the time code.
+    progress, token : told of, and asked before, every frame; a cancelled run leaves the frames that are finished.
+
+    Returns
+    -------
+    The files that were written and those that were there already.
+
+    Raises
+    ------
+    RoamError
+        when two files have one name, a name is none, or a file cannot be written.
+    Cancelled
+        when the token was cancelled.
+    """
+    parts = parts_of(shapes, style.parts)
+    plan = _plan(frames, folder, name_for, parts, style)
+    for place in sorted({path.parent for paths in plan.values() for path in paths} | {folder}):
+        _make(place)
+    made: list[Path] = []
+    kept: list[Path] = []
+    for done, (frame, paths) in enumerate(plan.items()):
+        if token is not None:
+            token.check()
+        if progress is not None:
+            progress(done / len(plan), f"Matte of frame {frame}")
+        if _is_kept(paths, style):
+            kept += paths
+        else:
+            moment = None if fps is None else Moment(frame + frame_offset, fps)
+            _write_frame(shapes, frame, size, parts, paths, style, pixel_aspect, moment)
+            made += paths
+    written = Written(tuple(made), tuple(kept))
+    if progress is not None:
+        progress(1.0, written.report())
+    return written
+
+
+def planned(
+    shapes: Shapes, frames: Iterable[int], folder: Path, name_for: Callable[[int], str], style: MatteStyle = PNG
+) -> tuple[Path, ...]:
+    """The files that `write_mattes` would write now: without those that are there already, where the style resumes.
+
+    Raises `RoamError` as it does for names.
+    """
+    plan = _plan(frames, folder, name_for, parts_of(shapes, style.parts), style)
+    return tuple(path for paths in plan.values() if not _is_kept(paths, style) for path in paths)
+
+
+def write_matte(shapes: Shapes, frame: int, path: Path, size: tuple[int, int], *, bits: int = 8) -> None:
+    """Render one frame's matte `(h, w)` = `size` and write it as PNG: to a temporary file beside `path`, then renamed.
+
+    Raises `RoamError` when the file cannot be written.
+    """
+    write_atomically(path, encode_png(render_matte(shapes, frame, size), bits))
+
+
+def _write_frame(
+    shapes: Shapes,
+    frame: int,
+    size: tuple[int, int],
+    parts: list[Part],
+    paths: list[Path],
+    style: MatteStyle,
+    pixel_aspect: float,
+    moment: Moment | None,
+) -> None:
+    """The pictures of one frame; a shape that stands in several of them is filled once."""
+    filled: dict[str, Patch] = {}
+
+    def drawn(shape: RotoShape, at: float, size: tuple[int, int]) -> Patch:
+        if shape.id not in filled:
+            filled[shape.id] = shape_patch(shape, at, size)
+        return filled[shape.id]
+
+    def matte(content: Shapes) -> Patch:
+        return Patch(0, 0, render_matte(content, frame, size, drawn))
+
+    def own(part: Part) -> Patch:
+        if style.parts is Parts.SHAPE and isinstance(part.content, tuple):
+            return drawn(part.content[0], frame, size)
+        return matte(part.content)
+
+    if style.gathering is Gathering.CHANNELS:
+        channels = {f"{part.word}.{JOINT}": own(part) for part in parts} | {JOINT: matte(shapes)}
+        names = {f"{part.word}.{JOINT}": part.name for part in parts}
+        write_picture(paths[0], channels, size, style, pixel_aspect, names, moment)
+    elif style.parts is Parts.ALL:
+        write_picture(paths[0], {JOINT: matte(shapes)}, size, style, pixel_aspect, {}, moment)
+    else:
+        for part, path in zip(parts, paths, strict=True):
+            write_picture(path, {JOINT: own(part)}, size, style, pixel_aspect, {JOINT: part.name}, moment)
+
+
+def _plan(
+    frames: Iterable[int], folder: Path, name_for: Callable[[int], str], parts: list[Part], style: MatteStyle
+) -> dict[int, list[Path]]:
+    """The files of each frame: plain names, no two of them equal."""
+    plan: dict[int, list[Path]] = {}
+    taken: dict[Path, int] = {}
+    is_single = style.parts is Parts.ALL or style.gathering is Gathering.CHANNELS
+    for frame in frames:
+        name = name_for(frame)
+        if name in ("", ".", "..") or name != Path(name).name or "\0" in name:
+            raise RoamError(f"{name!r} is no file name for the matte of frame {frame}.")
+        if is_single:
+            paths = [folder / name]
+        elif NAME in name:
+            paths = [folder / name.replace(NAME, part.word) for part in parts]
+        else:
+            paths = [folder / part.word / name for part in parts]
+        for path in paths:
+            if taken.setdefault(path, frame) != frame:
+                raise RoamError(f"The mattes of frames {taken[path]} and {frame} would both be named {path.name!r}.")
+        plan[frame] = paths
+    return plan
+
+
+def _is_kept(paths: list[Path], style: MatteStyle) -> bool:
+    """Whether the pictures of a frame stay as they are."""
+    return style.resumes and all(path.is_file() and path.stat().st_size > 0 for path in paths)
+
+
+def _make(folder: Path) -> None:
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise RoamError(f"The folder {folder} cannot be made: {error.strerror}.") from None
+
+
+def _shown_shapes(layer: Layer) -> list[RotoShape]:
+    shown: list[RotoShape] = []
+    for child in layer.children if layer.visible else ():
+        if isinstance(child, Layer):
+            shown += _shown_shapes(child)
+        elif child.visible:
+            shown.append(child)
+    return shown
+
+
+def _shown_layers(layer: Layer) -> list[Layer]:
+    """The visible layers below a visible one that hold something, those around others first."""
+    shown: list[Layer] = []
+    for child in layer.children if layer.visible else ():
+        if isinstance(child, Layer) and child.visible and any(child.shapes()):
+            shown += [child, *_shown_layers(child)]
+    return shown

@@ -1,0 +1,1 @@
+"""MLT's rotoscoping filter (Kdenlive, Shotcut): its splines, out and in."""

@@ -1,0 +1,126 @@
+"""The spline of MLT's rotoscoping filter, which Kdenlive and Shotcut show: one JSON file a shape.
+
+Source: the filter's own description (`filter_rotoscoping.yml`) and how it takes the text apart. A spline is a list of
+points `[handle 1, point, handle 2]`, each `[x, y]` in shares of the picture from its top-left corner, handles absolute,
+always closed; an object gives splines by frames, counted from the filter's first, between which points move straight.
+"""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from roam_core.geometry.bezier import ANCHOR, IN, OUT
+from roam_core.interchange.flatten import without_holds
+from roam_core.interchange.labels.polygons import length_of_number
+from roam_core.interchange.naming import file_words
+from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter, settled, without_smooth_keys
+from roam_core.interchange.stilled import stilled
+from roam_core.roto import BlendMode, Layer, Project, RotoShape
+from roam_core.roto.animated import is_always
+from roam_core.roto.file import write_atomically
+
+OPERATIONS = {
+    BlendMode.ADD: "add",
+    BlendMode.PLUS: "add",
+    BlendMode.MAX: "max",
+    BlendMode.SUBTRACT: "sub",
+    BlendMode.INTERSECT: "min",
+}
+"""The filter's `alpha_operation`; of hard shapes the matte is the same."""
+
+
+class MltExporter:
+    """Writes each closed shape as a spline of its own; a filter for each, in their order, makes the matte."""
+
+    name = "mlt"
+    title = "MLT rotoscoping (Kdenlive, Shotcut)"
+    suffix = ".json"
+
+    def export(self, project: Project, path: Path, options: ExportOptions = STANDARD) -> tuple[str, ...]:
+        """Write `path` where there is one shape, else a file for each beside it, its name before the suffix."""
+        writer = _Writer(project.require_clip(), options, len(project.shapes))
+        writer.add(stilled(project).root)
+        told = settled(writer.notes, writer.losses, options)
+        for place, text in zip(self.files(project, path, options), writer.texts, strict=True):
+            write_atomically(place, text.encode("ascii"))
+        return told
+
+    def files(self, project: Project, path: Path, options: ExportOptions = STANDARD) -> tuple[Path, ...]:
+        """The files that `export` writes: one for each closed shape."""
+        names = [shape.name for shape in project.shapes if shape.closed]
+        if len(names) == 1:
+            return (path,)
+        return tuple(path.with_name(f"{path.stem}.{word}{path.suffix}") for word in file_words(names))
+
+
+@dataclass
+class _Writer(ShapeWriter):
+    texts: list[str] = field(default_factory=list)
+
+    def add(self, layer: Layer) -> None:
+        self._tell_layer(layer)
+        for child in layer.children:
+            if isinstance(child, Layer):
+                self.add(child)
+            else:
+                self._add_shape(child)
+
+    def _tell_layer(self, layer: Layer) -> None:
+        if layer.invert or layer.blend is not BlendMode.ADD or not is_always(layer.opacity, 1.0):
+            self.losses.append(f"MLT has no layers of masks: mode, opacity and inversion of {layer.name!r} are lost.")
+
+    def _add_shape(self, shape: RotoShape) -> None:
+        shape = self.begun(shape)
+        if not shape.closed:
+            self.notes.append(f"MLT's splines are closed: the open {shape.name!r} was left out.")
+            return
+        self._tell_shape(shape)
+        moving = without_holds(without_smooth_keys(shape))
+        size = np.array(self.clip.size, dtype=np.float64)
+        start = self.clip.first - self.options.frame_offset
+        frames = sorted({max(frame, start) for frame in moving.frames})
+        width = length_of_number(frames[-1] - start)
+        lines = []
+        for frame in frames:
+            points = (moving.at(frame).points / size).round(9)[:, [IN, ANCHOR, OUT]].tolist()
+            lines.append(f' "{frame - start:0{width}d}": {json.dumps(points, separators=(",", ":"))}')
+        self.texts.append("{\n" + ",\n".join(lines) + "\n}\n")
+
+    def _tell_shape(self, shape: RotoShape) -> None:
+        name, told = f"{shape.name!r}", []
+        operation = OPERATIONS.get(shape.blend)
+        if operation is None:
+            self.losses.append(f"MLT has no mode {shape.blend.value!r}: that of {name} is lost.")
+        elif self.texts:
+            told.append(f"alpha operation {operation!r}")
+        if shape.invert:
+            told.append("inversion")
+        width = max((abs(shape.feather_at(frame)) for frame in shape.frames), default=0.0)
+        if width:
+            told.append(f"a feather of about {max(round(width / 2), 1)}, which is a blur")
+        if told:
+            self.notes.append(f"A spline is a path alone; give the filter of {name}: {', '.join(told)}.")
+        if not is_always(shape.opacity, 1.0):
+            self.losses.append(f"MLT's rotoscoping has no opacity: that of {name} is lost.")
+        if not shape.visible or shape.lifetime is not None:
+            self.notes.append(f"A spline is always there: switch off or cut the filter of {name} where it is not.")
+        if any(key.feather is not None and key.feather.any() for key in shape.keys) or shape.motion_blur is not None:
+            self.notes.append(f"MLT has neither feather curves nor motion blur: those of {name} were left out.")
+
+
+def is_mlt(document: Any) -> bool:
+    """True for what looks like a spline of MLT's: a list of points, or such lists by frames."""
+    if isinstance(document, dict) and document and all(str(word).strip().lstrip("-").isdigit() for word in document):
+        document = next(iter(document.values()))
+    return (
+        isinstance(document, list)
+        and bool(document)
+        and isinstance(document[0], list)
+        and len(document[0]) == 3
+        and all(isinstance(place, list) and len(place) == 2 for place in document[0])
+    )

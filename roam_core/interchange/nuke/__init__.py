@@ -1,0 +1,1 @@
+"""Nuke: scripts with Roto nodes out and in, a Python script, tracks and landmarks."""

@@ -1,0 +1,187 @@
+"""What Nuke says of a layer or shape beside its points: opacity, blend mode, blur, lifetime, both ways."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from roam_core.interchange.keys.keying import animated_of
+from roam_core.interchange.nuke.curves import Curve, FollowsExpressionError, constant, curve
+from roam_core.interchange.nuke.keys import right_before
+from roam_core.interchange.nuke.script import Nested, decoded
+from roam_core.interchange.reading import ShapeReader
+from roam_core.roto import BlendMode, Clip, MotionBlur, RotoShape
+from roam_core.roto.animated import Animatable, mapped
+from roam_core.roto.project import PALETTE
+
+Array = NDArray[np.float64]
+
+BLEND_MODES = {
+    BlendMode.ADD: 0,
+    BlendMode.PLUS: 0,
+    BlendMode.MAX: 4,
+    BlendMode.INTERSECT: 5,
+    BlendMode.SUBTRACT: 12,
+    BlendMode.DIFFERENCE: 13,
+}
+
+ALWAYS, TO_FRAME, ONE_FRAME, FROM_FRAME, FRAME_RANGE = range(5)
+"""Types of lifetime."""
+
+CENTRED, AT_START, AT_END, CUSTOM = range(4)
+"""Where the shutter opens."""
+
+BEZIER_TOOL = 4
+STANDARD_SAMPLES = 16
+"""Our motion-blur samples that correspond to Nuke's quality 1."""
+
+UNKNOWN = {
+    "the colour of its paint": {"r": 1.0, "g": 1.0, "b": 1.0, "a": 1.0},
+    "the fall-off of its feather": {"ff": 1.0, "ft": 0.0},
+}
+"""Attributes, and their defaults, that change what is rendered and that ROAM has no word for."""
+
+Tell = Callable[[str], None]
+
+
+def shape_attributes(shape: RotoShape, clip: Clip, frame_offset: int) -> list[tuple[str, Animatable]]:
+    """Name and value of what an artist sees in the shape's properties; `opc` is always there.
+
+    A shape without a word on its opacity is said to arrive transparent in some versions. An open one has no width: it
+    has no area in ROAM.
+    """
+    width, height = clip.size
+    red, green, blue = shape.colour
+    values: list[tuple[str, Animatable]] = [
+        ("vis", float(shape.visible)),
+        ("opc", shape.opacity),
+        ("bm", BLEND_MODES[shape.blend]),
+        ("inv", float(shape.invert)),
+        *zip(("ro", "go", "bo", "ao"), (red, green, blue, 1.0), strict=True),
+    ]
+    blur = shape.motion_blur
+    values.append(("mbo", float(blur is not None)))
+    if blur is not None:
+        values += [("mb", blur.samples / STANDARD_SAMPLES), ("mbs", blur.shutter)]
+        values += [("mbsot", CUSTOM), ("mbso", blur.phase)]
+    if shape.feather:
+        values += [("fo", 1), ("fx", shape.feather), ("fy", shape.feather)]
+    if shape.lifetime is not None:
+        start, stop = (frame + frame_offset for frame in shape.lifetime)
+        values += [("ltt", FRAME_RANGE), ("ltn", start), ("ltm", right_before(stop))]  # its range is closed
+    values += [("osw", 10 if shape.closed else 0), ("osf", 0), ("str", 1), ("spx", width / 2), ("spy", height / 2)]
+    return [*values, ("sb", 1), ("tt", BEZIER_TOOL)]
+
+
+class Attributes:
+    """The attributes of a layer or shape as a file has them; asking for one tells what is lost of it."""
+
+    def __init__(self, items: Nested, tell: Tell) -> None:
+        self._tell = tell
+        self._items: dict[str, str | Nested] = {
+            name: value for name, value in zip(items[1::2], items[2::2], strict=False) if isinstance(name, str)
+        }
+
+    def number(self, name: str, default: float) -> float:
+        """A value, or its first one where it is animated; the default where the file says nothing sensible."""
+        values = self._curve(name, default)
+        if not values.is_constant:
+            self._tell(f"its {name!r} is animated; it has the first value")
+        return float(values.values[0])
+
+    def animatable(self, names: Sequence[str], default: float, reader: ShapeReader) -> Animatable:
+        """The mean of some values through time, with their own keys."""
+        curves = [self._curve(name, default) for name in names]
+        if all(each.is_constant for each in curves):
+            return float(np.mean([each.values[0] for each in curves]))
+
+        def mean(moments: Array) -> Array:
+            return np.asarray(np.mean([each.at(moments) for each in curves], axis=0))
+
+        times = {time for each in curves if not each.is_constant for time in each.times.tolist()}
+        return animated_of(mean, times, reader.frame, reader.check_keys)
+
+    def _curve(self, name: str, default: float) -> Curve:
+        item = self._items.get(name)
+        if item is None:
+            return constant(default)
+        try:
+            if isinstance(item, list) and item and isinstance(item[0], str) and item[0].lstrip('"').startswith("="):
+                self._tell(f"its {name!r} follows an expression, which is not run; it has its last value")
+                return constant(decoded(item[-1]) if isinstance(item[-1], str) else default)
+            return curve(item, None)
+        except (FollowsExpressionError, ValueError, IndexError):
+            self._tell(f"its {name!r} cannot be read")
+            return constant(default)
+
+    def opacity(self, reader: ShapeReader) -> Animatable:
+        """The opacity of a shape or layer, in [0, 1]."""
+        return mapped(self.animatable(("opc",), 1.0, reader), lambda value: min(max(value, 0.0), 1.0))
+
+    def shape_fields(self, reader: ShapeReader, number: int) -> dict[str, Any]:
+        """What the attributes make of a `RotoShape`; `number` chooses the colour of a shape that has none."""
+        self._note_unknown()
+        return {
+            "visible": self.number("vis", 1) != 0,
+            "opacity": self.opacity(reader),
+            "invert": self.number("inv", 0) != 0,
+            "blend": self.blend(),
+            "colour": self._colour(number),
+            "feather": self._feather(reader),
+            "motion_blur": self._blur(),
+            "lifetime": self._lifetime(reader.clip, reader.frame),
+        }
+
+    def _note_unknown(self) -> None:
+        for meaning, defaults in UNKNOWN.items():
+            given = {name: self._items[name] for name in defaults if name in self._items}
+            silent = Attributes(["a", *(part for item in given.items() for part in item)], lambda _: None)
+            if any(silent.number(name, np.nan) != defaults[name] for name in given):
+                self._tell(f"{meaning} was left out")
+
+    def blend(self) -> BlendMode:
+        """How a shape or layer joins what lies under it; told where it is in none of our modes."""
+        value = self.number("bm", 0)
+        for mode, number in BLEND_MODES.items():
+            if number == value:
+                return mode
+        self._tell(f"its blend mode {value:g} is none of ROAM's; it adds")
+        return BlendMode.ADD
+
+    def _colour(self, number: int) -> tuple[float, float, float]:
+        red, green, blue, alpha = (min(max(self.number(name, 0), 0.0), 1.0) for name in ("ro", "go", "bo", "ao"))
+        return (red, green, blue) if alpha > 0 else PALETTE[number % len(PALETTE)]
+
+    def _feather(self, reader: ShapeReader) -> Animatable:
+        if self.number("fo", 1) == 0:
+            return 0.0
+        across, down = (self.animatable((name,), 0.0, reader) for name in ("fx", "fy"))
+        if across == down:
+            return across
+        self._tell("its feather differs in x and y; it has the mean")
+        return self.animatable(("fx", "fy"), 0.0, reader)
+
+    def _blur(self) -> MotionBlur | None:
+        if self.number("mbo", 0) == 0:
+            return None
+        shutter = self.number("mbs", 0.5)
+        phases = {CENTRED: -0.5 * shutter, AT_START: 0.0, AT_END: -shutter, CUSTOM: self.number("mbso", 0)}
+        phase = phases.get(int(self.number("mbsot", CENTRED)), -0.5 * shutter)
+        return MotionBlur(shutter, phase, min(max(round(self.number("mb", 1) * STANDARD_SAMPLES), 1), 1024))
+
+    def _lifetime(self, clip: Clip, frame: Callable[[float], int]) -> tuple[int, int] | None:
+        kind = int(self.number("ltt", ALWAYS))
+        if kind not in (TO_FRAME, ONE_FRAME, FROM_FRAME, FRAME_RANGE):
+            return None
+        first, last = frame(self.number("ltn", clip.first)), frame(math.floor(self.number("ltm", clip.last)))
+        if kind == ONE_FRAME:
+            return first, first + 1
+        if kind == TO_FRAME:  # up to the first of its two numbers
+            return min(clip.first, first), first + 1
+        if kind == FROM_FRAME:
+            return first, max(clip.last, first) + 1
+        return first, max(last, first) + 1

@@ -1,0 +1,331 @@
+"""Reads the shapes of Nuke's Roto and RotoPaint nodes, wherever they stand in a script."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from roam_core.errors import RoamError
+from roam_core.interchange.keys.keying import Key, keys_of
+from roam_core.interchange.nuke.attributes import Attributes
+from roam_core.interchange.nuke.curves import (
+    Curve,
+    FollowsExpressionError,
+    FormError,
+    Transform,
+    curve,
+    refuse_expression,
+    shared_times,
+    transform,
+    values_at,
+)
+from roam_core.interchange.nuke.joined import is_joined, joined
+from roam_core.interchange.nuke.keys import UP
+from roam_core.interchange.nuke.names import KNOB, true_names
+from roam_core.interchange.nuke.script import Nested, Script, Word
+from roam_core.interchange.nuke.text import LOCKED, OPEN, RELATIVE_TANGENTS, RENDERABLE
+from roam_core.interchange.reading import (
+    PLAIN,
+    Imported,
+    ImportOptions,
+    ShapeReader,
+    brief,
+    origin_of,
+    quietly,
+    sensible,
+)
+from roam_core.roto import Clip, Keyframe, Layer, RotoShape
+
+Array = NDArray[np.float64]
+
+PER_CURVE = 2
+"""Parts that the curve of one coordinate counts for."""
+
+
+class NukeImporter:
+    """Reads `.nk` scripts and gizmos: every node with a knob of curves."""
+
+    name = "nuke"
+    title = "Nuke script"
+    suffixes = (".nk", ".gizmo")
+
+    @quietly
+    def read(self, path: Path, clip: Clip, options: ImportOptions = PLAIN) -> Imported:
+        """Read all shapes of all Roto nodes; paint strokes, expressions and the like are named and left out.
+
+        A node without a format is taken to have that of the script, or else the clip's size.
+        """
+        reader = ShapeReader(path, clip, options)
+        script = Script(reader)
+        every = [(species, body.knobs()) for species, body in script.nodes()]
+        nodes = [knobs for species, knobs in every if "curves" in knobs and species not in ("Root", "Viewer")]
+        if not nodes:
+            raise RoamError(f"{path} holds no Roto or RotoPaint node.")
+        scripts = [_size(knobs["format"]) for species, knobs in every if species == "Root" and "format" in knobs]
+        script_size = scripts[-1] if scripts else None
+        sizes = [_size(knobs["format"]) if "format" in knobs else None for knobs in nodes]
+        size = next((size for size in (*sizes, script_size) if size is not None), None)
+        if any(own not in (None, size) for own in sizes):
+            reader.note("The nodes differ in their formats; all were scaled as the first.")
+
+        def root_of(knobs: dict[str, Word]) -> Layer:
+            own = _size(knobs["format"]) if "format" in knobs else None
+            names = true_names(knobs[KNOB].value) if KNOB in knobs else {}
+            height = (own or script_size or clip.size)[1]
+            return _NodeReader(reader, height, _name(knobs), names).root(knobs["curves"])
+
+        whole = joined(every, root_of, reader) if is_joined(every) else None
+        layers = [whole] if whole is not None else [root_of(knobs) for knobs in nodes]
+        if len(layers) == 1 and _says_nothing(layers[0]):
+            return reader.finished(layers[0].children, size)
+        return reader.finished(tuple(reversed(layers)), size)
+
+
+def _offsets(value: Array) -> Array | None:
+    """The feather's offsets among `(1 | 2, P, 3, 2)` of outline and feather curve; None where there are none."""
+    return None if len(value) == 1 or not np.abs(value[1] - value[0]).max() > 1e-6 else value[1] - value[0]
+
+
+def _name(knobs: dict[str, Word]) -> str:
+    return knobs["name"].value if "name" in knobs else "Roto"
+
+
+def _says_nothing(layer: Layer) -> bool:
+    return layer.visible and not layer.locked and not layer.invert and layer.opacity == 1.0
+
+
+def _flags(words: list[Word]) -> int:
+    return int(words[0].raw) if words and words[0].raw.isdecimal() else 0
+
+
+def _size(word: Word) -> tuple[float, float] | None:
+    """Width and height of a format knob, if it is one that says numbers."""
+    try:
+        width, height = (float(part) for part in word.value.split()[:2])
+    except ValueError:
+        return None
+    return (width, height) if 0 < width < 1e6 and 0 < height < 1e6 else None
+
+
+@dataclass
+class _NodeReader:
+    """Layers and shapes of one node."""
+
+    reader: ShapeReader
+    height: float
+    node: str
+    true_names: dict[str, str]
+
+    def root(self, curves: Word) -> Layer:
+        """The node's layers and shapes, in a layer that bears its name."""
+        documents = [word for word in curves.words() if word.is_braced]
+        items = documents[-1].words() if documents else []
+        for item in items:
+            parts = item.words() if item.is_braced else []
+            if len(parts) > 1 and parts[0].raw == "n" and parts[1].is_braced:
+                if not curves.is_whole:
+                    self.reader.note(f"The file ends within the node {brief(self.node)}: what is whole was read.")
+                layer = self._layer(parts[1], [])
+                return replace(layer, name=self.node)
+        raise RoamError(
+            f"{self.reader.path}: the curves of the node {brief(self.node)} are not in the form of Nuke 7 and later; "
+            "save the script with such a version."
+        )
+
+    def _layer(self, word: Word, outer: Sequence[Transform]) -> Layer:
+        items = word.words()[1:]
+        name = self._true(items.pop(0).value) if items else "?"
+        flags, form, attributes = 0, Transform({}), Attributes([], self._teller("layer", name))
+        children: list[Layer | RotoShape] = []
+        for item in items:
+            parts = item.words()
+            head = parts[0].raw if parts else ""
+            if head == "f":
+                flags = _flags(parts[1:])
+            elif head in ("t", "tx"):
+                form = self._transform(item, "layer", name)
+            elif head == "a":
+                attributes = Attributes(item.nested(), self._teller("layer", name))
+            elif head == "layer":
+                children.append(self._layer(item, [form, *outer]))
+            elif head in ("curvegroup", "cubiccurve"):
+                children += self._shape(item, parts, [form, *outer])
+        return Layer(
+            self.reader.fresh_id("layer"),
+            name,
+            tuple(reversed(children)),
+            visible=attributes.number("vis", 1) != 0,
+            locked=bool(flags & LOCKED),
+            opacity=attributes.opacity(self.reader),
+            invert=attributes.number("inv", 0) != 0,
+            blend=attributes.blend(),
+        )
+
+    def _shape(self, word: Word, parts: list[Word], outer: Sequence[Transform]) -> Iterator[RotoShape]:
+        """The shape, or nothing and a note when it is none that we can hold."""
+        name = self._true(parts[1].value) if len(parts) > 1 else "?"
+        try:
+            if not word.is_whole:
+                raise FormError("it is cut off")
+            yield self._whole_shape(name, parts, outer)
+        except FollowsExpressionError as expression:
+            self.reader.note(
+                f"The shape {brief(name)} follows the expression {brief(str(expression))}, which is not run: "
+                "it was left out."
+            )
+        except (ValueError, IndexError, OverflowError) as error:
+            self.reader.note(f"The shape {brief(name)} was left out: {error}.")
+
+    def _whole_shape(self, name: str, parts: list[Word], outer: Sequence[Transform]) -> RotoShape:
+        flags, species = _flags(parts[2:]), parts[3].raw
+        if species != "bezier":
+            raise FormError(f"it is a {species} {'stroke' if parts[0].raw == 'cubiccurve' else 'shape'}")
+        form, attributes = Transform({}), Attributes([], self._teller("shape", name))
+        for item in parts[5:]:
+            head = item.nested()
+            if head and head[0] in ("t", "tx"):
+                form = self._transform(item, "shape", name)
+            elif head and head[0] == "a":
+                attributes = Attributes(head, self._teller("shape", name))
+        if parts[0].raw == "curvegroup":
+            outline, feather = parts[4].words()
+        else:
+            outline, feather = parts[4], parts[4]
+            self.reader.note(f"The stroke {brief(name)} came as an open shape, without its brush.")
+        curve_flags, points = self._points(outline, name)
+        own = None if outline is feather or not feather.is_braced else self._points(feather, name)[1]
+        if own is not None and len(own.curves) != len(points.curves):
+            raise FormError("its feather has not as many points as its outline")
+        motion = _Motion(points, own, [form, *outer], self.height, bool(curve_flags & RELATIVE_TANGENTS))
+        keys = self._keys(motion, name)
+        if not sensible(keys):
+            raise FormError("a point of it lies nowhere near the image")
+        shape_id = self.reader.fresh_id("shape")
+        fields = attributes.shape_fields(self.reader, int(shape_id.rpartition("-")[2]) - 1)
+        fields["visible"] = fields["visible"] and bool(flags & RENDERABLE)
+        return RotoShape(shape_id, name, keys, closed=not curve_flags & OPEN, locked=bool(flags & LOCKED), **fields)
+
+    def _points(self, word: Word, name: str) -> tuple[int, _Points]:
+        """Flags and points of a `cc` list."""
+        flags, form = 0, None
+        for item in word.words()[1:]:
+            if item.is_braced and item.raw.lstrip()[:1] == "f":
+                flags = _flags(item.words()[1:])
+            elif item.is_braced:
+                form = item.nested()
+        if not form or form[0] not in ("p", "px"):
+            raise FormError("its points have none of the known forms")
+        times = shared_times(form[1]) if form[0] == "px" else None
+        entries = form[2:] if form[0] == "px" else form[1:]
+        if not entries or len(entries) % 3:
+            raise FormError(f"it has {len(entries)} entries of points, not three for each point")
+        self.reader.check_points(len(entries) // 3, name)
+        self.reader.check_parts(PER_CURVE * 2 * len(entries))
+        curves: list[Curve] = []
+        for entry in entries:
+            x, y = self._pair(entry, name)
+            curves += [curve(x, times), curve(y, times)]
+        return flags, _Points(times or [], curves)
+
+    def _pair(self, entry: str | Nested, name: str) -> Nested:
+        """The two coordinates of an entry: `{}` is zero, attributes before and pressure after them are passed over."""
+        if isinstance(entry, str):
+            raise FormError("a word stands where a point belongs")
+        if entry and isinstance(entry[0], list) and entry[0][:1] == ["a"]:
+            self.reader.note(f"The width and feather of single points of {brief(name)} were left out.")
+            entry = entry[1:]
+        if not entry:
+            return ["0", "0"]
+        refuse_expression(entry)
+        return entry[:2]
+
+    def _keys(self, motion: _Motion, name: str) -> tuple[Keyframe, ...]:
+        count = len(motion.points.curves) // 6
+        times = motion.times or {float(self.reader.clip.first + self.reader.options.frame_offset)}
+        raw: list[Key] = keys_of(motion.at, times, lambda keys: self.reader.check_points(keys * count, name, keys))
+        return tuple(
+            Keyframe(
+                self.reader.frame(key.frame),
+                key.value[0],
+                _offsets(key.value),
+                interpolation=key.interpolation,
+                **origin_of(key),
+            )
+            for key in raw
+        )
+
+    def _transform(self, word: Word, kind: str, name: str) -> Transform:
+        """A transform; one that cannot be read is named and left out."""
+        try:
+            form = transform(word.nested())
+        except FollowsExpressionError as expression:
+            self._teller(kind, name)(f"its transform follows the expression {brief(str(expression))} and was left out")
+            return Transform({})
+        except (ValueError, IndexError) as error:
+            self._teller(kind, name)(f"its transform was left out, {error}")
+            return Transform({})
+        for part in form.unknown:
+            self._teller(kind, name)(f"the {part} of its transform was left out")
+        return form
+
+    def _true(self, name: str) -> str:
+        return self.true_names.get(name, name)
+
+    def _teller(self, kind: str, name: str) -> Callable[[str], None]:
+        return lambda sentence: self.reader.note(f"The {kind} {brief(name)}: {sentence}.")
+
+
+@dataclass(frozen=True)
+class _Points:
+    """The curves of all coordinates, x and y of each entry in turn, and the times that they share, if any."""
+
+    shared: list[float]
+    curves: list[Curve]
+
+    @property
+    def times(self) -> set[float]:
+        """Of all keys; nothing where the points have none."""
+        own = {time for part in self.curves if len(part.times) > 1 for time in part.times.tolist()}
+        return own | set(self.shared)
+
+    def triples(self, moments: Array) -> Array:
+        """`(T, P, 3, 2)` in the order of the file."""
+        return values_at(self.curves, moments).reshape(len(moments), -1, 3, 2)
+
+
+@dataclass(frozen=True)
+class _Motion:
+    """Outline and feather curve of a shape at any moment, in our coordinates."""
+
+    points: _Points
+    feather: _Points | None
+    transforms: list[Transform]
+    height: float
+    is_relative: bool
+
+    @property
+    def times(self) -> set[float]:
+        """Of all keys; nothing where nothing is keyed."""
+        times = self.points.times | (set() if self.feather is None else self.feather.times)
+        return times.union(*(form.times for form in self.transforms))
+
+    def at(self, moments: Array) -> Array:
+        """Points `(T, 1 | 2, P, 3, 2)` of outline and feather curve: anchor, in- and out-handle, y down."""
+        triples = self.points.triples(moments)
+        centre = triples[:, :, 1]
+        sides = triples[:, :, [0, 2]] + (centre[:, :, None] if self.is_relative else 0.0)
+        curves = [np.concatenate([centre[:, :, None], sides], axis=2)]
+        if self.feather is not None:
+            offsets = self.feather.triples(moments)
+            soft = (centre + offsets[:, :, 1])[:, :, None]
+            curves.append(np.concatenate([soft, soft + offsets[:, :, [0, 2]]], axis=2))
+        absolute = np.stack(curves, axis=1)
+        for form in self.transforms:
+            if form.moves:
+                matrices = form.matrices(moments)[:, None, None, None]
+                absolute = (matrices[..., :2, :2] @ absolute[..., None])[..., 0] + matrices[..., :2, 2]
+        return np.asarray(absolute * UP + [0.0, self.height])

@@ -1,0 +1,1 @@
+"""Silhouette: shape files out, shape files and projects in."""

@@ -1,0 +1,276 @@
+"""Silhouette `.fxs`: layers and shapes as XML.
+
+Coordinates are measured from the image's centre in units of its height, y down, handles absolute in the order point,
+incoming handle, outgoing handle, of B-splines the control points alone; keys are numbered from the session's first
+frame. Silhouette's makers publish no
+description: what stands here follows the exporters that artists use to bring shapes into it.
+"""
+
+from __future__ import annotations
+
+import xml.etree.ElementTree as ET
+from collections.abc import Iterator
+from dataclasses import replace
+from itertools import zip_longest
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from roam_core.geometry import bspline
+from roam_core.geometry.bezier import ANCHOR, IN, OUT
+from roam_core.interchange.authorship import MARK
+from roam_core.interchange.flatten import everything
+from roam_core.interchange.nuke.sums import UNIONS, Item, is_shown
+from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter, settled, without_smooth_keys
+from roam_core.interchange.stilled import stilled
+from roam_core.interchange.xml import xml_text
+from roam_core.roto import (
+    Animated,
+    BlendMode,
+    Clip,
+    Interpolation,
+    Keyframe,
+    Layer,
+    Project,
+    RotoShape,
+    Spline,
+    ValueKey,
+)
+from roam_core.roto.animated import Animatable, is_always, product, value_at
+from roam_core.roto.file import write_atomically
+
+Array = NDArray[np.float64]
+
+MODES = {
+    BlendMode.ADD: "Add",
+    BlendMode.PLUS: "Add",
+    BlendMode.SUBTRACT: "Subtract",
+    BlendMode.INTERSECT: "Inside",
+    BlendMode.DIFFERENCE: "Difference",
+    BlendMode.MAX: "Max",
+}
+PATH_KINDS = {Spline.BEZIER: "Bezier", Spline.BSPLINE: "Bspline"}
+SCALED_BY_THEIR_LAYER = {BlendMode.ADD, BlendMode.PLUS, BlendMode.DIFFERENCE, BlendMode.MAX}
+"""Scaling these scales what they do in the layer; those that subtract or lie inside act on what is scaled."""
+
+
+VEIL = "Opacity of "
+"""How the name of a shape begins that holds the opacity of its layer, whose name follows."""
+
+
+class SilhouetteExporter:
+    """Writes all layers and shapes of a project as a Silhouette shape file."""
+
+    name = "silhouette"
+    title = "Silhouette shapes"
+    suffix = ".fxs"
+
+    def export(self, project: Project, path: Path, options: ExportOptions = STANDARD) -> tuple[str, ...]:
+        """Write `project` to `path`; what Silhouette's file cannot hold comes back as sentences."""
+        text, told = silhouette_document(project, options)
+        options.advance(1.0, f"Writing {path.name}")
+        write_atomically(path, text.encode("utf-8"))
+        return told
+
+
+def silhouette_document(project: Project, options: ExportOptions = STANDARD) -> tuple[str, tuple[str, ...]]:
+    """The text of a shape file with all shapes of `project`, and a sentence for each thing that it cannot hold.
+
+    The key of frame f is numbered f minus the clip's first frame plus the options' offset; the session's own range
+    stays the plate's.
+    """
+    project = stilled(project)
+    clip = project.require_clip()
+    session = ET.Element(
+        "Silhouette",
+        width=str(clip.size[0]),
+        height=str(clip.size[1]),
+        pixelAspect=f"{clip.pixel_aspect:g}",
+        workRangeStart=str(clip.first),
+        workRangeEnd=str(clip.last),
+        sessionStartFrame=str(clip.first),
+    )
+    writer = _Writer(clip, options, len(project.shapes))
+    project = replace(project, root=writer.veiled(project.root))
+    writer.total = len(project.shapes)
+    root = ET.SubElement(session, "Layer", type="Layer", label=xml_text(project.root.name), expanded="True")
+    if not project.root.visible or project.root.locked:
+        root.attrib.update(_flags(project.root))
+    writer.fill_layer(root, replace(project.root, blend=BlendMode.ADD), 1.0)
+    ET.indent(session, " ")
+    text = f"<!-- Silhouette Shape File -->\n<!-- {MARK} -->\n" + ET.tostring(session, encoding="unicode") + "\n"
+    if sums := [repr(item.name) for item in project.root.items() if item.blend is BlendMode.PLUS]:
+        some = ", ".join(sums[:6]) + (" and others" if len(sums) > 6 else "")
+        writer.notes.append(f"Silhouette has one Add for ROAM's add and plus: that is what {some} became.")
+    return text, settled(writer.notes, writer.losses, options)
+
+
+def normalised(points: Array, clip: Clip) -> Array:
+    """Positions `(..., 2)` in pixels as Silhouette measures them: from the centre, in image heights, y down."""
+    width, height = clip.size
+    result: Array = (points - np.array([width, height]) / 2.0) / height * np.array([clip.pixel_aspect, 1.0])
+    return result
+
+
+class _Writer(ShapeWriter):
+    """Fills XML elements from layers and shapes; gathers what is lost on the way."""
+
+    KINDS = frozenset(PATH_KINDS)
+
+    def veiled(self, layer: Layer) -> Layer:
+        """The layer with a shape of its opacity lying inside of all that is in it, where its shapes cannot have it."""
+        children = tuple(self.veiled(child) if isinstance(child, Layer) else child for child in layer.children)
+        layer = replace(layer, children=children)
+        if is_always(layer.opacity, 1.0) or not is_shown(layer) or _folds(layer):
+            return layer
+        name = f"{VEIL}{layer.name}"
+        self.notes.append(f"Silhouette layers have no opacity: that of {layer.name!r} is a shape inside, {name!r}.")
+        veil = everything(name, self.clip.size, self.clip.first)
+        veil = replace(veil, id=f"{layer.id} opacity", blend=BlendMode.INTERSECT, opacity=layer.opacity)
+        held = layer.children if not layer.invert else (replace(layer, opacity=1.0, blend=BlendMode.ADD),)
+        return replace(layer, children=(*held, veil), opacity=1.0, invert=False)
+
+    def fill_layer(self, element: ET.Element, layer: Layer, opacity: Animatable) -> None:
+        """Properties and children of a layer; `opacity` is what the layers around it leave of its shapes'."""
+        opacity = product(opacity, layer.opacity)
+        if layer.opacity != 1.0:
+            self.notes.append(f"Silhouette layers have no opacity: that of {layer.name!r} went into its shapes.")
+        properties = ET.SubElement(element, "Properties")
+        _constant(properties, "color", "(1.000000,1.000000,1.000000)")
+        _constant(properties, "invert", _truth(layer.invert))
+        _constant(properties, "mode", MODES[layer.blend])
+        objects = ET.SubElement(properties, "Property", id="objects", constant="True", expanded="True")
+        for child in layer.children:  # bottom first, as in ROAM
+            if isinstance(child, Layer):
+                inner = ET.SubElement(objects, "Object", type="Layer", label=xml_text(child.name), expanded="True")
+                inner.attrib.update(_flags(child))
+                self.fill_layer(inner, child, opacity if child.blend in SCALED_BY_THEIR_LAYER else 1.0)
+            else:
+                self.add_shape(objects, child, opacity)
+
+    def add_shape(self, objects: ET.Element, shape: RotoShape, opacity: Animatable) -> None:
+        shape = without_smooth_keys(self.begun(shape))
+        if shape.point_count < 2:
+            self.notes.append(f"Silhouette refuses shapes of a single point: {shape.name!r} was left out.")
+            return
+        self._note_losses(shape)
+        kind = PATH_KINDS[shape.spline]
+        element = ET.SubElement(objects, "Object", type="Shape", label=xml_text(shape.name), shape_type=kind)
+        element.attrib.update(_flags(shape))
+        properties = ET.SubElement(element, "Properties")
+        share = opacity if shape.blend in SCALED_BY_THEIR_LAYER else 1.0
+        self._add_opacity(properties, shape, product(shape.opacity, share))
+        _constant(properties, "motionBlur", _truth(shape.motion_blur is not None))
+        _constant(properties, "outlineColor", _tuple(np.array(shape.colour)))
+        _constant(properties, "mode", MODES[shape.blend])
+        _constant(properties, "invert", _truth(shape.invert))
+        path = ET.SubElement(properties, "Property", id="path")
+        for key in shape.keys:
+            self._add_path_key(path, key, shape)
+
+    def _note_losses(self, shape: RotoShape) -> None:
+        if shape.feather or any(key.feather is not None and key.feather.any() for key in shape.keys):
+            self.notes.append(
+                f"The feather of {shape.name!r} was left out: how a Silhouette file holds it is not known."
+            )
+        if shape.motion_blur is not None:
+            self.notes.append(f"Silhouette's shutter is the session's: that of {shape.name!r} was left out.")
+
+    def _add_opacity(self, properties: ET.Element, shape: RotoShape, opacity: Animatable) -> None:
+        """A constant or keys; for a lifetime they hold zero before and after it."""
+        if shape.lifetime is None and not isinstance(opacity, Animated):
+            _constant(properties, "opacity", f"{100.0 * opacity:.6f}")
+            return
+        entry = ET.SubElement(properties, "Property", id="opacity")
+        for key in opacity_keys(opacity, shape.lifetime):
+            interp = "hold" if key.interpolation is Interpolation.HOLD else "linear"
+            element = ET.SubElement(entry, "Key", frame=self._frame(key.frame), interp=interp)
+            element.text = f"{100.0 * key.value:.6f}"
+
+    def _add_path_key(self, parent: ET.Element, key: Keyframe, shape: RotoShape) -> None:
+        interp = "hold" if key.interpolation is Interpolation.HOLD else "linear"
+        element = ET.SubElement(parent, "Key", frame=self._frame(key.frame), interp=interp)
+        path = ET.SubElement(element, "Path", closed=str(shape.closed), type=PATH_KINDS[shape.spline])
+        if shape.spline is Spline.BSPLINE:
+            held = bspline.control_polygon(key.points, shape.closed)[:, None]
+        else:
+            held = key.points[:, [ANCHOR, IN, OUT]]
+        for point in normalised(held, self.clip):
+            ET.SubElement(path, "Point").text = ",".join(_tuple(position) for position in point)
+
+    def _frame(self, frame: int) -> str:
+        return str(frame - self.clip.first + self.options.frame_offset)
+
+
+def opacity_keys(opacity: Animatable, lifetime: tuple[int, int] | None) -> list[ValueKey]:
+    """Keys that hold or move straight, and that hold zero outside of a lifetime."""
+    keys = list(_straight(opacity)) if isinstance(opacity, Animated) else []
+    if lifetime is None:
+        return keys
+    (start, stop), hold = lifetime, Interpolation.HOLD
+    lasting = Animated(tuple(keys)) if keys else Animated((ValueKey(start, value_at(opacity, start), hold),))
+    before = next((key for key in reversed(lasting.keys) if key.frame <= start), None)
+    first = ValueKey(start, lasting.at(start), before.interpolation if before else hold)
+    inside = [first, *(key for key in lasting.keys if start < key.frame < stop)]
+    if inside[-1].frame < stop - 1 and inside[-1].interpolation is not hold:
+        inside.append(ValueKey(stop - 1, lasting.at(stop - 1)))
+    inside[-1] = replace(inside[-1], interpolation=hold)
+    return [ValueKey(start - 1, 0.0, hold), *inside, ValueKey(stop, 0.0, hold)]
+
+
+def _straight(value: Animated) -> Iterator[ValueKey]:
+    """The keys of a value, with one on every frame of its smooth spans."""
+    for key, following in zip_longest(value.keys, value.keys[1:]):
+        if following is None or key.interpolation is not Interpolation.SMOOTH:
+            yield key
+            continue
+        frames = range(key.frame, following.frame if key.value != following.value else key.frame + 1)
+        yield from (ValueKey(frame, value.at(frame)) for frame in frames)
+
+
+def _folds(layer: Layer) -> bool:
+    """True where scaling what lies in a layer scales its joint matte, which no inversion and no union of two does."""
+    if layer.invert:
+        return False
+    under: list[Item] = []
+    for child in filter(is_shown, layer.children):
+        if child.blend in UNIONS and any(_may_overlap(child, each) for each in under):
+            return False
+        if isinstance(child, Layer) and child.blend in SCALED_BY_THEIR_LAYER and not _folds(child):
+            return False
+        under.append(child)
+    return True
+
+
+def _may_overlap(first: Item, second: Item) -> bool:
+    """False where the boxes around two shapes or layers, over all frames, do not meet."""
+    (low, high), (below, above) = _box(first), _box(second)
+    return bool((low <= above).all() and (below <= high).all())
+
+
+def _box(item: Item) -> tuple[Array, Array]:
+    shapes = item.shapes() if isinstance(item, Layer) else [item]
+    if any(shape.invert for shape in shapes):
+        return np.full(2, -np.inf), np.full(2, np.inf)
+    shapes = item.shapes() if isinstance(item, Layer) else [item]
+    points = [key.points.reshape(-1, 2) for shape in shapes for key in shape.keys]
+    whole = np.concatenate(points) if points else np.full((1, 2), np.nan)
+    return whole.min(axis=0) - 1.0, whole.max(axis=0) + 1.0
+
+
+def _flags(item: Layer | RotoShape) -> dict[str, str]:
+    return {"hidden": str(not item.visible), "locked": str(item.locked)}
+
+
+def _constant(properties: ET.Element, name: str, value: str) -> None:
+    ET.SubElement(ET.SubElement(properties, "Property", constant="True", id=name), "Value").text = value
+
+
+def _truth(value: bool) -> str:
+    return "true" if value else "false"
+
+
+def _tuple(values: Array) -> str:
+    """Always six decimals: Silhouette may refuse a number with an exponent."""
+    return "(" + ",".join(f"{value:.6f}" for value in values.tolist()) + ")"

@@ -1,0 +1,124 @@
+"""SVG pictures of the shapes on single frames: layers as groups, each shape as one path of cubic Bezier curves.
+
+Positions are pixels from the top-left corner, y down, as in ROAM. What any renderer paints is the matte: white, as
+opaque as the matte is white (`svg_painting`). What SVG has no word for stands in attributes whose names begin with
+`data-roam-`; drawing programs pass over them and the reader takes them up again.
+"""
+
+from __future__ import annotations
+
+import xml.etree.ElementTree as ET
+from collections.abc import Iterable
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from roam_core.interchange.naming import file_words, is_numbered, numbering
+from roam_core.interchange.protocol import STANDARD, ExportOptions, with_chosen_keys
+from roam_core.interchange.reading import PLAIN, Imported, ImportOptions, quietly
+from roam_core.interchange.stilled import stilled
+from roam_core.interchange.svg.painting import Painter
+from roam_core.interchange.svg.reading import SvgReader
+from roam_core.interchange.svg.words import INKSCAPE, SODIPODI, SVG, XLINK, svg_tag
+from roam_core.roto import Clip, Project
+from roam_core.roto.file import write_atomically
+
+PAGE = "#404040"
+"""The page's colour in Inkscape, before which white shapes are seen."""
+
+
+class SvgFormat:
+    """Writes the shapes as they are on one frame, or on every frame; reads the outlines of a drawing."""
+
+    name = "svg"
+    title = "SVG"
+    suffix = ".svg"
+    suffixes = (".svg",)
+
+    def export(self, project: Project, path: Path, options: ExportOptions = STANDARD) -> tuple[str, ...]:
+        """Write one picture: of the options' frame, or of the first that is written.
+
+        Where the name of `path` says where a frame's number goes (`####` or `%04d`), one picture for every frame.
+        """
+        clip, project = project.require_clip(), stilled(project)
+        frames, frame = options.frames_of(clip), options.frame_of(clip)
+        options = replace(options, frames=None)  # a picture shows one moment: there is no motion to be cut
+        if not is_numbered(path.name):
+            text, notes = svg_document(project, frame, options)
+            options.advance(1.0, f"Writing {path.name}")
+            write_atomically(path, text.encode("utf-8"))
+            return notes
+        smoothed: list[str] = []
+        project = replace(project, root=with_chosen_keys(project.root, options, smoothed))
+        options = replace(options, smoothing=0.0)
+        name_for, told = numbering(path.name, options.frame_offset), dict.fromkeys(smoothed)
+        absent: dict[str, list[int]] = {}
+        for done, frame in enumerate(frames):
+            options.advance(done / len(frames), f"Frame {frame}")
+            picture = _picture(project, frame, replace(options, progress=None))
+            write_atomically(path.with_name(name_for(frame)), picture.text.encode("utf-8"))
+            told |= dict.fromkeys(picture.notes)
+            for shape_id in picture.absent:
+                absent.setdefault(shape_id, []).append(frame)
+        names = {shape.id: shape.name for shape in project.shapes}
+        return (*told, *(_absence(names[shape_id], on) for shape_id, on in absent.items()))
+
+    def files(self, project: Project, path: Path, options: ExportOptions = STANDARD) -> tuple[Path, ...]:
+        """The pictures that `export` writes."""
+        if not is_numbered(path.name):
+            return (path,)
+        name_for = numbering(path.name, options.frame_offset)
+        return tuple(path.with_name(name_for(frame)) for frame in options.frames_of(project.require_clip()))
+
+    @quietly
+    def read(self, path: Path, clip: Clip, options: ImportOptions = PLAIN) -> Imported:
+        """Read all outlines of a drawing as shapes with one key, on the clip's first frame."""
+        return SvgReader(path, clip, options).shapes()
+
+
+def svg_document(project: Project, frame: int, options: ExportOptions = STANDARD) -> tuple[str, tuple[str, ...]]:
+    """The picture of all shapes of `project` on one frame, and a sentence for each thing that it cannot hold."""
+    picture, names = _picture(project, frame, options), {shape.id: shape.name for shape in project.shapes}
+    return picture.text, (*picture.notes, *(_absence(names[shape_id], [frame]) for shape_id in picture.absent))
+
+
+@dataclass(frozen=True)
+class _Picture:
+    """A picture's text, what it cannot hold, and the ids of the shapes that do not exist on its frame."""
+
+    text: str
+    notes: tuple[str, ...]
+    absent: tuple[str, ...]
+
+
+def _picture(project: Project, frame: int, options: ExportOptions) -> _Picture:
+    project = stilled(project)
+    clip, root = project.require_clip(), project.root
+    width, height = (str(length) for length in clip.size)
+    for prefix, space in {"": SVG, "inkscape": INKSCAPE, "sodipodi": SODIPODI, "xlink": XLINK}.items():
+        ET.register_namespace(prefix, space)
+    picture = ET.Element(svg_tag("svg"), width=width, height=height, viewBox=f"0 0 {width} {height}")
+    picture.set("data-roam-frame", str(frame + options.frame_offset))
+    ET.SubElement(picture, f"{{{SODIPODI}}}namedview", pagecolor=PAGE)
+    items = [root, *root.items()]
+    ids = dict(zip((item.id for item in items), file_words(item.name for item in items), strict=True))
+    painter = Painter(clip, options, len(project.shapes), frame=frame, ids=ids)
+    if root.visible and not root.locked and not root.invert and root.opacity_at(frame) == 1.0:
+        painter.fill(picture, root)
+    else:
+        painter.group(picture, root)
+    ET.indent(picture, " ")
+    text = ET.tostring(picture, encoding="unicode", xml_declaration=False)
+    return _Picture(f'<?xml version="1.0" encoding="UTF-8"?>\n{text}\n', tuple(painter.notes), tuple(painter.absent))
+
+
+def _absence(name: str, frames: Iterable[int]) -> str:
+    spans: list[list[int]] = []
+    for frame in sorted(frames):
+        if spans and spans[-1][1] == frame - 1:
+            spans[-1][1] = frame
+        else:
+            spans.append([frame, frame])
+    told = [str(first) if first == last else f"{first} to {last}" for first, last in spans[:4]]
+    more = " and on others" if len(spans) > 4 else ""
+    word = "frame" if len(spans) == 1 and spans[0][0] == spans[0][1] else "frames"
+    return f"{name!r} does not exist on {word} {', '.join(told)}{more}: it was left out."

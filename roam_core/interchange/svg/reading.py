@@ -1,0 +1,436 @@
+"""Outlines of SVG drawings as shapes: groups become layers, and nothing outside of a drawing is followed."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from xml.etree.ElementTree import Element
+
+import numpy as np
+from numpy.typing import NDArray
+
+from roam_core.errors import RoamError
+from roam_core.geometry import bspline
+from roam_core.geometry.bezier import ANCHOR, IN, OUT
+from roam_core.interchange.reading import Imported, ShapeReader, brief, sensible
+from roam_core.interchange.svg.css import Line, StyleSheet, computed
+from roam_core.interchange.svg.outlines import DRAWN, Box, fitted, outlines, picture_size
+from roam_core.interchange.svg.path import Spline
+from roam_core.interchange.svg.properties import blend_of, is_locked, is_shown, name_of, own_name, share_of
+from roam_core.interchange.svg.words import (
+    AID,
+    PART,
+    colour,
+    composed,
+    length,
+    lightness,
+    moved,
+    numbers,
+    transform,
+    xlink_href,
+)
+from roam_core.interchange.xml import local_name, parsed
+from roam_core.roto import BlendMode, Keyframe, Layer, RotoShape, grips
+from roam_core.roto import Spline as SplineKind
+
+Array = NDArray[np.float64]
+Item = Layer | RotoShape
+
+GROUPS = {"g", "a", "switch", "svg"}
+SILENT = {"defs", "title", "desc", "metadata", "style", "script", "namedview", "clipPath", "mask", "symbol", "marker"}
+SILENT |= {"linearGradient", "radialGradient", "pattern", "filter", "cursor", "view", "animate", "set", "path-effect"}
+"""Elements that draw nothing by themselves."""
+
+MAX_DRAWING = 16 << 20
+"""Bytes of a drawing that is read."""
+
+PER_TRANSFORM, PER_ELEMENT, PER_USE = 8, 16, 40
+"""Parts that a transform, each look at an element, and each `use` counts for."""
+
+PER_NUMBER = 40
+"""Letters that a number of ours takes at most."""
+
+PHYSICAL = re.compile(r"[\s\d.eE+-]+(?:mm|cm|in|pt|pc|q)\s*", re.IGNORECASE)
+
+
+@dataclass(frozen=True)
+class Scope:
+    """What an element takes from those that it lies in.
+
+    Attributes
+    ----------
+    to_pixels : the map `(2, 3)` of its user space into pixels of the clip.
+    style : the properties of the element around it.
+    box : width and height of the user space that percentages are of.
+    depth : how many elements it lies in.
+    used : ids of the `use`, clip path and mask targets that are being read: one of them again would never end.
+    paints : within a mask: the paint's lightness counts (`luminance`), or the shapes do (`alpha`); "" elsewhere.
+    """
+
+    to_pixels: Array
+    style: Mapping[str, str]
+    box: Box
+    depth: int = 1
+    used: frozenset[str] = frozenset()
+    paints: str = ""
+
+
+@dataclass
+class SvgReader(ShapeReader):
+    """Walks through a drawing, carrying along what elements take from those around them."""
+
+    is_ours: bool = False
+    grow: float = 1.0
+    lines_only: int = 0
+    _sheet: StyleSheet | None = None
+    _by_id: dict[str, Element] = field(default_factory=dict)
+    _places: dict[Element, Line] = field(default_factory=dict)
+
+    def shapes(self) -> Imported:
+        """All outlines of the file, bottom first, as shapes with one key on the clip's first frame."""
+        root = parsed(self, doctype="ignored", content=self.content(MAX_DRAWING))
+        if local_name(root) != "svg":
+            raise RoamError(f"{self.path} is no SVG picture (its root element is {brief(local_name(root))}).")
+        self.is_ours = root.get("data-roam-frame") is not None
+        self._sheet = StyleSheet(self.check_parts, self.note)
+        self._look_up(root)
+        size, box = picture_size(root, self.clip.size)
+        ratio = np.array(self.clip.size) / np.array(size)
+        self.grow = float(np.sqrt(ratio.prod()))
+        self._note_size(root, size, box, ratio)
+        into = composed(np.column_stack([np.diag(ratio), np.zeros(2)]), fitted(root, *size))
+        children = self._inside(root, Scope(into, computed(self._line(root), self._sheet, {}), box))
+        if not children:
+            self.note("There are no outlines in the drawing.")
+        if self.lines_only:
+            self.note(f"The width of lines was left out; {self.lines_only} of the outlines are drawn as lines only.")
+        return self.finished(children)
+
+    def _look_up(self, root: Element) -> None:
+        """Remember elements by their ids, gather the style sheets, and what lies in what where a sheet asks for it."""
+        sheets = []
+        for element in root.iter():
+            if (key := element.get("id")) is not None:
+                self._by_id.setdefault(key, element)
+            if isinstance(element.tag, str) and local_name(element) == "style":
+                sheets.append("".join(element.itertext()))
+        assert self._sheet is not None
+        for text in sheets:
+            self._sheet.add(text)
+        if sheets:
+            self._places[root] = Line(root)
+            for parent in root.iter():
+                for child in parent:
+                    self._places[child] = Line(child, self._places[parent])
+
+    def _line(self, element: Element) -> Line:
+        return self._places.get(element) or Line(element)
+
+    def _note_size(self, root: Element, size: Box, box: Box, ratio: Array) -> None:
+        """A sentence where the drawing is fitted to another size; none where its units are the clip's pixels."""
+        clip, is_even = self.clip.size, abs(ratio[0] / ratio[1] - 1.0) < 1e-3
+        if np.abs(np.subtract(clip, size)).max() < 0.01 or (is_even and np.abs(np.subtract(clip, box)).max() < 0.01):
+            return
+        stretched = "" if is_even else ", each axis by its own ratio"
+        told = [(root.get(word) or "").strip()[:20] for word in ("width", "height")]
+        if all(PHYSICAL.fullmatch(word) for word in told):
+            self.note(
+                f"The drawing measures {told[0]} x {told[1]}: it was fitted to the clip's {clip[0]} x {clip[1]} "
+                f"pixels{stretched}."
+            )
+            return
+        self.note(
+            f"The file speaks of pictures of {size[0]:g} x {size[1]:g} pixels, the clip has {clip[0]} x {clip[1]}: the "
+            f"shapes were scaled{stretched}."
+        )
+
+    # ---- elements ----------------------------------------------------------------------------------------------------
+
+    def _inside(self, parent: Element, scope: Scope) -> tuple[Item, ...]:
+        """The items of what lies in an element, bottom first."""
+        self.check_depth(scope.depth)
+        return tuple(item for element in parent for item in self.items(element, scope))
+
+    def items(self, element: Element, scope: Scope) -> tuple[Item, ...]:
+        """The items of one element: none, one, or in a mask all of a group's."""
+        kind = local_name(element) if isinstance(element.tag, str) else ""
+        self.check_parts(PER_ELEMENT)
+        if element.get(AID) is not None:
+            return ()
+        if element.get(PART) is not None:
+            return self._inside(element, replace(scope, depth=scope.depth + 1))
+        if kind not in GROUPS | DRAWN | {"use"}:
+            if kind and kind not in SILENT:
+                self.note(f"Elements of the kind {brief(kind)} were left out: ROAM reads outlines only.")
+            return ()
+        assert self._sheet is not None
+        style, default = computed(self._line(element), self._sheet, scope.style), "Group" if kind in GROUPS else kind
+        if scope.paints and not is_shown(style, kind in DRAWN):
+            return ()
+        name = name_of(element, default)
+        try:
+            written = style.get("transform", "")
+            self.check_parts(PER_TRANSFORM * (1 + written.count("(")))
+            into = composed(scope.to_pixels, transform(written))
+        except ValueError as error:
+            self.note(f"{brief(name)} was left out ({error}).")
+            return ()
+        inner = replace(scope, to_pixels=into, style=style, depth=scope.depth + 1)
+        if kind in DRAWN:
+            made = self._drawn(element, kind, name, inner)
+        elif kind == "use":
+            made = self._used(element, name, inner)
+        else:
+            made = self._group(element, kind, name, inner)
+        return self._cut(made, name, inner) if made else ()
+
+    def _group(self, element: Element, kind: str, name: str, scope: Scope) -> tuple[Item, ...]:
+        if kind == "svg":
+            scope = self._within(element, scope, element)
+        children = self._inside(element, scope)
+        if scope.paints and share_of(scope.style, "opacity") == 1.0:
+            return children
+        return (self._layer(name, children, scope.style, element),) if children else ()
+
+    def _layer(self, name: str, children: tuple[Item, ...], style: Mapping[str, str], element: Element) -> Layer:
+        return Layer(
+            self.fresh_id("layer"),
+            name,
+            children,
+            visible=is_shown(style, False),
+            locked=is_locked(element),
+            opacity=share_of(style, "opacity"),
+            invert=element.get("data-roam-invert") == "true",
+            blend=blend_of(element),
+        )
+
+    def _within(self, picture: Element, scope: Scope, placed: Element) -> Scope:
+        """The scope in a picture or symbol, at the place and of the size that `placed` says."""
+        x, y = (length(placed.get(axis), whole) for axis, whole in zip("xy", scope.box, strict=True))
+        sizes = (placed.get(word) or picture.get(word) for word in ("width", "height"))
+        size = tuple(length(word, whole, whole) for word, whole in zip(sizes, scope.box, strict=True))
+        if min(size) <= 0.0:
+            size = scope.box
+        moves = np.array([[1.0, 0.0, x], [0.0, 1.0, y]])
+        box = numbers(picture.get("viewBox"))
+        inner = (box[2], box[3]) if len(box) == 4 and min(box[2:]) > 0.0 else (size[0], size[1])
+        return replace(scope, to_pixels=composed(composed(scope.to_pixels, moves), fitted(picture, *size)), box=inner)
+
+    def _used(self, element: Element, name: str, scope: Scope) -> tuple[Item, ...]:
+        """What a `use` repeats, at its place."""
+        self.check_parts(PER_USE)
+        found = self._target(element.get("href") or element.get(xlink_href()) or "", name, scope)
+        if found is None:
+            return ()
+        target, used = found
+        scope = replace(scope, used=used)
+        if local_name(target) in ("symbol", "svg"):
+            scope = self._within(target, scope, element)
+            made = self._inside(target, scope)
+        else:
+            x, y = (length(element.get(axis), whole) for axis, whole in zip("xy", scope.box, strict=True))
+            moves = composed(scope.to_pixels, np.array([[1.0, 0.0, x], [0.0, 1.0, y]]))
+            made = self.items(target, replace(scope, to_pixels=moves))
+        if not made or (scope.paints and share_of(scope.style, "opacity") == 1.0):
+            return made
+        is_plain = len(made) == 1 and share_of(scope.style, "opacity") == 1.0 and is_shown(scope.style, False)
+        if not is_plain:
+            return (self._layer(name, made, scope.style, element),)
+        return (replace(made[0], name=name),) if own_name(element) is not None else made
+
+    def _target(self, address: str, name: str, scope: Scope) -> tuple[Element, frozenset[str]] | None:
+        """The element of a `#id`, and the ids in progress with it; None, and a sentence, where it cannot be read."""
+        key = address.strip().removeprefix("#")
+        if not address.strip().startswith("#"):
+            self.note(f"What {brief(name)} refers to lies in another file, which is not opened: it was left out.")
+        elif key not in self._by_id:
+            self.note(f"What {brief(name)} refers to ({brief(key)}) is not in the drawing: it was left out.")
+        elif key in scope.used:
+            self.note(f"{brief(name)} refers to itself: it was left out.")
+        else:
+            return self._by_id[key], scope.used | {key}
+        return None
+
+    # ---- outlines ----------------------------------------------------------------------------------------------------
+
+    def _drawn(self, element: Element, kind: str, name: str, scope: Scope) -> tuple[Item, ...]:
+        """One shape, or a layer of them for a path of several outlines."""
+        style = scope.style
+        try:
+            splines, is_whole = outlines(element, kind, scope.box, self.check_parts)
+            if not is_whole:
+                self.note(f"The path of {brief(name)} is damaged: what stands before the damage was read.")
+            made = [self._shape(element, spline, name, scope) for spline in splines]
+        except (ValueError, OverflowError) as error:
+            self.note(f"{brief(name)} was left out ({error}).")
+            return ()
+        if not made:
+            return ()
+        if (
+            not self.is_ours
+            and not scope.paints
+            and style.get("fill") == "none"
+            and style.get("stroke", "none") != "none"
+        ):
+            self.lines_only += 1
+        item: Item = made[0]
+        if len(made) > 1:
+            rule = style.get("clip-rule" if scope.paints == "clip" else "fill-rule")
+            parts = (replace(part, visible=True, opacity=1.0, invert=False) for part in joined(made, rule == "evenodd"))
+            whole = made[0]
+            item = Layer(
+                self.fresh_id("layer"),
+                name,
+                tuple(parts),
+                visible=whole.visible,
+                opacity=whole.opacity,
+                invert=whole.invert,
+            )
+        return self._painted(item, name, scope)
+
+    def _painted(self, item: Item, name: str, scope: Scope) -> tuple[Item, ...]:
+        """An item of a mask: white paint adds, black takes away; others stay as they are."""
+        fill = scope.style.get("fill", "black")
+        if scope.paints not in ("luminance", "alpha"):
+            return (item,)
+        if fill == "none":
+            return ()
+        share = 1.0 if scope.paints == "alpha" else lightness(fill)
+        if share is None:
+            self.note(f"The paint of {brief(name)} in a mask is no plain colour: it was read as white.")
+            share = 1.0
+        if share <= 0.005:
+            return (replace(item, blend=BlendMode.SUBTRACT),)
+        if share < 0.995:
+            self.note(f"The grey of {brief(name)} in a mask was read as its opacity.")
+            assert isinstance(item.opacity, float)
+            return (replace(item, opacity=item.opacity * share),)
+        return (item,)
+
+    def _shape(self, element: Element, spline: Spline, name: str, scope: Scope) -> RotoShape:
+        self.check_points(len(spline.rows), name)
+        points, style = spline.points, scope.style
+        ends = numbers(element.get("data-roam-ends"))
+        if not spline.closed and len(ends) == 4:
+            points[0, IN], points[-1, OUT] = ends[:2], ends[2:]
+        told = element.get("data-roam-feather-curve", "")
+        curve = numbers(told, self.check_parts) if len(told) < PER_NUMBER * points.size else []
+        feather = np.array(curve).reshape(points.shape) if len(curve) == points.size else None
+        with np.errstate(all="ignore"):  # what overflows is found in the next line
+            soft = None if feather is None else feather @ scope.to_pixels[:, :2].T
+            key = Keyframe(self.clip.first, moved(points, scope.to_pixels), soft)
+        if not sensible((key,)):
+            raise ValueError("it lies nowhere near the picture")
+        rgb = numbers(element.get("data-roam-colour", "")[: 3 * PER_NUMBER])
+        mine = (rgb[0], rgb[1], rgb[2]) if len(rgb) == 3 and 0.0 <= min(rgb) <= max(rgb) <= 1.0 else None
+        opacity = share_of({"opacity": element.get("data-roam-opacity") or style.get("opacity", "")}, "opacity")
+        shape = RotoShape(
+            id=self.fresh_id("shape"),
+            name=name,
+            keys=(key,),
+            closed=spline.closed,
+            colour=mine or colour(style.get("fill")) or colour(style.get("stroke")) or (0.90, 0.62, 0.0),
+            blend=blend_of(element),
+            opacity=opacity if self.is_ours or scope.paints == "clip" else opacity * share_of(style, "fill-opacity"),
+            invert=element.get("data-roam-invert") == "true",
+            feather=self.grow * length(element.get("data-roam-feather"), 0.0),
+            visible=is_shown(style, True),
+            locked=is_locked(element),
+        )
+        if element.get("data-roam-spline") == SplineKind.BSPLINE.value and _still_b_spline(key.points, spline.closed):
+            return grips.with_spline(shape, SplineKind.BSPLINE)
+        return shape
+
+    # ---- clip paths and masks ----------------------------------------------------------------------------------------
+
+    def _cut(self, made: tuple[Item, ...], name: str, scope: Scope) -> tuple[Item, ...]:
+        """The items of an element, cut by its clip path and its mask: a layer with what cuts on top of them."""
+        if scope.style.get("filter", "none") != "none":
+            self.note(f"The filter of {brief(name)} was left out.")
+        for word, kind in (("clip-path", "clipPath"), ("mask", "mask")):
+            address = scope.style.get(word, "none")
+            if address == "none" or scope.paints == "clip":
+                continue
+            cutter = self._cutter(address, kind, name, scope)
+            if cutter is None:
+                continue
+            if len(made) == 1 and isinstance(made[0], Layer) and not made[0].invert:
+                layer = made[0]
+                made = (replace(layer, children=(*layer.children, cutter)),)
+            else:
+                shown = made[0].visible
+                inner = tuple(replace(item, visible=True) for item in made)
+                made = (Layer(self.fresh_id("layer"), name, (*inner, cutter), visible=shown),)
+        return made
+
+    def _cutter(self, address: str, kind: str, name: str, scope: Scope) -> Item | None:
+        """A clip path or mask as a layer or shape that intersects; None where it cuts nothing or cannot be read."""
+        what = "clip path" if kind == "clipPath" else "mask"
+        link = re.match(r"url\(\s*['\"]?(#[^'\")\s]*)", address)
+        found = None if link is None else self._target(link.group(1), f"the {what} of {name}", scope)
+        if found is None:
+            if link is None:
+                self.note(f"The {what} of {brief(name)} is no outline of the drawing: it was left out.")
+            return None
+        target, used = found
+        units = target.get("clipPathUnits" if kind == "clipPath" else "maskContentUnits", "userSpaceOnUse")
+        if local_name(target) != kind or units != "userSpaceOnUse":
+            self.note(f"The {what} of {brief(name)} is given in shares of its box: it was left out.")
+            return None
+        assert self._sheet is not None
+        style = computed(self._line(target), self._sheet, {})
+        paints = "clip" if kind == "clipPath" else "alpha" if style.get("mask-type") == "alpha" else "luminance"
+        try:
+            into = composed(scope.to_pixels, transform(style.get("transform")))
+        except ValueError as error:
+            self.note(f"The {what} of {brief(name)} was left out ({error}).")
+            return None
+        inner = replace(scope, to_pixels=into, style=style, used=used, paints=paints, depth=scope.depth + 1)
+        parts = self._inside(target, inner)
+        if "clip-path" in style or "mask" in style:
+            self.note(f"What cuts the {what} of {brief(name)} itself was left out.")
+        blend = BlendMode.INTERSECT
+        if parts and self._covers(parts[0]):
+            if len(parts) == 1:
+                return None
+            if all(part.blend is BlendMode.SUBTRACT for part in parts[1:]):
+                blend, parts = BlendMode.SUBTRACT, tuple(replace(part, blend=BlendMode.ADD) for part in parts[1:])
+        own = name_of(target, what)
+        if len(parts) == 1 and parts[0].blend is BlendMode.ADD:
+            return replace(parts[0], blend=blend, name=own)
+        return Layer(self.fresh_id("layer"), own, parts, blend=blend)
+
+    def _covers(self, item: Item) -> bool:
+        """True for a rectangle behind the whole picture, as many programs write one: it cuts nothing away."""
+        if isinstance(item, Layer) or item.blend is not BlendMode.ADD or item.opacity != 1.0 or not item.closed:
+            return False
+        points, size = item.keys[0].points, np.array(self.clip.size)
+        corners, low, high = points[:, ANCHOR], points.min(axis=(0, 1)), points.max(axis=(0, 1))
+        is_box = len(points) == 4 and bool(((corners == low) | (corners == high)).all())
+        straight = bool((points == points[:, :1]).all())
+        return is_box and straight and bool((low <= 0.01).all() and (high >= size - 0.01).all())
+
+
+def joined(made: list[RotoShape], is_even_odd: bool) -> list[RotoShape]:
+    """How the outlines of one path join: by the even-odd rule as differences, by the other by which way they run.
+
+    Of the latter, an outline that runs against the largest cuts a hole; larger ones come first, so that what lies in a
+    hole is painted after it.
+    """
+    if is_even_odd:
+        return [*made[:1], *(replace(shape, blend=BlendMode.DIFFERENCE) for shape in made[1:])]
+    areas = [_signed_area(shape.keys[0].points[:, ANCHOR]) for shape in made]
+    order = sorted(range(len(made)), key=lambda index: -abs(areas[index]))
+    largest = areas[order[0]]
+    return [replace(made[k], blend=BlendMode.SUBTRACT if areas[k] * largest < 0.0 else BlendMode.ADD) for k in order]
+
+
+def _still_b_spline(points: Array, closed: bool) -> bool:
+    """False where another program has changed the outline: then its new points count, not what it once was."""
+    return len(points) > 1 and bspline.is_bspline(points, closed, 1e-4)
+
+
+def _signed_area(line: Array) -> float:
+    ahead = np.roll(line, -1, axis=0)
+    return 0.5 * float((line[:, 0] * ahead[:, 1] - ahead[:, 0] * line[:, 1]).sum())
