@@ -7,7 +7,7 @@ from typing import Any
 
 
 def between(keys: Sequence[tuple[float, str, Any]], frame: float) -> Any:
-    """What keys `(frame, how it goes on, value)` give at a frame: constant beyond, else `hold`, `smooth` or straight."""
+    """What keys `(frame, how it goes on, value)` give at a frame: constant beyond, `hold`, `smooth` or straight."""
     index = max((k for k, (at, _, _) in enumerate(keys) if at <= frame), default=0)
     start, how, value = keys[index]
     if frame <= start or index == len(keys) - 1 or how == "hold":
