@@ -23,15 +23,14 @@ from roam_core.interchange.blender.program import PROGRAM
 from roam_core.interchange.flatten import (
     Branch,
     branched,
+    has_feather_curve,
     hidden_notes,
-    opacity_keys,
     parts_of,
-    straight_keys,
     takes_part,
-    without_holds,
 )
 from roam_core.interchange.literals import python_literal, whole
-from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter, settled, without_smooth_keys
+from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter, readied, settled, without_smooth_keys
+from roam_core.interchange.timing import opacity_keys, straight_keys, without_holds
 from roam_core.roto import BlendMode, Clip, Interpolation, Keyframe, Project, RotoShape
 from roam_core.roto.animated import Animatable, ValueKey, value_at
 from roam_core.roto.file import write_atomically
@@ -70,7 +69,7 @@ class BlenderExporter:
 def blender_script(project: Project, options: ExportOptions = STANDARD) -> tuple[str, tuple[str, ...]]:
     """The script for all shapes of `project`, and a sentence for each thing that a mask cannot hold."""
     clip = project.require_clip()
-    root = branched(project, timed_intersect=False)
+    root = branched(readied(project, options), timed_intersect=False)
     shapes = list(root.shapes())
     writer = _Writer(clip, options, len(shapes))
     parts = writer.parts(root) if root.opacity == 1.0 and not root.invert else [writer.branch(root)]
@@ -187,7 +186,7 @@ class _Writer(ShapeWriter):
         return frame + self.options.frame_offset
 
     def _note_losses(self, shape: RotoShape) -> None:
-        if any(key.feather is not None and key.feather.any() for key in shape.keys):
+        if has_feather_curve(shape):
             self.notes.append(
                 f"Blender's feather lies square to the outline: the feather curve of {shape.name!r} keeps its width at "
                 "each point, not its handles."
