@@ -16,7 +16,7 @@ from roam_core.roto import Clip, edit
 if TYPE_CHECKING:
     from roam_core.interchange import Imported, ImportOptions, MaskOptions
 
-SHAPE_FILES = (".nk", ".gizmo", ".fxs", ".sfx", ".setting", ".svg", ".json")
+SHAPE_FILES = (".nk", ".gizmo", ".fxs", ".sfx", ".setting", ".svg", ".json", ".xml")
 """Suffixes of files that hold shapes and cannot be a clip or a project."""
 
 
