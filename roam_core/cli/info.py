@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+from itertools import pairwise
 from pathlib import Path
 
 from roam_core.interchange.authorship import is_project
@@ -11,6 +12,7 @@ from roam_core.media.finding import is_there
 from roam_core.propagate.provenance import Stamps
 from roam_core.propagate.worth import most_worth_fixing
 from roam_core.roto import Origin, RotoShape, file
+from roam_core.roto.imported import is_import
 from roam_core.roto.relinking import relinked
 
 
@@ -76,9 +78,19 @@ def _shape_line(shape: RotoShape, stamps: Stamps) -> str:
 
 
 def _interpolated(shape: RotoShape) -> list[int]:
-    """The frames between a closed shape's artist keys on which it exists without a key: `roam fill` makes them."""
-    if not shape.closed or not shape.artist_frames:
+    """The frames between a closed shape's artist keys on which it exists without a key: `roam fill` makes them.
+
+    Not where an import put keys between two of the file's, as few as show its motion.
+    """
+    if not shape.closed:
         return []
-    between = range(shape.artist_frames[0] + 1, shape.artist_frames[-1])
+    imported = {key.frame for key in shape.keys if is_import(key)}
+    gaps = (range(before + 1, after) for before, after in pairwise(shape.artist_frames))
     keyed = set(shape.frames)
-    return [frame for frame in between if frame not in keyed and shape.exists_at(frame)]
+    return [
+        frame
+        for gap in gaps
+        if imported.isdisjoint(gap)
+        for frame in gap
+        if frame not in keyed and shape.exists_at(frame)
+    ]

@@ -9,12 +9,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, replace
-from itertools import zip_longest
 
 from roam_core.geometry import bezier
 from roam_core.interchange.stilled import stilled
-from roam_core.roto import BlendMode, Interpolation, Keyframe, Layer, Project, RotoShape
-from roam_core.roto.animated import Animatable, Animated, ValueKey, mapped, product, value_at, value_keys
+from roam_core.roto import BlendMode, Keyframe, Layer, Project, RotoShape
+from roam_core.roto.animated import Animatable, Animated, is_always, mapped, product
 
 TAKING = (BlendMode.SUBTRACT, BlendMode.INTERSECT)
 """Modes that only take away from what lies under them: above nothing they leave nothing."""
@@ -76,19 +75,29 @@ def hidden_notes(project: Project, root: Branch) -> list[str]:
     written = {shape.id: shape for shape in root.shapes()}
     return [
         f"{shape.name!r} takes away where nothing lies under it: it was written as hidden."
-        for shape in _shown(project.root)
-        if shape.closed and shape.id in written and not written[shape.id].visible
+        for shape in shown_shapes(project.root)
+        if shape.id in written and not written[shape.id].visible
     ]
 
 
-def _shown(layer: Layer) -> Iterator[RotoShape]:
-    """The visible shapes of visible layers."""
+def shown_shapes(layer: Layer) -> Iterator[RotoShape]:
+    """The shapes that make the matte: visible, closed, in visible layers."""
     if layer.visible:
         for child in layer.children:
             if isinstance(child, Layer):
-                yield from _shown(child)
-            elif child.visible:
+                yield from shown_shapes(child)
+            elif takes_part(child):
                 yield child
+
+
+def has_feather_curve(shape: RotoShape) -> bool:
+    """True where the feather of a point is wider than nothing on some key."""
+    return any(key.feather is not None and bool(key.feather.any()) for key in shape.keys)
+
+
+def is_feathered(shape: RotoShape) -> bool:
+    """True for a shape with a soft edge of either kind."""
+    return has_feather_curve(shape) or not is_always(shape.feather, 0.0)
 
 
 def takes_part(item: RotoShape | Branch) -> bool:
@@ -217,90 +226,3 @@ def everything(name: str, size: tuple[int, int], frame: int) -> RotoShape:
     width, height = size
     corners = [(-width, -height), (2.0 * width, -height), (2.0 * width, 2.0 * height), (-width, 2.0 * height)]
     return RotoShape("shape-everything", name, (Keyframe(frame, bezier.polygon_points(corners)),))
-
-
-JUST_BEFORE = 1.0 / 256.0
-"""Frames before a step at which a key stands that holds the value until then; single precision keeps it to frame
-65,536."""
-
-
-@dataclass(frozen=True)
-class Moment:
-    """A key at any moment: what stands on the frame `key`, at `time`."""
-
-    time: float
-    key: Keyframe
-
-
-def moments(shape: RotoShape, offset: int) -> list[Moment]:
-    """Every key at its frame plus `offset`, for programs that move linearly from every key; the key of each HOLD once
-    more just before the next key, so that it holds between frames, too."""
-    result: list[Moment] = []
-    for key, following in zip(shape.keys, (*shape.keys[1:], None), strict=True):
-        result.append(Moment(key.frame + offset, key))
-        if key.interpolation is Interpolation.HOLD and following is not None:
-            result.append(Moment(following.frame + offset - JUST_BEFORE, key))
-    return result
-
-
-def without_holds(shape: RotoShape) -> RotoShape:
-    """The shape with the key of each HOLD once more on the last frame before the next key, for programs that move
-    linearly from every key and know whole frames only: on these they then show what ROAM shows."""
-    return replace(shape, keys=tuple(_moving_keys(shape)))
-
-
-def _moving_keys(shape: RotoShape) -> Iterator[Keyframe]:
-    for key, following in zip(shape.keys, (*shape.keys[1:], None), strict=True):
-        if key.interpolation is not Interpolation.HOLD:
-            yield key
-            continue
-        yield replace(key, interpolation=Interpolation.LINEAR)
-        if following is not None and following.frame - key.frame > 1:
-            yield replace(key, frame=following.frame - 1, interpolation=Interpolation.LINEAR)
-
-
-def lifetime_steps(shape: RotoShape) -> list[tuple[int, bool]]:
-    """Frames from which a shape with a lifetime is there or not; a shape that lives always gives none."""
-    if shape.lifetime is None:
-        return []
-    start, stop = shape.lifetime
-    return [(start - 1, False), (start, True), (stop, False)]
-
-
-def straight_keys(value: Animatable) -> tuple[ValueKey, ...]:
-    """The keys of a value, linear or held, with one on every frame of smooth spans; nothing of a constant one."""
-    keys, result = value_keys(value), list[ValueKey]()
-    for key, following in zip_longest(keys, keys[1:]):
-        if key.interpolation is not Interpolation.SMOOTH or following is None:
-            result.append(key)
-            continue
-        frames = range(key.frame, following.frame)
-        result += (ValueKey(frame, value_at(value, frame), Interpolation.LINEAR) for frame in frames)
-    return tuple(result)
-
-
-def opacity_keys(shape: RotoShape) -> tuple[ValueKey, ...]:
-    """The opacity as keys, straight or held; outside of the lifetime it is 0. Nothing where it is constant."""
-    keys = straight_keys(shape.opacity)
-    if shape.lifetime is None:
-        return keys
-    start, stop = shape.lifetime
-    last = stop - 1
-    before = [key for key in keys if key.frame <= start]
-    first = ValueKey(start, shape.opacity_at(start), before[-1].interpolation if before else Interpolation.HOLD)
-    inside = [first, *(key for key in keys if start < key.frame < last)]
-    if last > start and keys:
-        inside.append(ValueKey(last, shape.opacity_at(last)))
-    inside[-1] = replace(inside[-1], interpolation=Interpolation.HOLD)
-    hold = Interpolation.HOLD
-    return (ValueKey(start - 1, 0.0, hold), *inside, ValueKey(stop, 0.0, hold))
-
-
-def value_moments(keys: Iterable[ValueKey], offset: int) -> list[tuple[float, float]]:
-    """Times and values of keys that are straight or held, for programs that move linearly from every key."""
-    listed, result = list(keys), list[tuple[float, float]]()
-    for key, following in zip_longest(listed, listed[1:]):
-        result.append((key.frame + offset, key.value))
-        if key.interpolation is Interpolation.HOLD and following is not None and key.value != following.value:
-            result.append((following.frame + offset - JUST_BEFORE, key.value))
-    return result

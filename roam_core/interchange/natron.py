@@ -20,15 +20,14 @@ from roam_core.interchange.flatten import (
     branched,
     dimmed_first,
     everything,
+    has_feather_curve,
     hidden_notes,
-    lifetime_steps,
-    moments,
     parts_of,
-    straight_keys,
     takes_part,
 )
 from roam_core.interchange.literals import python_literal, whole
-from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter, settled, without_smooth_keys
+from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter, readied, settled, without_smooth_keys
+from roam_core.interchange.timing import lifetime_steps, moments, straight_keys
 from roam_core.roto import BlendMode, Interpolation, Layer, Project, RotoShape
 from roam_core.roto.animated import Animatable, ValueKey, value_at, values_of
 from roam_core.roto.file import write_atomically
@@ -74,7 +73,7 @@ class NatronExporter:
 def natron_script(project: Project, options: ExportOptions = STANDARD) -> tuple[str, tuple[str, ...]]:
     """The script for all layers and shapes of `project`, and a sentence for each thing that it cannot hold."""
     clip = project.require_clip()
-    root = branched(project)
+    root = branched(readied(project, options))
     shapes = list(root.shapes())
     writer = _Writer(clip, options, max(len(shapes), 1), flat={shape.id: shape for shape in shapes})
     if root.is_flat:
@@ -139,7 +138,7 @@ class _Writer(ShapeWriter):
         """One shape, by its own mode where `mode` is None."""
         shape = without_smooth_keys(self.begun(shape))
         blur = shape.motion_blur
-        if any(key.feather is not None and key.feather.any() for key in shape.keys) and any(values_of(shape.feather)):
+        if has_feather_curve(shape) and any(values_of(shape.feather)):
             self.notes.append(
                 f"{shape.name!r} has a feather curve and a uniform feather; Natron adds one to the other."
             )

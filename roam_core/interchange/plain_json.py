@@ -18,9 +18,8 @@ from numpy.typing import NDArray
 
 from roam_core.errors import RoamError
 from roam_core.geometry import bspline
-from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter
+from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter, readied
 from roam_core.interchange.reading import Imported, ShapeReader, brief, sensible
-from roam_core.interchange.stilled import stilled
 from roam_core.roto import (
     Animated,
     BlendMode,
@@ -65,7 +64,7 @@ class JsonFormat:
 
 def json_document(project: Project, options: ExportOptions = STANDARD) -> tuple[str, tuple[str, ...]]:
     """The text with all shapes of `project`, and a sentence for each thing that it cannot hold."""
-    project = stilled(project)
+    project = readied(project, options)
     clip, root = project.require_clip(), project.root
     writer = _Writer(clip, options, len(project.shapes))
     is_plain = root.visible and not root.locked and not root.invert and root.opacity == 1.0

@@ -16,7 +16,8 @@ from roam_core.errors import RoamError
 from roam_core.interchange.keys.reduction import Motion, Slopes, reduced
 from roam_core.interchange.keys.smoothing import smoothed
 from roam_core.interchange.mattes.style import MatteStyle
-from roam_core.interchange.stilled import BY_LAYER
+from roam_core.interchange.stilled import BY_LAYER, stilled
+from roam_core.interchange.timing import value_within
 from roam_core.roto import Clip, Interpolation, Keyframe, Layer, Origin, Project, RotoShape, Spline
 
 FARTHEST = 1e7
@@ -197,6 +198,25 @@ class ShapeWriter:
         reduction = reduced(shape, self.options.tolerance, motion, self.options.token)
         self.notes.append(reduction.report())
         return reduction.shape, reduction.slopes
+
+
+def readied(project: Project, options: ExportOptions) -> Project:
+    """What all writers begin with: layers that stand still, and opacities and feathers on the chosen frames only.
+
+    The keys of outlines are chosen as each shape is begun.
+    """
+    project = stilled(project)
+    return project if options.frames is None else replace(project, root=_values_within(project.root, options.frames))
+
+
+def _values_within(layer: Layer, frames: range) -> Layer:
+    children = (
+        _values_within(child, frames)
+        if isinstance(child, Layer)
+        else replace(child, opacity=value_within(child.opacity, frames), feather=value_within(child.feather, frames))
+        for child in layer.children
+    )
+    return replace(layer, children=tuple(children), opacity=value_within(layer.opacity, frames))
 
 
 def exported_keys(shape: RotoShape, options: ExportOptions, notes: list[str]) -> RotoShape:

@@ -205,6 +205,7 @@ SCENES: dict[str, Scene] = {
     "holds, between frames": Scene(_held_life(), BETWEEN),
     "names": Scene(_names()),
     "odd size": Scene(_project(blob("Curve", 60.0, 200.0), clip=_clip((133, 401)))),
+    "pixel aspect .5": Scene(_project(blob("Curve", 150.0, 120.0), clip=_clip(pixel_aspect=0.5))),
     "pixel aspect 2": Scene(_project(blob("Curve", 150.0, 120.0), clip=_clip(pixel_aspect=2.0))),
 }
 """By what each asks. A format that shows one frame is asked for whole frames only."""

@@ -11,9 +11,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from roam_core.interchange import EXPORTERS, ExportOptions, Imported, read_shapes
-from roam_core.interchange.flatten import without_holds
 from roam_core.interchange.labels.polygons import Flattener
 from roam_core.interchange.protocol import without_smooth_keys
+from roam_core.interchange.timing import without_holds
 from roam_core.matte import render_matte
 from roam_core.roto import Clip, Layer, Project, RotoShape
 from tests.property.strategies import bspline_shapes

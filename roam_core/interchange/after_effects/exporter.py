@@ -25,14 +25,14 @@ from roam_core.interchange.flatten import (
     Part,
     branched,
     dimmed_first,
+    has_feather_curve,
     hidden_notes,
-    opacity_keys,
     parts_of,
-    straight_keys,
     takes_part,
 )
 from roam_core.interchange.literals import javascript_literal
-from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter, settled
+from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter, readied, settled
+from roam_core.interchange.timing import opacity_keys, straight_keys
 from roam_core.roto import BlendMode, Interpolation, Keyframe, Project, RotoShape
 from roam_core.roto.animated import Animatable, ValueKey, mapped, value_at, values_of
 from roam_core.roto.file import write_atomically
@@ -92,7 +92,7 @@ def mask_script(project: Project, options: ExportOptions = STANDARD) -> tuple[st
     the script makes is numbered from the plate's first frame.
     """
     clip = project.require_clip()
-    root = branched(project, timed_intersect=False)
+    root = branched(readied(project, options), timed_intersect=False)
     shapes = list(root.shapes())
     writer = _Writer(clip, options, len(shapes))
     parts = writer.parts(root) if root.opacity == 1.0 and not root.invert else [writer.branch(root)]
@@ -160,7 +160,7 @@ class _Writer(ShapeWriter):
         """One mask."""
         shape = self.begun(shape)
         self._note_losses(shape)
-        is_feathered = any(key.feather is not None and key.feather.any() for key in shape.keys)
+        is_feathered = has_feather_curve(shape)
         return {
             "name": shape.name,
             "mode": MODES.get(shape.blend, "ADD") if shape.visible else HIDDEN,
@@ -201,7 +201,7 @@ class _Writer(ShapeWriter):
         return frame + self.options.frame_offset - self.clip.first
 
     def _note_losses(self, shape: RotoShape) -> None:
-        if any(key.feather is not None and key.feather.any() for key in shape.keys):
+        if has_feather_curve(shape):
             self.notes.append(
                 f"After Effects' feather points lie square to the outline: the feather curve of {shape.name!r} keeps "
                 "its width at each point, not its handles."

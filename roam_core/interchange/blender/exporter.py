@@ -20,18 +20,19 @@ from roam_core.geometry.bezier import ANCHOR, IN, OUT
 from roam_core.interchange.after_effects.exporter import feather_radii
 from roam_core.interchange.blender.inset import inset
 from roam_core.interchange.blender.program import PROGRAM
+from roam_core.interchange.blender.steps import stepped
 from roam_core.interchange.flatten import (
     Branch,
     branched,
+    has_feather_curve,
     hidden_notes,
-    opacity_keys,
     parts_of,
-    straight_keys,
     takes_part,
-    without_holds,
+    without_timed_intersect,
 )
 from roam_core.interchange.literals import python_literal, whole
-from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter, settled, without_smooth_keys
+from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter, readied, settled, without_smooth_keys
+from roam_core.interchange.timing import opacity_keys, straight_keys, without_holds
 from roam_core.roto import BlendMode, Clip, Interpolation, Keyframe, Project, RotoShape
 from roam_core.roto.animated import Animatable, ValueKey, value_at
 from roam_core.roto.file import write_atomically
@@ -50,6 +51,9 @@ LONGEST_NAME = 63
 """Bytes of a name in Blender."""
 
 DECIMALS = 9
+
+LONG = 3.0
+"""How much longer than its other side a picture may be before anybody is told of its softer edges."""
 
 
 class BlenderExporter:
@@ -70,15 +74,16 @@ class BlenderExporter:
 def blender_script(project: Project, options: ExportOptions = STANDARD) -> tuple[str, tuple[str, ...]]:
     """The script for all shapes of `project`, and a sentence for each thing that a mask cannot hold."""
     clip = project.require_clip()
-    root = branched(project, timed_intersect=False)
-    shapes = list(root.shapes())
-    writer = _Writer(clip, options, len(shapes))
+    root = branched(readied(project, options))
+    hidden = hidden_notes(project, root)
+    writer = _Writer(clip, options, max(len(list(root.shapes())), 1))
+    root = without_timed_intersect(stepped(writer.keyed(root), clip, writer.notes), clip.size)
     parts = writer.parts(root) if root.opacity == 1.0 and not root.invert else [writer.branch(root)]
     if not parts:
         parts = [{"name": "ROAM", "layers": [], "blend": "add", "invert": False, "opacity": [1.0, []]}]
     frames = [frame + options.frame_offset for frame in (clip.first, clip.last)]
     text = PROGRAM.replace("@FRAMES@", str(frames)).replace("@PARTS@", python_literal(parts))
-    return text, settled([*hidden_notes(project, root), *writer.notes], writer.losses, options)
+    return text, settled([*hidden, *writer.notes, *ramp_notes(clip)], writer.losses, options)
 
 
 def unit(clip: Clip) -> Array:
@@ -104,6 +109,15 @@ def edge(clip: Clip) -> Array:
     return result
 
 
+def ramp_notes(clip: Clip) -> list[str]:
+    """A sentence where the ramp of an edge is several pixels long: in pictures far longer than wide, or wider than
+    long."""
+    pixels = max(clip.size) / min(clip.size)
+    if pixels < LONG:
+        return []
+    return [f"Blender softens edges by up to {pixels:.1f} pixels in a picture of {clip.size[0]} x {clip.size[1]}."]
+
+
 def holds(shape: RotoShape) -> bool:
     """True when a mask layer shows the shape: Blender inverts after the opacity, ROAM before."""
     return not shape.invert or (shape.opacity == 1.0 and shape.lifetime is None)
@@ -112,6 +126,16 @@ def holds(shape: RotoShape) -> bool:
 @dataclass
 class _Writer(ShapeWriter):
     """Turns shapes into the plain values from which the script builds masks, their layers, and nodes that join them."""
+
+    def keyed(self, branch: Branch) -> Branch:
+        """The branch with the keys that are to be exported, and what is lost told."""
+        items = (self.keyed(item) if isinstance(item, Branch) else self._begun(item) for item in branch.items)
+        return replace(branch, items=tuple(items))
+
+    def _begun(self, shape: RotoShape) -> RotoShape:
+        shape = self.begun(shape)
+        self._note_losses(shape)
+        return shape
 
     def parts(self, branch: Branch) -> list[dict[str, Any]]:
         """What is joined by nodes, bottom first: masks and branches."""
@@ -148,8 +172,7 @@ class _Writer(ShapeWriter):
 
     def layer(self, shape: RotoShape) -> dict[str, Any]:
         """One mask layer."""
-        shape = without_holds(without_smooth_keys(with_feather_keys(self.begun(shape))))
-        self._note_losses(shape)
+        shape = without_holds(without_smooth_keys(with_feather_keys(shape)))
         return {
             "name": whole(shape.name),
             "blend": BLENDS[shape.blend],
@@ -187,7 +210,14 @@ class _Writer(ShapeWriter):
         return frame + self.options.frame_offset
 
     def _note_losses(self, shape: RotoShape) -> None:
-        if any(key.feather is not None and key.feather.any() for key in shape.keys):
+        rows, height = max(self.clip.size) * self.clip.pixel_aspect, self.clip.size[1]
+        away = max(float(np.abs(key.points[..., 1] - height / 2.0).max()) for key in shape.keys)
+        if takes_part(shape) and height > rows + 1e-6 and away > rows / 2.0:
+            self.losses.append(
+                f"Blender cuts masks off where pixels are this narrow: {shape.name!r} reaches beyond the middle "
+                f"{rows:.0f} of {height} rows."
+            )
+        if has_feather_curve(shape):
             self.notes.append(
                 f"Blender's feather lies square to the outline: the feather curve of {shape.name!r} keeps its width at "
                 "each point, not its handles."

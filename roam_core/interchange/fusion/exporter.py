@@ -21,15 +21,13 @@ from roam_core.interchange.flatten import (
     Branch,
     branched,
     everything,
+    has_feather_curve,
     hidden_notes,
-    moments,
-    opacity_keys,
-    straight_keys,
     takes_part,
-    value_moments,
 )
 from roam_core.interchange.literals import lua_literal
-from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter, settled, without_smooth_keys
+from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter, readied, settled, without_smooth_keys
+from roam_core.interchange.timing import moments, opacity_keys, straight_keys, value_moments
 from roam_core.roto import BlendMode, Keyframe, Project, RotoShape
 from roam_core.roto.animated import Animatable, ValueKey, mapped, value_at, values_of
 from roam_core.roto.file import write_atomically
@@ -79,7 +77,7 @@ class FusionExporter:
 def fusion_setting(project: Project, options: ExportOptions = STANDARD) -> tuple[str, tuple[str, ...]]:
     """The Lua text with all shapes of `project`, and a sentence for each thing that it cannot hold."""
     clip = project.require_clip()
-    root = branched(project, timed_intersect=False)
+    root = branched(readied(project, options), timed_intersect=False)
     writer = _Writer(clip, options, max(len(list(root.shapes())), 1))
     if root.opacity == 1.0 and not root.invert:
         writer.chain(root)
@@ -294,8 +292,9 @@ class _Writer(ShapeWriter):
         return [", ".join(f"{name} = {_decimal(v)}" for name, v in zip(names, row, strict=True)) for row in rows]
 
     def _note_losses(self, shape: RotoShape) -> None:
-        if any(key.feather is not None and key.feather.any() for key in shape.keys):
-            self.notes.append(f"The feather curve of {shape.name!r} was left out: Fusion's masks have one soft edge.")
+        if has_feather_curve(shape):
+            lost = self.losses if takes_part(shape) else self.notes
+            lost.append(f"The feather curve of {shape.name!r} is lost: Fusion's masks have one soft edge all around.")
         if any(values_of(shape.feather)):
             self.notes.append(
                 f"Fusion softens on both sides of an outline: {shape.name!r} may look a little different."

@@ -10,8 +10,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from roam_core.interchange.flatten import JUST_BEFORE
 from roam_core.interchange.fusion.text import Table
+from roam_core.interchange.keys.keying import STEP
 from roam_core.interchange.reading import ShapeReader, brief
 from roam_core.roto import Animated, Interpolation, ValueKey
 from roam_core.roto.animated import Animatable, mapped, values_of
@@ -128,7 +128,7 @@ def _held(reader: ShapeReader, title: str, stamps: list[_Stamp], same: Any) -> l
     result: list[tuple[int, _Stamp, Interpolation]] = []
     for index, stamp in enumerate(stamps):
         following = stamps[index + 1] if index + 1 < len(stamps) else None
-        if result and following is not None and following.time - stamp.time <= 2.0 * JUST_BEFORE:
+        if result and following is not None and following.time - stamp.time <= STEP:
             frame, before, _ = result[-1]
             if same(before, stamp):
                 result[-1] = (frame, before, Interpolation.HOLD)

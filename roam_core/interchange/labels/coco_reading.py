@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 from itertools import pairwise
 from typing import Any
 
+import cv2
 import numpy as np
 from numpy.typing import NDArray
 
@@ -22,6 +23,9 @@ Array = NDArray[np.float64]
 
 MAX_RUNS, MAX_RUNS_OF_ONE = 40_000, 12_000
 """Of all masks of a file, and of one: noise has more, and shapes are not fitted to it in any time."""
+
+MAX_OUTLINES, MAX_OUTLINES_OF_ONE = 256, 48
+"""Of all masks of a file, and of one, holes among them: to fit a shape to one takes about a tenth of a second."""
 
 MAX_PIXELS = 1 << 24
 """Of all masks of a file that are given as runs: fitting shapes to more takes too long without a word of progress."""
@@ -38,6 +42,7 @@ class CocoReader(ShapeReader):
 
     _frames_told: list[int] = field(default_factory=list)
     _edges: int = 0
+    _outlines: int = 0
     _follows: dict[int, int] = field(default_factory=dict)
 
     def shapes(self, document: dict[str, Any]) -> Imported:
@@ -211,7 +216,17 @@ class CocoReader(ShapeReader):
             )
         if len(runs) > MAX_RUNS_OF_ONE:
             raise ValueError(f"it has more than {MAX_RUNS_OF_ONE} runs")
-        return mask_of(runs, size[0], size[1])
+        mask = mask_of(runs, size[0], size[1])
+        outlines = cv2.findContours(mask.astype(np.uint8), cv2.RETR_CCOMP, cv2.CHAIN_APPROX_NONE)[0]
+        if len(outlines) > MAX_OUTLINES_OF_ONE:
+            raise ValueError(f"it falls into more than {MAX_OUTLINES_OF_ONE} parts and holes")
+        self._outlines += len(outlines)
+        if self._outlines > MAX_OUTLINES:
+            raise RoamError(
+                f"{self.path} holds masks of more than {MAX_OUTLINES} parts and holes; bring them in as pictures of "
+                "masks."
+            )
+        return mask
 
 
 def _sides(image: dict[str, Any]) -> list[Any]:

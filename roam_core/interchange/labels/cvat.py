@@ -15,12 +15,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from roam_core.interchange.authorship import MARK
-from roam_core.interchange.flatten import without_holds
+from roam_core.interchange.flatten import is_feathered
 from roam_core.interchange.labels.polygons import BELONG, Flattener
-from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter, settled, without_smooth_keys
-from roam_core.interchange.stilled import stilled
+from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter, readied, settled, without_smooth_keys
+from roam_core.interchange.timing import without_holds
 from roam_core.interchange.xml import xml_text
 from roam_core.roto import BlendMode, Layer, Project, RotoShape
+from roam_core.roto.animated import is_always
 from roam_core.roto.file import write_atomically
 
 Array = NDArray[np.float64]
@@ -50,7 +51,7 @@ class CvatExporter:
 
 def cvat_document(project: Project, options: ExportOptions = STANDARD) -> tuple[str, list[str], list[str]]:
     """The text with all shapes, sentences on what it cannot hold, and on what it shows otherwise."""
-    project = stilled(project)
+    project = readied(project, options)
     clip = project.require_clip()
     writer = _Writer(clip, options, len(project.shapes))
     frames = options.frames_of(clip)
@@ -142,12 +143,9 @@ class _Writer(ShapeWriter):
         if shape.closed and (shape.invert or shape.blend not in JOINING):
             what = "inversion" if shape.invert else f"mode {shape.blend.value!r}"
             self.losses.append(f"Polygons of CVAT only add: the {what} of {name} is lost.")
-        soft = any(shape.feather_at(frame) for frame in shape.frames) or any(
-            key.feather is not None and key.feather.any() for key in shape.keys
-        )
-        dim = any(shape.opacity_at(frame) != 1.0 for frame in shape.frames)
-        blurred = shape.motion_blur is not None
-        left = [word for word, is_so in (("feather", soft), ("opacity", dim), ("motion blur", blurred)) if is_so]
+        dim, blurred = not is_always(shape.opacity, 1.0), shape.motion_blur is not None
+        had = (("feather", is_feathered(shape)), ("opacity", dim), ("motion blur", blurred))
+        left = [word for word, is_so in had if is_so]
         if left:
             self.notes.append(f"Labels are hard and opaque: {', '.join(left)} of {name} were left out.")
         if not shape.visible:

@@ -15,13 +15,13 @@ from typing import Any
 import numpy as np
 
 from roam_core.geometry.bezier import ANCHOR, IN, OUT
-from roam_core.interchange.flatten import without_holds
+from roam_core.interchange.flatten import has_feather_curve
 from roam_core.interchange.labels.polygons import length_of_number
 from roam_core.interchange.naming import file_words
-from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter, settled, without_smooth_keys
-from roam_core.interchange.stilled import stilled
+from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter, readied, settled, without_smooth_keys
+from roam_core.interchange.timing import without_holds
 from roam_core.roto import BlendMode, Layer, Project, RotoShape
-from roam_core.roto.animated import is_always
+from roam_core.roto.animated import is_always, values_of
 from roam_core.roto.file import write_atomically
 
 OPERATIONS = {
@@ -44,7 +44,7 @@ class MltExporter:
     def export(self, project: Project, path: Path, options: ExportOptions = STANDARD) -> tuple[str, ...]:
         """Write `path` where there is one shape, else a file for each beside it, its name before the suffix."""
         writer = _Writer(project.require_clip(), options, len(project.shapes))
-        writer.add(stilled(project).root)
+        writer.add(readied(project, options).root)
         told = settled(writer.notes, writer.losses, options)
         for place, text in zip(self.files(project, path, options), writer.texts, strict=True):
             write_atomically(place, text.encode("ascii"))
@@ -100,7 +100,7 @@ class _Writer(ShapeWriter):
             told.append(f"alpha operation {operation!r}")
         if shape.invert:
             told.append("inversion")
-        width = max((abs(shape.feather_at(frame)) for frame in shape.frames), default=0.0)
+        width = max(map(abs, values_of(shape.feather)))
         if width:
             told.append(f"a feather of about {max(round(width / 2), 1)}, which is a blur")
         if told:
@@ -109,8 +109,11 @@ class _Writer(ShapeWriter):
             self.losses.append(f"MLT's rotoscoping has no opacity: that of {name} is lost.")
         if not shape.visible or shape.lifetime is not None:
             self.notes.append(f"A spline is always there: switch off or cut the filter of {name} where it is not.")
-        if any(key.feather is not None and key.feather.any() for key in shape.keys) or shape.motion_blur is not None:
-            self.notes.append(f"MLT has neither feather curves nor motion blur: those of {name} were left out.")
+        if has_feather_curve(shape):
+            lost = self.losses if shape.visible else self.notes
+            lost.append(f"MLT has one feather all around: the feather curve of {name} is lost.")
+        if shape.motion_blur is not None:
+            self.notes.append(f"MLT has no motion blur: that of {name} was left out.")
 
 
 def is_mlt(document: Any) -> bool:

@@ -11,9 +11,9 @@ from numpy.typing import NDArray
 
 from roam_core.interchange.keys.keying import animated_of
 from roam_core.interchange.nuke.curves import Curve, FollowsExpressionError, constant, curve
-from roam_core.interchange.nuke.keys import right_before
 from roam_core.interchange.nuke.script import Nested, decoded
 from roam_core.interchange.reading import ShapeReader
+from roam_core.interchange.timing import right_before
 from roam_core.roto import BlendMode, Clip, MotionBlur, RotoShape
 from roam_core.roto.animated import Animatable, mapped
 from roam_core.roto.project import PALETTE

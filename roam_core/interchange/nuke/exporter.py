@@ -39,8 +39,7 @@ from roam_core.interchange.nuke.text import (
     number,
     numbers,
 )
-from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter, settled
-from roam_core.interchange.stilled import stilled
+from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter, readied, settled
 from roam_core.roto import BlendMode, Layer, Project, RotoShape
 from roam_core.roto.animated import Animatable
 from roam_core.roto.file import write_atomically
@@ -77,7 +76,7 @@ def roto_document(project: Project, options: ExportOptions = STANDARD) -> tuple[
     One Roto node holds it all, unless a layer must be a matte of its own (`nuke_graph`): then several, and the nodes
     that join them.
     """
-    project = stilled(project)
+    project = readied(project, options)
     clip = project.require_clip()
     writer = _Writer(clip, options, len(project.shapes), names=Names.of(project.root))
     writer.notes += (*told(project.root), *writer.names.notes())

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from roam_core.errors import RoamError
 from roam_core.geometry.bezier import ANCHOR, IN, OUT
 from roam_core.interchange.keys.reduction import Slopes
+from roam_core.interchange.timing import right_before
 from roam_core.roto import Animated, Interpolation, Keyframe, RotoShape
 
 Array = NDArray[np.float64]
@@ -31,10 +32,6 @@ class KeyedCurves:
     values: Array
     leaving: Array
     reaching: Array
-
-
-STEP = 1.0 / 1024.0
-"""Frames before the next key at which a held one stands once more: no sample of motion blur falls in between."""
 
 
 @dataclass(frozen=True)
@@ -67,7 +64,7 @@ def timed_keys(shape: RotoShape, slopes: Sequence[Slopes | None], offset: int) -
 
     The grammar has a word for a key that steps, an integer behind its slopes; but its page gives the default a number
     that would be a step, public tools count otherwise, and no file at hand holds one. So the key of a HOLD stands once
-    more right before the next key (`STEP`), with flat slopes: a step for whoever knows cubics.
+    more right before the next key (`timing.STEP`), with flat slopes: a step for whoever knows cubics.
 
     Raises `RoamError` for frames that single precision would round.
     """
@@ -87,11 +84,6 @@ def timed_keys(shape: RotoShape, slopes: Sequence[Slopes | None], offset: int) -
     if max(abs(time) for time in times) > LAST_EXACT_FRAME:
         raise RoamError(f"The shape {shape.name!r} has keys on frames beyond {LAST_EXACT_FRAME}, which Nuke rounds.")
     return TimedKeys(times, keys, spans)
-
-
-def right_before(frame: int) -> float:
-    """The moment `STEP` before a frame, or the last one that single precision knows."""
-    return min(float(np.float32(frame - STEP)), float(np.nextafter(np.float32(frame), np.float32(-np.inf))))
 
 
 @dataclass(frozen=True)
@@ -128,20 +120,6 @@ def _counted(frame: int) -> float:
             f"An opacity or feather has a key on frame {frame}; Nuke rounds those beyond {LAST_EXACT_FRAME}."
         )
     return float(frame)
-
-
-def straight_keys(value: Animated, offset: int) -> list[tuple[float, float]]:
-    """Times and values of the same for a curve of straight spans: a smooth span has a key on every frame."""
-    made: list[tuple[float, float]] = []
-    for key, following in zip_longest(value.keys, value.keys[1:]):
-        made.append((_counted(key.frame + offset), key.value))
-        if following is None:
-            break
-        if key.interpolation is Interpolation.HOLD and (last := right_before(following.frame + offset)) > made[-1][0]:
-            made.append((last, key.value))
-        if key.interpolation is Interpolation.SMOOTH and key.value != following.value:
-            made += [(float(frame + offset), value.at(frame)) for frame in range(key.frame + 1, following.frame)]
-    return made
 
 
 def _append(made: ValueCurve, time: float, value: float, left: float, right: float) -> None:

@@ -21,13 +21,12 @@ from roam_core.interchange.nuke.keys import (
     feather_triples,
     outline_slopes,
     outline_triples,
-    straight_keys,
     timed_keys,
     value_curve,
 )
 from roam_core.interchange.nuke.names import KNOB, LAYER_KNOB, Names, inert, layer_word
-from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter, settled
-from roam_core.interchange.stilled import stilled
+from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter, readied, settled
+from roam_core.interchange.timing import straight_keys, value_moments
 from roam_core.roto import Animated, BlendMode, Layer, Project, RotoShape
 from roam_core.roto.animated import Animatable
 from roam_core.roto.file import write_atomically
@@ -192,7 +191,7 @@ class NukePythonExporter:
 
 def python_document(project: Project, options: ExportOptions = STANDARD) -> tuple[str, tuple[str, ...]]:
     """The text of a script that makes all shapes of `project`, and a sentence for each thing that it says otherwise."""
-    project = stilled(project)
+    project = readied(project, options)
     root = project.root
     writer = _Writer(project.require_clip(), options, len(project.shapes), names=Names.of(root))
     writer.notes += (*told(root), *writer.names.notes())
@@ -223,7 +222,7 @@ class _Writer(ShapeWriter):
             if layer.opacity != 1.0:
                 value: Any = layer.opacity
                 if isinstance(value, Animated):
-                    value = straight_keys(value, self.options.frame_offset)
+                    value = value_moments(straight_keys(value), self.options.frame_offset)
                 yield _node("Multiply", 1, [("channels", "alpha"), ("value", value)])
             yield {**_node("NoOp", 1, []), "label": inert(layer.name), "knobs": [(LAYER_KNOB, layer_word(layer))]}
 

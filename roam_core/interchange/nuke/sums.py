@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
+from roam_core.interchange.flatten import is_feathered
 from roam_core.roto import BlendMode, Layer, RotoShape
 from roam_core.roto.animated import is_always
 
@@ -30,8 +31,7 @@ def is_soft(item: Item) -> bool:
         return True
     if isinstance(item, Layer):
         return any(map(is_soft, item.children))
-    has_curve = any(key.feather is not None and key.feather.any() for key in item.keys)
-    return has_curve or not is_always(item.feather, 0.0)
+    return is_feathered(item)
 
 
 def is_soft_sum(item: Item, under: Sequence[Item]) -> bool:

@@ -9,7 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from roam_core.interchange.authorship import MARK
-from roam_core.interchange.nuke.keys import straight_keys, value_curve
+from roam_core.interchange.nuke.keys import value_curve
+from roam_core.interchange.timing import straight_keys, value_moments
 from roam_core.roto.animated import Animatable, Animated
 
 Array = NDArray[np.float64]
@@ -60,7 +61,7 @@ def knob_curve(value: Animatable, frame_offset: int) -> str:
     """A number as the value of a node's knob: itself, or an animation curve of straight spans."""
     if not isinstance(value, Animated):
         return repr(value)
-    keys = " ".join(f"x{time:.10g} {at!r}" for time, at in straight_keys(value, frame_offset))
+    keys = " ".join(f"x{time:.10g} {at!r}" for time, at in value_moments(straight_keys(value), frame_offset))
     return f"{{{{curve L {keys}}}}}"
 
 

@@ -9,9 +9,7 @@ description: what stands here follows the exporters that artists use to bring sh
 from __future__ import annotations
 
 import xml.etree.ElementTree as ET
-from collections.abc import Iterator
-from dataclasses import replace
-from itertools import zip_longest
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -20,10 +18,10 @@ from numpy.typing import NDArray
 from roam_core.geometry import bspline
 from roam_core.geometry.bezier import ANCHOR, IN, OUT
 from roam_core.interchange.authorship import MARK
-from roam_core.interchange.flatten import everything
+from roam_core.interchange.flatten import everything, is_feathered, shown_shapes
 from roam_core.interchange.nuke.sums import UNIONS, Item, is_shown
-from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter, settled, without_smooth_keys
-from roam_core.interchange.stilled import stilled
+from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter, readied, settled, without_smooth_keys
+from roam_core.interchange.timing import opacity_keys
 from roam_core.interchange.xml import xml_text
 from roam_core.roto import (
     Animated,
@@ -35,9 +33,8 @@ from roam_core.roto import (
     Project,
     RotoShape,
     Spline,
-    ValueKey,
 )
-from roam_core.roto.animated import Animatable, is_always, product, value_at
+from roam_core.roto.animated import Animatable, is_always, product
 from roam_core.roto.file import write_atomically
 
 Array = NDArray[np.float64]
@@ -80,7 +77,7 @@ def silhouette_document(project: Project, options: ExportOptions = STANDARD) -> 
     The key of frame f is numbered f minus the clip's first frame plus the options' offset; the session's own range
     stays the plate's.
     """
-    project = stilled(project)
+    project = readied(project, options)
     clip = project.require_clip()
     session = ET.Element(
         "Silhouette",
@@ -91,7 +88,8 @@ def silhouette_document(project: Project, options: ExportOptions = STANDARD) -> 
         workRangeEnd=str(clip.last),
         sessionStartFrame=str(clip.first),
     )
-    writer = _Writer(clip, options, len(project.shapes))
+    shown = frozenset(shape.id for shape in shown_shapes(project.root))
+    writer = _Writer(clip, options, len(project.shapes), shown=shown)
     project = replace(project, root=writer.veiled(project.root))
     writer.total = len(project.shapes)
     root = ET.SubElement(session, "Layer", type="Layer", label=xml_text(project.root.name), expanded="True")
@@ -113,10 +111,14 @@ def normalised(points: Array, clip: Clip) -> Array:
     return result
 
 
+@dataclass
 class _Writer(ShapeWriter):
-    """Fills XML elements from layers and shapes; gathers what is lost on the way."""
+    """Fills XML elements from layers and shapes; gathers what is lost on the way. `shown` has the ids of shapes that
+    make the matte."""
 
     KINDS = frozenset(PATH_KINDS)
+
+    shown: frozenset[str] = frozenset()
 
     def veiled(self, layer: Layer) -> Layer:
         """The layer with a shape of its opacity lying inside of all that is in it, where its shapes cannot have it."""
@@ -170,10 +172,9 @@ class _Writer(ShapeWriter):
             self._add_path_key(path, key, shape)
 
     def _note_losses(self, shape: RotoShape) -> None:
-        if shape.feather or any(key.feather is not None and key.feather.any() for key in shape.keys):
-            self.notes.append(
-                f"The feather of {shape.name!r} was left out: how a Silhouette file holds it is not known."
-            )
+        if is_feathered(shape):
+            lost = self.losses if shape.id in self.shown else self.notes
+            lost.append(f"The feather of {shape.name!r} is lost: how a Silhouette file holds it is not known.")
         if shape.motion_blur is not None:
             self.notes.append(f"Silhouette's shutter is the session's: that of {shape.name!r} was left out.")
 
@@ -183,7 +184,7 @@ class _Writer(ShapeWriter):
             _constant(properties, "opacity", f"{100.0 * opacity:.6f}")
             return
         entry = ET.SubElement(properties, "Property", id="opacity")
-        for key in opacity_keys(opacity, shape.lifetime):
+        for key in opacity_keys(replace(shape, opacity=opacity)):
             interp = "hold" if key.interpolation is Interpolation.HOLD else "linear"
             element = ET.SubElement(entry, "Key", frame=self._frame(key.frame), interp=interp)
             element.text = f"{100.0 * key.value:.6f}"
@@ -201,32 +202,6 @@ class _Writer(ShapeWriter):
 
     def _frame(self, frame: int) -> str:
         return str(frame - self.clip.first + self.options.frame_offset)
-
-
-def opacity_keys(opacity: Animatable, lifetime: tuple[int, int] | None) -> list[ValueKey]:
-    """Keys that hold or move straight, and that hold zero outside of a lifetime."""
-    keys = list(_straight(opacity)) if isinstance(opacity, Animated) else []
-    if lifetime is None:
-        return keys
-    (start, stop), hold = lifetime, Interpolation.HOLD
-    lasting = Animated(tuple(keys)) if keys else Animated((ValueKey(start, value_at(opacity, start), hold),))
-    before = next((key for key in reversed(lasting.keys) if key.frame <= start), None)
-    first = ValueKey(start, lasting.at(start), before.interpolation if before else hold)
-    inside = [first, *(key for key in lasting.keys if start < key.frame < stop)]
-    if inside[-1].frame < stop - 1 and inside[-1].interpolation is not hold:
-        inside.append(ValueKey(stop - 1, lasting.at(stop - 1)))
-    inside[-1] = replace(inside[-1], interpolation=hold)
-    return [ValueKey(start - 1, 0.0, hold), *inside, ValueKey(stop, 0.0, hold)]
-
-
-def _straight(value: Animated) -> Iterator[ValueKey]:
-    """The keys of a value, with one on every frame of its smooth spans."""
-    for key, following in zip_longest(value.keys, value.keys[1:]):
-        if following is None or key.interpolation is not Interpolation.SMOOTH:
-            yield key
-            continue
-        frames = range(key.frame, following.frame if key.value != following.value else key.frame + 1)
-        yield from (ValueKey(frame, value.at(frame)) for frame in frames)
 
 
 def _folds(layer: Layer) -> bool:

@@ -20,7 +20,7 @@ Place = tuple[float, float]
 CIRCLE = 4.0 / 3.0 * math.tan(math.pi / 8.0)
 """Length of the handles of a quarter of the unit circle."""
 
-PER_COMMAND, PER_ARC = 2, 16
+PER_COMMAND, PER_ARC = 2, 48
 """Parts that a command of a path counts for."""
 
 ARGUMENTS = {"M": 2, "L": 2, "H": 1, "V": 1, "C": 6, "S": 4, "Q": 4, "T": 2, "A": 7, "Z": 0}

@@ -16,9 +16,13 @@ from hypothesis import strategies as st
 
 from roam_core.geometry import bezier
 from roam_core.interchange.blender.exporter import blender_script, mask_space
+from roam_core.interchange.blender.steps import MOST_STEPS, stepped
+from roam_core.interchange.flatten import Branch
 from roam_core.interchange.literals import whole
+from roam_core.interchange.protocol import LossyExport
 from roam_core.matte import render_matte
-from roam_core.roto import BlendMode, Clip, Keyframe, Layer, Project, RotoShape
+from roam_core.roto import BlendMode, Clip, Interpolation, Keyframe, Layer, Project, RotoShape
+from tests.property.test_interchange import shapes
 from tests.unit.interchange.blender_judge import rendered
 from tests.unit.interchange.conftest import CLIP, animated
 from tests.unit.interchange.test_other_programs import NAMES, bent_leaf
@@ -90,6 +94,50 @@ def test_what_is_lost_is_told(project: Project) -> None:
     ):
         assert words in notes
     assert "cuts names" in blender_script(only(replace(animated("x"), name="x" * 64)))[1][0]
+
+
+@settings(deadline=None, max_examples=40)
+@given(shapes(), st.floats(-60.0, 1300.0), st.none() | st.tuples(st.integers(-50, 600), st.integers(601, 1200)))
+def test_of_a_shape_that_steps_there_is_one_stretch_at_any_moment(
+    shape: RotoShape, moment: float, lifetime: tuple[int, int] | None
+) -> None:
+    shape = replace(shape, closed=True, visible=True, lifetime=lifetime)
+    clip = Clip(Path("plate"), -60, 1300, (320, 200))
+    made = [*stepped(Branch("Root", (shape,)), clip, []).shapes()]
+    there = [each for each in made if each.exists_at(moment)]
+    assert len(there) == shape.exists_at(moment)
+    for each in there:
+        np.testing.assert_allclose(each.at(moment).points, shape.at(moment).points, atol=1e-6)
+
+
+def test_a_shape_that_steps_often_stays_one_and_is_told() -> None:
+    corners = np.array([(0.0, 0.0), (50.0, 0.0), (0.0, 50.0)])
+    keys = tuple(
+        Keyframe(1 + k, bezier.polygon_points(corners + k), interpolation=Interpolation.HOLD)
+        for k in range(MOST_STEPS + 2)
+    )
+    often, seldom = (RotoShape("shape-1", "Often", each) for each in (keys, keys[:3]))
+    (layer,) = data(blender_script(only(often))[0])
+    assert len(layer["keys"]) == len(keys)
+    assert "'Often', which steps 25 times, does so during" in blender_script(only(often))[1][0]
+    layers = data(blender_script(only(seldom))[0])
+    assert [each["name"] for each in layers] == ["Often"] * 3
+    assert [[key[0] for key in each["alpha"][1]] for each in layers] == [[0, 1, 2], [1, 2, 3], [2, 3, 1041]]
+    assert "became 3 layers" in blender_script(only(seldom))[1][0]
+
+
+def test_masks_that_blender_cuts_off_are_a_loss() -> None:
+    clip = replace(CLIP, size=(200, 160), pixel_aspect=0.5)
+    tall, low = (
+        RotoShape("s", name, (Keyframe(1001, bezier.polygon_points([(50, top), (90, top), (70, 100)])),))
+        for name, top in (("Tall", 20.0), ("Low", 40.0))
+    )
+    blender_script(only(low, clip=clip))
+    with pytest.raises(LossyExport, match="'Tall' reaches beyond the middle 100 of 160 rows"):
+        blender_script(only(tall, low, clip=clip))
+    assert not any("softens edges" in note for note in blender_script(only(low, clip=clip))[1])
+    told = blender_script(only(low, clip=replace(CLIP, size=(100, 1000))))[1]
+    assert "Blender softens edges by up to 10.0 pixels in a picture of 100 x 1000." in told
 
 
 # ---- Blender's own pixels --------------------------------------------------------------------------------------------

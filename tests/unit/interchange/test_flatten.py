@@ -7,7 +7,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from roam_core.interchange.flatten import branched, hidden_notes, moments, opacity_keys, without_holds
+from roam_core.interchange.flatten import branched, hidden_notes
+from roam_core.interchange.timing import moments, opacity_keys, without_holds
 from roam_core.matte import render_matte
 from roam_core.roto import Animated, BlendMode, Interpolation, Layer, Project, RotoShape, ValueKey
 from tests.unit.interchange.conftest import animated
@@ -69,7 +70,7 @@ def test_holds_become_two_keys_that_are_right_on_every_frame() -> None:
 def test_holds_become_keys_just_before_the_next_between_frames_too() -> None:
     held = animated("Held", Interpolation.HOLD)
     assert [moment.time for moment in moments(held, 1)] == [
-        1002, 1012 - 1 / 256, 1012, 1013 - 1 / 256, 1013, 1031 - 1 / 256, 1031
+        1002, 1012 - 1 / 1024, 1012, 1013 - 1 / 1024, 1013, 1031 - 1 / 1024, 1031
     ]  # fmt: skip
     assert [moment.key.frame for moment in moments(held, 1)] == [1001, 1001, 1011, 1011, 1012, 1012, 1030]
 

@@ -10,8 +10,15 @@ import pytest
 
 from roam_core.errors import RoamError
 from roam_core.interchange import EXPORTERS, ExportOptions, KeyChoice
-from roam_core.interchange.protocol import exported_keys, within
-from roam_core.roto import Interpolation, Origin, Project
+from roam_core.interchange.protocol import exported_keys, readied, within
+from roam_core.interchange.timing import value_within
+from roam_core.matte import render_matte
+from roam_core.roto import Animated, Interpolation, Layer, Origin, Project, ValueKey
+from roam_core.roto.animated import frames_of
+from tests.judges.coverage import overlap
+from tests.judges.programs import JUDGES
+from tests.judges.scenes import SCENES, blob
+from tests.judges.table import Judge
 from tests.unit.interchange.conftest import animated
 
 
@@ -96,3 +103,47 @@ def test_absurd_frame_numbers_are_refused(project: Project, tmp_path: Path, name
 def test_a_still_picture_of_another_frame_is_refused(project: Project, tmp_path: Path, frame: int) -> None:
     with pytest.raises(RoamError, match=f"Frame {frame} lies outside"):
         EXPORTERS["svg"].export(project, tmp_path / "p.svg", ExportOptions(frame=frame))
+
+
+@pytest.mark.parametrize("interpolation", Interpolation)
+@pytest.mark.parametrize("frames", [range(2, 9), range(4, 5), range(10, 12), range(-5, 40), range(-9, -3)])
+def test_a_value_is_what_it_was_on_the_frames_that_are_written(interpolation: Interpolation, frames: range) -> None:
+    value = Animated((ValueKey(0, 1.0, interpolation), ValueKey(5, 3.0, interpolation), ValueKey(20, 2.0)))
+    cut = value_within(value, frames)
+    assert set(frames_of(cut)) <= set(frames)
+    assert isinstance(cut, Animated)
+    for frame in frames:
+        assert cut.at(frame) == pytest.approx(value.at(frame))
+
+
+def fading(is_soft: bool = True) -> Project:
+    """Opacities and feathers of shapes and of a layer that all begin before and end after the frames of the test."""
+    scene = SCENES["in time"].project
+    others = [item for item in scene.root.children if is_soft or item.name != "Softens"]
+    fades = Animated((ValueKey(900, 0.0, Interpolation.SMOOTH), ValueKey(1007, 1.0), ValueKey(1200, 0.3)))
+    feather = Animated((ValueKey(900, 1.0), *fades.keys[1:])) if is_soft else 0.0
+    inner = blob("Far", 90.0, 200.0, 40.0, 20.0, opacity=fades, feather=feather)
+    layer = Layer("layer-9", "Fades", (inner, blob("Cuts", 99.0, 190.0, 9.0, 9.0)), opacity=fades, invert=True)
+    return Project(scene.clip, Layer("root", "Root", (*others, layer)))
+
+
+def test_no_key_of_an_opacity_or_a_feather_lies_beyond_the_frames() -> None:
+    frames = range(1004, 1010)
+    root = readied(fading(), ExportOptions(frames=frames)).root
+    items = [*root.items(), *root.shapes()]
+    found = {frame for item in items for frame in frames_of(item.opacity)}
+    found |= {frame for shape in root.shapes() for frame in frames_of(shape.feather)}
+    assert found
+    assert found <= set(frames)
+
+
+@pytest.mark.parametrize("judge", [judge for judge in JUDGES if not judge.still], ids=lambda judge: judge.exporter)
+def test_values_in_time_are_cut_and_counted_as_outlines_are(judge: Judge, tmp_path: Path) -> None:
+    if judge.missing:
+        pytest.skip(judge.missing)
+    project, path = fading(is_soft=judge.exporter != "silhouette"), tmp_path / f"p{EXPORTERS[judge.exporter].suffix}"
+    EXPORTERS[judge.exporter].export(project, path, ExportOptions(frames=range(1004, 1010), frame_offset=100))
+    clip = project.require_clip()
+    for frame in (1004, 1007, 1009):
+        ours = render_matte(project, frame, (clip.size[1], clip.size[0]))
+        assert overlap(ours, judge.matte(path, clip, frame + 100)) > judge.least, frame

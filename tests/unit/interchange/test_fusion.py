@@ -65,7 +65,7 @@ def test_opacity_feather_and_blur_are_values_of_the_mask() -> None:
 
 def test_a_lifetime_is_a_level_that_is_right_on_every_frame() -> None:
     (mask,) = judge(fusion_setting(only(shape("A", opacity=0.5, lifetime=(1005, 1015))))[0])
-    before = 1.0 / 256.0
+    before = 1.0 / 1024.0
     assert mask.values["level"] == {1004: 0, 1005 - before: 0, 1005: 0.5, 1015 - before: 0.5, 1015: 0}
 
 
@@ -92,7 +92,7 @@ def test_opacity_and_feather_keep_their_keys() -> None:
         only(shape("A", opacity=opacity, feather=Animated((ValueKey(1001, 0.0), ValueKey(1009, 19.2)))))
     )[0]
     tools = evaluated(text)
-    assert keys_of("Level", tools["A"], tools) == {1001: 0.25, 1005 - 1 / 256: 0.25, 1005: 0.5, 1009: 1.0}
+    assert keys_of("Level", tools["A"], tools) == {1001: 0.25, 1005 - 1 / 1024: 0.25, 1005: 0.5, 1009: 1.0}
     assert keys_of("SoftEdge", tools["A"], tools) == pytest.approx({1001: 0.0, 1009: 0.01})
     assert keys_of("BorderWidth", tools["A"], tools) == pytest.approx({1001: 0.0, 1009: 0.005})
 

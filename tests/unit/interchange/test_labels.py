@@ -119,6 +119,28 @@ def test_runs_of_pixels_go_both_ways() -> None:
     assert runs_of_text(text) == runs_of(large.astype(bool))
 
 
+def test_masks_of_noise_are_left_out_or_refused(tmp_path: Path) -> None:
+    """To fit shapes to specks takes a tenth of a second each."""
+
+    def data(masks: list[Any]) -> Path:
+        rows = [
+            {"id": k, "image_id": k, "category_id": 1, "segmentation": {"size": [96, 96], "counts": runs_of(mask)}}
+            for k, mask in enumerate(masks)
+        ]
+        document = {"images": [{"id": k, "frame": 1001 + k} for k in range(len(masks))], "annotations": rows}
+        path = tmp_path / "noise.json"
+        path.write_text(json.dumps(document))
+        return path
+
+    specks, few = np.zeros((96, 96), dtype=bool), np.zeros((96, 96), dtype=bool)
+    specks[::8, ::8] = True
+    few[8:88:16, 8:88:16] = True
+    made = read_shapes(data([specks]), CLIP)
+    assert any("falls into more than 48 parts and holes" in note for note in made.notes)
+    with pytest.raises(RoamError, match="more than 256 parts and holes"):
+        read_shapes(data([few] * 11), CLIP)
+
+
 def test_polygons_are_cut_at_the_picture() -> None:
     diamond = np.array([[-10.0, 5.0], [5.0, -10.0], [20.0, 5.0], [5.0, 20.0]])
     inside = clipped(diamond, (10, 10))

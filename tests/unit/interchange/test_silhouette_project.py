@@ -10,7 +10,8 @@ import numpy as np
 import pytest
 
 from roam_core.errors import RoamError
-from roam_core.interchange import Imported, read_shapes, silhouette_project
+from roam_core.interchange import Imported, read_shapes
+from roam_core.interchange.silhouette import project as silhouette_project
 from roam_core.roto import Layer, Spline
 from tests.unit.interchange.test_silhouette_reading import CLIP, CONTROLS, constant, keyed, shape_xml, spline_key
 

@@ -13,8 +13,8 @@ from tests.judges.programs import JUDGES
 from tests.judges.scenes import NAMES, SCENES
 from tests.judges.table import Judge, judged, names_kept
 
-IN_WORDS = {("blender", "holds, between frames")}
-"""Cells that the page explains below the table: Blender's masks have keys on whole frames only."""
+IN_WORDS = {("after-effects", "soft edges"), ("svg", "in time")}
+"""Cells that the page explains below the table: feather curves without their handles, and bands of feathers."""
 
 
 def published() -> dict[tuple[str, str], str]:
