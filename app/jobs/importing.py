@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from PySide6.QtCore import QObject, Signal
 
+from app.counting import counted
 from app.document import Document
 from app.jobs.runner import Ending, Report, Runner
 from roam_core.roto import Clip, edit
@@ -16,7 +17,7 @@ from roam_core.roto import Clip, edit
 if TYPE_CHECKING:
     from roam_core.interchange import Imported, ImportOptions, MaskOptions
 
-SHAPE_FILES = (".nk", ".gizmo", ".fxs", ".sfx", ".setting", ".svg", ".json")
+SHAPE_FILES = (".nk", ".gizmo", ".fxs", ".sfx", ".setting", ".svg", ".json", ".xml")
 """Suffixes of files that hold shapes and cannot be a clip or a project."""
 
 
@@ -71,7 +72,7 @@ class Import(QObject):
             count = sum(1 for _ in imported.layer.shapes())
             if count:
                 report.partial(imported)
-            return " ".join([f"Read {count} shape(s) from {name}.", *imported.notes])
+            return " ".join([f"Read {counted(count, 'shape')} from {name}.", *imported.notes])
 
         job = self._runner.start("import", work)
         job.progress.connect(self.progress)

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QFormLayout, QLabel, QSpinBox, QToolButton
+from PySide6.QtGui import QWheelEvent
+from PySide6.QtWidgets import QComboBox, QFormLayout, QLabel, QSpinBox, QToolButton
 
 from app import style
 from app.actions import Actions
@@ -50,6 +51,22 @@ def number_field(tip: str) -> QSpinBox:
     field.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
     field.setToolTip(tip)
     return field
+
+
+class ChoiceBox(QComboBox):
+    """A list to choose from in a panel.
+
+    It never takes the keyboard: keys pressed afterwards choose nothing. Nor does the wheel choose:
+    over it the panel scrolls, and a choice that is changed by the way is not noticed.
+    """
+
+    def __init__(self, tip: str = "") -> None:
+        super().__init__()
+        self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        self.setToolTip(tip)
+
+    def wheelEvent(self, event: QWheelEvent) -> None:
+        event.ignore()
 
 
 def weak_label(text: str) -> QLabel:

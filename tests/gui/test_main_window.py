@@ -176,7 +176,7 @@ def test_shapes_dropped_on_the_window_join_the_project_as_one_step(
     with qtbot.waitSignal(window.importing.finished, timeout=WAIT):
         window.file_actions.open_dropped(tmp_path / "a.nk")
     assert len(window.document.project.shapes) == 2
-    assert "Read 1 shape(s) from a.nk" in window.status.sentence.text()
+    assert "Read 1 shape from a.nk" in window.status.sentence.text()
     assert window.document.undo_stack.undoText() == "Import shapes"
     window.document.undo_stack.undo()
     assert len(window.document.project.shapes) == 1

@@ -17,11 +17,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from roam_core.interchange.labels.polygons import BELONG, Flattener, area, clipped, runs_of
+from roam_core.interchange.labels.polygons import BELONG, Flattener, area, clipped, is_soft, runs_of
 from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter, settled
 from roam_core.interchange.stilled import stilled
 from roam_core.matte import render_matte
 from roam_core.roto import BlendMode, Layer, Project, RotoShape
+from roam_core.roto.animated import is_always
 from roam_core.roto.file import write_atomically
 
 Array = NDArray[np.float64]
@@ -84,13 +85,14 @@ class _Writer(ShapeWriter):
         return replace(layer, children=tuple(children), opacity=1.0)
 
     def _tell(self, shape: RotoShape) -> None:
-        soft = any(shape.feather_at(frame) for frame in shape.frames) or any(
-            key.feather is not None and key.feather.any() for key in shape.keys
-        )
-        left = [word for word, is_so in (("feather", soft), ("motion blur", shape.motion_blur is not None)) if is_so]
+        left = [
+            word
+            for word, is_so in (("feather", is_soft(shape)), ("motion blur", shape.motion_blur is not None))
+            if is_so
+        ]
         if left:
-            self.notes.append(f"Objects are hard: {' and '.join(left)} of {shape.name!r} were left out.")
-        if any(shape.opacity_at(frame) != 1.0 for frame in shape.frames):
+            self.notes.append(f"Objects are hard, without the {' and '.join(left)} of {shape.name!r}.")
+        if not is_always(shape.opacity, 1.0):
             self.notes.append(f"Objects are opaque: the opacity of {shape.name!r} was left out.")
 
     def document(self, root: Layer, told_to: ExportOptions) -> dict[str, Any]:

@@ -16,11 +16,12 @@ from numpy.typing import NDArray
 
 from roam_core.interchange.authorship import MARK
 from roam_core.interchange.flatten import without_holds
-from roam_core.interchange.labels.polygons import BELONG, Flattener
+from roam_core.interchange.labels.polygons import BELONG, Flattener, is_soft
 from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter, settled, without_smooth_keys
 from roam_core.interchange.stilled import stilled
 from roam_core.interchange.xml import xml_text
 from roam_core.roto import BlendMode, Layer, Project, RotoShape
+from roam_core.roto.animated import is_always
 from roam_core.roto.file import write_atomically
 
 Array = NDArray[np.float64]
@@ -89,8 +90,9 @@ class _Writer(ShapeWriter):
 
     def add(self, layer: Layer, label: str) -> None:
         """The shapes of a layer and of those in it; `label` is "" in the root."""
-        if layer.invert or layer.blend not in JOINING:
-            self.losses.append(f"CVAT has no layers of masks: mode and inversion of {layer.name!r} are lost.")
+        mode = "" if layer.blend in JOINING else f"the mode {layer.blend.value!r}"
+        if lost := " and ".join(filter(None, (mode, "the inversion" if layer.invert else ""))):
+            self.losses.append(f"CVAT has no layers of masks: of {layer.name!r} {lost} is lost.")
         for child in layer.children:
             if isinstance(child, Layer):
                 self.add(child, label or child.name)
@@ -142,13 +144,9 @@ class _Writer(ShapeWriter):
         if shape.closed and (shape.invert or shape.blend not in JOINING):
             what = "inversion" if shape.invert else f"mode {shape.blend.value!r}"
             self.losses.append(f"Polygons of CVAT only add: the {what} of {name} is lost.")
-        soft = any(shape.feather_at(frame) for frame in shape.frames) or any(
-            key.feather is not None and key.feather.any() for key in shape.keys
-        )
-        dim = any(shape.opacity_at(frame) != 1.0 for frame in shape.frames)
-        blurred = shape.motion_blur is not None
-        left = [word for word, is_so in (("feather", soft), ("opacity", dim), ("motion blur", blurred)) if is_so]
-        if left:
-            self.notes.append(f"Labels are hard and opaque: {', '.join(left)} of {name} were left out.")
+        dim, blurred = not is_always(shape.opacity, 1.0), shape.motion_blur is not None
+        kinds = ("feather", is_soft(shape)), ("opacity", dim), ("motion blur", blurred)
+        if left := [word for word, is_so in kinds if is_so]:
+            self.notes.append(f"Labels are hard and opaque, without the {' and '.join(left)} of {name}.")
         if not shape.visible:
             self.notes.append(f"CVAT hides no tracks in a file: the invisible {name} is seen there.")

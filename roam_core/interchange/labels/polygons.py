@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from roam_core.geometry import bezier
 from roam_core.kernels.flattening import step_counts
 from roam_core.roto import Keyframe, RotoShape
+from roam_core.roto.animated import is_always
 
 Array = NDArray[np.float64]
 
@@ -17,6 +18,11 @@ TOLERANCE = 0.1
 """Pixels by which a polygon's side may stray from the curve."""
 
 BELONG = f"Curves were written as polygons that stray from them by at most {TOLERANCE:g} px."
+
+
+def is_soft(shape: RotoShape) -> bool:
+    """True for a shape with a soft edge on any frame."""
+    return not is_always(shape.feather, 0.0) or any(key.feather is not None and key.feather.any() for key in shape.keys)
 
 
 class Flattener:

@@ -21,7 +21,7 @@ from roam_core.interchange.naming import file_words
 from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter, settled, without_smooth_keys
 from roam_core.interchange.stilled import stilled
 from roam_core.roto import BlendMode, Layer, Project, RotoShape
-from roam_core.roto.animated import is_always
+from roam_core.roto.animated import is_always, values_of
 from roam_core.roto.file import write_atomically
 
 OPERATIONS = {
@@ -71,8 +71,13 @@ class _Writer(ShapeWriter):
                 self._add_shape(child)
 
     def _tell_layer(self, layer: Layer) -> None:
-        if layer.invert or layer.blend is not BlendMode.ADD or not is_always(layer.opacity, 1.0):
-            self.losses.append(f"MLT has no layers of masks: mode, opacity and inversion of {layer.name!r} are lost.")
+        kinds = (
+            ("the mode " + repr(layer.blend.value), layer.blend is not BlendMode.ADD),
+            ("the opacity", not is_always(layer.opacity, 1.0)),
+            ("the inversion", layer.invert),
+        )
+        if lost := " and ".join(word for word, is_so in kinds if is_so):
+            self.losses.append(f"MLT has no layers of masks: of {layer.name!r} {lost} is lost.")
 
     def _add_shape(self, shape: RotoShape) -> None:
         shape = self.begun(shape)
@@ -100,7 +105,7 @@ class _Writer(ShapeWriter):
             told.append(f"alpha operation {operation!r}")
         if shape.invert:
             told.append("inversion")
-        width = max((abs(shape.feather_at(frame)) for frame in shape.frames), default=0.0)
+        width = max(abs(value) for value in values_of(shape.feather))
         if width:
             told.append(f"a feather of about {max(round(width / 2), 1)}, which is a blur")
         if told:
