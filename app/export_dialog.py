@@ -116,6 +116,8 @@ class ExportDialog(QDialog):
             field.setFixedWidth(FIELD_WIDTH)
             field.setAlignment(Qt.AlignmentFlag.AlignRight)
         self.first, self.last = number_field("The first frame to export"), number_field("The last frame to export")
+        for number in (self.first, self.last):
+            number.setFocusPolicy(Qt.FocusPolicy.StrongFocus)  # Tab goes through the dialog
         self.all_frames, self.in_out = QPushButton("All"), QPushButton("In to out")
         self.mattes = MatteForm()
         self.mattes.setSizePolicy(_kept(self.mattes.sizePolicy()))
@@ -285,10 +287,12 @@ class ExportDialog(QDialog):
         self._look_ahead()
 
     def _pull_hint(self) -> None:
-        is_named = bool(self.target.text().strip())
+        is_named, has_clip = bool(self.target.text().strip()), self._document.project.clip is not None
         has_shapes = self.shapes is None or bool(self.shapes)
-        self.start.setEnabled(is_named and has_shapes and not self._is_ours)
-        if not is_named:
+        self.start.setEnabled(is_named and has_shapes and has_clip and not self._is_ours)
+        if not has_clip:
+            self.hint.setText("There is nothing to export yet; open a clip first.")
+        elif not is_named:
             self.hint.setText("Say where to write it.")
         elif not has_shapes:
             self.hint.setText("No shape is selected; select some, or export all.")
@@ -317,8 +321,9 @@ class ExportDialog(QDialog):
         """
         self._set_losses(())
         project = self._document.project
-        if not self._is_ours and self.isVisible() and project.clip is not None:
-            self.notes.setPlaceholderText(LOOKING)
+        is_asked = not self._is_ours and self.isVisible() and project.clip is not None
+        self.notes.setPlaceholderText(LOOKING if is_asked else "")
+        if is_asked:
             self._foresight.ask(self.exporter.name, project, self.options, self.shapes)
 
     def _show_foreseen(self, found: Foreseen) -> None:

@@ -10,7 +10,7 @@ from app.panels.controls import dense_form, form_label, weak_label
 from roam_core.interchange import KeyChoice, MaskOptions
 
 KEYS = {KeyChoice.REDUCED: "As few as hold the outline", KeyChoice.EVERY: "One on every frame"}
-FIELD_WIDTH = 90
+FIELD_WIDTH = 110
 
 
 class MaskDialog(QDialog):
@@ -31,13 +31,14 @@ class MaskDialog(QDialog):
             " px²", asked.speckle_for(size) if size else asked.speckle_for((480, 480)), 0.0, 1e6, 16.0
         )
         self.speckle.setDecimals(0)
+        self.speckle.setPrefix("below ")
         self.speckle.setSpecialValueText("Follow all")
         self.speckle.setToolTip("Parts and holes that are never larger are left out")
         form = dense_form()
         form.addRow(form_label("From"), weak_label(folder))
         form.addRow(form_label("Keys"), self.keys)
         form.addRow(form_label("Within"), self.tolerance)
-        form.addRow(form_label("Specks below"), self.speckle)
+        form.addRow(form_label("Specks"), self.speckle)
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Ok | QDialogButtonBox.StandardButton.Cancel)
         buttons.button(QDialogButtonBox.StandardButton.Ok).setText("Import")
         buttons.accepted.connect(self.accept)

@@ -105,6 +105,7 @@ class ValueKeyButton(QToolButton):
         is_done, self._takes_new = self._takes_new and self.state is Keying.KEY, False
         if not is_done:
             (self._delete if self.state is Keying.KEY else self._set).trigger()
+            self._settle()  # a key of its own is known at once
 
     def _show_menu(self, place: QPoint) -> None:
         self.menu_of_keys.popup(self.mapToGlobal(place))

@@ -92,7 +92,7 @@ class _Writer(ShapeWriter):
         """The shapes of a layer and of those in it; `label` is "" in the root."""
         mode = "" if layer.blend in JOINING else f"the mode {layer.blend.value!r}"
         if lost := " and ".join(filter(None, (mode, "the inversion" if layer.invert else ""))):
-            self.losses.append(f"CVAT has no layers of masks: of {layer.name!r} {lost} is lost.")
+            self.losses.append(f"CVAT has no layers of masks: {layer.name!r} loses {lost}.")
         for child in layer.children:
             if isinstance(child, Layer):
                 self.add(child, label or child.name)

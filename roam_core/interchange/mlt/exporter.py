@@ -77,7 +77,7 @@ class _Writer(ShapeWriter):
             ("the inversion", layer.invert),
         )
         if lost := " and ".join(word for word, is_so in kinds if is_so):
-            self.losses.append(f"MLT has no layers of masks: of {layer.name!r} {lost} is lost.")
+            self.losses.append(f"MLT has no layers of masks: {layer.name!r} loses {lost}.")
 
     def _add_shape(self, shape: RotoShape) -> None:
         shape = self.begun(shape)

@@ -9,9 +9,9 @@ import numpy.testing as npt
 import pytest
 
 from roam_core.errors import RoamError
-from roam_core.interchange import EXPORTERS, ExportOptions, KeyChoice
+from roam_core.interchange import EXPORTERS, ExportOptions, ImportOptions, KeyChoice, read_shapes
 from roam_core.interchange.protocol import exported_keys, within
-from roam_core.roto import Interpolation, Origin, Project
+from roam_core.roto import Clip, Interpolation, Layer, Origin, Project
 from tests.unit.interchange.conftest import animated
 
 
@@ -96,3 +96,15 @@ def test_absurd_frame_numbers_are_refused(project: Project, tmp_path: Path, name
 def test_a_still_picture_of_another_frame_is_refused(project: Project, tmp_path: Path, frame: int) -> None:
     with pytest.raises(RoamError, match=f"Frame {frame} lies outside"):
         EXPORTERS["svg"].export(project, tmp_path / "p.svg", ExportOptions(frame=frame))
+
+
+def test_keys_beside_the_clip_are_told_with_the_offset_that_would_bring_them_in(tmp_path: Path) -> None:
+    clip = Clip(Path("/plates/shot"), 1001, 1050, (200, 150))
+    moving = Project(clip, Layer("root", "Root", (animated("Arm"),)))
+    path = tmp_path / "arm.nk"
+    EXPORTERS["nuke"].export(moving, path, ExportOptions(frame_offset=-1000))
+    (note,) = read_shapes(path, clip).notes
+    first = animated("Arm").frames[0] - 1000
+    assert note.startswith(f"The keys lie on frames {first} to ")
+    assert f"--frame-offset {first - 1001}' would begin" in note
+    assert read_shapes(path, clip, ImportOptions(frame_offset=-1000)).notes == ()
