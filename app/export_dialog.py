@@ -12,7 +12,6 @@ from PySide6.QtWidgets import (
     QCheckBox,
     QComboBox,
     QDialog,
-    QDoubleSpinBox,
     QFormLayout,
     QHBoxLayout,
     QHeaderView,
@@ -34,7 +33,7 @@ from app.jobs.export import Export
 from app.jobs.foreseeing import Foresight
 from app.jobs.runner import Ending
 from app.matte_form import MatteForm
-from app.panels.controls import dense_form, form_label, number_field, weak_label
+from app.panels.controls import dense_form, form_label, measure_field, number_field, weak_label
 from app.view_state import ViewState, selected_shapes
 from roam_core.interchange import EXPORTERS, Exporter, ExportOptions, KeyChoice
 from roam_core.interchange.foresight import Foreseen
@@ -44,11 +43,11 @@ KEYS = {
     KeyChoice.ARTIST: "My keys only",
     KeyChoice.REDUCED: "As few as hold the outline",
 }
+STRAYING = "How far the outline may stray from the tracked one when keys are left out"
 SMOOTHING = (
     "How far tracked keys may move so that shapes move evenly through time, in pixels of the plate;\n"
     "your own keys stay where they are, and so does the project"
 )
-FIELD_WIDTH = 90
 NOTES_HEIGHT = 110
 ANYWAY = "Export anyway"
 LOOKING, NOTHING_LOST = "Looking for what the format cannot hold …", "The format holds all that is chosen."
@@ -77,7 +76,7 @@ class ExportDialog(QDialog):
         """What the artist sees that the format would lose, as long as nothing else is chosen."""
         self._foresight = Foresight(export.runner, self)
         self.setWindowTitle("Export")
-        self.resize(760, 560)
+        self.resize(760, 580)
         self._build()
         self._lay_out()
         self._connect()
@@ -100,21 +99,9 @@ class ExportDialog(QDialog):
         self.formats.header().setStretchLastSection(False)
         self.selected = QCheckBox("Selected shapes only")
         self.keys = QComboBox()
-        self.tolerance = QDoubleSpinBox()
-        self.tolerance.setRange(0.01, 100.0)
-        self.tolerance.setSingleStep(0.1)
-        self.tolerance.setValue(0.5)
-        self.tolerance.setSuffix(" px")
-        self.tolerance.setToolTip("How far the outline may stray from the tracked one when keys are left out")
-        self.smoothing = QDoubleSpinBox()
-        self.smoothing.setRange(0.0, 100.0)
-        self.smoothing.setSingleStep(0.1)
-        self.smoothing.setSuffix(" px")
+        self.tolerance = measure_field(" px", 0.5, 0.01, 100.0, 0.1, STRAYING)
+        self.smoothing = measure_field(" px", 0.0, 0.0, 100.0, 0.1, SMOOTHING)
         self.smoothing.setSpecialValueText("Off")
-        self.smoothing.setToolTip(SMOOTHING)
-        for field in (self.tolerance, self.smoothing):
-            field.setFixedWidth(FIELD_WIDTH)
-            field.setAlignment(Qt.AlignmentFlag.AlignRight)
         self.first, self.last = number_field("The first frame to export"), number_field("The last frame to export")
         for number in (self.first, self.last):
             number.setFocusPolicy(Qt.FocusPolicy.StrongFocus)  # Tab goes through the dialog

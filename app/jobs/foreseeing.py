@@ -62,7 +62,7 @@ class Foresight(QObject):
             from roam_core.interchange import EXPORTERS
             from roam_core.interchange.foresight import foreseen
 
-            chosen = project if shapes is None else only(project, shapes)
+            chosen = only(project, shapes)
             report.partial(foreseen(EXPORTERS[format_name], chosen, replace(options, token=report.token)))
             return ""
 

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QWheelEvent
-from PySide6.QtWidgets import QComboBox, QFormLayout, QLabel, QSpinBox, QToolButton
+from PySide6.QtWidgets import QComboBox, QDoubleSpinBox, QFormLayout, QLabel, QSpinBox, QToolButton
 
 from app import style
 from app.actions import Actions
 
 FRAME_LIMIT = 10_000_000
 LABEL_WIDTH = 68
+MEASURE_WIDTH = 110
 
 
 def tool_button(actions: Actions, action_id: str, *, size: int = 24, name: str = "flat") -> QToolButton:
@@ -67,6 +68,19 @@ class ChoiceBox(QComboBox):
 
     def wheelEvent(self, event: QWheelEvent) -> None:
         event.ignore()
+
+
+def measure_field(unit: str, value: float, least: float, most: float, step: float, tip: str) -> QDoubleSpinBox:
+    """A dialog's field for a length or an area."""
+    field = QDoubleSpinBox()
+    field.setRange(least, most)
+    field.setSingleStep(step)
+    field.setValue(value)
+    field.setSuffix(unit)
+    field.setToolTip(tip)
+    field.setFixedWidth(MEASURE_WIDTH)
+    field.setAlignment(Qt.AlignmentFlag.AlignRight)
+    return field
 
 
 def weak_label(text: str) -> QLabel:
