@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tests.judges.coverage import between, filled, soft, union
+from tests.judges.moving import between as moved
 
 Array = NDArray[np.float64]
 
@@ -52,12 +53,12 @@ def _own(item: dict[str, Any], frame: float, size: tuple[int, int]) -> Array | N
     life = item["lifetime"]
     if not item["closed"] or (life is not None and not life[0] <= frame < life[1]):
         return None
-    points = _moved([(key["frame"], key["interpolation"], _points(key["points"])) for key in item["keys"]], frame)
+    points = moved([(key["frame"], key["interpolation"], _points(key["points"])) for key in item["keys"]], frame)
     width = _value(item["feather"], frame)
     if any(key.get("feather") for key in item["keys"]):
         assert width == 0.0, "no judge of both kinds of feather"
         offsets = [(key["frame"], key["interpolation"], _points(key["feather"])) for key in item["keys"]]
-        return between(points, points + _moved(offsets, frame), size)
+        return between(points, points + moved(offsets, frame), size)
     return soft(points, size, min(width, 0.0), max(width, 0.0)) if width else filled(points, size)
 
 
@@ -68,15 +69,4 @@ def _points(rows: list[list[float]]) -> Array:
 def _value(value: Any, frame: float) -> float:
     if not isinstance(value, list):
         return float(value)
-    return float(_moved([(key["frame"], key["interpolation"], key["value"]) for key in value], frame))
-
-
-def _moved(keys: list[tuple[float, str, Any]], frame: float) -> Any:
-    index = max((k for k, (at, _, _) in enumerate(keys) if at <= frame), default=0)
-    start, how, value = keys[index]
-    if frame <= start or index == len(keys) - 1 or how == "hold":
-        return value
-    stop, _, following = keys[index + 1]
-    share = (frame - start) / (stop - start)
-    share = share * share * (3.0 - 2.0 * share) if how == "smooth" else share
-    return (1.0 - share) * value + share * following
+    return float(moved([(key["frame"], key["interpolation"], key["value"]) for key in value], frame))

@@ -204,7 +204,7 @@ SCENES: dict[str, Scene] = {
     "smooth": Scene(_project(_held(Interpolation.SMOOTH))),
     "holds, between frames": Scene(_held_life(), BETWEEN),
     "names": Scene(_names()),
-    "odd size": Scene(_project(blob("Curve", 50.0, 300.0), clip=_clip((101, 1023)))),
+    "odd size": Scene(_project(blob("Curve", 60.0, 200.0), clip=_clip((133, 401)))),
     "pixel aspect 2": Scene(_project(blob("Curve", 150.0, 120.0), clip=_clip(pixel_aspect=2.0))),
 }
 """By what each asks. A format that shows one frame is asked for whole frames only."""

@@ -7,7 +7,6 @@ joins by its own mode. Positions are measured from the centre in image heights; 
 from __future__ import annotations
 
 import re
-from typing import Any
 from xml.etree.ElementTree import Element
 
 import numpy as np
@@ -15,6 +14,7 @@ from defusedxml import ElementTree
 from numpy.typing import NDArray
 
 from tests.judges.coverage import filled, union
+from tests.judges.moving import between
 
 Array = NDArray[np.float64]
 
@@ -56,20 +56,9 @@ def _joined(under: Array, element: Element, frame: float, scale: tuple[float, fl
         keys = [(float(key.get("frame", "")), key.get("interp", ""), key) for key in _property(element, "path")]
         if any(path.get("closed") != "True" for _, _, key in keys for path in key):
             return under
-        own = filled(_between([(at, how, _points(key, scale)) for at, how, key in keys], frame), under.shape)
+        own = filled(between([(at, how, _points(key, scale)) for at, how, key in keys], frame), under.shape)
     own = 1.0 - own if _text(element, "invert", "false") == "true" else own
     return np.asarray(MODES[_text(element, "mode", "Add")](under, own * opacity))
-
-
-def _between(keys: list[tuple[float, str, Any]], frame: float) -> Any:
-    """A value of keys: constant beyond them, straight from one to the next but for those that hold."""
-    index = max((k for k, (at, _, _) in enumerate(keys) if at <= frame), default=0)
-    start, how, value = keys[index]
-    if frame <= start or index == len(keys) - 1 or how == "hold":
-        return value
-    stop, _, following = keys[index + 1]
-    share = (frame - start) / (stop - start)
-    return (1.0 - share) * value + share * following
 
 
 def _points(key: Element, scale: tuple[float, float, float]) -> Array:
@@ -102,5 +91,5 @@ def _number(element: Element, name: str, frame: float, default: float) -> float:
     for each in element.findall("Properties/Property"):
         if each.get("id") == name and each.find("Key") is not None:
             keys = [(float(k.get("frame", "")), k.get("interp", ""), float(k.text or "")) for k in each]
-            return float(_between(keys, frame))
+            return float(between(keys, frame))
     return float(_text(element, name, str(default)))
