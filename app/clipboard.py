@@ -9,6 +9,7 @@ from pathlib import Path
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QWidget
 
+from app.counting import counted
 from app.document import Document
 from app.key_clipboard import KeyClipboard, copied_keys
 from app.view_state import ViewState, selected_shapes
@@ -45,7 +46,7 @@ class ShapeClipboard:
         """Copy the selected shapes with all their keys."""
         if shapes := self._selected():
             QGuiApplication.clipboard().setText(_text(shapes))
-            self._view.say(f"Copied {_count(shapes)}.")
+            self._view.say(f"Copied {counted(len(shapes), 'shape')}.")
 
     def cut(self) -> None:
         """Copy the selected shapes and delete them."""
@@ -87,7 +88,3 @@ def _added(project: Project, shape: RotoShape) -> tuple[Project, RotoShape]:
     name = project.free_name(shape.name) if shape.name in taken else shape.name
     copy = replace(shape, id=project.free_id("shape"), name=name)
     return edit.add_shape(project, copy), copy
-
-
-def _count(shapes: Sequence[RotoShape]) -> str:
-    return "1 shape" if len(shapes) == 1 else f"{len(shapes)} shapes"

@@ -12,7 +12,6 @@ from PySide6.QtWidgets import (
     QCheckBox,
     QComboBox,
     QDialog,
-    QDoubleSpinBox,
     QFormLayout,
     QHBoxLayout,
     QHeaderView,
@@ -21,6 +20,7 @@ from PySide6.QtWidgets import (
     QPlainTextEdit,
     QProgressBar,
     QPushButton,
+    QSizePolicy,
     QTreeWidget,
     QTreeWidgetItem,
     QVBoxLayout,
@@ -33,7 +33,7 @@ from app.jobs.export import Export
 from app.jobs.foreseeing import Foresight
 from app.jobs.runner import Ending
 from app.matte_form import MatteForm
-from app.panels.controls import dense_form, form_label, number_field, weak_label
+from app.panels.controls import dense_form, form_label, measure_field, number_field, weak_label
 from app.view_state import ViewState, selected_shapes
 from roam_core.interchange import EXPORTERS, Exporter, ExportOptions, KeyChoice
 from roam_core.interchange.foresight import Foreseen
@@ -43,11 +43,14 @@ KEYS = {
     KeyChoice.ARTIST: "My keys only",
     KeyChoice.REDUCED: "As few as hold the outline",
 }
+STRAYING = "How far the outline may stray from the tracked one when keys are left out"
 SMOOTHING = (
     "How far tracked keys may move so that shapes move evenly through time, in pixels of the plate;\n"
     "your own keys stay where they are, and so does the project"
 )
-FIELD_WIDTH = 90
+NOTES_HEIGHT = 110
+ANYWAY = "Export anyway"
+LOOKING, NOTHING_LOST = "Looking for what the format cannot hold …", "The format holds all that is chosen."
 MATTES = "mattes"
 """The name of the format whose files are pictures: it is written to a folder, and knows nothing of fewer keys."""
 
@@ -73,7 +76,7 @@ class ExportDialog(QDialog):
         """What the artist sees that the format would lose, as long as nothing else is chosen."""
         self._foresight = Foresight(export.runner, self)
         self.setWindowTitle("Export")
-        self.resize(760, 560)
+        self.resize(760, 580)
         self._build()
         self._lay_out()
         self._connect()
@@ -96,33 +99,25 @@ class ExportDialog(QDialog):
         self.formats.header().setStretchLastSection(False)
         self.selected = QCheckBox("Selected shapes only")
         self.keys = QComboBox()
-        self.tolerance = QDoubleSpinBox()
-        self.tolerance.setRange(0.01, 100.0)
-        self.tolerance.setSingleStep(0.1)
-        self.tolerance.setValue(0.5)
-        self.tolerance.setSuffix(" px")
-        self.tolerance.setToolTip("How far the outline may stray from the tracked one when keys are left out")
-        self.smoothing = QDoubleSpinBox()
-        self.smoothing.setRange(0.0, 100.0)
-        self.smoothing.setSingleStep(0.1)
-        self.smoothing.setSuffix(" px")
+        self.tolerance = measure_field(" px", 0.5, 0.01, 100.0, 0.1, STRAYING)
+        self.smoothing = measure_field(" px", 0.0, 0.0, 100.0, 0.1, SMOOTHING)
         self.smoothing.setSpecialValueText("Off")
-        self.smoothing.setToolTip(SMOOTHING)
-        for field in (self.tolerance, self.smoothing):
-            field.setFixedWidth(FIELD_WIDTH)
-            field.setAlignment(Qt.AlignmentFlag.AlignRight)
         self.first, self.last = number_field("The first frame to export"), number_field("The last frame to export")
+        for number in (self.first, self.last):
+            number.setFocusPolicy(Qt.FocusPolicy.StrongFocus)  # Tab goes through the dialog
         self.all_frames, self.in_out = QPushButton("All"), QPushButton("In to out")
         self.mattes = MatteForm()
+        self.mattes.setSizePolicy(_kept(self.mattes.sizePolicy()))
         self.target, self.browse = QLineEdit(), QPushButton("Browse…")
         self.hint = weak_label("")
         self.notes = QPlainTextEdit()
         self.notes.setReadOnly(True)
-        self.notes.setPlaceholderText("What the format cannot hold is told here.")
+        self.notes.setMinimumHeight(NOTES_HEIGHT)
         self.bar = QProgressBar()
         self.bar.setRange(0, 1000)
         self.bar.setTextVisible(False)
         self.start, self.stop, self.leave = QPushButton("Export"), QPushButton("Stop"), QPushButton("Close")
+        self.start.setMinimumWidth(QPushButton(ANYWAY).sizeHint().width())  # nothing moves when its word changes
         self.start.setDefault(True)
         self.stop.setEnabled(False)
 
@@ -146,13 +141,12 @@ class ExportDialog(QDialog):
         upper.addLayout(right, 1)
         column = QVBoxLayout(self)
         column.setSpacing(style.MARGIN)
-        column.addLayout(upper, 1)
+        column.addLayout(upper, 3)
         where: QFormLayout = dense_form()
         where.addRow(form_label("To"), _row(self.target, self.browse))
         where.addRow(form_label(""), self.hint)
         column.addLayout(where)
-        self.notes.setFixedHeight(110)
-        column.addWidget(self.notes)
+        column.addWidget(self.notes, 2)
         column.addLayout(_row(self.bar, self.stop, self.start, self.leave))
 
     def _connect(self) -> None:
@@ -161,6 +155,7 @@ class ExportDialog(QDialog):
         self._view.selection_changed.connect(lambda: self._pull_shapes() if self.selected.isChecked() else None)
         self._document.changed.connect(lambda _: self._look_ahead())
         self._foresight.seen.connect(self._show_foreseen)
+        self._foresight.refused.connect(self._show_refused)
         self.keys.currentIndexChanged.connect(lambda _: self._pull_keys())
         self.target.textChanged.connect(lambda _: self._pull_hint())
         self.mattes.file.currentIndexChanged.connect(lambda _: self._pull_hint())
@@ -248,6 +243,7 @@ class ExportDialog(QDialog):
         self.keys.setCurrentIndex(max(self.keys.findData(chosen), 0))
         self.mattes.setVisible(self._is_folder)
         self.target.setText(str(self._renamed()))
+        self.notes.clear()
         self._pull_keys()
 
     def _renamed(self) -> Path:
@@ -278,10 +274,12 @@ class ExportDialog(QDialog):
         self._look_ahead()
 
     def _pull_hint(self) -> None:
-        is_named = bool(self.target.text().strip())
+        is_named, has_clip = bool(self.target.text().strip()), self._document.project.clip is not None
         has_shapes = self.shapes is None or bool(self.shapes)
-        self.start.setEnabled(is_named and has_shapes and not self._is_ours)
-        if not is_named:
+        self.start.setEnabled(is_named and has_shapes and has_clip and not self._is_ours)
+        if not has_clip:
+            self.hint.setText("There is nothing to export yet; open a clip first.")
+        elif not is_named:
             self.hint.setText("Say where to write it.")
         elif not has_shapes:
             self.hint.setText("No shape is selected; select some, or export all.")
@@ -304,24 +302,30 @@ class ExportDialog(QDialog):
     # ---- what would be lost
 
     def _look_ahead(self) -> None:
-        """Find out what the format would lose of what is chosen now; until that is known nothing may be lost."""
+        """Find out what the format would lose of what is chosen now; until that is known nothing may be lost.
+
+        What is told stays until then, so that nothing flickers while shapes are tracked or dragged.
+        """
         self._set_losses(())
-        if self._is_ours:
-            return
-        self.notes.clear()
         project = self._document.project
-        if self.isVisible() and project.clip is not None:
+        is_asked = not self._is_ours and self.isVisible() and project.clip is not None
+        self.notes.setPlaceholderText(LOOKING if is_asked else "")
+        if is_asked:
             self._foresight.ask(self.exporter.name, project, self.options, self.shapes)
 
     def _show_foreseen(self, found: Foreseen) -> None:
         self._set_losses(found.losses)
         losses = ["The mattes would differ in the other program:", *found.losses] if found.losses else []
         besides = ["", "Besides:"] if found.losses and found.notes else []
+        self.notes.setPlaceholderText(NOTHING_LOST)
         self.notes.setPlainText("\n".join([*losses, *besides, *found.notes]))
+
+    def _show_refused(self, sentence: str) -> None:
+        self.notes.setPlainText(sentence)
 
     def _set_losses(self, losses: tuple[str, ...]) -> None:
         self._losses = losses
-        self.start.setText("Export anyway" if losses else "Export")
+        self.start.setText(ANYWAY if losses else "Export")
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
@@ -370,6 +374,12 @@ class ExportDialog(QDialog):
             self.notes.setPlainText(sentence)
         self._is_ours = False
         self._pull_running()
+
+
+def _kept(policy: QSizePolicy) -> QSizePolicy:
+    """The policy of a widget whose place stays its own while it is hidden."""
+    policy.setRetainSizeWhenHidden(True)
+    return policy
 
 
 def _row(*parts: QWidget | None) -> QHBoxLayout:

@@ -140,12 +140,17 @@ class FileActions(QObject):
             self._files.save(path)
 
     def import_shapes(self) -> None:
+        """Ask for a file of shapes, and read it."""
+        if self._lacks_clip():
+            return
         path = dialogs.choose_shapes(self._window, self._start_folder(), SHAPE_FILES)
         if path is not None:
             self._import.start(path)
 
     def import_masks(self) -> None:
         """Ask for a folder of masks, and how near and with how few keys they are to be followed."""
+        if self._lacks_clip():
+            return
         folder = dialogs.choose_folder(self._window, "Import the masks of a folder", self._start_folder())
         if folder is None:
             return
@@ -212,6 +217,13 @@ class FileActions(QObject):
             self._files.open_plate(path)
         else:
             self.leave_project(lambda: self._files.open(path))
+
+    def _lacks_clip(self) -> bool:
+        """True, and said, where there is no clip for shapes to come into: told before anything is asked."""
+        if self._document.project.clip is None:
+            self._view.say("Open a clip first: shapes come into its frames and pixels.")
+            return True
+        return False
 
     def _export_file(self, format_name: str, title: str) -> None:
         from roam_core.interchange import EXPORTERS

@@ -19,8 +19,9 @@ from app.preferences import Preferences
 from app.view_state import ViewState
 from roam_core.errors import RoamError
 from roam_core.interchange.authorship import is_project
-from roam_core.roto import Clip, Project, backups, edit, file, project_lock
+from roam_core.roto import BlendMode, Clip, Project, backups, edit, file, project_lock
 from roam_core.roto.fingerprint import Fingerprint
+from roam_core.roto.migrate import UNION_SINCE
 from roam_core.roto.project_lock import Holder
 from roam_core.roto.relinking import other_content, other_size, relinked
 
@@ -28,6 +29,10 @@ if TYPE_CHECKING:
     from roam_core.media import PlateSource
 
 DEMO = "The demo shot: press <track.forward> to track the shape, <track.stop> to stop; drag its points to correct it."
+SUMMED = (
+    "It joins soft edges as older versions did (Plus), so that its mattes stay as they were; "
+    "choose Add in the Shape panel where they are to join as in other programs."
+)
 PROJECT_SUFFIX = ".roam"
 
 
@@ -330,11 +335,18 @@ def _demo_project(report: Report) -> tuple[Project, Any]:
 def _read_project(path: Path) -> Found:
     # Before it is read: what is written meanwhile is a change.
     fingerprint = Fingerprint.of(path)
-    stored = file.load(path)
+    stored, version = file.load_versioned(path)
     project = relinked(stored, path.parent)
     source, problem = plate_of(project)
     moved = "" if project is stored else f" Its plate was found at {project.require_clip().path}; save to keep that."
-    return Found(project, source, problem or f"Opened {path.name}.{moved}", path, fingerprint)
+    sentence = f"{problem or f'Opened {path.name}.{moved}'} {_older(project, version)}".rstrip()
+    return Found(project, source, sentence, path, fingerprint)
+
+
+def _older(project: Project, version: int) -> str:
+    """What an artist must know of a project whose file is of an older version; mostly nothing."""
+    is_summed = version < UNION_SINCE and any(item.blend is BlendMode.PLUS for item in project.root.items())
+    return SUMMED if is_summed else ""
 
 
 def _doubt(path: Path, known: Fingerprint | None, written: Fingerprint | None) -> str:

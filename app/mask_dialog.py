@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QComboBox, QDialog, QDialogButtonBox, QDoubleSpinBox, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QComboBox, QDialog, QDialogButtonBox, QVBoxLayout, QWidget
 
 from app import style
-from app.panels.controls import dense_form, form_label, weak_label
+from app.panels.controls import dense_form, form_label, measure_field, weak_label
 from roam_core.interchange import KeyChoice, MaskOptions
 
 KEYS = {KeyChoice.REDUCED: "As few as hold the outline", KeyChoice.EVERY: "One on every frame"}
-FIELD_WIDTH = 90
+STRAYING = "How far a curve may stray from its mask's outline on any frame, in pixels of the masks"
+SPECKS = "Parts and holes that are never larger are left out"
 
 
 class MaskDialog(QDialog):
@@ -23,21 +23,16 @@ class MaskDialog(QDialog):
         self.keys = QComboBox()
         for choice, words in KEYS.items():
             self.keys.addItem(words, choice.value)
-        self.tolerance = _field(" px", asked.tolerance, 0.05, 100.0, 0.25)
-        self.tolerance.setToolTip(
-            "How far a curve may stray from its mask's outline on any frame, in pixels of the masks"
-        )
-        self.speckle = _field(
-            " px²", asked.speckle_for(size) if size else asked.speckle_for((480, 480)), 0.0, 1e6, 16.0
-        )
+        self.tolerance = measure_field(" px", asked.tolerance, 0.05, 100.0, 0.25, STRAYING)
+        self.speckle = measure_field(" px²", asked.speckle_for(size or (480, 480)), 0.0, 1e6, 16.0, SPECKS)
         self.speckle.setDecimals(0)
+        self.speckle.setPrefix("below ")
         self.speckle.setSpecialValueText("Follow all")
-        self.speckle.setToolTip("Parts and holes that are never larger are left out")
         form = dense_form()
         form.addRow(form_label("From"), weak_label(folder))
         form.addRow(form_label("Keys"), self.keys)
         form.addRow(form_label("Within"), self.tolerance)
-        form.addRow(form_label("Specks below"), self.speckle)
+        form.addRow(form_label("Specks"), self.speckle)
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Ok | QDialogButtonBox.StandardButton.Cancel)
         buttons.button(QDialogButtonBox.StandardButton.Ok).setText("Import")
         buttons.accepted.connect(self.accept)
@@ -51,14 +46,3 @@ class MaskDialog(QDialog):
     def options(self) -> MaskOptions:
         """The options as they stand in the fields."""
         return MaskOptions(self.tolerance.value(), KeyChoice(self.keys.currentData()), self.speckle.value())
-
-
-def _field(unit: str, value: float, least: float, most: float, step: float) -> QDoubleSpinBox:
-    field = QDoubleSpinBox()
-    field.setRange(least, most)
-    field.setSingleStep(step)
-    field.setValue(value)
-    field.setSuffix(unit)
-    field.setFixedWidth(FIELD_WIDTH)
-    field.setAlignment(Qt.AlignmentFlag.AlignRight)
-    return field

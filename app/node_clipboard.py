@@ -23,7 +23,7 @@ class NodeClipboard:
     def __init__(self, document: Document, view_state: ViewState, copying: Copying, importing: Import) -> None:
         self._document, self._view, self._copying, self._importing = document, view_state, copying, importing
         copying.copied.connect(_put_on_clipboard)
-        importing.pasted.connect(self._select)
+        importing.came_in.connect(self._select)
 
     def handlers(self) -> dict[str, Callable[[], object]]:
         """What the actions of this part call, by id."""
@@ -39,7 +39,7 @@ class NodeClipboard:
         self._copying.start(name, PROGRAMS[name], only(project, chosen))
 
     def paste(self, text: str) -> bool:
-        """Put in the shapes of a text of another program, and select them; False where it is none of a known kind."""
+        """Put in the shapes of a text of another program; False where it is none of a known kind."""
         from roam_core.interchange.clipboard import format_of
 
         if format_of(text) is None:
@@ -48,6 +48,7 @@ class NodeClipboard:
         return True
 
     def _select(self, ids: frozenset[str]) -> None:
+        """Select what came in, by the clipboard or from a file."""
         project = self._document.project
         shapes = frozenset(shape.id for shape in only(project, ids).shapes)
         self._view.select(shapes, layers=frozenset(ids - shapes))

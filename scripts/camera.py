@@ -138,16 +138,21 @@ def on_screen(shown: MainWindow, position: Vector) -> QPoint:
     return shown.canvas.image_to_widget(float(position[0]), float(position[1])).toPoint()
 
 
-def photograph(shown: QWidget, name: str) -> None:
-    """Write the picture of a window, or of a part of it, when what it began to show is painted."""
+def photograph(shown: QWidget, name: str, height: int | None = None) -> None:
+    """Write the picture of a window, or of a part of it, when what it began to show is painted.
+
+    Of its whole height, or only down to `height`.
+    """
     live(600)
-    save(shown, name)
+    save(shown, name, height)
 
 
-def save(shown: QWidget, name: str) -> None:
+def save(shown: QWidget, name: str, height: int | None = None) -> None:
     """Write its picture as it is now."""
+    from PySide6.QtCore import QRect
+
     path = IMAGES / name
-    picture = shown.grab()
+    picture = shown.grab(QRect(0, 0, shown.width(), shown.height() if height is None else height))
     if not picture.save(str(path), quality=QUALITY if path.suffix == ".jpg" else -1):
         raise SystemExit(f"screenshots: {path} cannot be written")
     size = path.stat().st_size / 1000.0

@@ -9,6 +9,9 @@ from __future__ import annotations
 import os
 import sys
 import tempfile
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -239,7 +242,45 @@ def photograph_export(shown: MainWindow) -> None:
     dialog.choose(MATTES)
     dialog.target.setText("shots/demo/mattes")
     photograph(dialog, "export.png")
+    shown.view_state.select(frozenset())
+    with posed(shown, lossy_project(shown.document.project)):
+        dialog.choose("cvat")
+        dialog.target.setText("shots/demo/manta.xml")
+        until(lambda: dialog.notes.toPlainText(), "what would be lost")
+        photograph(dialog, "losses.png")
     dialog.close()
+
+
+def photograph_keyed_value(shown: MainWindow) -> None:
+    """The upper rows of the Shape panel, of a shape whose opacity has keys, between two of them."""
+    from roam_core.roto import Animated, Interpolation, ValueKey
+
+    (shape,) = shown.document.project.shapes
+    faded = Animated((ValueKey(LOOKED_AT - 8, 1.0), ValueKey(LOOKED_AT + 8, 0.4, Interpolation.SMOOTH)))
+    with posed(shown, shown.document.project.with_shape(replace(shape, opacity=faded, feather=6.0))):
+        shown.view_state.select(frozenset([shape.id]))
+        live(300)
+        photograph(shown.properties, "keyed.png", shown.properties.object_form.y())
+
+
+@contextmanager
+def posed(shown: MainWindow, project: Project) -> Iterator[None]:
+    """The project for a while, as one step that is undone."""
+    shown.document.apply("Pose", project)
+    yield
+    shown.actions_by_id["edit.undo"].trigger()
+
+
+def lossy_project(project: Project) -> Project:
+    """The demo's with a layer that takes away, a soft edge and an opacity: what labels cannot hold."""
+    from roam_core.roto import BlendMode, edit
+
+    (shape,) = project.shapes
+    project = project.with_shape(replace(shape, feather=4.0))
+    project, layer = edit.add_layer(project, name="Remora")
+    project, inner = edit.new_shape(project, shape.keys[0].points, shape.keys[0].frame, name="Fin", layer_id=layer.id)
+    project = project.with_shape(replace(inner, opacity=0.5))
+    return project.map_item(layer.id, lambda item: replace(item, blend=BlendMode.SUBTRACT))
 
 
 def photograph_start(shown: MainWindow) -> None:
@@ -314,6 +355,7 @@ SCENES = (
     photograph_planar,
     photograph_finding,
     photograph_export,
+    photograph_keyed_value,
     photograph_start,
     photograph_parts,
 )

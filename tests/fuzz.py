@@ -65,12 +65,13 @@ def project() -> Project:
 
 def written(name: str, folder: Path) -> bytes:
     """A whole file of a format for shapes, or a project."""
-    path = folder / "whole"
+    path = folder / f"whole {name}" / "file"
+    path.parent.mkdir(exist_ok=True)
     if name == "project":
         file.save(project(), path)
     else:
         EXPORTERS[name].export(project(), path, ExportOptions(lossy=True))
-    return min(folder.iterdir()).read_bytes()
+    return min(path.parent.iterdir()).read_bytes()
 
 
 def picture(suffix: str, folder: Path) -> bytes:

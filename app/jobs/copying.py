@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from PySide6.QtCore import QObject, Signal
 
+from app.counting import counted
 from app.jobs.runner import Ending, Report, Runner
 from roam_core.roto import Project
 
@@ -36,8 +37,7 @@ class Copying(QObject):
             options = ExportOptions(lossy=True, progress=report.progress, token=report.token)
             text, notes = node_text(format_name, project, options)
             report.partial(text)
-            count = len(project.shapes)
-            shapes = "1 shape" if count == 1 else f"{count} shapes"
+            shapes = counted(len(project.shapes), "shape")
             return " ".join([f"Copied {shapes} for {program}; paste there.", *notes])
 
         job = self._runner.start("copy", work)

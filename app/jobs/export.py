@@ -64,7 +64,7 @@ class Export(QObject):
         Of the shapes only those of the ids `shapes`, all for None.
         """
         project, file = self._document.project, self._document.path
-        self._start(_Request(project if shapes is None else only(project, shapes), file, format_name, path, options))
+        self._start(_Request(only(project, shapes), file, format_name, path, options))
 
     def _start(self, request: _Request) -> None:
         foreign: list[Path] = []

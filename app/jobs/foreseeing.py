@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
-from app.jobs.runner import Report, Runner
+from app.jobs.runner import Ending, Report, Runner
 from roam_core.roto import Project
 from roam_core.roto.layers import only
 
@@ -24,11 +24,12 @@ class Foresight(QObject):
 
     Signals
     -------
-    seen(foreseen) : the `Foreseen` of the latest question. Where the export would be refused there is no answer: it
-        tells why by itself.
+    seen(foreseen) : the `Foreseen` of the latest question.
+    refused(sentence) : the export would be refused, whatever is lost; the sentence says why.
     """
 
     seen = Signal(object)
+    refused = Signal(str)
 
     def __init__(self, runner: Runner, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -61,8 +62,14 @@ class Foresight(QObject):
             from roam_core.interchange import EXPORTERS
             from roam_core.interchange.foresight import foreseen
 
-            chosen = project if shapes is None else only(project, shapes)
+            chosen = only(project, shapes)
             report.partial(foreseen(EXPORTERS[format_name], chosen, replace(options, token=report.token)))
             return ""
 
-        self._runner.start("foresight", work).partial.connect(self.seen)
+        job = self._runner.start("foresight", work)
+        job.partial.connect(self.seen)
+        job.ended.connect(self._end)
+
+    def _end(self, ending: Ending, sentence: str) -> None:
+        if ending is Ending.FAILED:
+            self.refused.emit(sentence)

@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Signal
 
+from app.counting import counted
 from app.document import Document
 from app.jobs.runner import Ending, Report, Runner
 from roam_core.roto import Clip, edit
@@ -26,12 +27,12 @@ class Import(QObject):
     Signals
     -------
     progress(fraction, text), finished(ending, sentence) : the job's news.
-    pasted(ids) : the layers and shapes of a text were put in; a frozenset, before `finished`.
+    came_in(ids) : layers and shapes were put in, with these ids (a frozenset); before `finished`.
     """
 
     progress = Signal(float, str)
     finished = Signal(object, str)
-    pasted = Signal(object)
+    came_in = Signal(object)
 
     def __init__(self, document: Document, runner: Runner, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -46,7 +47,7 @@ class Import(QObject):
 
             return read_shapes(path, clip, options if masks is None else replace(options, masks=masks))
 
-        self._start(path.name, read, lambda imported: self._put_in("Import shapes", imported))
+        self._start(path.name, read, "Import shapes")
 
     def paste(self, text: str) -> None:
         """Read a text of another program, or of our own files of shapes, into the project's clip."""
@@ -56,11 +57,9 @@ class Import(QObject):
 
             return read_text(text, clip, options)
 
-        self._start("the clipboard", read, lambda imported: self.pasted.emit(self._put_in("Paste", imported)))
+        self._start("the clipboard", read, "Paste")
 
-    def _start(
-        self, name: str, read: Callable[[Clip, ImportOptions], Imported], put_in: Callable[[Any], object]
-    ) -> None:
+    def _start(self, name: str, read: Callable[[Clip, ImportOptions], Imported], step: str) -> None:
         project = self._document.project
 
         def work(report: Report) -> str:
@@ -71,11 +70,11 @@ class Import(QObject):
             count = sum(1 for _ in imported.layer.shapes())
             if count:
                 report.partial(imported)
-            return " ".join([f"Read {count} shape(s) from {name}.", *imported.notes])
+            return " ".join([f"Read {counted(count, 'shape')} from {name}.", *imported.notes])
 
         job = self._runner.start("import", work)
         job.progress.connect(self.progress)
-        job.partial.connect(put_in)
+        job.partial.connect(lambda imported: self._put_in(step, imported))
         job.ended.connect(self._end)
 
     def stop(self) -> None:
@@ -83,11 +82,11 @@ class Import(QObject):
         if (job := self._runner.running("import")) is not None:
             job.drop()
 
-    def _put_in(self, step: str, imported: Imported) -> frozenset[str]:
-        """Put what was read on top of the project; gives the ids of its upper-most layers and shapes."""
+    def _put_in(self, step: str, imported: Imported) -> None:
+        """Put what was read on top of the project."""
         project, ids = edit.add_items(self._document.project, imported.layer.children)
         self._document.apply(step, project)
-        return frozenset(ids)
+        self.came_in.emit(frozenset(ids))
 
     def _end(self, ending: Ending, sentence: str) -> None:
         self.finished.emit(ending, "Import stopped." if ending is Ending.CANCELLED else sentence)

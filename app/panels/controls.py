@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QFormLayout, QLabel, QSpinBox, QToolButton
+from PySide6.QtGui import QWheelEvent
+from PySide6.QtWidgets import QComboBox, QDoubleSpinBox, QFormLayout, QLabel, QSpinBox, QToolButton
 
 from app import style
 from app.actions import Actions
 
 FRAME_LIMIT = 10_000_000
 LABEL_WIDTH = 68
+MEASURE_WIDTH = 110
 
 
 def tool_button(actions: Actions, action_id: str, *, size: int = 24, name: str = "flat") -> QToolButton:
@@ -49,6 +51,35 @@ def number_field(tip: str) -> QSpinBox:
     field.setFixedWidth(58)
     field.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
     field.setToolTip(tip)
+    return field
+
+
+class ChoiceBox(QComboBox):
+    """A list to choose from in a panel.
+
+    It never takes the keyboard: keys pressed afterwards choose nothing. Nor does the wheel choose:
+    over it the panel scrolls, and a choice that is changed by the way is not noticed.
+    """
+
+    def __init__(self, tip: str = "") -> None:
+        super().__init__()
+        self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        self.setToolTip(tip)
+
+    def wheelEvent(self, event: QWheelEvent) -> None:
+        event.ignore()
+
+
+def measure_field(unit: str, value: float, least: float, most: float, step: float, tip: str) -> QDoubleSpinBox:
+    """A dialog's field for a length or an area."""
+    field = QDoubleSpinBox()
+    field.setRange(least, most)
+    field.setSingleStep(step)
+    field.setValue(value)
+    field.setSuffix(unit)
+    field.setToolTip(tip)
+    field.setFixedWidth(MEASURE_WIDTH)
+    field.setAlignment(Qt.AlignmentFlag.AlignRight)
     return field
 
 

@@ -8,10 +8,10 @@ from typing import TypeVar
 
 from PySide6.QtCore import QEvent, QSignalBlocker, Qt, Signal
 from PySide6.QtGui import QEnterEvent, QFocusEvent, QKeyEvent, QMouseEvent, QWheelEvent
-from PySide6.QtWidgets import QCheckBox, QComboBox, QDoubleSpinBox, QLabel, QWidget
+from PySide6.QtWidgets import QCheckBox, QDoubleSpinBox, QLabel, QWidget
 
 from app import style
-from app.panels.controls import LABEL_WIDTH
+from app.panels.controls import LABEL_WIDTH, ChoiceBox
 from roam_core.roto import BlendMode
 
 MIXED = "mixed"
@@ -172,7 +172,7 @@ class ScrubLabel(QLabel):
         super().changeEvent(event)
 
 
-class BlendBox(QComboBox):
+class BlendBox(ChoiceBox):
     """The modes by which a matte may join what lies under it. It can show that they differ.
 
     `picked(mode)` tells of a mode that is not the one that was shown.
@@ -181,10 +181,8 @@ class BlendBox(QComboBox):
     picked = Signal(BlendMode)
 
     def __init__(self, tip: str) -> None:
-        super().__init__()
-        self.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
+        super().__init__(tip)
         self.setPlaceholderText(MIXED)
-        self.setToolTip(tip)
         for mode in BlendMode:
             self.addItem(mode.value.capitalize(), mode)
             self.setItemData(self.count() - 1, MEANINGS[mode], Qt.ItemDataRole.ToolTipRole)

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from PySide6.QtCore import QSignalBlocker, Qt
-from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QSizePolicy, QWidget
+from PySide6.QtCore import QSignalBlocker
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QWidget
 
 from app import style
 from app.belonging import Belonging
 from app.document import Document
 from app.object_verbs import LEVELS, ObjectVerbs
-from app.panels.controls import dense_form, form_label
+from app.panels.controls import ChoiceBox, dense_form, form_label
 from app.panels.fields import MIXED, SwitchBox, shared
 from app.view_state import ViewState, selected_shapes
 from roam_core.roto import RotoShape
@@ -122,12 +122,10 @@ class ObjectForm(QWidget):
             self.solve.setCurrentIndex(-1 if chosen is None else self.solve.findData(chosen))
 
 
-def _choice(tip: str) -> QComboBox:
-    box = QComboBox()
-    box.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
+def _choice(tip: str) -> ChoiceBox:
+    box = ChoiceBox(tip)
     box.setPlaceholderText(MIXED)
     box.setMinimumWidth(CHOICE_WIDTH)
-    box.setToolTip(tip)
     return box
 
 

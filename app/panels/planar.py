@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QComboBox, QHBoxLayout, QToolButton, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QToolButton, QWidget
 
 from app import style
 from app.actions import Actions
-from app.panels.controls import tool_button
+from app.panels.controls import ChoiceBox, tool_button
 from app.planar_tracking import PlanarTracking
 from roam_core.geometry.plane_motion import PlaneMotion
 
@@ -26,9 +26,7 @@ class PlanarPanel(QWidget):
     def __init__(self, tracking: PlanarTracking, actions: Actions, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._tracking = tracking
-        self.kind = QComboBox()
-        self.kind.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
-        self.kind.setToolTip(TIP)
+        self.kind = ChoiceBox(TIP)
         for kind, (title, tip) in WORDS.items():
             self.kind.addItem(title, kind)
             self.kind.setItemData(self.kind.count() - 1, tip, Qt.ItemDataRole.ToolTipRole)

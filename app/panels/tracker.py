@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QComboBox, QFormLayout, QHBoxLayout, QLabel, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QFormLayout, QHBoxLayout, QLabel, QVBoxLayout, QWidget
 
 from app import style
 from app.actions import Actions
 from app.document import Document
-from app.panels.controls import dense_form, form_label, tool_button, weak_label
+from app.panels.controls import ChoiceBox, dense_form, form_label, tool_button, weak_label
 from app.panels.dials import DialForm
 from app.tracking import Scope, Tracking
 from app.view_state import ViewState, shapes_in_hand
@@ -54,7 +54,8 @@ class TrackerPanel(QWidget):
         super().__init__(parent)
         self._document, self._view, self._tracking = document, view_state, tracking
         self._confidence = QLabel()
-        self.mode, self.scope = QComboBox(), QComboBox()
+        self.mode = ChoiceBox("How the engine works: what it looks at, and how long it takes")
+        self.scope = ChoiceBox()
         self.words = weak_label("")
         self.words.setWordWrap(True)
         self.dials = DialForm(tracking, self._pull_mode)
@@ -75,14 +76,11 @@ class TrackerPanel(QWidget):
             self.mode.addItem(name.replace("_", " ").capitalize(), name)
             self.mode.setItemData(self.mode.count() - 1, WORDS.get(name, ""), Qt.ItemDataRole.ToolTipRole)
         self.mode.setCurrentIndex(self.mode.findData(self._tracking.config))
-        self.mode.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
-        self.mode.setToolTip("How the engine works: what it looks at, and how long it takes")
         self.mode.currentIndexChanged.connect(self._push_mode)
 
     def _fill_scopes(self) -> None:
         for scope, title in SCOPES.items():
             self.scope.addItem(title, scope)
-        self.scope.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
         self.scope.currentIndexChanged.connect(self._push_scope)
 
     def _form(self, actions: Actions) -> QFormLayout:

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from functools import partial
 
-from PySide6.QtCore import QPoint, Qt, Signal
-from PySide6.QtGui import QAction
+from PySide6.QtCore import QPoint, Qt, QTimer, Signal
+from PySide6.QtGui import QAction, QMouseEvent
 from PySide6.QtWidgets import QHBoxLayout, QMenu, QToolButton, QWidget
 
 from app import style
@@ -23,6 +23,7 @@ LOOKS = {
     Keying.BETWEEN: ("value-between", style.ACCENT, "It varies, without a key on this frame. Click to set one"),
 }
 """Drawing, colour and tooltip of each state."""
+DIFFER = "Some have a key on this frame or vary, others do not. Click to set a key on all"
 
 
 class ValueKeyButton(QToolButton):
@@ -48,6 +49,8 @@ class ValueKeyButton(QToolButton):
         self.frame = 0
         """The frame on which keys are set and deleted."""
         self.state = Keying.CONSTANT
+        self._is_new, self._takes_new = False, False
+        """Whether a key came just now, and whether the press did that: it took what was typed in the field."""
         self.menu_of_keys = QMenu(self)
         self._set = self._entry("Set key", lambda value: keyed(value, self.frame))
         self._delete = self._entry("Delete key", lambda value: unkeyed(value, self.frame))
@@ -58,11 +61,16 @@ class ValueKeyButton(QToolButton):
 
     def show_values(self, values: Sequence[Animatable], frame: int) -> None:
         """Show what the values have on a frame."""
+        before, is_same_frame = self.state, frame == self.frame
         self.frame = frame
         states = {keying(value, frame) for value in values}
-        self.state = states.pop() if len(states) == 1 else Keying.BETWEEN
+        is_one = len(states) == 1
+        self.state = states.pop() if is_one else Keying.BETWEEN
+        if is_same_frame and self.state is Keying.KEY and before is not Keying.KEY:
+            self._is_new = True
+            QTimer.singleShot(0, self, self._settle)
         self.setIcon(self._icons[self.state])
-        self.setToolTip(LOOKS[self.state][2])
+        self.setToolTip(LOOKS[self.state][2] if is_one else DIFFER)
         leading = [key for value in values if (key := leading_key(value, frame)) is not None]
         way = shared(key.interpolation for key in leading) if leading else None
         self._set.setEnabled(self.state is not Keying.KEY)
@@ -71,6 +79,10 @@ class ValueKeyButton(QToolButton):
             action.setEnabled(bool(leading))
         for kind, action in self._ways.items():
             action.setChecked(kind is way)
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        self._takes_new = self._is_new
+        super().mousePressEvent(event)
 
     # ---- the rest is private
 
@@ -85,8 +97,15 @@ class ValueKeyButton(QToolButton):
         action.setToolTip("How the value goes on from its key here, or the last one before")
         return action
 
+    def _settle(self) -> None:
+        self._is_new = False
+
     def _click(self) -> None:
-        (self._delete if self.state is Keying.KEY else self._set).trigger()
+        """Set a key or delete the one that is shown; what was typed before the click has set one already."""
+        is_done, self._takes_new = self._takes_new and self.state is Keying.KEY, False
+        if not is_done:
+            (self._delete if self.state is Keying.KEY else self._set).trigger()
+            self._settle()  # a key of its own is known at once
 
     def _show_menu(self, place: QPoint) -> None:
         self.menu_of_keys.popup(self.mapToGlobal(place))
@@ -106,4 +125,11 @@ def keyed_row(field: NumberField, button: ValueKeyButton) -> QWidget:
 
 
 def _popup(field: NumberField, button: ValueKeyButton, place: QPoint) -> None:
-    button.menu_of_keys.popup(field.mapToGlobal(place))
+    """What can be done with keys, and below it what can be done with the text."""
+    menu = field.lineEdit().createStandardContextMenu()
+    menu.setObjectName("field")
+    menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+    first = menu.actions()[0]
+    menu.insertActions(first, button.menu_of_keys.actions())
+    menu.insertSeparator(first)
+    menu.popup(field.mapToGlobal(place))

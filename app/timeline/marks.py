@@ -12,6 +12,7 @@ from app.document import Document
 from roam_core.params import DOUBTFUL
 from roam_core.propagate.provenance import Stamps
 from roam_core.roto import Interpolation, Origin, Project, RotoShape
+from roam_core.roto.imported import is_import
 
 Frames = NDArray[np.int64]
 
@@ -21,7 +22,7 @@ class KeyMarks:
     """Frames by what lies on them: `artist` keys; `engine` frames that are trusted, `doubtful` or `stale`.
 
     `smooth` and `held` are those of the artist's keys from which the shape does not move on evenly. `confidence` are
-    pairs (frame, confidence) `(K, 2)` of all engine frames, in the order of time.
+    pairs (frame, confidence) `(K, 2)` of all engine frames but those of a file that was read, in the order of time.
     """
 
     artist: Frames
@@ -52,7 +53,8 @@ def key_marks(shape: RotoShape, stamps: Stamps) -> KeyMarks:
             artist.append(key.frame)
             continue
         trust = 1.0 if key.confidence is None else key.confidence
-        confidence.append((key.frame, trust))
+        if not is_import(key):  # nobody looked for it in the plate
+            confidence.append((key.frame, trust))
         if stamps.is_stale(shape, key):
             stale.append(key.frame)
         elif trust < DOUBTFUL:

@@ -12,8 +12,7 @@ from roam_core.interchange.nuke.tracks import NukeTracksExporter
 from roam_core.interchange.protocol import STANDARD, Exporter, ExportOptions, KeyChoice, LossyExport
 from roam_core.roto import Keyframe, Layer, LayerTransform, Project, RotoShape
 
-LOSE_NOTHING = MatteExporter, NukeTracksExporter
-"""Formats of no mattes that could differ: pictures hold whatever is rendered, tracks only how things move."""
+TRACKS = "Tracks hold how shapes and layers move, not their outlines."
 
 
 @dataclass(frozen=True)
@@ -30,8 +29,10 @@ def foreseen(exporter: Exporter, project: Project, options: ExportOptions = STAN
     Tried on `trimmed` shapes, so that it is quick: sentences that count keys are not among them, and what only a key in
     between would lose is told by the export itself.
     """
-    if isinstance(exporter, LOSE_NOTHING):
+    if isinstance(exporter, MatteExporter):  # pictures hold whatever is rendered
         return Foreseen()
+    if isinstance(exporter, NukeTracksExporter):
+        return Foreseen(notes=(TRACKS,))
     keys = KeyChoice.EVERY if options.keys is KeyChoice.REDUCED else options.keys
     tried = replace(options, keys=keys, smoothing=0.0, progress=None)
     few = trimmed(project)

@@ -248,9 +248,21 @@ class ShapeReader:
                 f"The file speaks of pictures of {size[0]:g} x {size[1]:g} pixels, the clip has {width} x {height}: "
                 "the shapes were scaled."
             )
+        self._tell_frames(layer)
         return Imported(
             Layer(layer.id, layer.name, tuple(stamped(child) for child in layer.children)), tuple(self.notes)
         )
+
+    def _tell_frames(self, layer: Layer) -> None:
+        """A note where shapes move, but on none of the clip's frames: they would stand still there."""
+        frames = [frame for shape in layer.shapes() if len(shape.keys) > 1 for frame in shape.frames]
+        first, last = self.clip.first, self.clip.last
+        if frames and not any(first <= frame <= last for frame in frames):
+            shift = self.options.frame_offset + min(frames) - first
+            self.note(
+                f"The keys lie on frames {min(frames)} to {max(frames)}, none of them on the clip's {first} to {last}: "
+                f"the shapes stand still there. 'roam import --frame-offset {shift}' would begin with the clip."
+            )
 
 
 def origin_of(key: Key) -> dict[str, Any]:

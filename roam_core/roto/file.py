@@ -17,7 +17,7 @@ from roam_core.roto.project import Project
 from roam_core.roto.to_json import pieces
 from roam_core.roto.writing import write_atomically
 
-__all__ = ["MAX_BYTES", "digest", "dumps", "load", "loads", "save", "write_atomically"]
+__all__ = ["MAX_BYTES", "digest", "dumps", "load", "load_versioned", "loads", "save", "write_atomically"]
 
 MAX_BYTES = 448 << 20
 """Larger files are neither read nor written: with what is made of it, it fits into a gigabyte of memory."""
@@ -50,7 +50,14 @@ def load(path: Path) -> Project:
     RoamError
         when it is missing, not a project, damaged, too large, or of a newer version.
     """
-    return _read(_parsed(_content(path), str(path)), path.parent, str(path))
+    return load_versioned(path)[0]
+
+
+def load_versioned(path: Path) -> tuple[Project, int]:
+    """Read a project file as `load` does; gives the version of the file, too."""
+    document = _parsed(_content(path), str(path))
+    project = _read(document, path.parent, str(path))
+    return project, document["version"]
 
 
 def dumps(project: Project, folder: Path) -> str:

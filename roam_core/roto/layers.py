@@ -29,11 +29,13 @@ def top_items(project: Project, item_ids: Collection[str]) -> list[str]:
     return list(found(project.root))
 
 
-def only(project: Project, item_ids: Collection[str]) -> Project:
+def only(project: Project, item_ids: Collection[str] | None) -> Project:
     """The project with these shapes, and those in these layers, alone; layers that hold none of them fall away.
 
-    What is left keeps its place: layers around it still move, dim, hide and invert it.
+    What is left keeps its place: layers around it still move, dim, hide and invert it. None is for all of them.
     """
+    if item_ids is None:
+        return project
     chosen = set(item_ids)
 
     def pruned(layer: Layer) -> Layer:

@@ -9,6 +9,8 @@ from roam_core.roto.packing import listed_rows, packed_numbers
 
 VERSION = 3
 """The version of `.roam` files that this program writes."""
+UNION_SINCE = 3
+"""The version from which on "add" is a union of soft edges, and what added before is "plus"."""
 
 
 def migrate(document: dict[str, Any], version: int) -> dict[str, Any]:

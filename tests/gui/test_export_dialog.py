@@ -11,8 +11,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 from numpy.typing import NDArray
-from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QComboBox, QMessageBox, QWidget
+from PySide6.QtCore import QRect, Qt
+from PySide6.QtWidgets import QApplication, QComboBox, QMessageBox, QWidget
 from pytestqt.qtbot import QtBot
 
 from app import dialogs
@@ -21,6 +21,7 @@ from app.export_dialog import ExportDialog
 from app.jobs.export import Export
 from app.jobs.runner import Runner
 from app.view_state import ViewState
+from roam_core.errors import RoamError
 from roam_core.geometry.bezier import polygon_points
 from roam_core.interchange import EXPORTERS, ExportOptions, KeyChoice
 from roam_core.interchange.mattes.exporter import MatteExporter
@@ -323,6 +324,53 @@ def test_the_question_names_what_would_be_lost(qtbot: QtBot, monkeypatch: pytest
     losses = [f"Shape {k} is lost." for k in range(9)]
     assert dialogs.ask_lossy(parent, losses) is (answer == "Export anyway")
     assert shown == ["\n".join(losses[:6]), "\n".join(losses)]
+
+
+def test_what_is_told_stays_until_something_else_is_known(qtbot: QtBot, dialog: ExportDialog, lossy: Document) -> None:
+    qtbot.waitUntil(lambda: dialog.notes.toPlainText() == LOSSES, timeout=WAIT)
+    project, _ = edit.new_shape(lossy.project, SQUARE, 1001, name="Plain")
+    with qtbot.waitSignal(dialog._foresight.seen, timeout=WAIT):
+        lossy.apply("Draw", project)
+        assert dialog.notes.toPlainText() == LOSSES
+    assert dialog.notes.toPlainText() == LOSSES
+    dialog.choose("svg")
+    assert dialog.notes.toPlainText() == ""
+    assert dialog.notes.placeholderText().startswith("Looking")
+    qtbot.waitUntil(lambda: dialog.notes.placeholderText() == "The format holds all that is chosen.", timeout=WAIT)
+
+
+def test_an_export_that_would_be_refused_says_so_before(
+    qtbot: QtBot, dialog: ExportDialog, document: Document, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    class Never(JsonFormat):
+        def export(self, project: Project, path: Path, options: ExportOptions = STANDARD) -> tuple[str, ...]:
+            raise RoamError("No such thing can be written.")
+
+    monkeypatch.setitem(EXPORTERS, "json", Never())
+    dialog.choose("json")
+    qtbot.waitUntil(lambda: dialog.notes.toPlainText() == "No such thing can be written.", timeout=WAIT)
+
+
+def test_nothing_moves_when_another_format_is_chosen(qtbot: QtBot, dialog: ExportDialog, lossy: Document) -> None:
+    def places() -> list[QRect]:
+        return [widget.geometry() for widget in (dialog, dialog.formats, dialog.notes, dialog.start, dialog.stop)]
+
+    dialog.choose("svg")
+    qtbot.waitUntil(lambda: dialog.notes.placeholderText().startswith("The format"), timeout=WAIT)
+    before = places()
+    dialog.choose("json")
+    qtbot.waitUntil(lambda: dialog.start.text() == "Export anyway", timeout=WAIT)
+    assert places() == before
+    dialog.choose("mattes")
+    QApplication.processEvents()
+    assert places() == before
+
+
+def test_without_a_clip_there_is_nothing_to_export(dialog: ExportDialog, document: Document) -> None:
+    document.open(Project(), None)
+    assert not dialog.start.isEnabled()
+    assert dialog.hint.text() == "There is nothing to export yet; open a clip first."
+    assert dialog.notes.placeholderText() == ""
 
 
 def test_ctrl_e_opens_it_beside_the_work(qtbot: QtBot, tmp_path: Path) -> None:

@@ -20,7 +20,7 @@ from app.mask_dialog import MaskDialog
 from app.panels.panel import Panel
 from roam_core.geometry.bezier import polygon_points
 from roam_core.media import finding
-from roam_core.roto import edit, file
+from roam_core.roto import BlendMode, Project, edit, file
 from tests.gui.windows import COUNT, FIRST, WAIT, opened_window, write_clip
 
 SQUARE = polygon_points([(40, 30), (80, 30), (80, 70), (40, 70)])
@@ -176,7 +176,8 @@ def test_shapes_dropped_on_the_window_join_the_project_as_one_step(
     with qtbot.waitSignal(window.importing.finished, timeout=WAIT):
         window.file_actions.open_dropped(tmp_path / "a.nk")
     assert len(window.document.project.shapes) == 2
-    assert "Read 1 shape(s) from a.nk" in window.status.sentence.text()
+    assert "Read 1 shape from a.nk" in window.status.sentence.text()
+    assert window.view_state.selection.shapes == {window.document.project.shapes[-1].id}
     assert window.document.undo_stack.undoText() == "Import shapes"
     window.document.undo_stack.undo()
     assert len(window.document.project.shapes) == 1
@@ -197,6 +198,32 @@ def test_the_menu_imports_files_and_folders_of_masks(
     with qtbot.waitSignal(window.importing.finished, timeout=WAIT) as finished:
         dialog.accept()
     assert "masks" in finished.args[1]
+
+
+@pytest.mark.parametrize("name", ["file.import_shapes", "file.import_masks"])
+def test_without_a_clip_nothing_is_asked_before_it_is_told(window: MainWindow, name: str) -> None:
+    window.document.open(Project(), None)
+    window.actions_by_id[name].trigger()  # a chooser would wait for an answer
+    assert window.status.sentence.text() == "Open a clip first: shapes come into its frames and pixels."
+
+
+def test_an_older_project_whose_shapes_are_summed_says_so(qtbot: QtBot, window: MainWindow, tmp_path: Path) -> None:
+    project = window.document.project
+    for k in range(2):
+        project, _ = edit.new_shape(project, SQUARE + k, FIRST)
+    path = tmp_path / "old.roam"
+    file.save(project, path)
+    text = path.read_text()
+    for version, is_told in ((2, True), (3, False)):
+        path.write_text(text.replace('"version": 3', f'"version": {version}', 1))
+        with qtbot.waitSignal(window.files.finished, timeout=WAIT):
+            window.files.open(path)
+        sentence = window.status.sentence.text()
+        assert sentence.startswith("Opened old.roam.")
+        assert ("It joins soft edges as older versions did (Plus)" in sentence) is is_told
+        assert [shape.blend for shape in window.document.project.shapes][1] is (
+            BlendMode.PLUS if is_told else BlendMode.ADD
+        )
 
 
 def test_a_plate_that_is_gone_is_told_and_the_shapes_are_still_there(

@@ -114,7 +114,7 @@ def test_text_of_another_program_is_pasted_selected_and_undone_as_one(
     pasted_layers = {child.id for child in after.root.children[2:] if isinstance(child, Layer)}
     assert window.view_state.layers == pasted_layers
     assert bool(pasted_layers) is (name != "fusion")  # whose masks know no layers
-    assert window.status.sentence.text().startswith("Read 2 shape(s) from the clipboard.")
+    assert window.status.sentence.text().startswith("Read 2 shapes from the clipboard.")
     assert entry(window, "Undo Paste").isEnabled()
     window.document.undo_stack.undo()
     assert window.document.project is before

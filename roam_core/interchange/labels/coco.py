@@ -85,10 +85,13 @@ class _Writer(ShapeWriter):
         return replace(layer, children=tuple(children), opacity=1.0)
 
     def _tell(self, shape: RotoShape) -> None:
-        had = (("feather", is_feathered(shape)), ("motion blur", shape.motion_blur is not None))
-        left = [word for word, is_so in had if is_so]
+        left = [
+            word
+            for word, is_so in (("feather", is_feathered(shape)), ("motion blur", shape.motion_blur is not None))
+            if is_so
+        ]
         if left:
-            self.notes.append(f"Objects are hard: {' and '.join(left)} of {shape.name!r} were left out.")
+            self.notes.append(f"Objects are hard, without the {' and '.join(left)} of {shape.name!r}.")
         if not is_always(shape.opacity, 1.0):
             self.notes.append(f"Objects are opaque: the opacity of {shape.name!r} was left out.")
 

@@ -90,8 +90,9 @@ class _Writer(ShapeWriter):
 
     def add(self, layer: Layer, label: str) -> None:
         """The shapes of a layer and of those in it; `label` is "" in the root."""
-        if layer.invert or layer.blend not in JOINING:
-            self.losses.append(f"CVAT has no layers of masks: mode and inversion of {layer.name!r} are lost.")
+        mode = "" if layer.blend in JOINING else f"the mode {layer.blend.value!r}"
+        if lost := " and ".join(filter(None, (mode, "the inversion" if layer.invert else ""))):
+            self.losses.append(f"CVAT has no layers of masks: {layer.name!r} loses {lost}.")
         for child in layer.children:
             if isinstance(child, Layer):
                 self.add(child, label or child.name)
@@ -144,9 +145,8 @@ class _Writer(ShapeWriter):
             what = "inversion" if shape.invert else f"mode {shape.blend.value!r}"
             self.losses.append(f"Polygons of CVAT only add: the {what} of {name} is lost.")
         dim, blurred = not is_always(shape.opacity, 1.0), shape.motion_blur is not None
-        had = (("feather", is_feathered(shape)), ("opacity", dim), ("motion blur", blurred))
-        left = [word for word, is_so in had if is_so]
-        if left:
-            self.notes.append(f"Labels are hard and opaque: {', '.join(left)} of {name} were left out.")
+        kinds = ("feather", is_feathered(shape)), ("opacity", dim), ("motion blur", blurred)
+        if left := [word for word, is_so in kinds if is_so]:
+            self.notes.append(f"Labels are hard and opaque, without the {' and '.join(left)} of {name}.")
         if not shape.visible:
             self.notes.append(f"CVAT hides no tracks in a file: the invisible {name} is seen there.")

@@ -71,8 +71,13 @@ class _Writer(ShapeWriter):
                 self._add_shape(child)
 
     def _tell_layer(self, layer: Layer) -> None:
-        if layer.invert or layer.blend is not BlendMode.ADD or not is_always(layer.opacity, 1.0):
-            self.losses.append(f"MLT has no layers of masks: mode, opacity and inversion of {layer.name!r} are lost.")
+        kinds = (
+            ("the mode " + repr(layer.blend.value), layer.blend is not BlendMode.ADD),
+            ("the opacity", not is_always(layer.opacity, 1.0)),
+            ("the inversion", layer.invert),
+        )
+        if lost := " and ".join(word for word, is_so in kinds if is_so):
+            self.losses.append(f"MLT has no layers of masks: {layer.name!r} loses {lost}.")
 
     def _add_shape(self, shape: RotoShape) -> None:
         shape = self.begun(shape)

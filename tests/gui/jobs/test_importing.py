@@ -33,7 +33,7 @@ def test_shapes_arrive_as_one_undo_step(qtbot: QtBot, document: Document, runner
     importing = Import(document, runner)
     with qtbot.waitSignal(importing.finished, timeout=WAIT) as finished:
         importing.start(script)
-    assert finished.args == [Ending.DONE, "Read 1 shape(s) from a.nk."]
+    assert finished.args == [Ending.DONE, "Read 1 shape from a.nk."]
     (shape,) = document.project.shapes
     assert (shape.name, shape.frames) == ("Arm", (1002,))
     assert document.undo_stack.count() == 1

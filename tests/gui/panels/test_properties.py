@@ -14,6 +14,7 @@ from pytestqt.qtbot import QtBot
 
 from app.document import Document
 from app.panels.colour_row import OTHER
+from app.panels.controls import ChoiceBox
 from app.panels.fields import NumberField, ScrubLabel
 from app.panels.properties import PropertiesPanel
 from app.view_state import ViewState
@@ -252,3 +253,28 @@ def test_a_locked_shape_can_be_unlocked_and_hidden(panel: PropertiesPanel, docum
     assert (shape(document).locked, shape(document).visible) == (True, False)
     panel.locked.click()
     assert not shape(document).locked
+
+
+def test_neither_the_wheel_nor_the_keyboard_changes_a_choice_by_the_way(
+    qtbot: QtBot, panel: PropertiesPanel, document: Document
+) -> None:
+    for box in panel.findChildren(ChoiceBox):
+        before = box.currentIndex()
+        place = QPointF(box.rect().center())
+        for turn in (-120, 120):
+            event = QWheelEvent(
+                place,
+                QPointF(box.mapToGlobal(place)),
+                QPoint(),
+                QPoint(0, turn),
+                Qt.MouseButton.NoButton,
+                Qt.KeyboardModifier.NoModifier,
+                Qt.ScrollPhase.NoScrollPhase,
+                False,
+            )
+            QApplication.sendEvent(box, event)
+            assert not event.isAccepted()  # the panel scrolls
+        assert box.currentIndex() == before
+        assert box.focusPolicy() is Qt.FocusPolicy.NoFocus
+    assert panel.blend in panel.findChildren(ChoiceBox)
+    assert document.undo_stack.count() == 0

@@ -169,3 +169,43 @@ def test_keys_go_to_the_frame_that_is_shown_even_of_what_never_varied(
     view_state.set_frame(9)
     qtbot.mouseClick(panel.opacity_key, LEFT)
     assert shape(document).opacity == Animated((ValueKey(9, 1.0),))
+
+
+def test_shapes_that_differ_say_so(
+    panel: PropertiesPanel, document: Document, view_state: ViewState, qtbot: QtBot
+) -> None:
+    qtbot.mouseClick(panel.opacity_key, LEFT)
+    view_state.select(frozenset({"shape-1", "shape-2"}))
+    assert looks(panel.opacity_key) == (Keying.BETWEEN, "Some have a key on this frame or vary, others do not")
+
+
+def test_the_field_has_one_menu_for_keys_and_for_text(
+    panel: PropertiesPanel, document: Document, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    menus: list[QMenu] = []
+    monkeypatch.setattr(QMenu, "popup", lambda menu, place: menus.append(menu))
+    event = QContextMenuEvent(QContextMenuEvent.Reason.Mouse, QPoint(3, 2), panel.opacity.mapToGlobal(QPoint(3, 2)))
+    QApplication.sendEvent(panel.opacity, event)
+    (menu,) = menus
+    words = [action.text().replace("&", "").partition("\t")[0] for action in menu.actions()]
+    assert words[:3] == ["Set key", "Delete key", "Delete all keys"]
+    assert {"Hold", "Copy", "Paste", "Select All"} <= set(words)
+    menu.actions()[0].trigger()
+    assert shape(document).opacity == Animated((ValueKey(1, 1.0),))
+
+
+def test_a_click_takes_what_was_typed_and_does_not_delete_its_key(
+    qtbot: QtBot, panel: PropertiesPanel, document: Document, view_state: ViewState
+) -> None:
+    """The press takes the number out of the field, which sets a key; the click means that key."""
+    qtbot.mouseClick(panel.opacity_key, LEFT)
+    view_state.set_frame(9)
+    panel.opacity.setFocus()
+    panel.opacity.selectAll()
+    qtbot.keyClicks(panel.opacity, "33")
+    panel.opacity.clearFocus()  # as a press anywhere in the panel's column does
+    qtbot.mouseClick(panel.opacity_key, LEFT)
+    assert shape(document).opacity == Animated((ValueKey(1, 1.0), ValueKey(9, 0.33)))
+    QApplication.processEvents()
+    qtbot.mouseClick(panel.opacity_key, LEFT)
+    assert shape(document).opacity == Animated((ValueKey(1, 1.0),))

@@ -13,6 +13,7 @@ from roam_core.geometry.bezier import polygon_points
 from roam_core.params import CONFIGS, DEFAULT_CONFIG
 from roam_core.propagate.provenance import Stamps, clip_stamp, fill_stamp, is_stale, stamp
 from roam_core.roto import Clip, Keyframe, Origin, Project, RotoShape, edit
+from roam_core.roto.imported import import_stamp
 
 SQUARE = polygon_points([(0, 0), (10, 0), (10, 10), (0, 10)])
 CLIP = Clip(Path("shot"), 1, 30, (64, 48))
@@ -88,3 +89,14 @@ def test_what_was_filled_is_fresh_until_a_key_on_either_side_changes() -> None:
     for frame in (5, 15):
         moved = edit.set_key(filled, frame, SQUARE * 2)
         assert key_marks(moved, stamps(moved)).stale.tolist() == [8, 9]
+
+
+def test_what_a_file_put_between_its_keys_is_a_tick_without_confidence() -> None:
+    read = RotoShape("s", "s", (Keyframe(5, SQUARE), Keyframe(9, SQUARE + 1)))
+    between = Keyframe(7, SQUARE, origin=Origin.ENGINE, inputs=import_stamp(read, 7))
+    shape = edit.set_engine_keys(read, [between])
+    moved = edit.set_key(shape, 9, SQUARE + 4)
+    marks = key_marks(shape, stamps(shape))
+    assert (marks.artist.tolist(), marks.engine.tolist()) == ([5, 9], [7])
+    assert marks.confidence.shape == (0, 2)
+    assert key_marks(moved, stamps(moved)).stale.tolist() == [7]

@@ -31,6 +31,12 @@ def test_losses_are_those_of_the_export_itself(name: str, scene: str, tmp_path: 
     assert not set(found.losses) & set(found.notes)
 
 
+def test_tracks_say_what_they_are_before_they_are_written() -> None:
+    found = foreseen(EXPORTERS["nuke-tracks"], SCENES["modes"].project)
+    assert found.losses == ()
+    assert found.notes == ("Tracks hold how shapes and layers move, not their outlines.",)
+
+
 def test_few_keys_are_tried_whatever_keys_are_asked_for() -> None:
     project = next(iter(SCENES.values())).project
     shape = project.shapes[0]

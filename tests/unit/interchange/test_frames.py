@@ -9,11 +9,11 @@ import numpy.testing as npt
 import pytest
 
 from roam_core.errors import RoamError
-from roam_core.interchange import EXPORTERS, ExportOptions, KeyChoice
+from roam_core.interchange import EXPORTERS, ExportOptions, ImportOptions, KeyChoice, read_shapes
 from roam_core.interchange.protocol import exported_keys, readied, within
 from roam_core.interchange.timing import value_within
 from roam_core.matte import render_matte
-from roam_core.roto import Animated, Interpolation, Layer, Origin, Project, ValueKey
+from roam_core.roto import Animated, Clip, Interpolation, Layer, Origin, Project, ValueKey
 from roam_core.roto.animated import frames_of
 from tests.judges.coverage import overlap
 from tests.judges.programs import JUDGES
@@ -147,3 +147,15 @@ def test_values_in_time_are_cut_and_counted_as_outlines_are(judge: Judge, tmp_pa
     for frame in (1004, 1007, 1009):
         ours = render_matte(project, frame, (clip.size[1], clip.size[0]))
         assert overlap(ours, judge.matte(path, clip, frame + 100)) > judge.least, frame
+
+
+def test_keys_beside_the_clip_are_told_with_the_offset_that_would_bring_them_in(tmp_path: Path) -> None:
+    clip = Clip(Path("/plates/shot"), 1001, 1050, (200, 150))
+    moving = Project(clip, Layer("root", "Root", (animated("Arm"),)))
+    path = tmp_path / "arm.nk"
+    EXPORTERS["nuke"].export(moving, path, ExportOptions(frame_offset=-1000))
+    (note,) = read_shapes(path, clip).notes
+    first = animated("Arm").frames[0] - 1000
+    assert note.startswith(f"The keys lie on frames {first} to ")
+    assert f"--frame-offset {first - 1001}' would begin" in note
+    assert read_shapes(path, clip, ImportOptions(frame_offset=-1000)).notes == ()

@@ -16,7 +16,7 @@ from roam_core.interchange.labels.coco import coco_document
 from roam_core.interchange.labels.polygons import clipped, mask_of, runs_of, runs_of_text
 from roam_core.interchange.protocol import LossyExport
 from roam_core.matte import render_matte
-from roam_core.roto import BlendMode, Clip, Interpolation, Keyframe, Layer, Project, RotoShape
+from roam_core.roto import Animated, BlendMode, Clip, Interpolation, Keyframe, Layer, Project, RotoShape, ValueKey
 from tests.judges.scenes import blob
 
 SIZE = (320, 240)
@@ -194,6 +194,33 @@ IMAGES = """<?xml version="1.0" encoding="utf-8"?>
  </image>
  <image id="4" name="b.png" width="320" height="240"><ellipse label="sun" cx="90" cy="90" rx="9" ry="5"/></image>
 </annotations>"""
+
+
+@pytest.mark.parametrize("name", ["coco", "cvat", "mlt"])
+def test_what_varies_outside_of_a_shapes_own_keys_is_told(name: str, tmp_path: Path) -> None:
+    """A shape with one key whose feather and opacity have keys later: soft and dim there, so it is said."""
+    late = Animated((ValueKey(1001, 0.0), ValueKey(1010, 8.0)))
+    dim = Animated((ValueKey(1001, 1.0), ValueKey(1010, 0.5)))
+    told = EXPORTERS[name].export(
+        project(car(feather=late, opacity=dim)), tmp_path / "p.file", ExportOptions(lossy=True)
+    )
+    assert any("feather" in sentence and "'Car'" in sentence for sentence in told)
+    assert any("opacity" in sentence and "'Car'" in sentence for sentence in told)
+
+
+@pytest.mark.parametrize(
+    ("name", "values", "lost"),
+    [
+        ("cvat", {"invert": True, "opacity": 0.5}, "loses the inversion."),
+        ("mlt", {"invert": True, "opacity": 0.5}, "loses the opacity and the inversion."),
+        ("mlt", {"blend": BlendMode.INTERSECT}, "loses the mode 'intersect'."),
+    ],
+)
+def test_only_what_a_layer_has_is_said_to_be_lost(name: str, values: Any, lost: str, tmp_path: Path) -> None:
+    layered = project(car(), Layer("layer", "Body", (car(),), **values))
+    with pytest.raises(LossyExport) as refusal:
+        EXPORTERS[name].export(layered, tmp_path / "p.file")
+    assert f"{name.upper()} has no layers of masks: 'Body' {lost}" in refusal.value.losses
 
 
 def test_images_of_cvat_become_shapes_of_a_frame(tmp_path: Path) -> None:
