@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -27,10 +26,10 @@ from roam_core.interchange.flatten import (
 )
 from roam_core.interchange.literals import python_literal, whole
 from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter, readied, settled, without_smooth_keys
+from roam_core.interchange.text_exporter import TextExporter
 from roam_core.interchange.timing import lifetime_steps, moments, straight_keys
 from roam_core.roto import BlendMode, Interpolation, Layer, Project, RotoShape
 from roam_core.roto.animated import Animatable, ValueKey, value_at, values_of
-from roam_core.roto.file import write_atomically
 
 Array = NDArray[np.float64]
 
@@ -55,19 +54,16 @@ OPERATIONS = {
 DECIMALS = 6
 
 
-class NatronExporter:
+class NatronExporter(TextExporter):
     """Writes a script that builds a Roto node with all layers and shapes of a project."""
 
     name = "natron"
     title = "Natron Roto node (script)"
     suffix = ".py"
 
-    def export(self, project: Project, path: Path, options: ExportOptions = STANDARD) -> tuple[str, ...]:
-        """Write `project` to `path`; what Natron's shapes cannot hold comes back as sentences."""
-        text, notes = natron_script(project, options)
-        options.advance(1.0, f"Writing {path.name}")
-        write_atomically(path, text.encode("ascii"))
-        return notes
+    def document(self, project: Project, options: ExportOptions) -> tuple[str, tuple[str, ...]]:
+        """The text; what Natron's shapes cannot hold is told."""
+        return natron_script(project, options)
 
 
 def natron_script(project: Project, options: ExportOptions = STANDARD) -> tuple[str, tuple[str, ...]]:

@@ -10,7 +10,6 @@ import json
 import math
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from pathlib import Path
 from typing import Any, TypeVar
 
 import numpy as np
@@ -20,6 +19,7 @@ from roam_core.errors import RoamError
 from roam_core.geometry import bspline
 from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter, readied
 from roam_core.interchange.reading import Imported, ShapeReader, brief, sensible
+from roam_core.interchange.text_exporter import TextExporter
 from roam_core.roto import (
     Animated,
     BlendMode,
@@ -35,7 +35,6 @@ from roam_core.roto import (
     grips,
 )
 from roam_core.roto.animated import Animatable
-from roam_core.roto.file import write_atomically
 
 Array = NDArray[np.float64]
 Number = Callable[..., float]
@@ -46,7 +45,7 @@ Kind = TypeVar("Kind", BlendMode, Interpolation, Origin, Spline)
 FORMAT, VERSION = "roam-shapes", 2
 
 
-class JsonFormat:
+class JsonFormat(TextExporter):
     """Writes and reads all layers and shapes of a project as plain JSON."""
 
     name = "json"
@@ -54,12 +53,9 @@ class JsonFormat:
     suffix = ".json"
     suffixes = (".json",)
 
-    def export(self, project: Project, path: Path, options: ExportOptions = STANDARD) -> tuple[str, ...]:
-        """Write `project` to `path`; nothing of a shape's look or motion is lost."""
-        text, notes = json_document(project, options)
-        options.advance(1.0, f"Writing {path.name}")
-        write_atomically(path, text.encode("ascii"))
-        return notes
+    def document(self, project: Project, options: ExportOptions) -> tuple[str, tuple[str, ...]]:
+        """The text; nothing of a shape's look or motion is lost."""
+        return json_document(project, options)
 
 
 def json_document(project: Project, options: ExportOptions = STANDARD) -> tuple[str, tuple[str, ...]]:

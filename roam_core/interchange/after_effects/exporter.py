@@ -12,7 +12,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -32,10 +31,10 @@ from roam_core.interchange.flatten import (
 )
 from roam_core.interchange.literals import javascript_literal
 from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter, readied, settled
+from roam_core.interchange.text_exporter import TextExporter
 from roam_core.interchange.timing import opacity_keys, straight_keys
 from roam_core.roto import BlendMode, Interpolation, Keyframe, Project, RotoShape
 from roam_core.roto.animated import Animatable, ValueKey, mapped, value_at, values_of
-from roam_core.roto.file import write_atomically
 
 Array = NDArray[np.float64]
 
@@ -70,19 +69,16 @@ OUTER, INNER = 0, 1
 """Directions of After Effects' feather points."""
 
 
-class AfterEffectsExporter:
+class AfterEffectsExporter(TextExporter):
     """Writes a script that builds a mask for every shape of a project."""
 
     name = "after-effects"
     title = "After Effects masks (script)"
     suffix = ".jsx"
 
-    def export(self, project: Project, path: Path, options: ExportOptions = STANDARD) -> tuple[str, ...]:
-        """Write `project` to `path`; what After Effects' masks cannot hold comes back as sentences."""
-        text, notes = mask_script(project, options)
-        options.advance(1.0, f"Writing {path.name}")
-        write_atomically(path, text.encode("ascii"))
-        return notes
+    def document(self, project: Project, options: ExportOptions) -> tuple[str, tuple[str, ...]]:
+        """The text; what After Effects' masks cannot hold is told."""
+        return mask_script(project, options)
 
 
 def mask_script(project: Project, options: ExportOptions = STANDARD) -> tuple[str, tuple[str, ...]]:

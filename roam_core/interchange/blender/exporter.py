@@ -10,7 +10,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -32,10 +31,10 @@ from roam_core.interchange.flatten import (
 )
 from roam_core.interchange.literals import python_literal, whole
 from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter, readied, settled, without_smooth_keys
+from roam_core.interchange.text_exporter import TextExporter
 from roam_core.interchange.timing import opacity_keys, straight_keys, without_holds
 from roam_core.roto import BlendMode, Clip, Interpolation, Keyframe, Project, RotoShape
 from roam_core.roto.animated import Animatable, ValueKey, value_at
-from roam_core.roto.file import write_atomically
 
 Array = NDArray[np.float64]
 
@@ -56,19 +55,16 @@ LONG = 3.0
 """How much longer than its other side a picture may be before anybody is told of its softer edges."""
 
 
-class BlenderExporter:
+class BlenderExporter(TextExporter):
     """Writes a script that builds a mask with a layer for every shape of a project."""
 
     name = "blender"
     title = "Blender mask (script)"
     suffix = ".py"
 
-    def export(self, project: Project, path: Path, options: ExportOptions = STANDARD) -> tuple[str, ...]:
-        """Write `project` to `path`; what Blender's masks cannot hold comes back as sentences."""
-        text, notes = blender_script(project, options)
-        options.advance(1.0, f"Writing {path.name}")
-        write_atomically(path, text.encode("ascii"))
-        return notes
+    def document(self, project: Project, options: ExportOptions) -> tuple[str, tuple[str, ...]]:
+        """The text; what Blender's masks cannot hold is told."""
+        return blender_script(project, options)
 
 
 def blender_script(project: Project, options: ExportOptions = STANDARD) -> tuple[str, tuple[str, ...]]:

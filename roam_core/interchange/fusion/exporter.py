@@ -11,7 +11,6 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
-from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
@@ -27,10 +26,10 @@ from roam_core.interchange.flatten import (
 )
 from roam_core.interchange.literals import lua_literal
 from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter, readied, settled, without_smooth_keys
+from roam_core.interchange.text_exporter import TextExporter
 from roam_core.interchange.timing import moments, opacity_keys, straight_keys, value_moments
 from roam_core.roto import BlendMode, Keyframe, Project, RotoShape
 from roam_core.roto.animated import Animatable, ValueKey, mapped, value_at, values_of
-from roam_core.roto.file import write_atomically
 
 Array = NDArray[np.float64]
 
@@ -59,19 +58,17 @@ FLOAT = 4
 CLIPPING = ("ClippingMode", 'Value = FuID { "None" }')
 
 
-class FusionExporter:
+class FusionExporter(TextExporter):
     """Writes every shape of a project as a polygon mask, chained in the order of compositing."""
 
     name = "fusion"
     title = "Fusion / DaVinci Resolve masks"
     suffix = ".setting"
+    encoding = "utf-8"
 
-    def export(self, project: Project, path: Path, options: ExportOptions = STANDARD) -> tuple[str, ...]:
-        """Write `project` to `path`; what Fusion's masks cannot hold comes back as sentences."""
-        text, notes = fusion_setting(project, options)
-        options.advance(1.0, f"Writing {path.name}")
-        write_atomically(path, text.encode("utf-8"))
-        return notes
+    def document(self, project: Project, options: ExportOptions) -> tuple[str, tuple[str, ...]]:
+        """The text; what Fusion's masks cannot hold is told."""
+        return fusion_setting(project, options)
 
 
 def fusion_setting(project: Project, options: ExportOptions = STANDARD) -> tuple[str, tuple[str, ...]]:

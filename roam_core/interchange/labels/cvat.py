@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import xml.etree.ElementTree as ET
 from dataclasses import dataclass, field
-from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,11 +17,11 @@ from roam_core.interchange.authorship import MARK
 from roam_core.interchange.flatten import is_feathered
 from roam_core.interchange.labels.polygons import BELONG, Flattener
 from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter, readied, settled, without_smooth_keys
+from roam_core.interchange.text_exporter import TextExporter
 from roam_core.interchange.timing import without_holds
 from roam_core.interchange.xml import xml_text
 from roam_core.roto import BlendMode, Layer, Project, RotoShape
 from roam_core.roto.animated import is_always
-from roam_core.roto.file import write_atomically
 
 Array = NDArray[np.float64]
 
@@ -33,20 +32,18 @@ NAME = "name"
 """The attribute of a track that holds the shape's name where the label is that of its layer."""
 
 
-class CvatExporter:
+class CvatExporter(TextExporter):
     """Writes every shape as a track; its label is the name of the layer in the root that it lies in, or its own."""
 
     name = "cvat"
     title = "CVAT for video"
     suffix = ".xml"
+    encoding = "utf-8"
 
-    def export(self, project: Project, path: Path, options: ExportOptions = STANDARD) -> tuple[str, ...]:
-        """Write all shapes to `path`."""
+    def document(self, project: Project, options: ExportOptions) -> tuple[str, tuple[str, ...]]:
+        """The text and what is told of it."""
         text, notes, losses = cvat_document(project, options)
-        told = settled(notes, losses, options)
-        options.advance(1.0, f"Writing {path.name}")
-        write_atomically(path, text.encode("utf-8"))
-        return told
+        return text, settled(notes, losses, options)
 
 
 def cvat_document(project: Project, options: ExportOptions = STANDARD) -> tuple[str, list[str], list[str]]:

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, field
-from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
@@ -39,10 +38,10 @@ from roam_core.interchange.nuke.text import (
     number,
     numbers,
 )
-from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter, readied, settled
+from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter, readied
+from roam_core.interchange.text_exporter import TextExporter
 from roam_core.roto import BlendMode, Layer, Project, RotoShape
 from roam_core.roto.animated import Animatable
-from roam_core.roto.file import write_atomically
 
 Array = NDArray[np.float64]
 
@@ -50,19 +49,17 @@ XPOS = 110
 """How far apart nodes stand in the graph."""
 
 
-class NukeExporter:
+class NukeExporter(TextExporter):
     """Writes all layers and shapes of a project as one Roto node."""
 
     name = "nuke"
     title = "Nuke Roto node"
     suffix = ".nk"
+    encoding = "utf-8"
 
-    def export(self, project: Project, path: Path, options: ExportOptions = STANDARD) -> tuple[str, ...]:
-        """Write `project` to `path`; everything that ROAM knows of a shape has its place in the format."""
-        text, notes = roto_document(project, options)
-        options.advance(1.0, f"Writing {path.name}")
-        write_atomically(path, text.encode("utf-8"))
-        return settled(notes, (), options)
+    def document(self, project: Project, options: ExportOptions) -> tuple[str, tuple[str, ...]]:
+        """The script; everything that ROAM knows of a shape has its place in it."""
+        return roto_document(project, options)
 
 
 def roto_script(project: Project, options: ExportOptions = STANDARD) -> str:

@@ -9,7 +9,6 @@ from __future__ import annotations
 import json
 from collections.abc import Iterable, Iterator
 from dataclasses import astuple, dataclass, field
-from pathlib import Path
 from typing import Any
 
 from roam_core.interchange.keys.reduction import Motion
@@ -25,11 +24,11 @@ from roam_core.interchange.nuke.keys import (
     value_curve,
 )
 from roam_core.interchange.nuke.names import KNOB, LAYER_KNOB, Names, inert, layer_word
-from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter, readied, settled
+from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter, readied
+from roam_core.interchange.text_exporter import TextExporter
 from roam_core.interchange.timing import straight_keys, value_moments
 from roam_core.roto import Animated, BlendMode, Layer, Project, RotoShape
 from roam_core.roto.animated import Animatable
-from roam_core.roto.file import write_atomically
 
 SCRIPT = '''# Shapes from ROAM for Nuke's script editor: makes a Roto node, or several that are joined.
 import json
@@ -174,19 +173,16 @@ main()
 '''
 
 
-class NukePythonExporter:
+class NukePythonExporter(TextExporter):
     """Writes all layers and shapes of a project as a Python script for Nuke."""
 
     name = "nuke-python"
     title = "Nuke Python script"
     suffix = ".py"
 
-    def export(self, project: Project, path: Path, options: ExportOptions = STANDARD) -> tuple[str, ...]:
-        """Write `project` to `path`."""
-        text, notes = python_document(project, options)
-        options.advance(1.0, f"Writing {path.name}")
-        write_atomically(path, text.encode("ascii"))
-        return settled(notes, (), options)
+    def document(self, project: Project, options: ExportOptions) -> tuple[str, tuple[str, ...]]:
+        """The script and what is told of it."""
+        return python_document(project, options)
 
 
 def python_document(project: Project, options: ExportOptions = STANDARD) -> tuple[str, tuple[str, ...]]:

@@ -10,7 +10,6 @@ from __future__ import annotations
 
 import xml.etree.ElementTree as ET
 from dataclasses import dataclass, replace
-from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,6 +20,7 @@ from roam_core.interchange.authorship import MARK
 from roam_core.interchange.flatten import everything, is_feathered, shown_shapes
 from roam_core.interchange.nuke.sums import UNIONS, Item, is_shown
 from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter, readied, settled, without_smooth_keys
+from roam_core.interchange.text_exporter import TextExporter
 from roam_core.interchange.timing import opacity_keys
 from roam_core.interchange.xml import xml_text
 from roam_core.roto import (
@@ -35,7 +35,6 @@ from roam_core.roto import (
     Spline,
 )
 from roam_core.roto.animated import Animatable, is_always, product
-from roam_core.roto.file import write_atomically
 
 Array = NDArray[np.float64]
 
@@ -56,19 +55,17 @@ VEIL = "Opacity of "
 """How the name of a shape begins that holds the opacity of its layer, whose name follows."""
 
 
-class SilhouetteExporter:
+class SilhouetteExporter(TextExporter):
     """Writes all layers and shapes of a project as a Silhouette shape file."""
 
     name = "silhouette"
     title = "Silhouette shapes"
     suffix = ".fxs"
+    encoding = "utf-8"
 
-    def export(self, project: Project, path: Path, options: ExportOptions = STANDARD) -> tuple[str, ...]:
-        """Write `project` to `path`; what Silhouette's file cannot hold comes back as sentences."""
-        text, told = silhouette_document(project, options)
-        options.advance(1.0, f"Writing {path.name}")
-        write_atomically(path, text.encode("utf-8"))
-        return told
+    def document(self, project: Project, options: ExportOptions) -> tuple[str, tuple[str, ...]]:
+        """The text; what Silhouette's file cannot hold is told."""
+        return silhouette_document(project, options)
 
 
 def silhouette_document(project: Project, options: ExportOptions = STANDARD) -> tuple[str, tuple[str, ...]]:

@@ -1,0 +1,31 @@
+"""Exporters whose result is one text: what they make is written whole, or not at all."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from pathlib import Path
+from typing import ClassVar
+
+from roam_core.interchange.protocol import STANDARD, ExportOptions
+from roam_core.roto import Project
+from roam_core.roto.file import write_atomically
+
+
+class TextExporter(ABC):
+    """An `Exporter` whose file is one text, in `encoding`."""
+
+    name: ClassVar[str]
+    title: ClassVar[str]
+    suffix: ClassVar[str]
+    encoding: ClassVar[str] = "ascii"
+
+    @abstractmethod
+    def document(self, project: Project, options: ExportOptions) -> tuple[str, tuple[str, ...]]:
+        """The text of the file, and what is told of it; raises as `Exporter.export` does."""
+
+    def export(self, project: Project, path: Path, options: ExportOptions = STANDARD) -> tuple[str, ...]:
+        """Write `project` to `path`, which appears when it is whole; what the format cannot hold comes back told."""
+        text, told = self.document(project, options)
+        options.advance(1.0, f"Writing {path.name}")
+        write_atomically(path, text.encode(self.encoding))
+        return told
