@@ -233,4 +233,4 @@ def test_the_panel_chooses_the_motion_and_the_keys_start_it(
     actions["planar.forward"].trigger()
     actions["planar.backward"].trigger()
     assert calls == ["planar.forward", "planar.backward"]
-    assert Qt.FocusPolicy.ClickFocus == panel.kind.focusPolicy()
+    assert panel.kind.focusPolicy() is Qt.FocusPolicy.NoFocus
