@@ -25,8 +25,8 @@ class MaskDialog(QDialog):
             self.keys.addItem(words, choice.value)
         self.tolerance = _field(" px", asked.tolerance, 0.05, 100.0, 0.25)
         self.tolerance.setToolTip(
-            "How far a curve may stray from its mask's outline on any frame, in pixels of the masks; of masks that tremble, "
-            "a fifth of the outline may stray farther"
+            "How far a curve may stray from its mask's outline on any frame, in pixels of the masks; "
+            "of masks that tremble, a fifth of the outline may stray farther"
         )
         self.speckle = _field(
             " px²", asked.speckle_for(size) if size else asked.speckle_for((480, 480)), 0.0, 1e6, 16.0

@@ -25,7 +25,7 @@ from roam_core.interchange.masks.sequence import Fitted
 from roam_core.kernels.coverage import coverage
 from roam_core.roto import Clip, RotoShape
 
-CHOSEN = "car-turn,mallard-water,lucia,bus,swing,stroller,motorbike,tennis"
+CHOSEN = "car-turn,mallard-water,lucia,motorbike,swing"
 """Shots of the table: the first three were tuned on, the others were not."""
 PUPPETS = (1,)
 """Seeds."""

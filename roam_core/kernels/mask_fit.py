@@ -341,7 +341,7 @@ def solved_band(band, side):  # type: ignore[no-untyped-def]
 def distances(places, line, near):  # type: ignore[no-untyped-def]
     """Distance `(K,)` from each of `places (K, 2)` to the closed `line (L, 2)`.
 
-    Up to `near` it is that to the `AROUND` edges about the nearest one of the place before: never less than the true one.
+    Up to `near` it is that to the `AROUND` edges about the nearest one of the place before: never too little.
     """
     total, hint = len(line), 0
     result = np.empty(len(places))
@@ -369,10 +369,10 @@ def distances(places, line, near):  # type: ignore[no-untyped-def]
 def judged(away, line, tolerance, free, reach, scrap, gone):  # type: ignore[no-untyped-def]
     """How far a closed line whose vertices are `away (K,)` from another strays, to be held against the tolerance.
 
-    The greatest of: the distance that all of its length but the share `free` is within; the mean distance, doubled;
-    where `free` is 0 the greatest distance; else that of any stretch beyond `reach` tolerances, divided by `reach`,
-    unless what lies beyond there, summed along the stretch, is at most `scrap` square pixels. `gone (K,)` tells which
-    vertices lie in the share that is let go.
+    The greatest of: the distance that all of its length but the share `free` is within; one and a half times the mean
+    distance; where `free` is 0 the greatest distance; else that of any stretch beyond `reach` tolerances, divided by
+    `reach`, unless what lies beyond there, summed along it, is at most `scrap` square pixels. `gone (K,)` receives
+    which vertices lie in the share that is let go.
     """
     count = len(away)
     length = np.empty(count)

@@ -48,9 +48,9 @@ KNEE = 0.4
 """Share of the tolerance from which on a sample counts by its distance, not its square."""
 REACH = 3.0
 """Tolerances beyond which nothing may lie but scraps."""
-SHARE, LOOSE = 0.0285, 0.3
-"""The mean distance on a frame is at most half of the tolerance, and at most this share of the area spread along the
-outline (what IoU asks for), or this share of the tolerance if that is more."""
+SHARE, LOOSE = 0.025, 0.3
+"""The mean distance on a frame is at most two thirds of the tolerance, and at most this share of the area spread along
+the outline (what IoU asks for), or this share of the tolerance if that is more."""
 SURE, STRICT = 0.97, 0.85
 """Share of the tolerance that is worked to, and where nothing may stray: the curve that is looked at is a polygon."""
 

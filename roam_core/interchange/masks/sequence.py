@@ -28,7 +28,7 @@ FREE = 0.2
 """Share of the outline of such a part that may lie beyond the tolerance on a frame; of all others none may."""
 SELDOM = 0.1
 """Share of the frames on which a segment of such a part need not be one cubic."""
-COARSE, FINER, TRIES = 0.7, 0.75, 4
+COARSE, FINER, TRIES = 0.8, 0.75, 4
 """Tolerances within which segments are cubics at first; by how much less, so many times, as long as a frame is not
 held by a key of its own."""
 OPEN = 1_000_000
