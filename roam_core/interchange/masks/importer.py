@@ -150,9 +150,9 @@ def _fitted_shapes(
         reader.check_points(sum(len(points) for _, points in found.keys), name, len(found.keys))
         parts.append((track, found))
     shapes = as_shapes(parts, source.frames[0], source.frames[-1], reader.options.frame_offset)
-    found = tuple(part for _, part in parts)
-    _tell(reader, shapes, found)
-    return shapes, found
+    figures = tuple(part for _, part in parts)
+    _tell(reader, shapes, figures)
+    return shapes, figures
 
 
 def _tell(reader: ShapeReader, shapes: list[RotoShape], parts: tuple[Fitted, ...]) -> None:
