@@ -52,7 +52,7 @@ def run(given: argparse.Namespace) -> None:
     if slides:
         rows = [[each["name"], str(each["limbs"]), f"{each['median']:.1f}", f"{each['upper']:.1f}"] for each in slides]
         text += "\n\n" + report.table(["puppet", "limbs", "slide on the last frame, median px", "upper decile"], rows)
-    report.write("masks in", text, {"shots": cases, "puppets": slides}, publish=given.publish)
+    report.write("masks_in", text, {"shots": cases, "puppets": slides}, publish=given.publish)
 
 
 def measured(name: str, tolerance: float) -> dict[str, Any]:
