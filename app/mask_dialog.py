@@ -9,7 +9,10 @@ from app.panels.controls import dense_form, form_label, measure_field, weak_labe
 from roam_core.interchange import KeyChoice, MaskOptions
 
 KEYS = {KeyChoice.REDUCED: "As few as hold the outline", KeyChoice.EVERY: "One on every frame"}
-STRAYING = "How far a curve may stray from its mask's outline on any frame, in pixels of the masks"
+STRAYING = (
+    "How far a curve may stray from its mask's outline on any frame, in pixels of the masks; "
+    "of masks that tremble, a fifth of the outline may stray farther"
+)
 SPECKS = "Parts and holes that are never larger are left out"
 
 

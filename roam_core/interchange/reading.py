@@ -48,9 +48,10 @@ class MaskOptions:
 
     Attributes
     ----------
-    tolerance : pixels of the masks between their outline and the curve, either way, on every frame.
+    tolerance : pixels of the masks between their outline and the curve, either way, on every frame; of masks that
+        tremble a fifth of the outline may lie farther off (`roam_core.interchange.masks.sequence`).
     keys : a key on every frame, or as few as hold the tolerance (`KeyChoice.EVERY`, `KeyChoice.REDUCED`).
-    speckle : square pixels; smaller parts and holes are left out, and what strays farther than the tolerance at one
+    speckle : square pixels; smaller parts and holes are left out, and what lies beyond three tolerances at one
         place may be half as large in all. 0 follows everything; None is `SPECK`, larger for masks of more lines.
     """
 

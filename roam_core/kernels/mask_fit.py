@@ -9,13 +9,11 @@ from numpy.typing import NDArray
 Float64 = NDArray[np.float64]
 IntArray = NDArray[np.int64]
 
+AROUND = 24
+"""Edges that are looked at for the nearest one of a place when one near enough is among them."""
+
 FINE = 8
 """Vertices of a segment at which the curve is compared with an outline."""
-
-DEEP = 0.25
-"""How far a scrap reaches beyond the tolerance at least, against the straight way between its ends, ..."""
-SHALLOW = 2.0
-"""... or within how many tolerances it stays: a long stretch that strays far is none."""
 
 
 @njit(nogil=True, cache=True)
@@ -281,18 +279,19 @@ def best_cubic(run, control):  # type: ignore[no-untyped-def]
 
 
 @njit(nogil=True, cache=True)
-def worst_run(dense, start, length, enough):  # type: ignore[no-untyped-def]
-    """How far runs of `length` samples from `start` on the rings `dense (F, M, 2)` stray from cubics, or any more than
-    `enough`."""
+def runs_beyond(dense, start, length, tolerance, enough):  # type: ignore[no-untyped-def]
+    """On how many of the rings `dense (F, M, 2)` the run of `length` samples from `start` strays farther than
+    `tolerance` from a cubic; counted no further than beyond `enough`."""
     frames, total = dense.shape[:2]
-    run, control, worst = np.empty((length + 1, 2)), np.empty((4, 2)), 0.0
+    run, control, beyond = np.empty((length + 1, 2)), np.empty((4, 2)), 0
     for frame in range(frames):
         for k in range(length + 1):
             run[k] = dense[frame, (start + k) % total]
-        worst = max(worst, best_cubic(run, control))
-        if worst > enough:
-            break
-    return worst
+        if best_cubic(run, control) > tolerance:
+            beyond += 1
+            if beyond > enough:
+                break
+    return beyond
 
 
 @njit(nogil=True, cache=True, fastmath=True)
@@ -340,7 +339,10 @@ def solved_band(band, side):  # type: ignore[no-untyped-def]
 
 @njit(nogil=True, cache=True)
 def distances(places, line, near):  # type: ignore[no-untyped-def]
-    """Distance `(K,)` from each of `places (K, 2)` to the closed `line (L, 2)`; any up to `near` will do."""
+    """Distance `(K,)` from each of `places (K, 2)` to the closed `line (L, 2)`.
+
+    Up to `near` it is that to the `AROUND` edges about the nearest one of the place before: never too little.
+    """
     total, hint = len(line), 0
     result = np.empty(len(places))
     for m in range(len(places)):
@@ -356,48 +358,63 @@ def distances(places, line, near):  # type: ignore[no-untyped-def]
             square, _ = _to_edge(x, y, line[k, 0], line[k, 1], line[n, 0], line[n, 1])
             if square < least:
                 least, nearest = square, k
-                if least <= near * near:
-                    break
+            if step >= AROUND and least <= near * near:
+                break
         hint = nearest
         result[m] = np.sqrt(least)
     return result
 
 
 @njit(nogil=True, cache=True)
-def excused(away, line, tolerance, scrap, is_scrap):  # type: ignore[no-untyped-def]
-    """The greatest of the distances `away (K,)` of a closed line's vertices, apart from stretches that are scraps.
+def judged(away, line, tolerance, free, reach, scrap, gone):  # type: ignore[no-untyped-def]
+    """How far a closed line whose vertices are `away (K,)` from another strays, to be held against the tolerance.
 
-    A stretch beyond the tolerance is one when what lies beyond it, summed along the stretch, is at most `scrap` square
-    pixels, and it is `DEEP` for its width or `SHALLOW`. `is_scrap (K,)` tells which vertices are on one; their
-    distances count as the tolerance.
+    The greatest of: the distance that all of its length but the share `free` is within; one and a half times the mean
+    distance; where `free` is 0 the greatest distance; else that of any stretch beyond `reach` tolerances, divided by
+    `reach`, unless what lies beyond there, summed along it, is at most `scrap` square pixels. `gone (K,)` receives
+    which vertices lie in the share that is let go.
     """
     count = len(away)
-    is_scrap[:] = False
-    worst, first = 0.0, -1
+    length = np.empty(count)
+    total, mean = 0.0, 0.0
     for k in range(count):
-        if away[k] <= tolerance:
-            worst = max(worst, away[k])
-            first = k if first < 0 else first
+        a, b = line[k - 1], line[(k + 1) % count]
+        length[k] = np.sqrt((b[0] - a[0]) ** 2 + (b[1] - a[1]) ** 2) + 1e-12
+        total += length[k]
+        mean += away[k] * length[k]
+    gone[:] = False
+    if free <= 0.0:
+        return max(away.max(), 1.5 * mean / total)
+    left = free * total
+    worst = 0.0
+    for k in np.argsort(-away):
+        if length[k] > left:
+            worst = away[k]
+            break
+        left -= length[k]
+        gone[k] = True
+    return max(worst, 1.5 * mean / total, _farthest(away, length, reach * tolerance, scrap) / reach)
+
+
+@njit(nogil=True, cache=True)
+def _farthest(away, length, far, scrap):  # type: ignore[no-untyped-def]
+    """The greatest distance on the stretches beyond `far` that are more than scraps; else 0. `length` counts twice."""
+    count = len(away)
+    first = -1
+    for k in range(count):
+        if away[k] <= far:
+            first = k
+            break
     if first < 0:
         return away.max()
-    k = 1
-    while k < count:
-        if away[(first + k) % count] <= tolerance:
-            k += 1
-            continue
-        begin, beyond, most = k, 0.0, 0.0
-        while k < count and away[(first + k) % count] > tolerance:
-            a, b = (first + k) % count, (first + k + 1) % count
-            step = np.sqrt((line[b, 0] - line[a, 0]) ** 2 + (line[b, 1] - line[a, 1]) ** 2)
-            beyond += (away[a] - tolerance) * step
-            most = max(most, away[a])
-            k += 1
-        a, b = (first + begin - 1) % count, (first + k) % count
-        wide = np.sqrt((line[b, 0] - line[a, 0]) ** 2 + (line[b, 1] - line[a, 1]) ** 2)
-        if beyond <= scrap and (most <= SHALLOW * tolerance or DEEP * wide <= most - tolerance):
-            for m in range(begin, k):
-                is_scrap[(first + m) % count] = True
-            worst = max(worst, tolerance)
+    worst, beyond, most = 0.0, 0.0, 0.0
+    for step in range(1, count + 1):
+        k = (first + step) % count
+        if away[k] > far:
+            beyond += (away[k] - far) * 0.5 * length[k]
+            most = max(most, away[k])
         else:
-            worst = max(worst, most)
+            if beyond > scrap:
+                worst = max(worst, most)
+            beyond, most = 0.0, 0.0
     return worst

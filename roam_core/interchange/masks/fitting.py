@@ -15,7 +15,7 @@ from roam_core.kernels.mask_fit import (
     add_segments,
     distances,
     drawn,
-    excused,
+    judged,
     put_on,
     segment_sums,
     solved_band,
@@ -25,7 +25,7 @@ from roam_core.proposal.refine import from_both_ends
 Array = NDArray[np.float64]
 IntArray = NDArray[np.int64]
 
-STEP = 1.5
+STEP = 2.0
 """Pixels between the samples of an outline that a curve is fitted to."""
 WINDOW = (14, 14, 5)
 """Vertices of the curve to both sides in which a sample's nearest place is looked for, by rounds."""
@@ -38,17 +38,21 @@ STAY = 0.02
 LINE, THIRD, STILL = 0.3, 0.02, 1e-4
 """Weights, against the samples of one segment on one frame: handles off their common line; handles longer or shorter
 than a third of the chord; control points off where they are."""
-ROUNDS = 9
+ROUNDS = 10
 """Times that samples are put on the curve and the curve is fitted to them."""
-PATIENCE = (9.0, 5.0, 4.0, 3.0, 2.0, 1.7, 1.5, 1.3, 1.2, 1.0, 1.0)
+PATIENCE = (9.0, 4.0, 3.0, 2.2, 1.7, 1.4, 1.3, 1.2, 1.15, 1.0)
 """Tolerances beyond which, in each round, a window is given up."""
-IDLE = 0.5
-"""Weight of samples on scraps."""
-SHARE, LOOSE = 0.027, 0.4
-"""The distances of a frame, summed along the outline, are at most this share of its area, or on average this share of
-the tolerance: what holds the tolerance everywhere may still lie to one side of it everywhere."""
-SURE = 0.97
-"""Share of the tolerance that is worked to: the curve that is looked at here is a polygon."""
+IDLE = 0.3
+"""Weight of samples in the share of the outline that is let go."""
+KNEE = 0.4
+"""Share of the tolerance from which on a sample counts by its distance, not its square."""
+REACH = 3.0
+"""Tolerances beyond which nothing may lie but scraps."""
+SHARE, LOOSE = 0.025, 0.3
+"""The mean distance on a frame is at most two thirds of the tolerance, and at most this share of the area spread along
+the outline (what IoU asks for), or this share of the tolerance if that is more."""
+SURE, STRICT = 0.97, 0.85
+"""Share of the tolerance that is worked to, and where nothing may stray: the curve that is looked at is a polygon."""
 
 
 @dataclass(eq=False)
@@ -59,7 +63,8 @@ class Outlines:
     ----------
     times : the number of each frame. rings : (K, 2) each, running the same way.
     spots : (F, P, 2) where the anchors lie by what the nodes say. smooth : (P,) which points are smooth.
-    scrap : square pixels beyond the tolerance at one place that are not followed.
+    free : the share of the outline that may lie beyond the tolerance. scrap : square pixels farther than `REACH` at one
+        place that are not followed.
     samples, tangents : of each ring, (M, 2) at equal steps. places : (M,) on the curve, in its vertices.
     loose : pixels that the distance may have on average, by `SHARE`.
     """
@@ -68,6 +73,7 @@ class Outlines:
     rings: list[Array]
     spots: Array
     smooth: NDArray[np.bool_]
+    free: float
     scrap: float
     samples: list[Array] = field(default_factory=list)
     tangents: list[Array] = field(default_factory=list)
@@ -139,12 +145,12 @@ def fitted(
     hopeless : give up, with None, as soon as it seems that the tolerance cannot be held.
     evened : go on to the end, and take the fit that is the nearest on average of those that hold the tolerance.
     """
-    goal = SURE * tolerance
+    goal = (SURE if outlines.free else STRICT) * tolerance
     spans = [_span(outlines.times, frame, keys, ends) for frame in frames]
     places = [outlines.places[frame].copy() for frame in frames]
     weights = [np.ones(len(each)) for each in places]
     best: Fit | None = None
-    scraps = [np.zeros(len(each), dtype=bool) for each in places]
+    gone = [np.zeros(len(each), dtype=bool) for each in places]
     for turn in range(ROUNDS):
         curves = _curves(points, spans, ends)
         strays, errors = [], np.empty(len(frames))
@@ -155,13 +161,12 @@ def fitted(
             far = np.flatnonzero(away > goal)
             away[far] = distances(samples[far], line, 0.0)
             strays.append(away)
-            errors[k] = excused(away, samples, goal, outlines.scrap, scraps[k])
+            room = (goal, outlines.free, REACH, outlines.scrap)
+            errors[k] = judged(away, samples, *room, gone[k])
             errors[k] = max(errors[k], goal * float(away.mean()) / max(outlines.loose[frame], LOOSE * tolerance))
             if errors[k] <= goal:
                 back = distances(line, outlines.rings[frame], goal)
-                errors[k] = max(
-                    errors[k], excused(back, line, goal, outlines.scrap, np.empty(len(line), dtype=np.bool_))
-                )
+                errors[k] = max(errors[k], judged(back, line, *room, np.empty(len(line), dtype=np.bool_)))
         if turn > 0:
             worst = float(errors.max())
             mean = float(np.mean([np.mean(np.minimum(each, goal) ** 2) for each in strays]))
@@ -171,15 +176,28 @@ def fitted(
                 return best
             if hopeless and worst > PATIENCE[turn] * tolerance:
                 return None
-        if turn > 1:
-            for weight, stray, scrap in zip(weights, strays, scraps, strict=True):
-                weight *= np.where(stray > 0.85 * goal, np.clip(1.3 * (stray / goal) ** 2, 1.0, 20.0), 1.0)
-                weight[scrap] = IDLE
+        if turn > 0:
+            _reweigh(weights, strays, gone, errors / goal, goal, outlines.free)
         moved = _solved(outlines, frames, spans, points, ends, places, weights)
         if moved is None:
             break
         points = moved
     return best if not hopeless else None
+
+
+def _reweigh(
+    weights: list[Array], strays: list[Array], gone: list[NDArray[np.bool_]], errors: Array, goal: float, free: float
+) -> None:
+    """Weights for the next solution: where all must hold, what strays weighs more; else frames that stray do, and
+    within each the samples count by their distance, not its square, so that what trembles pulls little."""
+    for weight, stray, free_to_go, error in zip(weights, strays, gone, errors, strict=True):
+        if free <= 0.0:
+            weight *= np.where(stray > 0.85 * goal, np.clip(1.3 * (stray / goal) ** 2, 1.0, 20.0), 1.0)
+            continue
+        whole = float(weight.max()) * float(np.clip(error**1.5, 1.0, 3.0))
+        weight[:] = whole * np.minimum(1.0, KNEE * goal / np.maximum(stray, 1e-9))
+        weight[free_to_go] *= IDLE
+        weight *= whole / weight.max()
 
 
 def _span(

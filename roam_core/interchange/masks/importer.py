@@ -44,6 +44,10 @@ class MaskImporter:
         another, and ends where it vanishes or joins a larger one. All keys are the artist's. What was achieved is told
         in a sentence a shape: keys, and how near the curves lie to the masks.
         """
+        return self.measured(path, clip, options)[0]
+
+    def measured(self, path: Path, clip: Clip, options: ImportOptions = PLAIN) -> tuple[Imported, tuple[Fitted, ...]]:
+        """As `read`, with the figures of each shape in their order."""
         reader = ShapeReader(path, clip, options)
         source = open_clip(path)
         wanted = _wanted(options.masks, source)
@@ -51,10 +55,10 @@ class MaskImporter:
         if not tracker.tracks:
             raise RoamError(f"Nothing is white in the masks {path}; paint the object white and the rest black.")
         kept = _without_specks(tracker, reader, _speck(options.masks, source))
-        shapes = _fitted_shapes(kept, source, reader, wanted)
+        shapes, parts = _fitted_shapes(kept, source, reader, wanted)
         if source.missing:
             reader.note(f"{len(source.missing)} masks are missing between the first and the last; no keys stand there.")
-        return reader.finished(tuple(shapes), source.size)
+        return reader.finished(tuple(shapes), source.size), parts
 
 
 def _wanted(asked: MaskOptions, source: PlateSource) -> Wanted:
@@ -128,7 +132,9 @@ def _work(track: Track) -> float:
     return float(sum(len(ring.line) for ring in track.rings))
 
 
-def _fitted_shapes(tracks: list[Track], source: PlateSource, reader: ShapeReader, wanted: Wanted) -> list[RotoShape]:
+def _fitted_shapes(
+    tracks: list[Track], source: PlateSource, reader: ShapeReader, wanted: Wanted
+) -> tuple[list[RotoShape], tuple[Fitted, ...]]:
     progress = _Progress(reader, max(sum(_work(track) for track in tracks), 1.0))
     token = reader.options.token
     parts: list[tuple[Track, Fitted]] = []
@@ -144,18 +150,20 @@ def _fitted_shapes(tracks: list[Track], source: PlateSource, reader: ShapeReader
         reader.check_points(sum(len(points) for _, points in found.keys), name, len(found.keys))
         parts.append((track, found))
     shapes = as_shapes(parts, source.frames[0], source.frames[-1], reader.options.frame_offset)
-    _tell(reader, shapes, [part for _, part in parts], wanted)
-    return shapes
+    figures = tuple(part for _, part in parts)
+    _tell(reader, shapes, figures)
+    return shapes, figures
 
 
-def _tell(reader: ShapeReader, shapes: list[RotoShape], parts: list[Fitted], wanted: Wanted) -> None:
+def _tell(reader: ShapeReader, shapes: list[RotoShape], parts: tuple[Fitted, ...]) -> None:
     for shape, part in list(zip(shapes, parts, strict=True))[:TOLD]:
-        reader.note(part.report(shape.name, wanted.tolerance))
+        reader.note(part.report(shape.name, reader.options.frame_offset))
     rest = parts[TOLD:]
     if rest:
         keys, frames = sum(len(part.keys) for part in rest), sum(len(part.frames) for part in rest)
         reader.note(
-            f"{len(rest)} more shapes: {keys} keys for {frames} frames, {sum(part.beyond for part in rest)} of them "
-            f"beyond {wanted.tolerance:g} px; {max(part.greatest for part in rest):.1f} px at the farthest scrap, IoU "
-            f"at least {min(part.overlap for part in rest):.3f}."
+            f"{len(rest)} more shapes: {keys} keys for {frames} frames; at least "
+            f"{100.0 * min(part.within for part in rest):.0f} % of the outline within {rest[0].tolerance:g} px, "
+            f"{max(part.greatest for part in rest):.1f} px at the farthest, IoU at least "
+            f"{min(part.overlap for part in rest):.3f}; not held on {sum(len(part.beyond) for part in rest)} frames."
         )

@@ -48,6 +48,11 @@ class Keys:
                     break
         self.at = list(range(len(self.times)))
 
+    @property
+    def missed(self) -> int:
+        """Frames that are not held."""
+        return int(np.count_nonzero(self.errors > self.tolerance))
+
     def _take(self, keys: list[int], frames: list[int], fit: Fit) -> None:
         for key, points in zip(keys, fit.points, strict=True):
             self.points[key] = points
@@ -100,10 +105,9 @@ class Keys:
         place = 1
         while place + 2 < len(self.at):
             self.checked()
-            one, two = self.at[place : place + 2]
-            middle = (one + two) // 2
+            middle = sum(self.at[place : place + 2]) // 2
             kept = self.points.get(middle)
-            self.points[middle] = 0.5 * (self.points[one] + self.points[two])
+            self.points[middle] = self._between(middle)
             keys = [*self.at[:place], middle, *self.at[place + 2 :]]
             if not self._window(
                 keys, max(place - NEIGHBOURS, 0), min(place + NEIGHBOURS + 1, len(keys)), hopeless=True
@@ -112,6 +116,15 @@ class Keys:
                 if kept is not None:
                     self.points[middle] = kept
                 place += 1
+
+    def _between(self, frame: int) -> Array:
+        """The points that the keys give on a frame without one."""
+        right = int(np.searchsorted(self.at, frame))
+        if self.at[right] == frame:
+            return self.points[frame]
+        before, after = self.at[right - 1], self.at[right]
+        share = (self.times[frame] - self.times[before]) / (self.times[after] - self.times[before])
+        return np.asarray((1.0 - share) * self.points[before] + share * self.points[after])
 
     def _bend(self, key: int) -> float:
         """How far across the outline the points of a key lie off the straight way between its neighbours."""

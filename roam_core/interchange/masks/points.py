@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from roam_core.geometry import polyline
-from roam_core.kernels.mask_fit import best_cubic, worst_run
+from roam_core.kernels.mask_fit import best_cubic, runs_beyond
 
 Array = NDArray[np.float64]
 IntArray = NDArray[np.int64]
@@ -38,19 +38,22 @@ def dense(rings: list[Array], places: list[Array]) -> Array:
     return np.stack(found)
 
 
-def chosen(samples: Array, tolerance: float, checked: Callable[[], None]) -> tuple[IntArray, NDArray[np.bool_]]:
+def chosen(
+    samples: Array, tolerance: float, share: float, checked: Callable[[], None]
+) -> tuple[IntArray, NDArray[np.bool_]]:
     """The samples `(P,)`, rising, at which points stand, and which of them are smooth.
 
-    On every frame each segment between two of them is within `tolerance` of a cubic.
+    Each segment between two of them is within `tolerance` of a cubic on all frames but a `share` of them.
     """
     corners = _corners(samples)
+    seldom = int(share * len(samples))
     total = samples.shape[1]
     cuts = corners if len(corners) else np.array([_farthest_out(samples)])
     found: list[int] = []
     for k, start in enumerate(cuts):
         checked()
         length = int((cuts[(k + 1) % len(cuts)] - start - 1) % total + 1)
-        found.extend((start + step) % total for step in _evened(samples, int(start), length, tolerance))
+        found.extend((start + step) % total for step in _evened(samples, int(start), length, tolerance, seldom))
     at = np.unique(found)
     while len(at) < 4:
         gaps = np.diff(np.append(at, at[0] + total))
@@ -90,13 +93,13 @@ def _farthest_out(samples: Array) -> int:
     return int(np.argmax(np.hypot(away[..., 0], away[..., 1]).mean(axis=0)))
 
 
-def _evened(samples: Array, start: int, length: int, tolerance: float) -> list[int]:
+def _evened(samples: Array, start: int, length: int, tolerance: float, seldom: int) -> list[int]:
     """Steps from `start` at which segments begin: as few as the tolerance asks for, none worse than it has to be."""
-    best = _greedy(samples, start, length, tolerance)
+    best = _greedy(samples, start, length, tolerance, seldom)
     low, high = 0.0, tolerance
     for _ in range(HALVINGS if len(best) > 1 else 0):
         middle = 0.5 * (low + high)
-        found = _greedy(samples, start, length, middle, len(best))
+        found = _greedy(samples, start, length, middle, seldom, len(best))
         if len(found) > len(best):
             low = middle
         else:
@@ -104,14 +107,14 @@ def _evened(samples: Array, start: int, length: int, tolerance: float) -> list[i
     return best
 
 
-def _greedy(samples: Array, start: int, length: int, tolerance: float, most: int = 1 << 30) -> list[int]:
+def _greedy(samples: Array, start: int, length: int, tolerance: float, seldom: int, most: int = 1 << 30) -> list[int]:
     """Segments as long as they can be, one after the other; given up when there are more than `most`."""
     steps, at = [0], 0
     while True:
         good, bad = 1, min(length - at, LONGEST) + 1
         while bad - good > 1:
             middle = (good + bad) // 2
-            if worst_run(samples, start + at, middle, tolerance) <= tolerance:
+            if runs_beyond(samples, start + at, middle, tolerance, seldom) <= seldom:
                 good = middle
             else:
                 bad = middle

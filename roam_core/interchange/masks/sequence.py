@@ -21,10 +21,20 @@ from roam_core.roto.project import PALETTE
 
 Array = NDArray[np.float64]
 
+TREMBLES = 0.01
+"""A part is drawn frame by frame when so much of its outline, over all frames, lies farther than the tolerance from
+midway between the frames before and after."""
+FREE = 0.2
+"""Share of the outline of such a part that may lie beyond the tolerance on a frame; of all others none may."""
+SELDOM = 0.1
+"""Share of the frames on which a segment of such a part need not be one cubic."""
+COARSE, FINER, TRIES = 0.8, 0.75, 4
+"""Tolerances within which segments are cubics at first; by how much less, so many times, as long as a frame is not
+held by a key of its own."""
 OPEN = 1_000_000
 """Frame that stands for "always" at an open end of a lifetime."""
-COARSEST = 40
-"""Square pixels for each node of a ring that is so small that it gets fewer."""
+NAMED = 12
+"""Frames on which a part is not held that are told by their numbers."""
 
 
 @dataclass(frozen=True)
@@ -44,30 +54,34 @@ class Fitted:
     Attributes
     ----------
     keys : (frame, points (P, 3, 2)) of each. frames : on which the part is there, of those that have a mask.
-    greatest, mean : pixels from the outlines of the masks to the curve and back, over all frames; scraps among them.
-    beyond : frames on which the tolerance is not held, scraps apart.
+    tolerance : pixels. drawn : whether the masks were drawn frame by frame, so that `FREE` of the outline may stray.
+    within : the least share of the outline, of the mask and of the curve, that is within the tolerance on a frame.
+    greatest, mean : pixels from the outlines of the masks to the curve and back, over all frames.
+    beyond : frames, of those that have a mask, on which the measure is not held.
     overlap : the least IoU of a frame.
     """
 
     keys: tuple[tuple[int, Array], ...]
     frames: tuple[int, ...]
+    tolerance: float
+    drawn: bool
+    within: float
     greatest: float
     mean: float
-    beyond: int
+    beyond: tuple[int, ...]
     overlap: float
 
-    def report(self, name: str, tolerance: float) -> str:
-        """What was achieved, in one sentence."""
+    def report(self, name: str, offset: int = 0) -> str:
+        """What was achieved, in one sentence; `offset` is taken off frames."""
         points = len(self.keys[0][1])
         kept = f"{len(self.keys)} keys for {len(self.frames)} frames" if len(self.frames) > 1 else "1 key"
-        within = (
-            f"within {tolerance:g} px of the masks' outline on every frame"
-            if not self.beyond
-            else f"within {tolerance:g} px of the masks' outline on all frames but {self.beyond}"
-        )
+        frames = ", ".join(str(frame - offset) for frame in self.beyond[:NAMED])
+        more = f" and {len(self.beyond) - NAMED} more" if len(self.beyond) > NAMED else ""
+        missed = f"; not held on frame {frames}{more}" if self.beyond else ""
         return (
-            f"{name!r}: {points} points, {kept}, {within} but for scraps ({self.mean:.2f} px on average, "
-            f"{self.greatest:.1f} px at the farthest scrap), IoU at least {self.overlap:.3f}."
+            f"{name!r}: {points} points, {kept}; at least {100.0 * self.within:.0f} % of the outline within "
+            f"{self.tolerance:g} px on every frame ({self.mean:.2f} px on average, {self.greatest:.1f} px at the "
+            f"farthest), IoU at least {self.overlap:.3f}{missed}."
         )
 
 
@@ -77,10 +91,8 @@ def part_as_keys(track: Track, wanted: Wanted, checked: Callable[[], None], told
     places = nodes_on(lines, wanted.scale, checked)
     told(0.2)
     samples = dense(lines, places)
-    at, smooth = chosen(samples, SLACK * wanted.tolerance, checked)
-    told(0.3)
-    keys = Keys(Outlines(track.frames, lines, samples[:, at], smooth, wanted.scrap), wanted.tolerance, checked)
-    keys.fit_every(curves(samples, at))
+    free = FREE if trembling(samples, lines, wanted.tolerance) > TREMBLES else 0.0
+    keys = _every(track, samples, free, wanted, checked)
     told(0.4)
     if not wanted.every:
         keys.stride(lambda done: told(0.4 + 0.4 * done))
@@ -91,19 +103,53 @@ def part_as_keys(track: Track, wanted: Wanted, checked: Callable[[], None], told
     return _measured(keys, track)
 
 
+def trembling(samples: Array, lines: list[Array], tolerance: float) -> float:
+    """The share of the outlines `lines` that lies farther than the tolerance from midway between their neighbours.
+
+    `samples (F, M, 2)` are the same places on all of them. What moves evenly has none.
+    """
+    away = [
+        distances(0.5 * (samples[k - 1] + samples[k + 1]), lines[k], 0.5 * tolerance) for k in range(1, len(lines) - 1)
+    ]
+    return float(np.mean([each > tolerance for each in away])) if away else 0.0
+
+
+def _every(track: Track, samples: Array, free: float, wanted: Wanted, checked: Callable[[], None]) -> Keys:
+    """A key on every frame, with as few points as hold them all."""
+    lines = [ring.line for ring in track.rings]
+    reach = (COARSE if free else SLACK) * wanted.tolerance
+    best: Keys | None = None
+    for _ in range(TRIES):
+        at, smooth = chosen(samples, reach, SELDOM if free else 0.0, checked)
+        outlines = Outlines(track.frames, lines, samples[:, at], smooth, free, wanted.scrap)
+        keys = Keys(outlines, wanted.tolerance, checked)
+        keys.fit_every(curves(samples, at))
+        if best is None or keys.missed < best.missed:
+            best = keys
+        if not keys.missed:
+            break
+        reach *= FINER
+    assert best is not None
+    return best
+
+
 def _measured(keys: Keys, track: Track) -> Fitted:
     found = tuple((track.frames[k], keys.points[k]) for k in keys.at)
     shape = RotoShape("measured", "measured", tuple(Keyframe(frame, points) for frame, points in found))
-    greatest, total, overlap = 0.0, 0.0, 1.0
+    greatest, total, overlap, within = 0.0, 0.0, 1.0, 1.0
     for frame, ring in zip(track.frames, track.rings, strict=True):
         line = bezier.flatten(shape.at(frame).points, tolerance=0.02)
-        there = distances(polyline.resample(ring.line, max(int(polyline.length(ring.line)), 12)), line, 0.0)
-        back = distances(line, ring.line, 0.0)
+        ours = polyline.resample(line, max(int(polyline.length(line)), 12))
+        true = polyline.resample(ring.line, max(int(polyline.length(ring.line)), 12))
+        there, back = distances(true, line, 0.0), distances(ours, ring.line, 0.0)
         greatest = max(greatest, float(there.max()), float(back.max()))
-        total += float(there.mean())
+        within = min(within, *(float((each <= keys.tolerance).mean()) for each in (there, back)))
+        total += 0.5 * float(there.mean() + back.mean())
         overlap = min(overlap, _overlap(ring.line, line))
-    beyond = int(np.count_nonzero(keys.errors > keys.tolerance))
-    return Fitted(found, tuple(track.frames), greatest, total / len(track.frames), beyond, overlap)
+    beyond = tuple(track.frames[k] for k in np.flatnonzero(keys.errors > keys.tolerance))
+    drawn = keys.outlines.free > 0.0
+    mean = total / len(track.frames)
+    return Fitted(found, tuple(track.frames), keys.tolerance, drawn, within, greatest, mean, beyond, overlap)
 
 
 def _overlap(one: Array, other: Array) -> float:
