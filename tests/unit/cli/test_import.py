@@ -78,7 +78,7 @@ def test_masks_become_few_keys_or_every_one_and_what_was_achieved_is_told(roam: 
         words = ("--tolerance", 1, "--keys", keys)
         done = roam("import", folder, "--into", project, "--save", target, *words)
         assert done.status == 0
-        assert f"{count} keys for 5 frames, within 1 px" in done.err
+        assert f"{count} keys for 5 frames; at least 100 % of the outline within 1 px on every frame" in done.err
         assert len(file.load(target).shapes[-1].keys) == count
 
 
