@@ -25,7 +25,7 @@ Array = NDArray[np.float64]
 TOLERANCE = 1.0
 """Pixels."""
 
-SHOTS = "car-turn,mallard-water,lucia,swing,stroller"
+SHOTS = "car-turn,mallard-water"
 PLACES = 8
 """Places on each segment, as the program compares them."""
 
