@@ -275,7 +275,8 @@ def _by_cues(
     sources = sight.sources
     beside = _both_sides(bare.nodes, sources.grid)
     sides = {name: beside(values) for name, values in cues(sources, params.region)}
-    smoothed = cleaned(region.evidence(sight, params.region, covers), sources.expected.possible, params.region.overlap)
+    ratio, own = region.evidence(sight, params.region, covers), params.region
+    smoothed = cleaned(ratio, sources.expected.possible, own.overlap, own.pieces.speck)
     sides[REGION] = beside(smoothed.values)
     # Inside a hole there is no object.
     sign = -1.0 if bare.shape.blend is BlendMode.SUBTRACT else 1.0
