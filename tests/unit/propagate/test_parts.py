@@ -11,7 +11,8 @@ import pytest
 from roam_core import RoamError, fill_span, track
 from roam_core.features import PreparedFrame
 from roam_core.propagate import TrackMemory
-from roam_core.propagate.explain import POSE, REGION, explain
+from roam_core.propagate.engines.protocol import POSE, REGION
+from roam_core.propagate.explain import explain
 from roam_core.propagate.objects import NEAR, Role, objects, units
 from roam_core.propagate.provenance import Stamp, Stamps
 from roam_core.propagate.result import Termination
@@ -257,7 +258,9 @@ def test_an_explanation_comes_to_the_same_points(
         assert [each.shape.id for each in told] == [s.id for s in shapes if only is None or s.id in only]
         for each in told:
             assert each.apart < (3.0 if shapes is filled else 1e-9)
-            assert all(len(term) == len(each.nodes) and np.isfinite(term).all() for term in each.terms.values())
+            assert all(
+                len(term) == len(each.account.nodes) and np.isfinite(term).all() for term in each.account.terms.values()
+            )
 
 
 def test_a_whole_behind_an_occluder_is_explained_by_its_cues() -> None:
@@ -265,7 +268,7 @@ def test_a_whole_behind_an_occluder_is_explained_by_its_cues() -> None:
     body, post = figure.shapes()
     told = explain(lambda k: PreparedFrame(figure.read(k)), tracked(figure, [body, subtracting(post)]), 5, None)
     assert [each.apart for each in told] == [0.0, 0.0]
-    assert (REGION in told[0].terms, set(told[1].terms)) == (True, {POSE})
+    assert (REGION in told[0].account.terms, set(told[1].account.terms)) == (True, {POSE})
 
 
 def test_a_frame_that_a_lone_pose_laid_is_explained_by_the_pose() -> None:
@@ -274,7 +277,7 @@ def test_a_frame_that_a_lone_pose_laid_is_explained_by_the_pose() -> None:
     (result,) = last.results
     assert "pose" in result.energies
     (told,) = explain(lambda k: PreparedFrame(figure.read(k)), [result.shape], 5, None)
-    assert (set(told.terms), told.apart) == ({POSE}, 0.0)
+    assert (set(told.account.terms), told.apart) == ({POSE}, 0.0)
 
 
 def test_a_stale_key_is_not_explained(figure: Figure, whole: list[RotoShape]) -> None:
