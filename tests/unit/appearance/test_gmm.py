@@ -12,11 +12,13 @@ from sklearn.mixture import GaussianMixture
 
 from roam_core.appearance import gmm
 from roam_core.appearance.gmm import FLOOR, Mixtures, Samples
-from roam_core.appearance.update import BOUND, adapted
+from roam_core.appearance.update import adapted
 from roam_core.kernels.gmm_density import em_steps, matches
+from roam_core.params import AppearanceParams
 from tests.reference.gmm_density import ref_components, ref_match
 
 Array = NDArray[np.float64]
+FLOORLESS = AppearanceParams(variance_floor=0.0)
 
 
 def mixtures(count: int, seed: int = 0) -> Mixtures:
@@ -132,10 +134,11 @@ def test_matches_equal_the_twin() -> None:
     colours = np.random.default_rng(3).uniform(50.0, 200.0, (90, 3))
     index = np.random.default_rng(4).integers(0, 2, 90).astype(np.int32)
     samples = Samples.of(colours, index, 2)
-    sums = matches(samples.colours, samples.starts, 0, (start.weight, start.mean, start.variance), BOUND)
+    bound = AppearanceParams().matched
+    sums = matches(samples.colours, samples.starts, 0, (start.weight, start.mean, start.variance), bound)
     twin = np.zeros_like(sums)
     for colour, n in zip(colours, index, strict=True):
-        k = ref_match(colour, (start.weight[n], start.mean[n], start.variance[n]), BOUND)
+        k = ref_match(colour, (start.weight[n], start.mean[n], start.variance[n]), bound)
         twin[n, k] += [*colour, *colour**2, 1.0]
     np.testing.assert_allclose(sums, twin)
     assert sums[:, :, 6].min() > 0
@@ -150,11 +153,11 @@ def test_what_stays_the_same_teaches_nothing_new_and_what_changes_is_learned() -
     def likely(mixture: Mixtures, colours: Array) -> float:
         return float(mixture.log_density(colours.astype(np.float32), index).mean())
 
-    same = adapted(model, Samples.of(old, index, 1), 0.1, 20.0)
+    same = adapted(model, Samples.of(old, index, 1), 0.1, AppearanceParams())
     assert likely(same, old) == pytest.approx(likely(model, old), abs=0.1)
     changed = model
     for _ in range(20):
-        changed = adapted(changed, Samples.of(new, index, 1), 0.1, 20.0)
+        changed = adapted(changed, Samples.of(new, index, 1), 0.1, AppearanceParams())
         assert changed.weight.sum() == pytest.approx(1.0)
     assert likely(model, new) == pytest.approx(FLOOR)
     assert likely(changed, new) > likely(model, old) - 1.0
@@ -166,9 +169,9 @@ def test_a_rate_of_zero_and_a_frame_without_colours_change_nothing() -> None:
     colours = np.random.default_rng(3).uniform(50.0, 200.0, (60, 3))
     none = Samples.of(np.empty((0, 3)), np.empty(0, np.int32), 2)
     for after in (
-        adapted(start, none, 0.1, 0.0),
-        adapted(start, Samples.of(colours, np.zeros(60, np.int32), 2), 0.0, 0.0),
+        adapted(start, none, 0.1, FLOORLESS),
+        adapted(start, Samples.of(colours, np.zeros(60, np.int32), 2), 0.0, FLOORLESS),
     ):
         np.testing.assert_allclose(after.mean[1], start.mean[1])
         np.testing.assert_allclose(after.weight[1], start.weight[1])
-    np.testing.assert_allclose(adapted(start, none, 0.1, 0.0).variance, start.variance)
+    np.testing.assert_allclose(adapted(start, none, 0.1, FLOORLESS).variance, start.variance)

@@ -10,9 +10,11 @@ import pytest
 
 from roam_core import RoamError, fill_span, track
 from roam_core.features import PreparedFrame
+from roam_core.params import OBJECTS
 from roam_core.propagate import TrackMemory
-from roam_core.propagate.explain import POSE, REGION, explain
-from roam_core.propagate.objects import NEAR, Role, objects, units
+from roam_core.propagate.engines.protocol import POSE, REGION
+from roam_core.propagate.explain import explain
+from roam_core.propagate.objects import Role, objects, units
 from roam_core.propagate.provenance import Stamp, Stamps
 from roam_core.propagate.result import Termination
 from roam_core.roto import Keyframe, Origin, RotoShape, edit
@@ -70,7 +72,7 @@ def whole(figure: Figure) -> list[RotoShape]:
 
 def test_the_figure_is_one_object_in_parts(figure: Figure) -> None:
     assert objects(figure.shapes(), 20.0 * 120 / 480) == [[0, 1, 2]]
-    assert [unit.role for unit in units(figure.shapes(), NEAR)] == [Role.PART] * 3
+    assert [unit.role for unit in units(figure.shapes(), OBJECTS.near)] == [Role.PART] * 3
 
 
 def test_each_part_is_found_with_its_own_motion(figure: Figure, whole: list[RotoShape]) -> None:
@@ -257,7 +259,9 @@ def test_an_explanation_comes_to_the_same_points(
         assert [each.shape.id for each in told] == [s.id for s in shapes if only is None or s.id in only]
         for each in told:
             assert each.apart < (3.0 if shapes is filled else 1e-9)
-            assert all(len(term) == len(each.nodes) and np.isfinite(term).all() for term in each.terms.values())
+            assert all(
+                len(term) == len(each.account.nodes) and np.isfinite(term).all() for term in each.account.terms.values()
+            )
 
 
 def test_a_whole_behind_an_occluder_is_explained_by_its_cues() -> None:
@@ -265,7 +269,7 @@ def test_a_whole_behind_an_occluder_is_explained_by_its_cues() -> None:
     body, post = figure.shapes()
     told = explain(lambda k: PreparedFrame(figure.read(k)), tracked(figure, [body, subtracting(post)]), 5, None)
     assert [each.apart for each in told] == [0.0, 0.0]
-    assert (REGION in told[0].terms, set(told[1].terms)) == (True, {POSE})
+    assert (REGION in told[0].account.terms, set(told[1].account.terms)) == (True, {POSE})
 
 
 def test_a_frame_that_a_lone_pose_laid_is_explained_by_the_pose() -> None:
@@ -274,7 +278,7 @@ def test_a_frame_that_a_lone_pose_laid_is_explained_by_the_pose() -> None:
     (result,) = last.results
     assert "pose" in result.energies
     (told,) = explain(lambda k: PreparedFrame(figure.read(k)), [result.shape], 5, None)
-    assert (set(told.terms), told.apart) == ({POSE}, 0.0)
+    assert (set(told.account.terms), told.apart) == ({POSE}, 0.0)
 
 
 def test_a_stale_key_is_not_explained(figure: Figure, whole: list[RotoShape]) -> None:
@@ -331,7 +335,7 @@ def test_an_occluder_that_crosses_an_object_moves_by_itself(parts: int) -> None:
     post = Moving("post", box(12, 90), (70, 60), (3.0, 0.0), 0.0, texture(15, 0.3, 1.0))
     figure = Figure((*(BODY, replace(ODD["without texture"], look=texture(12, 0.6, 1.0)))[:parts], post), 6)
     shapes = [*figure.shapes()[:-1], subtracting(figure.shapes()[-1])]
-    assert units(shapes, NEAR)[-1].role is Role.OCCLUDER
+    assert units(shapes, OBJECTS.near)[-1].role is Role.OCCLUDER
     found = tracked(figure, shapes)
     require_sound(found, figure.frames)
     assert outline_distance(found[-1].at(5).points, post.truth(5)) < 1.5
@@ -350,7 +354,7 @@ def test_a_hole_goes_with_its_part() -> None:
     hole = replace(BODY, name="hole", rest=box(10, 10))
     figure = Figure((BODY, ODD["without texture"], hole), 4)
     shapes = [*figure.shapes()[:2], subtracting(figure.shapes()[2])]
-    assert units(shapes, NEAR)[0].members == (0, 2)
+    assert units(shapes, OBJECTS.near)[0].members == (0, 2)
     found = tracked(figure, shapes)
     assert outline_distance(found[2].at(3).points, hole.truth(3)) < 1.0
 

@@ -14,14 +14,15 @@ from roam_core.features import PreparedFrame
 from roam_core.features.grid import Grid, Region
 from roam_core.geometry import bezier
 from roam_core.matte.compose import render_matte
-from roam_core.params import CONFIGS, RegionParams
+from roam_core.params import CONFIGS, RedetectionParams, RegionParams
 from roam_core.propagate import step as outline
 from roam_core.propagate.explain import explain
-from roam_core.propagate.refinding import LONG_GONE, Lookout, Sighting, Watch
-from roam_core.propagate.region import begin, carried_on, step
+from roam_core.propagate.refinding import Lookout, Sighting, Watch
+from roam_core.propagate.region import begin, step
 from roam_core.propagate.result import Part
 from roam_core.proposal.evidence import Field, KeyMemory
 
+PARAMS = RedetectionParams()
 SIZE = (140, 260)
 RADIUS = 15
 ROW = 70
@@ -57,8 +58,8 @@ def lookout(column: float = 60.0) -> tuple[Lookout, Sighting]:
     cover = whole.of(disc(column).astype(np.float32))
     region = Field(whole, (8.0 * (cover - 0.5)).astype(np.float32))
     area = np.pi * RADIUS**2
-    sighting = Sighting(np.eye(3), area, np.array([column, ROW]), since=12)
-    return Lookout(PreparedFrame(picture(column)), region), sighting
+    sighting = Sighting(np.eye(3), area, np.array([column, ROW]), PARAMS, since=12)
+    return Lookout(PreparedFrame(picture(column)), region, PARAMS, 2e-5), sighting
 
 
 @pytest.mark.parametrize("column", [30.0, 61.0, 148.5, 220.0])
@@ -103,7 +104,7 @@ def test_a_place_beyond_the_picture_shows_nothing() -> None:
 def test_what_is_long_gone_is_looked_for_now_and_then() -> None:
     _, sighting = lookout()
     looks = [frames for frames in range(25) if replace(sighting, since=frames).is_worth_a_look]
-    assert looks == [*range(LONG_GONE + 1), 12, 16, 20, 24]
+    assert looks == [*range(PARAMS.long_gone + 1), 12, 16, 20, 24]
 
 
 def test_what_is_found_is_left_where_too_little_is_to_be_expected_of_it() -> None:
@@ -115,9 +116,10 @@ def test_what_is_found_is_left_where_too_little_is_to_be_expected_of_it() -> Non
         params = RegionParams(believed=believed)
         state, found = begin(frames[0], parts, params), []
         for number, frame in enumerate(frames[1:], 1):
-            if carried_on(state, frame, params)[0] is not state:
+            stepped = step(state, frame, params)
+            if stepped.redetected:
                 found.append(number)
-            state, _ = step(state, frame, params)
+            state = stepped.state
         return found
 
     assert sightings(0.5)
@@ -147,8 +149,8 @@ def test_nothing_resembles_nothing(line: NDArray[np.float64]) -> None:
 def test_only_what_can_be_told_from_its_surroundings_is_watched() -> None:
     eye, _ = lookout()
     drawn = np.zeros((4, 3, 2))
-    assert Watch.begun(drawn, eye.frame, eye.region) is not None
-    assert Watch.begun(drawn, PreparedFrame(meadow()), eye.region) is None
+    assert Watch.begun(drawn, eye.frame, eye.region, RegionParams()) is not None
+    assert Watch.begun(drawn, PreparedFrame(meadow()), eye.region, RegionParams()) is None
 
 
 def test_size_and_turn_are_taken_over_from_where_they_are_sure() -> None:
@@ -172,13 +174,15 @@ def test_landmarks_of_what_was_found_again_are_new_ones() -> None:
     assert state.watch is not None
     assert state.landmarks is not None
     frame = PreparedFrame(picture(220.0))
-    away = replace(state, watch=replace(state.watch, sighting=replace(state.watch.sighting, since=LONG_GONE - 1)))
-    found, _ = outline.carried_on(away, frame, params)
+    sighting = replace(state.watch.sighting, since=PARAMS.long_gone - 1)
+    away = replace(state, watch=replace(state.watch, sighting=sighting))
+    stepped = outline.step(away, frame, params)
+    found = stepped.begun
     assert found is not away
     assert found.landmarks is not None
     assert len(found.landmarks.pool.ids) > 0
     assert not set(found.landmarks.pool.ids) & set(state.landmarks.pool.ids)
-    after, result = outline.step(away, frame, params)
+    after, result = stepped.state, stepped.result
     assert after.promise > 0.9
     assert np.hypot(*(result.points[:, bezier.ANCHOR].mean(axis=0) - (220.0, ROW))) < 3.0
 
@@ -217,4 +221,6 @@ def test_a_frame_on_which_it_was_found_again_is_explained_from_there() -> None:
     result = results[leap]
     (told,) = explain(lambda frame: PreparedFrame(frames[frame]), [result.shape], result.frame, None)
     assert told.apart == 0.0
-    assert told.total.sum() + told.landmark_total.sum() == pytest.approx(result.energies["total"], abs=1e-6)
+    assert told.account.total.sum() + told.account.landmark_total.sum() == pytest.approx(
+        result.energies["total"], abs=1e-6
+    )
