@@ -12,7 +12,7 @@ from app.navigation import clip_frames
 from app.view_state import ViewState, shapes_in_hand
 from roam_core.dials import name_of
 from roam_core.errors import RoamError
-from roam_core.params import DEFAULT_CONFIG, DOUBTFUL, params_for
+from roam_core.params import DEFAULT_CONFIG, DOUBTFUL, departed, params_for
 from roam_core.roto import RotoShape
 
 NO_CLIP = "Open a clip first: drop a folder of images or a movie on the window."
@@ -63,12 +63,18 @@ class Tracking:
         }
 
     def recall(self, kept: Mapping[str, Mapping[str, str]]) -> None:
-        """Turn the dials as `remembered` told; what makes no sense any more is left out."""
+        """Turn the dials as `remembered` told; what makes no sense any more is left out.
+
+        So is a dial that is offered no more, which is said: nothing would show that it is turned.
+        """
         for config, own in kept.items():
             for dial, word in own.items():
                 try:
                     params_for(f"{config}+{dial}={word}")
                 except RoamError:
+                    continue
+                if departed(f"{config}+{dial}={word}"):
+                    self._view.say(f"The dial {dial!r} is not offered for {config!r} any more; it is left at 100 %.")
                     continue
                 self.factors.setdefault(config, {})[dial] = float(word)
 
