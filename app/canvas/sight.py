@@ -7,13 +7,13 @@ from dataclasses import dataclass
 from PySide6.QtCore import QSizeF
 from PySide6.QtGui import QPainter
 
-from app.canvas.backdrop import Backdrop, Below
-from app.canvas.confidence_item import paint_confidence
-from app.canvas.onion_item import paint_onion
-from app.canvas.shape_item import Hover, ShapePainter
-from app.canvas.viewing import Onion, ViewMode
-from app.canvas.viewport import Viewport
-from app.view_state import Selection
+from app.canvas.items.confidence import paint_confidence
+from app.canvas.items.onion import paint_onion
+from app.canvas.items.shapes import Hover, ShapePainter
+from app.canvas.plate.backdrop import Backdrop, Below
+from app.model.view_state import Selection
+from app.model.viewing import Onion, ViewMode
+from app.paint.viewport import Viewport
 from roam_core.roto import Project
 
 

@@ -10,26 +10,28 @@ from PySide6.QtCore import QEvent, QPointF, QRectF, QSizeF, Qt, QTimer, Signal
 from PySide6.QtGui import QKeyEvent, QMouseEvent, QPainter, QPaintEvent, QTabletEvent, QWheelEvent
 from PySide6.QtWidgets import QWidget
 
-from app.belonging import Bone
-from app.canvas.feather_item import paint_feather
-from app.canvas.joint_item import paint_joints
+from app.canvas.items.joints import paint_joints
+from app.canvas.items.proposal import ProposalPainter, Side
 from app.canvas.keys import NUDGES, is_modifier, key_name
 from app.canvas.pen import Pen
-from app.canvas.proposal_item import ProposalPainter, Side
+from app.canvas.plate.stage import Stage
 from app.canvas.repaint import Repaint
-from app.canvas.shown import selection_bounds
 from app.canvas.sight import Sight, SightPainter
-from app.canvas.stage import Stage
-from app.canvas.viewing import Viewing, ViewMode
-from app.canvas.viewport import Viewport
 from app.canvas.wipe import Wipe
 from app.canvas.words import NO_PLATE, OPENING, paint_words
 from app.canvas.zoomable import ZoomableWidget
-from app.document import Document
+from app.features.belonging import Bone
 from app.jobs.picture_work import PictureWork
-from app.tools import TOOLS, PointActions, Pointer, Tool
+from app.model.document import Document
+from app.model.shown import selection_bounds
+from app.model.view_state import Selection, ViewState
+from app.model.viewing import Viewing, ViewMode
+from app.paint.feather import paint_feather
+from app.paint.viewport import Viewport
+from app.tools.edit.point_actions import PointActions
 from app.tools.reshape import pruned
-from app.view_state import Selection, ViewState
+from app.tools.tool import Pointer, Tool
+from app.tools.toolbox import TOOLS
 from roam_core.propagate.offers import Proposal
 from roam_core.roto import Project
 

@@ -5,11 +5,11 @@ from __future__ import annotations
 from PySide6.QtCore import QPointF, QRectF, QSizeF, Qt
 from PySide6.QtGui import QPainter
 
-from app.canvas.backdrop import paint_label, paint_sentence
-from app.canvas.confidence_item import LEGEND
+from app.canvas.items.confidence import LEGEND
+from app.canvas.plate.backdrop import paint_label, paint_sentence
 from app.canvas.sight import Sight
-from app.canvas.viewing import WITHOUT_SHAPES, ViewMode, title_of
-from app.canvas.viewport import Viewport
+from app.model.viewing import WITHOUT_SHAPES, ViewMode, title_of
+from app.paint.viewport import Viewport
 
 OPENING, NO_PLATE = "Opening …", "Drop a folder of images or a movie here"
 

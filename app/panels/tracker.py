@@ -6,12 +6,12 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QFormLayout, QHBoxLayout, QLabel, QVBoxLayout, QWidget
 
 from app import style
-from app.actions import Actions
-from app.document import Document
-from app.panels.controls import ChoiceBox, dense_form, form_label, tool_button, weak_label
+from app.actions.actions import Actions
+from app.features.tracking import Scope, Tracking
+from app.model.document import Document
+from app.model.view_state import ViewState, shapes_in_hand
 from app.panels.dials import DialForm
-from app.tracking import Scope, Tracking
-from app.view_state import ViewState, shapes_in_hand
+from app.widgets.controls import ChoiceBox, dense_form, form_label, tool_button, weak_label
 from roam_core.params import CONFIGS, DOUBTFUL
 
 BUTTONS = (

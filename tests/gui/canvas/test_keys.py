@@ -6,7 +6,7 @@ import pytest
 from PySide6.QtCore import QEvent, Qt
 from PySide6.QtGui import QKeyEvent, QKeySequence
 
-from app.actions import load_keymap
+from app.actions.keymaps import load_keymap
 from app.canvas.keys import NUDGES, is_modifier, key_name
 from tests.gui.hand import ALT, CTRL, NONE, SHIFT
 

@@ -9,9 +9,9 @@ import pytest
 from PySide6.QtCore import QPoint, Qt
 from pytestqt.qtbot import QtBot
 
-from app import settings
-from app.main_window import MainWindow
-from app.playback import Repeat
+from app.features.playback import Repeat
+from app.shell import settings
+from app.shell.main_window import MainWindow
 from roam_core.geometry.bezier import polygon_points
 from roam_core.roto import Mark, edit
 from tests.gui.timeline.places import place, x_of
