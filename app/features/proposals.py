@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from enum import StrEnum
 
@@ -66,6 +66,14 @@ class Proposals(QObject):
         document.replaced.connect(self._begin_anew)
         document.path_changed.connect(self._follow_path)
         view_state.frame_changed.connect(self.changed)
+
+    def remembered(self) -> dict[str, dict[str, str]]:
+        """What was answered for good for projects that have a file, to be kept."""
+        return {path: own for path, own in self.answers.items() if path and own}
+
+    def recall(self, kept: Mapping[str, Mapping[str, str]]) -> None:
+        """Take back what `remembered` gave."""
+        self.answers.update({path: dict(own) for path, own in kept.items()})
 
     # ---- what stands
 

@@ -12,11 +12,11 @@ from PySide6.QtWidgets import QWidget
 
 from app.dialogs import questions
 from app.dialogs.questions import Contested, Doubted, Unsaved
-from app.files.files import PROJECT_SUFFIX, Files
+from app.files.files import Files
 from app.folders import cache_folder
 from app.jobs.export import Export
 from app.jobs.importing import SHAPE_FILES, Import
-from app.model.document import Document
+from app.model.document import PROJECT_SUFFIX, Document
 from app.model.personal import Personal
 from app.model.view_state import ViewState
 from roam_core.errors import RoamError

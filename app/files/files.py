@@ -14,7 +14,7 @@ from app.jobs.decode import PlateReader
 from app.jobs.runner import Ending, Report, Runner, Work
 from app.journal import recovery
 from app.journal.recovery import Recovery
-from app.model.document import Document
+from app.model.document import PROJECT_SUFFIX, Document
 from app.model.preferences import Preferences
 from app.model.view_state import ViewState
 from roam_core.errors import RoamError
@@ -33,7 +33,6 @@ SUMMED = (
     "It joins soft edges as older versions did (Plus), so that its mattes stay as they were; "
     "choose Add in the Shape panel where they are to join as in other programs."
 )
-PROJECT_SUFFIX = ".roam"
 
 
 @dataclass(frozen=True)

@@ -4,33 +4,49 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from pathlib import Path
-from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QObject
+from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QImage
+from PySide6.QtWidgets import QWidget
 from shiboken6 import isValid
 
 from app.dialogs.recovery_dialog import RecoveryDialog
-from app.files.files import PROJECT_SUFFIX, plate_of
+from app.files.file_actions import FileActions
+from app.files.files import Files, plate_of
 from app.jobs.runner import Report, Runner
 from app.jobs.thumbnails import drawn, grey_plate
 from app.journal import recovery
 from app.journal.recovery import Recovery
+from app.model.document import PROJECT_SUFFIX
+from app.model.view_state import ViewState
 from roam_core.errors import RoamError
 from roam_core.roto import Project
 
-if TYPE_CHECKING:
-    from app.shell.main_window import MainWindow
-
 
 class Recovering(QObject):
-    """Looks through the journals under `root` on the worker, and asks the artist."""
+    """Looks through the journals under `root` on the worker, and asks the artist.
 
-    def __init__(self, window: MainWindow, root: Path, runner: Runner) -> None:
-        super().__init__(window)
-        self._window, self._root, self._runner = window, root, runner
+    Signals
+    -------
+    asking(dialog) : a question is about to be shown.
+    """
+
+    asking = Signal(object)
+
+    def __init__(
+        self,
+        root: Path,
+        runner: Runner,
+        files: Files,
+        file_actions: FileActions,
+        view_state: ViewState,
+        parent: QWidget,
+    ) -> None:
+        super().__init__(parent)
+        self._root, self._runner, self._parent = root, runner, parent
+        self._files, self._file_actions, self._view = files, file_actions, view_state
         self.dialog: RecoveryDialog | None = None
-        window.files.opened.connect(self._offer_for)
+        files.opened.connect(self._offer_for)
 
     def handlers(self) -> dict[str, Callable[[], object]]:
         """What the actions of this part call, by id."""
@@ -47,7 +63,7 @@ class Recovering(QObject):
             if found:
                 self._ask(found, is_asked_for=True)
             else:
-                self._window.view_state.say("There is nothing to recover.")
+                self._view.say("There is nothing to recover.")
 
         self._look(show)
 
@@ -72,10 +88,10 @@ class Recovering(QObject):
             self.dialog.reject()
         if not found:
             return
-        self.dialog = dialog = RecoveryDialog(found, self._window, is_asked_for=is_asked_for)
+        self.dialog = dialog = RecoveryDialog(found, self._parent, is_asked_for=is_asked_for)
         dialog.chosen.connect(self._open)
         dialog.declined.connect(self._decline)
-        self._window.defects.wait_for(dialog)
+        self.asking.emit(dialog)
         dialog.open()
         for each in found:
             self._draw(each, dialog)
@@ -95,13 +111,13 @@ class Recovering(QObject):
         self._runner.start(f"picture of {each.journal}", work).partial.connect(show)
 
     def _open(self, found: Recovery) -> None:
-        self._window.file_actions.leave_project(lambda: self._window.files.open_recovered(found))
+        self._file_actions.leave_project(lambda: self._files.open_recovered(found))
 
     def _decline(self, found: Recovery) -> None:
         try:
             recovery.decline(found)
         except RoamError as error:
-            self._window.view_state.say(str(error))
+            self._view.say(str(error))
 
 
 def _picture(found: Recovery) -> QImage | None:

@@ -5,17 +5,21 @@ from __future__ import annotations
 import time
 from collections.abc import Callable
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from PySide6.QtCore import QObject
-from PySide6.QtWidgets import QMenu
+from PySide6.QtWidgets import QMenu, QWidget
 
+from app.actions.actions import Actions
+from app.files.file_actions import FileActions
+from app.files.files import Files
 from app.files.start_page import StartPage
+from app.jobs.decode import PlateReader
+from app.jobs.runner import Runner
 from app.jobs.thumbnails import Thumbnails
+from app.model.document import Document
+from app.model.personal import Personal
 from app.model.recent import Recent
-
-if TYPE_CHECKING:
-    from app.shell.main_window import MainWindow
 
 IN_MENU = 10
 """Entries of the File menu's list."""
@@ -24,33 +28,36 @@ IN_MENU = 10
 class Reopening(QObject):
     """Notes every project and clip that was opened, and draws its picture as soon as there is one to draw."""
 
-    def __init__(self, window: MainWindow) -> None:
-        super().__init__(window)
-        self._window, self._personal = window, window.personal
-        self._thumbnails = Thumbnails(self._personal.cache, window.writer, self)
+    def __init__(
+        self,
+        document: Document,
+        files: Files,
+        file_actions: FileActions,
+        reader: PlateReader,
+        personal: Personal,
+        actions: Actions,
+        viewer: QWidget,
+        runner: Runner,
+        parent: QWidget,
+    ) -> None:
+        super().__init__(parent)
+        self._document, self._files, self._file_actions, self._personal = document, files, file_actions, personal
+        self._thumbnails = Thumbnails(personal.cache, runner, self)
         self._undrawn: list[Path] = []
         self._picture: tuple[int, Any] | None = None
-        self.page = StartPage(
-            window.canvas,
-            window.document,
-            window.files,
-            window.actions_by_id,
-            self._personal,
-            self._thumbnails,
-        )
-        self.menu = QMenu("Open recent", window)
+        self.page = StartPage(viewer, document, files, actions, personal, self._thumbnails)
+        self.menu = QMenu("Open recent", parent)
         self.menu.aboutToShow.connect(self._fill_menu)
-        self.page.chosen.connect(window.file_actions.open_chosen)
-        window.file_actions.refused_to_open.connect(self.page.begin)
-        window.document.replaced.connect(self._forget_picture)
-        window.files.opened.connect(self._note_opened)
-        window.files.saved.connect(self._note_saved)
-        window.reader.picture.connect(self._see)
+        self.page.chosen.connect(file_actions.open_chosen)
+        file_actions.refused_to_open.connect(self.page.begin)
+        document.replaced.connect(self._forget_picture)
+        files.opened.connect(self._note_opened)
+        files.saved.connect(self._note_saved)
+        reader.picture.connect(self._see)
 
     def handlers(self) -> dict[str, Callable[[], object]]:
         """What the actions of this part call, by id."""
-        window = self._window
-        return {"file.open_demo": lambda: window.file_actions.leave_project(window.files.open_demo)}
+        return {"file.open_demo": lambda: self._file_actions.leave_project(self._files.open_demo)}
 
     # ---- the rest is private
 
@@ -60,7 +67,7 @@ class Reopening(QObject):
         self._draw()
 
     def _note_saved(self) -> None:
-        if (path := self._window.document.path) is not None:
+        if (path := self._document.path) is not None:
             self._note_opened(path)
 
     def _see(self, frame: int, pixels: Any) -> None:
@@ -75,7 +82,7 @@ class Reopening(QObject):
         """Draw the picture of what was opened or saved, once, when both it and a frame are there."""
         if self._picture is not None:
             frame, pixels = self._picture
-            project, others = self._window.document.project, self._personal.recent
+            project, others = self._document.project, self._personal.recent
             for path in self._undrawn:
                 self._thumbnails.keep(Recent(path, time.time()), pixels, project, frame, others)
             self._undrawn = []
@@ -85,6 +92,6 @@ class Reopening(QObject):
         for recent in self._personal.recent[:IN_MENU]:
             action = self.menu.addAction(recent.path.name)
             action.setToolTip(str(recent.path))
-            action.triggered.connect(lambda _=False, path=recent.path: self._window.file_actions.open_chosen(path))
+            action.triggered.connect(lambda _=False, path=recent.path: self._file_actions.open_chosen(path))
         if self.menu.isEmpty():
             self.menu.addAction("Nothing yet").setEnabled(False)

@@ -14,6 +14,7 @@ from roam_core.roto import Project, RotoShape, file
 from roam_core.roto.fingerprint import Fingerprint
 from roam_core.roto.project import Layer
 
+PROJECT_SUFFIX = ".roam"
 UNDO_BYTES = 256 << 20
 """Bound on what the undo stack holds, where the artist set no other."""
 SPARE = 0.75

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QFormLayout, QHBoxLayout, QLabel, QVBoxLayout, QWidget
 
@@ -70,6 +72,15 @@ class TrackerPanel(QWidget):
             signal.connect(self._pull)
         self._pull_mode()
         self._pull()
+
+    def remembered(self) -> dict[str, dict[str, str]]:
+        """The turned dials, to be kept."""
+        return self._tracking.remembered()
+
+    def recall(self, kept: Mapping[str, Mapping[str, str]]) -> None:
+        """Turn the dials as `remembered` told."""
+        self._tracking.recall(kept)
+        self.dials.pull()
 
     def _fill_modes(self) -> None:
         for name in CONFIGS:

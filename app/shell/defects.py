@@ -7,19 +7,16 @@ import sys
 import threading
 from collections.abc import Callable
 from types import TracebackType
-from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Qt, Signal
-from PySide6.QtGui import QGuiApplication
-from PySide6.QtWidgets import QDialog, QHBoxLayout, QLabel, QPlainTextEdit, QPushButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QDialog, QWidget
 from shiboken6 import isValid
 
-from app import style
+from app.dialogs.report_dialog import ReportDialog
+from app.features.messages import MessageLog
+from app.journal.journal import Journal
+from app.model.view_state import ViewState
 from app.shell import crash_report
-from app.widgets.controls import weak_label
-
-if TYPE_CHECKING:
-    from app.shell.main_window import MainWindow
 
 KEPT, AT_RISK = "Your project is as it was, and every edit is in the journal.", "Save your work under a new name now."
 PATIENCE = 1.0
@@ -42,44 +39,17 @@ class _LastError(logging.Handler):
             self.trace = crash_report.told(record.exc_info[1])
 
 
-class ReportDialog(QDialog):
-    """A report to read and to copy. Nothing is sent."""
-
-    def __init__(self, title: str, sentence: str, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self.setWindowTitle("Problem report")
-        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        self.resize(680, 460)
-        heading = QLabel(title)
-        heading.setObjectName("heading")
-        self.sentence = weak_label(sentence)
-        self.text = QPlainTextEdit()
-        self.text.setReadOnly(True)
-        self.copy_button, self.leave = QPushButton("Copy the report"), QPushButton("Close")
-        self.copy_button.clicked.connect(lambda: QGuiApplication.clipboard().setText(self.text.toPlainText()))
-        self.leave.clicked.connect(self.close)
-        self.leave.setDefault(True)
-        buttons = QHBoxLayout()
-        buttons.addWidget(weak_label("Nothing is sent. Copy it into an issue if you like."), 1)
-        buttons.addWidget(self.copy_button)
-        buttons.addWidget(self.leave)
-        column = QVBoxLayout(self)
-        column.setContentsMargins(*(2 * style.MARGIN,) * 4)
-        column.setSpacing(style.MARGIN)
-        column.addWidget(heading)
-        column.addWidget(self.sentence)
-        column.addWidget(self.text, 1)
-        column.addLayout(buttons)
-
-
 class Defects(QObject):
-    """Hears of every error that nobody caught, on any thread, while it is installed."""
+    """Hears of every error that nobody caught, on any thread, while it is installed.
+
+    `parent` is the widget that reports lie over.
+    """
 
     _arrived = Signal(str)
 
-    def __init__(self, window: MainWindow) -> None:
-        super().__init__(window)
-        self._window = window
+    def __init__(self, view_state: ViewState, journal: Journal, messages: MessageLog, parent: QWidget) -> None:
+        super().__init__(parent)
+        self._view, self._journal, self._messages, self._parent = view_state, journal, messages, parent
         self._seen: set[str] = set()
         self._last_error = _LastError()
         self._hooks: tuple[Callable[..., object], Callable[..., object]] | None = None
@@ -143,21 +113,21 @@ class Defects(QObject):
             return
         self._seen.add(trace)
         kept = self._what_is_kept()
-        self._window.view_state.say(f"Something went wrong inside ROAM. {kept}")
+        self._view.say(f"Something went wrong inside ROAM. {kept}")
         is_open = self.dialog is not None and isValid(self.dialog) and self.dialog.isVisible()
         before = self.dialog.text.toPlainText() + "\n" if self.dialog is not None and is_open else ""
         dialog = self._open("Something went wrong inside ROAM", kept)
         dialog.text.setPlainText(before + self._report(trace))
 
     def _what_is_kept(self) -> str:
-        return KEPT if self._window.journal.flush(PATIENCE) else AT_RISK
+        return KEPT if self._journal.flush(PATIENCE) else AT_RISK
 
     def _open(self, title: str, sentence: str) -> ReportDialog:
         if self.dialog is not None and isValid(self.dialog):
             self.dialog.close()
-        self.dialog = ReportDialog(title, sentence, self._window)
+        self.dialog = ReportDialog(title, sentence, self._parent)
         self.dialog.show()
         return self.dialog
 
     def _report(self, what: str) -> str:
-        return crash_report.report(what, [message.line for message in self._window.desk.messages.all])
+        return crash_report.report(what, [message.line for message in self._messages.all])

@@ -82,7 +82,8 @@ def _window(path: str | None) -> int:
 
 def _require_readable(path: str) -> None:
     """Raise `RoamError` when a clip or project cannot be opened: a wrong name is told before any window opens."""
-    from app.files.files import PROJECT_SUFFIX, clip_project
+    from app.files.files import clip_project
+    from app.model.document import PROJECT_SUFFIX
     from roam_core.roto import file
 
     if path.lower().endswith(PROJECT_SUFFIX):
@@ -117,7 +118,6 @@ def _run(begin: Callable[[MainWindow], object]) -> int:
     from app.folders import cache_folder, state_folder, state_trouble
     from app.jobs import warm_up
     from app.model.personal import Personal
-    from app.shell import settings
     from app.shell.crash_report import NativeLog, native_crashes
     from app.shell.main_window import MainWindow
 
@@ -136,8 +136,8 @@ def _run(begin: Callable[[MainWindow], object]) -> int:
     native_log = NativeLog(state_folder() / "crashes")
     _leave_on_signals(window)
     settings_path = state_folder() / "window.ini"
-    settings.restore(window, settings_path)
-    application.aboutToQuit.connect(lambda: settings.keep(window, settings_path))
+    window.restore_settings(settings_path)
+    application.aboutToQuit.connect(lambda: window.keep_settings(settings_path))
     window.show()
     QTimer.singleShot(0, window, lambda: begin(window))
     QTimer.singleShot(0, window, lambda: window.defects.tell_of(crashes))

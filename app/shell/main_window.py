@@ -8,11 +8,12 @@ from pathlib import Path
 
 from PySide6.QtCore import Qt, QTimer
 from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent
-from PySide6.QtWidgets import QFrame, QHBoxLayout, QMainWindow, QScrollArea, QSplitter, QUndoView, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QMainWindow, QScrollArea, QUndoView
 
 from app import style
 from app.actions import menus
 from app.actions.actions import Actions
+from app.actions.keymaps import told
 from app.canvas.proposal_bar import ProposalBar
 from app.canvas.ripple_frame import RippleFrame
 from app.canvas.view import CanvasView
@@ -21,6 +22,7 @@ from app.features.belonging import Belonging
 from app.features.clipboards.nodes import NodeClipboard
 from app.features.clipboards.shapes import ShapeClipboard
 from app.features.history import History
+from app.features.messages import MessageLog
 from app.features.navigation import Navigation
 from app.features.planar_tracking import PlanarTracking
 from app.features.playback import Playback
@@ -35,6 +37,7 @@ from app.files.file_actions import FileActions
 from app.files.files import Files
 from app.files.recovering import Recovering
 from app.files.reopening import Reopening
+from app.jobs import warm_up
 from app.jobs.copying import Copying
 from app.jobs.decode import PlateReader
 from app.jobs.export import Export
@@ -57,6 +60,7 @@ from app.panels.planar import PlanarPanel
 from app.panels.properties import PropertiesPanel
 from app.panels.shapes import ShapesPanel
 from app.panels.tracker import TrackerPanel
+from app.shell import layout, settings
 from app.shell.defects import Defects
 from app.shell.desk import Desk
 from app.timeline.timeline import Timeline
@@ -70,6 +74,7 @@ from app.widgets.panel import Panel
 
 PANEL_WIDTH = 272
 TIMELINE_HEIGHT = 200
+DRAW_HINT = "Draw a shape: press <tool.bezier>"
 
 
 class MainWindow(QMainWindow):
@@ -81,12 +86,14 @@ class MainWindow(QMainWindow):
         self.setAcceptDrops(True)
         self.resize(1500, 940)
         self._is_leaving = False
+        self._threads = 0  # as many as the libraries think fit
         self.personal = personal or Personal(parent=self)
         self._build_state(journal_root)
         self._build_parts()
         self._lay_out()
         self._connect()
         self._connect_actions()
+        self._connect_personal()
         self._pull_title()
         self.canvas.setFocus()
 
@@ -145,34 +152,31 @@ class MainWindow(QMainWindow):
         self.status = StatusBar(view_state, self.under_way)
         self.status.add(Readout(self.canvas))
         self.status.add(ModeBar(view_state, actions))
-        self.desk, self.reopening = Desk(self, self.personal), Reopening(self)
-        self.defects = Defects(self)
-        self.recovering = Recovering(self, self._journal_root, self.writer)
-        self.setMenuWidget(_top_row(menus.menu_bar(actions, self.reopening.menu), self.view_bar))
+        self._build_surroundings(actions)
+
+    def _build_surroundings(self, actions: Actions) -> None:
+        """What lies around the work: dialogs, the start page, and what is there for bad days."""
+        view_state, files, file_actions = self.view_state, self.files, self.file_actions
+        messages = MessageLog(view_state, self.under_way, self)
+        self.desk = Desk(actions, view_state, messages, self.personal, self)
+        self.reopening = Reopening(
+            self.document, files, file_actions, self.reader, self.personal, actions, self.canvas, self.writer, self
+        )
+        self.defects = Defects(view_state, self.journal, messages, self)
+        self.recovering = Recovering(self._journal_root, self.writer, files, file_actions, view_state, self)
+        self.recovering.asking.connect(self.defects.wait_for)
+        menu_bar = menus.menu_bar(actions, self.reopening.menu)
+        self.setMenuWidget(layout.row(menu_bar, self.view_bar, growing=menu_bar))
 
     def _lay_out(self) -> None:
         self.panel_column = self._panel_column()
-        self._upper = QSplitter(Qt.Orientation.Horizontal)
-        picture = QWidget()
-        _fill(QHBoxLayout(picture), self.tool_column, self.canvas)
-        for part, stretch in ((picture, 1), (self.panel_column, 0)):
-            self._upper.addWidget(part)
-            self._upper.setStretchFactor(self._upper.indexOf(part), stretch)
-        lower = QWidget()
-        _fill(QVBoxLayout(lower), self.transport, self.timeline)
-        self._halves = QSplitter(Qt.Orientation.Vertical)
-        for half, stretch in ((self._upper, 1), (lower, 0)):
-            self._halves.addWidget(half)
-            self._halves.setStretchFactor(self._halves.indexOf(half), stretch)
-        for splitter in (self._upper, self._halves):
-            splitter.setChildrenCollapsible(False)
-            splitter.setHandleWidth(3)
-        self.splitters = {"upper": self._upper, "halves": self._halves}
-        self._upper.setSizes([self.width() - PANEL_WIDTH, PANEL_WIDTH])
+        picture, lower = layout.row(self.tool_column, self.canvas), layout.column(self.transport, self.timeline)
+        upper = layout.split(Qt.Orientation.Horizontal, picture, self.panel_column)
+        self._halves = layout.split(Qt.Orientation.Vertical, upper, lower)
+        self.splitters = {"upper": upper, "halves": self._halves}
+        upper.setSizes([self.width() - PANEL_WIDTH, PANEL_WIDTH])
         self._halves.setSizes([self.height() - TIMELINE_HEIGHT, TIMELINE_HEIGHT])
-        whole = QWidget()
-        _fill(QVBoxLayout(whole), self._halves, self.status)
-        self.setCentralWidget(whole)
+        self.setCentralWidget(layout.column(self._halves, self.status))
 
     def _panel_column(self) -> QScrollArea:
         actions = self.actions_by_id
@@ -180,22 +184,12 @@ class MainWindow(QMainWindow):
         key_tools = tuple(tool_button(actions, name) for name in ("key.set", "key.delete"))
         self.history_panel = Panel("History", self.history)
         self.history_panel.setVisible(False)
-        column = QWidget()
+        shapes, shape = Panel("Shapes", self.shapes, shape_tools), Panel("Shape", self.properties, key_tools)
+        tracks = Panel("Track", self.tracker), Panel("Planar track", self.planar_panel)
+        column = layout.column(shapes, *tracks, shape, self.history_panel, self.desk.log_panel, growing=shapes)
         column.setObjectName("panelColumn")
         column.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
-        box = QVBoxLayout(column)
-        shapes = Panel("Shapes", self.shapes, shape_tools)
-        tracks = Panel("Track", self.tracker), Panel("Planar track", self.planar_panel)
-        _fill(box, shapes, *tracks, Panel("Shape", self.properties, key_tools), self.history_panel)
-        box.addWidget(self.desk.log_panel)
-        box.setStretchFactor(shapes, 1)
-        scroll = QScrollArea()  # for small screens: nothing is squeezed, what does not fit is scrolled to
-        scroll.setWidgetResizable(True)
-        scroll.setFrameShape(QFrame.Shape.NoFrame)
-        scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        scroll.setWidget(column)
-        scroll.setMinimumWidth(240)
-        return scroll
+        return layout.scrolled(column)
 
     # ---- connecting
 
@@ -203,6 +197,7 @@ class MainWindow(QMainWindow):
         view, reader, status = self.view_state, self.reader, self.status
         view.frame_changed.connect(lambda: reader.show(view.frame))
         self.belonging.changed.connect(self.canvas.update)
+        self.desk.log_shown.connect(lambda: self.panel_column.ensureWidgetVisible(self.desk.log_panel))
         reader.plate_changed.connect(lambda: reader.show(view.frame))
         reader.picture.connect(self.canvas.set_image)
         reader.picture.connect(self.playback.note_picture)
@@ -235,6 +230,17 @@ class MainWindow(QMainWindow):
             ("view.tall_timeline", self._set_tall_timeline),
         ):
             actions[name].toggled.connect(switch)
+
+    def _connect_personal(self) -> None:
+        personal, say = self.personal, self.view_state.say
+        personal.keys_changed.connect(self._pull_keys)
+        personal.preferences_changed.connect(self._pull_preferences)
+        for part in (personal, self.journal):
+            part.refused.connect(say)
+        self._pull_keys()
+        self._pull_preferences()
+        if personal.trouble:
+            say(personal.trouble)
 
     def _handlers(self) -> dict[str, Callable[[], object]]:
         """What each action calls; tools and switches are connected by their own widgets."""
@@ -274,7 +280,46 @@ class MainWindow(QMainWindow):
             handlers |= part.handlers()
         return handlers | self.timeline.handlers() | self.timeline.verbs.taking_over(handlers)
 
+    # ---- settings
+
+    def restore_settings(self, path: Path) -> None:
+        """Give the window what was kept of the last one; a damaged file is set aside, and told."""
+        if trouble := settings.restore(self._kept(), path, self.personal.preferences.config):
+            self.view_state.say(trouble)
+
+    def keep_settings(self, path: Path) -> None:
+        """Write what the next window is to begin with."""
+        settings.keep(self._kept(), path)
+
+    def _kept(self) -> settings.Kept:
+        return settings.Kept(
+            frame=self,
+            splitters=self.splitters,
+            switches={name: self.actions_by_id[name] for name in settings.SWITCHES},
+            panels=self.panel_column.findChildren(Panel),
+            mode=self.tracker.mode,
+            tables={"proposals": self.proposals, "dials": self.tracker, "viewing": self.canvas.viewing},
+        )
+
     # ---- pulling
+
+    def _pull_keys(self) -> None:
+        """Other keys hold: whoever has them or tells them."""
+        actions = self.actions_by_id
+        actions.set_keymap(self.personal.keys.keymap)
+        self.status.show_stop_keys(actions.keys_of("track.stop"))
+        self.view_state.set_keymap(actions.keymap)
+        self.canvas.empty_hint = told(DRAW_HINT, actions.keymap)
+        self.canvas.update()
+
+    def _pull_preferences(self) -> None:
+        held = self.personal.preferences
+        self.reader.set_cache_limit(held.cache_bytes)
+        self.files.backups = held.backups
+        self.document.undo_bytes = held.undo_megabytes << 20
+        if held.threads != self._threads:
+            self._threads = held.threads
+            warm_up.use_threads(self.writer, held.threads)
 
     def _pull_title(self) -> None:
         self.setWindowTitle(f"{self.file_actions.title}[*] – ROAM")
@@ -337,18 +382,3 @@ class MainWindow(QMainWindow):
         self.planar.drop()
         for part in (self.solver, self.reader, self.eye, self.writer, self.saver, self.files.claim, self.journal):
             part.close()
-
-
-def _top_row(menu_bar: QWidget, view_bar: QWidget) -> QWidget:
-    row = QWidget()
-    box = QHBoxLayout(row)
-    _fill(box, menu_bar, view_bar)
-    box.setStretchFactor(menu_bar, 1)
-    return row
-
-
-def _fill(box: QHBoxLayout | QVBoxLayout, *parts: QWidget) -> None:
-    box.setContentsMargins(0, 0, 0, 0)
-    box.setSpacing(0)
-    for part in parts:
-        box.addWidget(part)

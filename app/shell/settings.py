@@ -4,69 +4,93 @@ from __future__ import annotations
 
 import json
 import os
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import Any, Protocol
 
 from PySide6.QtCore import QByteArray, QSettings
+from PySide6.QtGui import QAction
+from PySide6.QtWidgets import QComboBox, QSplitter, QWidget
 
 from app.keeping import MOST_BYTES, loaded
 from app.widgets.panel import Panel
 from roam_core.bounded import bounded_bytes
 from roam_core.errors import RoamError
 
-if TYPE_CHECKING:
-    from app.shell.main_window import MainWindow
-
 SWITCHES = ("time.loop", "time.ping_pong", "view.panels", "edit.history", "help.log")
+"""The actions whose state is kept."""
 
 
-def restore(window: MainWindow, path: Path) -> None:
-    """Give the window what `keep` wrote; what is missing or makes no sense stays as it is.
+class Remembering(Protocol):
+    """A part that tells what of it is to be kept, as tables by name, and takes that back."""
 
-    A file that `keep` cannot have written is set aside, and told.
+    def remembered(self) -> Mapping[str, Mapping[str, Any]]: ...
+
+    def recall(self, kept: dict[str, dict[str, str]], /) -> None: ...
+
+
+@dataclass(frozen=True)
+class Kept:
+    """What is kept of a window from one session to the next.
+
+    Attributes
+    ----------
+    frame : the widget whose place on the screen is kept.
+    splitters, switches : by the names under which they stand in the file.
+    panels : those that can be folded.
+    mode : the box of the engine's configurations.
+    tables : the parts that remember something of their own, by the names under which it stands in the file.
+    """
+
+    frame: QWidget
+    splitters: Mapping[str, QSplitter]
+    switches: Mapping[str, QAction]
+    panels: Iterable[Panel]
+    mode: QComboBox
+    tables: Mapping[str, Remembering]
+
+
+def restore(kept: Kept, path: Path, config: str = "") -> str:
+    """Give the parts what `keep` wrote; what is missing or makes no sense stays as it is.
+
+    `config` is the engine's configuration that the artist wants at every start, in place of the one used last. A file
+    that `keep` cannot have written is set aside; gives the sentence that tells it, else an empty text.
     """
     _, trouble = loaded(path, _require_own, None)
     if trouble:
-        window.view_state.say(trouble)
-        return
+        return trouble
     settings = QSettings(str(path), QSettings.Format.IniFormat)
     if isinstance(geometry := settings.value("geometry"), QByteArray):
-        window.restoreGeometry(geometry)
-    for name, splitter in window.splitters.items():
+        kept.frame.restoreGeometry(geometry)
+    for name, splitter in kept.splitters.items():
         if isinstance(state := settings.value(f"splitter/{name}"), QByteArray):
             splitter.restoreState(state)
-    for name in SWITCHES:
+    for name, switch in kept.switches.items():
         if settings.contains(name):
-            window.actions_by_id[name].setChecked(settings.value(name) == "true")
+            switch.setChecked(settings.value(name) == "true")
     folded = str(settings.value("folded", "")).split(",")
-    for panel in window.panel_column.findChildren(Panel):
+    for panel in kept.panels:
         panel.fold(panel.title in folded)
-    mode = window.tracker.mode
-    wanted = window.personal.preferences.config or settings.value("mode")
-    if (index := mode.findData(wanted)) >= 0:
-        mode.setCurrentIndex(index)
-    window.proposals.answers.update(_tables(settings.value("proposals")))
-    window.tracking.recall(_tables(settings.value("dials")))
-    window.tracker.dials.pull()
-    window.canvas.viewing.recall(_tables(settings.value("viewing")))
+    if (index := kept.mode.findData(config or settings.value("mode"))) >= 0:
+        kept.mode.setCurrentIndex(index)
+    for name, part in kept.tables.items():
+        part.recall(_tables(settings.value(name)))
+    return ""
 
 
-def keep(window: MainWindow, path: Path) -> None:
+def keep(kept: Kept, path: Path) -> None:
     """Write the settings."""
     settings = QSettings(str(path), QSettings.Format.IniFormat)
-    settings.setValue("geometry", window.saveGeometry())
-    for name, splitter in window.splitters.items():
+    settings.setValue("geometry", kept.frame.saveGeometry())
+    for name, splitter in kept.splitters.items():
         settings.setValue(f"splitter/{name}", splitter.saveState())
-    for name in SWITCHES:
-        settings.setValue(name, "true" if window.actions_by_id[name].isChecked() else "false")
-    folded = [panel.title for panel in window.panel_column.findChildren(Panel) if panel.is_folded]
-    settings.setValue("folded", ",".join(folded))
-    settings.setValue("mode", window.tracker.mode.currentData())
-    settings.setValue(
-        "proposals", json.dumps({name: own for name, own in window.proposals.answers.items() if name and own})
-    )
-    settings.setValue("dials", json.dumps(window.tracking.remembered()))
-    settings.setValue("viewing", json.dumps(window.canvas.viewing.remembered()))
+    for name, switch in kept.switches.items():
+        settings.setValue(name, "true" if switch.isChecked() else "false")
+    settings.setValue("folded", ",".join(panel.title for panel in kept.panels if panel.is_folded))
+    settings.setValue("mode", kept.mode.currentData())
+    for name, part in kept.tables.items():
+        settings.setValue(name, json.dumps(part.remembered()))
     settings.sync()
 
 

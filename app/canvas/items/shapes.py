@@ -11,9 +11,10 @@ from app.model.shown import Shown, shown_shapes
 from app.model.view_state import Selection
 from app.paint import marks
 from app.paint.clipping import inside, painted_area
+from app.paint.handles import control_sides, visible_handles
 from app.paint.outline_paths import OutlinePaths
 from app.paint.viewport import Viewport
-from roam_core.geometry.bezier import ANCHOR, IN, OUT
+from roam_core.geometry.bezier import ANCHOR
 from roam_core.params import DOUBTFUL
 from roam_core.roto import Outline, Project, RotoShape, Spline
 from roam_core.roto.edit import is_smooth
@@ -60,16 +61,6 @@ def _paint_outline(painter: QPainter, viewport: Viewport, item: Shown, path: QPa
 
 def shape_colour(shape: RotoShape) -> QColor:
     return QColor.fromRgbF(*shape.colour)
-
-
-def control_sides(count: int, closed: bool) -> list[tuple[int, int]]:
-    """The pairs of control points that the sides of a B-spline's control polygon join."""
-    return [(i, (i + 1) % count) for i in range(count if closed else count - 1)]
-
-
-def visible_handles(points: Array, index: int) -> list[int]:
-    """The handles of a point that are out of its anchor, and so can be seen and grabbed."""
-    return [part for part in (IN, OUT) if not np.array_equal(points[index, part], points[index, ANCHOR])]
 
 
 def _paint_points(

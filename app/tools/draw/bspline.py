@@ -7,8 +7,8 @@ from numpy.typing import NDArray
 from PySide6.QtCore import QLineF
 from PySide6.QtGui import QColor, QPainter
 
-from app.canvas.items.shapes import control_sides
 from app.paint import marks
+from app.paint.handles import control_sides
 from app.paint.outline_paths import outline_path
 from app.paint.viewport import Viewport
 from app.tools.draw.drawing import DrawingTool

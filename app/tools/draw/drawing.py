@@ -10,11 +10,11 @@ from numpy.typing import NDArray
 from PySide6.QtCore import QLineF, Qt
 from PySide6.QtGui import QColor, QPainter, QPainterPath
 
-from app.canvas.items.shapes import visible_handles
 from app.features.verbs.finishing import finish_shape, next_colour
 from app.model.document import Document
 from app.model.view_state import ViewState
 from app.paint import marks
+from app.paint.handles import visible_handles
 from app.paint.outline_paths import outline_path
 from app.paint.viewport import Viewport
 from app.tools.gestures import DRAG_DISTANCE

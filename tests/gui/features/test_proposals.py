@@ -12,7 +12,6 @@ from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
 from app.features.proposals import NONE_LEFT, sentence_of
-from app.shell import settings
 from app.shell.main_window import MainWindow
 from roam_core.geometry import bezier
 from roam_core.geometry.bezier import polygon_points
@@ -280,14 +279,14 @@ def test_what_was_answered_for_good_is_remembered_by_project(qtbot: QtBot, windo
     window.actions_by_id["proposal.refuse_always"].trigger()
     with qtbot.waitSignal(window.files.saved, timeout=WAIT):
         window.files.save(tmp_path / "bell.roam")
-    settings.keep(window, tmp_path / "window.ini")
+    window.keep_settings(tmp_path / "window.ini")
     window.proposals.answers.clear()
-    settings.restore(window, tmp_path / "window.ini")
+    window.restore_settings(tmp_path / "window.ini")
     assert window.proposals.answer("shape-1") == "never"
     window.files.new()
     assert window.proposals.answer("shape-1") is None
     (tmp_path / "window.ini").write_text("[General]\nproposals=nonsense\n")
-    settings.restore(window, tmp_path / "window.ini")
+    window.restore_settings(tmp_path / "window.ini")
 
 
 def test_the_sentence_tells_the_gain_in_three_figures() -> None:

@@ -16,7 +16,7 @@ from app.actions.keymaps import OwnKeymap
 from app.dialogs.settings_dialog import SettingsDialog
 from app.model.personal import Personal
 from app.model.preferences import Preferences, load_preferences, save_preferences
-from app.shell import launch, settings
+from app.shell import launch
 from app.shell.main_window import MainWindow
 from tests.gui.windows import opened_window, write_clip
 
@@ -92,7 +92,7 @@ def test_damaged_settings_are_set_aside_and_told_and_the_window_opens(
     personal = Personal(tmp_path)
     assert (personal.preferences, personal.keys, personal.recent) == (Preferences(), OwnKeymap(), ())
     with opened_window(qtbot, None, tmp_path / "journal", personal) as window:
-        settings.restore(window, tmp_path / "window.ini")
+        window.restore_settings(tmp_path / "window.ini")
         told = f"{personal.trouble} {window.view_state.message}"
         for aside in tmp_path.glob("*.damaged"):
             assert aside.name in told
@@ -170,10 +170,10 @@ def test_the_engines_mode_at_the_start_is_the_one_that_was_set(
     qtbot: QtBot, window: MainWindow, tmp_path: Path
 ) -> None:
     window.tracker.mode.setCurrentIndex(window.tracker.mode.findData("medium"))
-    settings.keep(window, tmp_path / "window.ini")
+    window.keep_settings(tmp_path / "window.ini")
     for preference, expected in (("", "medium"), ("lean", "lean")):
         personal = Personal()
         personal.set_preferences(Preferences(config=preference))
         with opened_window(qtbot, None, tmp_path / f"other-{expected}", personal) as other:
-            settings.restore(other, tmp_path / "window.ini")
+            other.restore_settings(tmp_path / "window.ini")
             assert other.tracker.mode.currentData() == expected

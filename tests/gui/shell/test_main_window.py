@@ -16,7 +16,6 @@ from app.dialogs.clip_dialog import ClipDialog
 from app.dialogs.mask_dialog import MaskDialog
 from app.dialogs.questions import Unsaved
 from app.model.viewing import GroundKind
-from app.shell import settings
 from app.shell.main_window import MainWindow
 from app.widgets.panel import Panel
 from roam_core.geometry.bezier import polygon_points
@@ -341,9 +340,9 @@ def test_the_last_used_settings_come_back(qtbot: QtBot, window: MainWindow, tmp_
     window.history_panel.toggle()
     window.canvas.viewing.set_onion(before=7)
     window.canvas.viewing.set_ground(kind=GroundKind.COLOUR, colour="#203040")
-    settings.keep(window, tmp_path / "window.ini")
+    window.keep_settings(tmp_path / "window.ini")
     with opened_window(qtbot, None, tmp_path / "other") as other:
-        settings.restore(other, tmp_path / "window.ini")
+        other.restore_settings(tmp_path / "window.ini")
         assert not other.playback.is_looping
         assert other.canvas.viewing.onion == window.canvas.viewing.onion
         assert other.canvas.viewing.ground == window.canvas.viewing.ground
@@ -353,7 +352,7 @@ def test_the_last_used_settings_come_back(qtbot: QtBot, window: MainWindow, tmp_
         assert folded == ["History"]
         assert other.splitters["halves"].sizes() == pytest.approx(sizes, abs=2)
         (tmp_path / "bad.ini").write_text("[General]\ngeometry=nonsense\nmode=abacus\n", encoding="utf-8")
-        settings.restore(other, tmp_path / "bad.ini")
+        other.restore_settings(tmp_path / "bad.ini")
         assert other.tracking.config == window.tracking.config
 
 
