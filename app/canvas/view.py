@@ -10,9 +10,9 @@ from PySide6.QtCore import QEvent, QPointF, QRectF, QSizeF, Qt, QTimer, Signal
 from PySide6.QtGui import QKeyEvent, QMouseEvent, QPainter, QPaintEvent, QTabletEvent, QWheelEvent
 from PySide6.QtWidgets import QWidget
 
+from app.actions.key_names import NUDGES, is_modifier, key_name
 from app.canvas.items.joints import paint_joints
 from app.canvas.items.proposal import ProposalPainter, Side
-from app.canvas.keys import NUDGES, is_modifier, key_name
 from app.canvas.pen import Pen
 from app.canvas.plate.stage import Stage
 from app.canvas.repaint import Repaint

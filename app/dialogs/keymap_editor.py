@@ -21,11 +21,11 @@ from PySide6.QtWidgets import (
 
 from app import style
 from app.actions.fuzzy import fuzzy_score, words_begin
+from app.actions.key_names import NUDGES, is_modifier, key_name
 from app.actions.keymaps import OwnKeymap, holder_of, keys_text, presets, press
 from app.actions.menus import menu_of
 from app.actions.search_words import WORDS
 from app.actions.specs import SPECS
-from app.canvas.keys import NUDGES, is_modifier, key_name
 from app.model.personal import Personal
 from app.widgets.controls import weak_label
 

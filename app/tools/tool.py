@@ -108,7 +108,7 @@ class Tool:
         return frozenset()
 
     def key(self, name: str) -> None:
-        """One of the claimed keys was pressed; `name` as in `app.canvas.keys.key_name`."""
+        """One of the claimed keys was pressed; `name` as in `app.actions.key_names.key_name`."""
 
     def paint(self, painter: QPainter, viewport: Viewport) -> None:
         """Paint the tool's own marks, in widget coordinates, above the shapes."""

@@ -19,7 +19,7 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QAbstractScrollArea, QFrame, QMenu, QToolTip, QWidget
 
 from app import style
-from app.canvas.keys import NUDGES, key_name
+from app.actions.key_names import NUDGES, key_name
 from app.model.document import Document
 from app.timeline.axis import TimeAxis, paint_playhead
 from app.timeline.keys.hand import KeyHand

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 
+from app.actions.key_names import NUDGES
 from app.actions.keymaps import (
     OwnKeymap,
     clashes,
@@ -22,7 +23,6 @@ from app.actions.keymaps import (
     told,
 )
 from app.actions.specs import SPECS
-from app.canvas.keys import NUDGES
 from app.model.view_state import ViewState
 from roam_core.errors import RoamError
 from tests.conftest import ROOT

@@ -6,8 +6,8 @@ import pytest
 from PySide6.QtCore import QEvent, Qt
 from PySide6.QtGui import QKeyEvent, QKeySequence
 
+from app.actions.key_names import NUDGES, is_modifier, key_name
 from app.actions.keymaps import load_keymap
-from app.canvas.keys import NUDGES, is_modifier, key_name
 from tests.gui.hand import ALT, CTRL, NONE, SHIFT
 
 Key = Qt.Key

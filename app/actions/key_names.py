@@ -1,4 +1,4 @@
-"""Keys that the canvas itself understands: the arrows that nudge points, and how keys are named."""
+"""How keys are named, and those that no keymap holds: the arrows that nudge what is selected."""
 
 from __future__ import annotations
 
