@@ -2,11 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
-import cv2
 import numpy as np
 from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QImage, QPixmap
@@ -23,8 +20,8 @@ from PySide6.QtWidgets import (
 )
 
 from app import style
+from app.jobs.found_clip import FoundClip
 from app.widgets.controls import dense_form, form_label, weak_label
-from roam_core.errors import RoamError
 from roam_core.media.colour import LINEAR, LOG, SRGB, to_display
 
 if TYPE_CHECKING:
@@ -34,31 +31,6 @@ COLOUR_WORDS = {SRGB: "sRGB", LINEAR: "Scene linear", LOG: "Cineon log"}
 PICTURE = QSize(400, 225)
 MOST_GAPS = 6
 """Missing frames that are named one by one; of more only the number is told."""
-
-
-@dataclass(frozen=True)
-class FoundClip:
-    """A clip that was looked at and is not open yet.
-
-    `picture` is its first frame `(h, w, 3)`, small, with the values of the files; None where that frame cannot be read,
-    and `trouble` says why.
-    """
-
-    path: Path
-    source: PlateSource
-    picture: Any
-    trouble: str = ""
-
-
-def looked_at(path: Path) -> FoundClip:
-    """Look at a clip: its headers and its first picture. Raises `RoamError` when there is no clip at `path`."""
-    from roam_core.media import open_clip
-
-    source = open_clip(path)
-    try:
-        return FoundClip(path, source, _small(source.read(source.frames[0])))
-    except RoamError as error:
-        return FoundClip(path, source, None, str(error))
 
 
 class ClipDialog(QDialog):
@@ -180,14 +152,6 @@ def gaps_sentence(missing: tuple[int, ...]) -> str:
     if len(missing) <= MOST_GAPS:
         return ", ".join(map(str, missing))
     return f"{len(missing)} frames, from {missing[0]} to {missing[-1]}"
-
-
-def _small(picture: Any) -> Any:
-    """A picture no larger than twice what is shown of it."""
-    height, width = picture.shape[:2]
-    scale = min(2 * PICTURE.width() / width, 2 * PICTURE.height() / height, 1.0)
-    size = max(round(width * scale), 1), max(round(height * scale), 1)
-    return picture if scale == 1.0 else cv2.resize(picture, size, interpolation=cv2.INTER_AREA)
 
 
 def _number(least: float, most: float, value: float) -> QDoubleSpinBox:

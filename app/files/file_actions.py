@@ -15,6 +15,7 @@ from app.dialogs.questions import Contested, Doubted, Unsaved
 from app.files.files import Files
 from app.folders import cache_folder
 from app.jobs.export import Export
+from app.jobs.found_clip import FoundClip
 from app.jobs.importing import SHAPE_FILES, Import
 from app.model.document import PROJECT_SUFFIX, Document
 from app.model.personal import Personal
@@ -23,7 +24,7 @@ from roam_core.errors import RoamError
 from roam_core.roto.project_lock import Holder
 
 if TYPE_CHECKING:
-    from app.dialogs.clip_dialog import ClipDialog, FoundClip
+    from app.dialogs.clip_dialog import ClipDialog
     from app.dialogs.export_dialog import ExportDialog
 
 

@@ -11,6 +11,7 @@ from PySide6.QtCore import QObject, Signal
 
 from app.files.claim import Claim
 from app.jobs.decode import PlateReader
+from app.jobs.found_clip import looked_at
 from app.jobs.runner import Ending, Report, Runner, Work
 from app.journal import recovery
 from app.journal.recovery import Recovery
@@ -112,8 +113,6 @@ class Files(QObject):
         """Find out about a clip without opening it."""
 
         def work(report: Report) -> str:
-            from app.dialogs.clip_dialog import looked_at
-
             report.progress(0.0, f"Looking at {path.name} …")
             report.partial(looked_at(path))
             return ""

@@ -5,7 +5,6 @@ from __future__ import annotations
 import argparse
 import logging
 import os
-import signal
 import sys
 from collections.abc import Callable, Sequence
 from logging.handlers import RotatingFileHandler
@@ -15,13 +14,13 @@ from typing import TYPE_CHECKING
 from roam_core.errors import RoamError
 
 if TYPE_CHECKING:
-    from app.jobs.runner import Job
+    from app.jobs.runner import Runner
+    from app.jobs.under_way import UnderWay
+    from app.model.view_state import ViewState
     from app.shell.main_window import MainWindow
 
 PATIENCE = 3000
 """Milliseconds after which the artist is told that the engine is being prepared."""
-LOOK_INTERVAL = 200
-"""Milliseconds between two looks for signals, where nothing wakes the window."""
 FAILED, BAD_USAGE = 1, 2
 NO_DISPLAY = (
     "There is no display to open a window on; use the command line (roam --help), "
@@ -119,6 +118,7 @@ def _run(begin: Callable[[MainWindow], object]) -> int:
     from app.jobs import warm_up
     from app.model.personal import Personal
     from app.shell.crash_report import NativeLog, native_crashes
+    from app.shell.leaving import leave_on_signals
     from app.shell.main_window import MainWindow
 
     _keep_log(state_folder() / "roam.log")
@@ -134,7 +134,7 @@ def _run(begin: Callable[[MainWindow], object]) -> int:
     window = MainWindow(state_folder() / "journal", personal)
     window.defects.install()
     native_log = NativeLog(state_folder() / "crashes")
-    _leave_on_signals(window)
+    leave_on_signals(window.leave_unasked, window)
     settings_path = state_folder() / "window.ini"
     window.restore_settings(settings_path)
     application.aboutToQuit.connect(lambda: window.keep_settings(settings_path))
@@ -142,7 +142,8 @@ def _run(begin: Callable[[MainWindow], object]) -> int:
     QTimer.singleShot(0, window, lambda: begin(window))
     QTimer.singleShot(0, window, lambda: window.defects.tell_of(crashes))
     QTimer.singleShot(0, window, lambda: warm_up.load_dialogs(window.writer))
-    QTimer.singleShot(0, window, lambda: _tell_of(warm_up.start(window.solver, window.tracking.config), window))
+    view_state, under_way = window.view_state, window.under_way
+    QTimer.singleShot(0, window, lambda: _prepare(window.solver, window.tracking.config, view_state, under_way))
     try:
         return application.exec()
     finally:
@@ -150,73 +151,28 @@ def _run(begin: Callable[[MainWindow], object]) -> int:
         native_log.close()
 
 
-def _tell_of(preparation: Job, window: MainWindow) -> None:
-    """Say what is going on where the engine takes its time: at the very first start it is compiled."""
+def _prepare(solver: Runner, config: str, view_state: ViewState, under_way: UnderWay) -> None:
+    """Compile what the engine needs, and say so where it takes its time: at the very first start."""
     from PySide6.QtCore import QTimer
 
+    from app.jobs import warm_up
+
+    preparation = warm_up.start(solver, config)
     said: list[bool] = []
 
     def tell() -> None:
-        if not preparation.is_over and not window.under_way.is_any:
+        if not preparation.is_over and not under_way.is_any:
             said.append(True)
-            window.view_state.say("The engine is being prepared, once on this machine; you can draw meanwhile.")
+            view_state.say("The engine is being prepared, once on this machine; you can draw meanwhile.")
 
     QTimer.singleShot(PATIENCE, preparation, tell)
-    preparation.ended.connect(lambda *_: window.view_state.say("The engine is ready.") if said else None)
+    preparation.ended.connect(lambda *_: view_state.say("The engine is ready.") if said else None)
 
 
 def _scale(scale: float) -> None:
     """Have Qt draw everything larger; only before the application is made. What the desktop already asks for wins."""
     if scale != 1.0:
         os.environ.setdefault("QT_SCALE_FACTOR", f"{scale:g}")
-
-
-def _leave_on_signals(window: MainWindow) -> None:
-    """Let Ctrl+C in the terminal, a logout, and the terminal's end close the window in good order."""
-    asked: list[int] = []
-    for name in ("SIGINT", "SIGTERM", "SIGHUP"):
-        if hasattr(signal, name):  # Windows knows no SIGHUP
-            signal.signal(getattr(signal, name), lambda number, _: asked.append(number))
-    # Python handles signals between its own instructions, and Qt's loop runs none while nothing happens.
-    if sys.platform == "win32":
-        _look_for(asked, window)
-    else:
-        _wake_on_signals(window)
-
-
-def _look_for(asked: list[int], window: MainWindow) -> None:
-    """Look now and then whether a signal has come."""
-    from PySide6.QtCore import QTimer
-
-    timer = QTimer(window, interval=LOOK_INTERVAL)
-
-    def look() -> None:
-        if asked:
-            timer.stop()
-            window.leave_unasked()
-
-    timer.timeout.connect(look)
-    timer.start()
-
-
-def _wake_on_signals(window: MainWindow) -> None:
-    """Be woken by the byte that Python writes into a pipe when a signal has come."""
-    from PySide6.QtCore import QSocketNotifier
-
-    ends = reading, writing = os.pipe()
-    for end in ends:
-        os.set_blocking(end, False)
-    signal.set_wakeup_fd(writing)
-    notifier = QSocketNotifier(reading, QSocketNotifier.Type.Read, window)
-
-    def leave() -> None:
-        notifier.setEnabled(False)
-        signal.set_wakeup_fd(-1)
-        for end in ends:
-            os.close(end)
-        window.leave_unasked()
-
-    notifier.activated.connect(leave)
 
 
 def _tell(sentence: str) -> None:

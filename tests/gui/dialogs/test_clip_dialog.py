@@ -12,7 +12,8 @@ from PySide6.QtWidgets import QDialogButtonBox, QLabel
 from pytestqt.qtbot import QtBot
 
 from app.dialogs import questions
-from app.dialogs.clip_dialog import ClipDialog, gaps_sentence, looked_at
+from app.dialogs.clip_dialog import ClipDialog, gaps_sentence
+from app.jobs.found_clip import looked_at
 from app.model.personal import Personal
 from app.shell.main_window import MainWindow
 from roam_core.errors import RoamError
