@@ -9,6 +9,7 @@ from dataclasses import dataclass
 
 from PySide6.QtCore import QObject, Signal
 
+from app.actions.keymaps import told
 from app.jobs.under_way import UnderWay
 from app.model.view_state import ViewState
 
@@ -50,7 +51,7 @@ class MessageLog(QObject):
         self._clock = clock
         self._messages: deque[Message] = deque(maxlen=MOST)
         view_state.message_changed.connect(lambda: self.note(view_state.message))
-        under_way.ended.connect(lambda _ending, sentence: self.note(sentence))
+        under_way.ended.connect(lambda _ending, sentence: self.note(told(sentence, view_state.keymap)))
 
     @property
     def all(self) -> tuple[Message, ...]:

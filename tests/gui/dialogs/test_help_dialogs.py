@@ -13,10 +13,6 @@ from PySide6.QtWidgets import QTreeWidget
 from pytestqt.qtbot import QtBot
 
 from app.dialogs.help_dialogs import AboutDialog, KeysDialog, libraries
-from app.features.messages import MOST, MessageLog
-from app.jobs.runner import Ending
-from app.jobs.under_way import UnderWay
-from app.model.view_state import ViewState
 from app.shell.main_window import MainWindow
 from tests.gui.windows import opened_window
 
@@ -81,16 +77,3 @@ def test_messages_are_kept_with_their_times(qtbot: QtBot, window: MainWindow) ->
     assert text[-1][2::3].startswith("::")
     qtbot.mouseClick(window.desk.log.copy_button, Qt.MouseButton.LeftButton)
     assert QGuiApplication.clipboard().text().splitlines()[-2:] == text[-2:]
-
-
-def test_the_message_log_keeps_ends_of_work_drops_repetitions_and_is_bounded(qapp: object) -> None:
-    view_state, under_way = ViewState(), UnderWay()
-    messages = MessageLog(view_state, under_way, clock=lambda: 0.0)
-    under_way.ended.emit(Ending.DONE, "Saved a.roam.")
-    view_state.say("Saved a.roam.")
-    view_state.say("")
-    assert [message.text for message in messages.all] == ["Saved a.roam."]
-    for number in range(MOST + 5):
-        view_state.say(f"Message {number}.")
-    assert len(messages.all) == MOST
-    assert messages.all[-1].text == f"Message {MOST + 4}."
