@@ -138,6 +138,12 @@ def test_an_import_upward_would_break_the_contract(importer: str, imported: str)
     assert upward(graph, "app", floors("app"))
 
 
+def test_the_tests_of_the_window_lie_in_folders_of_its_rooms() -> None:
+    tests = ROOT / "tests" / "gui"
+    folders = {path.parent.relative_to(tests) for path in tests.rglob("test_*.py")}
+    assert sorted(str(folder) for folder in folders if not (ROOT / "app" / folder).is_dir()) == []
+
+
 def test_no_folder_of_the_window_is_too_full_to_be_taken_in() -> None:
     folders = [folder for folder in (ROOT / "app", *(ROOT / "app").rglob("*")) if (folder / "__init__.py").is_file()]
     modules = {folder: [path for path in folder.glob("*.py") if path.stem != "__init__"] for folder in folders}
