@@ -172,6 +172,13 @@ SPECS: tuple[ActionSpec, ...] = (
     ActionSpec(
         "view.joints", "Show joints", _VIEWER, tip="Where parts hang together, on frames with keys", checkable=True
     ),
+    ActionSpec(
+        "view.edges",
+        "Show edges",
+        _VIEWER,
+        tip="Free edges, which the picture shows, solid; seams of an object dashed; what a nearer part hides dotted",
+        checkable=True,
+    ),
     ActionSpec("view.fit", "Fit", _VIEWER, "view-fit"),
     ActionSpec("view.fit_selection", "Frame selection", _VIEWER),
     ActionSpec("view.actual_size", "100 %", _VIEWER),
