@@ -26,6 +26,7 @@ class ActionSpec:
 
 
 _VIEWER = Reach.VIEWER
+_TO_KEYS = "Go one key, or change of depth, of the shapes in hand"
 
 SPECS: tuple[ActionSpec, ...] = (
     ActionSpec("file.new", "New"),
@@ -189,8 +190,8 @@ SPECS: tuple[ActionSpec, ...] = (
     ActionSpec("time.next", "Next frame"),
     ActionSpec("time.back_ten", "Ten frames back"),
     ActionSpec("time.on_ten", "Ten frames on"),
-    ActionSpec("time.previous_key", "Previous key", icon="time-previous-key"),
-    ActionSpec("time.next_key", "Next key", icon="time-next-key"),
+    ActionSpec("time.previous_key", "Previous key", icon="time-previous-key", tip=f"{_TO_KEYS} back"),
+    ActionSpec("time.next_key", "Next key", icon="time-next-key", tip=f"{_TO_KEYS} on"),
     ActionSpec("time.first", "First frame", icon="time-first"),
     ActionSpec("time.last", "Last frame", icon="time-last"),
     ActionSpec("time.toggle_play", "Play or pause"),
