@@ -34,12 +34,17 @@ def paint_edges(
     places = bezier.evaluate(outline.points, edges.segment, edges.t)
     painter.setBrush(Qt.BrushStyle.NoBrush)
     for kind in Edge:
-        path = viewport.transform.map(path_of(places, edges.kinds == kind))
+        wanted = edges.kinds == kind
+        if not wanted.any():
+            continue
+        path = viewport.transform.map(path_of(places, wanted))
         if kind in DASHES:
             painter.setPen(_pen(marks.faded(marks.EDGE, colour.alphaF()), width + 2 * marks.EDGE_WIDTH))
             painter.drawPath(path)
             painter.setPen(_pen(colour, width, DASHES[kind]))
             painter.drawPath(path)
+        elif kind is Edge.FREE and not is_selected:
+            marks.thin_stroke(painter, path, colour)
         else:
             marks.stroke(painter, path, marks.faded(colour, UNKNOWN_OPACITY if kind is Edge.UNKNOWN else 1.0), width)
 
