@@ -299,7 +299,7 @@ def photograph_start(shown: MainWindow) -> None:
 
 
 def photograph_parts(shown: MainWindow) -> None:
-    """A walking figure: its parts as drawn on the first frame, where they hang together, and tracked on a later one."""
+    """A walking figure: its parts on the first frame, their joints and edges there, and tracked on a later one."""
     from resources import walker
     from roam_core.roto import file
 
@@ -314,6 +314,10 @@ def photograph_parts(shown: MainWindow) -> None:
     shown.actions_by_id["view.joints"].trigger()
     photograph(shown, "parts-joints.jpg")
     shown.actions_by_id["view.joints"].trigger()
+    shown.actions_by_id["view.edges"].trigger()
+    until(lambda: len(shown.edge_kinds.here()) == len(walker.ORDER), "the edges")
+    photograph(shown, "parts-edges.jpg")
+    shown.actions_by_id["view.edges"].trigger()
     shown.view_state.set_play_range(walker.FIRST, WALKED_TO + 1)
     shown.view_state.select(frozenset())
     shown.actions_by_id["track.forward"].trigger()

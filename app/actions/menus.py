@@ -56,7 +56,7 @@ MENUS: dict[str, tuple[str, ...]] = {
     ),
     "View": (
         "view.source", "view.overlay", "view.matte", "view.cutout", "view.onion", "view.confidence", "view.alpha",
-        "view.hide_overlays", "view.joints", SEPARATOR,
+        "view.hide_overlays", "view.joints", "view.edges", SEPARATOR,
         "view.colour", "view.red", "view.green", "view.blue", "view.luminance", "view.reset_look", SEPARATOR,
         "view.wipe", "view.pin", SEPARATOR,
         "view.fit", "view.fit_selection", "view.actual_size", SEPARATOR,

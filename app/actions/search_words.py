@@ -56,6 +56,7 @@ WORDS: Mapping[str, str] = {
     "object.as_stacked": "depth order occlusion reset z",
     "proposal.keep": "accept yes topology",
     "proposal.refuse": "reject no topology",
+    "view.edges": "seam free contrast boundary outline kinds dashed dotted",
     "view.matte": "alpha mask black white",
     "view.cutout": "composite comp cutout transparent background checkerboard colour",
     "view.onion": "onionskin ghost light table frames before after",

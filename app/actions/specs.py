@@ -26,6 +26,7 @@ class ActionSpec:
 
 
 _VIEWER = Reach.VIEWER
+_TO_KEYS = "Go one key, or change of depth, of the shapes in hand"
 
 SPECS: tuple[ActionSpec, ...] = (
     ActionSpec("file.new", "New"),
@@ -172,6 +173,13 @@ SPECS: tuple[ActionSpec, ...] = (
     ActionSpec(
         "view.joints", "Show joints", _VIEWER, tip="Where parts hang together, on frames with keys", checkable=True
     ),
+    ActionSpec(
+        "view.edges",
+        "Show edges",
+        _VIEWER,
+        tip="Free edges, which the picture shows, solid; seams of an object dashed; what a nearer part hides dotted",
+        checkable=True,
+    ),
     ActionSpec("view.fit", "Fit", _VIEWER, "view-fit"),
     ActionSpec("view.fit_selection", "Frame selection", _VIEWER),
     ActionSpec("view.actual_size", "100 %", _VIEWER),
@@ -182,8 +190,8 @@ SPECS: tuple[ActionSpec, ...] = (
     ActionSpec("time.next", "Next frame"),
     ActionSpec("time.back_ten", "Ten frames back"),
     ActionSpec("time.on_ten", "Ten frames on"),
-    ActionSpec("time.previous_key", "Previous key", icon="time-previous-key"),
-    ActionSpec("time.next_key", "Next key", icon="time-next-key"),
+    ActionSpec("time.previous_key", "Previous key", icon="time-previous-key", tip=f"{_TO_KEYS} back"),
+    ActionSpec("time.next_key", "Next key", icon="time-next-key", tip=f"{_TO_KEYS} on"),
     ActionSpec("time.first", "First frame", icon="time-first"),
     ActionSpec("time.last", "Last frame", icon="time-last"),
     ActionSpec("time.toggle_play", "Play or pause"),

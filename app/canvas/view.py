@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -32,6 +32,7 @@ from app.tools.edit.point_actions import PointActions
 from app.tools.reshape import pruned
 from app.tools.tool import Pointer, Tool
 from app.tools.toolbox import TOOLS
+from roam_core.propagate.edges import Edges
 from roam_core.propagate.offers import Proposal
 from roam_core.roto import Project
 
@@ -71,6 +72,8 @@ class CanvasView(ZoomableWidget):
         """Gives what the engine proposes for the present frame."""
         self.bones: Callable[[], Sequence[Bone]] = tuple
         """Gives where the parts in hand hang together on the present frame."""
+        self.edges: Callable[[], Mapping[str, Edges]] = dict
+        """Gives the kinds of edge of the shapes in hand on the present frame."""
         self._proposal_side = Side.BOTH
         self._is_pressed = self._is_waiting = False
         self._pointer: QPointF | None = None
@@ -228,7 +231,7 @@ class CanvasView(ZoomableWidget):
 
     def _follow_preview(self) -> None:
         """A drag goes on: only what it moved is painted again, where nothing but the plate lies below."""
-        is_plain = self.mode is ViewMode.OVERLAY and self.wipe.pinned is None
+        is_plain = self.mode is ViewMode.OVERLAY and self.wipe.pinned is None and not self.viewing.shows_edges
         self._repaint.follow_project(self._project(), self._view_state.frame, self._viewport, is_plain=is_plain)
 
     def _take_tool(self) -> None:
@@ -244,7 +247,8 @@ class CanvasView(ZoomableWidget):
         """What is shown now."""
         project, frame, image, viewing = self._project(), self._view_state.frame, self._image_size(), self.viewing
         below = self.stage.below(project, frame, image)
-        return Sight(below, image, viewing.mode, viewing.onion, project, frame, viewing.shows_shapes)
+        edges = self.edges() if viewing.shows_edges and viewing.shows_shapes else {}
+        return Sight(below, image, viewing.mode, viewing.onion, project, frame, viewing.shows_shapes, edges)
 
     # ---- painting
 

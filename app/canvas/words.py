@@ -5,6 +5,7 @@ from __future__ import annotations
 from PySide6.QtCore import QPointF, QRectF, QSizeF, Qt
 from PySide6.QtGui import QPainter
 
+from app.canvas.items import edges
 from app.canvas.items.confidence import LEGEND
 from app.canvas.plate.backdrop import paint_label, paint_sentence
 from app.canvas.sight import Sight
@@ -32,5 +33,5 @@ def label_of(sight: Sight) -> str:
     if not sight.shows_shapes and sight.mode not in WITHOUT_SHAPES:
         return "Shapes hidden"
     if sight.mode is ViewMode.OVERLAY:
-        return ""
+        return edges.LEGEND if sight.edges else ""
     return LEGEND if sight.mode is ViewMode.CONFIDENCE else title_of(sight.mode)

@@ -49,14 +49,15 @@ class Navigation:
         self._view.set_frame(self._view.play_range[1] - 1)
 
     def next_key(self) -> None:
-        """Go to the next artist key of the selected shapes, or of all when none is selected."""
-        if later := [frame for frame in self._key_frames() if frame > self._view.frame]:
+        """Go to the next artist key, or change of depth, of the selected shapes, or of all when none is selected."""
+        if later := [frame for frame in self._stops() if frame > self._view.frame]:
             self._view.set_frame(min(later))
         else:
             self._view.say("There is no key after this frame.")
 
     def previous_key(self) -> None:
-        if earlier := [frame for frame in self._key_frames() if frame < self._view.frame]:
+        """Go to the one before, likewise."""
+        if earlier := [frame for frame in self._stops() if frame < self._view.frame]:
             self._view.set_frame(max(earlier))
         else:
             self._view.say("There is no key before this frame.")
@@ -78,6 +79,11 @@ class Navigation:
         first, stop = frames.start, frames.stop
         self._view.set_play_range(first, stop)
         self._view.set_frame(min(max(min(keys, default=first), first), stop - 1))
+
+    def _stops(self) -> set[int]:
+        """Where something is set by hand: keys, and changes of what hides what."""
+        shapes = shapes_in_hand(self._document.project, self._view.selection)
+        return self._key_frames() | {frame for shape in shapes for frame, _ in shape.depth}
 
     def _key_frames(self) -> set[int]:
         shapes = shapes_in_hand(self._document.project, self._view.selection)

@@ -296,7 +296,9 @@ class Files(QObject):
             self._document.recover(found.project, found.path, found.fingerprint, found.follows)
         else:
             self._document.open(found.project, found.path, found.fingerprint)
-        self._view.select(frozenset(shape.id for shape in found.project.shapes[-1:]))
+        # One of several would be tracked without the others; with none in hand all are.
+        shapes = found.project.shapes
+        self._view.select(frozenset(shape.id for shape in shapes) if len(shapes) == 1 else frozenset())
         self._reader.open(found.source)
 
     def _begin_sitting(self) -> None:

@@ -98,7 +98,7 @@ class Viewing(QObject):
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._mode = self._before_alpha = ViewMode.OVERLAY
-        self._are_shapes_hidden = self._shows_joints = False
+        self._are_shapes_hidden = self._shows_joints = self._shows_edges = False
         self._look, self._onion, self._ground = Look(), Onion(), Ground()
 
     @property
@@ -138,6 +138,15 @@ class Viewing(QObject):
     def show_joints(self, shown: bool) -> None:
         """Show or hide where parts hang together."""
         self._set("_shows_joints", shown)
+
+    @property
+    def shows_edges(self) -> bool:
+        """True where outlines are drawn by what kind of edge they are."""
+        return self._shows_edges
+
+    def show_edges(self, shown: bool) -> None:
+        """Draw outlines by what kind of edge they are, or as usual."""
+        self._set("_shows_edges", shown)
 
     @property
     def look(self) -> Look:
@@ -192,11 +201,12 @@ class Viewing(QObject):
             "view.reset_look": self.reset_look,
             "view.hide_overlays": lambda: self.hide_shapes(not self._are_shapes_hidden),
             "view.joints": lambda: self.show_joints(not self._shows_joints),
+            "view.edges": lambda: self.show_edges(not self._shows_edges),
         }
 
     def remembered(self) -> dict[str, dict[str, Any]]:
         """What comes back when the window is opened again, as plain values: not the look, which would deceive."""
-        overlays = {"joints": self._shows_joints}
+        overlays = {"joints": self._shows_joints, "edges": self._shows_edges}
         return {"onion": asdict(self._onion), "ground": asdict(self._ground), "overlays": overlays}
 
     def recall(self, remembered: object) -> None:
@@ -205,6 +215,7 @@ class Viewing(QObject):
         self.set_onion(**_fitting(kept.get("onion"), Onion()))
         overlays = kept.get("overlays")
         self.show_joints(isinstance(overlays, dict) and overlays.get("joints") is True)
+        self.show_edges(isinstance(overlays, dict) and overlays.get("edges") is True)
         ground = _fitting(kept.get("ground"), Ground())
         if ground.get("kind", GroundKind.CHECKER) in set(GroundKind):
             ground["kind"] = GroundKind(ground.get("kind", GroundKind.CHECKER))

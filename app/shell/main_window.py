@@ -21,6 +21,7 @@ from app.dialogs import questions
 from app.features.belonging import Belonging
 from app.features.clipboards.nodes import NodeClipboard
 from app.features.clipboards.shapes import ShapeClipboard
+from app.features.edge_kinds import EdgeKinds
 from app.features.history import History
 from app.features.messages import MessageLog
 from app.features.navigation import Navigation
@@ -114,6 +115,7 @@ class MainWindow(QMainWindow):
         self.eye = Runner("eye", self)
         self.pictures = PictureWork(self.eye, self)
         self.belonging = Belonging(self.document, self.view_state, self.eye, self)
+        self.edge_kinds = EdgeKinds(self.document, self.view_state, self.reader.engine_frame, self.eye, self)
         self.planar = PlanarTrack(self.document, self.view_state, self.solver, self.reader.engine_frame, self)
         works = self.files, self.export, self.importing, self.copying, self.propagation, self.planar, self.pictures
         self.under_way = UnderWay(*works, parent=self)
@@ -134,7 +136,7 @@ class MainWindow(QMainWindow):
         FocusFollowsPointer(self.canvas)
         self.actions_by_id = actions = Actions(self, self.canvas, self.personal.keys.keymap)
         self.canvas.proposed = lambda: self.proposals.current
-        self.canvas.bones = self.belonging.bones
+        self.canvas.bones, self.canvas.edges = self.belonging.bones, self.edge_kinds.here
         self.canvas.stage.plate_of = self.reader.plate
         RippleFrame(view_state, self.canvas)
         self.proposal_bar = ProposalBar(self.proposals, actions, self.canvas)
@@ -198,6 +200,8 @@ class MainWindow(QMainWindow):
         view.frame_changed.connect(lambda: reader.show(view.frame))
         self.belonging.changed.connect(self.canvas.update)
         self.desk.log_shown.connect(lambda: self.panel_column.ensureWidgetVisible(self.desk.log_panel))
+        self.edge_kinds.changed.connect(self.canvas.update)
+        reader.plate_changed.connect(self.edge_kinds.forget)
         reader.plate_changed.connect(lambda: reader.show(view.frame))
         reader.picture.connect(self.canvas.set_image)
         reader.picture.connect(self.playback.note_picture)
@@ -380,5 +384,5 @@ class MainWindow(QMainWindow):
         self.playback.pause()
         self.propagation.drop()
         self.planar.drop()
-        for part in (self.solver, self.reader, self.eye, self.writer, self.saver, self.files.claim, self.journal):
+        for part in (self.solver, self.eye, self.reader, self.writer, self.saver, self.files.claim, self.journal):
             part.close()

@@ -14,11 +14,13 @@ from roam_core.errors import RoamError
 from roam_core.features import PreparedFrame
 from roam_core.features.grid import Grid
 from roam_core.geometry import polyline
+from roam_core.media.source import MissingFrame
 from roam_core.motion.pose import Pose
 from roam_core.params import RoamParams, scale_for
 from roam_core.propagate import engine, provenance, region
 from roam_core.propagate import step as outline
 from roam_core.propagate.confidence import PoseSigns
+from roam_core.propagate.edges import Edges, edges, edges_on_key
 from roam_core.propagate.engine import State
 from roam_core.propagate.figure import FigureState
 from roam_core.propagate.group import GroupTracker
@@ -74,6 +76,8 @@ class Explanation:
         key was filled from both sides, its shapes were tracked in other company, or on a machine that rounds otherwise.
     as_one_piece : where the object was carried as one piece, whatever its cues said, the share of the artist's key's
         corners that were found where its motion puts them; else None.
+    edges : where its outline is free, a seam or hidden; None where the shape is not there.
+    on_key : the frame of the artist's key that it goes back to, and the same samples there; None without one.
     """
 
     shape: RotoShape
@@ -87,6 +91,8 @@ class Explanation:
     landmarks: LandmarkPieces | None = None
     apart: float = 0.0
     as_one_piece: float | None = None
+    edges: Edges | None = None
+    on_key: tuple[int, Edges] | None = None
 
     @property
     def more_is_better(self) -> bool:
@@ -155,7 +161,21 @@ def explain(
             runs.setdefault(_run_of(stamps, index, key), []).append(index)
     for run, asked in runs.items():
         found.update(_explained(read, stamps, asked, frame, run, token))
-    return [found[index] for index in sorted(found)]
+    return _with_edges(read, shapes, frame, [found[index] for index in sorted(found)])
+
+
+def _with_edges(
+    read: ReadPicture, shapes: Sequence[RotoShape], frame: int, found: Sequence[Explanation]
+) -> list[Explanation]:
+    """The explanations with the kinds of edge of their shapes; on the key where that has a picture."""
+    if not found:
+        return []
+    now = edges(read(frame), shapes, frame, {each.shape.id for each in found})
+    try:
+        keyed = edges_on_key(read, shapes, frame, now)
+    except MissingFrame:
+        keyed = {}
+    return [replace(each, edges=now.get(each.shape.id), on_key=keyed.get(each.shape.id)) for each in found]
 
 
 def _run_of(stamps: Stamps, k: int, key: Keyframe) -> _Run:

@@ -179,6 +179,9 @@ class Stamps:
         self._clip, self._size = clip, size
         self._places = {shape.id: k for k, shape in enumerate(self.shapes)}
         self._known: dict[tuple[object, ...], str] = {}
+        self._solved: dict[tuple[tuple[int, ...], int, bool], tuple[int, ...]] = {}
+        self._given: dict[tuple[int, ...], list[int]] = {}
+        self._params: dict[int, tuple[int, RoamParams]] = {}
 
     @classmethod
     def of(cls, shapes: Sequence[RotoShape], clip: Clip | None) -> Stamps:
@@ -202,9 +205,14 @@ class Stamps:
 
         Those take part that are there, and that the artist keyed by then.
         """
-        if alone or not is_known(self.shapes[k], frame, forward):
+        together = self.objects.get(k, (k,))
+        if alone:
             return (k,)
-        return tuple(j for j in self.objects.get(k, (k,)) if is_known(self.shapes[j], frame, forward))
+        if (together, frame, forward) not in self._solved:
+            there = tuple(j for j in together if is_known(self.shapes[j], frame, forward))
+            self._solved[together, frame, forward] = there
+        there = self._solved[together, frame, forward]
+        return there if k in there else (k,)
 
     def filled_with(self, k: int, gap: tuple[int, int], alone: bool = False) -> tuple[int, ...]:
         """The shapes of its object with which a shape is filled between two keys, itself among them."""
@@ -214,17 +222,27 @@ class Stamps:
 
     def tracked(self, k: int, frame: int, begun: int, params: RoamParams, forward: bool, alone: bool = False) -> str:
         """The stamp that a run which had `begun` on a frame gives a shape on `frame`."""
-        members = [self.shapes[j] for j in self.solved_with(k, begun, forward, alone)]
+        members = self.solved_with(k, begun, forward, alone)
         counted = bisect.bisect_right if forward else bisect.bisect_left
-        passed = tuple(counted(shape.artist_frames, frame) for shape in members)
-        name = (k, begun, passed, params, forward, alone)
+        name = (members, begun, counted(self._given_frames(members), frame), self._number(params), forward, alone)
         if name not in self._known:
-            self._known[name] = stamp(members, frame, begun, params, self._clip, forward, alone)
+            together = [self.shapes[j] for j in members]
+            self._known[name] = stamp(together, frame, begun, params, self._clip, forward, alone)
         return self._known[name]
+
+    def _given_frames(self, members: tuple[int, ...]) -> list[int]:
+        """The frames on which the artist keyed any of the members, in order: between two of them stamps are alike."""
+        if members not in self._given:
+            self._given[members] = sorted({frame for j in members for frame in self.shapes[j].artist_frames})
+        return self._given[members]
+
+    def _number(self, params: RoamParams) -> int:
+        """A number for parameters, by their identity: to compare all their fields for every key would take long."""
+        return self._params.setdefault(id(params), (len(self._params), params))[0]
 
     def filled(self, k: int, gap: tuple[int, int], params: RoamParams, alone: bool = False) -> str:
         """The stamp that filling a gap gives a shape."""
-        name = (k, gap, params, alone)
+        name = (k, gap, self._number(params), alone)
         if name not in self._known:
             members = [self.shapes[j] for j in self.filled_with(k, gap, alone)]
             self._known[name] = fill_stamp(members, gap, params, self._clip, alone)

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtCore import QLineF
 from PySide6.QtGui import QColor, QPainter, QPainterPath
 
+from app.canvas.items.edges import fits, paint_edges
 from app.model.shown import Shown, shown_shapes
 from app.model.view_state import Selection
 from app.paint import marks
@@ -16,6 +19,7 @@ from app.paint.outline_paths import OutlinePaths
 from app.paint.viewport import Viewport
 from roam_core.geometry.bezier import ANCHOR
 from roam_core.params import DOUBTFUL
+from roam_core.propagate.edges import Edges
 from roam_core.roto import Outline, Project, RotoShape, Spline
 from roam_core.roto.edit import is_smooth
 
@@ -23,6 +27,7 @@ Array = NDArray[np.float64]
 Hover = tuple[str, int, int] | None
 
 LOCKED_OPACITY = 0.45
+NO_EDGES: Mapping[str, Edges] = {}
 
 
 class ShapePainter:
@@ -39,12 +44,17 @@ class ShapePainter:
         frame: int,
         selection: Selection,
         hover: Hover = None,
+        edges: Mapping[str, Edges] = NO_EDGES,
     ) -> None:
-        """Paint all shapes in sight, the selected ones above the others."""
+        """Paint all shapes in sight, the selected ones above the others; those with `edges` by their kinds."""
         shown, area = shown_shapes(project, frame), painted_area(painter, viewport)
         for item in sorted(shown, key=lambda s: s.shape.id in selection.shapes):
-            path = self.paths.in_sight(item.shape, frame, area)
-            if path is not None:
+            known = edges.get(item.shape.id)
+            if known is not None and fits(known, item.shape):
+                paint_edges(
+                    painter, viewport, known, item.shape.at(frame), _ink(item), item.shape.id in selection.shapes
+                )
+            elif (path := self.paths.in_sight(item.shape, frame, area)) is not None:
                 _paint_outline(painter, viewport, item, path, item.shape.id in selection.shapes)
             _paint_doubts(painter, viewport, item.shape, frame)
             if item.shape.id in selection.shapes and not item.locked:
@@ -52,11 +62,16 @@ class ShapePainter:
 
 
 def _paint_outline(painter: QPainter, viewport: Viewport, item: Shown, path: QPainterPath, selected: bool) -> None:
-    colour = marks.faded(shape_colour(item.shape), LOCKED_OPACITY if item.locked else 1.0)
+    colour = _ink(item)
     if selected:
         marks.stroke(painter, viewport.transform.map(path), colour, marks.SELECTED_WIDTH)
     else:
         marks.thin_stroke(painter, viewport.transform.map(path), colour)
+
+
+def _ink(item: Shown) -> QColor:
+    """What the outline of a shape is drawn with."""
+    return marks.faded(shape_colour(item.shape), LOCKED_OPACITY if item.locked else 1.0)
 
 
 def shape_colour(shape: RotoShape) -> QColor:

@@ -60,6 +60,7 @@ class ViewBar(QWidget):
         self._actions[f"view.{self._canvas.mode}"].setChecked(True)
         self._actions["view.hide_overlays"].setChecked(self._canvas.viewing.are_shapes_hidden)
         self._actions["view.joints"].setChecked(self._canvas.viewing.shows_joints)
+        self._actions["view.edges"].setChecked(self._canvas.viewing.shows_edges)
         self._actions["view.wipe"].setChecked(self._canvas.wipe.pinned is not None)
 
     def _pull(self, _ids: object = None) -> None:

@@ -8,6 +8,7 @@ from PySide6.QtGui import QBrush, QColor, QPainter, QPen, QPixmap, QPolygonF
 from PySide6.QtWidgets import QWidget
 
 from app import style
+from app.timeline.keys.depth_marks import paint_depth
 from app.timeline.marks import Frames, KeyMarks, MarksOf
 from app.timeline.scale import LABEL_WIDTH, TimeScale
 from roam_core.roto import RotoShape
@@ -64,6 +65,7 @@ class RowPainter:
         _paint_label(painter, shape)
         painter.setClipRect(QRectF(scale.left, 0, size.width() - scale.left, ROW))
         _paint_marks(painter, shape, self._marks(shape), chosen, scale)
+        paint_depth(painter, shape, scale)
 
 
 def columns(frames: Frames, scale: TimeScale) -> list[float]:

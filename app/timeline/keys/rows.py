@@ -22,6 +22,7 @@ from app import style
 from app.actions.key_names import NUDGES, key_name
 from app.model.document import Document
 from app.timeline.axis import TimeAxis, paint_playhead
+from app.timeline.keys.depth_marks import change_at
 from app.timeline.keys.hand import KeyHand
 from app.timeline.keys.row_painter import ROW, RowPainter
 from app.timeline.keys.selection import KeySelection
@@ -177,7 +178,8 @@ class KeyRows(QAbstractScrollArea):
         if at.x() < LABEL_WIDTH:
             return f"{shape.name}: click to select, Shift adds"
         near = self.key_at(at)
-        frame = near[1] if near is not None else self._axis.scale.frame(at.x())
+        change = change_at(shape, at.x(), self._axis.scale, GRAB)
+        frame = near[1] if near is not None else self._axis.scale.frame(at.x()) if change is None else change
         return key_tip(shape, frame, self._marks(shape))
 
     def wheelEvent(self, event: QWheelEvent) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import bisect
 
+from app.timeline.keys.depth_marks import depth_sentence
 from app.timeline.marks import KeyMarks
 from roam_core.roto import Interpolation, RotoShape
 
@@ -21,8 +22,9 @@ WAYS = {
 
 
 def key_tip(shape: RotoShape, frame: int, marks: KeyMarks) -> str:
-    """Two lines: the shape and the frame; the key there, or between which keys the frame lies."""
-    return f"{shape.name}, frame {frame}\n{_key_sentence(shape, frame, marks)}"
+    """Lines: the shape and the frame; the key there, or between which keys the frame lies; the depth, if it varies."""
+    lines = f"{shape.name}, frame {frame}", _key_sentence(shape, frame, marks), depth_sentence(shape, frame)
+    return "\n".join(line for line in lines if line)
 
 
 def _key_sentence(shape: RotoShape, frame: int, marks: KeyMarks) -> str:

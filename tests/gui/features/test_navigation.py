@@ -11,6 +11,7 @@ from app.model.document import Document
 from app.model.view_state import ViewState
 from roam_core.geometry.bezier import polygon_points
 from roam_core.roto import Clip, Keyframe, Origin, Project, edit
+from roam_core.roto.linking import BEHIND, set_depth
 
 SQUARE = polygon_points([(0, 0), (10, 0), (10, 10), (0, 10)])
 CLIP = Clip(Path("shot"), 1001, 1048, (64, 48))
@@ -43,6 +44,20 @@ def test_keys_by_hand_are_visited_of_all_shapes_or_of_the_selected_ones(
             visited.append(view_state.frame)
     assert visited == [1005, 1012, 1020, 1012, 1005, 1020, 1020, 1005]
     assert view_state.message == "There is no key after this frame."
+
+
+def test_changes_of_depth_are_visited_like_keys(
+    navigation: Navigation, document: Document, view_state: ViewState
+) -> None:
+    document.apply("Behind", set_depth(document.project, ["shape-1"], 1015, BEHIND))
+    view_state.select(frozenset({"shape-1"}))
+    visited = []
+    for step in (navigation.next_key, navigation.next_key, navigation.previous_key):
+        step()
+        visited.append(view_state.frame)
+    assert visited == [1015, 1020, 1015]
+    document.open(document.project, None)
+    assert view_state.frame == 1005  # a project opens on its first key
 
 
 def test_steps_stay_inside_the_clip(navigation: Navigation, view_state: ViewState) -> None:

@@ -18,9 +18,12 @@ from roam_core.propagate.result import Termination
 from roam_core.roto import Keyframe, Origin, RotoShape, edit
 from tests.golden.shots import outline_distance, texture
 from tests.unit.propagate.figures import (
+    BODY,
+    ODD,
     SIZE,
     Figure,
     Moving,
+    a_hundred_parts,
     arm_like_its_body,
     body_behind_a_post,
     body_with_arms,
@@ -286,18 +289,6 @@ def test_a_stale_key_is_not_explained(figure: Figure, whole: list[RotoShape]) ->
 # ---- nothing breaks
 
 
-BODY = Moving("body", box(40, 50), (80, 64), (0.5, 0.0), 0.0, texture(11, 0.5, 0.9))
-ODD = {
-    "three pixels wide": Moving("odd", box(3, 40), (95, 60), (0.6, 0.3), 1.0, texture(12, 0.6, 1.0)),
-    "without texture": Moving("odd", box(30, 20), (100, 60), (1.0, 0.0)),
-    "leaves the picture": Moving("odd", box(30, 20), (100, 50), (16.0, 0.0), 0.0, texture(12, 0.6, 1.0)),
-    "out of the picture": Moving("odd", box(60, 20), (110, -11), (0.0, -2.0), 0.0, texture(12, 0.6, 1.0)),
-    "a speck": Moving("odd", box(1.2, 1.2), (95, 60), (0.6, 0.3), 0.0, texture(12, 0.6, 1.0)),
-    "without an area": Moving("odd", box(30, 0.0), (95, 60), (0.6, 0.3), 0.0, texture(12, 0.6, 1.0)),
-    "wholly behind": Moving("odd", box(20, 20), (80, 64), (1.0, 0.0), 0.0, texture(12, 0.6, 1.0)),
-}
-
-
 def require_sound(shapes: Sequence[RotoShape], frames: range) -> None:
     for shape in shapes:
         assert set(frames) <= set(shape.frames)
@@ -356,12 +347,6 @@ def test_a_hole_goes_with_its_part() -> None:
 
 
 def test_a_hundred_small_parts_break_nothing() -> None:
-    rng = np.random.default_rng(0)
-    places = rng.uniform((50.0, 30.0), (110.0, 90.0), (100, 2))
-    parts = [
-        Moving(f"p{k}", box(9, 9), (float(x), float(y)), (0.5, 0.2), 0.0, texture(k, 0.3, 1.0, 4))
-        for k, (x, y) in enumerate(places)
-    ]
-    figure = Figure(tuple(parts), 2)
+    figure = a_hundred_parts()
     assert len(objects(figure.shapes(), 5.0)) == 1
     require_sound(tracked(figure, figure.shapes()), figure.frames)
