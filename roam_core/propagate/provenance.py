@@ -101,7 +101,7 @@ def stamp(
     direction = "forward" if forward else "backward"
     content = [_said(params, clip, direction, alone)]
     for shape, keys in zip(shapes, used, strict=True):
-        content.append(_as_drawn(shape))
+        content.append(_as_drawn(shape, begun, frame))
         content.append(outline_begun(shape, begun, forward).tobytes())
         content.extend(_as_keyed(key) for key in keys)
     return str(Stamp(direction, params.config, _digest(content), begun, alone=alone))
@@ -113,7 +113,7 @@ def fill_stamp(
     """The stamp of the frames between the two keys of a gap, where `shapes` are filled together."""
     content = [_said(params, clip, FILL, alone), f"{gap}".encode()]
     for shape in shapes:
-        content.append(_as_drawn(shape))
+        content.append(_as_drawn(shape, *gap))
         content.extend(_as_keyed(key) for key in shape.artist_keys if key.frame in gap)
     if len(shapes) > 1:  # one that is not there leaves its place to the others
         content.append(json.dumps([_there(shape, gap) for shape in shapes]).encode())
@@ -154,8 +154,13 @@ def _said(params: RoamParams, clip: str, direction: str, alone: bool) -> bytes:
     return json.dumps([REVISION, params.values(), clip, direction, alone], sort_keys=True).encode()
 
 
-def _as_drawn(shape: RotoShape) -> bytes:
-    return json.dumps([shape.closed, shape.blend.value, shape.link, shape.attached, shape.depth]).encode()
+def _as_drawn(shape: RotoShape, begun: int, frame: int) -> bytes:
+    """How a shape is drawn, linked and, from one frame to the other, stacked."""
+    low, high = sorted((begun, frame))
+    level = shape.depth_at(low)
+    changes = [pair for pair in shape.depth if low < pair[0] <= high]
+    depth = [level, *changes] if level else changes
+    return json.dumps([shape.closed, shape.blend.value, shape.link, shape.attached, depth]).encode()
 
 
 def _as_keyed(key: Keyframe) -> bytes:
@@ -180,7 +185,7 @@ class Stamps:
         self._places = {shape.id: k for k, shape in enumerate(self.shapes)}
         self._known: dict[tuple[object, ...], str] = {}
         self._solved: dict[tuple[tuple[int, ...], int, bool], tuple[int, ...]] = {}
-        self._given: dict[tuple[int, ...], list[int]] = {}
+        self._given: dict[tuple[tuple[int, ...], bool], list[int]] = {}
         self._params: dict[int, tuple[int, RoamParams]] = {}
 
     @classmethod
@@ -224,17 +229,24 @@ class Stamps:
         """The stamp that a run which had `begun` on a frame gives a shape on `frame`."""
         members = self.solved_with(k, begun, forward, alone)
         counted = bisect.bisect_right if forward else bisect.bisect_left
-        name = (members, begun, counted(self._given_frames(members), frame), self._number(params), forward, alone)
+        passed = counted(self._given_frames(members, forward), frame)
+        name = (members, begun, passed, self._number(params), forward, alone)
         if name not in self._known:
             together = [self.shapes[j] for j in members]
             self._known[name] = stamp(together, frame, begun, params, self._clip, forward, alone)
         return self._known[name]
 
-    def _given_frames(self, members: tuple[int, ...]) -> list[int]:
-        """The frames on which the artist keyed any of the members, in order: between two of them stamps are alike."""
-        if members not in self._given:
-            self._given[members] = sorted({frame for j in members for frame in self.shapes[j].artist_frames})
-        return self._given[members]
+    def _given_frames(self, members: tuple[int, ...], forward: bool) -> list[int]:
+        """The frames on which the artist keyed or stacked any of the members, in order: between them stamps are alike.
+
+        A change of depth holds from its frame on: a run backward meets it on the frame before.
+        """
+        if (members, forward) not in self._given:
+            together = [self.shapes[j] for j in members]
+            frames = {frame for shape in together for frame in shape.artist_frames}
+            frames |= {frame - (not forward) for shape in together for frame, _ in shape.depth}
+            self._given[members, forward] = sorted(frames)
+        return self._given[members, forward]
 
     def _number(self, params: RoamParams) -> int:
         """A number for parameters, by their identity: to compare all their fields for every key would take long."""

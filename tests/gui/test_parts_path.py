@@ -101,6 +101,7 @@ def test_depth_is_set_on_a_frame_marked_in_its_row_and_seen_at_the_edges(qtbot: 
     form.level.setCurrentIndex(form.level.findData(BEHIND))
     form.level.activated.emit(form.level.currentIndex())
     assert shape(window, ARM).depth == ((4, BEHIND),)
+    assert view.message == f"{shape(window, ARM).name} lies behind the others from frame 4 on."
     qtbot.waitUntil(lambda: ARM in window.edge_kinds.here(), timeout=WAIT)
     qtbot.waitUntil(lambda: window.edge_kinds.here()[ARM].share(Edge.HIDDEN) > 0.1, timeout=WAIT)
     view.set_frame(0)

@@ -14,6 +14,8 @@ from roam_core.roto.linking import AS_STACKED, BEHIND, IN_FRONT
 ALL_LOCKED = "What is selected is locked; unlock it first (<shape.lock>)."
 LEVELS = {IN_FRONT: "In front", AS_STACKED: "As stacked", BEHIND: "Behind"}
 """The levels of depth, the nearest first, as the window calls them."""
+PLACES = {IN_FRONT: "in front of the others", BEHIND: "behind the others", AS_STACKED: "as stacked again"}
+"""Where a shape lies, in a sentence."""
 
 Verb = Callable[[Project, Collection[str]], Project]
 
@@ -59,18 +61,22 @@ class ObjectVerbs:
     def set_depth(self, level: int) -> None:
         """Let the selected shapes lie in front, behind or as stacked, from this frame on."""
         frame = self._view.frame
-        self._edit(LEVELS[level], lambda project, ids: linking.set_depth(project, ids, frame, level))
+        if names := self._edit(LEVELS[level], lambda project, ids: linking.set_depth(project, ids, frame, level)):
+            who = f"{names[0]} lies" if len(names) == 1 else f"{len(names)} shapes lie"
+            self._view.say(f"{who} {PLACES[level]} from frame {frame} on.")
 
-    def _edit(self, text: str, verb: Verb) -> None:
+    def _edit(self, text: str, verb: Verb) -> list[str]:
+        """Do it with the selected shapes that are not locked; gives their names, none where nothing was done."""
         project = self._document.project
         shapes = selected_shapes(project, self._view.selection)
-        ids = [shape.id for shape in shapes if not shape.locked]
-        if not ids:
+        free = [shape for shape in shapes if not shape.locked]
+        if not free:
             self._view.say(ALL_LOCKED if shapes else NOTHING_SELECTED)
-            return
+            return []
         try:
-            edited = verb(project, ids)
+            edited = verb(project, [shape.id for shape in free])
         except RoamError as error:
             self._view.say(str(error))
-            return
+            return []
         self._document.apply(text, edited)
+        return [shape.name for shape in free]

@@ -6,13 +6,13 @@ from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QPainter, QPolygonF
 
 from app import style
+from app.features.verbs.objects import PLACES
 from app.timeline.scale import TimeScale
 from roam_core.roto import RotoShape
-from roam_core.roto.linking import AS_STACKED, BEHIND, IN_FRONT
+from roam_core.roto.linking import AS_STACKED
 
 TOP, HEIGHT, HALF = 1.0, 4.0, 3.5
 """Where the marks lie in the row, above its keys; their height and half their width."""
-WORDS = {IN_FRONT: "in front of the others", BEHIND: "behind the others", AS_STACKED: "as stacked again"}
 
 
 def depth_sentence(shape: RotoShape, frame: int) -> str:
@@ -21,7 +21,7 @@ def depth_sentence(shape: RotoShape, frame: int) -> str:
     since = next((start for start, _ in reversed(shape.depth) if start <= frame), None)
     if since is None or (since != frame and level == AS_STACKED):
         return ""
-    word = WORDS.get(level, f"at depth {level}")
+    word = PLACES.get(level, f"at depth {level}")
     return f"From here on {word}" if since == frame else f"{word.capitalize()} since frame {since}"
 
 

@@ -148,6 +148,24 @@ def test_an_edit_of_a_neighbour_makes_stale_what_it_led_to(figure: Figure, whole
     assert same(again, tracked(figure, fresh))
 
 
+def at_depth(shape: RotoShape, *pairs: tuple[int, int]) -> RotoShape:
+    return replace(shape, depth=pairs)
+
+
+@pytest.mark.parametrize(("first", "stale"), [(0, [4, 5, 6, 7]), (LAST, [0, 1, 2, 3])], ids=["forward", "backward"])
+def test_a_change_of_depth_makes_stale_what_comes_after_it(figure: Figure, first: int, stale: list[int]) -> None:
+    """The arm lies behind from frame 4 on; a run backward meets that when it goes on to frame 3."""
+    frames, shapes = figure.frames[:: 1 if first == 0 else -1], figure.shapes(first)
+    behind = [((4, -1),), ((0, -1), (4, 0))][first == LAST]
+    whole = tracked(figure, shapes, frames)
+    restacked = [whole[0], at_depth(whole[1], *behind), whole[2]]
+    assert [stale_frames(restacked, k) for k in range(3)] == [stale] * 3
+    again = tracked(figure, restacked, range(3, 8) if first == 0 else range(4, -1, -1))
+    assert [stale_frames(again, k) for k in range(3)] == [[], [], []]
+    fresh = tracked(figure, [shapes[0], at_depth(shapes[1], *behind), shapes[2]], frames)
+    assert same(again, fresh)
+
+
 def test_alone_is_as_if_there_were_no_others(figure: Figure) -> None:
     shapes = figure.shapes()
     found = tracked(figure, shapes, only=["arm"], alone=True)
