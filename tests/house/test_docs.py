@@ -13,7 +13,7 @@ import cv2
 import numpy as np
 import pytest
 
-from app import launch
+from app.shell import launch
 from benchmarks import report
 from benchmarks.__main__ import BENCHMARKS
 from roam_core.cli import COMMANDS, main
