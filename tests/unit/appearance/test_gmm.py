@@ -172,3 +172,17 @@ def test_a_rate_of_zero_and_a_frame_without_colours_change_nothing() -> None:
         np.testing.assert_allclose(after.mean[1], start.mean[1])
         np.testing.assert_allclose(after.weight[1], start.weight[1])
     np.testing.assert_allclose(adapted(start, none, 0.1, 0.0).variance, start.variance)
+
+
+def test_a_component_grows_as_wide_as_the_colours_that_it_takes_in() -> None:
+    """Colours on both sides of its mean leave the mean; how far they lie from it goes into the variance (a frame's own
+    spread, and the way from the mean to theirs)."""
+    model = Mixtures(np.ones((1, 1)), np.full((1, 1, 3), 100.0), np.full((1, 1, 3), 64.0))
+    rng, rate = np.random.default_rng(6), 0.25
+    colours = rng.normal(110.0, 3.0, (500, 3))  # all of them within the component's reach
+    after = adapted(model, Samples.of(colours, np.zeros(500, np.int32), 1), rate, 1.0)
+    mean = (1.0 - rate) * 100.0 + rate * colours.mean(axis=0)
+    np.testing.assert_allclose(after.mean[0, 0], mean)
+    # Stauffer and Grimson: (1 - rho) sigma^2 + rho |x - mu|^2, with the new mean, over all of the colours.
+    apart = ((colours - mean) ** 2).mean(axis=0)
+    np.testing.assert_allclose(after.variance[0, 0], (1.0 - rate) * 64.0 + rate * apart)
