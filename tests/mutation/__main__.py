@@ -2,8 +2,8 @@
 
 A mutant changes one comparison, operator, number, condition, call, return or statement. Killed are those that a test
 notices; those that survive are equivalent, or say what no test holds. The kernels run uncompiled. What became of each
-mutant is written into the report as a line of JSON, and a run that is started again goes on after the last one, with the
-map from lines to tests that lies beside the report.
+mutant is written into the report as a line of JSON. A run that is started again goes on after the last one, with the
+map from lines to tests that lies beside the report. Needs `coverage`, which the other tests do without.
 """
 
 from __future__ import annotations
@@ -15,6 +15,7 @@ import sys
 import tempfile
 import time
 from collections import Counter
+from collections.abc import Sequence
 from dataclasses import asdict, replace
 from pathlib import Path
 from typing import Any
@@ -45,6 +46,7 @@ def main() -> int:
     parser.add_argument("--mutants", type=int, default=300, help="how many are drawn (300)")
     parser.add_argument("--seed", type=int, default=1, help="which are drawn (1)")
     parser.add_argument("--report", type=Path, required=True, help="the file of results; what stands in it is not run")
+    parser.add_argument("--tests", nargs="+", help="the tests that are asked, instead of those of the room")
     parser.add_argument("--again", type=Path, help="a report of the same draw: only what survived there is run")
     given = parser.parse_args()
     given.report = given.report.resolve()
@@ -53,8 +55,11 @@ def main() -> int:
     with tempfile.TemporaryDirectory(prefix="roam-mutation-") as folder:
         (Path(folder) / "tree").mkdir()
         tree = runner.copy_tree(ROOT, Path(folder) / "tree")
-        covering = covered(tree, given.room, given.report.with_suffix(".map"))
-        print(f"{len(covering.seconds)} tests, {len(covering.left_out)} left out: they fail or are slow uncompiled", flush=True)
+        covering = covered(tree, given.room, given.tests or ROOMS[given.room], given.report.with_suffix(".map"))
+        print(
+            f"{len(covering.seconds)} tests, {len(covering.left_out)} left out: they fail or are slow uncompiled",
+            flush=True,
+        )
         run(tree, drawn, covering, given.report, survivors(given.again) if given.again else None)
     print(summary(given.report))
     return 0
@@ -72,11 +77,11 @@ def draw(room: str, count: int, seed: int) -> list[Mutant]:
     return [generator.choice(place) for place in places[:count]]
 
 
-def covered(tree: Path, room: str, kept: Path) -> CoverageMap:
+def covered(tree: Path, room: str, tests: Sequence[str], kept: Path) -> CoverageMap:
     """The map of the tests, made in a process of its own and kept beside the report."""
 
     def measure() -> int:
-        kept.write_text(measured(tree, room, list(ROOMS[room])).to_json(), encoding="utf-8")
+        kept.write_text(measured(tree, room, tests).to_json(), encoding="utf-8")
         return 0
 
     if not kept.exists() and runner.forked(tree, measure, 3600.0) != 0:
@@ -101,8 +106,13 @@ def run(tree: Path, drawn: list[Mutant], covering: CoverageMap, report: Path, on
 def check(tree: Path, drawn: list[Mutant], covering: CoverageMap) -> None:
     """Raise a RuntimeError unless the tests pass here on the tree as it is, by the example of a few mutants."""
     for mutant in drawn[:4]:
-        if runner.verdict(tree, replace(mutant, after=mutant.before), covering) not in (runner.SURVIVED, runner.UNCOVERED):
-            raise RuntimeError(f"the tests of {mutant.path}:{mutant.line} fail on the tree as it is: {runner.said(tree)}")
+        if runner.verdict(tree, replace(mutant, after=mutant.before), covering) not in (
+            runner.SURVIVED,
+            runner.UNCOVERED,
+        ):
+            raise RuntimeError(
+                f"the tests of {mutant.path}:{mutant.line} fail on the tree as it is: {runner.said(tree)}"
+            )
 
 
 def results(report: Path) -> list[dict[str, Any]]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import signal
 import time
-from collections.abc import Generator
+from collections.abc import Generator, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from types import FrameType
@@ -49,20 +49,22 @@ class CoverageMap:
         return CoverageMap(seconds, left_out, lines)
 
     def tests_of(self, path: str, first: int, last: int) -> list[str]:
-        """The tests that run any of the lines, or, where only an import does, any line of the module: quickest first."""
+        """The tests that run any of the lines, or, where only an import does, any of the module; quickest first."""
         module = self.lines.get(path, {})
         found = {test for line in range(first, last + 1) for test in module.get(line, ())}
         if not found and not any(line in module for line in range(first, last + 1)):
             return []
         found = found or {test for tests in module.values() for test in tests}
-        return sorted(found & self.seconds.keys(), key=lambda test: (not _is_named_after(test, path), self.seconds[test]))
+        return sorted(
+            found & self.seconds.keys(), key=lambda test: (not _is_named_after(test, path), self.seconds[test])
+        )
 
 
 def _is_named_after(test: str, path: str) -> bool:
     return Path(path).stem in Path(test.partition("::")[0]).stem
 
 
-def measured(root: Path, room: str, tests: list[str]) -> CoverageMap:
+def measured(root: Path, room: str, tests: Sequence[str]) -> CoverageMap:
     """Run the tests with coverage; for a process of its own, in which nothing of ours has been imported."""
     from coverage import Coverage  # not needed where mutants are run by a map that was made before
 

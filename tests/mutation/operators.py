@@ -1,4 +1,4 @@
-"""What a mutant changes: one comparison, operator, number, condition, call, return or statement of a module's source."""
+"""What a mutant changes: one comparison, operator, number, condition, call, return or statement of a module."""
 
 from __future__ import annotations
 
@@ -49,8 +49,7 @@ CALLS = {
 """Functions and methods that are taken for one another."""
 
 REMOVED = (ast.Expr, ast.AugAssign, ast.Delete, ast.Raise)
-"""Statements that may be left out. So may assignments to what there is already: without its first one, any use of a name
-fails."""
+"""Statements that may be left out. So may assignments to what there is already; without a first one names lack."""
 
 
 @dataclass(frozen=True)
@@ -82,14 +81,20 @@ def sites(path: str, source: bytes) -> list[list[Mutant]]:
     found = []
     for node in _reachable(ast.parse(source)):
         for operator, place, texts in _changes(node):
-            start, end = starts[place.lineno - 1] + place.col_offset, starts[place.end_lineno - 1] + place.end_col_offset
+            start, end = (
+                starts[place.lineno - 1] + place.col_offset,
+                starts[place.end_lineno - 1] + place.end_col_offset,
+            )
             before = source[start:end].decode()
             found.append([Mutant(path, place.lineno, start, end, operator, before, after) for after in texts])
     return found
 
 
 def _reachable(node: ast.AST) -> Iterator[Any]:
-    """The nodes whose change may change what a program does: no docstrings, annotations, decorators, logs, assertions."""
+    """The nodes whose change may change what a program does.
+
+    Docstrings, annotations, decorators, logs and assertions are none, nor the texts of messages.
+    """
     for name, value in ast.iter_fields(node):
         if name in ("annotation", "returns", "decorator_list"):
             continue
@@ -127,7 +132,7 @@ def _changes(node: Any) -> Iterator[tuple[str, Any, list[str]]]:
             yield "unary", node, [_with(operand)]
         case ast.Constant(value=bool() | int() | float() as value):
             yield "constant", node, [repr(other) for other in _numbers(value)]
-        case ast.Call(func=ast.Name(id=name) as func) if name in CALLS:
+        case ast.Call(func=ast.Name(id=name)) if name in CALLS:
             yield "call", node, [_with(node, func=ast.Name(CALLS[name]))]
         case ast.Call(func=ast.Attribute(attr=name, value=value)) if name in CALLS:
             yield "call", node, [_with(node, func=ast.Attribute(value, CALLS[name]))]

@@ -13,7 +13,7 @@ import signal
 import sys
 import time
 import traceback
-from collections.abc import Callable, Collection
+from collections.abc import Callable, Collection, Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
@@ -23,8 +23,10 @@ from tests.mutation.coverage_map import OPTIONS, CoverageMap
 from tests.mutation.operators import Mutant
 
 COPIED = ("roam_core", "resources", "tests", "benchmarks", "pyproject.toml", "docs", "README.md", "app", "scripts")
-LIBRARIES = ("numpy", "numba", "cv2", "scipy.ndimage", "scipy.signal", "scipy.optimize", "scipy.spatial", "contourpy",
-             "OpenImageIO", "hypothesis", "shapely", "defusedxml.ElementTree", "sklearn.mixture", "pytest", "coverage")  # fmt: skip
+LIBRARIES = (
+    "numpy", "numba", "cv2", "scipy.ndimage", "scipy.signal", "scipy.optimize", "scipy.spatial", "contourpy",
+    "OpenImageIO", "hypothesis", "shapely", "defusedxml.ElementTree", "sklearn.mixture", "coverage",
+)  # fmt: skip
 MOST_SECONDS = 40.0
 """Of tests for one mutant, by their time on the unchanged tree."""
 MEMORY = 6 << 30
@@ -99,7 +101,7 @@ def _settle_in(folder: Path, seconds: float) -> None:
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
     for name in [name for name in sys.modules if name.partition(".")[0] in ("roam_core", "tests", "app", "resources")]:
         del sys.modules[name]
-    sys.path[:] = [str(folder), *(each for each in sys.path if each and Path(each, "roam_core").exists() is False)]
+    sys.path[:] = [str(folder), *(each for each in sys.path if each and not Path(each, "roam_core").exists())]
     os.environ["PYTHONPATH"] = os.pathsep.join(sys.path[:1] + os.environ.get("PYTHONPATH", "").split(os.pathsep)[1:])
     importlib.invalidate_caches()
 
@@ -110,7 +112,7 @@ def said(folder: Path) -> str:
 
 
 @contextmanager
-def mutated(folder: Path, mutant: Mutant):  # type: ignore[no-untyped-def]
+def mutated(folder: Path, mutant: Mutant) -> Iterator[None]:
     """The copy with the mutant in it."""
     path = folder / mutant.path
     source, times = path.read_bytes(), path.stat()
@@ -137,7 +139,8 @@ class Chosen:
 def verdict(folder: Path, mutant: Mutant, covering: CoverageMap) -> str:
     """What became of the mutant."""
     lines = mutant.before.count("\n")
-    tests, total = [], 0.0
+    tests: list[str] = []
+    total = 0.0
     for test in covering.tests_of(mutant.path, mutant.line, mutant.line + lines):
         total += covering.seconds[test]
         if tests and total > MOST_SECONDS:

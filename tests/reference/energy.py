@@ -82,7 +82,7 @@ def _gradient(nodes: Array, context: CurveContext) -> float:
 
 
 def _l2(nodes: Array, context: CurveContext, share: float) -> float:
-    """Second term of equation 3: |x_(n+1) - x_n - r_n|^2, where r_n is `share` of the pre-warped edge; the paper's 0."""
+    """Second term of equation 3: |x_(n+1) - x_n - r_n|^2, r_n `share` of the pre-warped edge (the paper: 0)."""
     total = 0.0
     for n, (ax, ay), (bx, by) in _edges(nodes):
         rest_x, rest_y = (0.0, 0.0) if context.rest is None else context.rest[n]

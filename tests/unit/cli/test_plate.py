@@ -11,7 +11,7 @@ from tests.narrow import Narrow
 
 
 class Damaged:
-    """A plate of one frame that cannot be read; who asks which frames there are waits for another thread to ask, too."""
+    """A plate of one frame that cannot be read; who asks for its frames waits for another to ask, too."""
 
     colour_space = None
 

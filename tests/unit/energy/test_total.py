@@ -1,4 +1,4 @@
-"""Tables and oracle: the energy of the paper's equations, as `tests.reference.energy` has them, asked for in two ways."""
+"""Tables and oracle: the energy of the paper's equations, as `tests.reference.energy` has them, in two ways."""
 
 from __future__ import annotations
 

@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from roam_core.kernels.posing import RIM, Costs, Prior, Samples, Ties, View, affines, energies, refined
 from tests.reference.posing import ref_affines, ref_carried, ref_energy
+from tests.unit.kernels.conftest import EXACT
 
 Array = NDArray[np.float64]
 
@@ -98,7 +99,7 @@ def test_energies_are_those_of_the_twin(bones: Array, spread: float, known: bool
     poses, prior, ties = poses_of(bones, 8, spread), prior_of(bones), ties_of(bones)
     found = energies(view, samples, bones, poses, COSTS, prior, ties)
     expected = [ref_energy(view, samples, bones, pose, COSTS, prior, ties) for pose in poses]
-    np.testing.assert_allclose(found, expected, rtol=1e-9, atol=1e-12)
+    np.testing.assert_allclose(found, expected, rtol=EXACT, atol=1e-12)
     assert np.ptp(found) > 1e-3
 
 
@@ -123,7 +124,7 @@ def test_what_a_refined_pose_costs_is_the_twins_and_no_more_than_the_start(bones
     prior, ties = prior_of(bones), ties_of(bones)
     for start in poses_of(bones):
         pose, cost = refined(view, samples, bones, start, COSTS, prior, ties, 12)
-        assert cost == pytest.approx(ref_energy(view, samples, bones, pose, COSTS, prior, ties, RIM), rel=1e-9)
+        assert cost == pytest.approx(ref_energy(view, samples, bones, pose, COSTS, prior, ties, RIM), rel=EXACT)
         assert cost <= ref_energy(view, samples, bones, start, COSTS, prior, ties, RIM) + 1e-12
 
 

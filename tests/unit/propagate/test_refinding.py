@@ -223,7 +223,9 @@ def test_a_frame_on_which_little_is_left_of_the_object_teaches_its_region_no_col
     def learned(before: float, now: float) -> bool:
         shown = disc(before)
         shown[:, POST] = False
-        state = begin(PreparedFrame(picture(before, post=True)), (Part(shapes_from_mask(shown)[0].at(0).points),), PARAMS)
+        state = begin(
+            PreparedFrame(picture(before, post=True)), (Part(shapes_from_mask(shown)[0].at(0).points),), PARAMS
+        )
         after, _ = step(state, PreparedFrame(picture(now, post=True)), PARAMS)
         assert after.region.inside.any()
         return not np.array_equal(after.colours.inside, state.colours.inside)
