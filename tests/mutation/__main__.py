@@ -29,8 +29,8 @@ Key = tuple[str, int, int, str]
 ROOT = Path(__file__).resolve().parents[2]
 ROOMS = {
     "kernels": (
-        "tests/unit/kernels", "tests/unit/geometry", "tests/unit/matte", "tests/unit/energy", "tests/unit/inference",
-        "tests/unit/appearance", "tests/unit/landmarks", "tests/unit/proposal", "tests/property/test_curve_energy.py",
+        "tests/unit/kernels", "tests/unit/appearance/test_gmm.py", "tests/unit/energy/test_curve.py",
+        "tests/unit/geometry/test_skinning.py", "tests/property/test_bezier.py", "tests/property/test_curve_energy.py",
         "tests/property/test_cyclic_viterbi.py", "tests/property/test_region_sums.py",
     ),
     "energy": ("tests/unit/energy", "tests/unit/inference", "tests/property/test_curve_energy.py"),

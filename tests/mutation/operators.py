@@ -54,10 +54,14 @@ REMOVED = (ast.Expr, ast.AugAssign, ast.Delete, ast.Raise)
 
 @dataclass(frozen=True)
 class Mutant:
-    """A change of `path`, from the byte `start` to the byte `end`: on `line`, `before` becomes `after`."""
+    """A change of a module: from the byte `start` to the byte `end`, on `line`, `before` becomes `after`.
+
+    `lines` are the first and the last of its statement, without the statements in that.
+    """
 
     path: str
     line: int
+    lines: tuple[int, int]
     start: int
     end: int
     operator: str
@@ -79,19 +83,19 @@ def sites(path: str, source: bytes) -> list[list[Mutant]]:
     for line in source.splitlines(keepends=True):
         starts.append(starts[-1] + len(line))
     found = []
-    for node in _reachable(ast.parse(source)):
+    for node, lines in _reachable(ast.parse(source), (1, 1)):
         for operator, place, texts in _changes(node):
             start, end = (
                 starts[place.lineno - 1] + place.col_offset,
                 starts[place.end_lineno - 1] + place.end_col_offset,
             )
             before = source[start:end].decode()
-            found.append([Mutant(path, place.lineno, start, end, operator, before, after) for after in texts])
+            found.append([Mutant(path, place.lineno, lines, start, end, operator, before, after) for after in texts])
     return found
 
 
-def _reachable(node: ast.AST) -> Iterator[Any]:
-    """The nodes whose change may change what a program does.
+def _reachable(node: ast.AST, lines: tuple[int, int]) -> Iterator[tuple[Any, tuple[int, int]]]:
+    """The nodes whose change may change what a program does, each with the lines of its statement.
 
     Docstrings, annotations, decorators, logs and assertions are none, nor the texts of messages.
     """
@@ -100,8 +104,15 @@ def _reachable(node: ast.AST) -> Iterator[Any]:
             continue
         for child in value if isinstance(value, list) else [value]:
             if isinstance(child, ast.AST) and not _is_idle(child):
-                yield child
-                yield from _reachable(child)
+                around = _lines_of(child) if isinstance(child, ast.stmt) else lines
+                yield child, around
+                yield from _reachable(child, around)
+
+
+def _lines_of(statement: ast.stmt) -> tuple[int, int]:
+    inner = getattr(statement, "body", None)
+    last = inner[0].lineno - 1 if inner else statement.end_lineno
+    return statement.lineno, max(statement.lineno, last or 0)
 
 
 def _is_idle(node: ast.AST) -> bool:

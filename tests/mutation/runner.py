@@ -138,10 +138,9 @@ class Chosen:
 
 def verdict(folder: Path, mutant: Mutant, covering: CoverageMap) -> str:
     """What became of the mutant."""
-    lines = mutant.before.count("\n")
     tests: list[str] = []
     total = 0.0
-    for test in covering.tests_of(mutant.path, mutant.line, mutant.line + lines):
+    for test in covering.tests_of(mutant.path, *mutant.lines):
         total += covering.seconds[test]
         if tests and total > MOST_SECONDS:
             break
