@@ -51,9 +51,11 @@ def copy_tree(root: Path, folder: Path) -> Path:
     return folder
 
 
-def preload() -> None:
-    """Import the libraries that tests need, without the compiler and on one thread."""
-    os.environ |= {"NUMBA_DISABLE_JIT": "1", "OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
+def preload(*, compiled: bool) -> None:
+    """Import the libraries that tests need, with or without the compiler, and on one thread."""
+    os.environ |= {"OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
+    if not compiled:
+        os.environ["NUMBA_DISABLE_JIT"] = "1"
     for name in LIBRARIES:
         with suppress(ImportError):
             importlib.import_module(name)

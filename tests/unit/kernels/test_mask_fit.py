@@ -1,4 +1,4 @@
-"""Splines fitted to outlines of masks: the equations are those of the energies written out, the distances brute force."""
+"""Splines fitted to outlines of masks: the equations against the energies written out, distances by brute force."""
 
 from __future__ import annotations
 
@@ -186,7 +186,7 @@ def test_distances_are_those_to_the_nearest_of_all_edges() -> None:
 
 
 def test_distances_up_to_near_are_those_to_edges_about_the_last_nearest_one() -> None:
-    """Beside the line; a place before the start comes round it, and two lines that meet are not taken for one another."""
+    """Of places along the line, either way round and across its start."""
     line = a_line()
     normals = np.roll(line, -1, axis=0) - np.roll(line, 1, axis=0)
     beside = line + 0.5 * normals[:, ::-1] * (1.0, -1.0) / np.hypot(*normals.T)[:, None]
@@ -241,7 +241,9 @@ def test_how_far_a_run_strays_is_the_distance_of_its_worst_sample() -> None:
     run[15, 1] = 4.0
     control = np.zeros((4, 2))
     strays = mask_fit.best_cubic(run, control)
-    curve = np.array([bezier(np.stack([control[[0, 0, 1]], control[[3, 2, 3]]]), 0, t) for t in np.linspace(0, 1, 2000)])
+    curve = np.array(
+        [bezier(np.stack([control[[0, 0, 1]], control[[3, 2, 3]]]), 0, t) for t in np.linspace(0, 1, 2000)]
+    )
     worst = max(np.hypot(*(curve - place).T).min() for place in run)
     assert strays == pytest.approx(worst, abs=0.1)
     assert 3.0 < strays < 4.0
