@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 import signal
 import time
 from collections.abc import Generator, Sequence
@@ -15,7 +16,8 @@ import pytest
 OPTIONS = ("-q", "-p", "no:cacheprovider", "-W", "ignore::pytest.PytestAssertRewriteWarning")
 """Of pytest, in a process that has imported the libraries before it."""
 LIMIT = 8.0
-"""Seconds of the processor after which a test is given up: without the compiler it serves no mutant."""
+"""Seconds of the processor after which a test is given up that runs line by line: it serves no mutant. Compiled ones
+are let be: given up while numba compiles, its lock would stay locked."""
 
 
 class TooSlow(BaseException):
@@ -107,7 +109,7 @@ class Recorder:
     @pytest.hookimpl(wrapper=True)
     def pytest_runtest_call(self) -> Generator[None, object, object]:
         signal.signal(signal.SIGPROF, _give_up)
-        signal.setitimer(signal.ITIMER_PROF, LIMIT)
+        signal.setitimer(signal.ITIMER_PROF, LIMIT if "NUMBA_DISABLE_JIT" in os.environ else 0.0)
         try:
             return (yield)
         except TooSlow:

@@ -141,6 +141,19 @@ def test_matches_equal_the_twin() -> None:
     assert sums[:, :, 6].min() > 0
 
 
+@pytest.mark.parametrize("spread", [1, 2, 7])
+def test_matches_count_the_colours_of_neighbours_once_each(spread: int) -> None:
+    """With five edges there are two on either side, however many are asked for."""
+    start, rng = mixtures(5, 9), np.random.default_rng(3)
+    colours, index = rng.uniform(50.0, 200.0, (90, 3)), rng.integers(0, 5, 90).astype(np.int32)
+    samples = Samples.of(colours, index, 5)
+    sums = matches(samples.colours, samples.starts, spread, (start.weight, start.mean, start.variance), BOUND)
+    for n in range(5):
+        near = [(n + off) % 5 for off in range(-min(spread, 2), min(spread, 2) + 1)]
+        assert sums[n, :, 6].sum() == np.isin(index, near).sum()
+        np.testing.assert_allclose(sums[n, :, :3].sum(axis=0), colours[np.isin(index, near)].sum(axis=0))
+
+
 def test_what_stays_the_same_teaches_nothing_new_and_what_changes_is_learned() -> None:
     rng = np.random.default_rng(11)
     index = np.zeros(400, np.int32)

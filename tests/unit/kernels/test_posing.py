@@ -176,6 +176,38 @@ def test_a_planted_pose_is_found(planted: tuple[float, ...]) -> None:
     assert cost <= ref_energy(view, samples, ONE, pose, COSTS._replace(needless=0.0), loose, NO_TIES, RIM) + 1e-3
 
 
+@pytest.mark.parametrize("way", [(1, 0), (0, 1), (-1, 0), (0, -1)])
+def test_places_that_need_the_part_draw_it_and_what_lies_beside_it_is_driven_off(way: tuple[int, int]) -> None:
+    """In a picture of one colour nothing else tells where it lies."""
+    samples = samples_of(ONE)
+    samples = samples._replace(colours=np.full_like(samples.colours, 50.0))
+    spot = samples.places.mean(axis=0) + 8.0 * np.array(way)
+    need = np.exp(-((centres() - spot) ** 2).sum(axis=-1) / 200.0).astype(np.float32)
+    view = View(np.full((*SIZE, 3), 50.0, np.float32), 1.0, 1.0, 0.0, 0.0, np.zeros(SIZE, np.uint8), need)
+    stiff = Prior(np.zeros(6), np.array([1e-3, 1e-3, 10.0, 10.0, 10.0, 10.0]), np.zeros(6), 0.0, 0.0)
+    for costs, sign in ((COSTS._replace(needed=0.0), 1.0), (COSTS._replace(needless=0.0, needed=0.05), -1.0)):
+        pose, cost = refined(view, samples, ONE, np.zeros(6), costs, stiff, NO_TIES, 4)
+        assert cost < ref_energy(view, samples, ONE, np.zeros(6), costs, stiff, NO_TIES, RIM) - 1e-5
+        along, across = pose[:2] @ np.array(way), pose[:2] @ np.array(way[::-1])
+        assert sign * along > 0.3
+        assert abs(across) < 0.7 * abs(along)
+
+
+def test_a_prior_alone_is_met_within_a_few_rounds() -> None:
+    """It is quadratic: with the right curvature one step of Newton would do, and damping leaves a thousandth of it."""
+    bones, size = FOUR, 5 + len(FOUR)
+    samples = samples_of(bones)._replace(weights=np.zeros(120))
+    view = View(
+        np.zeros((*SIZE, 3), np.float32), 1.0, 1.0, 0.0, 0.0, np.ones(SIZE, np.uint8), np.zeros(SIZE, np.float32)
+    )
+    expected = np.random.default_rng(4).normal(0.0, 0.04, size)
+    prior = Prior(expected, np.full(size, 0.2), np.full(size, 0.1), 3.0, 2.0)
+    none = NO_TIES._replace(skin=np.zeros((0, len(bones))))
+    pose, _ = refined(view, samples, bones, np.zeros(size), COSTS, prior, none, 4)
+    before, after = (slope(view, samples, bones, each, COSTS, prior, none) for each in (np.zeros(size), pose))
+    assert np.abs(after).max() < 1e-4 * np.abs(before).max()
+
+
 def test_a_bend_that_was_planted_is_found() -> None:
     """Two bones, each with samples of its own: one turns, the other stays."""
     bones, rng = TWO, np.random.default_rng(5)
