@@ -203,9 +203,9 @@ def test_a_prior_alone_is_met_within_a_few_rounds() -> None:
     expected = np.random.default_rng(4).normal(0.0, 0.04, size)
     prior = Prior(expected, np.full(size, 0.2), np.full(size, 0.1), 3.0, 2.0)
     none = NO_TIES._replace(skin=np.zeros((0, len(bones))))
-    pose, _ = refined(view, samples, bones, np.zeros(size), COSTS, prior, none, 4)
+    pose, _ = refined(view, samples, bones, np.zeros(size), COSTS, prior, none, 3)
     before, after = (slope(view, samples, bones, each, COSTS, prior, none) for each in (np.zeros(size), pose))
-    assert np.abs(after).max() < 1e-4 * np.abs(before).max()
+    assert np.abs(after).max() < 1e-3 * np.abs(before).max()
 
 
 def test_a_bend_that_was_planted_is_found() -> None:
