@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import importlib
 import os
-import resource
 import shutil
 import signal
 import sys
@@ -93,6 +92,8 @@ def forked(folder: Path, work: Callable[[], int], seconds: float) -> int | None:
 
 
 def _settle_in(folder: Path, seconds: float) -> None:
+    import resource  # not on Windows, which cannot fork either
+
     os.setsid()
     os.chdir(folder)
     said = os.open(folder.parent / SAID, os.O_WRONLY | os.O_CREAT | os.O_TRUNC)
@@ -153,6 +154,8 @@ def verdict(folder: Path, mutant: Mutant, covering: CoverageMap) -> str:
     chosen = Chosen(tests)
 
     def run() -> int:
+        import resource
+
         sys.dont_write_bytecode = True
         resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
         return int(pytest.main(["-x", *OPTIONS, *files], plugins=[chosen]))

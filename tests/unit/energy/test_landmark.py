@@ -75,6 +75,7 @@ def test_pairs_of_landmarks_that_are_gone_fall_away() -> None:
     assert left.leaf.tolist() == [1, 0]
     np.testing.assert_array_equal(left.shift, [[0.0, 1.0], [4.0, 5.0]])
     assert len(pairs.between(np.empty(0, np.intp)).node) == 0
+    assert pairs.between(np.array([7, 1])).leaf.tolist() == [1], "landmarks that pull nobody are passed over"
 
 
 def test_nodes_without_their_landmarks_take_new_ones_and_the_others_keep_their_shifts() -> None:
