@@ -221,7 +221,7 @@ def test_places_go_to_the_nearest_edges_that_run_their_way() -> None:
 
 
 def test_a_run_along_a_cubic_is_that_cubic() -> None:
-    true = np.array([(0.0, 0.0), (8.0, 9.0), (21.0, 12.0), (30.0, 3.0)])
+    true = np.array([(100.0, 50.0), (108.0, 59.0), (121.0, 62.0), (130.0, 53.0)])
     points = np.stack([true[[0, 0, 1]], true[[3, 2, 3]]])
     run = np.array([bezier(points, 0, t) for t in np.linspace(0.0, 1.0, 40)])
     control = np.zeros((4, 2))
