@@ -92,16 +92,9 @@ def name_of(config: str, factors: Mapping[str, float]) -> str:
     return "+".join([config, *turned])
 
 
-def turned(params: Any, name: str) -> Any:
-    """The parameters of a configuration as its full `name` tells; raises `RoamError` for a name that makes no sense."""
-    known = {dial.name: dial for dial in DIALS}
-    for word in name.split("+")[1:]:
-        dial_name, _, text = word.partition("=")
-        dial = known.get(dial_name)
-        if dial is None:
-            raise RoamError(f"There is no dial {dial_name!r}; choose from {', '.join(known)}.")
-        params = dial.turn(params, _factor(dial, text))
-    return replace(params, config=name)
+def turn(params: Any, dial: Dial, text: str) -> Any:
+    """The parameters with a dial turned by the factor that a name tells; raises `RoamError` where it makes no sense."""
+    return dial.turn(params, _factor(dial, text))
 
 
 def _factor(dial: Dial, text: str) -> float:

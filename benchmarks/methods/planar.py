@@ -9,7 +9,8 @@ from benchmarks.methods.method import Array, MovingPoints
 from benchmarks.shots import Shot
 from roam_core.geometry import projective
 from roam_core.geometry.plane_motion import PlaneMotion, ransac
-from roam_core.motion.planar import ENOUGH, FAR, corners_in, followed, inside
+from roam_core.motion.planar import corners_in, followed, inside
+from roam_core.params import PLANAR
 
 AGREE = 2.0
 """Pixels by which a corner may disagree: generous, for most of the objects are no planes."""
@@ -29,11 +30,11 @@ class Planar(MovingPoints):
         )
         source, target = followed(old, new, corners_in(old, inside(outlines, (), shot.size)))
         motion = None
-        if len(source) >= ENOUGH * self.kind.pairs:
+        if len(source) >= PLANAR.enough * self.kind.pairs:
             motion, _ = ransac(self.kind, source, target, AGREE)
         if motion is None:
             return outlines  # with fewer corners the object is taken to stand still
-        far = FAR * max(shot.size)
+        far = PLANAR.far * max(shot.size)
         moved = [projective.apply(motion, points) for points in outlines]
         # A homography can throw points through the horizon; an artist would not follow it there.
         return moved if all(np.abs(points).max() < far for points in moved) else outlines

@@ -17,9 +17,6 @@ from roam_core.params import AppearanceParams
 Array = NDArray[np.float64]
 Float32 = NDArray[np.float32]
 
-EDGE_BLUR = 0.7
-"""Cells on both sides of the outline whose colours are mixed from both, and teach nothing."""
-
 
 @dataclass(frozen=True, eq=False)
 class EdgeModels:
@@ -51,7 +48,7 @@ class EdgeModels:
         sides = ribbon_samples(frame, nodes, params, scale)
         rate = params.adaptation * confidence
         inside, outside = (
-            adapted(model, side, rate, params.variance_floor, params.spread)
+            adapted(model, side, rate, params, params.spread)
             for model, side in zip((self.inside, self.outside), sides, strict=True)
         )
         return replace(self, inside=inside, outside=outside)
@@ -78,7 +75,7 @@ def ribbon_samples(
     A pixel on the far side of a thin part belongs to the edge over there, not to the ribbon of this one.
     """
     band = Band.around(frame, nodes, params.ribbon_depth, scale)
-    usable = band.near & (band.distance >= EDGE_BLUR)
+    usable = band.near & (band.distance >= params.edge_blur)
     inside, outside = (
         Samples.of(band.colours[side].astype(np.float64), band.edge[side], len(nodes))
         for side in (usable & band.inside, usable & ~band.inside)

@@ -41,7 +41,7 @@ class GlobalHistogram:
 
     def log_ratio(self, band: Band, params: AppearanceParams) -> Float32:
         """ln p_0^f / p_0^b `(rows, columns)` of the cells of a band, clipped to `params.clip`; 0 outside it."""
-        now, key = (model.log_ratio(band.picture, params.clip) for model in (self.now, self.key))
+        now, key = (model.log_ratio(band.picture, params.clip, params.unseen) for model in (self.now, self.key))
         share = np.float32(params.key_share)
         return np.asarray(np.where(band.near, (1 - share) * now + share * key, np.float32(0.0)), dtype=np.float32)
 

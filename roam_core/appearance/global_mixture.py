@@ -20,11 +20,6 @@ from roam_core.params import AppearanceParams
 Array = NDArray[np.float64]
 Float32 = NDArray[np.float32]
 
-MOST_SAMPLES = 6000
-"""Colours of one side that are learned from; of more, every so-manieth is taken."""
-STEPS = 15
-"""Steps of expectation maximisation."""
-
 
 @dataclass(frozen=True, eq=False)
 class GlobalMixture:
@@ -39,7 +34,7 @@ class GlobalMixture:
     def learned(cls, frame: PreparedFrame, nodes: Array, params: AppearanceParams, scale: float) -> GlobalMixture:
         """From R and its surroundings on a frame whose outline `nodes (N, 2)` is given."""
         inside, outside = (
-            gmm.learned(side, params.global_components, params.variance_floor, steps=STEPS)
+            gmm.learned(side, params.global_components, params.variance_floor, steps=params.global_steps)
             for side in _sides(frame, nodes, params, scale)
         )
         unknown = (inside.weight.sum(axis=1) == 0.0) | (outside.weight.sum(axis=1) == 0.0)
@@ -52,7 +47,7 @@ class GlobalMixture:
         """After an accepted frame with the outline `nodes (N, 2)`: moved towards its colours, the more the surer."""
         rate = params.adaptation * confidence
         inside, outside = (
-            adapted(model, side, rate, params.variance_floor)
+            adapted(model, side, rate, params)
             for model, side in zip((self.inside, self.outside), _sides(frame, nodes, params, scale), strict=True)
         )
         return replace(self, inside=inside, outside=outside)
@@ -69,10 +64,11 @@ class GlobalMixture:
 def _sides(frame: PreparedFrame, nodes: Array, params: AppearanceParams, scale: float) -> tuple[Samples, Samples]:
     """The colours of R, and those of a ring around it that stands for P without R."""
     band = Band.around(frame, nodes, params.global_ring, scale)
-    return _thinned(band.colours[band.inside]), _thinned(band.colours[band.near & ~band.inside])
+    most = params.global_samples
+    return _thinned(band.colours[band.inside], most), _thinned(band.colours[band.near & ~band.inside], most)
 
 
-def _thinned(colours: Float32) -> Samples:
-    step = max(1, -(-len(colours) // MOST_SAMPLES))
+def _thinned(colours: Float32, most: int) -> Samples:
+    step = max(1, -(-len(colours) // most))
     chosen = colours[::step].astype(np.float64)
     return Samples.of(chosen, np.zeros(len(chosen), dtype=np.int32), 1)

@@ -12,9 +12,6 @@ from roam_core.kernels.colour_bins import bin_counts, looked_up
 Float32 = NDArray[np.float32]
 UInt8 = NDArray[np.uint8]
 
-FLOOR = 2e-5
-"""Density of a colour that was never seen."""
-
 
 @dataclass(frozen=True, eq=False)
 class GlobalModel:
@@ -34,9 +31,9 @@ class GlobalModel:
         gain = np.float32(rate)
         return GlobalModel(keep * self.inside + gain * other.inside, keep * self.outside + gain * other.outside)
 
-    def log_ratio(self, image: UInt8, clip: float) -> Float32:
-        """ln p_f / p_b of each pixel `(h, w)`, clipped to +-`clip` nats."""
-        table = np.log((self.inside + np.float32(FLOOR)) / (self.outside + np.float32(FLOOR)))
+    def log_ratio(self, image: UInt8, clip: float, unseen: float) -> Float32:
+        """ln p_f / p_b of each pixel `(h, w)`, clipped to +-`clip` nats; `unseen`: density of unknown colours."""
+        table = np.log((self.inside + np.float32(unseen)) / (self.outside + np.float32(unseen)))
         return looked_up(image, np.clip(table, np.float32(-clip), np.float32(clip)))
 
 

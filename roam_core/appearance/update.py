@@ -7,18 +7,12 @@ from numpy.typing import NDArray
 
 from roam_core.appearance.gmm import Mixtures, Samples
 from roam_core.kernels.gmm_density import matches
+from roam_core.params import AppearanceParams
 
 Array = NDArray[np.float64]
 
-BOUND = 2.5
-"""Standard deviations within which a colour matches a component."""
-NEW_VARIANCE = 100.0
-"""Least variance, in Lab units squared, of a component that is put in for colours that matched none."""
-REPLACED = 0.2
-"""Share of an edge's colours that must match no component before one is given up for them."""
 
-
-def adapted(mixtures: Mixtures, samples: Samples, rate: float, floor: float, spread: int = 0) -> Mixtures:
+def adapted(mixtures: Mixtures, samples: Samples, rate: float, params: AppearanceParams, spread: int = 0) -> Mixtures:
     """The mixtures after a frame in which their edges showed `samples`.
 
     Each colour counts for the component that it matches. With m_k the share of an edge's colours that match component
@@ -27,7 +21,8 @@ def adapted(mixtures: Mixtures, samples: Samples, rate: float, floor: float, spr
     colours match nothing, they replace the weakest component with the weight `rate` times their share. An edge without
     colours stays as it is.
     """
-    sums = matches(samples.colours, samples.starts, spread, (mixtures.weight, mixtures.mean, mixtures.variance), BOUND)
+    floor, parts = params.variance_floor, (mixtures.weight, mixtures.mean, mixtures.variance)
+    sums = matches(samples.colours, samples.starts, spread, parts, params.matched)
     seen = sums[:, :, 6].sum(axis=1)
     known = mixtures.weight.sum(axis=1) > 0.0
     shares = sums[:, :, 6] / np.maximum(seen, 1.0)[:, None]
@@ -36,11 +31,11 @@ def adapted(mixtures: Mixtures, samples: Samples, rate: float, floor: float, spr
     rho = np.clip(rate * shares[:, :-1] / np.maximum(weight, 1e-12), 0.0, 1.0)[:, :, None]
     mean = (1.0 - rho) * mixtures.mean + rho * means[:, :-1]
     variance = (1.0 - rho) * mixtures.variance + rho * (variances[:, :-1] + (means[:, :-1] - mean) ** 2)
-    edges = np.flatnonzero(known & (rate * shares[:, -1] > rate * REPLACED))
+    edges = np.flatnonzero(known & (rate * shares[:, -1] > rate * params.replaced))
     weakest = weight[edges].argmin(axis=1)
     weight[edges, weakest] = rate * shares[edges, -1]
     mean[edges, weakest] = means[edges, -1]
-    variance[edges, weakest] = np.maximum(variances[edges, -1], NEW_VARIANCE)
+    variance[edges, weakest] = np.maximum(variances[edges, -1], params.new_variance)
     weight /= np.maximum(weight.sum(axis=1), 1e-12)[:, None]
     keep = ~known | (seen == 0.0)
     return Mixtures(

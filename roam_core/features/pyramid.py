@@ -11,39 +11,35 @@ from numpy.typing import NDArray
 
 from roam_core.features.frame import PreparedFrame, Region
 from roam_core.features.grid import Grid
+from roam_core.params import PyramidParams
 
 Array = NDArray[np.float64]
 Float32 = NDArray[np.float32]
 UInt8 = NDArray[np.uint8]
-
-LEVELS = 3
-"""Levels, each half as fine as the one before it."""
-SOFT, SOFTER = 0.8, 1.0
-"""Gaussians, in cells, on the finest level and before each halving."""
 
 
 @dataclass(frozen=True, eq=False)
 class Pyramid:
     """Lab pictures `(h, w, 3)` float32, finest first: L in [0, 100].
 
-    The finest lies on `grid`, with up to three rows and columns more below and to the right, so that it can be halved.
+    The finest lies on `grid`, with a few rows and columns more below and to the right, so that it can be halved.
     """
 
     levels: tuple[Float32, ...]
     grid: Grid
 
     @classmethod
-    def of(cls, frame: PreparedFrame, region: Region, factor: float) -> Pyramid:
+    def of(cls, frame: PreparedFrame, region: Region, factor: float, params: PyramidParams) -> Pyramid:
         """Of a region of a frame, its finest level with about `factor` cells a pixel."""
         grid = Grid.over(region, factor)
         rgb = grid.of(frame.image).astype(np.float32) / np.float32(255.0)
-        step = 1 << (LEVELS - 1)
+        step = 1 << (params.levels - 1)
         below, right = (-side % step for side in grid.shape)
         rgb = cv2.copyMakeBorder(rgb, 0, below, 0, right, cv2.BORDER_REPLICATE)
-        finest = cv2.GaussianBlur(cv2.cvtColor(rgb, cv2.COLOR_RGB2LAB), (0, 0), SOFT)
+        finest = cv2.GaussianBlur(cv2.cvtColor(rgb, cv2.COLOR_RGB2LAB), (0, 0), params.soft)
         levels = [np.asarray(finest, dtype=np.float32)]
-        for _ in range(LEVELS - 1):
-            levels.append(_halved(cv2.GaussianBlur(levels[-1], (0, 0), SOFTER)))
+        for _ in range(params.levels - 1):
+            levels.append(_halved(cv2.GaussianBlur(levels[-1], (0, 0), params.softer)))
         return cls(tuple(levels), grid)
 
     @cached_property

@@ -15,15 +15,10 @@ from numpy.typing import NDArray
 
 from roam_core.geometry import bezier
 from roam_core.geometry.bezier import ANCHOR, IN, OUT
+from roam_core.params import CONTROL_POLYGON
 
 Array = NDArray[np.float64]
 IntArray = NDArray[np.intp]
-
-SAMPLES = 4
-"""Places on each segment at which a control polygon is fitted to a curve."""
-
-REACH = 2
-"""Control points on either side that move along when one is inserted or taken out."""
 
 
 def bezier_points(control: Array, closed: bool = True) -> Array:
@@ -50,8 +45,8 @@ def bezier_points(control: Array, closed: bool = True) -> Array:
 def control_polygon(points: Array, closed: bool = True) -> Array:
     """The control polygon `(P, 2)` whose spline lies nearest to the curve of `points (P, 3, 2)`.
 
-    Nearest in the least squares of `SAMPLES` places a segment, at equal parameters; the one of a B-spline comes back as
-    it was (up to rounding).
+    Nearest in the least squares of a few places on each segment, at equal parameters; the one of a B-spline comes
+    back as it was (up to rounding).
     """
     if len(points) < 2:
         return points[:, ANCHOR].copy()
@@ -67,7 +62,7 @@ def is_bspline(points: Array, closed: bool = True, tolerance: float = 1e-6) -> b
 def inserted(control: Array, segment: int, t: float, closed: bool = True) -> Array:
     """The control polygon `(P + 1, 2)` with one more point, of index `segment + 1`, near `(segment, t)`.
 
-    A uniform spline has no exact insertion: the new point and `REACH` on either side are fitted to the old curve, cut
+    A uniform spline has no exact insertion: the new point and a few on either side are fitted to the old curve, cut
     at `(segment, t)`; the rest of the polygon stays.
     """
     count, index = len(control), segment + 1
@@ -76,12 +71,12 @@ def inserted(control: Array, segment: int, t: float, closed: bool = True) -> Arr
     place, u = _places(count + 1, closed)
     old = np.where(place > segment, place - 1, place)
     start, stop = (place == index) * t, np.where(place == segment, t, 1.0)
-    near = np.arange(index - REACH, index + REACH + 1)
+    near = np.arange(index - CONTROL_POLYGON.reach, index + CONTROL_POLYGON.reach + 1)
     return _fitted(control, guess, near, (old, start + (stop - start) * u), (place, u), closed)
 
 
 def removed(control: Array, index: int, closed: bool = True) -> Array:
-    """The control polygon `(P - 1, 2)` without one point; `REACH` on either side are fitted to the old curve.
+    """The control polygon `(P - 1, 2)` without one point; a few on either side are fitted to the old curve.
 
     The end of an open spline is taken off, and the rest of its polygon stays.
     """
@@ -94,15 +89,15 @@ def removed(control: Array, index: int, closed: bool = True) -> Array:
     second = merged & (u >= 0.5)
     old = (np.delete(np.arange(count), index)[place] + second) % count
     halves = np.where(merged, 2.0 * u - second, u)
-    near = np.arange(index - REACH, index + REACH)
+    near = np.arange(index - CONTROL_POLYGON.reach, index + CONTROL_POLYGON.reach)
     return _fitted(control, guess, near, (old, halves), (place, u), closed)
 
 
 def _places(count: int, closed: bool) -> tuple[IntArray, Array]:
     """The pairs `(segment, t)` of a spline of `count` points at which curves are compared."""
     spans = bezier.segment_count(count, closed)
-    t = np.arange(SAMPLES) / SAMPLES
-    segment, u = np.repeat(np.arange(spans), SAMPLES), np.tile(t, spans)
+    t = np.arange(CONTROL_POLYGON.samples) / CONTROL_POLYGON.samples
+    segment, u = np.repeat(np.arange(spans), CONTROL_POLYGON.samples), np.tile(t, spans)
     return (segment, u) if closed else (np.append(segment, spans - 1), np.append(u, 1.0))
 
 

@@ -10,18 +10,9 @@ from numpy.typing import NDArray
 
 from roam_core.geometry import polyline
 from roam_core.geometry.bezier import bernstein
+from roam_core.params import CURVE_FIT
 
 Array = NDArray[np.float64]
-
-STEP = 0.5
-"""Pixels between the samples of the outline that a curve is fitted to."""
-
-
-MIN_STROKE = 2.0
-"""Pixels: a shorter open line is one straight segment."""
-
-HAND_CORNER, HAND_SOFTNESS, HAND_REACH, HAND_STEP = 55.0, 2.5, 9.0, 2.0
-"""Degrees and pixels of `fit_open` for lines that a hand drew: its stroke has no finer detail than its tremor."""
 
 
 def fit_closed(
@@ -31,7 +22,7 @@ def fit_closed(
     *,
     softness: float = 1.2,
     reach: float = 5.0,
-    every: float = STEP,
+    every: float = CURVE_FIT.step,
 ) -> Array:
     """A closed spline `(P, 3, 2)` of few points within about `tolerance` pixels of the closed polyline `line (K, 2)`.
 
@@ -79,7 +70,7 @@ def fit_open(
     *,
     softness: float = 1.2,
     reach: float = 5.0,
-    every: float = STEP,
+    every: float = CURVE_FIT.step,
 ) -> Array:
     """An open spline `(P, 3, 2)` of few points within about `tolerance` pixels of the polyline `line (K, 2)`.
 
@@ -92,7 +83,7 @@ def fit_open(
     every : pixels between the samples of the line that the curve is fitted to.
     """
     total = polyline.length(line, closed=False)
-    if total < MIN_STROKE:
+    if total < CURVE_FIT.min_stroke:
         ends = np.stack([line[0], line[-1]])
         return _chained([_straight(ends[0], ends[1])])
     dense = polyline.resample(line, max(8, round(total / every)) + 1, closed=False)
@@ -119,7 +110,14 @@ def fit_stroke(line: Array, tolerance: float, *, closed: bool) -> Array:
     Tremor of about a pixel is taken out before corners and tangents are looked for; `tolerance` in pixels.
     """
     fitted = fit_closed if closed else fit_open
-    return fitted(line, tolerance, HAND_CORNER, softness=HAND_SOFTNESS, reach=HAND_REACH, every=HAND_STEP)
+    return fitted(
+        line,
+        tolerance,
+        CURVE_FIT.hand_corner,
+        softness=CURVE_FIT.hand_softness,
+        reach=CURVE_FIT.hand_reach,
+        every=CURVE_FIT.hand_step,
+    )
 
 
 def _runs(cuts: list[int]) -> list[tuple[int, tuple[int, int]]]:

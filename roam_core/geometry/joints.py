@@ -11,20 +11,10 @@ from numpy.typing import NDArray
 
 from roam_core.geometry import polyline
 from roam_core.kernels.coverage import coverage
+from roam_core.params import JOINTS, JointParams
 
 Array = NDArray[np.float64]
 Bools = NDArray[np.bool_]
-
-GAP = 3.0
-"""Pixels of a 480-line image between shapes that still meet."""
-LEAST = 12.0
-"""Square pixels of a 480-line image in which they must do so."""
-LONG = 1.5
-"""Length of a shape over its width from which it has ends."""
-TIP = 0.25
-"""Share of the length at which the width of an end is taken."""
-MOST = 0.4
-"""Share of a shape without ends that another may cover for there to be a place at which it hangs on it."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -44,7 +34,7 @@ class Joint:
         return np.asarray(self.places[self.shapes.index(shape)])
 
 
-def joints(lines: Sequence[Array], scale: float) -> list[Joint]:
+def joints(lines: Sequence[Array], scale: float, params: JointParams = JOINTS) -> list[Joint]:
     """Where closed polylines `(K, 2)` hang on each other; `scale` is `params.scale_for` of the picture.
 
     The smaller of two that meet hangs on the other by its end, if just one of its ends lies there; a shape without
@@ -53,14 +43,14 @@ def joints(lines: Sequence[Array], scale: float) -> list[Joint]:
     found = []
     for j in range(len(lines)):
         for k in range(j):
-            place = _place(lines[k], lines[j], scale)
+            place = _place(lines[k], lines[j], scale, params)
             if place is not None:
                 found.append(Joint((k, j), np.array([place, place])))
     return found
 
 
-def _place(a: Array, b: Array, scale: float) -> Array | None:
-    gap = GAP * scale
+def _place(a: Array, b: Array, scale: float, params: JointParams) -> Array | None:
+    gap = params.gap * scale
     low, high = (np.maximum(a.min(axis=0), b.min(axis=0)), np.minimum(a.max(axis=0), b.max(axis=0)))
     if (high - low < -gap).any():
         return None
@@ -69,34 +59,34 @@ def _place(a: Array, b: Array, scale: float) -> Array | None:
     size = np.maximum(small.max(axis=0), large.max(axis=0)) + 2.0 * gap - corner
     shape = (int(np.ceil(size[1] / scale)), int(np.ceil(size[0] / scale)))
     masks = [coverage((line - corner) / scale, shape) > 0.5 for line in (small, large)]
-    kernel = np.ones((2 * round(GAP) + 1, 2 * round(GAP) + 1), np.uint8)
+    kernel = np.ones((2 * round(params.gap) + 1, 2 * round(params.gap) + 1), np.uint8)
     grown = [cv2.dilate(mask.astype(np.uint8), kernel) > 0 for mask in masks]
     shared = masks[0] & masks[1]
-    if np.count_nonzero(shared) < LEAST:
+    if np.count_nonzero(shared) < params.least:
         shared = grown[0] & grown[1]
-    if np.count_nonzero(shared) < LEAST:
+    if np.count_nonzero(shared) < params.least:
         return None
-    ends = [end for end in _ends(small) if _is_inside(grown[1], (end - corner) / scale)]
+    ends = [end for end in _ends(small, params) if _is_inside(grown[1], (end - corner) / scale)]
     if len(ends) == 1:
         return ends[0]
-    if np.count_nonzero(shared) >= MOST * max(int(np.count_nonzero(masks[0])), 1):
+    if np.count_nonzero(shared) >= params.most * max(int(np.count_nonzero(masks[0])), 1):
         return None
     rows, columns = np.nonzero(shared)
     return np.asarray(np.array([columns.mean() + 0.5, rows.mean() + 0.5]) * scale + corner)
 
 
-def _ends(line: Array) -> list[Array]:
+def _ends(line: Array, params: JointParams) -> list[Array]:
     """The middles `(2,)` of both ends of a closed polyline along its principal axis; none of one that is not long."""
     evenly = polyline.resample(line, 96)
     middle = evenly.mean(axis=0)
     axes = np.linalg.svd(evenly - middle, full_matrices=False)[2]
     along, across = ((evenly - middle) @ axis for axis in axes)
     length = np.ptp(along)
-    if length < LONG * np.ptp(across):
+    if length < params.long * np.ptp(across):
         return []
     ends = []
     for tip, inwards in ((along.min(), 1.0), (along.max(), -1.0)):
-        there = across[np.abs(along - tip) <= TIP * length]
+        there = across[np.abs(along - tip) <= params.tip * length]
         place = tip + inwards * 0.5 * np.ptp(there)
         ends.append(middle + place * axes[0] + 0.5 * (there.max() + there.min()) * axes[1])
     return ends

@@ -9,21 +9,14 @@ from numpy.typing import NDArray
 
 from roam_core.geometry import bezier
 from roam_core.geometry.bezier import ANCHOR, IN, OUT
+from roam_core.params import MERGING
 
 Array = NDArray[np.float64]
 IntArray = NDArray[np.intp]
 
-SAMPLES = 16
-"""Places on each old segment at which the new one is fitted to it."""
 
-ROUNDS = 4
-"""How often places on the new segment are moved to where they lie nearest to the old ones."""
-
-STRAIGHT = np.cos(np.radians(2.0))
-"""A point whose handles are opposite within two degrees is smooth, and stays so."""
-
-LEAST_HANDLE = 0.02
-"""The shortest handle of a smooth point that the fit may choose, as a part of the run's length."""
+STRAIGHT = np.cos(np.radians(MERGING.straight))
+"""A point whose handles are opposite within so many degrees is smooth, and stays so."""
 
 
 def without_points(points: Array, gone: Collection[int], closed: bool = True) -> Array:
@@ -52,14 +45,14 @@ def _handles(points: Array, run: IntArray) -> Array:
         [points[:, run, ANCHOR], points[:, run, OUT], points[:, ends, IN], points[:, ends, ANCHOR]], axis=2
     )
     start, end = control[:, 0, 0], control[:, -1, 3]
-    line = np.einsum("tb,ksbc->kstc", bezier.bernstein(np.arange(SAMPLES) / SAMPLES), control)
+    line = np.einsum("tb,ksbc->kstc", bezier.bernstein(np.arange(MERGING.samples) / MERGING.samples), control)
     line = np.concatenate([line.reshape(len(points), -1, 2), end[:, None]], axis=1)
     lengths = np.hypot(*np.moveaxis(np.diff(line, axis=1), 2, 0)).cumsum(axis=1)
     arc = np.maximum(lengths[:, -1], 1e-9)
     t = np.pad(lengths, ((0, 0), (1, 0))) / arc[:, None]
     ways = np.stack([_way(points[:, run[0]], OUT), _way(points[:, ends[-1]], IN)], axis=1)
     handles = _fitted(line, t, ways, arc)
-    for _ in range(ROUNDS):
+    for _ in range(MERGING.rounds):
         t = _nearer(line, t, np.concatenate([start[:, None], handles, end[:, None]], axis=1))
         handles = _fitted(line, t, ways, arc)
     # A polygon stays one, and a run without length has nothing to fit.
@@ -95,7 +88,7 @@ def _fitted(line: Array, t: Array, ways: Array, arc: Array) -> Array:
     amounts = np.linalg.solve(normal, right).reshape(len(line), 2, 2)
     # A handle that the fit would turn about keeps its direction: a smooth point stays smooth.
     fixed = ~ways[..., 1].any(axis=2)
-    amounts[..., 0] = np.where(fixed, np.maximum(amounts[..., 0], LEAST_HANDLE * arc[:, None]), amounts[..., 0])
+    amounts[..., 0] = np.where(fixed, np.maximum(amounts[..., 0], MERGING.least_handle * arc[:, None]), amounts[..., 0])
     return np.asarray(np.concatenate([start, end], axis=1) + np.einsum("khcw,khw->khc", ways, amounts))
 
 

@@ -8,60 +8,56 @@ from numpy.typing import NDArray
 from roam_core.geometry import bezier, polyline
 from roam_core.geometry.bezier import ANCHOR, IN, OUT
 from roam_core.kernels.flattening import step_counts, vertices
+from roam_core.params import UNTYING, UntyingParams
 
 Array = NDArray[np.float64]
 
-TOLERANCE = 0.1
-"""Pixels of a 480-line image by which the polyline that is looked at may stray from the spline."""
-STRAIGHTENINGS = 4
-"""Times that crossing segments are straightened before more is done about them."""
 
-
-def simplified(points: Array, fallback: Array, scale: float = 1.0) -> Array:
+def simplified(points: Array, fallback: Array, scale: float = 1.0, params: UntyingParams = UNTYING) -> Array:
     """A closed spline `(P, 3, 2)` near `points` that does not cross itself.
 
     Segments that cross are straightened first; where that is not enough the whole spline is drawn towards `fallback`
     (a spline of as many points), and is `fallback` in the end.
     """
     result = points.copy()
-    for _ in range(STRAIGHTENINGS):
-        guilty = crossing_segments(result, scale)
+    for _ in range(params.straightenings):
+        guilty = crossing_segments(result, scale, params)
         if len(guilty) == 0:
             return result
         result = _straightened(result, guilty)
     for share in (0.25, 0.5, 0.75):
         blended = (1.0 - share) * points + share * fallback
-        if len(crossing_segments(blended, scale)) == 0:
+        if len(crossing_segments(blended, scale, params)) == 0:
             return np.asarray(blended)
     return fallback
 
 
-def untied(points: Array, before: Array, scale: float = 1.0) -> Array:
+def untied(points: Array, before: Array, scale: float = 1.0, params: UntyingParams = UNTYING) -> Array:
     """A closed spline `(P, 3, 2)` like `points` that does not cross itself; elsewhere it keeps its place.
 
     Segments that cross are straightened; where that is not enough, their control points, then the neighbours of those
     too, go back to where they are in `before`. A curve that crossed itself before may go on doing so.
     """
-    if len(crossing_segments(points, scale)) == 0 or len(crossing_segments(before, scale)) > 0:
+    if len(crossing_segments(points, scale, params)) == 0 or len(crossing_segments(before, scale, params)) > 0:
         return points
     result, count = points.copy(), len(points)
-    for attempt in range(STRAIGHTENINGS + count):
-        guilty = crossing_segments(result, scale)
+    for attempt in range(params.straightenings + count):
+        guilty = crossing_segments(result, scale, params)
         if len(guilty) == 0:
             return result
-        if attempt < STRAIGHTENINGS:
+        if attempt < params.straightenings:
             result = _straightened(result, guilty)
         else:
-            width = attempt - STRAIGHTENINGS
+            width = attempt - params.straightenings
             near = (guilty[:, None] + np.arange(-width, width + 2)) % count
             result[near] = before[near]
     return before.copy()
 
 
-def crossing_segments(points: Array, scale: float = 1.0) -> NDArray[np.intp]:
+def crossing_segments(points: Array, scale: float = 1.0, params: UntyingParams = UNTYING) -> NDArray[np.intp]:
     """The segments of a closed spline that properly cross another one, in order."""
     control = bezier.segments(points)
-    counts = step_counts(control, TOLERANCE * scale)
+    counts = step_counts(control, params.tolerance * scale)
     owner = np.repeat(np.arange(len(control)), counts)
     pairs = polyline.crossings(vertices(control, counts))
     return np.unique(owner[pairs.ravel()])

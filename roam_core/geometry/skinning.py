@@ -14,21 +14,11 @@ from scipy.sparse.csgraph import dijkstra
 from roam_core.geometry import polyline
 from roam_core.kernels.coverage import coverage
 from roam_core.kernels.posing import affines
+from roam_core.params import BONES, BonesParams
 
 Array = NDArray[np.float64]
 Float32 = NDArray[np.float32]
 Bools = NDArray[np.bool_]
-
-ACROSS = 32.0
-"""Cells along the root of a shape's area in which the way along it is measured."""
-MOST = 400
-"""Cells of a side: a shape that is all length is measured more coarsely."""
-LONG = 3.0
-"""Length of a shape over its width from which it has joints."""
-SLICE = 0.08
-"""Share of the length over which the middle of the shape is taken where two bones meet."""
-JOINT = 0.4
-"""Share of a bone's length over which it gives way to the next."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -45,22 +35,23 @@ class Chain:
     order: NDArray[np.intp]
     along: Float32
     to_cells: Array
+    params: BonesParams = BONES
 
     @classmethod
-    def of(cls, line: Array, joints: int = 1) -> Chain:
+    def of(cls, line: Array, joints: int = 1, params: BonesParams = BONES) -> Chain:
         """Of the closed polyline `line (K, 2)`: with so many `joints` if it is long, else as one piece."""
-        inside, to_cells = _cells(line)
+        inside, to_cells = _cells(line, params)
         along, length = _along(inside)
         area = float(np.count_nonzero(inside))
-        count = 1 + joints if length * length > LONG * area else 1
+        count = 1 + joints if length * length > params.long * area else 1
         to_pixels = cv2.invertAffineTransform(to_cells)
         middles = [
-            _apply(to_pixels, _middle(inside & (np.abs(along - at) <= 0.5 * SLICE)))
+            _apply(to_pixels, _middle(inside & (np.abs(along - at) <= 0.5 * params.slice)))
             for at in np.linspace(0.0, 1.0, count + 1)
         ]
         if count == 1:
             middles = _ends(line)
-        return cls(*_chained(np.array(middles), line), _spread(along, inside), to_cells)
+        return cls(*_chained(np.array(middles), line), _spread(along, inside), to_cells, params)
 
     @property
     def count(self) -> int:
@@ -85,7 +76,7 @@ class Chain:
         along = cv2.remap(self.along, x[None], y[None], cv2.INTER_LINEAR, borderMode=cv2.BORDER_REPLICATE)[0]
         place = np.clip(along * self.count - 0.5, 0.0, self.count - 1.0)
         before = np.minimum(place.astype(np.intp), self.count - 2)
-        share = np.clip((place - before - 0.5) / JOINT + 0.5, 0.0, 1.0)
+        share = np.clip((place - before - 0.5) / self.params.joint + 0.5, 0.0, 1.0)
         ordered = np.zeros((len(places), self.count))
         ordered[np.arange(len(places)), before] = 1.0 - share
         ordered[np.arange(len(places)), before + 1] += share
@@ -106,10 +97,13 @@ class Chain:
         return np.asarray(np.einsum("nij,nhj->nhi", blended[:, :, :2], points) + blended[:, None, :, 2])
 
 
-def _cells(line: Array) -> tuple[Bools, Array]:
+def _cells(line: Array, params: BonesParams) -> tuple[Bools, Array]:
     """The inside of a closed polyline in cells, one of room around it, and the map `(2, 3)` from pixels to cells."""
     low, high = line.min(axis=0), line.max(axis=0)
-    cell = max(float(np.sqrt(max(abs(polyline.signed_area(line)), 1e-6))) / ACROSS, float((high - low).max()) / MOST)
+    cell = max(
+        float(np.sqrt(max(abs(polyline.signed_area(line)), 1e-6))) / params.across,
+        float((high - low).max()) / params.most,
+    )
     columns, rows = np.ceil((high - low) / cell).astype(int) + 2
     to_cells = np.array([[1.0 / cell, 0.0, 1.0 - low[0] / cell], [0.0, 1.0 / cell, 1.0 - low[1] / cell]])
     inside = coverage(_apply(to_cells, line), (int(rows), int(columns))) > 0.5

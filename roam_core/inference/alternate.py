@@ -99,4 +99,4 @@ def _best_curve(
     moved, _ = best_moves(nodes, moves, curve, params, pull, memory)
     if polyline.is_simple(moved) or not polyline.is_simple(nodes):
         return moved
-    return untangled(nodes, moved)
+    return untangled(nodes, moved, params.untangling)

@@ -19,9 +19,6 @@ Array = NDArray[np.float64]
 Unary = Callable[[Array, Array], Array]
 """Further unary energies `(N, D)` of `nodes (N, 2)` moved by each of `moves (D, 2)`."""
 
-UNTANGLING = 8
-"""Times that loops are looked for; a curve that still crosses itself then is put back as a whole."""
-
 
 @dataclass(frozen=True)
 class Solution:
@@ -83,7 +80,7 @@ def descend(
                 token.check()
             moved, energy = best_moves(nodes, moves, context, params, unary, memory)
             if simple and not polyline.is_simple(moved):
-                moved = untangled(nodes, moved)
+                moved = untangled(nodes, moved, params.untangling)
                 energy = joint_energy(moved, context, params, unary)
                 before = trace[-1] if trace else joint_energy(nodes, context, params, unary)
                 if energy > before:
@@ -102,14 +99,15 @@ def joint_energy(nodes: Array, context: CurveContext, params: RoamParams, unary:
     return total.energies(nodes, context, params)["total"] + more
 
 
-def untangled(before: Array, after: Array) -> Array:
+def untangled(before: Array, after: Array, rounds: int) -> Array:
     """`after (N, 2)` with the nodes of its loops put back to where they are in `before`, a curve without crossings.
 
     Where a crossing parts the curve into halves, rather than cutting off a loop, the nodes next to it are put back.
+    Loops are looked for so many `rounds`; a curve that still crosses itself then is put back as a whole.
     """
     result = after.copy()
     count = len(after)
-    for width in range(UNTANGLING):
+    for width in range(rounds):
         pairs = polyline.crossings(result)
         if len(pairs) == 0:
             return result

@@ -6,20 +6,15 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from roam_core.params import LandmarkParams
+
 Array = NDArray[np.float64]
 UInt8 = NDArray[np.uint8]
 
-LEAST_REGION = 12
-"""Pixels: a smaller stable region is grain."""
 
-WHOLE = 0.25
-"""Share of the object above which a stable region is the object rather than a mark on it."""
-
-INSIDE = 0.9
-"""Share of a stable region's pixels that must lie inside the object."""
-
-
-def distinctive_points(grey: UInt8, inside: NDArray[np.bool_], count: int, side: int, taken: Array) -> Array:
+def distinctive_points(
+    grey: UInt8, inside: NDArray[np.bool_], count: int, side: int, taken: Array, params: LandmarkParams
+) -> Array:
     """Up to `count` positions `(K, 2)` inside the object, away from each other and from those `taken (T, 2)`.
 
     Centres of maximally stable extremal regions (Matas et al., BMVC 2002) come first, the most distinctive first: those
@@ -36,7 +31,7 @@ def distinctive_points(grey: UInt8, inside: NDArray[np.bool_], count: int, side:
     texture = _texture(grey, inside, side)
     # As far apart as circles that tile half the object.
     apart = max(2.0, 0.8 * float(np.sqrt(area / (count + len(taken)))))
-    stable = _stable_regions(grey, inside, area)
+    stable = _stable_regions(grey, inside, area, params)
     column, row = (np.clip(stable[:, k].astype(np.intp), 0, grey.shape[1 - k] - 1) for k in (0, 1))
     stable = stable[np.argsort(-texture[row, column], kind="stable")]
     chosen = _spread(stable, count, apart, taken)
@@ -54,12 +49,12 @@ def _texture(grey: UInt8, inside: NDArray[np.bool_], side: int) -> NDArray[np.fl
     return np.asarray(0.5 * (xx + yy) - np.sqrt(0.25 * (xx - yy) ** 2 + xy * xy), dtype=np.float32)
 
 
-def _stable_regions(grey: UInt8, inside: NDArray[np.bool_], area: int) -> Array:
+def _stable_regions(grey: UInt8, inside: NDArray[np.bool_], area: int, params: LandmarkParams) -> Array:
     """Centroids `(K, 2)` of the stable regions that belong to the object; of nested ones at one place, one."""
-    largest = int(WHOLE * area)
-    if largest <= LEAST_REGION or min(grey.shape) < 5:
+    largest = int(params.whole * area)
+    if largest <= params.least_region or min(grey.shape) < 5:
         return np.empty((0, 2))
-    regions, _ = cv2.MSER.create(4, LEAST_REGION, largest).detectRegions(np.ascontiguousarray(grey))
+    regions, _ = cv2.MSER.create(4, params.least_region, largest).detectRegions(np.ascontiguousarray(grey))
     if len(regions) == 0:
         return np.empty((0, 2))
     pixels, counts = np.concatenate(regions), np.array([len(region) for region in regions])
@@ -67,7 +62,7 @@ def _stable_regions(grey: UInt8, inside: NDArray[np.bool_], area: int) -> Array:
     share = np.add.reduceat(inside[pixels[:, 1], pixels[:, 0]], starts, dtype=np.intp) / counts
     found = np.add.reduceat(pixels, starts, axis=0, dtype=np.intp) / counts[:, None] + 0.5
     column, row = (found[:, k].astype(np.intp) for k in (0, 1))
-    return np.asarray(found[(share >= INSIDE) & inside[row, column]])
+    return np.asarray(found[(share >= params.inside) & inside[row, column]])
 
 
 def _spread(ranked: Array, count: int, apart: float, taken: Array) -> Array:

@@ -16,18 +16,11 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy import fft
 
+from roam_core.params import FILTERS, FilterParams
+
 Array = NDArray[np.float64]
 Float32 = NDArray[np.float32]
 Complex = NDArray[np.complex64]
-
-LEAST_CONTRAST = 4.0
-"""Grey levels: a patch that varies less is divided by this, so that grain on a flat surface is no texture."""
-
-MARGIN = 2
-"""Cells around a patch, to each side, that are learned from with it: they tell where the filter's own peak lies."""
-
-LOBE = 3
-"""Cells around the greatest response that count as its own peak, to each side."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -42,6 +35,7 @@ class CorrelationFilters:
         window moves with the patch, not with what it shows, so the peak is not quite symmetric; uncorrected a landmark
         would walk a fraction of a pixel a frame.
     side : w, cells. ridge : weight of the filter's own square in the regression, in units of the patch's mean power.
+    params : how patches are cut and peaks are told.
     """
 
     numerator: Complex
@@ -49,22 +43,24 @@ class CorrelationFilters:
     offset: Array
     side: int
     ridge: float
+    params: FilterParams = FILTERS
 
     @classmethod
-    def learned(cls, areas: Float32, sigma: float, ridge: float) -> CorrelationFilters:
+    def learned(cls, areas: Float32, sigma: float, ridge: float, params: FilterParams = FILTERS) -> CorrelationFilters:
         """Filters that answer a Gaussian of `sigma` cells, 1 at its centre, to their own patch.
 
-        `areas (M, w + 2 MARGIN, w + 2 MARGIN)` are the patches with the cells around them.
+        `areas (M, w + 2 m, w + 2 m)` are the patches with the m cells of `FilterParams.margin` around them.
         """
-        numerator, power = _spectra(_middle(areas), sigma)
-        return cls(numerator, power, np.zeros((len(areas), 2)), areas.shape[1] - 2 * MARGIN, ridge)._settled(areas)
+        numerator, power = _spectra(_middle(areas, params.margin), sigma, params.least_contrast)
+        side = areas.shape[1] - 2 * params.margin
+        return cls(numerator, power, np.zeros((len(areas), 2)), side, ridge, params)._settled(areas)
 
     def __len__(self) -> int:
         return len(self.power)
 
     def adapted(self, areas: Float32, sigma: float, rates: Array) -> CorrelationFilters:
         """Filters that also know newer `areas` (as in `learned`), each with its share `rates (M,)` in [0, 1]."""
-        numerator, power = _spectra(_middle(areas), sigma)
+        numerator, power = _spectra(_middle(areas, self.params.margin), sigma, self.params.least_contrast)
         rate = rates.astype(np.float32)[:, None, None]
         mixed = replace(
             self,
@@ -90,7 +86,7 @@ class CorrelationFilters:
 
     def _settled(self, areas: Float32) -> CorrelationFilters:
         """The same filters, told where they peak on these areas."""
-        return replace(self, offset=peaks(self.response(areas))[0])
+        return replace(self, offset=peaks(self.response(areas), self.params.lobe)[0])
 
     @cached_property
     def templates(self) -> Float32:
@@ -119,7 +115,7 @@ class CorrelationFilters:
         shape = (fft.next_fast_len(size, real=True),) * 2
         spectrum = np.conj(fft.rfft2(self.templates, s=shape, workers=1)) * fft.rfft2(areas, s=shape, workers=1)
         raw = fft.irfft2(spectrum, s=shape, workers=1)[:, :places, :places]
-        mean, contrast = _moments(areas, side, places)
+        mean, contrast = _moments(areas, side, places, self.params.least_contrast)
         return np.asarray((raw - mean * self.templates.sum(axis=(1, 2))[:, None, None]) / contrast, dtype=np.float32)
 
 
@@ -129,27 +125,27 @@ def window(side: int) -> Float32:
     return np.asarray(hann[:, None] * hann, dtype=np.float32)
 
 
-def normalised(patches: Float32) -> Float32:
+def normalised(patches: Float32, least_contrast: float = FILTERS.least_contrast) -> Float32:
     """Patches `(M, w, w)` of mean 0 and standard deviation 1 (less where there is hardly any contrast)."""
     mean = patches.mean(axis=(1, 2), keepdims=True)
-    contrast = np.maximum(patches.std(axis=(1, 2), keepdims=True), LEAST_CONTRAST)
+    contrast = np.maximum(patches.std(axis=(1, 2), keepdims=True), least_contrast)
     return np.asarray((patches - mean) / contrast, dtype=np.float32)
 
 
-def peaks(response: Float32) -> tuple[Array, Array]:
+def peaks(response: Float32, lobe: int = FILTERS.lobe) -> tuple[Array, Array]:
     """Where each response `(M, n, n)` is greatest, and how clearly.
 
     Returns
     -------
     displacement : (M, 2) x and y from the centre, cells; between cells by a parabola through the neighbours.
     sharpness : (M,) peak-to-sidelobe ratio (Bolme et al.): the peak's height over the mean of all that is not within
-        `LOBE` cells of it, in standard deviations of the latter. Low: the landmark might as well be elsewhere.
+        `lobe` cells of it, in standard deviations of the latter. Low: the landmark might as well be elsewhere.
     """
     count, size = response.shape[0], response.shape[1]
     best = response.reshape(count, size * size).argmax(axis=1)
     row, column = best // size, best % size
     displacement = np.stack([column, row], axis=1) - size // 2 + between(response, row, column)
-    return displacement, sharpness(response, row, column)
+    return displacement, sharpness(response, row, column, lobe)
 
 
 def between(response: Float32, row: NDArray[np.intp], column: NDArray[np.intp]) -> Array:
@@ -158,12 +154,12 @@ def between(response: Float32, row: NDArray[np.intp], column: NDArray[np.intp]) 
     return np.stack([_vertex(response[which, row], column), _vertex(response[which, :, column], row)], axis=1)
 
 
-def sharpness(response: Float32, row: NDArray[np.intp], column: NDArray[np.intp]) -> Array:
+def sharpness(response: Float32, row: NDArray[np.intp], column: NDArray[np.intp], lobe: int = FILTERS.lobe) -> Array:
     """Peak-to-sidelobe ratio `(M,)` of the cells `[row, column]` of each response `(M, n, n)`."""
     count, size = response.shape[0], response.shape[1]
     ticks = np.arange(size)
-    near_row = np.abs(ticks - row[:, None]) <= LOBE
-    near_column = np.abs(ticks - column[:, None]) <= LOBE
+    near_row = np.abs(ticks - row[:, None]) <= lobe
+    near_column = np.abs(ticks - column[:, None]) <= lobe
     side = ~(near_row[:, :, None] & near_column[:, None, :])
     members = np.maximum(side.sum(axis=(1, 2)), 1)
     values = np.where(side, response, 0.0)
@@ -186,13 +182,14 @@ def areas_at(grey: NDArray[np.uint8], centres: Array, size: int) -> Float32:
     return areas
 
 
-def _middle(areas: Float32) -> Float32:
-    return np.ascontiguousarray(areas[:, MARGIN:-MARGIN, MARGIN:-MARGIN])
+def _middle(areas: Float32, margin: int) -> Float32:
+    inner = slice(margin, areas.shape[1] - margin)
+    return np.ascontiguousarray(areas[:, inner, inner])
 
 
-def _spectra(patches: Float32, sigma: float) -> tuple[Complex, Float32]:
+def _spectra(patches: Float32, sigma: float, least_contrast: float) -> tuple[Complex, Float32]:
     side = patches.shape[1]
-    spectrum = fft.rfft2(normalised(patches) * window(side), workers=1)
+    spectrum = fft.rfft2(normalised(patches, least_contrast) * window(side), workers=1)
     target = fft.rfft2(_target(side, sigma), workers=1)
     return np.asarray(target * np.conj(spectrum), dtype=np.complex64), np.asarray(np.abs(spectrum) ** 2, np.float32)
 
@@ -213,14 +210,14 @@ def _mean_power(power: Float32, side: int) -> Float32:
     return np.asarray((power * twice).sum(axis=(1, 2)) / side**2, dtype=np.float32)
 
 
-def _moments(areas: Float32, side: int, places: int) -> tuple[Float32, Float32]:
-    """Mean and standard deviation (at least `LEAST_CONTRAST`) of every patch inside the search areas."""
+def _moments(areas: Float32, side: int, places: int, least_contrast: float) -> tuple[Float32, Float32]:
+    """Mean and standard deviation (at least `least_contrast`) of every patch inside the search areas."""
     centred = areas - areas.mean(axis=(1, 2), keepdims=True)
     mean, square = np.empty((2, len(areas), places, places), dtype=np.float32)
     for m, area in enumerate(centred):
         mean[m] = cv2.boxFilter(area, -1, (side, side), anchor=(0, 0))[:places, :places]
         square[m] = cv2.sqrBoxFilter(area, -1, (side, side), anchor=(0, 0))[:places, :places]
-    contrast = np.sqrt(np.maximum(square - mean**2, LEAST_CONTRAST**2))
+    contrast = np.sqrt(np.maximum(square - mean**2, least_contrast**2))
     return mean + areas.mean(axis=(1, 2), keepdims=True), contrast
 
 

@@ -11,20 +11,11 @@ from roam_core.features import PreparedFrame, Region
 from roam_core.features.grid import Grid
 from roam_core.landmarks import filters
 from roam_core.landmarks.detect import distinctive_points
-from roam_core.landmarks.filters import MARGIN, CorrelationFilters
+from roam_core.landmarks.filters import CorrelationFilters
 from roam_core.params import LandmarkParams, scale_for
 
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
-
-LEAST_SIDE = 16
-"""Cells: the smallest patch that can be told from others."""
-
-SCARCE = 0.4
-"""Share of the landmarks found at the last detection below which new ones are looked for at once."""
-
-PATIENCE = 5
-"""Frames after which new landmarks are looked for in any case, should there be fewer than wanted."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -70,9 +61,10 @@ class Pool:
         """The landmarks of the object that covers `region (h, w)` on a frame, numbered from `first_id` on."""
         cell = scale_for(frame.size)
         across = float(np.sqrt(np.count_nonzero(region))) / cell
-        side = 2 * int(np.clip(0.4 * across, LEAST_SIDE // 2, params.window // 2))
-        size = side + 2 * MARGIN
-        none = CorrelationFilters.learned(np.empty((0, size, size), np.float32), params.target_sigma, params.ridge)
+        side = 2 * int(np.clip(0.4 * across, params.least_side // 2, params.window // 2))
+        size = side + 2 * params.filters.margin
+        nothing = np.empty((0, size, size), np.float32)
+        none = CorrelationFilters.learned(nothing, params.target_sigma, params.ridge, params.filters)
         return cls(params, np.empty(0, np.intp), np.empty((0, 2)), none, cell, first_id)._renewed(frame, region)
 
     def __len__(self) -> int:
@@ -85,7 +77,7 @@ class Pool:
         # A filter's own peak lies off its middle by `offset`; the lattice is shifted so that its answers do not.
         centres = guess + self.filters.offset * self.cell
         response = self.filters.response(_areas(frame, centres, side + 2 * cells, self.cell))
-        displacement, sharpness = filters.peaks(response)
+        displacement, sharpness = filters.peaks(response, self.params.filters.lobe)
         return Sighting(response, guess + displacement * self.cell, sharpness, self.cell)
 
     def adapted(self, frame: PreparedFrame, positions: Array, sharpness: Array, region: Mask, trust: float) -> Pool:
@@ -106,7 +98,8 @@ class Pool:
         rate = np.full(len(kept), self.params.adaptation * trust)
         areas = kept._own_areas(frame)
         kept = replace(kept, filters=kept.filters.adapted(areas, self.params.target_sigma, rate))
-        few = len(kept) < SCARCE * self.wanted or (len(kept) < 0.8 * self.params.count and kept.waited >= PATIENCE)
+        waited = kept.waited >= self.params.patience
+        few = len(kept) < self.params.scarce * self.wanted or (len(kept) < 0.8 * self.params.count and waited)
         return kept._renewed(frame, region) if few else kept
 
     def moved(self, positions: Array) -> Pool:
@@ -114,16 +107,17 @@ class Pool:
         return replace(self, positions=positions)
 
     def _own_areas(self, frame: PreparedFrame) -> NDArray[np.float32]:
-        return _areas(frame, self.positions, self.filters.side + 2 * MARGIN, self.cell)
+        return _areas(frame, self.positions, self.filters.side + 2 * self.params.filters.margin, self.cell)
 
     def _renewed(self, frame: PreparedFrame, region: Mask) -> Pool:
         """With newly detected landmarks; those that are ambiguous on the very frame they stem from are not taken."""
         count = self.params.count - len(self)
-        found = _detected(frame, region, count, self.filters.side, self.cell, self.positions)
+        found = _detected(frame, region, count, self)
         new = replace(
             self, positions=found, ids=self.next_id + np.arange(len(found), dtype=np.intp), filters=self.filters
         )
-        learned = CorrelationFilters.learned(new._own_areas(frame), self.params.target_sigma, self.params.ridge)
+        params = self.params
+        learned = CorrelationFilters.learned(new._own_areas(frame), params.target_sigma, params.ridge, params.filters)
         new = replace(new, filters=learned)
         clear = new.located(frame, found, self.params.search * self.cell).sharpness >= self.params.ambiguity
         return replace(
@@ -149,14 +143,17 @@ def _areas(frame: PreparedFrame, centres: Array, size: int, cell: float) -> NDAr
     return filters.areas_at(grid.of(frame.grey), grid.to_grid(centres), size)
 
 
-def _detected(frame: PreparedFrame, region: Mask, count: int, side: int, cell: float, taken: Array) -> Array:
+def _detected(frame: PreparedFrame, region: Mask, count: int, pool: Pool) -> Array:
+    """Up to `count` places of the object that covers `region (h, w)`, away from those of the pool."""
+    cell, side = pool.cell, pool.filters.side
     rows, columns = np.flatnonzero(region.any(axis=1)), np.flatnonzero(region.any(axis=0))
     if len(rows) == 0 or count <= 0:
         return np.empty((0, 2))
     corners = np.array([(columns[0], rows[0]), (columns[-1] + 1, rows[-1] + 1)], dtype=np.float64)
     grid = Grid.over(Region.around(corners, 2 * cell, frame.size), 1.0 / cell)
     inside = grid.of(region.astype(np.float32)) > 0.5
-    return grid.to_image(distinctive_points(grid.of(frame.grey), inside, count, side, grid.to_grid(taken)))
+    taken = grid.to_grid(pool.positions)
+    return grid.to_image(distinctive_points(grid.of(frame.grey), inside, count, side, taken, pool.params))
 
 
 def _is_inside(positions: Array, region: Mask) -> Mask:

@@ -15,9 +15,6 @@ from roam_core.params import RoamParams
 
 Array = NDArray[np.float64]
 
-MAX_TRAVEL = 48.0
-"""Pixels of a 480-line image by which an object may move between two frames and still be found."""
-
 
 @dataclass(frozen=True)
 class Warp:
@@ -49,7 +46,7 @@ def followed_points(
     pixel of it are dropped. The third value is the error in pixels that an agreeing point may have for that reason.
     """
     none = np.empty((0, 2))
-    region = Region.around(line, MAX_TRAVEL * scale, before.size)
+    region = Region.around(line, params.motion_travel * scale, before.size)
     if region.is_empty:
         return none, none, 0.0
     rows, columns = region.slices

@@ -21,30 +21,11 @@ from roam_core.features import PreparedFrame, Region
 from roam_core.geometry import bezier, projective
 from roam_core.geometry.plane_motion import PlaneMotion, ransac
 from roam_core.media.source import MissingFrame
-from roam_core.motion.klt import MAX_TRAVEL
-from roam_core.params import scale_for
+from roam_core.params import PLANAR, PlanarParams, scale_for
 
 Array = NDArray[np.float64]
 Grey = NDArray[np.uint8]
 
-CORNERS = 500
-"""Corners that are followed."""
-SIDE = 1280
-"""Most pixels of a side of the region that is looked at: a greater one is reduced."""
-WINDOW, WINDOW_CLOSELY = 21, 11
-"""Pixels of the windows that are compared with the last picture, and with the reference warped to nearly the same: a
-small one takes in less of what lies beside the plane."""
-RETURN = 0.5
-"""Pixels of the reduced picture by which a corner that is followed there and back again may miss its place."""
-AGREE, AGREE_CLOSELY = 1.0, 0.6
-"""Pixels of the reduced picture by which a corner may disagree with the motion from the last picture, and with the one
-from the reference. Two surfaces that go apart by twice as much are told apart; grain moves a corner by far less."""
-ENOUGH = 3
-"""Times as many corners must agree as fix the motion."""
-LEAST_AGREEMENT = 0.7
-"""Share of the corners that must agree with the motion from the reference for it to be believed."""
-FAR = 3.0
-"""Sizes of the picture beyond which no outline is carried: a homography can throw points over the horizon."""
 
 ReadFrame = Callable[[int], NDArray[Any]]
 
@@ -101,6 +82,7 @@ class Reference:
     grey: Grey
     corners: Array
     matrix: Array
+    params: PlanarParams = PLANAR
 
     @classmethod
     def of(
@@ -109,10 +91,16 @@ class Reference:
         outlines: Sequence[Array],
         holes: Sequence[Array] = (),
         matrix: Array = projective.IDENTITY,
-        count: int = CORNERS,
+        params: PlanarParams = PLANAR,
+        count: int | None = None,
     ) -> Reference:
-        """With up to `count` corners between the closed splines `(P, 3, 2)`, which lie on the picture."""
-        return cls(picture.grey, corners_in(picture.grey, inside(outlines, holes, picture.size), count), matrix)
+        """With up to `count` corners between the closed splines `(P, 3, 2)`, which lie on the picture.
+
+        None: `PlanarParams.corners`.
+        """
+        most = params.corners if count is None else count
+        corners = corners_in(picture.grey, inside(outlines, holes, picture.size), most)
+        return cls(picture.grey, corners, matrix, params)
 
     def matched(
         self,
@@ -124,9 +112,10 @@ class Reference:
     ) -> Match | None:
         """The motion `guess (3, 3)`, from the first picture to this one, refined; None where too few corners tell it.
 
-        A corner agrees within `tolerance` pixels, by default `AGREE_CLOSELY` of the reduced picture.
+        A corner agrees within `tolerance` pixels, by default `PlanarParams.agree_closely` of the reduced picture.
         """
-        least = ENOUGH * kind.pairs
+        params = self.params
+        least = params.enough * kind.pairs
         since = guess @ np.linalg.inv(self.matrix)
         height, width = picture.size
         there = projective.apply(since, self.corners)
@@ -134,10 +123,12 @@ class Reference:
         seen = ((there >= margin) & (there <= np.array([width, height]) - margin)).all(axis=1)
         if seen.sum() < least:
             return None
-        source, target, shrunk = _matched(self.grey, picture.grey, self.corners[seen], since)
+        source, target, shrunk = _matched(self.grey, picture.grey, self.corners[seen], since, params)
         if check is not None:
             check()
-        residual, agree = ransac(kind, source, target, AGREE_CLOSELY / shrunk if tolerance is None else tolerance)
+        residual, agree = ransac(
+            kind, source, target, params.agree_closely / shrunk if tolerance is None else tolerance
+        )
         if residual is None or agree.sum() < least:
             return None
         matrix = projective.usable(since @ residual @ self.matrix)
@@ -154,16 +145,22 @@ class PlanarTracker:
     kind : what the plane may do.
     outlines : closed splines `(P, 3, 2)` on the first picture; where an even number of them overlap is outside.
     holes : closed splines that are cut out.
+    params : how it looks.
     """
 
     def __init__(
-        self, kind: PlaneMotion, picture: PreparedFrame, outlines: Sequence[Array], holes: Sequence[Array] = ()
+        self,
+        kind: PlaneMotion,
+        picture: PreparedFrame,
+        outlines: Sequence[Array],
+        holes: Sequence[Array] = (),
+        params: PlanarParams = PLANAR,
     ) -> None:
-        self.kind = PlaneMotion(kind)
+        self.kind, self.params = PlaneMotion(kind), params
         self._outlines, self._holes = list(outlines), list(holes)
         self._before, self._matrix = picture, projective.IDENTITY
         self._scale = scale_for(picture.size)
-        self._reference = Reference.of(picture, self._outlines, self._holes)
+        self._reference = Reference.of(picture, self._outlines, self._holes, params=params)
         self._check: Callable[[], None] = _go_on
 
     def step(self, picture: PreparedFrame, frame: int, token: CancelToken | None = None) -> PlaneStep:
@@ -180,7 +177,7 @@ class PlanarTracker:
         if matched is None and self._reference.grey is not self._before.grey:
             # The plane looks different by now: go on from the last picture, which was still believed.
             outlines, holes = (self._carried(curves, self._matrix) for curves in (self._outlines, self._holes))
-            self._reference = Reference.of(self._before, outlines, holes, self._matrix)
+            self._reference = Reference.of(self._before, outlines, holes, self._matrix, self.params)
             matched = self._from_reference(picture, guess)
         if matched is not None:
             guess, agreement, count = matched.matrix, matched.agreement, matched.followed
@@ -192,15 +189,14 @@ class PlanarTracker:
 
     def _from_last(self, picture: PreparedFrame, frame: int) -> tuple[Array, float, int]:
         outlines = self._carried(self._outlines, self._matrix)
-        region = Region.around(np.concatenate(outlines), MAX_TRAVEL * self._scale, picture.size)
-        source, target, shrunk = _followed_in(
-            self._before.grey, picture.grey, region, outlines, self._carried(self._holes, self._matrix)
-        )
+        region = Region.around(np.concatenate(outlines), self.params.travel * self._scale, picture.size)
+        holes = self._carried(self._holes, self._matrix)
+        source, target, shrunk = _followed_in(self._before.grey, picture.grey, region, outlines, holes, self.params)
         self._check()
-        motion, agree = ransac(self.kind, source, target, AGREE / shrunk)
+        motion, agree = ransac(self.kind, source, target, self.params.agree / shrunk)
         self._check()
         matrix = None if motion is None else projective.usable(motion @ self._matrix)
-        if matrix is None or agree.sum() < max(ENOUGH * self.kind.pairs, 4):
+        if matrix is None or agree.sum() < max(self.params.enough * self.kind.pairs, 4):
             raise LostPlane(
                 f"The plane was lost on frame {frame}: too few corners inside the shapes go one way; start again there."
             )
@@ -209,11 +205,11 @@ class PlanarTracker:
     def _from_reference(self, picture: PreparedFrame, guess: Array) -> Match | None:
         """The motion refined by the reference, or None where they do not look alike."""
         match = self._reference.matched(picture, guess, self.kind, check=self._check)
-        return match if match is not None and match.agreement >= LEAST_AGREEMENT else None
+        return match if match is not None and match.agreement >= self.params.least_agreement else None
 
     def _refuse_far(self, matrix: Array, frame: int, picture: PreparedFrame) -> None:
         points = np.concatenate([outline.reshape(-1, 2) for outline in self._outlines])
-        far = FAR * max(picture.size)
+        far = self.params.far * max(picture.size)
         behind = (projective.depth(matrix, points) <= 0.0).any()
         if behind or np.abs(projective.apply(matrix, points)).max() > far:
             raise LostPlane(f"The plane was lost on frame {frame}: it would tip over; try a simpler motion.")
@@ -258,7 +254,7 @@ def track_plane(
         yield tracker.step(picture, frame, token)
 
 
-def corners_in(grey: Grey, mask: Grey, count: int = CORNERS) -> Array:
+def corners_in(grey: Grey, mask: Grey, count: int = PLANAR.corners) -> Array:
     """Up to `count` corners `(K, 2)` of `grey (h, w)` where `mask (h, w)` is not zero, spread out, in our pixels."""
     area = int(np.count_nonzero(mask))
     if area == 0:
@@ -273,10 +269,18 @@ def corners_in(grey: Grey, mask: Grey, count: int = CORNERS) -> Array:
     return np.empty((0, 2)) if found is None else found.reshape(-1, 2) + np.array([x + 0.5, y + 0.5])
 
 
-def followed(old: Grey, new: Grey, corners: Array, window: int = WINDOW, levels: int = 4) -> tuple[Array, Array]:
+def followed(
+    old: Grey,
+    new: Grey,
+    corners: Array,
+    window: int = PLANAR.window,
+    levels: int = 4,
+    returned: float = PLANAR.returned,
+) -> tuple[Array, Array]:
     """Those of `corners (K, 2)` of the old picture that KLT finds on the new one and back again, and where.
 
-    It compares windows of `window` pixels, on `levels` halvings of the pictures beside themselves.
+    It compares windows of `window` pixels, on `levels` halvings of the pictures beside themselves. What comes back
+    within `returned` pixels of where it was has been found.
     """
     if len(corners) == 0:
         return corners, corners
@@ -284,9 +288,9 @@ def followed(old: Grey, new: Grey, corners: Array, window: int = WINDOW, levels:
     options: dict[str, Any] = {"winSize": (window, window), "maxLevel": levels, "criteria": criteria}
     here = (corners - 0.5).astype(np.float32).reshape(-1, 1, 2)
     there, found, _ = cv2.calcOpticalFlowPyrLK(old, new, here, None, **options)
-    back, returned, _ = cv2.calcOpticalFlowPyrLK(new, old, there, None, **options)
-    near = np.hypot(*(back - here).reshape(-1, 2).T) < RETURN
-    keep = (found.ravel() == 1) & (returned.ravel() == 1) & near
+    back, found_back, _ = cv2.calcOpticalFlowPyrLK(new, old, there, None, **options)
+    near = np.hypot(*(back - here).reshape(-1, 2).T) < returned
+    keep = (found.ravel() == 1) & (found_back.ravel() == 1) & near
     return corners[keep], there.reshape(-1, 2)[keep].astype(np.float64) + 0.5
 
 
@@ -301,25 +305,31 @@ def inside(outlines: Sequence[Array], holes: Sequence[Array], size: tuple[int, i
 
 
 def _followed_in(
-    old: Grey, new: Grey, region: Region, outlines: Sequence[Array], holes: Sequence[Array]
+    old: Grey,
+    new: Grey,
+    region: Region,
+    outlines: Sequence[Array],
+    holes: Sequence[Array],
+    params: PlanarParams,
 ) -> tuple[Array, Array, float]:
     """Corners inside the outlines and where they went, full-size pixels, and by how much the region was reduced."""
     none = np.empty((0, 2))
     if region.is_empty:
         return none, none, 1.0
-    shrunk = min(1.0, SIDE / max(region.x1 - region.x0, region.y1 - region.y0))
+    shrunk = min(1.0, params.side / max(region.x1 - region.x0, region.y1 - region.y0))
     origin = np.asarray(region.origin, dtype=np.float64)
     a, b = (_reduced(grey[region.slices], shrunk) for grey in (old, new))
     local, cut = ([(points - origin) * shrunk for points in curves] for curves in (outlines, holes))
-    source, target = followed(a, b, corners_in(a, inside(local, cut, (a.shape[0], a.shape[1]))))
+    corners = corners_in(a, inside(local, cut, (a.shape[0], a.shape[1])), params.corners)
+    source, target = followed(a, b, corners, params.window, returned=params.returned)
     return source / shrunk + origin, target / shrunk + origin, shrunk
 
 
-def _matched(old: Grey, new: Grey, corners: Array, since: Array) -> tuple[Array, Array, float]:
+def _matched(old: Grey, new: Grey, corners: Array, since: Array, params: PlanarParams) -> tuple[Array, Array, float]:
     """Corners of the reference picture, and where the new one, warped back by `since (3, 3)`, has them."""
     height, width = old.shape
     region = Region.around(corners, 24.0 * scale_for((height, width)), (height, width))
-    shrunk = min(1.0, SIDE / max(region.x1 - region.x0, region.y1 - region.y0))
+    shrunk = min(1.0, params.side / max(region.x1 - region.x0, region.y1 - region.y0))
     origin = np.asarray(region.origin, dtype=np.float64)
     a = _reduced(old[region.slices], shrunk)
     # From a pixel of the reduced reference, in OpenCV's coordinates, to one of the new picture.
@@ -331,7 +341,7 @@ def _matched(old: Grey, new: Grey, corners: Array, since: Array) -> tuple[Array,
     flags = cv2.INTER_LINEAR | cv2.WARP_INVERSE_MAP
     b = cv2.warpPerspective(new, way, (a.shape[1], a.shape[0]), flags=flags, borderMode=cv2.BORDER_REPLICATE)
     warped = _alike(np.asarray(b, dtype=np.uint8), a)
-    source, target = followed(a, warped, (corners - origin) * shrunk, WINDOW_CLOSELY, 2)
+    source, target = followed(a, warped, (corners - origin) * shrunk, params.window_closely, 2, params.returned)
     return source / shrunk + origin, target / shrunk + origin, shrunk
 
 

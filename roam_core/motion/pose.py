@@ -18,16 +18,13 @@ from scipy.spatial import cKDTree
 
 from roam_core.features.pyramid import Pyramid
 from roam_core.kernels.posing import Costs, Prior, Samples, Ties, View, energies, refined
-from roam_core.motion.template import COARSEST, LEAST, Template, contrasts, every_other
+from roam_core.motion.template import Template, contrasts, every_other
 from roam_core.params import PoseParams
 
 Array = NDArray[np.float64]
 Float32 = NDArray[np.float32]
 Bools = NDArray[np.bool_]
 UInt8 = NDArray[np.uint8]
-
-AROUND = 24
-"""Sample places around a point by which it is judged."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -135,7 +132,7 @@ class Pose:
         if self.look is None or not self.look.own.any():
             return np.zeros(len(places))
         tree = cKDTree(self.look.places[self.look.own])
-        nearest = tree.query(places, k=min(AROUND, tree.n))[1].reshape(len(places), -1)
+        nearest = tree.query(places, k=min(self.template.params.around, tree.n))[1].reshape(len(places), -1)
         return np.asarray(1.0 - self.look.wrong[self.look.own][nearest].mean(axis=1))
 
     def expected(self, params: PoseParams) -> Array:
@@ -165,7 +162,7 @@ class Pose:
         return replace(self, velocity=np.zeros_like(self.velocity), cost=1.0, since=self.since + 1, look=NOTHING)
 
     def _likened(self, look: Look, params: PoseParams) -> float:
-        if np.count_nonzero(look.own) < LEAST:
+        if np.count_nonzero(look.own) < params.least_samples:
             return self.like
         wanted = params.like_times * float(np.median(np.sqrt(look.apart[look.own])))
         least, most = params.like
@@ -229,8 +226,10 @@ class Search:
 
     def _closer(self, starts: Sequence[Array]) -> list[tuple[Array, float]]:
         """The poses that these lead to before the last level, and their costs; the best first."""
-        rough = sorted((self._refined(start, COARSEST) for start in starts), key=_cost)
-        return sorted((self._refined(start, COARSEST - 1) for start, _ in rough[: self.params.followed]), key=_cost)
+        rough = sorted((self._refined(start, self.template.coarsest) for start in starts), key=_cost)
+        return sorted(
+            (self._refined(start, self.template.coarsest - 1) for start, _ in rough[: self.params.followed]), key=_cost
+        )
 
     def look(self, values: Array) -> Look:
         """What is seen of the part under a pose `(P,)`."""
@@ -258,7 +257,7 @@ class Search:
         poses[:, 0] += x
         poses[:, 1] += y
         poses[:, 2 : 2 + self.template.chain.count] += turn[:, None]
-        samples = self.template.levels[COARSEST]
+        samples = self.template.levels[self.template.coarsest]
         rough = np.argsort(self._energies(poses, every_other(samples)), kind="stable")[: params.looked_at]
         poses = poses[rough]
         chosen: list[Array] = []
@@ -271,8 +270,9 @@ class Search:
 
     def _energies(self, poses: Array, samples: Samples) -> Array:
         """What `poses (m, P)` cost on the coarsest level, by some samples."""
-        bones, costs = self.template.chain.bones, self._costs(COARSEST)
-        return energies(self._view(COARSEST), samples, bones, poses, costs, self.prior, self._ties)
+        level = self.template.coarsest
+        bones, costs = self.template.chain.bones, self._costs(level)
+        return energies(self._view(level), samples, bones, poses, costs, self.prior, self._ties)
 
     def _is_apart(self, a: Array, b: Array) -> bool:
         step = self.params.search_step * self.template.scale
@@ -281,7 +281,7 @@ class Search:
 
     def _refined(self, start: Array, level: int, template: Template | None = None) -> tuple[Array, float]:
         template = self.template if template is None else template
-        rounds = self.params.rounds // 2 if level == COARSEST else self.params.rounds
+        rounds = self.params.rounds // 2 if level == self.template.coarsest else self.params.rounds
         return refined(
             self._view(level), template.levels[level], template.chain.bones, start, self._costs(level), self.prior,
             self._ties, rounds,
@@ -302,7 +302,7 @@ class Search:
 
     def _costs(self, level: int) -> Costs:
         params = self.params
-        like = max(params.like_roughly, self.before.like) if level == COARSEST else self.before.like
+        like = max(params.like_roughly, self.before.like) if level == self.template.coarsest else self.before.like
         costs = Costs(like, params.beside_like, params.unseen, params.unseen)
         if self.around.needs is None:
             return costs

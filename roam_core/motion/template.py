@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from roam_core.features.pyramid import LEVELS, Pyramid
+from roam_core.features.pyramid import Pyramid
 from roam_core.geometry import polyline
 from roam_core.geometry.skinning import Chain
 from roam_core.kernels.posing import Samples
@@ -16,14 +16,6 @@ from roam_core.params import PoseParams
 
 Array = NDArray[np.float64]
 Bools = NDArray[np.bool_]
-
-COARSEST = LEVELS - 1
-TAPS = 5
-"""Moments at which the template is looked at while the shutter is open."""
-SHUTTER = 0.5
-"""Share of a frame for which it is taken to be open, on frames that look blurred."""
-LEAST = 30
-"""Sample places that a part must have to be matched at all."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -35,7 +27,7 @@ class Template:
     chain : its bones. pyramid : the key's picture around it, for the colours under motion blur.
     levels : the samples of each level of a pyramid, finest first; the coarsest has fewer.
     scale : `params.scale_for` of the picture. seam : share of its outline beside which nothing changes, in [0, 1].
-    area : what the outline encloses, square pixels.
+    area : what the outline encloses, square pixels. params : by which it was made.
     """
 
     chain: Chain
@@ -44,6 +36,7 @@ class Template:
     scale: float
     seam: float
     area: float
+    params: PoseParams
 
     @classmethod
     def of(
@@ -53,34 +46,41 @@ class Template:
 
         None where too little of it is seen.
         """
-        chain = Chain.of(line, params.joints)
-        inside = _seen_places(pyramid, line, covers)
-        if len(inside) < LEAST:
+        chain = Chain.of(line, params.joints, params.bones)
+        inside = _seen_places(pyramid, line, params.least_samples, covers)
+        if len(inside) < params.least_samples:
             return None
         fine, coarse = (_chosen(inside, most) for most in (params.samples, params.samples // 4))
         beside, within = _beside(pyramid, line, params.beside_at * scale, covers)
+        count = len(pyramid.levels)
         levels = [
-            _samples(pyramid, level, fine if level < COARSEST else coarse, beside, within, chain, params)
-            for level in range(LEVELS)
+            _samples(pyramid, level, fine if level < count - 1 else coarse, beside, within, chain, params)
+            for level in range(count)
         ]
         beside_it = contrasts(levels[0], params)
         seam = float(np.mean(beside_it < 0.5)) if len(beside_it) else 1.0
-        return cls(chain, pyramid, tuple(levels), scale, seam, abs(float(polyline.signed_area(line))))
+        area = abs(float(polyline.signed_area(line)))
+        return cls(chain, pyramid, tuple(levels), scale, seam, area, params)
+
+    @property
+    def coarsest(self) -> int:
+        """The number of the last level."""
+        return len(self.levels) - 1
 
     def blurred(self, pose: Array, velocity: Array) -> Template:
         """The template as it looks while it moves through `pose (P,)` with `velocity (P,)` a frame.
 
         The very same one where no streak is longer than a cell.
         """
-        levels = tuple(self._streaked(level, pose, velocity) for level in range(COARSEST))
+        levels = tuple(self._streaked(level, pose, velocity) for level in range(self.coarsest))
         if all(streaked is sharp for streaked, sharp in zip(levels, self.levels, strict=False)):
             return self
-        return replace(self, levels=(*levels, self.levels[COARSEST]))
+        return replace(self, levels=(*levels, self.levels[self.coarsest]))
 
     def _streaked(self, level: int, pose: Array, velocity: Array) -> Samples:
         samples = self.levels[level]
         ends = [
-            self.chain.carried(pose + side * 0.5 * SHUTTER * velocity, samples.places, samples.skin)
+            self.chain.carried(pose + side * 0.5 * self.params.shutter * velocity, samples.places, samples.skin)
             for side in (1.0, -1.0)
         ]
         way = ends[0] - ends[1]
@@ -89,18 +89,19 @@ class Template:
         back = np.linalg.inv(self.chain.root(pose))
         on_key = way @ back.T
         taps = [
-            self.pyramid.colours(samples.places - moment * on_key, level) for moment in np.linspace(-0.5, 0.5, TAPS)
+            self.pyramid.colours(samples.places - moment * on_key, level)
+            for moment in np.linspace(-0.5, 0.5, self.params.taps)
         ]
         own = samples.weights > 0
         return samples._replace(colours=np.where(own[:, None], np.mean(taps, axis=0), samples.colours))
 
 
-def _seen_places(pyramid: Pyramid, line: Array, covers: Sequence[Array]) -> Array:
+def _seen_places(pyramid: Pyramid, line: Array, least: int, covers: Sequence[Array]) -> Array:
     """The centres `(N, 2)` of the finest cells inside an outline, away from its edge where it is wide enough."""
     (mask, *_), (hidden, *_) = pyramid.outlined([line]), pyramid.outlined(list(covers))
     seen = (mask > 0) & (hidden == 0)
     core = _eroded(seen)
-    rows, columns = np.nonzero(core if np.count_nonzero(core) >= 3 * LEAST else seen)
+    rows, columns = np.nonzero(core if np.count_nonzero(core) >= 3 * least else seen)
     cells = np.stack([columns, rows], axis=1) + 0.5
     return np.asarray(cells / pyramid.scale_at(0) + pyramid.corner)
 

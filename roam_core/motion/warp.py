@@ -11,7 +11,7 @@ from roam_core.features.grid import Grid
 from roam_core.geometry import similarity
 from roam_core.kernels.coverage import coverage
 from roam_core.motion.flow import dense_flow, flow_similarity
-from roam_core.motion.klt import MAX_TRAVEL, Warp, similarity_warp
+from roam_core.motion.klt import Warp, similarity_warp
 from roam_core.params import RoamParams
 
 Array = NDArray[np.float64]
@@ -31,13 +31,16 @@ def warp(before: PreparedFrame, after: PreparedFrame, line: Array, params: RoamP
         case "klt":
             return similarity_warp(before, after, line, params, scale)
         case "flow":
-            return flow_warp(before, after, line, scale)
+            return flow_warp(before, after, line, params.motion_travel, scale)
     raise RoamError(f"There is no pre-warp {params.warp!r}; choose none, klt or flow.")
 
 
-def flow_warp(before: PreparedFrame, after: PreparedFrame, line: Array, scale: float) -> Warp:
-    """The similarity that most of the dense flow inside agrees with. `points` counts the cells inside."""
-    region = Region.around(line, MAX_TRAVEL * scale, before.size)
+def flow_warp(before: PreparedFrame, after: PreparedFrame, line: Array, travel: float, scale: float) -> Warp:
+    """The similarity that most of the dense flow inside agrees with. `points` counts the cells inside.
+
+    `travel` is how far the object may move, pixels of a 480-line image.
+    """
+    region = Region.around(line, travel * scale, before.size)
     if region.is_empty:
         return Warp(similarity.IDENTITY.copy(), 0, 0.0)
     grid = Grid.over(region, 1.0 / scale)

@@ -18,21 +18,13 @@ from roam_core.energy.total import CurveContext
 from roam_core.geometry import polyline
 from roam_core.motion.klt import Warp
 from roam_core.motion.pose import Pose
+from roam_core.params import CONFIDENCE, ConfidenceParams
 from roam_core.propagate.laying import enclosed
 from roam_core.propagate.result import Part
 from roam_core.proposal.evidence import SURE, Expectation, Field
 
 Array = NDArray[np.float64]
 Bools = NDArray[np.bool_]
-
-REACH = 8
-"""Pixels to both sides of the outline that are searched for a stronger edge than the one it lies on."""
-AROUND = 9
-"""Cells across the neighbourhood of an anchor."""
-LEAST = 0.02
-"""Overlap below which all is lost."""
-FAR_APART = 0.5
-"""Overlap with both passages below which a filled frame is no worse for being farther from them."""
 
 
 @dataclass(frozen=True)
@@ -66,7 +58,13 @@ class Signs:
 
     @classmethod
     def of(
-        cls, parts: Sequence[Part], found: Field, expected: Expectation, unbroken: NDArray[np.float32], frames: int
+        cls,
+        parts: Sequence[Part],
+        found: Field,
+        expected: Expectation,
+        unbroken: NDArray[np.float32],
+        frames: int,
+        params: ConfidenceParams = CONFIDENCE,
     ) -> Signs:
         """Of the outlines laid along the region `found`, so many frames after the key.
 
@@ -79,7 +77,7 @@ class Signs:
         rim = cv2.morphologyEx(inside.astype(np.uint8), cv2.MORPH_GRADIENT, square)
         near = cv2.dilate(rim, np.ones((5, 5), np.uint8)) > 0
         return cls(
-            unenclosed=-float(np.log(max(overlap(enclosed(parts, found.grid) > 0.5, inside), LEAST))),
+            unenclosed=-float(np.log(max(overlap(enclosed(parts, found.grid) > 0.5, inside), params.least))),
             flat=1.0 - float(nats[near].mean()) / SURE if near.any() else 1.0,
             undecided=min(int(np.count_nonzero(nats < 1.0)) / cells, 3.0),
             new=int(np.count_nonzero(inside & (expected.remembered <= 0.5))) / cells,
@@ -110,20 +108,16 @@ class PoseSigns:
         return cls(pose.unlike, 0.0 if pose.look is None else pose.look.beside, 1.0 - pose.seen)
 
 
-POSE_SIGNS = (3.96, 5.91, 1.88, 0.54)
-"""As `SIGNS`, of the `PoseSigns`; fitted to rendered figures and to real legs, both weighing the same."""
-
-
-SIGNS = (3.73, 1.01, 3.74, 3.64, 0.67, 0.089, 0.65, 2.26)
-"""The constant of the logistic model, and the weight of each of the `Signs` in their order."""
-
-
-def expected_overlap(signs: Signs | PoseSigns | SpanSigns, weights: Sequence[float] | None = None) -> float:
+def expected_overlap(
+    signs: Signs | PoseSigns | SpanSigns,
+    weights: Sequence[float] | None = None,
+    params: ConfidenceParams = CONFIDENCE,
+) -> float:
     """The IoU with the artist's wish, in [0, 1], to be expected on a frame with these signs.
 
     A logistic function of the weighted signs. All weights are at least zero, so that no sign can speak for a frame.
     """
-    fitted = {Signs: SIGNS, PoseSigns: POSE_SIGNS, SpanSigns: SPAN_SIGNS}
+    fitted = {Signs: params.signs, PoseSigns: params.pose_signs, SpanSigns: params.span_signs}
     constant, *slopes = weights or fitted[type(signs)]
     return float(1.0 / (1.0 + np.exp(np.dot(slopes, astuple(signs)) - constant)))
 
@@ -136,7 +130,7 @@ class SpanSigns:
     ----------
     missed : share of both regions in which the object, carried from one key all the way, differs from the other key.
     apart : -ln of the overlap of the outlines with the nearer of what the two keys, each carried, say on this frame; at
-        most that of `FAR_APART`: what comes out from behind something is on neither.
+        most that of `ConfidenceParams.far_apart`: what comes out from behind something is on neither.
     middle : 0 beside a key, 1 half way between them.
     length : ln of the frames from key to key.
     """
@@ -147,30 +141,24 @@ class SpanSigns:
     length: float
 
     @classmethod
-    def of(cls, missed: float, nearer: float, u: float, frames: int) -> SpanSigns:
+    def of(
+        cls, missed: float, nearer: float, u: float, frames: int, params: ConfidenceParams = CONFIDENCE
+    ) -> SpanSigns:
         """From the miss at the keys, the overlap with the `nearer` passage, and the place in a span of `frames`."""
         middle = 2.0 * float(np.sqrt(u * (1.0 - u)))
-        return cls(missed, -float(np.log(max(nearer, FAR_APART))), middle, float(np.log(frames)))
+        return cls(missed, -float(np.log(max(nearer, params.far_apart))), middle, float(np.log(frames)))
 
 
-SPAN_SIGNS = (3.94, 1.64, 3.30, 0.74, 0.21)
-"""As `SIGNS`, of the `SpanSigns`."""
-
-
-def vertex_confidence(support: Array, confidence: float) -> Array:
+def vertex_confidence(support: Array, confidence: float, params: ConfidenceParams = CONFIDENCE) -> Array:
     """For each anchor, the probability that the outline runs within 4 px (of a 480-line image) of the true one there.
 
     Parameters
     ----------
     support : (P,) `edge_support` of the anchors. confidence : that of the frame.
     """
-    constant, own, whole = VERTEX
-    logit = np.log(max(confidence, LEAST) / max(1.0 - confidence, LEAST))
+    constant, own, whole = params.vertex
+    logit = np.log(max(confidence, params.least) / max(1.0 - confidence, params.least))
     return np.asarray(1.0 / (1.0 + np.exp(-(constant + own * support + whole * logit))))
-
-
-VERTEX = (-1.33, 1.72, 0.79)
-"""Constant of the logistic model of anchors, weight of their support, weight of the frame's log-odds."""
 
 
 def edge_support(anchors: Array, found: Field) -> Array:
@@ -192,7 +180,7 @@ def overlap(a: Bools, b: Bools) -> float:
     return int(np.count_nonzero(a & b)) / union if union else 0.0
 
 
-def node_support(nodes: Array, context: CurveContext, scale: float) -> Array:
+def node_support(nodes: Array, context: CurveContext, scale: float, params: ConfidenceParams) -> Array:
     """For each node, in [0, 1]: the edge under the outline against the strongest edge near it along the normal.
 
     One where the outline sits on the strongest edge around, near zero where it crosses a flat area beside an edge or
@@ -200,7 +188,7 @@ def node_support(nodes: Array, context: CurveContext, scale: float) -> Array:
     """
     here = context.local(nodes)
     normals = polyline.outward_normals(here)
-    offsets = np.arange(-REACH, REACH + 1) * scale
+    offsets = np.arange(-params.reach, params.reach + 1) * scale
     positions = here[:, None] + offsets[None, :, None] * normals[:, None]
     strength = np.sqrt(_lookup(context.squared_gradient, positions))
     weak = 0.15  # an edge as faint as grain supports nothing

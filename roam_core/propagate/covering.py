@@ -15,9 +15,6 @@ from roam_core.proposal.evidence import SURE, Expectation, Field
 Array = NDArray[np.float64]
 Bools = NDArray[np.bool_]
 
-LEAST_SEEN = 0.05
-"""Share of an object that must be seen for its motion to be taken from that alone."""
-
 
 def covered(covers: Sequence[Array], grid: Grid) -> Bools | None:
     """Which cells `(rows, columns)` closed polylines `(K, 2)` lie before; None where there are none."""
@@ -26,13 +23,13 @@ def covered(covers: Sequence[Array], grid: Grid) -> Bools | None:
     return np.asarray(np.any([coverage(grid.to_grid(line), grid.shape) > 0.5 for line in covers], axis=0))
 
 
-def visible(inside: Bools, covers: Sequence[Array], grid: Grid) -> Bools:
-    """The cells inside an object that nothing lies before; all of them where that leaves hardly any."""
+def visible(inside: Bools, covers: Sequence[Array], grid: Grid, least_seen: float) -> Bools:
+    """The cells inside an object that nothing lies before; all of them where that leaves no more than `least_seen`."""
     hidden = covered(covers, grid)
     if hidden is None:
         return inside
     free = inside & ~hidden
-    return free if np.count_nonzero(free) > LEAST_SEEN * np.count_nonzero(inside) else inside
+    return free if np.count_nonzero(free) > least_seen * np.count_nonzero(inside) else inside
 
 
 def carried_behind(ratio: Field, covers: Sequence[Array], expected: Expectation) -> Field:

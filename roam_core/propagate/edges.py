@@ -19,8 +19,7 @@ from roam_core.features import PreparedFrame, Region
 from roam_core.features.pyramid import Pyramid
 from roam_core.geometry import bezier, polyline
 from roam_core.motion.template import contrast
-from roam_core.params import PoseParams, scale_for
-from roam_core.propagate.free_edges import OUTSIDE, STEP
+from roam_core.params import EDGES, scale_for
 from roam_core.propagate.objects import Role, near, stacked, units
 from roam_core.propagate.posed import is_narrow
 from roam_core.propagate.provenance import Stamps, governing_key, source_of
@@ -30,15 +29,6 @@ Array = NDArray[np.float64]
 Bools = NDArray[np.bool_]
 Ints = NDArray[np.intp]
 ReadPicture = Callable[[int], PreparedFrame]
-
-MARGIN = 12.0
-"""Pixels of a 480-line image around the outlines that are looked at."""
-CHANGES = 0.5
-"""Contrast from which the picture changes across an edge; from there `motion.template` counts no seam either."""
-AROUND = 5
-"""Neighbouring samples whose median contrast counts: grain and small spots make no edge."""
-DEPTHS = (0.2, 0.5, 1.0)
-"""Shares of the distance from the edge at which the inside is looked at: the greatest that still lies inside."""
 
 
 class Edge(IntEnum):
@@ -147,19 +137,19 @@ def _of_object(
     scale = scale_for(picture.size)
     points = [shape.at(frame).points for shape in together]
     sampled = {k: _sampled(points[k], scale, samples.get(together[k].id)) for k in asked}
-    window = Region.around(np.vstack([each.places for each in sampled.values()]), MARGIN * scale, picture.size)
-    if is_narrow(window):
+    window = Region.around(np.vstack([each.places for each in sampled.values()]), EDGES.margin * scale, picture.size)
+    if is_narrow(window, EDGES.pose):
         return {together[k].id: sampled[k] for k in asked}
-    stack = _Stack(Pyramid.of(picture, window, 1.0 / scale), together, points, frame, picture.size)
+    stack = _Stack(Pyramid.of(picture, window, 1.0 / scale, EDGES.pose.pyramid), together, points, frame, picture.size)
     return {together[k].id: stack.judged(k, sampled[k]) for k in asked}
 
 
 def _sampled(points: Array, scale: float, given: tuple[Ints, Array] | None) -> Edges:
-    """Samples of an outline of which nothing is known yet, about `STEP` apart in each segment."""
+    """Samples of an outline of which nothing is known yet, about `FreeEdgesParams.step` apart in each segment."""
     if given is None:
         control = bezier.segments(points)
         roughly = np.hypot(*np.diff(control, axis=1).T).sum(axis=0)
-        given = _pairs(np.maximum(np.ceil(roughly / (STEP * scale)).astype(np.intp), 1))
+        given = _pairs(np.maximum(np.ceil(roughly / (EDGES.free.step * scale)).astype(np.intp), 1))
     segment, t = given
     places = bezier.evaluate(points, segment, t)
     ahead = np.hypot(*(polyline.following(places) - places).T)
@@ -185,7 +175,7 @@ class _Stack:
         frame: int,
         size: tuple[int, int],
     ) -> None:
-        self.pyramid, self.size, self.scale, self.params = pyramid, size, scale_for(size), PoseParams()
+        self.pyramid, self.size, self.scale, self.params = pyramid, size, scale_for(size), EDGES.pose
         self.shapes, self.units, self.order = shapes, units(shapes, near(size)), stacked(shapes, frame)
         self.inside = [pyramid.outlined([bezier.flatten(each)])[0] > 0 for each in points]
         self.unit_of = {k: unit for unit in self.units for k in unit.members}
@@ -198,26 +188,26 @@ class _Stack:
             outwards = -outwards  # the object lies around a hole
         away = self.params.beside_at * self.scale
         outside, within = edges.places + away * outwards, self._within(k, edges.places, -outwards, away)
-        beyond = edges.places + OUTSIDE * self.scale * outwards
+        beyond = edges.places + EDGES.free.outside * self.scale * outwards
         nearer = self._nearer(k)
         hidden = self._in(nearer, edges.places) | self._in(nearer, within)
         hidden |= self._in(self._nearer(k, occluders=True), beyond)
         changes = self._contrast(within, outside)
         changes[~(self._is_seen(outside) & self._is_seen(edges.places))] = np.nan
-        kinds = np.where((changes >= CHANGES) & ~self._in(self._others(k), beyond), Edge.FREE, Edge.SEAM)
+        kinds = np.where((changes >= EDGES.changes) & ~self._in(self._others(k), beyond), Edge.FREE, Edge.SEAM)
         kinds = np.where(hidden, Edge.HIDDEN, np.where(np.isnan(changes), Edge.UNKNOWN, kinds))
         return replace(edges, kinds=kinds.astype(np.intp), contrast=changes)
 
     def _contrast(self, within: Array, outside: Array) -> Array:
         """How much the picture changes from one place to another, in [0, 1]; the median over neighbours."""
         apart = contrast(self.pyramid.colours(within, 0), self.pyramid.colours(outside, 0), self.params)
-        return np.asarray(median_filter(apart, size=AROUND, mode="wrap"))
+        return np.asarray(median_filter(apart, size=EDGES.around, mode="wrap"))
 
     def _within(self, k: int, places: Array, inwards: Array, away: float) -> Array:
         """Places `away` pixels from an outline on the object's side, nearer to it where the shape is narrow."""
         inside, cell = self.inside[k] ^ self._is_hole(k), self.scale
-        found = places + DEPTHS[0] * away * inwards
-        for share in DEPTHS[1:]:
+        found = places + EDGES.depths[0] * away * inwards
+        for share in EDGES.depths[1:]:
             deeper = places + share * away * inwards
             is_inside = self._in(inside, deeper) & self._in(inside, deeper + cell * inwards)
             found = np.where(is_inside[:, None], deeper, found)

@@ -41,17 +41,6 @@ Array = NDArray[np.float64]
 Float32 = NDArray[np.float32]
 UInt8 = NDArray[np.uint8]
 
-MARGIN = 12.0
-"""Pixels of a 480-line image around what is looked at."""
-NATS = 1.5
-"""Nats of a region's evidence that change the odds of being needed by a factor e."""
-SMOOTH = 1.5
-"""Cells over which needs are smoothed."""
-TRUSTED = 0.5
-"""Expected overlap of the object's region from which its border is believed."""
-BLIND = 0.3
-"""Confidence in a part that is carried along without being seen."""
-
 
 @dataclass(frozen=True, eq=False)
 class Limb:
@@ -147,7 +136,8 @@ def begin(
     scale = scale_for(frame.size)
     limbs = [_drawn(unit, parts) for unit in units]
     learned = tuple(_learned(frame, limbs, k, params, order) for k in range(len(limbs)))
-    held = [joint for joint in joints([limb.lines[0] for limb in limbs], scale) if _holds(joint, limbs)]
+    found = joints([limb.lines[0] for limb in limbs], scale, params.figure.joints)
+    held = [joint for joint in found if _holds(joint, limbs)]
     return FigureState(frame, learned, tuple(held), _union(frame, limbs, params))
 
 
@@ -209,7 +199,7 @@ def _union(frame: PreparedFrame, limbs: Sequence[Limb], params: RegionParams) ->
     if not solid:
         return None
     spots = np.vstack([bezier.flatten(part.points) for part in solid])
-    window = Region.around(spots, MARGIN * scale_for(frame.size), frame.size)
+    window = Region.around(spots, params.figure.margin * scale_for(frame.size), frame.size)
     if window.is_empty:
         return None
     hidden = [part for limb in limbs if limb.is_occluder for part in limb.parts]
@@ -252,8 +242,10 @@ def step(
         union = region.step(union, frame, replace(params, pose=None), token).state
     spots = np.vstack([limb.expected(params.part) for limb in state.limbs])
     reach = max((limb.pose.reach(params.part) for limb in state.limbs if limb.pose is not None), default=1.0)
-    window = Region.around(spots, (MARGIN + params.part.search_move * reach) * scale, frame.size)
-    pyramid = None if posed.is_narrow(window) else Pyramid.of(frame, window, 1.0 / scale)
+    window = Region.around(spots, (params.figure.margin + params.part.search_move * reach) * scale, frame.size)
+    pyramid = None
+    if not posed.is_narrow(window, params.part):
+        pyramid = Pyramid.of(frame, window, 1.0 / scale, params.part.pyramid)
     solving = _Solving(state, frame, pyramid, union, params, token)
     for k in sorted(range(len(state.limbs)), key=lambda k: -_depth(state.limbs[k], order)):
         if token is not None:
@@ -282,8 +274,8 @@ class _Solving:
         self.wholes: dict[tuple[int, ...], RegionStep] = {}
         self.hidden: tuple[UInt8, ...] = () if pyramid is None else pyramid.nothing
         self.moved = np.eye(3) if union is None or state.union is None else _moved(state.union, union)
-        self.union = union if union is not None and union.trust >= TRUSTED else None
-        self.needs = None if union is None or pyramid is None else _needs(union, pyramid)
+        self.union = union if union is not None and union.trust >= params.figure.trusted else None
+        self.needs = None if union is None or pyramid is None else _needs(union, pyramid, params.figure.nats)
 
     def solve(self, k: int) -> None:
         """Carry limb `k`, all that lie before it being solved."""
@@ -322,7 +314,7 @@ class _Solving:
         """Where the region of the parts ends."""
         assert self.union is not None
         assert self.pyramid is not None
-        return Border(self.union.region, self.pyramid.grid, self.scale)
+        return Border(self.union.region, self.pyramid.grid, self.scale, self.region_params.figure.free_edges)
 
     def _as_whole(self, limb: Limb, before: RegionState) -> Limb:
         covers = [line for nearer in self.limbs.values() for line in nearer.lines]
@@ -339,8 +331,9 @@ class _Solving:
         parts = posed.carried(pose, limb.drawn)
         if self._has_left(parts):
             return self._out_of_sight(replace(limb, parts=parts), pose)
-        confidence = expected_overlap(PoseSigns.of(pose))
-        results = tuple(posed.result(part.points, pose, confidence) for part in parts)
+        trust = self.region_params.confidence
+        confidence = expected_overlap(PoseSigns.of(pose), params=trust)
+        results = tuple(posed.result(part.points, pose, confidence, trust) for part in parts)
         return replace(limb, parts=parts, pose=pose, results=results)
 
     def _has_left(self, parts: Sequence[Part]) -> bool:
@@ -362,8 +355,9 @@ class _Solving:
             parts = posed.carried(host, limb.drawn)
         else:
             parts = tuple(replace(part, points=similarity.apply(self.moved[:2], part.points)) for part in limb.parts)
+        blind = self.region_params.figure.blind
         results = tuple(
-            StepResult(part.points, BLIND, np.full(len(part.points), BLIND), {}, Termination.of(BLIND))
+            StepResult(part.points, blind, np.full(len(part.points), blind), {}, Termination.of(blind))
             for part in parts
         )
         return replace(limb, parts=parts, results=results)
@@ -375,7 +369,7 @@ class _Solving:
     def _needs_of(self, k: int) -> tuple[Float32, ...] | None:
         if self.needs is None or self.pyramid is None or self.state.limbs[k].is_occluder:
             return None
-        finest = cv2.GaussianBlur(self.needs, (0, 0), SMOOTH)
+        finest = cv2.GaussianBlur(self.needs, (0, 0), self.region_params.figure.smooth)
         sizes = [level.shape[1::-1] for level in self.pyramid.levels[1:]]
         coarser = [cv2.resize(finest, size, interpolation=cv2.INTER_AREA) for size in sizes]
         return (np.asarray(finest), *(np.asarray(each) for each in coarser))
@@ -405,10 +399,10 @@ def _moved(before: RegionState, after: RegionState) -> Array:
     return np.asarray(after.key.to_now @ np.linalg.inv(before.key.to_now))
 
 
-def _needs(union: RegionState, pyramid: Pyramid) -> Float32:
-    """For each cell of the finest level, in [0, 1], whether the object is there."""
+def _needs(union: RegionState, pyramid: Pyramid, odds: float) -> Float32:
+    """For each cell of the finest level, in [0, 1], whether the object is there; `odds` nats change them by e."""
     rows, columns = pyramid.levels[0].shape[:2]
     nats = union.region.nats_on(pyramid.grid)
-    inside = (1.0 / (1.0 + np.exp(-np.clip(nats / NATS, -4.0, 4.0)))).astype(np.float32)
+    inside = (1.0 / (1.0 + np.exp(-np.clip(nats / odds, -4.0, 4.0)))).astype(np.float32)
     below, right = rows - pyramid.grid.rows, columns - pyramid.grid.columns
     return np.asarray(cv2.copyMakeBorder(inside, 0, below, 0, right, cv2.BORDER_REPLICATE))

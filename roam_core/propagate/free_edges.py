@@ -13,31 +13,21 @@ from numpy.typing import NDArray
 
 from roam_core.features.grid import Grid, signed_distance
 from roam_core.geometry import bezier, polyline
+from roam_core.params import FreeEdgesParams
 from roam_core.proposal.evidence import Field
 
 Array = NDArray[np.float64]
 Float32 = NDArray[np.float32]
 UInt8 = NDArray[np.uint8]
 
-REACH = 2.5
-"""Pixels of a 480-line image by which an outline may miss the border of the region and still be meant to be it."""
-OUTSIDE = 3.0
-"""Pixels of a 480-line image beyond an outline at which it is asked what lies there."""
-STEP = 2.0
-"""Pixels of a 480-line image between the places of an outline that are asked."""
-FACING = 0.7
-"""Cosine of the angle up to which two borders run alike."""
-LEAST = 0.5
-"""Share of the places around a point that must be free for the point to be moved."""
-
 
 class Border:
     """The border of an object's region on a frame: how far from it a place lies, and which way it faces."""
 
-    def __init__(self, region: Field, grid: Grid, scale: float) -> None:
+    def __init__(self, region: Field, grid: Grid, scale: float, params: FreeEdgesParams) -> None:
         inside = region.nats_on(grid) > 0
-        self._grid, self._scale = grid, scale
-        depth = signed_distance(inside, REACH + 4.0)
+        self._grid, self._scale, self.params = grid, scale, params
+        depth = signed_distance(inside, self.params.reach + 4.0)
         self._depth = np.sign(depth) * np.maximum(np.abs(depth) - np.float32(0.5), 0.0)  # from cells' centres
         smooth = cv2.GaussianBlur(depth, (0, 0), 1.0)
         self._slopes = np.stack([cv2.Sobel(smooth, cv2.CV_32F, 1, 0), cv2.Sobel(smooth, cv2.CV_32F, 0, 1)], axis=2)
@@ -49,16 +39,16 @@ class Border:
         on the cells that other parts cover, lie just outside.
         """
         line = bezier.flatten(points)
-        count = max(8, round(polyline.length(line) / (STEP * self._scale)))
+        count = max(8, round(polyline.length(line) / (self.params.step * self._scale)))
         places = polyline.resample(line, count)
         normals = polyline.outward_normals(places)
         depth, slopes = _at(self._depth, self._cells(places)), _at(self._slopes, self._cells(places))
         facing = -(slopes * normals).sum(axis=1) / np.maximum(np.hypot(*slopes.T), 1e-6)
-        beyond = self._cells(places + OUTSIDE * self._scale * normals).round().astype(np.intp)
+        beyond = self._cells(places + self.params.outside * self._scale * normals).round().astype(np.intp)
         rows, columns = others.shape
         within = (beyond >= 0).all(axis=1) & (beyond[:, 0] < columns) & (beyond[:, 1] < rows)
         taken = others[np.clip(beyond[:, 1], 0, rows - 1), np.clip(beyond[:, 0], 0, columns - 1)] > 0
-        free = within & ~taken & (np.abs(depth) <= REACH) & (facing >= FACING)
+        free = within & ~taken & (np.abs(depth) <= self.params.reach) & (facing >= self.params.facing)
         return places, np.where(free, depth * self._scale, np.nan)
 
     def _cells(self, places: Array) -> Array:
@@ -85,7 +75,7 @@ def drawn_to(border: Border, points: Array, others: UInt8) -> Array:
         around = _stretch(before, here, after, len(places))
         known = offsets[around]
         free = np.isfinite(known)
-        if free.mean() >= LEAST:
+        if free.mean() >= border.params.least:
             moved[k] += np.median(known[free]) * normals[here]
     return moved
 

@@ -134,7 +134,7 @@ class GroupTracker:
         return tuple(
             _as_given(shape, frame, seconds, landmarks)
             if key
-            else _as_solved(shape, frame, seconds, landmarks, each, scale_for(picture.size))
+            else _as_solved(shape, frame, seconds, landmarks, each, self.params, scale_for(picture.size))
             for shape, key, each, landmarks in zip(shapes, given, solved, self._landmarks(), strict=True)
         )
 
@@ -215,7 +215,13 @@ def _as_given(shape: RotoShape, frame: int, seconds: float, landmarks: Landmarks
 
 
 def _as_solved(
-    shape: RotoShape, frame: int, seconds: float, landmarks: Landmarks | None, solved: StepResult, scale: float
+    shape: RotoShape,
+    frame: int,
+    seconds: float,
+    landmarks: Landmarks | None,
+    solved: StepResult,
+    params: RoamParams,
+    scale: float,
 ) -> TrackResult:
     return TrackResult(
         frame,
@@ -224,7 +230,7 @@ def _as_solved(
         solved.energies,
         solved.termination,
         seconds,
-        tuple(Proposal.of(change, shape, frame, scale) for change in solved.proposals),
+        tuple(Proposal.of(change, shape, frame, scale, params.proposals) for change in solved.proposals),
         # Of an outline that left the picture the state still has the landmarks, but where they last were.
         None if solved.termination is Termination.LEFT_FRAME else landmarks,
     )

@@ -63,7 +63,7 @@ def adapted(
     and the landmarks would walk by up to half a cell a frame.
     """
     leaves = placing.star(seen).leaves + seen.cell * between(seen.response, *placing.leaves.T)
-    sharpness = peaks(seen.response)[1]
+    sharpness = peaks(seen.response, state.pool.params.filters.lobe)[1]
     pool = state.pool.adapted(frame, leaves, sharpness, _covered(nodes, frame.size), trust)
     survivors = np.searchsorted(state.pool.ids, pool.ids[pool.ids < state.pool.next_id])
     solved = seen.pairs.followed(nodes, leaves, state.pool.params.shift_rate)

@@ -12,6 +12,7 @@ from roam_core.features.grid import Grid
 from roam_core.geometry import bezier
 from roam_core.geometry.simple import simplified
 from roam_core.kernels.coverage import coverage
+from roam_core.params import RegionParams
 from roam_core.propagate.result import Part
 from roam_core.proposal.contour import Traits, follow
 from roam_core.proposal.evidence import Field
@@ -20,9 +21,6 @@ from roam_core.proposal.pieces import ring_around, shares
 Array = NDArray[np.float64]
 Float32 = NDArray[np.float32]
 Bools = NDArray[np.bool_]
-
-CLOSED = 0.02
-"""Size, of its last one, to which an outline shrinks while the region has no place for it."""
 
 
 def spline_coverage(points: Array, grid: Grid) -> Float32:
@@ -44,7 +42,7 @@ def laid(
     traits: Sequence[Traits],
     found: Field,
     scale: float,
-    longest_thread: float,
+    params: RegionParams,
     expected: Sequence[Array] | None = None,
     likely: Bools | None = None,
 ) -> list[tuple[Array, bool]]:
@@ -52,8 +50,8 @@ def laid(
 
     `parts` lie where they were carried, and do not cross themselves: where no shape finds anything all stay there.
     `expected` tells where along the outline their points should come to lie, if not just there; `traits` are what they
-    keep of their key. Pieces of the region hang together by threads up to `longest_thread` (`RegionParams`), or, at 0,
-    not at all; `likely` is where pieces belong to the object that no shape claims, everywhere if it is None. A shape
+    keep of their key. Pieces of the region hang together by threads up to `RegionParams.longest_thread`, or, at 0, not
+    at all; `likely` is where pieces belong to the object that no shape claims, everywhere if it is None. A shape
     that finds nothing while others do, and lies mostly outside the region, is out of sight and closes to almost
     nothing, as does a hole that the region fills.
     """
@@ -68,12 +66,12 @@ def laid(
         if not members:
             continue
         area = inside if field is found else _enclosed(~inside)
-        strays = hanging if field is found and longest_thread > 0 else np.zeros_like(inside)
-        for k, mine in zip(members, shares(area, [covers[k] for k in members], strays), strict=True):
-            ring = ring_around(field, mine, longest_thread)
+        strays = hanging if field is found and params.longest_thread > 0 else np.zeros_like(inside)
+        for k, mine in zip(members, shares(area, [covers[k] for k in members], strays, params.pieces), strict=True):
+            ring = ring_around(field, mine, params.longest_thread, params.pieces)
             if ring is not None:
                 points = follow(wanted[k], ring, traits[k], scale)
-                placed[k] = simplified(points, parts[k].points, scale), True
+                placed[k] = simplified(points, parts[k].points, scale, params.contour_fit.untying), True
     is_in_sight = any(placed[k][1] for k in solid)
     for k, (points, seen) in enumerate(placed):
         if seen:
@@ -82,7 +80,7 @@ def laid(
         is_out_of_place = within > 0 if parts[k].subtracts else is_in_sight and within <= outside
         if is_out_of_place:
             middle = points[:, bezier.ANCHOR].mean(axis=0)
-            placed[k] = middle + CLOSED * (points - middle), False
+            placed[k] = middle + params.closed * (points - middle), False
     return placed
 
 
@@ -91,3 +89,18 @@ def _enclosed(outside: Bools) -> Bools:
     _, labels = cv2.connectedComponents(outside.astype(np.uint8), connectivity=4)
     border = np.unique(np.concatenate([labels[0], labels[-1], labels[:, 0], labels[:, -1]]))
     return np.asarray(outside & ~np.isin(labels, border))
+
+
+def trusts_of(drawn: Sequence[Part], seen: Sequence[bool], confidence: float) -> list[float]:
+    """How far each shape is trusted, where the object is trusted as far as `confidence`.
+
+    A hole that closed is no reason to doubt. A shape out of sight is one by the share of the object, as it was `drawn`,
+    that would be missing if it should be there.
+    """
+    solid = np.array([not part.subtracts for part in drawn])
+    out = solid & ~np.array(seen)
+    if not out.any():
+        return [confidence] * len(out)
+    areas = solid * [part.area for part in drawn]
+    missing = out * (areas / max(float(areas.sum()), 1e-9)) if (solid & ~out).any() else out
+    return [confidence * (1.0 - float(share)) for share in missing]

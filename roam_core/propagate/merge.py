@@ -30,31 +30,6 @@ Array = NDArray[np.float64]
 Float32 = NDArray[np.float32]
 Bools = NDArray[np.bool_]
 
-SURE_OF = 0.5
-"""Pixels of a 480-line image by which even a witness that met the other key may be wrong between."""
-PLANAR = 1.0
-"""Weight of planar motion in the middle of a span, against one passage."""
-SLOPE = 2.0
-"""Nats that planar motion gives a pixel of depth inside its region."""
-DEPTH = 40.0
-"""Pixels of a 480-line image beyond which depth counts no more."""
-BESIDE = 2
-"""Cells around those on which the passages disagree in which the picture is asked, too."""
-DISPUTED = 0.5
-"""Share of what the witnesses say that counts where the passages disagree."""
-AGREED = 0.85
-"""Overlap of two passages that each moved the object as one piece from which they are taken at their word."""
-APART_BY = 0.5
-"""Distance of the two passages of an outline, in its own size, from which their mean is a place of neither."""
-ALIKE = 8.0
-"""Pixels of a 480-line image, in the mean, up to which the poses from both ends are taken for the same one."""
-SURE_COST = 0.1
-"""What is added to the cost of a pose: even the best may be wrong."""
-UNPOSED = 0.4
-"""What an outline that was not laid by its pose is taken to cost."""
-APART = 4.0
-"""Pixels of a 480-line image between the witnesses of a point at which half the trust in it is gone."""
-
 
 @dataclass(frozen=True, eq=False)
 class Colours:
@@ -118,7 +93,7 @@ class _Moment:
         if len(fields) < 2:
             return False
         grid = _common([field.grid for field in fields])
-        return overlap(fields[0].on(grid) > 0.5, fields[1].on(grid) > 0.5) >= AGREED
+        return overlap(fields[0].on(grid) > 0.5, fields[1].on(grid) > 0.5) >= self.span.params.span.agreed
 
     def weights(self, onwards: Any, back: Any, planar_there: Any, planar_here: Any) -> list[Any]:
         """How much each witness counts where it missed by so many pixels: the passages from both ends, planar motion.
@@ -126,11 +101,11 @@ class _Moment:
         An error is taken to grow evenly on the way from a key to the other; that of planar motion, which meets both
         keys, to be the greatest in the middle. On a key only what starts there counts.
         """
-        bulge = 2.0 * float(np.sqrt(self.u * (1.0 - self.u)))
+        bulge, params = 2.0 * float(np.sqrt(self.u * (1.0 - self.u))), self.span.params.span
         return [
-            (1.0 - self.u) / (SURE_OF + onwards * self.u),
-            self.u / (SURE_OF + back * (1.0 - self.u)),
-            PLANAR * bulge / (SURE_OF + 0.5 * (planar_there + planar_here) * bulge),
+            (1.0 - self.u) / (params.sure_of + onwards * self.u),
+            self.u / (params.sure_of + back * (1.0 - self.u)),
+            params.planar * bulge / (params.sure_of + 0.5 * (planar_there + planar_here) * bulge),
         ]
 
 
@@ -154,8 +129,9 @@ def merged(
     signs_together = _span_signs(moment, together, [outlines[k] for k in together])
     for k, part in outlines.items():
         signs = _signs_of_one(moment, k, part.points) if moment.is_laid_by_pose(k) else signs_together
-        confidence = _alone(moment) if signs is None else expected_overlap(signs)
-        vertices = vertex_confidence(_support(moment, k, len(part.points)), confidence)
+        trust = span.params.confidence
+        confidence = _alone(moment) if signs is None else expected_overlap(signs, params=trust)
+        vertices = vertex_confidence(_support(moment, k, len(part.points)), confidence, trust)
         result[k] = Merged(part.points, confidence, vertices, signs)
     return result
 
@@ -172,9 +148,12 @@ def _along_region(moment: _Moment, parts: Mapping[int, Part], colours: Colours |
     if region is not None:
         begun |= {k: _where_more_is(moment, k, parts[k], region) for k in ours}
         traits = [span.traits(k, moment.u) for k in ours]
-        placed = laid(tuple(begun[k] for k in ours), traits, region, span.scale, span.params.longest_thread)
+        placed = laid(tuple(begun[k] for k in ours), traits, region, span.scale, span.params)
         points |= {k: each for k, (each, _) in zip(ours, placed, strict=True)}
-    return {k: replace(part, points=simplified(points[k], part.points, span.scale)) for k, part in begun.items()}
+    untying = span.params.contour_fit.untying
+    return {
+        k: replace(part, points=simplified(points[k], part.points, span.scale, untying)) for k, part in begun.items()
+    }
 
 
 def _planar(moment: _Moment, k: int) -> Array:
@@ -205,7 +184,7 @@ def _expected(moment: _Moment, k: int) -> Array:
     planar = _planar(moment, k)
     if moment.span.is_planar:
         return planar
-    if _are_apart(there, here):
+    if _are_apart(there, here, moment.span.params.span.apart_by):
         return there if moment.u < 0.5 else here
     weights = moment.weights(*(miss.of(k) for miss in moment.span.misses))
     return _mean([weight[:, None, None] for weight in weights], [there, here, planar])
@@ -216,14 +195,14 @@ def _by_poses(moment: _Moment, k: int) -> Array:
 
     Each counts the more the less its pose costs, the nearer its key is, and the nearer it came to the other one.
     """
-    there, here = moment.there[k], moment.here[k]
+    there, here, params = moment.there[k], moment.here[k], moment.span.params.span
     assert moment.span.misses is not None
     onwards, back = (miss.of(k) for miss in moment.span.misses[:2])
-    doubts = [UNPOSED if cost is None else cost for cost in moment.costs[k]]
-    ahead = (1.0 - moment.u) / (SURE_OF + onwards * moment.u) / (SURE_COST + doubts[0])
-    behind = moment.u / (SURE_OF + back * (1.0 - moment.u)) / (SURE_COST + doubts[1])
+    doubts = [params.unposed if cost is None else cost for cost in moment.costs[k]]
+    ahead = (1.0 - moment.u) / (params.sure_of + onwards * moment.u) / (params.sure_cost + doubts[0])
+    behind = moment.u / (params.sure_of + back * (1.0 - moment.u)) / (params.sure_cost + doubts[1])
     apart = np.hypot(*(there - here)[:, bezier.ANCHOR].T).mean() / moment.span.scale
-    if apart > ALIKE:
+    if apart > params.alike:
         return there if ahead.mean() >= behind.mean() else here
     return _mean([ahead[:, None, None], behind[:, None, None]], [there, here])
 
@@ -231,17 +210,17 @@ def _by_poses(moment: _Moment, k: int) -> Array:
 def _where_more_is(moment: _Moment, k: int, part: Part, region: Field) -> Part:
     """An outline that the passages took to different pieces of an object goes to the greater of them."""
     places = [points[k] for points in (moment.there, moment.here) if k in points]
-    if len(places) < 2 or not _are_apart(*places):
+    if len(places) < 2 or not _are_apart(places[0], places[1], moment.span.params.span.apart_by):
         return part
     shares = [float(spline_coverage(points, region.grid)[region.inside].sum()) for points in places]
     return replace(part, points=places[int(np.argmax(shares))])
 
 
-def _are_apart(there: Array, here: Array) -> bool:
+def _are_apart(there: Array, here: Array, by: float) -> bool:
     """True where the passages followed different pieces of an object that is in pieces: between them lies nothing."""
     middles = [points[:, bezier.ANCHOR].mean(axis=0) for points in (there, here)]
     size = np.sqrt(min(float(np.prod(np.ptp(points[:, bezier.ANCHOR], axis=0))) for points in (there, here)))
-    return bool(np.hypot(*(middles[0] - middles[1])) > APART_BY * size)
+    return bool(np.hypot(*(middles[0] - middles[1])) > by * size)
 
 
 def _region(moment: _Moment, parts: tuple[Part, ...], covers: Sequence[Array], colours: Colours | None) -> Field | None:
@@ -274,7 +253,7 @@ def _region(moment: _Moment, parts: tuple[Part, ...], covers: Sequence[Array], c
     values = _mean(weights, [*(field.nats_on(grid) for field in fields), _depth(moment, coverages, grid)])
     sides = [field.on(grid) > 0.5 for field in fields]
     witnessed = sides[0] | sides[1] | (enclosed(parts, grid) > 0.5)
-    found = proposed.cleaned(Field(grid, values.astype(np.float32)), witnessed, 0.0)
+    found = proposed.cleaned(Field(grid, values.astype(np.float32)), witnessed, 0.0, span.params.pieces.speck)
     return found if colours is None else _compared(moment, found, sides, coverages, covers, colours)
 
 
@@ -297,15 +276,17 @@ def _compared(
         if passage is not None and stop is not None
     ]
     near = uncertain_band(found.inside, found.inside, params.band)
-    wanted = near | uncertain_band(sides[0] & sides[1], sides[0] | sides[1], BESIDE)
+    wanted = near | uncertain_band(sides[0] & sides[1], sides[0] | sides[1], params.span.beside)
     hidden = covered(covers, grid)
     if hidden is not None:
         wanted &= ~hidden
-    carried_here = np.where(sides[0] ^ sides[1], np.float32(DISPUTED) * found.values, found.values)
-    values = carried_here + np.float32(params.keys_weight) * key_colours(picture, grid, views, wanted)
+    carried_here = np.where(sides[0] ^ sides[1], np.float32(params.span.disputed) * found.values, found.values)
+    values = carried_here + np.float32(params.keys_weight) * key_colours(
+        picture, grid, views, wanted, params.span.key_colours
+    )
     rough = np.where(wanted, values, found.values)
     smooth = diffuse(rough, lab(picture), wanted, params.diffusion, params.contrast, params.sweeps)
-    return proposed.cleaned(Field(grid, smooth), found.inside, 0.0)
+    return proposed.cleaned(Field(grid, smooth), found.inside, 0.0, params.pieces.speck)
 
 
 def _coverage(moment: _Moment, key: Key, stop: Stop | None, grid: Grid) -> Float32:
@@ -318,10 +299,10 @@ def _coverage(moment: _Moment, key: Key, stop: Stop | None, grid: Grid) -> Float
 
 def _depth(moment: _Moment, coverages: Sequence[Float32], grid: Grid) -> Float32:
     """Nats of planar motion: the depth inside both keys' regions, each carried as one piece."""
-    cells = float(grid.factor.mean()) * moment.span.scale
-    depths = [signed_distance(coverage > 0.5, DEPTH * cells) / np.float32(cells) for coverage in coverages]
+    cells, params = float(grid.factor.mean()) * moment.span.scale, moment.span.params.span
+    depths = [signed_distance(coverage > 0.5, params.depth * cells) / np.float32(cells) for coverage in coverages]
     depth = (1.0 - moment.u) * depths[0] + moment.u * depths[1]
-    return np.asarray(np.clip(SLOPE * depth, -SURE, SURE), dtype=np.float32)
+    return np.asarray(np.clip(params.slope * depth, -SURE, SURE), dtype=np.float32)
 
 
 def _common(grids: list[Grid]) -> Grid:
@@ -345,11 +326,11 @@ def _span_signs(moment: _Moment, known: list[int], outlines: list[Part]) -> Span
         [Part(points[k], span.subtracts(k)) for k in known if k in points] for points in (moment.there, moment.here)
     ]
     splines = [part.points for side in (outlines, *sides) for part in side]
-    grid = grid_over(splines, span.size, span.scale)
+    grid = grid_over(splines, span.size, span.params.span.witness.look, span.scale)
     ours, *theirs = (enclosed(side, grid) > 0.5 for side in (outlines, *sides))
     onwards, back, _, _ = span.misses
     missed, nearer = 0.5 * (onwards.loss + back.loss), max(overlap(ours, each) for each in theirs)
-    return SpanSigns.of(missed, nearer, moment.u, span.last.frame - span.first.frame)
+    return SpanSigns.of(missed, nearer, moment.u, span.last.frame - span.first.frame, span.params.confidence)
 
 
 def _signs_of_one(moment: _Moment, k: int, points: Array) -> SpanSigns | None:
@@ -357,10 +338,11 @@ def _signs_of_one(moment: _Moment, k: int, points: Array) -> SpanSigns | None:
     span, sides = moment.span, [side[k] for side in (moment.there, moment.here) if k in side]
     if k not in span.losses or len(sides) < 2:
         return None
-    grid = grid_over([points, *sides], span.size, span.scale)
+    grid = grid_over([points, *sides], span.size, span.params.span.witness.look, span.scale)
     ours, *theirs = (enclosed([Part(each)], grid) > 0.5 for each in (points, *sides))
     nearer = max(overlap(ours, each) for each in theirs)
-    return SpanSigns.of(span.losses[k], nearer, moment.u, span.last.frame - span.first.frame)
+    frames = span.last.frame - span.first.frame
+    return SpanSigns.of(span.losses[k], nearer, moment.u, frames, span.params.confidence)
 
 
 def _alone(moment: _Moment) -> float:
@@ -375,4 +357,4 @@ def _support(moment: _Moment, k: int, count: int) -> Array:
     if there is None or here is None:
         return np.full(count, 0.5)
     apart = np.hypot(*(there - here)[:, bezier.ANCHOR].T) / moment.span.scale
-    return np.asarray(1.0 / (1.0 + apart / APART))
+    return np.asarray(1.0 / (1.0 + apart / moment.span.params.span.apart))

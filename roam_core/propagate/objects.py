@@ -14,22 +14,11 @@ from scipy.spatial import cKDTree
 
 from roam_core.geometry import bezier, polyline
 from roam_core.kernels.coverage import coverage
-from roam_core.params import scale_for
+from roam_core.params import OBJECTS, scale_for
 from roam_core.roto import BlendMode, RotoShape
 from roam_core.roto.shape import Same
 
 Array = NDArray[np.float64]
-
-NEAR = 20.0
-"""Pixels of a 480-line image between outlines that still belong to one object."""
-ENCLOSED = 0.97
-"""Share of a subtracting shape that lies within an outline whose hole it is."""
-OVERLAP = 0.02
-"""Share of the smaller of two shapes that both enclose, from which they overlap rather than touch."""
-TOUCH = 1.0
-"""Pixels of a 480-line image, along a side of the smaller one, that outlines share when fitted to one edge."""
-CELLS = 48
-"""Cells across the smaller of two shapes when they are compared."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -126,7 +115,7 @@ def _grouped(question: _Question) -> list[list[int]]:
 
 def near(size: tuple[int, int] | None) -> float:
     """Pixels between outlines that still belong to one object, on pictures of `size` (h, w)."""
-    return NEAR * (1.0 if size is None else scale_for(size))
+    return OBJECTS.near * (1.0 if size is None else scale_for(size))
 
 
 def _belong(a: RotoShape, b: RotoShape, gap: float) -> bool:
@@ -199,7 +188,7 @@ def units(shapes: Sequence[RotoShape], gap: float) -> list[Unit]:
             if host in (i, j):
                 shared -= _shared(*_met(shapes[hole], shapes[j if host == i else i]))
         smaller = min(a.area, b.area)
-        return bool(shared > max(OVERLAP * smaller, TOUCH * gap / NEAR * np.sqrt(smaller)))
+        return bool(shared > max(OBJECTS.overlap * smaller, OBJECTS.touch * gap / OBJECTS.near * np.sqrt(smaller)))
 
     made = [Unit(Role.OCCLUDER, (k,)) for k in occluders]
     behind = [k for k in everything if k not in occluders]
@@ -223,7 +212,7 @@ def _host(k: int, solid: Sequence[int], shapes: Sequence[RotoShape]) -> int | No
 
     def surrounds(j: int) -> bool:
         hole, outer = _met(shapes[k], shapes[j])
-        return _shared(hole, outer) >= ENCLOSED * hole.area
+        return _shared(hole, outer) >= OBJECTS.enclosed * hole.area
 
     around = [j for j in solid if surrounds(j)]
     below = [j for j in around if j < k]
@@ -236,7 +225,7 @@ def _shared(a: Drawn, b: Drawn) -> float:
     if (high <= low).any():
         return 0.0
     smaller = min(float(np.ptp(each.line, axis=0).max()) for each in (a, b))
-    cell = max(smaller / CELLS, float((high - low).max()) / (4 * CELLS))
+    cell = max(smaller / OBJECTS.cells, float((high - low).max()) / (4 * OBJECTS.cells))
     columns, rows = (max(1, int(np.ceil(extent / cell))) for extent in high - low)
     cover_a, cover_b = (coverage((each.line - low) / cell, (rows, columns)) for each in (a, b))
     return float((cover_a * cover_b).sum()) * cell * cell

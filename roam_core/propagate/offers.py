@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 import numpy as np
@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from roam_core.geometry import fit
 from roam_core.geometry.simple import simplified
+from roam_core.params import ProposalParams
 from roam_core.propagate.nodes import smooth_points
 from roam_core.proposal.contour import Traits, follow
 from roam_core.proposal.topology import TopologyChange, TopologyKind
@@ -17,9 +18,6 @@ from roam_core.roto import Clip, Keyframe, Layer, Origin, Project, RotoShape, Sp
 from roam_core.roto.edit import set_engine_keys, set_key
 
 Array = NDArray[np.float64]
-
-TOLERANCE = 1.0
-"""Pixels of a 480-line image by which the outline of a new shape may stray from its part."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -33,7 +31,7 @@ class Proposal:
     before : the shape as it was tracked, with its key on the frame.
     rings : outlines `(K, 2)` of the parts that stay, in pixels, the largest first.
     gain : by how much the energy would fall.
-    scale : `scale_for` of the picture.
+    scale : `scale_for` of the picture. params : how its outlines are laid and fitted.
     """
 
     kind: TopologyKind
@@ -42,11 +40,19 @@ class Proposal:
     rings: tuple[Array, ...]
     gain: float
     scale: float
+    params: ProposalParams = field(default_factory=ProposalParams)
 
     @classmethod
-    def of(cls, change: TopologyChange, shape: RotoShape, frame: int, scale: float) -> Proposal:
+    def of(
+        cls,
+        change: TopologyChange,
+        shape: RotoShape,
+        frame: int,
+        scale: float,
+        params: ProposalParams | None = None,
+    ) -> Proposal:
         """The change offered for `shape`, which holds the key that was solved on `frame`."""
-        return cls(change.kind, frame, (shape,), change.rings, change.gain, scale)
+        return cls(change.kind, frame, (shape,), change.rings, change.gain, scale, params or ProposalParams())
 
     @cached_property
     def after(self) -> tuple[RotoShape, ...]:
@@ -57,10 +63,11 @@ class Proposal:
         """
         (shape,) = self.before
         outline = shape.at(self.frame)
-        traits = Traits.of(outline.points, smooth_points(outline.points), self.scale)
+        fitted = self.params.contour_fit
+        traits = Traits.of(outline.points, smooth_points(outline.points), fitted, self.scale)
         laid = follow(outline.points, self.rings[0], traits, self.scale)
         key = shape.key_at(self.frame) or Keyframe(self.frame, outline.points, feather=outline.feather)
-        stays = replace(key, points=simplified(laid, outline.points, self.scale), origin=Origin.ENGINE)
+        stays = replace(key, points=simplified(laid, outline.points, self.scale, fitted.untying), origin=Origin.ENGINE)
         parts = [self._part(shape, number, ring) for number, ring in enumerate(self.rings[1:], start=2)]
         return (set_engine_keys(shape, [stays]), *parts)
 
@@ -91,8 +98,9 @@ class Proposal:
         return project, tuple(ids)
 
     def _part(self, shape: RotoShape, number: int, ring: Array) -> RotoShape:
-        fitted = fit.fit_closed(ring, TOLERANCE * self.scale)
-        key = Keyframe(self.frame, simplified(fitted, fitted, self.scale), origin=Origin.ENGINE)
+        fitted = fit.fit_closed(ring, self.params.tolerance * self.scale)
+        points = simplified(fitted, fitted, self.scale, self.params.contour_fit.untying)
+        key = Keyframe(self.frame, points, origin=Origin.ENGINE)
         return RotoShape(
             id=f"{shape.id}-{self.frame}-{number}",
             name=f"{shape.name} part {number}",

@@ -16,18 +16,13 @@ from roam_core.features.pyramid import Pyramid
 from roam_core.geometry import bezier
 from roam_core.motion.pose import Pose, Surroundings
 from roam_core.motion.template import Template
-from roam_core.params import PoseParams, RegionParams, scale_for
+from roam_core.params import ConfidenceParams, PoseParams, RegionParams, scale_for
 from roam_core.propagate.confidence import overlap, vertex_confidence
 from roam_core.propagate.laying import enclosed
 from roam_core.propagate.result import Part, StepResult, Termination
 from roam_core.proposal.evidence import Field
 
 Array = NDArray[np.float64]
-
-MARGIN = 20.0
-"""Pixels of a 480-line image around a part, and around where it is searched."""
-NARROW = 8
-"""Pixels across a picture, or what is left of it, that shows nothing."""
 
 
 def on_key(
@@ -47,10 +42,10 @@ def on_key(
 def learned(frame: PreparedFrame, line: Array, params: PoseParams, covers: Sequence[Array]) -> Pose | None:
     """The pose, on its key, of what a closed polyline `line (K, 2)` encloses and nothing covers."""
     scale = scale_for(frame.size)
-    window = Region.around(line, MARGIN * scale, frame.size)
-    if is_narrow(window):
+    window = Region.around(line, params.margin * scale, frame.size)
+    if is_narrow(window, params):
         return None
-    template = Template.of(Pyramid.of(frame, window, 1.0 / scale), line, params, scale, covers)
+    template = Template.of(Pyramid.of(frame, window, 1.0 / scale, params.pyramid), line, params, scale, covers)
     return None if template is None else Pose.on_key(template, params)
 
 
@@ -60,16 +55,16 @@ def step(
     """The pose on the next frame of the object that was `drawn` on the key."""
     scale = scale_for(frame.size)
     spots = np.vstack([pose.carried(bezier.flatten(part.points)) for part in drawn])
-    window = Region.around(spots, (MARGIN + params.search_move * pose.reach(params)) * scale, frame.size)
-    if is_narrow(window):
+    window = Region.around(spots, (params.margin + params.search_move * pose.reach(params)) * scale, frame.size)
+    if is_narrow(window, params):
         return pose.missed()
-    pyramid = Pyramid.of(frame, window, 1.0 / scale)
+    pyramid = Pyramid.of(frame, window, 1.0 / scale, params.pyramid)
     return pose.step(Surroundings(pyramid, pyramid.outlined(list(covers))), params)
 
 
-def is_narrow(window: Region) -> bool:
+def is_narrow(window: Region, params: PoseParams) -> bool:
     """Whether a part of a picture is too narrow to see anything in it."""
-    return min(window.x1 - window.x0, window.y1 - window.y0) < NARROW
+    return min(window.x1 - window.x0, window.y1 - window.y0) < params.narrow
 
 
 def carried(pose: Pose, drawn: Sequence[Part]) -> tuple[Part, ...]:
@@ -99,12 +94,12 @@ def is_believed(pose: Pose, parts: Sequence[Part], found: Field, params: RegionP
     return pose.look.against(inside) < params.pose_against
 
 
-def result(points: Array, pose: Pose, confidence: float) -> StepResult:
+def result(points: Array, pose: Pose, confidence: float, params: ConfidenceParams) -> StepResult:
     """What a pose gives for one outline, trusted as far as `confidence`."""
     return StepResult(
         points=points,
         confidence=confidence,
-        vertex_confidence=vertex_confidence(pose.support(points[:, bezier.ANCHOR]), confidence),
+        vertex_confidence=vertex_confidence(pose.support(points[:, bezier.ANCHOR]), confidence, params),
         energies={"pose": pose.cost, "total": pose.cost},
         termination=Termination.of(confidence),
     )

@@ -18,39 +18,12 @@ from roam_core.features import PreparedFrame, Region
 from roam_core.features.grid import Grid
 from roam_core.geometry import polyline
 from roam_core.kernels.coverage import coverage
-from roam_core.params import RegionParams
+from roam_core.params import RedetectionParams, RegionParams
 from roam_core.proposal.evidence import Field, KeyMemory
 from roam_core.threads import each
 
 Array = NDArray[np.float64]
 Float32 = NDArray[np.float32]
-
-ACROSS = 16.0
-"""Cells across the object (the root of its area) at which it is looked for."""
-SIZES = (0.8, 1.0, 1.25)
-"""Sizes that are tried, in relation to the last one that was sure."""
-ALIKE = 0.6
-"""Share of the key's own score from which a place is the object's."""
-ALONE = 0.8
-"""Share of the best score that no other place may have."""
-RING = 0.5
-"""Width of the surroundings that must look unlike the object, in roots of its area."""
-CLIP = 3.0
-"""Bound on the log-ratio of a cell, nats."""
-
-LOST = 0.1
-"""Share of the area that it should have under which an object is lost."""
-WHOLE = 0.5
-"""Share of it from which its size and turn are sure."""
-ALMOST = 0.8
-"""Resemblance from which they are."""
-LEAST, DISTINCT = 12.0, 2.0
-"""Root of its area on the key in pixels, and nats by which it differs there from its surroundings, from which an
-outline's inside can be known again by its colours."""
-LONG_GONE, SOMETIMES = 8, 4
-"""Frames unseen after which an object is looked for on every fourth frame only."""
-NEAR, PACE = 2.0, 0.5
-"""Roots of its area around its last place within which an object is looked for, and by how many more a frame unseen."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -60,27 +33,28 @@ class Sighting:
     Attributes
     ----------
     carried : (3, 3) similarity from the key when the object was last whole. area : its area then, square pixels.
-    middle : (2,) centroid of what was last seen of it. since : frames since then.
+    middle : (2,) centroid of what was last seen of it. params : where it is looked for. since : frames since then.
     """
 
     carried: Array
     area: float
     middle: Array
+    params: RedetectionParams
     since: int = 0
 
     @property
     def reach(self) -> float:
         """Pixels around `middle` in which the object may be."""
-        return float(np.sqrt(self.area) * (NEAR + PACE * self.since))
+        return float(np.sqrt(self.area) * (self.params.near + self.params.pace * self.since))
 
     @property
     def is_worth_a_look(self) -> bool:
         """Whether to look for it on this frame: what has long been gone is looked for on some frames only."""
-        return self.since <= LONG_GONE or self.since % SOMETIMES == 0
+        return self.since <= self.params.long_gone or self.since % self.params.sometimes == 0
 
     def is_lost(self, region: Field) -> bool:
         """True when too little is left of the object to carry it on."""
-        return area_of(region) <= LOST * self.area
+        return area_of(region) <= self.params.lost * self.area
 
     def missed(self) -> Sighting:
         """After one more frame on which the object was not seen."""
@@ -89,12 +63,12 @@ class Sighting:
     def after(self, key: KeyMemory, region: Field, resemblance: float = 1.0) -> Sighting:
         """After a frame on which the object was seen, as `region`; `key` knows the way from the key to there.
 
-        Its size and turn are taken over where they are sure: from `WHOLE` of its area and `ALMOST` full `resemblance`
-        (`Lookout.resemblance`) on.
+        Its size and turn are taken over where they are sure: from `RedetectionParams.whole` of its area and
+        `almost` full `resemblance` (`Lookout.resemblance`) on.
         """
         area = area_of(key.region) * abs(float(np.linalg.det(key.to_now[:2, :2])))
-        if resemblance >= ALMOST and area_of(region) >= WHOLE * area:
-            return Sighting(key.to_now, area, middle_of(region))
+        if resemblance >= self.params.almost and area_of(region) >= self.params.whole * area:
+            return Sighting(key.to_now, area, middle_of(region), self.params)
         return replace(self, middle=middle_of(region), since=0)
 
 
@@ -128,10 +102,15 @@ class Likeness:
 
 @dataclass(frozen=True, eq=False)
 class Lookout:
-    """What an object looked like on the artist's key: its picture and region, and what follows from them."""
+    """What an object looked like on the artist's key: its picture and region, and what follows from them.
+
+    `unseen` is the density of a colour that the histograms never saw.
+    """
 
     frame: PreparedFrame
     region: Field
+    params: RedetectionParams
+    unseen: float
 
     @cached_property
     def middle(self) -> Array:
@@ -161,27 +140,27 @@ class Lookout:
     @cached_property
     def own_score(self) -> float:
         """How much the object looks like itself: the score of its place on the key."""
-        cell = self.extent / ACROSS
+        cell = self.extent / self.params.across
         likeness = self._likeness(self.frame, np.eye(2), self.middle, 2.0 * cell)
         return likeness.best(self.middle, 2.0 * cell)[0]
 
     def found(self, frame: PreparedFrame, sighting: Sighting) -> Array | None:
         """The similarity `(3, 3)` from the key that puts the object where it is seen; None where it is not.
 
-        Turn and size are those of the sighting, but for `SIZES`.
+        Turn and size are those of the sighting, but for `RedetectionParams.sizes`.
         """
         if self.extent < 1.0:
             return None
         near, reach = sighting.middle, sighting.reach
-        turns = [size * sighting.carried[:2, :2] for size in SIZES]
+        turns = [size * sighting.carried[:2, :2] for size in self.params.sizes]
         tried = each(lambda turn: self._likeness(frame, turn, near, reach), turns)
         seen = [likeness.best(near, reach) for likeness in tried]
         chosen = int(np.argmax([score for score, _ in seen]))
         score, place = seen[chosen]
-        if not score >= max(ALIKE * self.own_score, 0.0):
+        if not score >= max(self.params.alike * self.own_score, 0.0):
             return None
         rival, _ = tried[chosen].best(near, reach, beyond=(place, float(np.sqrt(sighting.area))))
-        if rival > ALONE * score:
+        if rival > self.params.alone * score:
             return None
         placed = np.eye(3)
         placed[:2, :2] = turns[chosen]
@@ -194,29 +173,34 @@ class Lookout:
         The mean log-ratio inside less that of the surroundings, as everywhere here, in relation to the key's own.
         """
         extent = float(np.sqrt(abs(polyline.signed_area(line))))
-        area = Region.around(line, (RING + 2.0 / ACROSS) * extent, frame.size)
+        area = Region.around(line, (self.params.ring + 2.0 / self.params.across) * extent, frame.size)
         if extent < 1.0 or area.is_empty:
             return 0.0
-        grid = Grid.over(area, min(ACROSS / extent, 1.0))
-        inner, outer = _shares(coverage(grid.to_grid(line), grid.shape), extent * float(grid.factor.mean()))
-        score = float((self.colours.log_ratio(grid.of(frame.image), CLIP) * (inner - outer)).sum())
+        grid = Grid.over(area, min(self.params.across / extent, 1.0))
+        inner, outer = _shares(
+            coverage(grid.to_grid(line), grid.shape), self.params.ring * extent * float(grid.factor.mean())
+        )
+        score = float((self._ratio(frame, grid) * (inner - outer)).sum())
         return float(np.clip(score / max(self.own_score, 1e-6), 0.0, 1.0))
+
+    def _ratio(self, frame: PreparedFrame, grid: Grid) -> Float32:
+        return self.colours.log_ratio(grid.of(frame.image), self.params.clip, self.unseen)
 
     def _likeness(self, frame: PreparedFrame, turn: Array, near: Array, reach: float) -> Likeness:
         """Mean log-ratio inside the outline, under `turn (2, 2)` and put everywhere, less that of its surroundings."""
         extent = self.extent * float(np.sqrt(abs(np.linalg.det(turn))))
         corners = (self.rim - self.middle) @ turn.T
-        room = np.abs(corners).max(axis=0) + (RING + 2.0 / ACROSS) * extent
+        room = np.abs(corners).max(axis=0) + (self.params.ring + 2.0 / self.params.across) * extent
         spots = np.stack([near - reach - room, near + reach + room])
         area = Region.around(spots, 0.0, frame.size)
         if area.is_empty:
             return Likeness(np.full((1, 1), -np.inf, dtype=np.float32), Grid(Region(0, 0, 1, 1), 1, 1))
-        grid = Grid.over(area, min(ACROSS / extent, 1.0))
-        ratio = self.colours.log_ratio(grid.of(frame.image), CLIP)
+        grid = Grid.over(area, min(self.params.across / extent, 1.0))
+        ratio = self._ratio(frame, grid)
         inside = self._template(turn, room, grid)
         inner, outer = (
             cv2.filter2D(ratio, cv2.CV_32F, share, borderType=cv2.BORDER_CONSTANT)
-            for share in _shares(inside, extent * float(grid.factor.mean()))
+            for share in _shares(inside, self.params.ring * extent * float(grid.factor.mean()))
         )
         return Likeness(np.asarray(inner - outer, dtype=np.float32), grid)
 
@@ -246,12 +230,12 @@ class Watch:
     resemblance: float = 1.0
 
     @classmethod
-    def begun(cls, drawn: Array, frame: PreparedFrame, region: Field) -> Watch | None:
+    def begun(cls, drawn: Array, frame: PreparedFrame, region: Field, params: RegionParams) -> Watch | None:
         """On the key, where the outline encloses `region`; None of what could not be told from its surroundings."""
-        lookout = Lookout(frame, region)
-        if lookout.extent < LEAST or lookout.own_score < DISTINCT:
+        lookout = Lookout(frame, region, params.redetection, params.unseen)
+        if lookout.extent < params.redetection.least or lookout.own_score < params.redetection.distinct:
             return None
-        return cls(drawn, lookout, Sighting(np.eye(3), area_of(region), middle_of(region)))
+        return cls(drawn, lookout, Sighting(np.eye(3), area_of(region), middle_of(region), params.redetection))
 
     def after(self, frame: PreparedFrame, line: Array, key: KeyMemory, region: Field, params: RegionParams) -> Watch:
         """After a frame with the outline `line (N, 2)`, which encloses `region` there."""
@@ -287,9 +271,9 @@ def middle_of(region: Field) -> Array:
     return region.grid.to_image(np.array([np.average(np.arange(len(count)), weights=count) for count in counts]) + 0.5)
 
 
-def _shares(inside: Float32, extent: float) -> tuple[Float32, Float32]:
-    """The share of each cell in what lies inside, and in its surroundings; `extent` is the root of the area, cells."""
-    width = 2 * max(round(RING * extent), 1) + 1
+def _shares(inside: Float32, ring: float) -> tuple[Float32, Float32]:
+    """The share of each cell in what lies inside, and in its surroundings, `ring` cells wide."""
+    width = 2 * max(round(ring), 1) + 1
     around = cv2.dilate(inside, cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (width, width))) - inside
     inner, outer = (np.asarray(part / max(float(part.sum()), 1e-6)) for part in (inside, around))
     return inner, outer

@@ -31,7 +31,7 @@ from roam_core.propagate.confidence import (
     vertex_confidence,
 )
 from roam_core.propagate.covering import carried_behind, learned_colours, visible
-from roam_core.propagate.laying import enclosed, laid
+from roam_core.propagate.laying import enclosed, laid, trusts_of
 from roam_core.propagate.nodes import smooth_points
 from roam_core.propagate.refinding import Lookout, Sighting, area_of, as_on_key, is_better, middle_of
 from roam_core.propagate.result import Part, StepResult, Termination
@@ -46,11 +46,6 @@ Array = NDArray[np.float64]
 Float32 = NDArray[np.float32]
 Bools = NDArray[np.bool_]
 
-WHOLE_CELLS = 2
-"""Cells, at most, after which a whole pixel begins."""
-TRUSTED = 0.3
-"""Steadiness below which a frame teaches the colour model nothing."""
-
 
 @dataclass(frozen=True, eq=False)
 class RegionState:
@@ -60,7 +55,7 @@ class RegionState:
     `sighting` tells when it was last whole, `rigidity` whether it may still move as one piece; `unbroken`, on the
     region's grid, how far each cell's side still is the key's word (`proposal.lineage`); `steps` counts the frames
     since the key; `signs` tell how well the last of them went. `pose` is that of an object drawn as one shape;
-    `covers` are closed polylines `(K, 2)` of what lies before the object.
+    `covers` are closed polylines `(K, 2)` of what lies before the object; `params` those that it began with.
     """
 
     frame: PreparedFrame
@@ -74,6 +69,7 @@ class RegionState:
     sighting: Sighting
     rigidity: Rigidity
     unbroken: Float32
+    params: RegionParams
     steps: int = 0
     signs: Signs | PoseSigns | None = None
     pose: motion_pose.Pose | None = None
@@ -82,7 +78,9 @@ class RegionState:
     @property
     def trust(self) -> float:
         """The IoU to be expected of the last frame; 0 where the object was lost on it."""
-        return 0.0 if self.signs is None or self.sighting.since > 0 else expected_overlap(self.signs)
+        if self.signs is None or self.sighting.since > 0:
+            return 0.0
+        return expected_overlap(self.signs, params=self.params.confidence)
 
     @property
     def is_posed(self) -> bool:
@@ -107,13 +105,13 @@ def begin(
     region = Field.of_coverage(grid, enclosed(parts, grid))
     colours = learned_colours(grid.of(frame.image), region, covers)
     key = KeyMemory(frame, region, colours, np.eye(3))
-    kept = params.kept_shares
-    traits = tuple(Traits.of(part.points, smooth_points(part.points), scale, kept) for part in parts)
-    seen = Sighting(key.to_now, area_of(region), middle_of(region))
-    rigidity = Rigidity.learned(frame, parts)
-    lookout, unbroken = Lookout(frame, region), np.ones(grid.shape, np.float32)
+    fit, kept = params.contour_fit, params.kept_shares
+    traits = tuple(Traits.of(part.points, smooth_points(part.points), fit, scale, kept) for part in parts)
+    seen = Sighting(key.to_now, area_of(region), middle_of(region), params.redetection)
+    rigidity = Rigidity.learned(frame, parts, params.rigidity)
+    lookout, unbroken = Lookout(frame, region, params.redetection, params.unseen), np.ones(grid.shape, np.float32)
     return RegionState(
-        frame, region, parts, traits, key, colours, parts, lookout, seen, rigidity, unbroken,
+        frame, region, parts, traits, key, colours, parts, lookout, seen, rigidity, unbroken, params,
         pose=posed.on_key(frame, parts, params, covers), covers=tuple(covers),
     )  # fmt: skip
 
@@ -138,11 +136,15 @@ class Observation:
 
 @dataclass(frozen=True, eq=False)
 class RegionStep:
-    """One step: the `state` after it, a result for each shape, and what was seen before anything was decided.
+    """One step.
 
-    There is no observation where the object has left the picture. `redetected` : it was looked for and found elsewhere.
+    Attributes
+    ----------
+    begun : the state that it set out from; where the object is `redetected`, it lies there as on its key. state,
+        results : what came of it. observation : what was seen before; None where the object has left the picture.
     """
 
+    begun: RegionState
     state: RegionState
     results: tuple[StepResult, ...]
     observation: Observation | None
@@ -218,7 +220,7 @@ def _carried(
     ratio = evidence(observation, params, covers)
     if token is not None:
         token.check()
-    found = proposed.cleaned(ratio, expected.possible, params.overlap)
+    found = proposed.cleaned(ratio, expected.possible, params.overlap, params.pieces.speck)
     scale = scale_for(frame.size)
     if state.pose is not None:
         parts = posed.carried(state.pose, state.drawn)
@@ -227,20 +229,19 @@ def _carried(
     parts = tuple(replace(part, points=similarity.apply(observation.moved[:2], part.points)) for part in state.parts)
     shapes = zip(parts, state.drawn, state.traits, strict=True)
     held = [_held(*shape, observation.sources.key, params, scale) for shape in shapes]
-    placed = laid(parts, state.traits, found, scale, params.longest_thread, held, expected.likely)
+    placed = laid(parts, state.traits, found, scale, params, held, expected.likely)
     colours = _adapted(state, observation, found, params)
     outlines = [replace(part, points=points) for part, (points, _) in zip(parts, placed, strict=True)]
     unbroken = _unbroken(observation, found)
-    signs = Signs.of(outlines, found, expected, unbroken, state.steps + 1)
-    confidence = expected_overlap(signs)
+    signs = Signs.of(outlines, found, expected, unbroken, state.steps + 1, params.confidence)
+    confidence = expected_overlap(signs, params=params.confidence)
     seen = [seen for _, seen in placed]
     trusts = trusts_of(state.drawn, seen, confidence)
-    results = tuple(_result(*each, found) for each in zip(outlines, seen, trusts, strict=True))
+    results = tuple(_result(*each, found, params) for each in zip(outlines, seen, trusts, strict=True))
     parts = tuple(
         replace(part, points=points) if seen else part for part, (points, seen) in zip(parts, placed, strict=True)
     )
-    after = _after(state, frame, observation, found, unbroken, parts, colours, signs)
-    return RegionStep(after, results, observation)
+    return _after(state, frame, observation, found, unbroken, parts, colours, signs, results)
 
 
 def evidence(observation: Observation, params: RegionParams, covers: Sequence[Array]) -> Field:
@@ -265,21 +266,21 @@ def _as_one_piece(
     grid, parts = observation.sources.grid, pose.carried(state.drawn)
     found = Field.of_coverage(grid, enclosed(parts, grid))
     signs = pose.signs(state.steps + 1)
-    confidence = expected_overlap(signs)
+    confidence = expected_overlap(signs, params=params.confidence)
     energy = {"rigid": signs.disagreeing, "total": signs.disagreeing}
     results = tuple(
         StepResult(
             points=part.points,
             confidence=confidence,
-            vertex_confidence=vertex_confidence(pose.support(drawn), confidence),
+            vertex_confidence=vertex_confidence(pose.support(drawn), confidence, params.confidence),
             energies=energy,
             termination=Termination.of(confidence),
         )
         for part, drawn in zip(parts, state.drawn, strict=True)
     )
     colours = _adapted(state, observation, found, params)
-    after = _after(state, frame, observation, found, _unbroken(observation, found), parts, colours, signs)
-    return RegionStep(after, results, observation)
+    unbroken = _unbroken(observation, found)
+    return _after(state, frame, observation, found, unbroken, parts, colours, signs, results)
 
 
 def _as_posed(
@@ -293,17 +294,17 @@ def _as_posed(
     """The shapes as drawn on the key, under their pose."""
     found = Field.of_coverage(observation.sources.grid, enclosed(parts, observation.sources.grid))
     signs = PoseSigns.of(pose)
-    confidence = expected_overlap(signs)
-    results = tuple(posed.result(part.points, pose, confidence) for part in parts)
+    confidence = expected_overlap(signs, params=params.confidence)
+    results = tuple(posed.result(part.points, pose, confidence, params.confidence) for part in parts)
     colours = _adapted(state, observation, found, params)
-    after = _after(state, frame, observation, found, _unbroken(observation, found), parts, colours, signs)
-    return RegionStep(after, results, observation)
+    unbroken = _unbroken(observation, found)
+    return _after(state, frame, observation, found, unbroken, parts, colours, signs, results)
 
 
 def _adapted(state: RegionState, observation: Observation, found: Field, params: RegionParams) -> GlobalModel:
     """The global colours after a frame on which `found` is the object's region."""
     steadiness = overlap(observation.sources.expected.rigid, found.inside) * (0.5 + 0.5 * observation.agreement)
-    if steadiness <= TRUSTED or not found.inside.any():
+    if steadiness <= params.trusted or not found.inside.any():
         return state.colours
     seen = learned_colours(observation.sources.after, found, state.covers)
     return state.colours.adapted(seen, params.adaptation)
@@ -318,12 +319,13 @@ def _after(
     parts: tuple[Part, ...],
     colours: GlobalModel,
     signs: Signs | PoseSigns,
-) -> RegionState:
-    """The state after a frame on which `found` is the object's region and `parts` are its shapes."""
+    results: tuple[StepResult, ...],
+) -> RegionStep:
+    """The step to a frame on which `found` is the object's region and `parts` are its shapes."""
     key = observation.sources.key
     if observation.pose is not None:
         key = replace(key, to_now=observation.pose.similarity)
-    return replace(
+    after = replace(
         state,
         frame=frame,
         region=found,
@@ -336,6 +338,7 @@ def _after(
         steps=state.steps + 1,
         signs=signs,
     )
+    return RegionStep(state, after, results, observation)
 
 
 def _seen(state: RegionState, key: KeyMemory, found: Field) -> Sighting:
@@ -357,7 +360,7 @@ def observed(
     flows = dense_flow(state.frame, frame, fine, is_exact=params.lineage_weight > 0)
     forth, back = (on_grid(flow, fine, grid) for flow in flows)
     everywhere = state.region.on(fine) > 0.5
-    inside = visible(everywhere, state.covers, fine)
+    inside = visible(everywhere, state.covers, fine, params.least_seen)
     moved, agreement = flow_similarity(flows[0], inside, fine)
     pictures = grid.of(state.frame.image), grid.of(frame.image)
     if token is not None:
@@ -369,7 +372,7 @@ def observed(
     if params.lineage_weight > 0:
         sides = carried_by_flow(state.region.nats_on(fine), flows[1])
         unbroken = grid.warped(state.unbroken, state.region.grid.map_to_image)
-        lines = lineage(pictures, sides, (forth, back), unbroken, grid, scale)
+        lines = lineage(pictures, sides, (forth, back), unbroken, grid, scale, params.lineage)
     key = replace(state.key, to_now=moved @ state.key.to_now)
     last = state.region.on(grid)
     expected = Expectation(
@@ -406,28 +409,15 @@ def grid_around(positions: Array, size: tuple[int, int], params: RegionParams, s
     extent = np.ptp(positions, axis=0)
     side = max(float(np.sqrt(extent[0] * extent[1])), 1.0)
     factor = float(np.clip(params.least_cells / side, params.grid_factor / scale, 1.0 / scale))
-    cell = Fraction(1.0 / factor).limit_denominator(WHOLE_CELLS)
+    cell = Fraction(1.0 / factor).limit_denominator(params.whole_cells)
     return Grid.over(area.aligned(cell.numerator, size), float(1 / cell))
 
 
-def trusts_of(drawn: Sequence[Part], seen: Sequence[bool], confidence: float) -> list[float]:
-    """How far each shape is trusted, where the object is trusted as far as `confidence`.
-
-    A hole that closed is no reason to doubt. A shape out of sight is one by the share of the object, as it was `drawn`,
-    that would be missing if it should be there.
-    """
-    solid = np.array([not part.subtracts for part in drawn])
-    out = solid & ~np.array(seen)
-    if not out.any():
-        return [confidence] * len(out)
-    areas = solid * [part.area for part in drawn]
-    missing = out * (areas / max(float(areas.sum()), 1e-9)) if (solid & ~out).any() else out
-    return [confidence * (1.0 - float(share)) for share in missing]
-
-
-def _result(part: Part, seen: bool, trust: float, found: Field) -> StepResult:
+def _result(part: Part, seen: bool, trust: float, found: Field, params: RegionParams) -> StepResult:
     anchors = part.points[:, bezier.ANCHOR]
-    vertices = vertex_confidence(edge_support(anchors, found), trust) if seen else np.zeros(len(anchors))
+    vertices = np.zeros(len(anchors))
+    if seen:
+        vertices = vertex_confidence(edge_support(anchors, found), trust, params.confidence)
     energy = -float(np.abs(np.clip(found.values, -SURE, SURE)).mean())
     return StepResult(
         points=part.points,
@@ -445,4 +435,4 @@ def _left(state: RegionState, frame: PreparedFrame) -> RegionStep:
     )
     missed = state.sighting.missed()
     after = replace(state, frame=frame, sighting=missed, steps=state.steps + 1, signs=None)
-    return RegionStep(after, results, None)
+    return RegionStep(state, after, results, None)

@@ -13,9 +13,9 @@ from roam_core.features import PreparedFrame
 from roam_core.geometry import bezier
 from roam_core.geometry.simple import simplified
 from roam_core.inference.contour_dp import Unary
-from roam_core.params import RoamParams
+from roam_core.params import ProposalParams, RoamParams
 from roam_core.propagate.nodes import NodeMap
-from roam_core.proposal.contour import NEAR, Traits, follow
+from roam_core.proposal.contour import Traits, follow
 from roam_core.proposal.reparametrise import Reshaped, energy_of, reshaped, untouched
 from roam_core.proposal.segmentation import Segmentation, segmented
 from roam_core.proposal.topology import TopologyChange, topology_changes
@@ -73,7 +73,7 @@ def reshape(
     topology = topology_changes(new.ring, found, context, params)
     if not new.is_new:
         return replace(as_before, topology=topology)
-    laid = _laid(points, new, found, nodes, scale)
+    laid = _laid(points, new, found, nodes, params.proposals, scale)
     fresh = np.hypot(*(nodes.nodes(laid) - old).T) > context.spacing / 2.0
 
     def joint(candidate: Array) -> float:
@@ -85,10 +85,13 @@ def reshape(
     return Reshaping(laid, fresh, topology)
 
 
-def _laid(points: Array, new: Reshaped, found: Segmentation, nodes: NodeMap, scale: float) -> Array:
+def _laid(
+    points: Array, new: Reshaped, found: Segmentation, nodes: NodeMap, params: ProposalParams, scale: float
+) -> Array:
     """The control points along the new ring; those whose segments did not change are put back where they were."""
-    result = follow(points, new.ring, Traits.of(points, nodes.smooth, scale), scale)
+    fit = params.contour_fit
+    result = follow(points, new.ring, Traits.of(points, nodes.smooth, fit, scale), scale)
     slid = np.hypot(*(result[:, bezier.ANCHOR] - points[:, bezier.ANCHOR]).T)
-    keep = untouched(points, new.changed, found.grid) & (slid < NEAR * scale)
+    keep = untouched(points, new.changed, found.grid, params.samples) & (slid < fit.near * scale)
     result[keep] = points[keep]
-    return simplified(result, points, scale)
+    return simplified(result, points, scale, fit.untying)

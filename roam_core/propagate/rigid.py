@@ -16,39 +16,11 @@ from roam_core.features import PreparedFrame
 from roam_core.geometry import bezier, polyline, projective, similarity
 from roam_core.geometry.plane_motion import PlaneMotion, fit
 from roam_core.motion.planar import Match, Reference
-from roam_core.params import scale_for
+from roam_core.params import RigidityParams, scale_for
 from roam_core.propagate.confidence import Signs
 from roam_core.propagate.result import Part
 
 Array = NDArray[np.float64]
-
-CORNERS = 250
-"""Corners of the key that are looked for."""
-TOLERANCE = 1.2
-"""Pixels of a 480-line image by which a corner may disagree."""
-AS_ONE = 0.88
-"""Share of the corners that are found at all that must agree: of what is hidden or blurred nothing is found, what moves
-otherwise is found elsewhere."""
-SIMPLER = 1.15
-"""Factor by which a simpler motion may miss the agreeing corners more (root mean square) to be taken all the same: few
-corners bend a plane."""
-FEWEST = 20
-"""Corners that must agree: fewer tell too little of what lies between and around them."""
-LEAST_SEEN = 0.4
-"""Share of the corners that must be in the picture."""
-STILL = 0.75
-"""Factor on the least share while the object was one piece on the frame before: what was so mostly stays so."""
-GIVEN_UP = 6
-"""Frames in a row without a match after which the object is no longer asked to be rigid."""
-RESIZED = 1.3
-"""Factor by which the area may differ from the one that the motion since the last frame lets one expect."""
-NEAREST = 12
-"""Corners around a place that speak for it."""
-CUT = 2.0
-"""Distance from the edge of the key's picture within which an outline runs there because the picture ends. This and
-the next: pixels of a 480-line image."""
-OPENED = 6.0
-"""How far into the picture such a stretch may come before what it cut off must be in sight."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -57,6 +29,7 @@ class Pose:
 
     matrix: Array
     match: Match
+    params: RigidityParams
 
     @property
     def similarity(self) -> Array:
@@ -72,7 +45,7 @@ class Pose:
         """For each anchor `(P,)` of a part as drawn, the share of the corners around it that agree, in [0, 1]."""
         anchors, match = drawn.points[:, bezier.ANCHOR], self.match
         away = _distances(anchors, match.sought)
-        reach = np.sort(away, axis=1)[:, min(NEAREST, away.shape[1]) - 1]
+        reach = np.sort(away, axis=1)[:, min(self.params.nearest, away.shape[1]) - 1]
         all_of = np.exp(-((away / reach[:, None]) ** 2)).sum(axis=1)
         agreeing = np.exp(-((_distances(anchors, match.agreeing) / reach[:, None]) ** 2)).sum(axis=1)
         return np.asarray(np.clip(agreeing / all_of, 0.0, 1.0))
@@ -92,14 +65,16 @@ class Rigidity:
     reference: Reference
     cut: Array
     matrix: Array
+    params: RigidityParams
     missed: int = 0
     held: bool = False
 
     @classmethod
-    def learned(cls, key: PreparedFrame, parts: tuple[Part, ...]) -> Rigidity:
+    def learned(cls, key: PreparedFrame, parts: tuple[Part, ...], params: RigidityParams) -> Rigidity:
         """From the key's picture and its outlines."""
         solid, holes = ([part.points for part in parts if part.subtracts is cut] for cut in (False, True))
-        return cls(Reference.of(key, solid, holes, count=CORNERS), _cut_off(solid, key.size), projective.IDENTITY)
+        reference = Reference.of(key, solid, holes, params=params.planar, count=params.corners)
+        return cls(reference, _cut_off(solid, key.size, params.cut), projective.IDENTITY, params)
 
     def at(self, matrix: Array) -> Rigidity:
         """The same with the object elsewhere, by `matrix (3, 3)` from the key."""
@@ -110,40 +85,47 @@ class Rigidity:
 
         `least` is the share of the corners that must agree.
         """
-        if self.missed >= GIVEN_UP:
+        if self.missed >= self.params.given_up:
             return self, None
         guess = projective.usable(moved @ self.matrix)
         if guess is None:
-            return replace(self, missed=GIVEN_UP, held=False), None
-        match = self.reference.matched(frame, guess, PlaneMotion.HOMOGRAPHY, TOLERANCE * scale_for(frame.size))
-        least *= STILL if self.held else 1.0
+            return replace(self, missed=self.params.given_up, held=False), None
+        match = self.reference.matched(
+            frame, guess, PlaneMotion.HOMOGRAPHY, self.params.tolerance * scale_for(frame.size)
+        )
+        least *= self.params.still if self.held else 1.0
         if match is None or not self._is_believed(match, guess, least) or self._is_opened(match, frame.size):
             return replace(self, matrix=guess, missed=self.missed + 1, held=False), None
-        matrix = _simplest(match)
-        return replace(self, matrix=matrix, missed=0, held=True), Pose(matrix, match)
+        matrix = _simplest(match, self.params.simpler)
+        return replace(self, matrix=matrix, missed=0, held=True), Pose(matrix, match, self.params)
 
     def _is_believed(self, match: Match, guess: Array, least: float) -> bool:
         corners = self.reference.corners
-        if match.agreement < least or len(match.agreeing) < max(FEWEST, AS_ONE * match.followed):
+        if match.agreement < least or len(match.agreeing) < max(
+            self.params.fewest, self.params.as_one * match.followed
+        ):
             return False
-        if len(match.sought) < LEAST_SEEN * len(corners) or (projective.depth(match.matrix, corners) <= 0.0).any():
+        if (
+            len(match.sought) < self.params.least_seen * len(corners)
+            or (projective.depth(match.matrix, corners) <= 0.0).any()
+        ):
             return False
         before, after = (_extent(projective.apply(way, corners)) for way in (guess, match.matrix))
-        return before / RESIZED < after < before * RESIZED
+        return before / self.params.resized < after < before * self.params.resized
 
     def _is_opened(self, match: Match, size: tuple[int, int]) -> bool:
         """True where more of the object has come into the picture than the key knows of."""
         within = _depth_in(projective.apply(match.matrix, self.cut), size)
-        return bool((within > OPENED * scale_for(size)).any())
+        return bool((within > self.params.opened * scale_for(size)).any())
 
 
-def _cut_off(outlines: list[Array], size: tuple[int, int]) -> Array:
-    """Places `(K, 2)` of closed splines along the edge of a picture of `size` (h, w)."""
+def _cut_off(outlines: list[Array], size: tuple[int, int], cut: float) -> Array:
+    """Places `(K, 2)` of closed splines within `cut` pixels of the edge of a picture of `size` (h, w)."""
     places = [np.zeros((0, 2))]
     for points in outlines:
         line = bezier.flatten(points)
         steps = polyline.resample(line, max(round(polyline.length(line)), 4))
-        places.append(steps[np.abs(_depth_in(steps, size)) < CUT * scale_for(size)])
+        places.append(steps[np.abs(_depth_in(steps, size)) < cut * scale_for(size)])
     return np.vstack(places)
 
 
@@ -153,12 +135,15 @@ def _depth_in(places: Array, size: tuple[int, int]) -> Array:
     return np.asarray(np.min([x, size[1] - x, y, size[0] - y], axis=0))
 
 
-def _simplest(match: Match) -> Array:
-    """The simplest motion `(3, 3)` that says nearly as well as the matched one where the agreeing corners are."""
+def _simplest(match: Match, simpler: float) -> Array:
+    """The simplest motion `(3, 3)` that says nearly as well as the matched one where the agreeing corners are.
+
+    It may miss them `simpler` times as far.
+    """
     least = _missed(match.matrix, match)
     for kind in (PlaneMotion.SIMILARITY, PlaneMotion.AFFINE):
         matrix = fit(kind, match.agreeing, match.there)
-        if matrix is not None and _missed(matrix, match) <= SIMPLER * least:
+        if matrix is not None and _missed(matrix, match) <= simpler * least:
             return matrix
     return match.matrix
 

@@ -90,7 +90,7 @@ def begin(frame: PreparedFrame, points: Array, params: RoamParams, is_hole: bool
     state = _learned(frame, points, params)
     if is_hole or state.nearest is None or state.nearest.params.doubted <= 0:
         return state
-    return replace(state, watch=Watch.begun(points, frame, state.nearest.region))
+    return replace(state, watch=Watch.begun(points, frame, state.nearest.region, state.nearest.params))
 
 
 def _learned(frame: PreparedFrame, points: Array, params: RoamParams, first_id: int = 0) -> TrackerState:
@@ -180,13 +180,13 @@ def _carried(state: TrackerState, frame: PreparedFrame, params: RoamParams, toke
         return _left(state, frame, prior, moved)
     context, seen = observation.curve, observation.landmarks
     solution = solved(observation, params, scale, token)
-    points = untied(state.nodes.points(solution.nodes, prior), prior, scale)
+    points = untied(state.nodes.points(solution.nodes, prior), prior, scale, params.untying)
     pull = _pull(solution.placing, seen, params)
     least = _least_area(state, moved, params)
     new = reshape(frame, points, prior, state.nodes, context.for_any_curve(), params, scale, pull, least)
     points = new.points
     fitted = state.nodes.nodes(points)
-    support = node_support(fitted, context, scale)
+    support = node_support(fitted, context, scale, params.confidence)
     confidence = frame_confidence(support, moved)
     extent = state.extent * abs(float(np.linalg.det(moved.transform[:, :2])))
     nearest, watch = state.nearest, state.watch
@@ -288,7 +288,7 @@ def curve_context(
     """
     reach = sum(params.window // 2 * s * params.max_iterations for s in params.steps)
     region = Region.around(nodes, (reach + 12.0) * scale, frame.size)
-    field = frame.squared_gradient(region, params.gradient_sigma * scale)
+    field = frame.squared_gradient(region, params.gradient_sigma * scale, params.gradient_floor)
     spacing = max(polyline.length(nodes) / len(nodes), 1e-6)
     orientation = 1.0 if polyline.signed_area(nodes) > 0 else -1.0
     colours = None

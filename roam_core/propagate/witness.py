@@ -29,15 +29,6 @@ Array = NDArray[np.float64]
 Float32 = NDArray[np.float32]
 Bools = NDArray[np.bool_]
 
-REACH = 10.0
-"""Pixels of a 480-line image around a place over which its misses are averaged."""
-LENIENT = 1.3
-"""What a lone shape's pose may miss the keys by, against the region: what it says between them is steadier."""
-DEAR = 0.5
-"""Mean cost from which a lone shape's poses are not taken: it does not look as on its keys."""
-LOOK = 24.0
-"""Pixels of a 480-line image around the outlines that are compared."""
-
 
 @dataclass(frozen=True, eq=False)
 class Key:
@@ -101,11 +92,11 @@ class Span:
         costs = [
             cost for passage in (onwards, back) for stop in passage.stops.values() for cost in stop.motion.pose_costs
         ]
-        if float(np.mean([cost for cost in costs if cost is not None])) > DEAR:
+        if float(np.mean([cost for cost in costs if cost is not None])) > self.params.span.witness.dear:
             return self
         posed = replace(self, onwards=onwards, back=back)
         ours, theirs = (sum(miss.loss for miss in span.misses[:2]) if span.misses else 0.0 for span in (self, posed))
-        return posed if theirs < LENIENT * ours else self
+        return posed if theirs < self.params.span.witness.lenient * ours else self
 
     @cached_property
     def misses(self) -> tuple[Miss, Miss, Miss, Miss] | None:
@@ -149,7 +140,7 @@ class Span:
 
     def _loss(self, found: Array, true: Array) -> float:
         """The share in which two outlines differ."""
-        grid = grid_over([found, true], self.size, self.scale)
+        grid = grid_over([found, true], self.size, self.params.span.witness.look, self.scale)
         a, b = (enclosed([Part(points)], grid) > 0.5 for points in (found, true))
         union = int(np.count_nonzero(a | b))
         return int(np.count_nonzero(a ^ b)) / union if union else 0.0
@@ -165,7 +156,10 @@ class Span:
         for k in range(len(self.first.parts)):
             first, last = (key.parts[k] or self._part(k) for key in (self.first, self.last))
             smooth = smooth_points(first.points) & smooth_points(last.points)
-            made.append(Traits.of_keys(first.points, last.points, smooth, self.scale, self.params.kept_shares))
+            params = self.params
+            made.append(
+                Traits.of_keys(first.points, last.points, smooth, params.contour_fit, self.scale, params.kept_shares)
+            )
         return made
 
     def subtracts(self, k: int) -> bool:
@@ -182,9 +176,10 @@ class Span:
         came = dict(zip(source.members, arrived, strict=True))
         true = [part for part in key.parts if part is not None]
         found = [Part(came[k], part.subtracts) for k, part in enumerate(source.parts) if part is not None]
-        grid = grid_over([part.points for part in (*true, *found)], self.size, self.scale)
+        witness = self.params.span.witness
+        grid = grid_over([part.points for part in (*true, *found)], self.size, witness.look, self.scale)
         a, b = enclosed(found, grid) > 0.5, enclosed(true, grid) > 0.5
-        around = _displacement(a, b, grid, self.scale)
+        around = _displacement(a, b, grid, witness.reach, self.scale)
         union = int(np.count_nonzero(a | b))
         loss = int(np.count_nonzero(a ^ b)) / union if union else 0.0
         points = tuple(
@@ -206,18 +201,18 @@ def carried(key: Key, transform: Array) -> list[Array]:
     return [similarity.apply(transform[:2], part.points) for part in key.parts if part is not None]
 
 
-def grid_over(splines: Sequence[Array], size: tuple[int, int], scale: float) -> Grid:
-    """A grid around closed splines `(P, 3, 2)`, its cells about a pixel of a 480-line image."""
+def grid_over(splines: Sequence[Array], size: tuple[int, int], look: float, scale: float) -> Grid:
+    """A grid `look` pixels of a 480-line image around closed splines `(P, 3, 2)`, its cells about such a pixel."""
     spots = np.vstack([points.reshape(-1, 2) for points in splines])
-    area = Region.around(spots, LOOK * scale, size)
+    area = Region.around(spots, look * scale, size)
     if area.is_empty:
         area = Region(0, 0, 1, 1)
     return Grid.over(area, 1.0 / scale)
 
 
-def _displacement(found: Bools, true: Bools, grid: Grid, scale: float) -> Float32:
-    """The error between two regions per length of outline, averaged over `REACH`: pixels of a 480-line image."""
-    sigma = REACH * scale * float(grid.factor.mean())
+def _displacement(found: Bools, true: Bools, grid: Grid, reach: float, scale: float) -> Float32:
+    """The error between two regions per length of outline, averaged over `reach`: pixels of a 480-line image."""
+    sigma = reach * scale * float(grid.factor.mean())
     error = cv2.GaussianBlur((found ^ true).astype(np.float32), (0, 0), sigma)
     rim = cv2.morphologyEx(true.astype(np.uint8), cv2.MORPH_GRADIENT, np.ones((3, 3), np.uint8))
     length = cv2.GaussianBlur(0.5 * rim.astype(np.float32), (0, 0), sigma)

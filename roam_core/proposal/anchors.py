@@ -9,22 +9,13 @@ from numpy.typing import NDArray
 
 from roam_core.geometry import bezier, polyline
 from roam_core.kernels.anchoring import anchored
+from roam_core.params import ANCHORS
 
 Array = NDArray[np.float64]
 IntArray = NDArray[np.int64]
 
-CHOICES = np.array([s * n for n in (1, 2, 3, 4, 6, 8, 11, 15, 20, 27, 36) for s in (-1, 1)])
+CHOICES = np.array([side * step for step in ANCHORS.choices for side in (-1, 1)])
 """Samples by which an anchor may move along the outline in one round."""
-FREE = 6.0
-"""Pixels of a 480-line image that an anchor may move for the price of ..."""
-PRICES = (25.0, 5.0, 1.0, 0.2, 0.04)
-"""... this much error, square pixels times pixels: the highest of these with which the curve follows well enough."""
-MOST = 20.0
-"""It grows with the square, up to this many times."""
-WORSE = 1.5
-"""How many times as large as with the lowest price the error may be, ..."""
-EXACT = 0.1
-"""... or mean square pixels of a 480-line image that are no error: the outline of a mask is as coarse."""
 
 
 def spread(points: Array, samples: Array, matched: IntArray, rounds: int, scale: float = 1.0) -> IntArray:
@@ -37,9 +28,9 @@ def spread(points: Array, samples: Array, matched: IntArray, rounds: int, scale:
         return matched
     ring = _Ring(samples, _straight(points), scale)
     home = np.maximum.accumulate(matched[0] + (matched - matched[0]) % len(samples))
-    choices = [ring.spread(home, price, rounds) for price in PRICES]
+    choices = [ring.spread(home, price, rounds) for price in ANCHORS.prices]
     errors = np.array([ring.error(at) for at in choices])
-    enough = max(WORSE * float(errors.min()), EXACT * scale**2 * polyline.length(samples))
+    enough = max(ANCHORS.worse * float(errors.min()), ANCHORS.exact * scale**2 * polyline.length(samples))
     return np.asarray(choices[int(np.argmax(errors <= enough))] % len(samples))
 
 
@@ -69,8 +60,8 @@ class _Ring:
             here[count - first :] += total
             there[count - first :] += total
             choices = here[:, None] + np.append(0, CHOICES)
-            away = (choices - there[:, None]) * (step / (FREE * self.scale))
-            prices = price * self.scale**3 * np.minimum(away**2, MOST)
+            away = (choices - there[:, None]) * (step / (ANCHORS.free * self.scale))
+            prices = price * self.scale**3 * np.minimum(away**2, ANCHORS.most)
             places, least = anchored(self.samples, choices, prices, np.roll(self.straight, -first))
             if np.isfinite(least):
                 at = np.roll(places, first)

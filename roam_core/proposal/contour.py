@@ -11,37 +11,13 @@ from roam_core.geometry import bezier, polyline
 from roam_core.geometry.bezier import ANCHOR, IN, OUT
 from roam_core.kernels.alignment import prices
 from roam_core.kernels.settling import settled
+from roam_core.params import ContourFitParams
 from roam_core.proposal.monotone import in_order
 from roam_core.proposal.refine import refined
 from roam_core.proposal.tips import surroundings
 
 Array = NDArray[np.float64]
 IntArray = NDArray[np.int64]
-
-STRETCH = 6.0
-"""Price of a piece of outline that grows to twice its share of the whole, against ..."""
-NEAR = 12.0
-"""... a node that lies this many pixels (of a 480-line image) from where it was expected, and against ..."""
-TURN = 1.0
-"""... a node whose outline runs the opposite way, and against ..."""
-BULGE = 240.0
-"""... one that was all tip on the key and now is all bay (`proposal.tips`)."""
-SPACING = 9.0
-"""Pixels of a 480-line image between the nodes that are matched."""
-CHORDS = 4
-"""Chords by which the length from node to node is told."""
-STEP = 3.0
-"""Pixels of a 480-line image between the places where a node may come to lie."""
-FINER = 2
-"""Samples of the outline for each such place, for the fit of the handles."""
-ROUNDS = 2
-"""Rounds of least squares over the whole spline."""
-STARTS = 3
-"""Samples tried for the node that is surest of its place."""
-SETTLING = 3
-"""Rounds in which the matched nodes settle between the samples, ..."""
-LOOSE = 0.95
-"""... and the samples by which they may: none overtakes its neighbour."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -54,6 +30,7 @@ class Traits:
     counts : (P,) into how many pieces each segment is cut; nodes lie at equal steps of its parameter.
     bulges : (N, R) which nodes are tips, and which are bays. shares : (N,) of the outline's length, from node to node.
         Points do not slide off their places little by little, for every frame is compared with the key.
+    params : of laying its points along an outline.
     kept : how far a piece's share of the length is to be the one that it had on the key (1), and not that of the last
         frame (0).
     """
@@ -62,25 +39,46 @@ class Traits:
     counts: NDArray[np.intp]
     bulges: Array
     shares: Array
+    params: ContourFitParams
     kept: float = 0.0
 
     @classmethod
-    def of(cls, points: Array, smooth: NDArray[np.bool_], scale: float = 1.0, kept: float = 0.0) -> Traits:
+    def of(
+        cls,
+        points: Array,
+        smooth: NDArray[np.bool_],
+        params: ContourFitParams,
+        scale: float = 1.0,
+        kept: float = 0.0,
+    ) -> Traits:
         """Of the closed spline `points (P, 3, 2)` as it is on the key, pixels, of which those `smooth (P,)` stay so."""
-        return cls._of(points, smooth, _counts(points, scale), kept)
+        return cls._of(points, smooth, _counts(points, scale, params), params, kept)
 
     @classmethod
-    def _of(cls, points: Array, smooth: NDArray[np.bool_], counts: NDArray[np.intp], kept: float) -> Traits:
-        nodes, shares = _nodes_and_shares(points, counts)
-        return cls(smooth, counts, surroundings(nodes), shares, kept)
+    def _of(
+        cls,
+        points: Array,
+        smooth: NDArray[np.bool_],
+        counts: NDArray[np.intp],
+        params: ContourFitParams,
+        kept: float,
+    ) -> Traits:
+        nodes, shares = _nodes_and_shares(points, counts, params)
+        return cls(smooth, counts, surroundings(nodes, params.tips), shares, params, kept)
 
     @classmethod
     def of_keys(
-        cls, first: Array, last: Array, smooth: NDArray[np.bool_], scale: float = 1.0, kept: float = 0.0
+        cls,
+        first: Array,
+        last: Array,
+        smooth: NDArray[np.bool_],
+        params: ContourFitParams,
+        scale: float = 1.0,
+        kept: float = 0.0,
     ) -> tuple[Traits, Traits]:
         """Of a spline on two keys, with the same nodes."""
-        counts = np.maximum(_counts(first, scale), _counts(last, scale))
-        return cls._of(first, smooth, counts, kept), cls._of(last, smooth, counts, kept)
+        counts = np.maximum(_counts(first, scale, params), _counts(last, scale, params))
+        return cls._of(first, smooth, counts, params, kept), cls._of(last, smooth, counts, params, kept)
 
     def towards(self, other: Traits, u: float) -> Traits:
         """Of a spline `u` of the way from the one key to the other (`of_keys`)."""
@@ -106,23 +104,24 @@ def follow(points: Array, ring: Array, traits: Traits, scale: float = 1.0) -> Ar
     outline, and all of them together (`proposal.refine`). Points that are smooth keep their handles on one line;
     handles that lie on their anchor stay there.
     """
-    nodes, last = _nodes_and_shares(points, traits.counts)
+    params = traits.params
+    nodes, last = _nodes_and_shares(points, traits.counts, params)
     share = last ** (1.0 - traits.kept) * traits.shares**traits.kept
     share /= max(float(share.sum()), 1e-9)
     if polyline.signed_area(ring) * polyline.signed_area(nodes) < 0:
         ring = ring[::-1]
-    places = max(2 * len(nodes), int(polyline.length(ring) / (STEP * scale)))
-    samples = polyline.resample(ring, FINER * places)
-    at = FINER * _matched(nodes, samples[::FINER], share, traits.bulges, scale)
+    places = max(2 * len(nodes), int(polyline.length(ring) / (params.step * scale)))
+    samples = polyline.resample(ring, params.finer * places)
+    at = params.finer * _matched(nodes, samples[:: params.finer], share, traits, scale)
     anchors = at[traits.anchors]
     laid = _laid(points, samples, anchors, traits.smooth)
-    laid += (_settled(nodes, samples, at, share, scale)[traits.anchors] - laid[:, ANCHOR])[:, None]
-    return refined(laid, samples, anchors, traits.smooth, ROUNDS)
+    laid += (_settled(nodes, samples, at, share, params, scale)[traits.anchors] - laid[:, ANCHOR])[:, None]
+    return refined(laid, samples, anchors, traits.smooth, params.rounds, params.refine)
 
 
-def _counts(points: Array, scale: float) -> NDArray[np.intp]:
-    """The pieces `(P,)` of each segment, about `SPACING` long."""
-    return np.maximum(1, np.round(bezier.segment_lengths(points) / (SPACING * scale))).astype(np.intp)
+def _counts(points: Array, scale: float, params: ContourFitParams) -> NDArray[np.intp]:
+    """The pieces `(P,)` of each segment, about `ContourFitParams.spacing` long."""
+    return np.maximum(1, np.round(bezier.segment_lengths(points) / (params.spacing * scale))).astype(np.intp)
 
 
 def _nodes(points: Array, counts: NDArray[np.intp]) -> Array:
@@ -132,31 +131,32 @@ def _nodes(points: Array, counts: NDArray[np.intp]) -> Array:
     return bezier.evaluate(points, segment, (np.arange(len(segment)) - first[segment]) / counts[segment])
 
 
-def _nodes_and_shares(points: Array, counts: NDArray[np.intp]) -> tuple[Array, Array]:
+def _nodes_and_shares(points: Array, counts: NDArray[np.intp], params: ContourFitParams) -> tuple[Array, Array]:
     """The nodes `(N, 2)` of a spline, and which share of its length lies between each and the next, `(N,)`."""
-    fine = _nodes(points, CHORDS * counts)
-    lengths = np.hypot(*(polyline.following(fine) - fine).T).reshape(-1, CHORDS).sum(axis=1)
-    return fine[::CHORDS], lengths / max(float(lengths.sum()), 1e-9)
+    fine = _nodes(points, params.chords * counts)
+    lengths = np.hypot(*(polyline.following(fine) - fine).T).reshape(-1, params.chords).sum(axis=1)
+    return fine[:: params.chords], lengths / max(float(lengths.sum()), 1e-9)
 
 
-def _matched(nodes: Array, samples: Array, share: Array, bulges: Array, scale: float) -> IntArray:
-    ours = nodes, polyline.outward_normals(nodes), bulges
-    theirs = samples, polyline.outward_normals(samples), surroundings(samples)
-    cost = prices(ours, theirs, NEAR * scale, TURN, BULGE)
+def _matched(nodes: Array, samples: Array, share: Array, traits: Traits, scale: float) -> IntArray:
+    params = traits.params
+    ours = nodes, polyline.outward_normals(nodes), traits.bulges
+    theirs = samples, polyline.outward_normals(samples), surroundings(samples, params.tips)
+    cost = prices(ours, theirs, params.near * scale, params.turn, params.bulge)
     expected = np.maximum(share * len(samples), 1.0)
-    at, _ = in_order(cost, expected, STRETCH, STARTS)
+    at, _ = in_order(cost, expected, params.stretch, params.starts)
     return at
 
 
-def _settled(nodes: Array, samples: Array, at: IntArray, share: Array, scale: float) -> Array:
+def _settled(nodes: Array, samples: Array, at: IntArray, share: Array, params: ContourFitParams, scale: float) -> Array:
     """Where `(N, 2)` on the ring the nodes lie best, near the samples that they were matched to.
 
     Matched to whole steps only, points would stray by a step's half on every frame. Of the prices of the matching only
     those of distance and of stretching tell such small differences; they are minimised (`kernels.settling`).
     """
     expected = np.maximum(share * len(samples), 1.0)
-    weights = 1.0 / (NEAR * scale) ** 2, STRETCH
-    return polyline.at(samples, settled(nodes, samples, at, expected, weights, SETTLING, LOOSE))
+    weights = 1.0 / (params.near * scale) ** 2, params.stretch
+    return polyline.at(samples, settled(nodes, samples, at, expected, weights, params.settling, params.loose))
 
 
 def _laid(points: Array, samples: Array, at: IntArray, smooth: NDArray[np.bool_]) -> Array:

@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from roam_core.cancel import CancelToken, Progress
 from roam_core.errors import RoamError
 from roam_core.matte.vectorise import shapes_from_mask
+from roam_core.params import CUT_OUT
 from roam_core.proposal.growing import grown
 from roam_core.roto import BlendMode, RotoShape
 
@@ -26,45 +27,6 @@ Mask = NDArray[np.uint8]
 Float32 = NDArray[np.float32]
 Bools = NDArray[np.bool_]
 Spot = tuple[float, float]
-
-MOST_CELLS = 360
-"""Cells on the longer side of the copy that is cut."""
-
-MARGIN = 0.3
-"""How much of the box's size is looked at on each side of it: the ground that the object differs from."""
-
-AROUND, NEARBY = 1.0, 0.15
-"""The box around a click's region goes so many of its sizes beyond it, and at least this share of the picture's."""
-
-SWELL, ALONG = 3.0, 0.05
-"""A later mark's region is ground where it is so much larger than those before it and has this share of the border."""
-
-MARK = 2
-"""Cells around a mark that are held on its side."""
-
-GROWTHS = 3
-"""Times that the box around a click is cut, and made larger where the object runs against its side."""
-
-ROUNDS = 5
-"""Rounds of learning colours and cutting."""
-
-LEAST_SHARE = 0.08
-"""Share of what was thought to be inside at first that must be left; a cut that leaves less has collapsed."""
-
-LEAST_BOX = 6.0
-"""Pixels on the shorter side of the smallest box."""
-
-TOLERANCE = 1.0
-"""Cells by which the shape may stray from the cut."""
-
-LOCAL = 11
-"""Cells on a side of the square in which the colours on both sides of the border are learned for its cells."""
-
-LEAST_CONTRAST = 24.0
-"""Grey values between the two sides, all channels together, at which a mixed cell tells how much is covered."""
-
-SOFTNESS = 1.2
-"""Cells of the Gaussian that takes the stairs off the cut before its outline is fitted."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -80,9 +42,9 @@ class _Piece:
         height, width = image.shape[:2]
         left, top = (max(math.floor(v), 0) for v in low)
         right, bottom = min(math.ceil(high[0]), width), min(math.ceil(high[1]), height)
-        if right - left < LEAST_BOX or bottom - top < LEAST_BOX:
+        if right - left < CUT_OUT.least_box or bottom - top < CUT_OUT.least_box:
             raise RoamError("There is too little of the picture there; drag a box around the object.")
-        shrink = max(1.0, max(right - left, bottom - top) / MOST_CELLS)
+        shrink = max(1.0, max(right - left, bottom - top) / CUT_OUT.most_cells)
         cells = max(4, round((right - left) / shrink)), max(4, round((bottom - top) / shrink))
         pixels = cv2.resize(image[top:bottom, left:right], cells, interpolation=cv2.INTER_AREA)
         cell = np.array([(right - left) / cells[0], (bottom - top) / cells[1]])
@@ -129,9 +91,9 @@ def cut_box(
     """
     size = np.array(image.shape[1::-1], dtype=np.float64)
     a, b = np.clip(np.array(low), 0.0, size), np.clip(np.array(high), 0.0, size)
-    if (b - a).min() < LEAST_BOX:
-        raise RoamError(f"The box is too small; drag one of at least {LEAST_BOX:.0f} pixels around the object.")
-    margin = np.maximum((b - a) * MARGIN, 4.0)
+    if (b - a).min() < CUT_OUT.least_box:
+        raise RoamError(f"The box is too small; drag one of at least {CUT_OUT.least_box:.0f} pixels around the object.")
+    margin = np.maximum((b - a) * CUT_OUT.margin, 4.0)
     piece = _Piece.of(image, a - margin, b + margin)
     labels = np.full(piece.pixels.shape[:2], cv2.GC_BGD, dtype=np.uint8)
     (left, top), (right, bottom) = piece.cells(a), piece.cells(b)
@@ -155,13 +117,13 @@ def cut_click(
         raise RoamError("Click on the object, inside of the picture.")
     whole = _Piece.of(image, np.zeros(2), np.array([width, height], dtype=np.float64))
     region = _marked_region(whole, marks)
-    for attempt in range(GROWTHS):
+    for attempt in range(CUT_OUT.growths):
         low, high = _box_of(region, whole)
-        piece = _Piece.of(image, low - (high - low) * MARGIN / 2.0, high + (high - low) * MARGIN / 2.0)
+        piece = _Piece.of(image, low - (high - low) * CUT_OUT.margin / 2.0, high + (high - low) * CUT_OUT.margin / 2.0)
         labels = _seeded(piece, _resampled(region, whole, piece), low, high)
         _put_marks(labels, piece, marks)
-        cut = _chosen(_cut(piece.pixels, labels, _Told(token, progress, attempt, GROWTHS)), piece, marks)
-        if attempt == GROWTHS - 1 or not _touches(cut, piece, low, high, size=(width, height)):
+        cut = _chosen(_cut(piece.pixels, labels, _Told(token, progress, attempt, CUT_OUT.growths)), piece, marks)
+        if attempt == CUT_OUT.growths - 1 or not _touches(cut, piece, low, high, size=(width, height)):
             break
         region |= _resampled(cut, piece, whole)
     return _fitted(piece, cut, frame)
@@ -181,7 +143,9 @@ def _marked_region(whole: _Piece, marks: Marks) -> Bools:
             if found is None:
                 raise RoamError("No object ends around that place; drag a box around it instead.")
             region = found
-        elif found is not None and not (found.sum() > SWELL * region.sum() and _along_border(found) > ALONG):
+        elif found is not None and not (
+            found.sum() > CUT_OUT.swell * region.sum() and _along_border(found) > CUT_OUT.along
+        ):
             region = region | found
         else:
             region = region.copy()
@@ -210,7 +174,7 @@ def _put_marks(labels: Mask, piece: _Piece, marks: Marks) -> None:
                 labels[found & (labels == cv2.GC_PR_FGD)] = cv2.GC_PR_BGD
     for spots, label in ((marks.inside, cv2.GC_FGD), (marks.outside, cv2.GC_BGD)):
         for spot in spots:
-            cv2.circle(labels, piece.cells(np.array(spot)), MARK, int(label), -1)
+            cv2.circle(labels, piece.cells(np.array(spot)), CUT_OUT.mark, int(label), -1)
 
 
 @dataclass(frozen=True)
@@ -231,8 +195,8 @@ class _Told:
 
 def _fitted(piece: _Piece, cut: Bools, frame: int) -> list[RotoShape]:
     """What was cut out of a piece as shapes on the picture: each outline with its holes after it."""
-    soft = cv2.GaussianBlur(_covered(piece.pixels, cut), (0, 0), SOFTNESS, borderType=cv2.BORDER_REPLICATE)
-    found = shapes_from_mask(soft, frame, TOLERANCE)
+    soft = cv2.GaussianBlur(_covered(piece.pixels, cut), (0, 0), CUT_OUT.softness, borderType=cv2.BORDER_REPLICATE)
+    found = shapes_from_mask(soft, frame, CUT_OUT.tolerance)
     if not found:
         raise RoamError("Nothing stands out there; drag a closer box around the object.")
     parts = cv2.connectedComponents(cut.astype(np.uint8), connectivity=4)[0] - 1
@@ -255,15 +219,15 @@ def _covered(pixels: Image, cut: Bools) -> Float32:
     across = object_ - ground
     contrast = np.einsum("rcl,rcl->rc", across, across)
     share = np.einsum("rcl,rcl->rc", colours - ground, across) / np.maximum(contrast, 1.0)
-    told = (core == 0) & (beyond == 0) & (contrast > LEAST_CONTRAST**2)
+    told = (core == 0) & (beyond == 0) & (contrast > CUT_OUT.least_contrast**2)
     return np.where(told, np.clip(share, 0.0, 1.0), inside).astype(np.float32)
 
 
 def _local_mean(colours: Float32, chosen: Mask) -> Float32:
     """The mean colour `(rows, columns, 3)` of the chosen cells around each cell."""
     weight = chosen.astype(np.float32)
-    total = cv2.boxFilter(colours * weight[:, :, None], -1, (LOCAL, LOCAL), normalize=False)
-    count = cv2.boxFilter(weight, -1, (LOCAL, LOCAL), normalize=False)
+    total = cv2.boxFilter(colours * weight[:, :, None], -1, (CUT_OUT.local, CUT_OUT.local), normalize=False)
+    count = cv2.boxFilter(weight, -1, (CUT_OUT.local, CUT_OUT.local), normalize=False)
     return np.asarray(total / np.maximum(count, 1.0)[:, :, None], dtype=np.float32)
 
 
@@ -276,10 +240,10 @@ def _cut(pixels: Image, labels: Mask, told: _Told) -> Bools:
     colours = cv2.GaussianBlur(pixels, (0, 0), 0.8)
     if not ((labels == cv2.GC_BGD) | (labels == cv2.GC_PR_BGD)).any():
         raise RoamError("The box leaves no ground around the object; drag one that does not fill the picture.")
-    behind, before, least = np.zeros((1, 65)), np.zeros((1, 65)), LEAST_SHARE * _inside(labels).sum()
+    behind, before, least = np.zeros((1, 65)), np.zeros((1, 65)), CUT_OUT.least_share * _inside(labels).sum()
     cv2.setRNGSeed(0)  # The colours' first guess is drawn at random: the same box gives the same shape.
-    for number in range(ROUNDS):
-        told.of(number / ROUNDS)
+    for number in range(CUT_OUT.rounds):
+        told.of(number / CUT_OUT.rounds)
         mode, last = cv2.GC_INIT_WITH_MASK if number == 0 else cv2.GC_EVAL, labels.copy()
         cv2.grabCut(colours, labels, None, behind, before, 1, mode)
         if _inside(labels).sum() < least:
@@ -309,7 +273,9 @@ def _box_of(region: Bools, whole: _Piece) -> tuple[Array, Array]:
     rows, columns = np.nonzero(region)
     low = whole.corner + np.array([columns.min(), rows.min()]) * whole.cell
     high = whole.corner + (np.array([columns.max(), rows.max()]) + 1) * whole.cell
-    margin = np.maximum((high - low) * AROUND, NEARBY * np.array(whole.pixels.shape[1::-1]) * whole.cell)
+    margin = np.maximum(
+        (high - low) * CUT_OUT.around, CUT_OUT.nearby * np.array(whole.pixels.shape[1::-1]) * whole.cell
+    )
     return low - margin, high + margin
 
 

@@ -192,8 +192,9 @@ def _own_cues(sources: Sources, params: RegionParams) -> Iterator[tuple[str, Flo
 
 def _other_cues(sources: Sources, params: RegionParams) -> Iterator[tuple[str, Float32]]:
     """Those that look at no neighbours: histograms, motion, the last region."""
-    yield "global key", params.global_key_weight * sources.key.colours.log_ratio(sources.after, params.clip)
-    yield "global", params.global_weight * sources.colours.log_ratio(sources.after, params.clip)
+    known = params.clip, params.unseen
+    yield "global key", params.global_key_weight * sources.key.colours.log_ratio(sources.after, *known)
+    yield "global", params.global_weight * sources.colours.log_ratio(sources.after, *known)
     yield "motion", motion_cue(sources, params)
     yield "prior", params.prior_weight * signed_distance(sources.carried, 20.0)
     yield "bias", np.full(sources.grid.shape, params.bias, dtype=np.float32)

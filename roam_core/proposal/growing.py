@@ -8,17 +8,10 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from roam_core.params import GROWING
+
 Image = NDArray[np.uint8]
 Bools = NDArray[np.bool_]
-
-STEPS = (3.0, 4.5, 6.0, 8.0, 10.0, 13.0, 17.0, 22.0)
-"""Lab distances from the colour that was clicked at which its region is grown."""
-
-LEAK = 2.5
-"""A region that grows by more than this from one distance to the next has run out into its surroundings."""
-
-LARGEST, SMALLEST = 0.4, 0.0004
-"""Shares of the picture: a region outside of these is no object that was clicked on."""
 
 
 def grown(pixels: Image, cell: tuple[int, int]) -> Bools | None:
@@ -28,11 +21,11 @@ def grown(pixels: Image, cell: tuple[int, int]) -> Bools | None:
     # Like the median of a few cells: a single one may be grain.
     around = colours[max(row - 2, 0) : row + 3, max(column - 2, 0) : column + 3].reshape(-1, 3)
     distance = np.sqrt(((colours - np.median(around, axis=0)) ** 2).sum(axis=2))
-    regions = [_part_at(distance <= step, cell) for step in STEPS]
+    regions = [_part_at(distance <= step, cell) for step in GROWING.steps]
     total = pixels.shape[0] * pixels.shape[1]
-    fit = [region for region in regions if SMALLEST * total <= region.sum() <= LARGEST * total]
+    fit = [region for region in regions if GROWING.smallest * total <= region.sum() <= GROWING.largest * total]
     for small, large in pairwise(fit):
-        if large.sum() > LEAK * small.sum() and small.sum() > 8 * SMALLEST * total:
+        if large.sum() > GROWING.leak * small.sum() and small.sum() > 8 * GROWING.smallest * total:
             return small
     return fit[-1] if fit else None
 

@@ -14,21 +14,17 @@ from numpy.typing import NDArray
 
 from roam_core.features.grid import Grid
 from roam_core.kernels.local_match import log_ratio
+from roam_core.params import KeyColoursParams
 from roam_core.proposal.key_view import KeyView
 
 Float32 = NDArray[np.float32]
 UInt8 = NDArray[np.uint8]
 Bools = NDArray[np.bool_]
 
-RADIUS, SPREAD = 5, 0.1
-"""Half side of the window, cells, and the price of a place off its middle, Lab units squared a cell squared."""
-SIGMA, CLIP = 3.0, 3.0
-"""Lab units by which a colour changes between key and frame, and the bound on the log-ratio, nats."""
-AGED = 1.0
-"""By how much more a difference counts on the key at the far end of a span than on the one where it starts."""
 
-
-def key_colours(picture: UInt8, grid: Grid, views: Sequence[tuple[KeyView, float]], wanted: Bools) -> Float32:
+def key_colours(
+    picture: UInt8, grid: Grid, views: Sequence[tuple[KeyView, float]], wanted: Bools, params: KeyColoursParams
+) -> Float32:
     """ln p(inside) / p(outside) of the `wanted (rows, columns)` cells of a frame, from the nearest colours of all keys.
 
     `picture (rows, columns, 3)` is the frame's, RGB in the cells of `grid`; each view comes with how far from the frame
@@ -36,7 +32,7 @@ def key_colours(picture: UInt8, grid: Grid, views: Sequence[tuple[KeyView, float
     """
     distances = []
     for view, away in views:
-        sides = view.nearest(picture, grid, wanted, RADIUS, SPREAD, "exact")
-        distances.append([np.float32(1.0 + AGED * away) * side for side in sides])
+        sides = view.nearest(picture, grid, wanted, params.radius, params.spread, "exact")
+        distances.append([np.float32(1.0 + params.aged * away) * side for side in sides])
     inside, outside = np.min(distances, axis=0)
-    return log_ratio(inside, outside, SIGMA, CLIP)
+    return log_ratio(inside, outside, params.sigma, params.clip)

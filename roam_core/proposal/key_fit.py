@@ -10,6 +10,7 @@ from scipy.sparse.linalg import spsolve
 from roam_core.geometry import bezier, polyline
 from roam_core.geometry.bezier import ANCHOR, IN, OUT
 from roam_core.geometry.simple import crossing_segments
+from roam_core.params import KEY_FIT
 from roam_core.proposal.anchors import spread
 from roam_core.proposal.outline_match import matched
 from roam_core.proposal.refine import bounded, places_between, tangents
@@ -17,19 +18,6 @@ from roam_core.roto.edit import is_smooth
 
 Array = NDArray[np.float64]
 IntArray = NDArray[np.int64]
-
-SPREADS = 6
-"""Rounds in which anchors move along the outline."""
-ROUNDS = 8
-"""Rounds of refinement: samples to their nearest place on the curve, curve to its samples."""
-WINDOW = 20
-"""Places to both sides in which a sample's nearest place is looked for."""
-SLIDE = 0.05
-"""Weight, against one sample of the outline, that holds an anchor to its matched place along the outline."""
-SMOOTH = 1.0
-"""Weight of a smooth point's handles leaving their common line."""
-HOLD = 0.002
-"""Weight of handles against those matched first."""
 
 
 def fitted(points: Array, ring: Array, poses: list[Array], scale: float = 1.0) -> Array:
@@ -39,12 +27,12 @@ def fitted(points: Array, ring: Array, poses: list[Array], scale: float = 1.0) -
     outline and then fitted by least squares, alternating with the places of the outline's samples on it.
     """
     match = matched(points, ring, poses, scale)
-    anchors = spread(points, match.samples, match.anchors, SPREADS, scale)
+    anchors = spread(points, match.samples, match.anchors, KEY_FIT.spreads, scale)
     prior = _carried(points, match.samples[anchors])
     fit = _Fit(points, prior, match.samples)
     places = places_between(anchors, match.samples)
     result = fit.solve(places, prior)
-    for _ in range(ROUNDS):
+    for _ in range(KEY_FIT.rounds):
         places = fit.projected(result, places)
         result = fit.solve(places, result)
     return _untangled(bezier.aligned(result, fit.smooth), match.samples[anchors], scale)
@@ -135,12 +123,12 @@ class _Fit:
 
     def _slide(self) -> csr_array:
         rows = np.arange(self.count)
-        weight = np.sqrt(SLIDE * len(self.samples) / self.count)
+        weight = np.sqrt(KEY_FIT.slide * len(self.samples) / self.count)
         return _rows(self.count, [(rows, ANCHOR, weight * self.tangent)])
 
     def _hold(self) -> csr_array:
         rows = np.arange(self.count)
-        weight = np.sqrt(HOLD * len(self.samples) / self.count)
+        weight = np.sqrt(KEY_FIT.hold * len(self.samples) / self.count)
         parts = []
         for axis in (0, 1):
             unit = np.zeros((self.count, 2))
@@ -152,7 +140,7 @@ class _Fit:
     def _common_lines(self, points: Array) -> csr_array:
         rows = np.flatnonzero(self.smooth)
         tangent = tangents(points)[rows]
-        normal = np.sqrt(SMOOTH) * np.stack([-tangent[:, 1], tangent[:, 0]], axis=1)
+        normal = np.sqrt(KEY_FIT.smooth) * np.stack([-tangent[:, 1], tangent[:, 0]], axis=1)
         parts = [_rows(self.count, [(rows, part, normal), (rows, ANCHOR, -normal)]) for part in (IN, OUT)]
         return vstack(parts)
 
@@ -163,7 +151,7 @@ class _Fit:
         t = np.tile(np.arange(fine) / fine, self.count)
         line = bezier.evaluate(points, segment, t)
         total = len(line)
-        index = np.round(places * fine).astype(np.intp)[:, None] + np.arange(-WINDOW, WINDOW + 1)
+        index = np.round(places * fine).astype(np.intp)[:, None] + np.arange(-KEY_FIT.window, KEY_FIT.window + 1)
         away = ((line[index % total] - self.samples[:, None]) ** 2).sum(axis=2)
         facing = polyline.outward_normals(line)[index % total] @ polyline.outward_normals(self.samples)[:, :, None]
         cost = away + 9.0 * (1.0 - facing[..., 0])

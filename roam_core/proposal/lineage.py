@@ -17,27 +17,14 @@ from numpy.typing import NDArray
 
 from roam_core.features.grid import Grid, signed_distance
 from roam_core.motion.flow import carried_by_flow
+from roam_core.params import LineageParams
 
 Float32 = NDArray[np.float32]
 UInt8 = NDArray[np.uint8]
 Bools = NDArray[np.bool_]
 
-EDGE = 3.0
-"""Depth at which a cell is three quarters as sure of its side as it can be."""
-REACH = 20.0
-"""Depth beyond which it counts no more."""
-LIKE = 8.0
-"""Difference of colour at which a cell is hardly taken for the one that it came from."""
-RETURNED = 1.0
-"""Distance from itself, after following the flow back and forth, at which the same is so."""
-LIKE_ENOUGH = 50.0
-"""Difference of colour at which a line is half broken."""
-RETURNED_ENOUGH = 8.0
-"""Distance from itself at which the same is so."""
 MEAN = np.full((1, 3), 1.0 / 3.0, dtype=np.float32)
 """What `cv2.transform` takes to add channels up to their mean."""
-CONTRADICTED = 0.3
-"""What is left of the line of a cell that was decided otherwise than it was carried."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -52,16 +39,17 @@ class Lineage:
     depth: Float32
     likeness: Float32
     unbroken: Float32
+    params: LineageParams
 
     @property
     def log_ratio(self) -> Float32:
         """How much it speaks for the side that the cell lay on: between -1, outside, and 1."""
-        return np.asarray(self.unbroken * self.likeness * np.tanh(self.depth / EDGE), dtype=np.float32)
+        return np.asarray(self.unbroken * self.likeness * np.tanh(self.depth / self.params.edge), dtype=np.float32)
 
     def after(self, inside: Bools) -> Float32:
         """How unbroken the lines are once `inside (rows, columns)` was decided."""
         kept = inside == (self.depth > 0)
-        return np.where(kept, self.unbroken, np.float32(CONTRADICTED) * self.unbroken)
+        return np.where(kept, self.unbroken, np.float32(self.params.contradicted) * self.unbroken)
 
 
 def lineage(
@@ -71,6 +59,7 @@ def lineage(
     unbroken: Float32,
     grid: Grid,
     scale: float,
+    params: LineageParams,
 ) -> Lineage:
     """What the cells of `grid` bring along from the first of two pictures to the second.
 
@@ -89,10 +78,11 @@ def lineage(
     returned = carried_by_flow(forth, back) + back
     # Not OpenCV's: its last bit depends on where in memory the numbers lie.
     astray = np.hypot(returned[..., 0], returned[..., 1]) * np.float32(1.0 / (scale * grid.factor.mean()))
-    depth = signed_distance(sides > 0, REACH)
-    sound = 1.0 / ((1.0 + (unlike / LIKE_ENOUGH) ** 2) * (1.0 + (astray / RETURNED_ENOUGH) ** 2))
+    depth = signed_distance(sides > 0, params.reach)
+    sound = 1.0 / ((1.0 + (unlike / params.like_enough) ** 2) * (1.0 + (astray / params.returned_enough) ** 2))
     return Lineage(
         depth=cv2.resize(depth, (grid.columns, grid.rows), interpolation=cv2.INTER_AREA),
-        likeness=0.5 * (np.exp(-unlike / LIKE) + np.exp(-astray / RETURNED)),
+        likeness=0.5 * (np.exp(-unlike / params.like) + np.exp(-astray / params.returned)),
         unbroken=np.asarray(carried_by_flow(unbroken, back) * sound, dtype=np.float32),
+        params=params,
     )

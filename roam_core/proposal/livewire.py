@@ -14,24 +14,11 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from roam_core.params import LIVE_WIRE
+
 Array = NDArray[np.float64]
 Image = NDArray[np.uint8]
 Spot = tuple[float, float]
-
-CANNY = (32, 100)
-"""Thresholds of the edge detector, 8-bit grey values a pixel: low to go on along an edge, high to begin one."""
-
-STRONGEST = 200.0
-"""Gradients above this count alike, so that one hard edge does not outshine all softer ones."""
-
-SMOOTHING = 1.0
-"""Cells of the Gaussian before edges are looked for: grain is no edge."""
-
-WEAKEST = 4.0
-"""Grey values a pixel: a weaker gradient is no edge to snap to."""
-
-FEWEST = 4
-"""Cells on a side of the smallest piece of a picture that has edges."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -62,12 +49,12 @@ class LiveWire:
         left, right = _side(seed[0], reach, width)
         top, bottom = _side(seed[1], reach, height)
         crop = image[top:bottom, left:right]
-        cells = tuple(max(FEWEST, round(side / max(step, 1.0))) for side in (right - left, bottom - top))
+        cells = tuple(max(LIVE_WIRE.fewest, round(side / max(step, 1.0))) for side in (right - left, bottom - top))
         crop = cv2.resize(crop, cells, interpolation=cv2.INTER_AREA)
         scissors = cv2.segmentation.IntelligentScissorsMB()
-        scissors.setEdgeFeatureCannyParameters(*CANNY)
-        scissors.setGradientMagnitudeMaxLimit(STRONGEST)
-        scissors.applyImage(cv2.GaussianBlur(crop, (0, 0), SMOOTHING))
+        scissors.setEdgeFeatureCannyParameters(*LIVE_WIRE.canny)
+        scissors.setGradientMagnitudeMaxLimit(LIVE_WIRE.strongest)
+        scissors.applyImage(cv2.GaussianBlur(crop, (0, 0), LIVE_WIRE.smoothing))
         cell = np.array([(right - left) / cells[0], (bottom - top) / cells[1]])
         wire = cls(seed, (left, top), (right, bottom), cell, scissors)
         scissors.buildMap(wire._at(seed))
@@ -98,9 +85,9 @@ def snapped(image: Image, spot: Spot, reach: float) -> Spot:
     margin = math.ceil(reach) + 3
     left, top = max(math.floor(spot[0]) - margin, 0), max(math.floor(spot[1]) - margin, 0)
     piece = image[top : math.floor(spot[1]) + margin + 1, left : math.floor(spot[0]) + margin + 1]
-    if min(piece.shape[:2]) < FEWEST:
+    if min(piece.shape[:2]) < LIVE_WIRE.fewest:
         return spot
-    soft = cv2.GaussianBlur(piece, (0, 0), SMOOTHING).astype(np.float32)
+    soft = cv2.GaussianBlur(piece, (0, 0), LIVE_WIRE.smoothing).astype(np.float32)
     across, down = cv2.Sobel(soft, cv2.CV_32F, 1, 0), cv2.Sobel(soft, cv2.CV_32F, 0, 1)
     strength = np.sqrt(across**2 + down**2).max(axis=2)
     rows, columns = np.mgrid[: piece.shape[0], : piece.shape[1]]
@@ -108,7 +95,7 @@ def snapped(image: Image, spot: Spot, reach: float) -> Spot:
     # Sobel's kernel gives 8 grey values for each of the gradient. What lies nearer wins among equals.
     worth = np.where(away <= reach, strength / 8.0 - 0.25 * away, -np.inf)
     row, column = np.unravel_index(int(np.argmax(worth)), worth.shape)
-    if strength[row, column] / 8.0 < WEAKEST or not np.isfinite(worth[row, column]):
+    if strength[row, column] / 8.0 < LIVE_WIRE.weakest or not np.isfinite(worth[row, column]):
         return spot
     return left + float(column) + 0.5, top + float(row) + 0.5
 
@@ -116,7 +103,11 @@ def snapped(image: Image, spot: Spot, reach: float) -> Spot:
 def _side(centre: float, reach: float, length: int) -> tuple[int, int]:
     """First and last (exclusive) pixel of a piece along one side."""
     first, last = max(math.floor(centre - reach), 0), min(math.ceil(centre + reach) + 1, length)
-    return (first, last) if last - first >= FEWEST else (max(last - FEWEST, 0), max(last, min(FEWEST, length)))
+    return (
+        (first, last)
+        if last - first >= LIVE_WIRE.fewest
+        else (max(last - LIVE_WIRE.fewest, 0), max(last, min(LIVE_WIRE.fewest, length)))
+    )
 
 
 def _inside(spot: Spot, low: tuple[float, float], high: tuple[float, float]) -> Spot:

@@ -9,40 +9,12 @@ from numpy.typing import NDArray
 
 from roam_core.geometry import bezier, polyline, similarity
 from roam_core.kernels.alignment import prices
+from roam_core.params import OUTLINE_MATCH
 from roam_core.proposal.monotone import in_order
 from roam_core.proposal.tips import surroundings
 
 Array = NDArray[np.float64]
 IntArray = NDArray[np.int64]
-
-SPACING = 7.0
-"""Pixels of a 480-line image between the nodes that are matched."""
-STEP = 2.0
-"""Pixels of a 480-line image between the samples of the outline."""
-NEAR = (24.0, 16.0, 8.0)
-"""Pixels of a 480-line image, a round of matching, by which a node may miss its expected place at a price of 1."""
-REACH = (60.0, 25.0)
-"""Pixels of a 480-line image along the outline over which displacements are smoothed between two rounds of matching."""
-STRETCH = 2.0
-"""Price of a piece of outline that grows to twice its share of the whole."""
-TURN = 1.5
-"""Price of a node whose outline runs the opposite way."""
-BULGE = 12.0
-"""Price of a node that is all tip on a sample that is all bay (`proposal.tips`)."""
-STARTS = 5
-"""Samples tried for the node that is surest of its place."""
-DOUBT = 0.01
-"""Price a node that says nothing for or against a pose."""
-TURNED = 4.0
-"""A pose that turns by a right angle has to match better by this factor plus one: round shapes do not spin."""
-HARMONICS = 128
-"""Points of an outline that is turned to find how it lies best on another."""
-COARSE = 3.0
-"""How much wider nodes and samples are spaced while poses are compared."""
-SETTLE = 2
-"""Times that a pose is matched, each time the one that fits what was matched before."""
-POSES = 3
-"""Poses tried that were found by turning."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -78,17 +50,17 @@ def matched(points: Array, ring: Array, poses: list[Array], scale: float = 1.0) 
     `poses (2, 3)` are similarities that may carry the one to the other; more are found by turning the outlines on each
     other. From the best the spline is bent to where it was matched, and matched again, ever more closely.
     """
-    rough = _unmatched(points, ring, COARSE, scale)
+    rough = _unmatched(points, ring, OUTLINE_MATCH.coarse, scale)
     best = rough
     for pose in [*poses, *_turned(rough.nodes, rough.samples)]:
-        for _ in range(SETTLE):
+        for _ in range(OUTLINE_MATCH.settle):
             found = _posed(rough, pose, scale)
             best = min(best, found, key=lambda match: match.energy)
             pose = similarity.fit(rough.nodes, rough.samples[found.at], rough.share)
     pose = similarity.fit(rough.nodes, best.nodes)
     start = _unmatched(points, ring, 1.0, scale)
-    best = _again(start, similarity.apply(pose, start.nodes), NEAR[0] * scale)
-    for near, reach in zip(NEAR[1:], REACH, strict=True):
+    best = _again(start, similarity.apply(pose, start.nodes), OUTLINE_MATCH.near[0] * scale)
+    for near, reach in zip(OUTLINE_MATCH.near[1:], OUTLINE_MATCH.reach, strict=True):
         shift = _smoothed(best.samples[best.at] - best.nodes, best.share, reach * scale)
         best = _again(best, best.nodes + shift, near * scale)
     return best
@@ -103,18 +75,18 @@ def followed(nodes: Array, share: Array, ring: Array, poses: list[Array], scale:
     Returns shares `(N,)` of the ring's length from its first vertex on, rising; they may run on beyond 1.
     """
     points = bezier.polygon_points(nodes)
-    some = np.arange(0, len(nodes), round(COARSE))
-    rough = _begun(points[some], nodes[some], some, np.add.reduceat(share, some), ring, COARSE * scale)
+    some = np.arange(0, len(nodes), round(OUTLINE_MATCH.coarse))
+    rough = _begun(points[some], nodes[some], some, np.add.reduceat(share, some), ring, OUTLINE_MATCH.coarse * scale)
     best = rough
     for pose in poses:
-        for _ in range(SETTLE):
+        for _ in range(OUTLINE_MATCH.settle):
             found = _posed(rough, pose, scale)
             best = min(best, found, key=lambda match: match.energy)
             pose = similarity.fit(rough.nodes, rough.samples[found.at], rough.share)
     start = _begun(points, nodes, np.arange(len(nodes)), share, ring, scale)
     pose = similarity.fit(rough.nodes, best.nodes)
-    best = _again(start, similarity.apply(pose, start.nodes), NEAR[0] * scale)
-    for near, reach in zip(NEAR[1:], REACH, strict=True):
+    best = _again(start, similarity.apply(pose, start.nodes), OUTLINE_MATCH.near[0] * scale)
+    for near, reach in zip(OUTLINE_MATCH.near[1:], OUTLINE_MATCH.reach, strict=True):
         shift = _smoothed(best.samples[best.at] - best.nodes, best.share * polyline.length(best.nodes), reach * scale)
         best = _again(best, best.nodes + shift, near * scale)
     count = len(best.samples)
@@ -125,13 +97,13 @@ def followed(nodes: Array, share: Array, ring: Array, poses: list[Array], scale:
 
 
 def _begun(points: Array, nodes: Array, first: NDArray[np.intp], share: Array, ring: Array, scale: float) -> Match:
-    samples = polyline.resample(ring, max(3 * len(nodes), int(polyline.length(ring) / (STEP * scale))))
+    samples = polyline.resample(ring, max(3 * len(nodes), int(polyline.length(ring) / (OUTLINE_MATCH.step * scale))))
     at = np.zeros(len(nodes), dtype=np.int64)
     return Match(points, nodes, first, share, samples, (surroundings(nodes), surroundings(samples)), at, np.inf)
 
 
 def _unmatched(points: Array, ring: Array, coarse: float, scale: float) -> Match:
-    nodes, first, share = _nodes(points, coarse * SPACING * scale)
+    nodes, first, share = _nodes(points, coarse * OUTLINE_MATCH.spacing * scale)
     if polyline.signed_area(ring) * polyline.signed_area(nodes) < 0:
         ring = ring[::-1]
     return _begun(points, nodes, first, share, ring, coarse * scale)
@@ -139,8 +111,10 @@ def _unmatched(points: Array, ring: Array, coarse: float, scale: float) -> Match
 
 def _posed(start: Match, pose: Array, scale: float) -> Match:
     turn = float(np.arctan2(pose[1, 0], pose[0, 0]))
-    match = _again(start, similarity.apply(pose, start.nodes), NEAR[0] * scale)
-    return replace(match, energy=(match.energy + DOUBT) * (1.0 + TURNED * (1.0 - np.cos(turn))))
+    match = _again(start, similarity.apply(pose, start.nodes), OUTLINE_MATCH.near[0] * scale)
+    return replace(
+        match, energy=(match.energy + OUTLINE_MATCH.doubt) * (1.0 + OUTLINE_MATCH.turned * (1.0 - np.cos(turn)))
+    )
 
 
 def _nodes(points: Array, spacing: float) -> tuple[Array, NDArray[np.intp], Array]:
@@ -160,23 +134,23 @@ def _again(match: Match, nodes: Array, near: float) -> Match:
         (nodes, polyline.outward_normals(nodes), ours),
         (match.samples, polyline.outward_normals(match.samples), theirs),
         near,
-        TURN,
-        BULGE,
+        OUTLINE_MATCH.turn,
+        OUTLINE_MATCH.bulge,
     )
     expected = np.maximum(match.share / match.share.sum() * len(match.samples), 1.0)
-    at, energy = in_order(cost, expected, STRETCH, STARTS)
+    at, energy = in_order(cost, expected, OUTLINE_MATCH.stretch, OUTLINE_MATCH.starts)
     return replace(match, nodes=nodes, at=at, energy=energy / len(nodes))
 
 
 def _turned(nodes: Array, samples: Array) -> list[Array]:
     """Similarities that lay the one outline on the other point by point, from the best beginnings (Procrustes)."""
-    z, w = (polyline.resample(line, HARMONICS) @ np.array([1.0, 1.0j]) for line in (nodes, samples))
+    z, w = (polyline.resample(line, OUTLINE_MATCH.harmonics) @ np.array([1.0, 1.0j]) for line in (nodes, samples))
     here, there = z.mean(), w.mean()
     z, w = z - here, w - there
     fit = np.fft.ifft(np.conj(np.fft.fft(z)) * np.fft.fft(w))
     strength = np.abs(fit)
     peak = (strength >= np.roll(strength, 1)) & (strength >= np.roll(strength, -1))
-    best = np.flatnonzero(peak)[np.argsort(-strength[peak], kind="stable")][:POSES]
+    best = np.flatnonzero(peak)[np.argsort(-strength[peak], kind="stable")][: OUTLINE_MATCH.poses]
     spread = max(float((np.abs(z) ** 2).sum()), 1e-12)
     grown = np.sqrt(max(float((np.abs(w) ** 2).sum()), 1e-12) / spread)
     poses = []

@@ -13,24 +13,10 @@ from scipy.optimize import linear_sum_assignment
 from roam_core.geometry import bezier, polyline, similarity
 from roam_core.kernels.coverage import coverage
 from roam_core.matte.vectorise import outlines
+from roam_core.params import PAIRING
 
 Array = NDArray[np.float64]
 Bools = NDArray[np.bool_]
-
-STRANGE = 1.3
-"""Price of a part of the mask, or of a shape, that stays without a partner, half of it each."""
-OVERLAP, AWAY, GROWN = 0.6, 0.5, 0.25
-"""Price of a pair that does not overlap at all, lies its own size apart, or differs in size by a factor of e."""
-SPOTS = 400
-"""Places inside a shape that are looked up in the mask."""
-STAYS = 0.05
-"""How much better the shapes have to lie on the mask before they count as moved together."""
-INSIDE = 0.5
-"""Share of a shape without a partner that has to lie in another one's part before they divide it, if ..."""
-JOINED = 0.05
-"""... this much of it overlaps the other, or ..."""
-CONSIDERABLE = 0.2
-"""... it is at least this large beside it."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -123,7 +109,7 @@ def _common_pose(
         shared = 0.0
         for _, spots, area in known:
             shared += area * grown * float(_looked_up(labels, similarity.apply(pose, spots), len(rings)).sum())
-        overlap = shared / max(grown * whole + wanted - shared, 1e-9) - (STAYS if number else 0.0)
+        overlap = shared / max(grown * whole + wanted - shared, 1e-9) - (PAIRING.stays if number else 0.0)
         if overlap > most:
             best, most = pose, overlap
     return best
@@ -133,7 +119,9 @@ def _spots(points: Array) -> Array:
     """Positions `(K, 2)` evenly inside a spline."""
     line = bezier.flatten(points)
     low, extent = line.min(axis=0), np.ptp(line, axis=0)
-    cell = max(float(np.sqrt(max(abs(polyline.signed_area(line)), 1e-6) / SPOTS)), float(extent.max()) / 200.0, 1e-3)
+    cell = max(
+        float(np.sqrt(max(abs(polyline.signed_area(line)), 1e-6) / PAIRING.spots)), float(extent.max()) / 200.0, 1e-3
+    )
     rows, columns = (int(each) for each in np.ceil(extent[::-1] / cell) + 1)
     found = np.argwhere(coverage((line - low) / cell, (rows, columns)) > 0.5)
     if len(found) == 0:
@@ -174,8 +162,8 @@ def _assigned(moved: list[Array], rings: list[Array], seen: Array, areas: Array,
     overlap = shared / np.maximum(grown[:, None] + wanted - shared, 1e-9)
     away = np.hypot(*np.moveaxis(here[:, None] - there[None], 2, 0)) / np.sqrt(grown[:, None] + wanted + 1e-9)
     size = np.abs(np.log((grown[:, None] + 1.0) / (wanted + 1.0)))
-    cost = np.full((n + m, n + m), 0.5 * STRANGE)
-    cost[:n, :m] = OVERLAP * (1.0 - overlap) + AWAY * away + GROWN * size
+    cost = np.full((n + m, n + m), 0.5 * PAIRING.strange)
+    cost[:n, :m] = PAIRING.overlap * (1.0 - overlap) + PAIRING.away * away + PAIRING.grown * size
     cost[n:, m:] = 0.0
     rows, columns = linear_sum_assignment(cost)
     partners = dict(zip(rows.tolist(), columns.tolist(), strict=True))
@@ -189,7 +177,7 @@ def _sharing(
     line = bezier.flatten(moved[owner])
     sharing = []
     for i, partner in enumerate(partners):
-        if partner is not None or int(np.argmax(seen[i])) != k or seen[i, k] < INSIDE:
+        if partner is not None or int(np.argmax(seen[i])) != k or seen[i, k] < PAIRING.inside:
             continue
         spots = _spots(moved[i])
         low = np.minimum(line.min(axis=0), spots.min(axis=0)) - 1.0
@@ -197,7 +185,7 @@ def _sharing(
         extent = np.ceil(high - low).astype(int)
         mine = coverage(line - low, (int(extent[1]), int(extent[0])))
         x, y = np.floor(spots - low).astype(np.intp).T
-        if (mine[y, x] > 0.5).mean() >= JOINED or areas[i] >= CONSIDERABLE * areas[owner]:
+        if (mine[y, x] > 0.5).mean() >= PAIRING.joined or areas[i] >= PAIRING.considerable * areas[owner]:
             sharing.append(i)
     return sharing
 

@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial import KDTree
 
+from roam_core.params import PiecesParams
 from roam_core.proposal.evidence import Field
 from roam_core.proposal.region import contours
 
@@ -20,13 +21,8 @@ Array = NDArray[np.float64]
 Float32 = NDArray[np.float32]
 Bools = NDArray[np.bool_]
 
-LEAST = 0.02
-"""Share of all that a shape has from which a piece hangs on to it."""
-LIKELY = 0.3
-"""Share of a piece that no shape wants most that must lie where the object is likely to be, for a shape to have it."""
 
-
-def shares(region: Bools, claims: Sequence[Float32], likely: Bools) -> list[Bools]:
+def shares(region: Bools, claims: Sequence[Float32], likely: Bools, params: PiecesParams) -> list[Bools]:
     """Which pieces `(rows, columns)` of the region belong to each shape.
 
     `claims` are the shapes' expected coverages on the grid. Each shape has the piece that it claims most of; shapes
@@ -46,7 +42,7 @@ def shares(region: Bools, claims: Sequence[Float32], likely: Bools) -> list[Bool
         rivals = np.flatnonzero(wanted == piece)
         here = labels == piece
         owner[here] = rivals[0] if len(rivals) == 1 else rivals[_deepest([claims[int(k)] for k in rivals])[here]]
-    expected = np.bincount(labels[likely], minlength=count) >= LIKELY * stats[:, cv2.CC_STAT_AREA]
+    expected = np.bincount(labels[likely], minlength=count) >= params.likely * stats[:, cv2.CC_STAT_AREA]
     loose = np.setdiff1d(np.flatnonzero(expected), [0, *wanted])
     is_claimed = claimed[:, loose].max(axis=0, initial=0.0) > 0.0
     for piece in loose[is_claimed]:
@@ -59,19 +55,19 @@ def shares(region: Bools, claims: Sequence[Float32], likely: Bools) -> list[Bool
     return [owner == number for number in range(len(claims))]
 
 
-def ring_around(field: Field, mine: Bools, longest: float) -> Array | None:
+def ring_around(field: Field, mine: Bools, longest: float, params: PiecesParams) -> Array | None:
     """The one outline `(K, 2)`, in pixels, around the pieces `mine` of a region that hang together (`joined`)."""
     if not mine.any():
         return None
     window = _window(mine)
-    body, threads = joined(mine[window], longest)
+    body, threads = joined(mine[window], longest, params)
     values = np.where(body, field.values[window], np.float32(-1.0))
     values[threads] = 1.0
     rings = contours(values)
     return field.grid.to_image(rings[0][0] + [window[1].start, window[0].start]) if rings else None
 
 
-def joined(mine: Bools, longest: float) -> tuple[Bools, Bools]:
+def joined(mine: Bools, longest: float, params: PiecesParams) -> tuple[Bools, Bools]:
     """The pieces that hang together with the largest, and the threads, a cell wide, by which they do.
 
     A piece hangs on to what is nearest of all that does already, if the thread is no longer than `longest` times the
@@ -84,7 +80,7 @@ def joined(mine: Bools, longest: float) -> tuple[Bools, Bools]:
     area = stats[:, cv2.CC_STAT_AREA].astype(np.float64)
     area[0] = 0.0
     largest = int(area.argmax())
-    loose = {int(k): _rim(labels == k) for k in np.flatnonzero(area >= LEAST * area.sum()) if k != largest}
+    loose = {int(k): _rim(labels == k) for k in np.flatnonzero(area >= params.least * area.sum()) if k != largest}
     body, shore = labels == largest, _rim(labels == largest)
     while loose:
         tree = KDTree(shore)

@@ -9,26 +9,15 @@ from scipy.linalg import solveh_banded
 from roam_core.geometry import bezier, polyline
 from roam_core.geometry.bezier import ANCHOR, IN, OUT
 from roam_core.kernels.spline_fit import nearest_places, normal_band
+from roam_core.params import RefineParams
 
 Array = NDArray[np.float64]
 IntArray = NDArray[np.int64]
 
-FINE = 12
-"""Vertices a segment at which a sample's nearest place is looked for."""
-WINDOW = 20
-"""Vertices to both sides that are looked at."""
-TURN = 9.0
-"""Price, in squared pixels, of a place whose outline runs at a right angle."""
-STAY = 0.3
-"""Weight, against the samples of one segment, that holds an anchor to its matched place along the outline from frame
-to frame."""
-HOLD = 0.002
-"""Weight, against the samples of one segment, that holds handles to their anchors as they were."""
-LINE = 1.0
-"""Weight, against one sample, of a smooth point's handle off the common line."""
 
-
-def refined(points: Array, samples: Array, at: IntArray, smooth: NDArray[np.bool_], rounds: int) -> Array:
+def refined(
+    points: Array, samples: Array, at: IntArray, smooth: NDArray[np.bool_], rounds: int, params: RefineParams
+) -> Array:
     """The closed spline `points (P, 3, 2)` with all control points fitted to the ring `samples (M, 2)`.
 
     Its anchors lie on `samples[at]`, in order, to begin with; they may leave them as far as the curve gains by it.
@@ -39,10 +28,16 @@ def refined(points: Array, samples: Array, at: IntArray, smooth: NDArray[np.bool
     places, result = places_between(at, samples), points
     for turn in range(rounds):
         if turn > 0:
-            places = _nearest(result, places, samples, facing)
+            places = _nearest(result, places, samples, facing, params)
         share = len(samples) / len(points)
         band, right = normal_band(
-            samples, places, points.reshape(-1, 2), owner, tangents(result), smooth, (STAY * share, HOLD * share, LINE)
+            samples,
+            places,
+            points.reshape(-1, 2),
+            owner,
+            tangents(result),
+            smooth,
+            (params.stay * share, params.hold * share, params.line),
         )
         free = solveh_banded(band, right, lower=True, check_finite=False).reshape(-1, 2)
         result = bounded(free[owner].reshape(-1, 3, 2), places, samples)
@@ -85,13 +80,16 @@ def places_between(at: IntArray, samples: Array) -> Array:
     return places
 
 
-def _nearest(points: Array, places: Array, samples: Array, normals: Array) -> Array:
+def _nearest(points: Array, places: Array, samples: Array, normals: Array, params: RefineParams) -> Array:
     """The samples' places on a spline that has moved: the nearest, in order."""
     count = len(points)
-    segment, t = np.repeat(np.arange(count), FINE), np.tile(np.arange(FINE) / FINE, count)
+    segment, t = np.repeat(np.arange(count), params.fine), np.tile(np.arange(params.fine) / params.fine, count)
     line = bezier.evaluate(points, segment, t)
-    start = np.round(places * FINE).astype(np.int64) % len(line)
-    found = nearest_places(line, polyline.outward_normals(line), samples, normals, start, WINDOW, TURN) / FINE
+    start = np.round(places * params.fine).astype(np.int64) % len(line)
+    found = (
+        nearest_places(line, polyline.outward_normals(line), samples, normals, start, params.window, params.turn)
+        / params.fine
+    )
     first = int(np.argmin(places))
     order = (first + np.arange(len(places))) % len(places)
     run = np.maximum.accumulate(found[order])

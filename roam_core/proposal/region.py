@@ -16,23 +16,20 @@ Array = NDArray[np.float64]
 Float32 = NDArray[np.float32]
 Bools = NDArray[np.bool_]
 
-SPECK = 6
-"""Cells: smaller parts and holes are noise."""
 
-
-def cleaned(field: Field, expected: Bools, overlap: float) -> Field:
+def cleaned(field: Field, expected: Bools, overlap: float, speck: int) -> Field:
     """The field with parts turned to outside that are specks or lie mostly where nothing of the object was expected.
 
-    A part that breaks off onto the background must not become an object of its own: at least `overlap` of it has to
-    lie in `expected`.
+    Fewer than `speck` cells are a speck, and so are holes. A part that breaks off onto the background must not become
+    an object of its own: at least `overlap` of it has to lie in `expected`.
     """
     count, labels, stats, _ = cv2.connectedComponentsWithStats(field.inside.astype(np.uint8), connectivity=4)
     area = stats[:, cv2.CC_STAT_AREA]
     shared = np.bincount(labels[expected], minlength=count)
-    wrong = (area < SPECK) | (shared < overlap * area)
+    wrong = (area < speck) | (shared < overlap * area)
     wrong[0] = False
     _, holes, stats, _ = cv2.connectedComponentsWithStats((~field.inside).astype(np.uint8), connectivity=4)
-    small = stats[:, cv2.CC_STAT_AREA] < SPECK
+    small = stats[:, cv2.CC_STAT_AREA] < speck
     small[0] = False
     values = field.values.copy()
     values[wrong[labels]] = -np.abs(values[wrong[labels]]) - np.float32(1e-3)

@@ -22,9 +22,6 @@ Array = NDArray[np.float64]
 Float32 = NDArray[np.float32]
 Bools = NDArray[np.bool_]
 
-SOFT = 0.8
-"""Cells: Gaussian that takes the stairs off the pieces of outline that a cut proposes."""
-
 
 @dataclass(frozen=True, eq=False)
 class Piece:
@@ -107,7 +104,7 @@ def reshaped(
     before = energy = energy_of(line, context, params)
     ring, changed = line, np.zeros(grid.shape, dtype=bool)
     for piece in differences(covered > 0.5, proposed, params.proposals):
-        parts = outlines(toggled(covered, piece, grid))
+        parts = outlines(toggled(covered, piece, grid, params.proposals.soft))
         if not parts:
             continue
         if not piece.added and len(parts) > 1 and cells_in(parts[1][0], grid) >= params.proposals.area:
@@ -124,16 +121,17 @@ def reshaped(
     return Reshaped(ring, changed, before, energy)
 
 
-def toggled(covered: Float32, piece: Piece, grid: Grid) -> Field:
+def toggled(covered: Float32, piece: Piece, grid: Grid, soft: float) -> Field:
     """The region of the coverage `covered (rows, columns)` with the piece put in or taken out.
 
-    Away from the piece the field is the coverage itself, whose contour is the curve.
+    Away from the piece the field is the coverage itself, whose contour is the curve; there it is a Gaussian of `soft`
+    cells.
     """
     inside = covered > 0.5
     wanted = (inside | piece.cells) if piece.added else (inside & ~piece.cells)
-    soft = cv2.GaussianBlur(wanted.astype(np.float32), (0, 0), SOFT)
+    even = cv2.GaussianBlur(wanted.astype(np.float32), (0, 0), soft)
     near = cv2.dilate(piece.cells.astype(np.uint8), np.ones((3, 3), np.uint8)) > 0
-    return Field(grid, np.where(near, soft, covered).astype(np.float32) - np.float32(0.5))
+    return Field(grid, np.where(near, even, covered).astype(np.float32) - np.float32(0.5))
 
 
 def cells_in(ring: Array, grid: Grid) -> float:
@@ -141,18 +139,16 @@ def cells_in(ring: Array, grid: Grid) -> float:
     return abs(polyline.signed_area(ring)) * float(np.prod(grid.factor))
 
 
-def untouched(points: Array, changed: Bools, grid: Grid, reach: int = 2) -> NDArray[np.bool_]:
-    """Control points `(P,)` of a spline neither of whose segments comes within `reach` cells of what changed."""
+def untouched(points: Array, changed: Bools, grid: Grid, samples: int, reach: int = 2) -> NDArray[np.bool_]:
+    """Control points `(P,)` of a spline neither of whose segments comes within `reach` cells of what changed.
+
+    `samples` places on each segment are looked at."""
     near = cv2.dilate(changed.astype(np.uint8), np.ones((2 * reach + 1, 2 * reach + 1), np.uint8)) > 0
     count = len(points)
-    owner = np.repeat(np.arange(count), SAMPLES)
-    places = grid.to_grid(bezier.evaluate(points, owner, np.tile(np.arange(SAMPLES) / SAMPLES, count)))
+    owner = np.repeat(np.arange(count), samples)
+    places = grid.to_grid(bezier.evaluate(points, owner, np.tile(np.arange(samples) / samples, count)))
     rows, columns = grid.shape
     x = np.clip(places[:, 0].astype(np.intp), 0, columns - 1)
     y = np.clip(places[:, 1].astype(np.intp), 0, rows - 1)
-    touched = near[y, x].reshape(count, SAMPLES).any(axis=1)
+    touched = near[y, x].reshape(count, samples).any(axis=1)
     return np.asarray(~(touched | np.roll(touched, 1)))
-
-
-SAMPLES = 24
-"""Places on each segment that are looked at."""

@@ -50,7 +50,7 @@ def segmented(
     weights = contrast_weights(lab(grid.of(frame.image)), params.strength, params.contrast, params.neighbours)
     found = minimum_cut(ratio, weights, uncertain_band(inside, inside, reach), inside).inside
     signed = Field(grid, np.where(found, np.float32(1.0), np.float32(-1.0)))
-    return Segmentation(grid, cleaned(signed, inside, params.overlap).inside, inside)
+    return Segmentation(grid, cleaned(signed, inside, params.overlap, params.speck).inside, inside)
 
 
 def unaries(colours: ColourFields, expected: Bools, grid: Grid, params: ProposalParams) -> Float32:
@@ -59,8 +59,4 @@ def unaries(colours: ColourFields, expected: Bools, grid: Grid, params: Proposal
     if colours.global_ratio is not None:
         ratio = ratio + params.global_weight * colours.global_ratio
     cells = cv2.resize(ratio, (grid.columns, grid.rows), interpolation=cv2.INTER_AREA)
-    return np.asarray(cells + params.prior_weight * signed_distance(expected, DEEP), dtype=np.float32)
-
-
-DEEP = 20.0
-"""Cells beyond which a cell is no surer of its side for being farther from the expected outline."""
+    return np.asarray(cells + params.prior_weight * signed_distance(expected, params.deep), dtype=np.float32)

@@ -47,7 +47,7 @@ def topology_changes(
     grid = proposed.grid
     covered = coverage(grid.to_grid(line), grid.shape)
     surplus = Piece((covered > 0.5) & ~proposed.inside, added=False)
-    parts = [rings[0] for rings in outlines(toggled(covered, surplus, grid))]
+    parts = [rings[0] for rings in outlines(toggled(covered, surplus, grid, params.proposals.soft))]
     parts = [ring for ring in parts if cells_in(ring, grid) >= params.proposals.part]
     if len(parts) < 2:
         return ()

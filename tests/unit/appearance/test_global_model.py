@@ -19,7 +19,7 @@ def red_on_blue() -> tuple[np.ndarray, np.ndarray]:
 def test_colours_of_the_inside_speak_for_it_and_unseen_ones_for_nothing() -> None:
     image, inside = red_on_blue()
     ratio = GlobalModel.learned(image, inside, ~inside).log_ratio(
-        np.array([[[200, 30, 30], [30, 30, 200], [30, 200, 30]]], dtype=np.uint8), 3.0
+        np.array([[[200, 30, 30], [30, 30, 200], [30, 200, 30]]], dtype=np.uint8), 3.0, 2e-5
     )
     assert ratio.tolist() == [[3.0, -3.0, 0.0]]
 
@@ -35,4 +35,4 @@ def test_densities_sum_to_one_and_adapting_moves_them_by_the_rate() -> None:
 def test_an_empty_inside_is_no_error() -> None:
     image, inside = red_on_blue()
     model = GlobalModel.learned(image, np.zeros_like(inside), np.ones_like(inside))
-    assert np.isfinite(model.log_ratio(image, 3.0)).all()
+    assert np.isfinite(model.log_ratio(image, 3.0, 2e-5)).all()

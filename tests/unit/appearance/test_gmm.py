@@ -12,11 +12,13 @@ from sklearn.mixture import GaussianMixture
 
 from roam_core.appearance import gmm
 from roam_core.appearance.gmm import FLOOR, Mixtures, Samples
-from roam_core.appearance.update import BOUND, adapted
+from roam_core.appearance.update import adapted
 from roam_core.kernels.gmm_density import em_steps, matches
+from roam_core.params import AppearanceParams
 from tests.reference.gmm_density import ref_components, ref_match
 
 Array = NDArray[np.float64]
+FLOORLESS = AppearanceParams(variance_floor=0.0)
 
 
 def mixtures(count: int, seed: int = 0) -> Mixtures:
@@ -132,10 +134,11 @@ def test_matches_equal_the_twin() -> None:
     colours = np.random.default_rng(3).uniform(50.0, 200.0, (90, 3))
     index = np.random.default_rng(4).integers(0, 2, 90).astype(np.int32)
     samples = Samples.of(colours, index, 2)
-    sums = matches(samples.colours, samples.starts, 0, (start.weight, start.mean, start.variance), BOUND)
+    bound = AppearanceParams().matched
+    sums = matches(samples.colours, samples.starts, 0, (start.weight, start.mean, start.variance), bound)
     twin = np.zeros_like(sums)
     for colour, n in zip(colours, index, strict=True):
-        k = ref_match(colour, (start.weight[n], start.mean[n], start.variance[n]), BOUND)
+        k = ref_match(colour, (start.weight[n], start.mean[n], start.variance[n]), bound)
         twin[n, k] += [*colour, *colour**2, 1.0]
     np.testing.assert_allclose(sums, twin)
     assert sums[:, :, 6].min() > 0
@@ -147,7 +150,9 @@ def test_matches_count_the_colours_of_neighbours_once_each(spread: int) -> None:
     start, rng = mixtures(5, 9), np.random.default_rng(3)
     colours, index = rng.uniform(50.0, 200.0, (90, 3)), rng.integers(0, 5, 90).astype(np.int32)
     samples = Samples.of(colours, index, 5)
-    sums = matches(samples.colours, samples.starts, spread, (start.weight, start.mean, start.variance), BOUND)
+    sums = matches(
+        samples.colours, samples.starts, spread, (start.weight, start.mean, start.variance), AppearanceParams().matched
+    )
     for n in range(5):
         near = [(n + off) % 5 for off in range(-min(spread, 2), min(spread, 2) + 1)]
         assert sums[n, :, 6].sum() == np.isin(index, near).sum()
@@ -163,11 +168,11 @@ def test_what_stays_the_same_teaches_nothing_new_and_what_changes_is_learned() -
     def likely(mixture: Mixtures, colours: Array) -> float:
         return float(mixture.log_density(colours.astype(np.float32), index).mean())
 
-    same = adapted(model, Samples.of(old, index, 1), 0.1, 20.0)
+    same = adapted(model, Samples.of(old, index, 1), 0.1, AppearanceParams())
     assert likely(same, old) == pytest.approx(likely(model, old), abs=0.1)
     changed = model
     for _ in range(20):
-        changed = adapted(changed, Samples.of(new, index, 1), 0.1, 20.0)
+        changed = adapted(changed, Samples.of(new, index, 1), 0.1, AppearanceParams())
         assert changed.weight.sum() == pytest.approx(1.0)
     assert likely(model, new) == pytest.approx(FLOOR)
     assert likely(changed, new) > likely(model, old) - 1.0
@@ -179,12 +184,12 @@ def test_a_rate_of_zero_and_a_frame_without_colours_change_nothing() -> None:
     colours = np.random.default_rng(3).uniform(50.0, 200.0, (60, 3))
     none = Samples.of(np.empty((0, 3)), np.empty(0, np.int32), 2)
     for after in (
-        adapted(start, none, 0.1, 0.0),
-        adapted(start, Samples.of(colours, np.zeros(60, np.int32), 2), 0.0, 0.0),
+        adapted(start, none, 0.1, FLOORLESS),
+        adapted(start, Samples.of(colours, np.zeros(60, np.int32), 2), 0.0, FLOORLESS),
     ):
         np.testing.assert_allclose(after.mean[1], start.mean[1])
         np.testing.assert_allclose(after.weight[1], start.weight[1])
-    np.testing.assert_allclose(adapted(start, none, 0.1, 0.0).variance, start.variance)
+    np.testing.assert_allclose(adapted(start, none, 0.1, FLOORLESS).variance, start.variance)
 
 
 def test_a_component_grows_as_wide_as_the_colours_that_it_takes_in() -> None:
@@ -193,7 +198,7 @@ def test_a_component_grows_as_wide_as_the_colours_that_it_takes_in() -> None:
     model = Mixtures(np.ones((1, 1)), np.full((1, 1, 3), 100.0), np.full((1, 1, 3), 64.0))
     rng, rate = np.random.default_rng(6), 0.25
     colours = rng.normal(110.0, 3.0, (500, 3))  # all of them within the component's reach
-    after = adapted(model, Samples.of(colours, np.zeros(500, np.int32), 1), rate, 1.0)
+    after = adapted(model, Samples.of(colours, np.zeros(500, np.int32), 1), rate, AppearanceParams(variance_floor=1.0))
     mean = (1.0 - rate) * 100.0 + rate * colours.mean(axis=0)
     np.testing.assert_allclose(after.mean[0, 0], mean)
     # Stauffer and Grimson: (1 - rho) sigma^2 + rho |x - mu|^2, with the new mean, over all of the colours.

@@ -93,7 +93,7 @@ def test_untangling_puts_loops_back_and_leaves_the_rest() -> None:
     low = np.flatnonzero((RECTANGLE[:, 1] < 0.1) & (np.abs(RECTANGLE[:, 0] - 20.0) < 3.0))
     moved[low, 1] += 14.0  # through the opposite side
     assert not polyline.is_simple(moved)
-    result = untangled(RECTANGLE, moved)
+    result = untangled(RECTANGLE, moved, 8)
     assert polyline.is_simple(result)
     np.testing.assert_array_equal(result[low], RECTANGLE[low])
     kept = (result == moved).all(axis=1)
@@ -102,4 +102,4 @@ def test_untangling_puts_loops_back_and_leaves_the_rest() -> None:
 
 def test_a_curve_that_only_crosses_is_put_back_as_a_whole() -> None:
     scattered = np.random.default_rng(1).permutation(RECTANGLE)
-    assert polyline.is_simple(untangled(RECTANGLE, scattered))
+    assert polyline.is_simple(untangled(RECTANGLE, scattered, 8))

@@ -6,7 +6,8 @@ import cv2
 import numpy as np
 import pytest
 
-from roam_core.landmarks.filters import MARGIN, CorrelationFilters, areas_at, normalised, peaks, window
+from roam_core.landmarks.filters import CorrelationFilters, areas_at, normalised, peaks, window
+from roam_core.params import FILTERS
 
 
 def texture(height: int, width: int, seed: int = 0) -> np.ndarray:
@@ -16,14 +17,15 @@ def texture(height: int, width: int, seed: int = 0) -> np.ndarray:
 
 
 def learned(grey: np.ndarray, centres: np.ndarray, side: int) -> CorrelationFilters:
-    return CorrelationFilters.learned(areas_at(grey, centres, side + 2 * MARGIN), sigma=0.8, ridge=1.0)
+    return CorrelationFilters.learned(areas_at(grey, centres, side + 2 * FILTERS.margin), sigma=0.8, ridge=1.0)
 
 
 @pytest.mark.parametrize("side", [5, 6, 8])
 def test_a_filter_is_the_ridge_regression_onto_all_cyclic_shifts(side: int) -> None:
-    area = np.random.default_rng(side).uniform(0, 255, (1, side + 2 * MARGIN, side + 2 * MARGIN)).astype(np.float32)
+    size = side + 2 * FILTERS.margin
+    area = np.random.default_rng(side).uniform(0, 255, (1, size, size)).astype(np.float32)
     filters = CorrelationFilters.learned(area, sigma=1.0, ridge=0.1)
-    patch = area[:, MARGIN:-MARGIN, MARGIN:-MARGIN]
+    patch = area[:, FILTERS.margin : -FILTERS.margin, FILTERS.margin : -FILTERS.margin]
     x = (normalised(patch) * window(side))[0].astype(np.float64)
     shifts = [(v, u) for v in range(side) for u in range(side)]
     # The patch under a shift s is what the filter sees when it lies s further on.

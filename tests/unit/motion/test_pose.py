@@ -14,7 +14,7 @@ from roam_core.geometry import polyline
 from roam_core.kernels.posing import Ties
 from roam_core.motion.pose import NOTHING, Pose, Surroundings
 from roam_core.motion.template import Template
-from roam_core.params import CONFIGS, PoseParams
+from roam_core.params import CONFIGS, PoseParams, PyramidParams
 from tests.golden.shots import texture
 
 Array = NDArray[np.float64]
@@ -68,7 +68,7 @@ def learned(line: Array, params: PoseParams = PARAMS) -> Template:
     """The template of a part on its key, where it is at rest."""
     image = np.where(polyline_mask(centres(), line)[..., None], BODY.at(centres()), GROUND.at(centres()))
     frame = PreparedFrame(np.round(255.0 * image).astype(np.uint8))
-    template = Template.of(Pyramid.of(frame, WHOLE, 1.0), line, params, 1.0)
+    template = Template.of(Pyramid.of(frame, WHOLE, 1.0, PyramidParams()), line, params, 1.0)
     assert template is not None
     return template
 
@@ -99,7 +99,7 @@ def off(template: Template, found: Array, planted: Array, line: Array) -> float:
 def test_a_motion_that_was_planted_is_found(planted: tuple[float, ...]) -> None:
     template, pose = learned(PATCH), np.array(planted)
     frame = shown(template, pose, PATCH)
-    around = unhidden(Pyramid.of(frame, WHOLE, 1.0))
+    around = unhidden(Pyramid.of(frame, WHOLE, 1.0, PyramidParams()))
     found = Pose.on_key(template, PARAMS).step(around, PARAMS)
     assert off(template, found.values, pose, PATCH) < 0.5
     assert found.cost < PARAMS.lost
@@ -114,7 +114,7 @@ def test_a_bend_that_was_planted_is_found(bend: float) -> None:
     template = learned(LIMB)
     assert template.chain.count == 2
     pose = np.array([1.0, -1.0, 0.0, bend, 0.0, 0.0, 0.0])
-    around = unhidden(Pyramid.of(shown(template, pose, LIMB), WHOLE, 1.0))
+    around = unhidden(Pyramid.of(shown(template, pose, LIMB), WHOLE, 1.0, PyramidParams()))
     found = Pose.on_key(template, PARAMS).step(around, PARAMS)
     assert off(template, found.values, pose, LIMB) < 0.8
     assert found.values[3] - found.values[2] == pytest.approx(bend, abs=0.05)
@@ -125,7 +125,7 @@ def test_it_does_not_drift() -> None:
     template, pose = learned(PATCH), Pose.on_key(learned(PATCH), PARAMS)
     for k in range(1, 9):
         planted = np.array([1.6 * k, -0.9 * k, 0.04 * k, 0.0, 0.0, 0.0])
-        pose = pose.step(unhidden(Pyramid.of(shown(template, planted, PATCH), WHOLE, 1.0)), PARAMS)
+        pose = pose.step(unhidden(Pyramid.of(shown(template, planted, PATCH), WHOLE, 1.0, PyramidParams())), PARAMS)
         assert off(template, pose.values, planted, PATCH) < 0.5
 
 
@@ -133,7 +133,7 @@ def test_it_does_not_drift() -> None:
 def test_a_half_that_is_hidden_does_not_disturb(told: bool) -> None:
     template, planted = learned(PATCH), np.array([2.0, -1.5, 0.06, 0.0, 0.0, 0.0])
     cover = box(78, 20, 60, 80)
-    pyramid = Pyramid.of(shown(template, planted, PATCH, blind=cover), WHOLE, 1.0)
+    pyramid = Pyramid.of(shown(template, planted, PATCH, blind=cover), WHOLE, 1.0, PyramidParams())
     around = Surroundings(pyramid, pyramid.outlined([cover]) if told else pyramid.nothing)
     found = Pose.on_key(template, PARAMS).step(around, PARAMS)
     assert off(template, found.values, planted, PATCH) < 0.8
@@ -148,7 +148,7 @@ def test_a_half_that_is_hidden_does_not_disturb(told: bool) -> None:
 def test_where_another_picture_is_the_part_is_in_doubt_and_looked_for_farther() -> None:
     template = learned(PATCH)
     blank = PreparedFrame(np.full((*SIZE, 3), (230, 20, 20), np.uint8))
-    around = unhidden(Pyramid.of(blank, WHOLE, 1.0))
+    around = unhidden(Pyramid.of(blank, WHOLE, 1.0, PyramidParams()))
     first = Pose.on_key(template, PARAMS).step(around, PARAMS)
     second = first.step(around, PARAMS)
     assert first.unlike > 0.8
@@ -159,7 +159,7 @@ def test_where_another_picture_is_the_part_is_in_doubt_and_looked_for_farther() 
 
 def test_behind_everything_it_goes_on_as_expected() -> None:
     template = learned(PATCH)
-    pyramid = Pyramid.of(shown(template, template.chain.rest, PATCH), WHOLE, 1.0)
+    pyramid = Pyramid.of(shown(template, template.chain.rest, PATCH), WHOLE, 1.0, PyramidParams())
     hidden = tuple(np.ones_like(each) for each in pyramid.nothing)
     before = replace(Pose.on_key(template, PARAMS), velocity=np.array([2.0, 1.0, 0.0, 0.0, 0.0, 0.0]))
     found = before.step(Surroundings(pyramid, hidden), PARAMS)
@@ -179,7 +179,7 @@ def test_missed_is_told() -> None:
 
 def test_a_spring_pulls_where_nothing_is_to_be_seen() -> None:
     template = learned(PATCH)
-    pyramid = Pyramid.of(shown(template, template.chain.rest, PATCH), WHOLE, 1.0)
+    pyramid = Pyramid.of(shown(template, template.chain.rest, PATCH), WHOLE, 1.0, PyramidParams())
     hidden = tuple(np.ones_like(each) for each in pyramid.nothing)
     middle = PATCH.mean(axis=0)[None]
     ties = Ties(middle, template.chain.skin(middle), middle + np.array([[3.0, 0.0]]), np.array([PARAMS.tie]), 6.0)
@@ -190,7 +190,7 @@ def test_a_spring_pulls_where_nothing_is_to_be_seen() -> None:
 
 def test_too_little_of_a_part_is_no_template() -> None:
     frame = shown(learned(PATCH), np.zeros(6), PATCH)
-    pyramid = Pyramid.of(frame, WHOLE, 1.0)
+    pyramid = Pyramid.of(frame, WHOLE, 1.0, PyramidParams())
     assert Template.of(pyramid, box(60, 60, 4, 4), PARAMS, 1.0) is None
     assert Template.of(pyramid, PATCH, PARAMS, 1.0, [box(0, 0, 160, 120)]) is None
     assert Template.of(pyramid, box(-500, -500, 40, 40), PARAMS, 1.0) is None
@@ -208,6 +208,6 @@ def test_the_same_part_gives_the_same_samples() -> None:
 
 def test_a_part_like_its_ground_has_a_seam_all_around() -> None:
     frame = PreparedFrame(np.full((*SIZE, 3), 90, np.uint8))
-    template = Template.of(Pyramid.of(frame, WHOLE, 1.0), PATCH, PARAMS, 1.0)
+    template = Template.of(Pyramid.of(frame, WHOLE, 1.0, PyramidParams()), PATCH, PARAMS, 1.0)
     assert template is not None
     assert template.seam == 1.0

@@ -48,7 +48,7 @@ def test_a_shape_that_finds_no_region_stays_where_it_was_carried() -> None:
     part = Part(SHOT.truth(SHOT.first), False)
     grid = Grid.over(Region(0, 0, SHOT.size[1], SHOT.size[0]), 0.5)
     nothing = Field.of_coverage(grid, np.zeros(grid.shape, dtype=np.float32))
-    traits = Traits.of(part.points, np.ones(8, dtype=bool))
-    ((points, seen),) = laid([part], [traits], nothing, 1.0, PARAMS.longest_thread, [part.points + 9.0])
+    traits = Traits.of(part.points, np.ones(8, dtype=bool), PARAMS.contour_fit)
+    ((points, seen),) = laid([part], [traits], nothing, 1.0, PARAMS, [part.points + 9.0])
     assert not seen
     np.testing.assert_array_equal(points, part.points)

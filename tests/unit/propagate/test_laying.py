@@ -8,9 +8,9 @@ import pytest
 from roam_core.features import Region
 from roam_core.features.grid import Grid
 from roam_core.geometry import bezier, polyline
-from roam_core.propagate.laying import enclosed, laid
+from roam_core.params import ContourFitParams, RegionParams
+from roam_core.propagate.laying import enclosed, laid, trusts_of
 from roam_core.propagate.nodes import smooth_points
-from roam_core.propagate.region import trusts_of
 from roam_core.propagate.result import Part
 from roam_core.proposal.contour import Traits
 from roam_core.proposal.evidence import Field
@@ -22,8 +22,9 @@ HAND = Part(blob([12.0] * 6) + np.array([200.0, 40.0]))
 
 
 def along(parts: list[Part], inside: np.ndarray, longest_thread: float = 2.0) -> list[tuple[np.ndarray, bool]]:
-    traits = [Traits.of(part.points, smooth_points(part.points)) for part in parts]
-    return laid(parts, traits, Field.of_coverage(GRID, inside.astype(np.float32)), 1.0, longest_thread)
+    traits = [Traits.of(part.points, smooth_points(part.points), ContourFitParams()) for part in parts]
+    field, params = Field.of_coverage(GRID, inside.astype(np.float32)), RegionParams(longest_thread=longest_thread)
+    return laid(parts, traits, field, 1.0, params)
 
 
 @pytest.mark.parametrize(("longest_thread", "least", "most"), [(2.0, 0.93, 1.0), (0.0, 0.4, 0.8)])

@@ -9,7 +9,8 @@ import pytest
 from numpy.typing import NDArray
 
 from roam_core.geometry.bezier import polygon_points
-from roam_core.propagate.objects import NEAR, Role, Unit, near, objects, stacked, units
+from roam_core.params import OBJECTS
+from roam_core.propagate.objects import Role, Unit, near, objects, stacked, units
 from roam_core.roto import BlendMode, Keyframe, Origin, RotoShape, edit
 
 CORNERS = np.array([(0, 0), (1, 0), (1, 1), (0, 1)])
@@ -87,8 +88,8 @@ def test_no_key_of_the_engines_changes_what_belongs_together() -> None:
 
 
 def test_near_goes_with_the_size_of_the_pictures() -> None:
-    assert near(None) == near((480, 854)) == NEAR
-    assert near((960, 1708)) == pytest.approx(2.0 * NEAR)
+    assert near(None) == near((480, 854)) == OBJECTS.near
+    assert near((960, 1708)) == pytest.approx(2.0 * OBJECTS.near)
 
 
 @pytest.mark.parametrize(

@@ -10,10 +10,11 @@ import pytest
 
 from roam_core import RoamError, fill_span, track
 from roam_core.features import PreparedFrame
+from roam_core.params import OBJECTS
 from roam_core.propagate import TrackMemory
 from roam_core.propagate.engines.protocol import POSE, REGION
 from roam_core.propagate.explain import explain
-from roam_core.propagate.objects import NEAR, Role, objects, units
+from roam_core.propagate.objects import Role, objects, units
 from roam_core.propagate.provenance import Stamp, Stamps
 from roam_core.propagate.result import Termination
 from roam_core.roto import Keyframe, Origin, RotoShape, edit
@@ -74,7 +75,7 @@ def whole(figure: Figure) -> list[RotoShape]:
 
 def test_the_figure_is_one_object_in_parts(figure: Figure) -> None:
     assert objects(figure.shapes(), 20.0 * 120 / 480) == [[0, 1, 2]]
-    assert [unit.role for unit in units(figure.shapes(), NEAR)] == [Role.PART] * 3
+    assert [unit.role for unit in units(figure.shapes(), OBJECTS.near)] == [Role.PART] * 3
 
 
 def test_each_part_is_found_with_its_own_motion(figure: Figure, whole: list[RotoShape]) -> None:
@@ -343,7 +344,7 @@ def test_an_occluder_that_crosses_an_object_moves_by_itself(parts: int) -> None:
     post = Moving("post", box(12, 90), (70, 60), (3.0, 0.0), 0.0, texture(15, 0.3, 1.0))
     figure = Figure((*(BODY, replace(ODD["without texture"], look=texture(12, 0.6, 1.0)))[:parts], post), 6)
     shapes = [*figure.shapes()[:-1], subtracting(figure.shapes()[-1])]
-    assert units(shapes, NEAR)[-1].role is Role.OCCLUDER
+    assert units(shapes, OBJECTS.near)[-1].role is Role.OCCLUDER
     found = tracked(figure, shapes)
     require_sound(found, figure.frames)
     assert outline_distance(found[-1].at(5).points, post.truth(5)) < 1.5
@@ -362,7 +363,7 @@ def test_a_hole_goes_with_its_part() -> None:
     hole = replace(BODY, name="hole", rest=box(10, 10))
     figure = Figure((BODY, ODD["without texture"], hole), 4)
     shapes = [*figure.shapes()[:2], subtracting(figure.shapes()[2])]
-    assert units(shapes, NEAR)[0].members == (0, 2)
+    assert units(shapes, OBJECTS.near)[0].members == (0, 2)
     found = tracked(figure, shapes)
     assert outline_distance(found[2].at(3).points, hole.truth(3)) < 1.0
 

@@ -15,14 +15,15 @@ from roam_core.features import PreparedFrame
 from roam_core.features.grid import Grid, Region
 from roam_core.geometry import bezier
 from roam_core.matte.compose import render_matte
-from roam_core.params import CONFIGS, RegionParams
+from roam_core.params import CONFIGS, RedetectionParams, RegionParams
 from roam_core.propagate import step as outline
 from roam_core.propagate.explain import explain
-from roam_core.propagate.refinding import LONG_GONE, Lookout, Sighting, Watch, middle_of
+from roam_core.propagate.refinding import Lookout, Sighting, Watch, middle_of
 from roam_core.propagate.region import begin, step
 from roam_core.propagate.result import Part
 from roam_core.proposal.evidence import Field, KeyMemory
 
+PARAMS = RedetectionParams()
 SIZE = (140, 260)
 RADIUS = 15
 ROW = 70
@@ -31,7 +32,7 @@ FIRST, STEP = 40, 7
 POST = slice(95, 150)
 """Columns that hide what is behind them."""
 
-PARAMS = RegionParams()
+REGION = RegionParams()
 
 UInt8 = NDArray[np.uint8]
 
@@ -60,8 +61,8 @@ def lookout(column: float = 60.0) -> tuple[Lookout, Sighting]:
     cover = whole.of(disc(column).astype(np.float32))
     region = Field(whole, (8.0 * (cover - 0.5)).astype(np.float32))
     area = np.pi * RADIUS**2
-    sighting = Sighting(np.eye(3), area, np.array([column, ROW]), since=12)
-    return Lookout(PreparedFrame(picture(column)), region), sighting
+    sighting = Sighting(np.eye(3), area, np.array([column, ROW]), PARAMS, since=12)
+    return Lookout(PreparedFrame(picture(column)), region, PARAMS, 2e-5), sighting
 
 
 @pytest.mark.parametrize("column", [30.0, 61.0, 148.5, 220.0])
@@ -106,7 +107,7 @@ def test_a_place_beyond_the_picture_shows_nothing() -> None:
 def test_what_is_long_gone_is_looked_for_now_and_then() -> None:
     _, sighting = lookout()
     looks = [frames for frames in range(25) if replace(sighting, since=frames).is_worth_a_look]
-    assert looks == [*range(LONG_GONE + 1), 12, 16, 20, 24]
+    assert looks == [*range(PARAMS.long_gone + 1), 12, 16, 20, 24]
 
 
 def test_what_is_found_is_left_where_too_little_is_to_be_expected_of_it() -> None:
@@ -151,8 +152,8 @@ def test_nothing_resembles_nothing(line: NDArray[np.float64]) -> None:
 def test_only_what_can_be_told_from_its_surroundings_is_watched() -> None:
     eye, _ = lookout()
     drawn = np.zeros((4, 3, 2))
-    assert Watch.begun(drawn, eye.frame, eye.region) is not None
-    assert Watch.begun(drawn, PreparedFrame(meadow()), eye.region) is None
+    assert Watch.begun(drawn, eye.frame, eye.region, RegionParams()) is not None
+    assert Watch.begun(drawn, PreparedFrame(meadow()), eye.region, RegionParams()) is None
 
 
 def test_size_and_turn_are_taken_over_from_where_they_are_sure() -> None:
@@ -176,7 +177,8 @@ def test_landmarks_of_what_was_found_again_are_new_ones() -> None:
     assert state.watch is not None
     assert state.landmarks is not None
     frame = PreparedFrame(picture(220.0))
-    away = replace(state, watch=replace(state.watch, sighting=replace(state.watch.sighting, since=LONG_GONE - 1)))
+    sighting = replace(state.watch.sighting, since=PARAMS.long_gone - 1)
+    away = replace(state, watch=replace(state.watch, sighting=sighting))
     stepped = outline.step(away, frame, params)
     found = stepped.begun
     assert found is not away
@@ -191,11 +193,12 @@ def test_landmarks_of_what_was_found_again_are_new_ones() -> None:
 def test_of_what_was_found_again_its_region_has_the_colours_of_the_key() -> None:
     """Whatever was learned since: here the ground's colours for the object's."""
     key = PreparedFrame(picture(60.0))
-    state = begin(key, (Part(shapes_from_mask(disc(60.0))[0].at(0).points),), PARAMS)
+    state = begin(key, (Part(shapes_from_mask(disc(60.0))[0].at(0).points),), REGION)
     misled = GlobalModel(state.colours.outside, state.colours.inside)
-    away = replace(state, colours=misled, sighting=replace(state.sighting, since=LONG_GONE - 1))
-    found, (after, _) = carried_on(away, PreparedFrame(picture(200.0)), PARAMS)
-    assert found is not away
+    away = replace(state, colours=misled, sighting=replace(state.sighting, since=PARAMS.long_gone - 1))
+    stepped = step(away, PreparedFrame(picture(200.0)), REGION)
+    found, after = stepped.begun, stepped.state
+    assert stepped.redetected
     np.testing.assert_array_equal(found.colours.inside, state.key.colours.inside)
     np.testing.assert_array_equal(found.colours.outside, state.key.colours.outside)
     assert np.hypot(*(middle_of(after.region) - (200.0, ROW))) < 3.0
@@ -209,9 +212,9 @@ def test_of_what_was_found_again_the_edges_learn_anew_from_the_key() -> None:
     assert state.models is not None
     edges = state.models.edges
     misled = replace(state.models, edges=replace(edges, inside=edges.outside, outside=edges.inside))
-    watch = replace(state.watch, sighting=replace(state.watch.sighting, since=LONG_GONE - 1))
+    watch = replace(state.watch, sighting=replace(state.watch.sighting, since=PARAMS.long_gone - 1))
     away = replace(state, models=misled, watch=watch)
-    found, _ = outline.carried_on(away, PreparedFrame(picture(200.0)), params)
+    found = outline.step(away, PreparedFrame(picture(200.0)), params).begun
     assert found is not away
     assert found.models is not None
     learned = found.models.edges
@@ -226,9 +229,9 @@ def test_a_frame_on_which_little_is_left_of_the_object_teaches_its_region_no_col
         shown = disc(before)
         shown[:, POST] = False
         state = begin(
-            PreparedFrame(picture(before, post=True)), (Part(shapes_from_mask(shown)[0].at(0).points),), PARAMS
+            PreparedFrame(picture(before, post=True)), (Part(shapes_from_mask(shown)[0].at(0).points),), REGION
         )
-        after, _ = step(state, PreparedFrame(picture(now, post=True)), PARAMS)
+        after = step(state, PreparedFrame(picture(now, post=True)), REGION).state
         assert after.region.inside.any()
         return not np.array_equal(after.colours.inside, state.colours.inside)
 

@@ -15,10 +15,10 @@ from roam_core.features import PreparedFrame
 from roam_core.geometry import projective, similarity
 from roam_core.geometry.bezier import ANCHOR, polygon_points
 from roam_core.motion.planar import Match
-from roam_core.params import RoamParams, params_for
+from roam_core.params import RigidityParams, RoamParams, params_for
 from roam_core.propagate.explain import explain
 from roam_core.propagate.result import Part
-from roam_core.propagate.rigid import GIVEN_UP, Pose, Rigidity
+from roam_core.propagate.rigid import Pose, Rigidity
 from roam_core.roto import Keyframe, RotoShape
 
 SIZE = (200, 300)
@@ -144,7 +144,7 @@ def test_an_explanation_tells_it() -> None:
 
 
 def learned() -> Rigidity:
-    return Rigidity.learned(PreparedFrame(picture(0)), (Part(HULL),))
+    return Rigidity.learned(PreparedFrame(picture(0)), (Part(HULL),), RigidityParams())
 
 
 def test_it_is_believed_where_the_corners_are_and_not_where_the_picture_is_another() -> None:
@@ -163,7 +163,7 @@ def test_it_is_believed_where_the_corners_are_and_not_where_the_picture_is_anoth
 
 def test_it_is_given_up_in_the_end() -> None:
     eye, blank = learned(), PreparedFrame(np.zeros((*SIZE, 3), np.uint8))
-    for _ in range(GIVEN_UP):
+    for _ in range(RigidityParams().given_up):
         eye, found = eye.step(blank, np.eye(3), LEAST)
         assert found is None
     again, found = eye.step(PreparedFrame(picture(0)), np.eye(3), LEAST)
@@ -175,18 +175,18 @@ def test_it_is_given_up_in_the_end() -> None:
 def test_an_object_that_shrank_to_nothing_is_given_up() -> None:
     after, found = learned().step(PreparedFrame(picture(0)), np.diag([1e-9, 1e-9, 1.0]), LEAST)
     assert found is None
-    assert after.missed == GIVEN_UP
+    assert after.missed == RigidityParams().given_up
 
 
 def test_few_corners_are_not_believed() -> None:
     small = polygon_points([(90, 112), (97, 112), (97, 119), (90, 119)])
-    eye = Rigidity.learned(PreparedFrame(picture(0)), (Part(small),))
+    eye = Rigidity.learned(PreparedFrame(picture(0)), (Part(small),), RigidityParams())
     assert eye.step(PreparedFrame(picture(0)), np.eye(3), LEAST)[1] is None
 
 
 def test_what_the_picture_cut_off_is_no_piece_once_it_comes_into_sight() -> None:
     cut = polygon_points([(60, 110), (0, 110), (0, 150), (75, 150), (165, 150), (180, 110)])
-    eye, still = Rigidity.learned(PreparedFrame(picture(0)), (Part(cut),)), np.eye(3)
+    eye, still = Rigidity.learned(PreparedFrame(picture(0)), (Part(cut),), RigidityParams()), np.eye(3)
     assert eye.step(PreparedFrame(picture(0)), still, LEAST)[1] is not None
     for x, is_one_piece in ((-8.0, True), (3.0, True), (8.0, False)):
         glide = np.array([[1.0, 0.0, x], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]])
@@ -195,7 +195,7 @@ def test_what_the_picture_cut_off_is_no_piece_once_it_comes_into_sight() -> None
 
 
 def test_holes_alone_are_cut_off_nowhere() -> None:
-    eye = Rigidity.learned(PreparedFrame(picture(0)), (Part(HULL, subtracts=True),))
+    eye = Rigidity.learned(PreparedFrame(picture(0)), (Part(HULL, subtracts=True),), RigidityParams())
     assert eye.cut.shape == (0, 2)
     eye.step(PreparedFrame(picture(0)), np.eye(3), LEAST)
 

@@ -15,9 +15,9 @@ from numpy.typing import NDArray
 from roam_core.cancel import Cancelled, CancelToken
 from roam_core.errors import RoamError
 from roam_core.media import MissingFrame
-from roam_core.params import CONFIGS
+from roam_core.params import CONFIGS, OBJECTS
 from roam_core.propagate import FrameResult, Termination, TrackMemory, track, warm_up
-from roam_core.propagate.objects import NEAR, objects
+from roam_core.propagate.objects import objects
 from roam_core.roto import Keyframe, Origin, Project, RotoShape, edit, file
 from tests.conftest import ROOT
 from tests.golden.shots import Shot, blob, gliding, outline_distance
@@ -57,7 +57,7 @@ def test_shapes_far_apart_are_what_each_is_alone(config: str, blob_shot: Shot) -
         RotoShape("shape-2", "B", (Keyframe(1001, blob([4.0, 5.0, 4.0]) + np.array([8.0, 112.0])),)),
         RotoShape("shape-3", "C", (Keyframe(1001, blob([5.0, 4.0, 5.0, 4.0]) + np.array([150.0, 8.0])),)),
     ]
-    assert len(objects(shapes, NEAR)) == 3
+    assert len(objects(shapes, OBJECTS.near)) == 3
     together = list(track(blob_shot.read, shapes, blob_shot.frames[:4], config))[-1].results
     for shape, result in zip(shapes, together, strict=True):
         assert result.shape == last(list(track(blob_shot.read, [shape], blob_shot.frames[:4], config)))

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import numpy.testing as npt
 import pytest
 from numpy.typing import NDArray
 
 from roam_core.geometry import polyline
+from roam_core.params import ANCHORS
 from roam_core.proposal import anchors
 from roam_core.proposal.anchors import spread
 from tests.golden.shots import blob
@@ -35,7 +38,7 @@ def below(at: NDArray[np.int64]) -> int:
 def test_points_come_from_where_they_are_not_needed(monkeypatch: pytest.MonkeyPatch) -> None:
     points, matched = blob([60.0] * COUNT), on_the_upper_half()
     assert below(spread(points, ring(3.0), matched, 6)) >= 9
-    monkeypatch.setattr(anchors, "PRICES", anchors.PRICES[:1])
+    monkeypatch.setattr(anchors, "ANCHORS", replace(ANCHORS, prices=ANCHORS.prices[:1]))
     assert below(spread(points, ring(3.0), matched, 6)) <= 5
 
 

@@ -9,7 +9,8 @@ from numpy.typing import NDArray
 
 from roam_core.features import PreparedFrame, Region
 from roam_core.features.grid import Grid
-from roam_core.proposal.key_colours import CLIP, key_colours
+from roam_core.params import KeyColoursParams
+from roam_core.proposal.key_colours import key_colours
 from roam_core.proposal.key_view import KeyView
 
 SIZE = (90, 140)
@@ -37,7 +38,7 @@ def picture(post: bool, shift: int = 0) -> PreparedFrame:
 def said_of(
     frame: PreparedFrame, keys: list[tuple[KeyView, float]], wanted: NDArray[np.bool_] = ALL
 ) -> NDArray[np.float32]:
-    return key_colours(GRID.of(frame.image), GRID, keys, wanted)
+    return key_colours(GRID.of(frame.image), GRID, keys, wanted, KeyColoursParams())
 
 
 def view(post: bool, shift: int = 0) -> KeyView:
@@ -61,8 +62,8 @@ BEHIND = cells(CARD[0], POST[1])
 @pytest.mark.parametrize("views", [(False, True), (True, False)])
 def test_what_one_key_hides_is_told_by_the_other(views: tuple[bool, bool]) -> None:
     keys = [(view(post), 0.5) for post in views]
-    assert np.median(said_of(picture(post=False), keys)[BEHIND]) == CLIP
-    assert np.median(said_of(picture(post=True), keys)[BEHIND]) == -CLIP
+    assert np.median(said_of(picture(post=False), keys)[BEHIND]) == KeyColoursParams().clip
+    assert np.median(said_of(picture(post=True), keys)[BEHIND]) == -KeyColoursParams().clip
 
 
 def test_of_what_no_key_has_anything_like_nothing_is_said() -> None:

@@ -13,12 +13,13 @@ from roam_core.features import PreparedFrame, Region
 from roam_core.features.grid import Grid
 from roam_core.geometry.bezier import polygon_points
 from roam_core.motion.flow import carried_by_flow, dense_flow, on_grid
-from roam_core.params import RegionParams
+from roam_core.params import LineageParams, RegionParams
 from roam_core.propagate.region import begin, observed
 from roam_core.propagate.result import Part
 from roam_core.proposal.evidence import Sources, cues, gathered
-from roam_core.proposal.lineage import CONTRADICTED, Lineage, lineage
+from roam_core.proposal.lineage import Lineage, lineage
 
+PARAMS = LineageParams()
 SIZE = (120, 160)
 WHOLE = Region(0, 0, SIZE[1], SIZE[0])
 FINE, COARSE = Grid.over(WHOLE, 1.0), Grid.over(WHOLE, 0.5)
@@ -52,7 +53,7 @@ def brought(before: PreparedFrame, after: PreparedFrame, unbroken: float = 1.0) 
     flows = on_grid(forward, FINE, COARSE), on_grid(backward, FINE, COARSE)
     there = carried_by_flow(sides(40), backward)
     pictures = COARSE.of(before.image), COARSE.of(after.image)
-    return lineage(pictures, there, flows, np.full(COARSE.shape, unbroken, np.float32), COARSE, 1.0)
+    return lineage(pictures, there, flows, np.full(COARSE.shape, unbroken, np.float32), COARSE, 1.0, PARAMS)
 
 
 def test_a_card_that_glides_brings_its_outline_along() -> None:
@@ -99,9 +100,9 @@ def test_a_broken_line_stays_broken() -> None:
 
 def test_a_cell_that_is_decided_otherwise_forgets_most_of_the_key() -> None:
     depth = np.array([[5.0, 5.0, -5.0, -5.0]], dtype=np.float32)
-    found = Lineage(depth, np.ones_like(depth), np.full_like(depth, 0.8))
+    found = Lineage(depth, np.ones_like(depth), np.full_like(depth, 0.8), PARAMS)
     after = found.after(np.array([[True, False, False, True]]))
-    np.testing.assert_allclose(after, [[0.8, 0.8 * CONTRADICTED, 0.8, 0.8 * CONTRADICTED]])
+    np.testing.assert_allclose(after, [[0.8, 0.8 * PARAMS.contradicted, 0.8, 0.8 * PARAMS.contradicted]])
 
 
 def test_where_the_lines_are_broken_the_other_cues_speak_alone() -> None:
@@ -116,7 +117,7 @@ def test_unbroken_lines_outweigh_colours_and_are_not_smoothed() -> None:
     params, sources = RegionParams(), seen()
     ones = np.ones(sources.grid.shape, np.float32)
     checks = np.where(np.indices(sources.grid.shape).sum(axis=0) % 2 == 0, 6.0, -6.0).astype(np.float32)
-    field = gathered(replace(sources, lineage=Lineage(checks, ones, ones)), params)
+    field = gathered(replace(sources, lineage=Lineage(checks, ones, ones, PARAMS)), params)
     assert sources.band.any()
     np.testing.assert_array_equal(field.inside[sources.band], checks[sources.band] > 0)
 
@@ -124,7 +125,7 @@ def test_unbroken_lines_outweigh_colours_and_are_not_smoothed() -> None:
 def test_each_cue_is_told_with_the_share_that_is_heard() -> None:
     params, sources = RegionParams(beside_lineage=0.25), seen()
     ones = np.ones(sources.grid.shape, np.float32)
-    heard = dict(cues(replace(sources, lineage=Lineage(ones, ones, ones)), params))
+    heard = dict(cues(replace(sources, lineage=Lineage(ones, ones, ones, PARAMS)), params))
     alone = dict(cues(replace(sources, lineage=None), params))
     assert set(heard) == {*alone, "lineage"}
     for name, cue in alone.items():

@@ -13,8 +13,8 @@ from tests.unit.proposal.cells import box, field_of
 
 def test_a_part_on_the_background_is_dropped_and_one_where_the_object_was_is_kept() -> None:
     body, stray = box((40, 60), slice(5, 25), slice(5, 25)), box((40, 60), slice(10, 20), slice(40, 55))
-    assert (cleaned(field_of(body | stray), body, 0.3).inside == body).all()
-    assert (cleaned(field_of(body | stray), body | stray, 0.3).inside == (body | stray)).all()
+    assert (cleaned(field_of(body | stray), body, 0.3, 6).inside == body).all()
+    assert (cleaned(field_of(body | stray), body | stray, 0.3, 6).inside == (body | stray)).all()
 
 
 def test_specks_go_and_pinholes_close() -> None:
@@ -22,7 +22,7 @@ def test_specks_go_and_pinholes_close() -> None:
     noisy = body.copy()
     noisy[10, 10] = False
     noisy[35, 35] = True
-    assert (cleaned(field_of(noisy), np.ones_like(body), 0.3).inside == body).all()
+    assert (cleaned(field_of(noisy), np.ones_like(body), 0.3, 6).inside == body).all()
 
 
 def test_outlines_come_in_image_coordinates_with_holes_after_their_part() -> None:

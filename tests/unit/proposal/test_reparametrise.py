@@ -131,12 +131,12 @@ def test_points_far_from_a_change_are_untouched() -> None:
     points = spline(drawn(BODY))
     changed = np.zeros(GRID.shape, dtype=bool)
     changed[25:33, 44:56] = True
-    keep = untouched(points, changed, GRID)
+    keep = untouched(points, changed, GRID, 24)
     assert keep.any()
     assert not keep.all()
     assert keep[points[:, 0, 0].argmin()]
-    assert not untouched(points, np.ones(GRID.shape, dtype=bool), GRID).any()
-    assert untouched(points, np.zeros(GRID.shape, dtype=bool), GRID).all()
+    assert not untouched(points, np.ones(GRID.shape, dtype=bool), GRID, 24).any()
+    assert untouched(points, np.zeros(GRID.shape, dtype=bool), GRID, 24).all()
 
 
 def test_the_area_of_a_ring_in_cells() -> None:

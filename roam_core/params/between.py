@@ -1,0 +1,67 @@
+"""Parameters of filling between two keys."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from roam_core.params.evidence import KeyColoursParams
+from roam_core.params.stamped import later
+
+
+@dataclass(frozen=True)
+class WitnessParams:
+    """Parameters of how far each passage missed the other key (`propagate.witness`).
+
+    Attributes
+    ----------
+    reach : pixels of a 480-line image around a place over which its misses are averaged.
+    lenient : what a lone shape's pose may miss the keys by, against the region: what it says between them is
+        steadier.
+    dear : mean cost from which a lone shape's poses are not taken: it does not look as on its keys.
+    look : pixels of a 480-line image around the outlines that are compared.
+    """
+
+    reach: float = 10.0
+    lenient: float = 1.3
+    dear: float = 0.5
+    look: float = 24.0
+
+
+@dataclass(frozen=True)
+class SpanParams:
+    """Parameters of merging two passages (`propagate.merge`).
+
+    Attributes
+    ----------
+    sure_of : pixels of a 480-line image by which even a witness that met the other key may be wrong between.
+    planar : weight of planar motion in the middle of a span, against one passage.
+    slope : nats that planar motion gives a pixel of depth inside its region.
+    depth : pixels of a 480-line image beyond which depth counts no more.
+    beside : cells around those on which the passages disagree in which the picture is asked, too.
+    disputed : share of what the witnesses say that counts where the passages disagree.
+    agreed : overlap of two passages that each moved the object as one piece from which they are taken at their
+        word.
+    apart_by : distance of the two passages of an outline, in its own size, from which their mean is a place of
+        neither.
+    alike : pixels of a 480-line image, in the mean, up to which the poses from both ends are taken for the same
+        one.
+    sure_cost : what is added to the cost of a pose: even the best may be wrong.
+    unposed : what an outline that was not laid by its pose is taken to cost.
+    apart : pixels of a 480-line image between the witnesses of a point at which half the trust in it is gone.
+    witness : of what the passages are believed by. key_colours : of what the colours of both keys say.
+    """
+
+    sure_of: float = 0.5
+    planar: float = 1.0
+    slope: float = 2.0
+    depth: float = 40.0
+    beside: int = 2
+    disputed: float = 0.5
+    agreed: float = 0.85
+    apart_by: float = 0.5
+    alike: float = 8.0
+    sure_cost: float = 0.1
+    unposed: float = 0.4
+    apart: float = 4.0
+    witness: WitnessParams = later(WitnessParams())
+    key_colours: KeyColoursParams = later(KeyColoursParams())

@@ -1,0 +1,66 @@
+"""Parameters of what is known of the cells near an object, and of the pieces of its region."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class LineageParams:
+    """Parameters of what a cell brings along from the key (`proposal.lineage`). Lengths are pixels of a 480-line image,
+    differences of colour the mean over the channels of 8 bits.
+
+    Attributes
+    ----------
+    edge : depth at which a cell is three quarters as sure of its side as it can be.
+    reach : depth beyond which it counts no more.
+    like : difference of colour at which a cell is hardly taken for the one that it came from.
+    returned : distance from itself, after following the flow back and forth, at which the same is so.
+    like_enough : difference of colour at which a line is half broken.
+    returned_enough : distance from itself at which the same is so.
+    contradicted : what is left of the line of a cell that was decided otherwise than it was carried.
+    """
+
+    edge: float = 3.0
+    reach: float = 20.0
+    like: float = 8.0
+    returned: float = 1.0
+    like_enough: float = 50.0
+    returned_enough: float = 8.0
+    contradicted: float = 0.3
+
+
+@dataclass(frozen=True)
+class PiecesParams:
+    """Parameters of the pieces of a region and how they hang together (`proposal.pieces`, `proposal.region`).
+
+    Attributes
+    ----------
+    least : share of all that a shape has from which a piece hangs on to it.
+    likely : share of a piece that no shape wants most that must lie where the object is likely to be, for a shape
+        to have it.
+    speck : cells; smaller parts and holes are noise.
+    """
+
+    least: float = 0.02
+    likely: float = 0.3
+    speck: int = 6
+
+
+@dataclass(frozen=True)
+class KeyColoursParams:
+    """Parameters of what the colours of both keys say of a frame between them (`proposal.key_colours`).
+
+    Attributes
+    ----------
+    radius, spread : half side of the window, cells, and the price of a place off its middle, Lab units squared a
+        cell squared.
+    sigma, clip : Lab units by which a colour changes between key and frame, and the bound on the log-ratio, nats.
+    aged : by how much more a difference counts on the key at the far end of a span than on the one where it starts.
+    """
+
+    radius: int = 5
+    spread: float = 0.1
+    sigma: float = 3.0
+    clip: float = 3.0
+    aged: float = 1.0

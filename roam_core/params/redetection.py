@@ -1,0 +1,44 @@
+"""Parameters of looking for an object that was lost."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class RedetectionParams:
+    """Parameters of looking for an object as it was on its key (`propagate.refinding`).
+
+    Attributes
+    ----------
+    across : cells across the object (the root of its area) at which it is looked for.
+    sizes : sizes that are tried, in relation to the last one that was sure.
+    alike : share of the key's own score from which a place is the object's.
+    alone : share of the best score that no other place may have.
+    ring : width of the surroundings that must look unlike the object, in roots of its area.
+    clip : bound on the log-ratio of a cell, nats.
+    lost : share of the area that it should have under which an object is lost.
+    whole : share of it from which its size and turn are sure.
+    almost : resemblance from which they are.
+    least, distinct : root of its area on the key in pixels, and nats by which it differs there from its
+        surroundings, from which an outline's inside can be known again by its colours.
+    long_gone, sometimes : frames unseen after which an object is looked for on every fourth frame only.
+    near, pace : roots of its area around its last place within which an object is looked for, and by how many more
+        a frame unseen.
+    """
+
+    across: float = 16.0
+    sizes: tuple[float, float, float] = (0.8, 1.0, 1.25)
+    alike: float = 0.6
+    alone: float = 0.8
+    ring: float = 0.5
+    clip: float = 3.0
+    lost: float = 0.1
+    whole: float = 0.5
+    almost: float = 0.8
+    least: float = 12.0
+    distinct: float = 2.0
+    long_gone: int = 8
+    sometimes: int = 4
+    near: float = 2.0
+    pace: float = 0.5

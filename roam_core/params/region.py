@@ -1,0 +1,128 @@
+"""Parameters of the region proposals, with a room for each step of a frame."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from roam_core.params.between import SpanParams
+from roam_core.params.confidence import ConfidenceParams
+from roam_core.params.contour import ContourFitParams
+from roam_core.params.evidence import LineageParams, PiecesParams
+from roam_core.params.figure import FigureParams
+from roam_core.params.pose import PoseParams
+from roam_core.params.redetection import RedetectionParams
+from roam_core.params.rigid import RigidityParams
+from roam_core.params.stamped import later
+
+
+@dataclass(frozen=True)
+class RegionParams:
+    """Parameters of the region proposals. Reaches are cells of the evidence grid unless said otherwise; weights are
+    per nat of a log-likelihood ratio.
+
+    Attributes
+    ----------
+    grid_factor : cells a pixel of a 480-line image; `least_cells`: cells across a small object, whose grid is finer.
+        fill_factor : the same between two keys, where nobody waits for the next frame.
+    margin : pixels of a 480-line image around the object that are looked at.
+    band : cells to both sides of the expected outline in which pixels are in doubt.
+    local_weight, local_radius, local_sigma, local_spread : nearest colours of the last frame, along the flow; sigma in
+        Lab units, spread in Lab units squared a cell squared.
+    key_weight, key_radius, key_spread : the same on the key frame, carried by the accumulated similarity.
+    key_aged : the nearest colour of the last frame or of the key is taken, that of the key along the flow that is left;
+        by how much more a difference counts there. 0: the last frame is asked alone, and the key where it is carried.
+    global_key_weight, global_weight : histograms of the key frame, and those adapted since.
+    adaptation : rate of that adaptation, a frame.
+    clip : bound on each cue, nats. bias : nats towards the outside where nothing is known.
+    motion_weight, motion_sigma : ground that moves with the surroundings and not with the object is not taken in; the
+        weight counts in full where the object moves as one. sigma in pixels of a 480-line image.
+    uncovered_weight : the same against what only the flow carries along: where neither the similarity nor the key
+        expects the object, what moves with the surroundings is the ground that it has uncovered.
+    prior_weight : nats a cell of depth inside the region carried from the last frame.
+    lineage_weight : nats of the side that a cell brings along from the key by sound flow (`proposal.lineage`); 0: it is
+        not asked. beside_lineage : share of the other cues that is heard where the flow has been sound all the way.
+    keys_weight : between two keys, of what the colours of both say (`proposal.key_colours`); 0: they are not asked.
+    kept_shares : how far each piece's share of an outline's length is to be the key's (1), not the last frame's (0).
+    longest_thread : by which pieces of a region hang together in one outline (`proposal.pieces`), in the square root of
+        a piece's area; 0: each outline has one piece.
+    held : how far points are expected to have gone back, on each frame, to where the key carried as one piece has them.
+    held_within : pixels of a 480-line image from there at which it is half as far, for limbs swing.
+    blur : Gaussian on the ratio. diffusion, contrast, sweeps : contrast-dependent smoothing (`kernels.diffusion`).
+    overlap : share of a detached part that must lie where the object was expected.
+    doubted : expected IoU under which the object is looked for as it was on the key (`propagate.refinding`); 0: never.
+    better : by how much more must be expected of what is found for it to be believed. believed : how much, at least.
+    rigid : share of the key's corners that must be found where the motion of a plane puts them for the object to be
+        carried as one piece (`propagate.rigid`); above 1: never.
+    part : of the poses of an object drawn in parts (`propagate.figure`); None: it is carried as one region.
+    pose : of the pose of a lone shape, one more hypothesis (`propagate.posed`); None: it is not asked.
+    pose_seam : share of the outline on the key beside which nothing changes, from which it is. pose_area : square
+        pixels of a 480-line image that the outline encloses at most for it to be. pose_agrees : overlap with the region
+        from which it is not needed. pose_unlike : how unlike the key it may be. pose_against : how much may speak
+        against it at the disputed places.
+    unseen : density of a colour that the histograms never saw. trusted : steadiness below which a frame teaches them
+        nothing. least_seen : share of an object that must be seen for its motion to be taken from that alone.
+    whole_cells : cells, at most, after which a whole pixel begins.
+    closed : size, of its last one, to which an outline shrinks while the region has no place for it.
+    lineage : of what a cell brings along. pieces : of the region's pieces. contour_fit : of laying points along it.
+    redetection : of looking for what was lost. rigidity : of what is carried as one piece. figure : of an object in
+        parts. span : of filling between two keys. confidence : of how far all that is trusted.
+    """
+
+    grid_factor: float = 0.5
+    fill_factor: float = 2.0 / 3.0
+    least_cells: float = 40.0
+    margin: float = 44.0
+    band: int = 10
+    local_weight: float = 1.0
+    local_radius: int = 5
+    local_sigma: float = 2.0
+    local_spread: float = 0.3
+    key_weight: float = 0.5
+    key_radius: int = 5
+    key_spread: float = 0.1
+    key_aged: float = 2.0
+    global_key_weight: float = 0.5
+    global_weight: float = 0.7
+    adaptation: float = 0.1
+    clip: float = 3.0
+    bias: float = -0.2
+    motion_weight: float = 1.0
+    motion_sigma: float = 1.5
+    uncovered_weight: float = 3.0
+    prior_weight: float = 0.05
+    lineage_weight: float = 8.0
+    beside_lineage: float = 0.2
+    keys_weight: float = 1.0
+    longest_thread: float = 2.0
+    kept_shares: float = 0.5
+    held: float = 0.1
+    held_within: float = 50.0
+    blur: float = 0.6
+    diffusion: float = 2.0
+    contrast: float = 12.0
+    sweeps: int = 20
+    overlap: float = 0.3
+    doubted: float = 0.6
+    better: float = 0.05
+    believed: float = 0.5
+    rigid: float = 0.6
+    pose: PoseParams | None = None
+    part: PoseParams | None = None
+    pose_seam: float = 0.1
+    pose_area: float = 6500.0
+    pose_agrees: float = 0.97
+    pose_unlike: float = 0.6
+    pose_against: float = 0.7
+    unseen: float = later(2e-5)
+    trusted: float = later(0.3)
+    least_seen: float = later(0.05)
+    whole_cells: int = later(2)
+    closed: float = later(0.02)
+    lineage: LineageParams = later(LineageParams())
+    pieces: PiecesParams = later(PiecesParams())
+    contour_fit: ContourFitParams = later(ContourFitParams())
+    redetection: RedetectionParams = later(RedetectionParams())
+    rigidity: RigidityParams = later(RigidityParams())
+    figure: FigureParams = later(FigureParams())
+    span: SpanParams = later(SpanParams())
+    confidence: ConfidenceParams = later(ConfidenceParams())
