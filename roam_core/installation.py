@@ -24,8 +24,8 @@ WINDOW = "roam_window" if IS_WHEEL else "app"
 WINDOW_LIBRARIES = ("PySide6", "pyqtgraph")
 """What the extra `window` brings."""
 WINDOW_MISSING = (
-    'The window is not installed: run  python -m pip install "roam-roto[window]"  (in a checkout: ".[window]"); '
-    "roam --help lists the commands that need no window."
+    'The window is not installed; install it with: python -m pip install "roam-roto[window]" '
+    '(in a checkout of ROAM: ".[window]").'
 )
 
 
