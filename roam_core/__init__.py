@@ -14,17 +14,31 @@ __version__ = "0.1.0"
 if TYPE_CHECKING:
     from roam_core.cancel import Cancelled, CancelToken
     from roam_core.errors import RoamError
-    from roam_core.interchange import ExportOptions, Imported, ImportOptions, read_shapes, write_shapes
+    from roam_core.interchange import ExportOptions, Imported, ImportOptions, KeyChoice, read_shapes, write_shapes
+    from roam_core.interchange.protocol import LossyExport
     from roam_core.matte import read_mask, render_matte, shapes_from_mask
     from roam_core.media import MissingFrame, PlateSource, open_clip
     from roam_core.media.colour import to_engine
+    from roam_core.params import RoamParams
     from roam_core.propagate import FrameResult, Termination, Tracker, TrackResult, fill_span, track
     from roam_core.proposal.keys import keys_from_mask
-    from roam_core.roto import Clip, Keyframe, Layer, Origin, Project, RotoShape, edit
+    from roam_core.roto import (
+        BlendMode,
+        Clip,
+        Interpolation,
+        Keyframe,
+        Layer,
+        Origin,
+        Outline,
+        Project,
+        RotoShape,
+        edit,
+    )
     from roam_core.roto.file import load as load_project
     from roam_core.roto.file import save as save_project
 
 __all__ = [
+    "BlendMode",
     "CancelToken",
     "Cancelled",
     "Clip",
@@ -32,13 +46,18 @@ __all__ = [
     "FrameResult",
     "ImportOptions",
     "Imported",
+    "Interpolation",
+    "KeyChoice",
     "Keyframe",
     "Layer",
+    "LossyExport",
     "MissingFrame",
     "Origin",
+    "Outline",
     "PlateSource",
     "Project",
     "RoamError",
+    "RoamParams",
     "RotoShape",
     "Termination",
     "TrackResult",
@@ -62,13 +81,25 @@ __all__ = [
 _ROOMS = {
     "roam_core.cancel": ("CancelToken", "Cancelled"),
     "roam_core.errors": ("RoamError",),
-    "roam_core.interchange": ("ExportOptions", "ImportOptions", "Imported", "read_shapes", "write_shapes"),
+    "roam_core.interchange": ("ExportOptions", "ImportOptions", "Imported", "KeyChoice", "read_shapes", "write_shapes"),
+    "roam_core.interchange.protocol": ("LossyExport",),
     "roam_core.matte": ("read_mask", "render_matte", "shapes_from_mask"),
     "roam_core.media": ("MissingFrame", "PlateSource", "open_clip"),
     "roam_core.media.colour": ("to_engine",),
+    "roam_core.params": ("RoamParams",),
     "roam_core.propagate": ("FrameResult", "Termination", "TrackResult", "Tracker", "fill_span", "track"),
     "roam_core.proposal.keys": ("keys_from_mask",),
-    "roam_core.roto": ("Clip", "Keyframe", "Layer", "Origin", "Project", "RotoShape"),
+    "roam_core.roto": (
+        "BlendMode",
+        "Clip",
+        "Interpolation",
+        "Keyframe",
+        "Layer",
+        "Origin",
+        "Outline",
+        "Project",
+        "RotoShape",
+    ),
 }
 _HOME = {name: (room, name) for room, names in _ROOMS.items() for name in names} | {
     "load_project": ("roam_core.roto.file", "load"),

@@ -22,12 +22,14 @@ author = "the ROAM developers"
 version = release = roam_core.__version__
 
 extensions = ["sphinx.ext.autodoc"]
+smartquotes_action = "D"  # dashes, and no quotes: "" in a docstring is an empty text
 default_role = "py:obj"  # a name between backquotes is a link where the reference has it, else code
 autodoc_default_options = {"members": True, "member-order": "bysource", "no-value": True}
 python_maximum_signature_line_length = 100
 
 html_theme = "furo"
 html_title = f"ROAM {version}: the library"
+html_show_copyright = False
 html_show_sourcelink = False
 html_copy_source = False
 
