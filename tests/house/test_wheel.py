@@ -16,14 +16,16 @@ from tests.conftest import ROOT
 
 STRANGERS = ("app", "resources")
 """Names that packages of other people may have; in the repository they are folders of ours."""
+PACKAGES = ("roam_core",)
 LOAD_ALL = """
 import importlib, pkgutil, sys
-import {package}
-for module in pkgutil.walk_packages({package}.__path__, "{package}."):
-    if not module.name.endswith("__main__"):
-        importlib.import_module(module.name)
-print({package}.__file__)
-print(*sorted({{name.partition(".")[0] for name in sys.modules}} & {{"app", "resources"}}))
+for name in {packages}:
+    package = importlib.import_module(name)
+    for module in pkgutil.walk_packages(package.__path__, name + "."):
+        if not module.name.endswith("__main__"):
+            importlib.import_module(module.name)
+    print(package.__file__)
+print(*{{name.partition(".")[0] for name in sys.modules}} & {{*{strangers}}})
 """
 
 
@@ -87,11 +89,10 @@ def test_the_metadata_say_what_the_program_says(wheel: ZipFile) -> None:
     assert window.isdisjoint(name.casefold() for name, extra in needed if extra != "window")
 
 
-@pytest.mark.parametrize("package", ["roam_core"])
-def test_every_module_of_a_wheel_finds_the_others_there(installed: Path, package: str) -> None:
-    home, *strangers = run(installed, LOAD_ALL.format(package=package))
-    assert Path(home) == installed / package / "__init__.py"
-    assert strangers == [""]
+def test_every_module_of_a_wheel_finds_the_others_there(installed: Path) -> None:
+    *homes, strangers = run(installed, LOAD_ALL.format(packages=PACKAGES, strangers=STRANGERS))
+    assert homes == [str(installed / package / "__init__.py") for package in PACKAGES]
+    assert strangers == ""
 
 
 def test_a_wheel_finds_what_is_shipped_with_it(installed: Path) -> None:
