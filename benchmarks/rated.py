@@ -16,10 +16,10 @@ from roam_core.features import PreparedFrame
 from roam_core.geometry import bezier
 from roam_core.params import CONFIGS, params_for
 from roam_core.propagate.confidence import Signs, SpanSigns
+from roam_core.propagate.engines.by_regions import RegionEngine
 from roam_core.propagate.group import GroupTracker
 from roam_core.propagate.objects import near, objects
 from roam_core.propagate.provenance import Stamps
-from roam_core.propagate.region import RegionState
 from roam_core.propagate.span import Filling, Reader, spans
 from roam_core.roto import Keyframe, RotoShape
 
@@ -63,11 +63,12 @@ def carried(shot: Shot, run: range) -> Iterator[Rated]:
         picture, known, outlines = PreparedFrame(shot.read(frame)), [], list[RotoShape]()
         for tracker in trackers:
             results = tracker.step(picture, frame)
-            state = tracker.standing.state
-            assert isinstance(state, RegionState)
+            engine = tracker.standing.engine
+            assert isinstance(engine, RegionEngine)
+            signs = engine.state.signs
             outlines += [each.shape for each in results]
             found = [each.shape for each in results if each.confidence > 0.0]
-            known.append((_area(found, frame), state.signs if isinstance(state.signs, Signs) else None))
+            known.append((_area(found, frame), signs if isinstance(signs, Signs) else None))
         yield _rated(shot, frame, outlines, known)
 
 

@@ -6,11 +6,11 @@ from PySide6.QtCore import QEvent, QObject, Qt
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QToolButton, QWidget
 
 from app import style
-from app.actions import Actions
-from app.canvas.proposal_item import Side
+from app.actions.actions import Actions
+from app.canvas.items.proposal import Side
 from app.canvas.view import CanvasView
-from app.panels.controls import weak_label
-from app.proposals import Proposals, sentence_of
+from app.features.proposals import Proposals, sentence_of
+from app.widgets.controls import weak_label
 from roam_core.propagate.offers import Proposal
 
 ANSWERS = ("proposal.keep", "proposal.refuse", "proposal.keep_always", "proposal.refuse_always")

@@ -9,10 +9,10 @@ from PySide6.QtCore import QPointF, QRectF
 from PySide6.QtGui import QPainter, QPicture
 from PySide6.QtWidgets import QWidget
 
-from app.canvas.shape_item import Hover
-from app.canvas.shown import Shown, shown_shapes
-from app.canvas.viewport import Viewport
-from app.tools import Tool
+from app.canvas.items.shapes import Hover
+from app.model.shown import Shown, shown_shapes
+from app.paint.viewport import Viewport
+from app.tools.tool import Tool
 from roam_core.roto import Outline, Project, RotoShape
 
 MARKS_MARGIN = 24.0

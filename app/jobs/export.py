@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Signal
 
-from app.document import Document
 from app.jobs.runner import Ending, Report, Runner
+from app.model.document import Document
 from roam_core.roto import Project
 from roam_core.roto.layers import only
 

@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject, Signal
 
 from app.counting import counted
-from app.document import Document
 from app.jobs.runner import Ending, Report, Runner
+from app.model.document import Document
 from roam_core.roto import Clip, edit
 
 if TYPE_CHECKING:

@@ -9,10 +9,10 @@ from typing import Any
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
-from app.document import Document
 from app.jobs.filling import Filled, FillRequest, Gap, fill
 from app.jobs.runner import Ending, Job, Report, Runner
-from app.view_state import ViewState
+from app.model.document import Document
+from app.model.view_state import ViewState
 from roam_core.params import DEFAULT_CONFIG, DOUBTFUL
 from roam_core.propagate.memory import TrackMemory
 from roam_core.propagate.objects import decisive

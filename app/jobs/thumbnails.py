@@ -10,9 +10,9 @@ from PySide6.QtCore import QObject, QPointF, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QImage, QPainter, QPen, QPixmap, QPolygonF
 
 from app import style
-from app.canvas.shown import shown_shapes
 from app.jobs.runner import Report, Runner
-from app.recent import Recent
+from app.model.recent import Recent
+from app.model.shown import shown_shapes
 from roam_core.roto import Project
 
 if TYPE_CHECKING:

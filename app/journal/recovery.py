@@ -17,7 +17,7 @@ from app.journal.delta import Delta, applied
 from app.journal.record import Damaged, Entry, entries
 from app.journal.session import DECLINED, RECOVERED, is_held, journals
 from app.journal.writer import ROOT, VERSION
-from app.preferences import MOST_BACKUPS
+from app.model.preferences import MOST_BACKUPS
 from roam_core.errors import RoamError
 from roam_core.roto import Project, file
 from roam_core.roto.backups import backup_path

@@ -12,10 +12,10 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import IO
 
-from app.journal.beginning import Beginning
 from app.journal.delta import between
 from app.journal.record import Entry, append
 from app.journal.session import RECOVERED, Session
+from app.model.beginning import Beginning
 from roam_core.errors import RoamError
 from roam_core.roto import Project, file
 from roam_core.roto.fingerprint import Fingerprint

@@ -8,9 +8,9 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QHBoxLayout, QPushButton, QToolButton, QVBoxLayout, QWidget
 
 from app import style
-from app.panels.controls import dense_form
-from app.panels.fields import NumberField, ScrubLabel
-from app.tracking import Tracking
+from app.features.tracking import Tracking
+from app.widgets.controls import dense_form
+from app.widgets.fields import NumberField, ScrubLabel
 from roam_core.dials import DIALS, dials_of
 from roam_core.params import params_for
 

@@ -10,11 +10,11 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QLineEdit, QPushButton, QWidget
 
 from app import style
-from app.document import Document
-from app.panels.controls import dense_form, form_label
-from app.panels.fields import BlendBox, NumberField, ScrubLabel, SwitchBox, shared
+from app.model.document import Document
+from app.model.view_state import ViewState
 from app.panels.value_key import ValueKeyButton, ValueVerb, keyed_row
-from app.view_state import ViewState
+from app.widgets.controls import dense_form, form_label
+from app.widgets.fields import BlendBox, NumberField, ScrubLabel, SwitchBox, shared
 from roam_core.roto import Layer
 from roam_core.roto.animated import Animated, set_at
 from roam_core.roto.following import still

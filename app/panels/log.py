@@ -6,8 +6,8 @@ from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QPlainTextEdit, QToolButton, QVBoxLayout, QWidget
 
 from app import style
-from app.messages import MOST, MessageLog
-from app.panels.controls import icon_button
+from app.features.messages import MOST, MessageLog
+from app.widgets.controls import icon_button
 
 
 class LogPanel(QWidget):

@@ -8,12 +8,12 @@ from PySide6.QtCore import QSignalBlocker
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QWidget
 
 from app import style
-from app.belonging import Belonging
-from app.document import Document
-from app.object_verbs import LEVELS, ObjectVerbs
-from app.panels.controls import ChoiceBox, dense_form, form_label
-from app.panels.fields import MIXED, SwitchBox, shared
-from app.view_state import ViewState, selected_shapes
+from app.features.belonging import Belonging
+from app.features.verbs.objects import LEVELS, ObjectVerbs
+from app.model.document import Document
+from app.model.view_state import ViewState, selected_shapes
+from app.widgets.controls import ChoiceBox, dense_form, form_label
+from app.widgets.fields import MIXED, SwitchBox, shared
 from roam_core.roto import RotoShape
 from roam_core.roto.linking import AS_STACKED, links
 

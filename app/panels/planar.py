@@ -6,9 +6,9 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QHBoxLayout, QToolButton, QWidget
 
 from app import style
-from app.actions import Actions
-from app.panels.controls import ChoiceBox, tool_button
-from app.planar_tracking import PlanarTracking
+from app.actions.actions import Actions
+from app.features.planar_tracking import PlanarTracking
+from app.widgets.controls import ChoiceBox, tool_button
 from roam_core.geometry.plane_motion import PlaneMotion
 
 WORDS = {

@@ -18,16 +18,16 @@ from PySide6.QtWidgets import (
 )
 
 from app import style
-from app.belonging import Belonging
-from app.document import Document
-from app.navigation import clip_frames
+from app.features.belonging import Belonging
+from app.features.navigation import clip_frames
+from app.model.document import Document
+from app.model.view_state import ViewState, selected_shapes
 from app.panels.colour_row import ColourRow
-from app.panels.controls import FRAME_LIMIT, dense_form, form_label
-from app.panels.fields import BlendBox, NumberField, ScrubLabel, SwitchBox, shared
 from app.panels.layer_form import LayerForm
 from app.panels.object_form import ObjectForm
 from app.panels.value_key import ValueKeyButton, keyed_row
-from app.view_state import ViewState, selected_shapes
+from app.widgets.controls import FRAME_LIMIT, dense_form, form_label
+from app.widgets.fields import BlendBox, NumberField, ScrubLabel, SwitchBox, shared
 from roam_core.roto import MotionBlur, RotoShape
 from roam_core.roto.animated import Animated, value_at
 from roam_core.roto.edit import MIN_POINTS_CLOSED

@@ -10,7 +10,7 @@ from PySide6.QtGui import QAction, QMouseEvent
 from PySide6.QtWidgets import QHBoxLayout, QMenu, QToolButton, QWidget
 
 from app import style
-from app.panels.fields import NumberField, shared
+from app.widgets.fields import NumberField, shared
 from roam_core.roto import Interpolation
 from roam_core.roto.animated import Animatable
 from roam_core.roto.value_keys import Keying, interpolated, keyed, keying, leading_key, still, unkeyed

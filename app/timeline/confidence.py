@@ -12,12 +12,12 @@ from PySide6.QtGui import QColor, QHelpEvent, QMouseEvent, QPainter, QPaintEvent
 from PySide6.QtWidgets import QHBoxLayout, QSizePolicy, QToolTip, QWidget
 
 from app import style
-from app.document import Document
+from app.features.tracking import doubt_sentence, doubtful_points
+from app.model.document import Document
+from app.model.view_state import shapes_in_hand
 from app.timeline.axis import TimeAxis
 from app.timeline.marks import MarksOf
 from app.timeline.scale import LABEL_WIDTH
-from app.tracking import doubt_sentence, doubtful_points
-from app.view_state import shapes_in_hand
 from roam_core.params import DOUBTFUL
 
 Pairs = NDArray[np.float64]

@@ -9,10 +9,10 @@ from PySide6.QtGui import QColor, QHelpEvent, QKeyEvent, QMouseEvent, QPainter, 
 from PySide6.QtWidgets import QLineEdit, QSizePolicy, QToolTip, QWidget
 
 from app import style
-from app.document import Document
-from app.focus import KEEPS_KEYBOARD
+from app.model.document import Document
 from app.timeline.axis import TimeAxis, paint_playhead
 from app.timeline.scale import LABEL_WIDTH
+from app.widgets.focus import KEEPS_KEYBOARD
 from roam_core.roto import Mark, Project, timing
 
 HEIGHT = 18

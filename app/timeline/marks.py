@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from app.document import Document
+from app.model.document import Document
 from roam_core.params import DOUBTFUL
 from roam_core.propagate.provenance import Stamps
 from roam_core.roto import Interpolation, Origin, Project, RotoShape

@@ -8,11 +8,11 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QWidget
 
 from app import style
-from app.actions import Actions
-from app.navigation import Navigation
-from app.panels.controls import number_field, tool_button, weak_label
-from app.playback import Playback, Repeat
-from app.view_state import ViewState
+from app.actions.actions import Actions
+from app.features.navigation import Navigation
+from app.features.playback import Playback, Repeat
+from app.model.view_state import ViewState
+from app.widgets.controls import number_field, tool_button, weak_label
 
 BUTTONS = (
     "time.first",

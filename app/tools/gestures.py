@@ -8,14 +8,14 @@ from collections.abc import Callable
 from PySide6.QtCore import QRectF
 from PySide6.QtGui import QPainter, QPolygonF
 
-from app.canvas import marks
-from app.canvas.shown import editable_shapes
-from app.canvas.viewport import Viewport
-from app.document import Document
+from app.model.document import Document
+from app.model.shown import editable_shapes
+from app.model.view_state import Selection, ViewState
+from app.paint import marks
+from app.paint.viewport import Viewport
 from app.tools.hit_test import points_in_box, points_in_lasso
 from app.tools.reshape import Grab, Tangent, Vector, break_tangent, keys_changed, pull_out, turn
 from app.tools.tool import Modifier, Pointer
-from app.view_state import Selection, ViewState
 from roam_core.roto import Project, edit
 from roam_core.roto.edit import Part
 from roam_core.roto.keying import AUTO_KEY

@@ -8,8 +8,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from app.canvas.shown import editable_shapes
-from app.view_state import Selection, ViewState
+from app.model.shown import editable_shapes
+from app.model.view_state import Selection, ViewState
 from roam_core.geometry import affine
 from roam_core.geometry.bezier import ANCHOR, OUT
 from roam_core.geometry.extent import extent

@@ -23,7 +23,9 @@ from roam_core.features import PreparedFrame
 from roam_core.interchange.authorship import Kind
 from roam_core.interchange.mattes.files import signed_png
 from roam_core.interchange.targets import Sources, require_free
-from roam_core.propagate.explain import REGION, Explanation, explain
+from roam_core.propagate.edges import Edge, Edges
+from roam_core.propagate.engines.protocol import REGION
+from roam_core.propagate.explain import Explanation, explain
 from roam_core.roto import Origin, Project, RotoShape
 from roam_core.roto.file import write_atomically
 
@@ -119,10 +121,13 @@ def line_of(each: Explanation) -> dict[str, object]:
         "frame": each.key.frame,
         "origin": each.key.origin.value,
         "config": each.config,
-        "unit": "nats for the outline" if each.more_is_better else "energy",
+        "unit": "nats for the outline" if each.account.more_is_better else "energy",
         "apart": round(each.apart, 6),
-        "as_one_piece": None if each.as_one_piece is None else round(each.as_one_piece, 6),
-        "sums": {name: round(value, 6) for name, value in each.sums.items()},
+        "as_one_piece": None if each.account.as_one_piece is None else round(each.account.as_one_piece, 6),
+        "edges": _shares(each.edges),
+        "key_frame": None if each.on_key is None else each.on_key[0],
+        "edges_on_key": None if each.on_key is None else _shares(each.on_key[1]),
+        "sums": {name: round(value, 6) for name, value in each.account.sums.items()},
         "nodes": node_rows(each),
         "landmarks": landmark_rows(each),
     }
@@ -130,31 +135,31 @@ def line_of(each: Explanation) -> dict[str, object]:
 
 def node_rows(each: Explanation) -> list[Row]:
     """One row a node: where it lies on the spline and in the picture, and what the terms say there."""
-    total = each.total
+    total = each.account.total
     return [
         {
             "node": n,
-            "point": round(int(each.segment[n]) + float(each.t[n]), 3),
+            "point": round(int(each.account.segment[n]) + float(each.account.t[n]), 3),
             "x": round(float(x), 3),
             "y": round(float(y), 3),
-            **{name: round(float(values[n]), 6) for name, values in each.terms.items()},
+            **{name: round(float(values[n]), 6) for name, values in each.account.terms.items()},
             "total": round(float(total[n]), 6),
         }
         | (
             {
-                "inside": {name: round(float(inside[n]), 6) for name, (inside, _) in each.sides.items()},
-                "outside": {name: round(float(outside[n]), 6) for name, (_, outside) in each.sides.items()},
+                "inside": {name: round(float(inside[n]), 6) for name, (inside, _) in each.account.sides.items()},
+                "outside": {name: round(float(outside[n]), 6) for name, (_, outside) in each.account.sides.items()},
             }
-            if each.sides
+            if each.account.sides
             else {}
         )
-        for n, (x, y) in enumerate(each.nodes)
+        for n, (x, y) in enumerate(each.account.nodes)
     ]
 
 
 def landmark_rows(each: Explanation) -> list[Row]:
     """One row a landmark: who it is, where it was found, and what the terms say there."""
-    found, total = each.landmarks, each.landmark_total
+    found, total = each.account.landmarks, each.account.landmark_total
     if found is None:
         return []
     return [
@@ -173,22 +178,42 @@ def text_of(each: Explanation) -> list[str]:
     """The explanation of one shape as lines of text."""
     head = f"{each.shape.name!r}, frame {each.key.frame}: "
     if each.key.origin is Origin.ARTIST:
-        return [f"{head}the artist made this key; nothing was solved."]
-    head += f"{each.config}, {len(each.nodes)} nodes on {each.shape.point_count} points"
-    if not each.terms:
-        return [f"{head}. The shape had left the picture: it was carried on as it moved."]
-    if each.landmarks is not None:
-        head += f", {len(each.landmarks.ids)} landmarks"
-    lines = [head, *_apart_lines(each), *_piece_lines(each), "", *_sum_lines(each), ""]
-    if each.more_is_better:
+        return [f"{head}the artist made this key; nothing was solved.", *edge_lines(each)]
+    head += f"{each.config}, {len(each.account.nodes)} nodes on {each.shape.point_count} points"
+    if not each.account.terms:
+        return [f"{head}. The shape had left the picture: it was carried on as it moved.", *edge_lines(each)]
+    if each.account.landmarks is not None:
+        head += f", {len(each.account.landmarks.ids)} landmarks"
+    lines = [head, *_apart_lines(each), *_piece_lines(each), *edge_lines(each), "", *_sum_lines(each), ""]
+    if each.account.more_is_better:
         lines.append("Nats for the object just inside / just outside of the outline at each node; their difference:")
         lines += table([_beside(row) for row in node_rows(each)])
     else:
         lines.append("Energy of each node; less is better:")
         lines += table(node_rows(each))
-    if each.landmarks is not None and len(each.landmarks.ids):
+    if each.account.landmarks is not None and len(each.account.landmarks.ids):
         lines += ["", "Energy of each landmark; less is better:", *table(landmark_rows(each))]
     return [*lines, ""]
+
+
+def edge_lines(each: Explanation) -> list[str]:
+    """How much of the outline is free, a seam or hidden, on the frame and on the artist's key."""
+    if each.edges is None:
+        return []
+    lines = [f"Of its outline {_told(each.edges)}."]
+    if each.on_key is not None and each.on_key[0] != each.key.frame:
+        lines.append(f"On its key, frame {each.on_key[0]}, {_told(each.on_key[1])}.")
+    return lines
+
+
+def _told(found: Edges) -> str:
+    words = {Edge.FREE: "is free", Edge.SEAM: "a seam", Edge.HIDDEN: "hidden", Edge.UNKNOWN: "outside the picture"}
+    shares = [(word, found.share(kind)) for kind, word in words.items()]
+    return ", ".join(f"{share:.0%} {word}" for word, share in shares if share or word != "outside the picture")
+
+
+def _shares(found: Edges | None) -> Row | None:
+    return None if found is None else {name: round(share, 6) for name, share in found.shares.items()}
 
 
 def _apart_lines(each: Explanation) -> list[str]:
@@ -199,17 +224,17 @@ def _apart_lines(each: Explanation) -> list[str]:
 
 
 def _piece_lines(each: Explanation) -> list[str]:
-    if each.as_one_piece is None:
+    if each.account.as_one_piece is None:
         return []
     return [
-        f"It was carried as one piece, whatever the cues say: {each.as_one_piece:.0%} of the corners of the key "
-        "were found where its motion puts them."
+        f"It was carried as one piece, whatever the cues say: {each.account.as_one_piece:.0%} of the corners "
+        "of the key were found where its motion puts them."
     ]
 
 
 def _sum_lines(each: Explanation) -> list[str]:
     """Each term's sum and its share of what all terms weigh."""
-    sums = {name: value for name, value in each.sums.items() if name != REGION}
+    sums = {name: value for name, value in each.account.sums.items() if name != REGION}
     weight = sum(abs(value) for value in sums.values()) or 1.0
     rows: list[Row] = [
         {"term": name, "sum": value, "share": f"{100.0 * abs(value) / weight:.0f} %"} for name, value in sums.items()

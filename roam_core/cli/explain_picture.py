@@ -33,7 +33,7 @@ FRACTION = 4
 
 def choices(explanations: Sequence[Explanation]) -> list[str]:
     """The terms that can be drawn: all that any of the shapes has, and their total."""
-    names = dict.fromkeys(name for each in explanations for name in each.sums)
+    names = dict.fromkeys(name for each in explanations for name in each.account.sums)
     return [*names, TOTAL]
 
 
@@ -43,7 +43,7 @@ def drawn(image: Image, explanations: Sequence[Explanation], term: str) -> Image
     Nodes and the edges between them are coloured by `term`, landmarks (diamonds with their ids) likewise; nodes without
     a value, such as those of an artist's key, are grey. White squares are the artist's points, with their numbers.
     """
-    canvas = _Canvas.around(image, np.vstack([each.nodes for each in explanations]))
+    canvas = _Canvas.around(image, np.vstack([each.account.nodes for each in explanations]))
     scales = _Scale.of(explanations, term)
     for each in explanations:
         _draw_outline(canvas, each, _node_values(each, term), scales)
@@ -93,7 +93,7 @@ class _Scale:
     @classmethod
     def of(cls, explanations: Sequence[Explanation], term: str) -> tuple[_Scale, _Scale]:
         """Those of nodes and of landmarks: from the least to the greatest but for a few outliers."""
-        better = any(each.more_is_better for each in explanations)
+        better = any(each.account.more_is_better for each in explanations)
         return (
             cls._over([_node_values(each, term) for each in explanations], more_is_better=better),
             cls._over([_landmark_values(each, term) for each in explanations], more_is_better=False),
@@ -115,18 +115,18 @@ class _Scale:
 
 def _node_values(each: Explanation, term: str) -> Array | None:
     if term == TOTAL:
-        return each.total if each.terms else None
-    return each.terms.get(term)
+        return each.account.total if each.account.terms else None
+    return each.account.terms.get(term)
 
 
 def _landmark_values(each: Explanation, term: str) -> Array | None:
-    if each.landmarks is None:
+    if each.account.landmarks is None:
         return None
-    return each.landmark_total if term == TOTAL else each.landmarks.terms.get(term)
+    return each.account.landmark_total if term == TOTAL else each.account.landmarks.terms.get(term)
 
 
 def _draw_outline(canvas: _Canvas, each: Explanation, values: Array | None, scales: tuple[_Scale, _Scale]) -> None:
-    places = canvas.at(each.nodes)
+    places = canvas.at(each.account.nodes)
     count = len(places)
     means = None if values is None else 0.5 * (values + np.roll(values, -1))
     ends = [(tuple(map(int, places[n])), tuple(map(int, places[(n + 1) % count]))) for n in range(count)]
@@ -162,10 +162,10 @@ def _draw_points(canvas: _Canvas, each: Explanation) -> None:
 
 
 def _draw_landmarks(canvas: _Canvas, each: Explanation, values: Array | None, scales: tuple[_Scale, _Scale]) -> None:
-    if each.landmarks is None:
+    if each.account.landmarks is None:
         return
     for m, (place, name) in enumerate(
-        zip(canvas.at(each.landmarks.positions) >> FRACTION, each.landmarks.ids, strict=True)
+        zip(canvas.at(each.account.landmarks.positions) >> FRACTION, each.account.landmarks.ids, strict=True)
     ):
         x, y = int(place[0]), int(place[1])
         for reach, colour in ((10, BLACK), (8, _tint(values, m, scales[1]))):

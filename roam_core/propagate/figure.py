@@ -8,7 +8,7 @@ nothing, and hides what lies below it. Behind it, an object that is not in parts
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import TypeVar
@@ -32,7 +32,7 @@ from roam_core.propagate.confidence import PoseSigns, expected_overlap
 from roam_core.propagate.free_edges import Border, drawn_to
 from roam_core.propagate.laying import enclosed
 from roam_core.propagate.objects import Role, Unit
-from roam_core.propagate.region import RegionState
+from roam_core.propagate.region import RegionState, RegionStep
 from roam_core.propagate.result import Part, StepResult, Termination
 from roam_core.roto import BlendMode
 
@@ -227,21 +227,29 @@ def _union(frame: PreparedFrame, limbs: Sequence[Limb], params: RegionParams) ->
     return region.begin(frame, outlines, replace(params, pose=None)) if outlines else None
 
 
+@dataclass(frozen=True, eq=False)
+class FigureStep:
+    """One step: the `state` after it, and those of what is not in parts, by the shapes that each is made of."""
+
+    state: FigureState
+    wholes: Mapping[tuple[int, ...], RegionStep]
+
+
 def step(
     state: FigureState,
     frame: PreparedFrame,
     params: RegionParams,
     order: Sequence[int],
     token: CancelToken | None = None,
-) -> tuple[FigureState, tuple[StepResult, ...]]:
-    """Carry all shapes from the state's frame to `frame`; one result a shape, in their order.
+) -> FigureStep:
+    """Carry all shapes from the state's frame to `frame`.
 
     `order` are their indices as they are stacked on `frame`, bottom first.
     """
     assert params.part is not None
     scale, union = scale_for(frame.size), state.union
     if union is not None:
-        union, _ = region.step(union, frame, replace(params, pose=None), token)
+        union = region.step(union, frame, replace(params, pose=None), token).state
     spots = np.vstack([limb.expected(params.part) for limb in state.limbs])
     reach = max((limb.pose.reach(params.part) for limb in state.limbs if limb.pose is not None), default=1.0)
     window = Region.around(spots, (MARGIN + params.part.search_move * reach) * scale, frame.size)
@@ -252,8 +260,7 @@ def step(
             token.check()
         solving.solve(k)
     limbs = tuple(solving.to_the_edges(k) for k in range(len(state.limbs)))
-    after = FigureState(frame, limbs, state.joints, union, state.steps + 1)
-    return after, after.results
+    return FigureStep(FigureState(frame, limbs, state.joints, union, state.steps + 1), solving.wholes)
 
 
 class _Solving:
@@ -272,6 +279,7 @@ class _Solving:
         self.state, self.frame, self.pyramid, self.token = state, frame, pyramid, token
         self.region_params, self.params, self.scale = params, params.part, scale_for(frame.size)
         self.limbs: dict[int, Limb] = {}
+        self.wholes: dict[tuple[int, ...], RegionStep] = {}
         self.hidden: tuple[UInt8, ...] = () if pyramid is None else pyramid.nothing
         self.moved = np.eye(3) if union is None or state.union is None else _moved(state.union, union)
         self.union = union if union is not None and union.trust >= TRUSTED else None
@@ -318,9 +326,10 @@ class _Solving:
 
     def _as_whole(self, limb: Limb, before: RegionState) -> Limb:
         covers = [line for nearer in self.limbs.values() for line in nearer.lines]
-        whole, results = region.step(before, self.frame, self.region_params, self.token, covers)
-        parts = tuple(replace(part, points=each.points) for part, each in zip(limb.drawn, results, strict=True))
-        return replace(limb, parts=parts, whole=whole, results=results)
+        stepped = region.step(before, self.frame, self.region_params, self.token, covers)
+        self.wholes[limb.unit.members] = stepped
+        parts = tuple(replace(part, points=each.points) for part, each in zip(limb.drawn, stepped.results, strict=True))
+        return replace(limb, parts=parts, whole=stepped.state, results=stepped.results)
 
     def _as_posed(self, k: int, before: Pose) -> Limb:
         limb = self.state.limbs[k]

@@ -13,8 +13,9 @@ from roam_core.cancel import CancelToken
 from roam_core.errors import RoamError
 from roam_core.features import PreparedFrame
 from roam_core.params import DEFAULT_CONFIG, RoamParams, params_for, scale_for
-from roam_core.propagate import engine, provenance
-from roam_core.propagate.engine import State
+from roam_core.propagate import provenance
+from roam_core.propagate.engines.begin import begin
+from roam_core.propagate.engines.protocol import Engine
 from roam_core.propagate.objects import near, stacked, units
 from roam_core.propagate.offers import Proposal
 from roam_core.propagate.result import Landmarks, Part, StepResult, Termination, TrackResult
@@ -24,7 +25,7 @@ from roam_core.roto.edit import set_engine_keys
 
 @dataclass(frozen=True, eq=False)
 class Standing:
-    """Where a group stands: the frame, the shapes with all their keys so far, and the engine's state.
+    """Where a group stands: the frame, the shapes with all their keys so far, and what the engine knows of them.
 
     `began` is the frame whose outlines the landmarks go back to; `known_from` the one on which all that is known of the
     shapes begins: each was given there (`provenance`).
@@ -32,13 +33,13 @@ class Standing:
 
     frame: int
     shapes: tuple[RotoShape, ...]
-    state: State
+    engine: Engine
     began: int
     known_from: int
 
     @property
     def picture(self) -> PreparedFrame:
-        return engine.picture(self.state)
+        return self.engine.frame
 
 
 class GroupTracker:
@@ -85,8 +86,8 @@ class GroupTracker:
             if shape.point_count < provenance.MIN_POINTS:
                 raise RoamError(f"{shape.name!r} is a single point; draw an outline around the object to track it.")
         picture, given, parts = _prepared(image), tuple(shapes), parts_at(shapes, frame, forward=forward)
-        state = engine.begin(picture, parts, self.params, units(given, near(picture.size)), stacked(given, frame))
-        self._standing = Standing(frame, given, state, frame, frame)
+        engine = begin(picture, parts, self.params, units(given, near(picture.size)), stacked(given, frame))
+        self._standing = Standing(frame, given, engine, frame, frame)
 
     def given(self) -> tuple[TrackResult, ...]:
         """The shapes on the frame where the group stands, as they were given there, with what was learned of them."""
@@ -119,15 +120,16 @@ class GroupTracker:
             self.start(picture, standing.shapes, frame)
             seconds = (time.perf_counter() - began) / len(given)
             return tuple(replace(result, seconds=seconds) for result in self.given())
-        state, solved = engine.step(standing.state, picture, self.params, token, stacked(standing.shapes, frame))
+        step = standing.engine.step(picture, stacked(standing.shapes, frame), token)
+        solved = step.results
         shapes = tuple(
             shape if key else self._keyed(shape, standing.frame, frame, each)
             for shape, key, each in zip(standing.shapes, given, solved, strict=True)
         )
         if any(given):
-            self._correct(picture, shapes, frame, state, given)
+            self._correct(picture, shapes, frame, step.after, given)
         else:
-            self._standing = Standing(frame, shapes, state, standing.began, standing.known_from)
+            self._standing = Standing(frame, shapes, step.after, standing.began, standing.known_from)
         seconds = (time.perf_counter() - began) / len(shapes)
         return tuple(
             _as_given(shape, frame, seconds, landmarks)
@@ -137,13 +139,14 @@ class GroupTracker:
         )
 
     def _correct(
-        self, picture: PreparedFrame, shapes: tuple[RotoShape, ...], frame: int, state: State, given: Sequence[bool]
+        self, picture: PreparedFrame, shapes: tuple[RotoShape, ...], frame: int, engine: Engine, given: Sequence[bool]
     ) -> None:
         """Go on from a frame on which the artist gave some of the shapes, and the engine the others."""
-        known_from, parts = self.standing.known_from, parts_at(shapes, frame)
-        made = units(shapes, near(picture.size))
-        state = engine.corrected(state, picture, parts, self.params, made, stacked(shapes, frame), given)
-        self._standing = Standing(frame, shapes, state, frame, known_from)
+        parts, order = parts_at(shapes, frame), stacked(shapes, frame)
+        corrected = engine.corrected(parts, order, given)
+        if corrected is None:
+            corrected = begin(picture, parts, self.params, units(shapes, near(picture.size)), order)
+        self._standing = Standing(frame, shapes, corrected, frame, self.standing.known_from)
 
     def resume(self, standing: Standing, shapes: Sequence[RotoShape]) -> None:
         """Go on from where a group stood, with `shapes` (the same on that frame) in place of its own."""
@@ -160,8 +163,10 @@ class GroupTracker:
     def _landmarks(self) -> tuple[Landmarks | None, ...]:
         """The landmarks of each shape where the group stands."""
         standing = self.standing
-        pools = engine.landmarks(standing.state)
-        return tuple(None if p is None else Landmarks(p.ids, p.positions, standing.began) for p in pools)
+        return tuple(
+            None if pool is None else Landmarks(pool.ids, pool.positions, standing.began)
+            for pool in standing.engine.landmarks
+        )
 
     def _keyed(self, shape: RotoShape, before: int, frame: int, solved: StepResult) -> RotoShape:
         """The shape with an ENGINE key for what was solved; feather goes on as it was."""

@@ -99,11 +99,11 @@ class _Moment:
         there = {} if onwards is None else dict(zip(span.first.members, onwards.points, strict=True))
         here = {} if back is None else dict(zip(span.last.members, back.points, strict=True))
         u = (frame - span.first.frame) / (span.last.frame - span.first.frame)
-        costs_there = {} if onwards is None else dict(zip(span.first.members, onwards.pose_costs, strict=True))
-        costs_here = {} if back is None else dict(zip(span.last.members, back.pose_costs, strict=True))
+        costs_there = {} if onwards is None else dict(zip(span.first.members, onwards.motion.pose_costs, strict=True))
+        costs_here = {} if back is None else dict(zip(span.last.members, back.motion.pose_costs, strict=True))
         costs = {k: (costs_there.get(k), costs_here.get(k)) for k in there.keys() | here.keys()}
         ends = ((onwards, span.first), (back, span.last))
-        of_region = [np.array(key.members)[list(stop.of_region)] for stop, key in ends if stop is not None]
+        of_region = [np.array(key.members)[list(stop.motion.of_region)] for stop, key in ends if stop is not None]
         return cls(span, u, onwards, back, there, here, costs, frozenset(np.concatenate([[], *of_region]).astype(int)))
 
     def is_laid_by_pose(self, k: int) -> bool:
@@ -113,8 +113,8 @@ class _Moment:
     @property
     def is_one_piece(self) -> bool:
         """True where both passages only moved what was drawn, to the same place: laid along a region it would lose."""
-        regions = [stop.region for stop in (self.onwards, self.back) if stop is not None and stop.as_one_piece]
-        fields = [region for region in regions if region is not None]
+        motions = [stop.motion for stop in (self.onwards, self.back) if stop is not None and stop.motion.as_one_piece]
+        fields = [motion.region for motion in motions if motion.region is not None]
         if len(fields) < 2:
             return False
         grid = _common([field.grid for field in fields])
@@ -250,7 +250,8 @@ def _region(moment: _Moment, parts: tuple[Part, ...], covers: Sequence[Array], c
     None where the engine works without regions.
     """
     span = moment.span
-    fields = [stop.region for stop in (moment.onwards, moment.back) if stop is not None and stop.region is not None]
+    motions = [stop.motion for stop in (moment.onwards, moment.back) if stop is not None]
+    fields = [motion.region for motion in motions if motion.region is not None]
     if not fields:
         return None
     grid = _common([field.grid for field in fields])

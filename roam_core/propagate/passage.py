@@ -14,11 +14,10 @@ from roam_core.geometry import bezier
 from roam_core.media.source import MissingFrame
 from roam_core.motion.klt import similarity_warp
 from roam_core.params import RoamParams, scale_for
-from roam_core.propagate import engine
-from roam_core.propagate.engine import State
+from roam_core.propagate.engines.begin import begin
+from roam_core.propagate.engines.protocol import Motion
 from roam_core.propagate.objects import Unit
 from roam_core.propagate.result import Part
-from roam_core.proposal.evidence import Field
 
 Array = NDArray[np.float64]
 ReadPicture = Callable[[int], PreparedFrame]
@@ -33,29 +32,23 @@ class Stop:
     points : for each outline its control points `(P, 3, 2)`.
     confidence : for each outline, in [0, 1].
     carried : `(3, 3)` the similarity, image to image, of the object since the key.
-    region : the object's region, where the engine works with regions. of_region : which outlines are laid along it.
-    as_one_piece : the outlines are as they are on the key, only moved (`propagate.rigid`).
-    pose_costs : for each outline what its pose costs; None where it was not laid by its pose alone.
-    by_pose : of a lone shape the outlines by its pose, taken or not, and what that costs (`posed.is_believable`).
+    motion : how it lies otherwise.
     """
 
     points: tuple[Array, ...]
     confidence: tuple[float, ...]
     carried: Array
-    region: Field | None
-    of_region: tuple[bool, ...]
-    as_one_piece: bool = False
-    pose_costs: tuple[float | None, ...] = ()
-    by_pose: tuple[tuple[Array, ...], float] | None = None
+    motion: Motion
 
     @property
     def posed(self) -> Stop | None:
         """The same, if the pose is believed all the way."""
-        if self.by_pose is None:
+        if self.motion.by_pose is None:
             return None
-        points, cost = self.by_pose
+        points, cost = self.motion.by_pose
         count = len(points)
-        return replace(self, points=points, region=None, of_region=(False,) * count, pose_costs=(cost,) * count)
+        motion = replace(self.motion, region=None, of_region=(False,) * count, pose_costs=(cost,) * count)
+        return replace(self, points=points, motion=motion)
 
 
 @dataclass(frozen=True, eq=False)
@@ -96,10 +89,10 @@ def passage(
     is called after each frame.
     """
     key = picture = read(frames[0])
-    state = engine.begin(picture, tuple(parts), params, made, orders(frames[0]))
+    engine = begin(picture, tuple(parts), params, made, orders(frames[0]))
     carried = np.eye(3)
     points, sure = tuple(part.points for part in parts), (1.0,) * len(parts)
-    stops = {frames[0]: _stop(state, points, sure, carried, params)}
+    stops = {frames[0]: Stop(points, sure, carried, engine.motion)}
     for frame in frames[1:]:
         if token is not None:
             token.check()
@@ -107,36 +100,20 @@ def passage(
             following = read(frame)
         except MissingFrame:
             continue
-        before, standing = picture, tuple(stops.values())[-1].points
-        state, results = engine.step(state, following, params, token, orders(frame))
-        region, _ = engine.as_region(state)
-        if region is None:
+        before, standing = picture, points
+        step = engine.step(following, orders(frame), token)
+        engine, motion = step.after, step.after.motion
+        if motion.since_key is None:
             carried = _moved(before, following, standing, params) @ carried
         else:
-            carried = region.key.to_now
+            carried = motion.since_key
         picture = following
-        points = tuple(result.points for result in results)
-        confidence = tuple(result.confidence for result in results)
-        stops[frame] = _stop(state, points, confidence, carried, params)
+        points = tuple(result.points for result in step.results)
+        confidence = tuple(result.confidence for result in step.results)
+        stops[frame] = Stop(points, confidence, carried, motion)
         if passed is not None:
             passed()
     return Passage(stops, key)
-
-
-def _stop(
-    state: State, points: tuple[Array, ...], confidence: tuple[float, ...], carried: Array, params: RoamParams
-) -> Stop:
-    region, of_region = engine.as_region(state)
-    return Stop(
-        points,
-        confidence,
-        carried,
-        None if region is None else region.region,
-        of_region,
-        region is not None and region.agreement_as_one_piece is not None,
-        engine.pose_costs(state),
-        engine.by_pose(state, params),
-    )
 
 
 def _moved(before: PreparedFrame, after: PreparedFrame, points: tuple[Array, ...], params: RoamParams) -> Array:

@@ -6,10 +6,8 @@ hidden, or left behind by a region that leaked, nothing remains to make them on.
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import TypeVar
 
 import cv2
 import numpy as np
@@ -26,8 +24,6 @@ from roam_core.threads import each
 
 Array = NDArray[np.float64]
 Float32 = NDArray[np.float32]
-State = TypeVar("State")
-Carried = TypeVar("Carried")
 
 ACROSS = 16.0
 """Cells across the object (the root of its area) at which it is looked for."""
@@ -268,27 +264,9 @@ class Watch:
         return replace(self, sighting=self.sighting.missed(), resemblance=0.0)
 
 
-def decided(
-    state: State,
-    carry: Callable[[State], Carried],
-    promise: Callable[[Carried], float],
-    elsewhere: Callable[[Carried], State | None],
-    params: RegionParams,
-) -> tuple[State, Carried]:
-    """The state from which an object is carried on to a frame, and what comes of it.
-
-    That is `state`, unless what `carry` makes of it promises less than `RegionParams.doubted` and the object is found
-    `elsewhere`, as it was on the key, and that promises more.
-    """
-    carried = carry(state)
-    if promise(carried) >= params.doubted:
-        return state, carried
-    other = elsewhere(carried)
-    if other is None:
-        return state, carried
-    again = carry(other)
-    is_better = promise(again) > max(promise(carried) + params.better, params.believed)
-    return (other, again) if is_better else (state, carried)
+def is_better(again: float, promise: float, params: RegionParams) -> bool:
+    """Whether what was found elsewhere promises enough more than what was carried on to be taken in its place."""
+    return again > max(promise + params.better, params.believed)
 
 
 def as_on_key(key: PreparedFrame, to_now: Array) -> PreparedFrame:

@@ -33,7 +33,7 @@ from roam_core.propagate.confidence import (
 from roam_core.propagate.covering import carried_behind, learned_colours, visible
 from roam_core.propagate.laying import enclosed, laid
 from roam_core.propagate.nodes import smooth_points
-from roam_core.propagate.refinding import Lookout, Sighting, area_of, as_on_key, decided, middle_of
+from roam_core.propagate.refinding import Lookout, Sighting, area_of, as_on_key, is_better, middle_of
 from roam_core.propagate.result import Part, StepResult, Termination
 from roam_core.propagate.rigid import Pose, Rigidity
 from roam_core.proposal import region as proposed
@@ -85,6 +85,11 @@ class RegionState:
         return 0.0 if self.signs is None or self.sighting.since > 0 else expected_overlap(self.signs)
 
     @property
+    def is_posed(self) -> bool:
+        """Whether the outlines of the last frame were laid by the pose."""
+        return isinstance(self.signs, PoseSigns)
+
+    @property
     def agreement_as_one_piece(self) -> float | None:
         """The share of the key's corners that agreed, where the last frame was carried as one piece; else None."""
         return 1.0 - self.signs.disagreeing if isinstance(self.signs, Signs) and self.rigidity.held else None
@@ -114,7 +119,7 @@ def begin(
 
 
 @dataclass(frozen=True, eq=False)
-class Sight:
+class Observation:
     """What is seen on a frame before anything is decided on it.
 
     Attributes
@@ -131,41 +136,41 @@ class Sight:
     pose: Pose | None
 
 
+@dataclass(frozen=True, eq=False)
+class RegionStep:
+    """One step: the `state` after it, a result for each shape, and what was seen before anything was decided.
+
+    There is no observation where the object has left the picture. `redetected` : it was looked for and found elsewhere.
+    """
+
+    state: RegionState
+    results: tuple[StepResult, ...]
+    observation: Observation | None
+    redetected: bool = False
+
+
 def step(
     state: RegionState,
     frame: PreparedFrame,
     params: RegionParams,
     token: CancelToken | None = None,
     covers: Sequence[Array] = (),
-) -> tuple[RegionState, tuple[StepResult, ...]]:
+) -> RegionStep:
     """Carry all shapes from the state's frame to `frame`, on which `covers`, closed polylines, lie before them.
 
-    Where that leaves the object lost or in doubt it is looked for around its last place, and taken from there if that
-    promises more.
-    """
-    return carried_on(state, frame, params, token, covers)[1]
-
-
-def carried_on(
-    state: RegionState,
-    frame: PreparedFrame,
-    params: RegionParams,
-    token: CancelToken | None = None,
-    covers: Sequence[Array] = (),
-) -> tuple[RegionState, tuple[RegionState, tuple[StepResult, ...]]]:
-    """The state that `step` sets out from, and what it makes of it.
-
-    That is the state given, or, where the object was looked for and found, one in which it lies there as on its key.
+    Where that leaves the object lost or in doubt it is looked for around its last place, as it was on the key, and
+    taken from there if that promises more.
     """
     if state.pose is not None and params.pose is not None:
         state = replace(state, pose=posed.step(state.pose, state.drawn, frame, params.pose, covers))
-    return decided(
-        state,
-        lambda begun: _carried(begun, frame, params, token, tuple(covers)),
-        lambda carried: carried[0].trust,
-        lambda carried: _at_sighting(state, carried[0].sighting, frame, params),
-        params,
-    )
+    carried = _carried(state, frame, params, token, tuple(covers))
+    if carried.state.trust >= params.doubted:
+        return carried
+    found = _at_sighting(state, carried.state.sighting, frame, params)
+    if found is None:
+        return carried
+    again = replace(_carried(found, frame, params, token, tuple(covers)), redetected=True)
+    return again if is_better(again.state.trust, carried.state.trust, params) else carried
 
 
 def _at_sighting(
@@ -196,21 +201,21 @@ def _at_sighting(
 
 def _carried(
     state: RegionState, frame: PreparedFrame, params: RegionParams, token: CancelToken | None, covers: tuple[Array, ...]
-) -> tuple[RegionState, tuple[StepResult, ...]]:
+) -> RegionStep:
     """All shapes carried on from where the state has them: as one piece where that is to be seen, else by regions.
 
     The pose is that of `frame` already.
     """
-    sight = sighted(state, frame, params, token)
-    if sight is None:
+    observation = observed(state, frame, params, token)
+    if observation is None:
         return _left(state, frame)
     if token is not None:
         token.check()
     state = replace(state, covers=covers)
-    if sight.pose is not None:
-        return _as_one_piece(state, frame, sight, sight.pose, params)
-    expected = sight.sources.expected
-    ratio = evidence(sight, params, covers)
+    if observation.pose is not None:
+        return _as_one_piece(state, frame, observation, observation.pose, params)
+    expected = observation.sources.expected
+    ratio = evidence(observation, params, covers)
     if token is not None:
         token.check()
     found = proposed.cleaned(ratio, expected.possible, params.overlap)
@@ -218,14 +223,14 @@ def _carried(
     if state.pose is not None:
         parts = posed.carried(state.pose, state.drawn)
         if posed.is_believed(state.pose, parts, found, params):
-            return _as_posed(state, frame, sight, state.pose, parts, params)
-    parts = tuple(replace(part, points=similarity.apply(sight.moved[:2], part.points)) for part in state.parts)
+            return _as_posed(state, frame, observation, state.pose, parts, params)
+    parts = tuple(replace(part, points=similarity.apply(observation.moved[:2], part.points)) for part in state.parts)
     shapes = zip(parts, state.drawn, state.traits, strict=True)
-    held = [_held(*shape, sight.sources.key, params, scale) for shape in shapes]
+    held = [_held(*shape, observation.sources.key, params, scale) for shape in shapes]
     placed = laid(parts, state.traits, found, scale, params.longest_thread, held, expected.likely)
-    colours = _adapted(state, sight, found, params)
+    colours = _adapted(state, observation, found, params)
     outlines = [replace(part, points=points) for part, (points, _) in zip(parts, placed, strict=True)]
-    unbroken = _unbroken(sight, found)
+    unbroken = _unbroken(observation, found)
     signs = Signs.of(outlines, found, expected, unbroken, state.steps + 1)
     confidence = expected_overlap(signs)
     seen = [seen for _, seen in placed]
@@ -234,12 +239,13 @@ def _carried(
     parts = tuple(
         replace(part, points=points) if seen else part for part, (points, seen) in zip(parts, placed, strict=True)
     )
-    return _after(state, frame, sight, found, unbroken, parts, colours, signs), results
+    after = _after(state, frame, observation, found, unbroken, parts, colours, signs)
+    return RegionStep(after, results, observation)
 
 
-def evidence(sight: Sight, params: RegionParams, covers: Sequence[Array]) -> Field:
+def evidence(observation: Observation, params: RegionParams, covers: Sequence[Array]) -> Field:
     """What all cues say together, behind what covers the object that it stays as it is."""
-    return carried_behind(gathered(sight.sources, params), covers, sight.sources.expected)
+    return carried_behind(gathered(observation.sources, params), covers, observation.sources.expected)
 
 
 def _held(part: Part, drawn: Part, traits: Traits, key: KeyMemory, params: RegionParams, scale: float) -> Array:
@@ -253,10 +259,10 @@ def _held(part: Part, drawn: Part, traits: Traits, key: KeyMemory, params: Regio
 
 
 def _as_one_piece(
-    state: RegionState, frame: PreparedFrame, sight: Sight, pose: Pose, params: RegionParams
-) -> tuple[RegionState, tuple[StepResult, ...]]:
+    state: RegionState, frame: PreparedFrame, observation: Observation, pose: Pose, params: RegionParams
+) -> RegionStep:
     """The shapes as drawn on the key, carried by the motion of a plane."""
-    grid, parts = sight.sources.grid, pose.carried(state.drawn)
+    grid, parts = observation.sources.grid, pose.carried(state.drawn)
     found = Field.of_coverage(grid, enclosed(parts, grid))
     signs = pose.signs(state.steps + 1)
     confidence = expected_overlap(signs)
@@ -271,40 +277,42 @@ def _as_one_piece(
         )
         for part, drawn in zip(parts, state.drawn, strict=True)
     )
-    colours = _adapted(state, sight, found, params)
-    return _after(state, frame, sight, found, _unbroken(sight, found), parts, colours, signs), results
+    colours = _adapted(state, observation, found, params)
+    after = _after(state, frame, observation, found, _unbroken(observation, found), parts, colours, signs)
+    return RegionStep(after, results, observation)
 
 
 def _as_posed(
     state: RegionState,
     frame: PreparedFrame,
-    sight: Sight,
+    observation: Observation,
     pose: motion_pose.Pose,
     parts: tuple[Part, ...],
     params: RegionParams,
-) -> tuple[RegionState, tuple[StepResult, ...]]:
+) -> RegionStep:
     """The shapes as drawn on the key, under their pose."""
-    found = Field.of_coverage(sight.sources.grid, enclosed(parts, sight.sources.grid))
+    found = Field.of_coverage(observation.sources.grid, enclosed(parts, observation.sources.grid))
     signs = PoseSigns.of(pose)
     confidence = expected_overlap(signs)
     results = tuple(posed.result(part.points, pose, confidence) for part in parts)
-    colours = _adapted(state, sight, found, params)
-    return _after(state, frame, sight, found, _unbroken(sight, found), parts, colours, signs), results
+    colours = _adapted(state, observation, found, params)
+    after = _after(state, frame, observation, found, _unbroken(observation, found), parts, colours, signs)
+    return RegionStep(after, results, observation)
 
 
-def _adapted(state: RegionState, sight: Sight, found: Field, params: RegionParams) -> GlobalModel:
+def _adapted(state: RegionState, observation: Observation, found: Field, params: RegionParams) -> GlobalModel:
     """The global colours after a frame on which `found` is the object's region."""
-    steadiness = overlap(sight.sources.expected.rigid, found.inside) * (0.5 + 0.5 * sight.agreement)
+    steadiness = overlap(observation.sources.expected.rigid, found.inside) * (0.5 + 0.5 * observation.agreement)
     if steadiness <= TRUSTED or not found.inside.any():
         return state.colours
-    seen = learned_colours(sight.sources.after, found, state.covers)
+    seen = learned_colours(observation.sources.after, found, state.covers)
     return state.colours.adapted(seen, params.adaptation)
 
 
 def _after(
     state: RegionState,
     frame: PreparedFrame,
-    sight: Sight,
+    observation: Observation,
     found: Field,
     unbroken: Float32,
     parts: tuple[Part, ...],
@@ -312,9 +320,9 @@ def _after(
     signs: Signs | PoseSigns,
 ) -> RegionState:
     """The state after a frame on which `found` is the object's region and `parts` are its shapes."""
-    key = sight.sources.key
-    if sight.pose is not None:
-        key = replace(key, to_now=sight.pose.similarity)
+    key = observation.sources.key
+    if observation.pose is not None:
+        key = replace(key, to_now=observation.pose.similarity)
     return replace(
         state,
         frame=frame,
@@ -323,7 +331,7 @@ def _after(
         key=key,
         colours=colours,
         sighting=_seen(state, key, found),
-        rigidity=sight.rigidity,
+        rigidity=observation.rigidity,
         unbroken=unbroken,
         steps=state.steps + 1,
         signs=signs,
@@ -336,9 +344,9 @@ def _seen(state: RegionState, key: KeyMemory, found: Field) -> Sighting:
     return before.missed() if before.is_lost(found) else before.after(key, found)
 
 
-def sighted(
+def observed(
     state: RegionState, frame: PreparedFrame, params: RegionParams, token: CancelToken | None = None
-) -> Sight | None:
+) -> Observation | None:
     """Where the object should be on `frame`, and what may be asked about it; None where it has left the picture."""
     scale = scale_for(frame.size)
     spots = np.vstack([_corners(state.region), *(part.points[:, bezier.ANCHOR] for part in state.parts)])
@@ -368,7 +376,7 @@ def sighted(
         last, state.region.on(grid, moved) > 0.5, carried_by_flow(last, back) > 0.5, key.region.on(grid, key.to_now)
     )
     sources = Sources(*pictures, grid, expected, back, key, state.colours, motion, params.band, lines)
-    return Sight(sources, moved, agreement, rigidity, pose)
+    return Observation(sources, moved, agreement, rigidity, pose)
 
 
 def _corners(region: Field) -> Array:
@@ -380,9 +388,9 @@ def _corners(region: Field) -> Array:
     return region.grid.to_image(np.array([[columns[0], rows[0]], [columns[-1], rows[-1]]]) + 0.5)
 
 
-def _unbroken(sight: Sight, found: Field) -> Float32:
+def _unbroken(observation: Observation, found: Field) -> Float32:
     """How far each cell's side still is the key's word, once `found` was decided."""
-    lines = sight.sources.lineage
+    lines = observation.sources.lineage
     return np.ones(found.grid.shape, np.float32) if lines is None else lines.after(found.inside)
 
 
@@ -430,10 +438,11 @@ def _result(part: Part, seen: bool, trust: float, found: Field) -> StepResult:
     )
 
 
-def _left(state: RegionState, frame: PreparedFrame) -> tuple[RegionState, tuple[StepResult, ...]]:
+def _left(state: RegionState, frame: PreparedFrame) -> RegionStep:
     """Nothing of the object is in the picture: the shapes rest where they left it, and say so."""
     results = tuple(
         StepResult(part.points, 0.0, np.zeros(len(part.points)), {}, Termination.LEFT_FRAME) for part in state.parts
     )
     missed = state.sighting.missed()
-    return replace(state, frame=frame, sighting=missed, steps=state.steps + 1, signs=None), results
+    after = replace(state, frame=frame, sighting=missed, steps=state.steps + 1, signs=None)
+    return RegionStep(after, results, None)

@@ -28,7 +28,7 @@ from roam_core.propagate.confidence import frame_confidence, node_support, whole
 from roam_core.propagate.landmarks import LandmarkState
 from roam_core.propagate.nodes import NodeMap
 from roam_core.propagate.prewarp import expected
-from roam_core.propagate.refinding import Watch, as_on_key, decided
+from roam_core.propagate.refinding import Watch, as_on_key, is_better
 from roam_core.propagate.reshaping import reshape
 from roam_core.propagate.result import StepResult, Termination
 from roam_core.proposal.nearest_colours import NearestColours
@@ -107,7 +107,7 @@ def _learned(frame: PreparedFrame, points: Array, params: RoamParams, first_id: 
 
 
 @dataclass(frozen=True, eq=False)
-class Sight:
+class Observation:
     """What is seen on a frame before inference: the pre-warped `nodes (N, 2)`, and what the terms look at."""
 
     nodes: Array
@@ -115,33 +115,39 @@ class Sight:
     landmarks: LandmarkContext | None
 
 
-def step(
-    state: TrackerState, frame: PreparedFrame, params: RoamParams, token: CancelToken | None = None
-) -> tuple[TrackerState, StepResult]:
+@dataclass(frozen=True, eq=False)
+class CurveStep:
+    """One step of one outline.
+
+    Attributes
+    ----------
+    begun : the state that it set out from: the one given, or, where the object was looked for and found, one in which
+        it lies there as on its key. state, result : what came of it.
+    observation : what the terms looked at; None where the outline has left the picture. placing : the landmarks as
+        inference has them, if there are any.
+    """
+
+    begun: TrackerState
+    state: TrackerState
+    result: StepResult
+    observation: Observation | None = None
+    placing: Placing | None = None
+
+
+def step(state: TrackerState, frame: PreparedFrame, params: RoamParams, token: CancelToken | None = None) -> CurveStep:
     """Carry the outline from the state's frame to `frame`.
 
     Where its inside then looks too little like the object on the key, that is looked for, and taken from there if it
     looks more so (`propagate.refinding`).
     """
-    return carried_on(state, frame, params, token)[1]
-
-
-def carried_on(
-    state: TrackerState, frame: PreparedFrame, params: RoamParams, token: CancelToken | None = None
-) -> tuple[TrackerState, tuple[TrackerState, StepResult]]:
-    """The state that `step` sets out from, and what it makes of it.
-
-    That is the state given, or, where the object was looked for and found, one in which it lies there as on its key.
-    """
-    if state.watch is None or params.appearance is None:
-        return state, _carried(state, frame, params, token)
-    return decided(
-        state,
-        lambda begun: _carried(begun, frame, params, token),
-        lambda carried: carried[0].promise,
-        lambda carried: _at_sighting(carried[0], frame, params),
-        params.appearance.cues,
-    )
+    carried = _carried(state, frame, params, token)
+    if state.watch is None or params.appearance is None or carried.state.promise >= params.appearance.cues.doubted:
+        return carried
+    found = _at_sighting(carried.state, frame, params)
+    if found is None:
+        return carried
+    again = _carried(found, frame, params, token)
+    return again if is_better(again.state.promise, carried.state.promise, params.appearance.cues) else carried
 
 
 def _at_sighting(state: TrackerState, frame: PreparedFrame, params: RoamParams) -> TrackerState | None:
@@ -163,19 +169,17 @@ def _at_sighting(state: TrackerState, frame: PreparedFrame, params: RoamParams) 
     return replace(fresh, nearest=replace(fresh.nearest, key=key), watch=watch)
 
 
-def _carried(
-    state: TrackerState, frame: PreparedFrame, params: RoamParams, token: CancelToken | None
-) -> tuple[TrackerState, StepResult]:
+def _carried(state: TrackerState, frame: PreparedFrame, params: RoamParams, token: CancelToken | None) -> CurveStep:
     """The outline carried on from where the state has it."""
     scale = scale_for(frame.size)
     moved, prior = expected(state.frame, frame, state.points, state.landmarks, params)
     if token is not None:
         token.check()
-    sight = sighted(state, frame, moved, prior, params)
-    if sight is None:
+    observation = observed(state, frame, moved, prior, params)
+    if observation is None:
         return _left(state, frame, prior, moved)
-    context, seen = sight.curve, sight.landmarks
-    solution = solved(sight, params, scale, token)
+    context, seen = observation.curve, observation.landmarks
+    solution = solved(observation, params, scale, token)
     points = untied(state.nodes.points(solution.nodes, prior), prior, scale)
     pull = _pull(solution.placing, seen, params)
     least = _least_area(state, moved, params)
@@ -205,10 +209,13 @@ def _carried(
     known = _marked(state.landmarks, frame, seen, solution.placing, fitted, confidence)
     if known is not None and new.changed:
         known = landmarks.renewed(known, fitted, new.fresh)
-    return TrackerState(frame, points, state.nodes, models, known, nearest, extent, watch), result
+    after = TrackerState(frame, points, state.nodes, models, known, nearest, extent, watch)
+    return CurveStep(state, after, result, observation, solution.placing)
 
 
-def sighted(state: TrackerState, frame: PreparedFrame, moved: Warp, prior: Array, params: RoamParams) -> Sight | None:
+def observed(
+    state: TrackerState, frame: PreparedFrame, moved: Warp, prior: Array, params: RoamParams
+) -> Observation | None:
     """What the terms see around the pre-warped outline `prior (P, 3, 2)`; None where it has left the picture."""
     nodes = state.nodes.nodes(prior)
     if _is_outside(nodes, frame.size):
@@ -217,15 +224,15 @@ def sighted(state: TrackerState, frame: PreparedFrame, moved: Warp, prior: Array
     local = None if nearest is None else lambda grid: nearest.log_ratio(frame, grid, moved.transform)
     curve = curve_context(frame, nodes, params, scale_for(frame.size), state.models, local)
     seen = None if state.landmarks is None else landmarks.context(state.landmarks, frame, moved)
-    return Sight(nodes, curve, seen)
+    return Observation(nodes, curve, seen)
 
 
-def solved(sight: Sight, params: RoamParams, scale: float, token: CancelToken | None = None) -> Solved:
+def solved(observation: Observation, params: RoamParams, scale: float, token: CancelToken | None = None) -> Solved:
     """The curve alone, or the curve and the landmarks in turn."""
-    if sight.landmarks is None:
-        alone = descend(sight.nodes, sight.curve, params, scale, token)
+    if observation.landmarks is None:
+        alone = descend(observation.nodes, observation.curve, params, scale, token)
         return Solved(alone.nodes, alone.converged)
-    both = alternate(sight.nodes, sight.curve, sight.landmarks, params, token)
+    both = alternate(observation.nodes, observation.curve, observation.landmarks, params, token)
     return Solved(both.nodes, both.converged, both.placing)
 
 
@@ -326,12 +333,12 @@ def _termination(confidence: float, converged: bool) -> Termination:
     return Termination.CONVERGED if converged else Termination.MAX_ITERATIONS
 
 
-def _left(state: TrackerState, frame: PreparedFrame, prior: Array, moved: Warp) -> tuple[TrackerState, StepResult]:
+def _left(state: TrackerState, frame: PreparedFrame, prior: Array, moved: Warp) -> CurveStep:
     """The outline has left the picture: it goes on as it moved, and says so."""
     result = StepResult(prior, 0.0, np.zeros(len(prior)), {}, Termination.LEFT_FRAME)
     nearest = state.nearest and state.nearest.adapted(frame, state.nodes.nodes(prior), moved.transform)
     watch = state.watch and state.watch.missed()
-    return replace(state, frame=frame, points=prior, nearest=nearest, watch=watch), result
+    return CurveStep(state, replace(state, frame=frame, points=prior, nearest=nearest, watch=watch), result)
 
 
 def _is_outside(nodes: Array, size: tuple[int, int]) -> bool:

@@ -98,7 +98,9 @@ class Span:
         back = None if self.back is None else self.back.posed
         if onwards is None or back is None:
             return self
-        costs = [cost for passage in (onwards, back) for stop in passage.stops.values() for cost in stop.pose_costs]
+        costs = [
+            cost for passage in (onwards, back) for stop in passage.stops.values() for cost in stop.motion.pose_costs
+        ]
         if float(np.mean([cost for cost in costs if cost is not None])) > DEAR:
             return self
         posed = replace(self, onwards=onwards, back=back)

@@ -18,8 +18,8 @@ from roam_core.propagate.confidence import (
     expected_overlap,
     vertex_confidence,
 )
+from roam_core.propagate.engines.by_regions import RegionEngine
 from roam_core.propagate.group import GroupTracker
-from roam_core.propagate.region import RegionState
 from roam_core.propagate.result import Part
 from roam_core.proposal.evidence import SURE, Expectation, Field
 from tests.golden.shots import Shot
@@ -131,8 +131,9 @@ def test_a_vertex_is_trusted_by_its_edge_and_by_its_frame() -> None:
 
 def test_a_run_counts_its_frames_from_the_key(box_shot: Shot) -> None:
     def signs() -> Signs:
-        state = tracker.standing.state
-        assert isinstance(state, RegionState)
+        engine = tracker.standing.engine
+        assert isinstance(engine, RegionEngine)
+        state = engine.state
         assert state.signs is not None
         return state.signs
 

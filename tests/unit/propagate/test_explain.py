@@ -11,7 +11,8 @@ import pytest
 from roam_core.errors import RoamError
 from roam_core.features import PreparedFrame
 from roam_core.propagate import FrameResult, track
-from roam_core.propagate.explain import REGION, Explanation, explain
+from roam_core.propagate.engines.protocol import REGION
+from roam_core.propagate.explain import Explanation, explain
 from roam_core.propagate.span import fill_span
 from roam_core.roto import BlendMode, Keyframe, Origin, RotoShape
 from tests.golden.shots import Shot
@@ -37,29 +38,39 @@ def test_the_pieces_sum_to_the_energies_that_tracking_reported(blob_shot: Shot, 
     (told,) = explained(blob_shot, [result.shape])
     assert (told.config, told.apart) == (config, 0.0)
     reported = {NAMES.get(name, name): value for name, value in result.energies.items()}
-    assert told.sums == pytest.approx({k: v for k, v in reported.items() if k != "total"}, abs=1e-6)
-    assert told.total.sum() + told.landmark_total.sum() == pytest.approx(reported["total"], abs=1e-6)
-    assert told.terms["gradient"].shape == told.t.shape == (len(told.nodes),)
+    assert told.account.sums == pytest.approx({k: v for k, v in reported.items() if k != "total"}, abs=1e-6)
+    assert told.account.total.sum() + told.account.landmark_total.sum() == pytest.approx(reported["total"], abs=1e-6)
+    assert told.account.terms["gradient"].shape == told.account.t.shape == (len(told.account.nodes),)
     if config in ("medium", "full"):
-        assert told.landmarks is not None
-        assert len(told.landmarks.ids) == len(told.landmarks.positions) > 0
-        assert len(set(told.landmarks.ids)) == len(told.landmarks.ids)
+        assert told.account.landmarks is not None
+        assert len(told.account.landmarks.ids) == len(told.account.landmarks.positions) > 0
+        assert len(set(told.account.landmarks.ids)) == len(told.account.landmarks.ids)
     else:
-        assert told.landmarks is None
+        assert told.account.landmarks is None
 
 
 def test_the_cues_speak_for_the_object_inside_and_against_it_outside(blob_shot: Shot) -> None:
     (result,) = solved(blob_shot, [blob_shot.shape()], "best").results
     (told,) = explained(blob_shot, [result.shape])
     assert told.apart == 0.0
-    assert told.more_is_better
-    assert set(told.sides) == {"local", "key", "global key", "global", "motion", "prior", "bias", "lineage", REGION}
-    inside, outside = told.sides[REGION]
+    assert told.account.more_is_better
+    assert set(told.account.sides) == {
+        "local",
+        "key",
+        "global key",
+        "global",
+        "motion",
+        "prior",
+        "bias",
+        "lineage",
+        REGION,
+    }
+    inside, outside = told.account.sides[REGION]
     assert (inside > 0).mean() > 0.95
     assert (outside < 0).mean() > 0.95
-    npt.assert_array_equal(told.terms["key"], told.sides["key"][0] - told.sides["key"][1])
-    npt.assert_allclose(told.total, sum(v for name, v in told.terms.items() if name != REGION))
-    assert np.abs(told.terms["bias"]).max() <= 0.2  # on both sides the same, but for how much of it is heard
+    npt.assert_array_equal(told.account.terms["key"], told.account.sides["key"][0] - told.account.sides["key"][1])
+    npt.assert_allclose(told.account.total, sum(v for name, v in told.account.terms.items() if name != REGION))
+    assert np.abs(told.account.terms["bias"]).max() <= 0.2  # on both sides the same, but for how much of it is heard
 
 
 def test_at_a_hole_the_object_lies_outside(blob_shot: Shot) -> None:
@@ -70,17 +81,17 @@ def test_at_a_hole_the_object_lies_outside(blob_shot: Shot) -> None:
     last = solved(blob_shot, [blob_shot.shape(), hole], "best")
     body, cut = explained(blob_shot, [result.shape for result in last.results])
     assert (body.apart, cut.apart) == (0.0, 0.0)
-    inside, outside = cut.sides["prior"]
-    npt.assert_array_equal(cut.terms["prior"], outside - inside)
-    assert np.abs(cut.terms["prior"]).max() > 0
-    assert body.terms["prior"].mean() > 0
+    inside, outside = cut.account.sides["prior"]
+    npt.assert_array_equal(cut.account.terms["prior"], outside - inside)
+    assert np.abs(cut.account.terms["prior"]).max() > 0
+    assert body.account.terms["prior"].mean() > 0
 
 
 def test_an_artists_key_is_the_artists(blob_shot: Shot) -> None:
     (told,) = explained(blob_shot, [blob_shot.shape()], 1001)
     assert told.key.origin is Origin.ARTIST
-    assert (told.config, told.terms, told.sides, told.landmarks) == ("", {}, {}, None)
-    assert len(told.nodes) > told.shape.point_count
+    assert (told.config, told.account.terms, told.account.sides, told.account.landmarks) == ("", {}, {}, None)
+    assert len(told.account.nodes) > told.shape.point_count
 
 
 def test_a_run_backward_and_over_a_correction_is_explained_from_its_own_key(blob_shot: Shot) -> None:
@@ -88,7 +99,7 @@ def test_a_run_backward_and_over_a_correction_is_explained_from_its_own_key(blob
     (result,) = solved(blob_shot, [shape], "lean", range(1006, 1001, -1)).results
     (told,) = explained(blob_shot, [result.shape], 1002)
     assert told.apart == 0.0
-    assert told.sums == pytest.approx({k: v for k, v in result.energies.items() if k != "total"}, abs=1e-6)
+    assert told.account.sums == pytest.approx({k: v for k, v in result.energies.items() if k != "total"}, abs=1e-6)
 
 
 def test_a_filled_key_tells_how_far_the_run_from_the_nearer_key_is(blob_shot: Shot) -> None:
@@ -97,14 +108,14 @@ def test_a_filled_key_tells_how_far_the_run_from_the_nearer_key_is(blob_shot: Sh
     (told,) = explained(blob_shot, [filled], 1002)
     assert told.config == "best"
     assert 0.0 < told.apart < 6.0
-    assert REGION in told.terms
+    assert REGION in told.account.terms
 
 
 def test_a_shape_that_left_the_picture_has_no_terms(blob_shot: Shot) -> None:
     away = blob_shot.shape().map_points(lambda points: points - 400.0)
     (result,) = solved(blob_shot, [away], "lean").results
     (told,) = explained(blob_shot, [result.shape])
-    assert (told.config, told.terms) == ("lean", {})
+    assert (told.config, told.account.terms) == ("lean", {})
 
 
 def test_shapes_without_a_key_there_are_left_out(blob_shot: Shot) -> None:

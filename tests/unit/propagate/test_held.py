@@ -33,7 +33,8 @@ def off(held: float) -> float:
     turn = np.array([[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]])
     state = replace(state, parts=(Part((drawn - middle) @ turn.T + middle, False),))
     for frame in others:
-        state, (result,) = step(state, PreparedFrame(SHOT.read(frame)), params)
+        stepped = step(state, PreparedFrame(SHOT.read(frame)), params)
+        state, (result,) = stepped.state, stepped.results
     return float(np.hypot(*(result.points - SHOT.truth(others[-1]))[:, ANCHOR].T).mean())
 
 

@@ -57,7 +57,8 @@ def test_landmarks_go_with_the_object_and_their_pairs_with_them(frames: list[Pre
     assert state.landmarks is not None
     first = state.landmarks
     for frame in frames[1:]:
-        state, result = step(state, frame, params)
+        stepped = step(state, frame, params)
+        state, result = stepped.state, stepped.result
         assert state.landmarks is not None
         assert set(result.energies) >= {"gradient", "l2", "local", "landmarks", "star", "joint", "total"}
         shares = {name: share for name, share in result.energies.items() if name != "total"}
@@ -90,7 +91,7 @@ def test_the_same_frames_give_the_same_bits(frames: list[PreparedFrame]) -> None
     for _ in range(2):
         state = begin(frames[0], SHOT.truth(SHOT.first), MEDIUM)
         for frame in frames[1:3]:
-            state, _ = step(state, frame, MEDIUM)
+            state = step(state, frame, MEDIUM).state
         points.append(state.points)
     np.testing.assert_array_equal(points[0], points[1])
 
@@ -100,5 +101,5 @@ def test_an_object_without_a_mark_is_tracked_all_the_same() -> None:
     pictures[0, 20:40, 20:50], pictures[1, 21:41, 22:52] = 200, 200
     outline = bezier.polygon_points([(20.0, 20.0), (50.0, 20.0), (50.0, 40.0), (20.0, 40.0)])
     state = begin(PreparedFrame(pictures[0]), outline, MEDIUM)
-    _, result = step(state, PreparedFrame(pictures[1]), MEDIUM)
+    result = step(state, PreparedFrame(pictures[1]), MEDIUM).result
     assert outline_distance(result.points, outline + np.array([2.0, 1.0])) < 1.0

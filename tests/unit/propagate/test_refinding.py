@@ -18,7 +18,7 @@ from roam_core.params import CONFIGS, RegionParams
 from roam_core.propagate import step as outline
 from roam_core.propagate.explain import explain
 from roam_core.propagate.refinding import LONG_GONE, Lookout, Sighting, Watch
-from roam_core.propagate.region import begin, carried_on, step
+from roam_core.propagate.region import begin, step
 from roam_core.propagate.result import Part
 from roam_core.proposal.evidence import Field, KeyMemory
 
@@ -115,9 +115,10 @@ def test_what_is_found_is_left_where_too_little_is_to_be_expected_of_it() -> Non
         params = RegionParams(believed=believed)
         state, found = begin(frames[0], parts, params), []
         for number, frame in enumerate(frames[1:], 1):
-            if carried_on(state, frame, params)[0] is not state:
+            stepped = step(state, frame, params)
+            if stepped.redetected:
                 found.append(number)
-            state, _ = step(state, frame, params)
+            state = stepped.state
         return found
 
     assert sightings(0.5)
@@ -173,12 +174,13 @@ def test_landmarks_of_what_was_found_again_are_new_ones() -> None:
     assert state.landmarks is not None
     frame = PreparedFrame(picture(220.0))
     away = replace(state, watch=replace(state.watch, sighting=replace(state.watch.sighting, since=LONG_GONE - 1)))
-    found, _ = outline.carried_on(away, frame, params)
+    stepped = outline.step(away, frame, params)
+    found = stepped.begun
     assert found is not away
     assert found.landmarks is not None
     assert len(found.landmarks.pool.ids) > 0
     assert not set(found.landmarks.pool.ids) & set(state.landmarks.pool.ids)
-    after, result = outline.step(away, frame, params)
+    after, result = stepped.state, stepped.result
     assert after.promise > 0.9
     assert np.hypot(*(result.points[:, bezier.ANCHOR].mean(axis=0) - (220.0, ROW))) < 3.0
 
@@ -217,4 +219,6 @@ def test_a_frame_on_which_it_was_found_again_is_explained_from_there() -> None:
     result = results[leap]
     (told,) = explain(lambda frame: PreparedFrame(frames[frame]), [result.shape], result.frame, None)
     assert told.apart == 0.0
-    assert told.total.sum() + told.landmark_total.sum() == pytest.approx(result.energies["total"], abs=1e-6)
+    assert told.account.total.sum() + told.account.landmark_total.sum() == pytest.approx(
+        result.energies["total"], abs=1e-6
+    )

@@ -138,8 +138,8 @@ def test_an_explanation_tells_it() -> None:
     *_, last = track(picture, [ship()], range(4), "best")
     (told,) = explain(lambda frame: PreparedFrame(picture(frame)), [last.results[0].shape], 3, None)
     assert told.apart == 0.0
-    assert told.as_one_piece is not None
-    assert told.as_one_piece == pytest.approx(1.0 - last.results[0].energies["rigid"])
+    assert told.account.as_one_piece is not None
+    assert told.account.as_one_piece == pytest.approx(1.0 - last.results[0].energies["rigid"])
     assert "as one piece" in "\n".join(text_of(told))
 
 

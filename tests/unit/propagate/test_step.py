@@ -11,7 +11,7 @@ from roam_core.geometry import bezier
 from roam_core.geometry.similarity import IDENTITY
 from roam_core.motion.klt import Warp
 from roam_core.params import CONFIGS, RoamParams
-from roam_core.propagate.step import TrackerState, begin, sighted, step
+from roam_core.propagate.step import TrackerState, begin, observed, step
 from tests.golden.shots import Shot, blob, gliding, outline_distance
 
 LEAN = CONFIGS["lean"]
@@ -26,7 +26,7 @@ def carried(params: RoamParams, frames: int = 3) -> TrackerState:
     """The state some frames after the key."""
     state = begin(prepared(SHOT, SHOT.first), SHOT.truth(SHOT.first), params)
     for frame in SHOT.frames[1 : frames + 1]:
-        state, _ = step(state, prepared(SHOT, frame), params)
+        state = step(state, prepared(SHOT, frame), params).state
     return state
 
 
@@ -53,7 +53,7 @@ def test_baseline_knows_no_colour() -> None:
 
 def test_every_term_has_its_share_of_the_energy() -> None:
     state = begin(prepared(SHOT, SHOT.first), SHOT.truth(SHOT.first), LEAN)
-    _, result = step(state, prepared(SHOT, SHOT.frames[1]), LEAN)
+    result = step(state, prepared(SHOT, SHOT.frames[1]), LEAN).result
     assert set(result.energies) >= {"gradient", "l2", "local", "total"}
     assert result.energies["local"] < 0.0
 
@@ -61,7 +61,8 @@ def test_every_term_has_its_share_of_the_energy() -> None:
 def test_the_global_term_takes_part_where_it_has_a_weight() -> None:
     both = replace(LEAN, lambda_global=0.01)
     state = begin(prepared(SHOT, SHOT.first), SHOT.truth(SHOT.first), both)
-    after, result = step(state, prepared(SHOT, SHOT.frames[1]), both)
+    stepped = step(state, prepared(SHOT, SHOT.frames[1]), both)
+    after, result = stepped.state, stepped.result
     assert result.energies["global"] < 0.0
     assert outline_distance(after.points, SHOT.truth(SHOT.frames[1])) < 1.0
 
@@ -72,7 +73,8 @@ def test_the_nearest_colours_speak_in_place_of_the_mixtures() -> None:
     state = begin(prepared(SHOT, SHOT.first), SHOT.truth(SHOT.first), nearest)
     assert begin(prepared(SHOT, SHOT.first), SHOT.truth(SHOT.first), LEAN).nearest is None
     assert state.nearest is not None
-    after, result = step(state, prepared(SHOT, SHOT.frames[1]), nearest)
+    stepped = step(state, prepared(SHOT, SHOT.frames[1]), nearest)
+    after, result = stepped.state, stepped.result
     assert after.nearest is not None
     assert after.nearest.frame is after.frame
     assert after.nearest.key.frame is state.frame
@@ -86,10 +88,10 @@ def test_each_kind_of_local_colour_says_its_own_and_both_the_mean() -> None:
     for kind in ("mixture", "nearest", "both"):
         params = replace(LEAN, appearance=replace(LEAN.appearance, local_kind=kind))
         state = begin(prepared(SHOT, SHOT.first), SHOT.truth(SHOT.first), params)
-        sight = sighted(state, prepared(SHOT, SHOT.frames[1]), Warp(IDENTITY, 0, 1.0), state.points, params)
-        assert sight is not None
-        assert sight.curve.colours is not None
-        ratios[kind] = sight.curve.colours.log_ratio
+        seen = observed(state, prepared(SHOT, SHOT.frames[1]), Warp(IDENTITY, 0, 1.0), state.points, params)
+        assert seen is not None
+        assert seen.curve.colours is not None
+        ratios[kind] = seen.curve.colours.log_ratio
     assert np.abs(ratios["nearest"] - ratios["mixture"]).max() > 0.5
     np.testing.assert_allclose(ratios["both"], 0.5 * (ratios["nearest"] + ratios["mixture"]), atol=1e-5)
 
@@ -109,5 +111,5 @@ def test_colour_alone_finds_an_object_ten_pixels_aside() -> None:
     disc = 25.0 * np.stack([np.cos(angles), np.sin(angles)], axis=1)
     params = replace(LEAN, warp="none", lambda_gradient=0.0)
     state = begin(soft_disc(60.0), bezier.polygon_points(disc + np.array([60.0, 60.0])), params)
-    after, _ = step(state, soft_disc(70.0), params)
+    after = step(state, soft_disc(70.0), params).state
     assert outline_distance(after.points, bezier.polygon_points(disc + np.array([70.0, 60.0]))) < 1.5

@@ -14,7 +14,7 @@ from roam_core.features.grid import Grid
 from roam_core.geometry.bezier import polygon_points
 from roam_core.motion.flow import carried_by_flow, dense_flow, on_grid
 from roam_core.params import RegionParams
-from roam_core.propagate.region import begin, sighted
+from roam_core.propagate.region import begin, observed
 from roam_core.propagate.result import Part
 from roam_core.proposal.evidence import Sources, cues, gathered
 from roam_core.proposal.lineage import CONTRADICTED, Lineage, lineage
@@ -135,6 +135,6 @@ def seen() -> Sources:
     """The card a frame after its key, in the eyes of the engine."""
     params = RegionParams()
     card = Part(polygon_points([(40, 30), (100, 30), (100, 80), (40, 80)]))
-    sight = sighted(begin(picture(40), (card,), params), picture(43), params)
-    assert sight is not None
-    return sight.sources
+    seen = observed(begin(picture(40), (card,), params), picture(43), params)
+    assert seen is not None
+    return seen.sources

@@ -1,0 +1,29 @@
+"""Which engine an object gets."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from roam_core.features import PreparedFrame
+from roam_core.params import RoamParams
+from roam_core.propagate.engines.by_curves import CurveEngine
+from roam_core.propagate.engines.by_parts import PartsEngine
+from roam_core.propagate.engines.by_regions import RegionEngine
+from roam_core.propagate.engines.protocol import Engine
+from roam_core.propagate.objects import Role, Unit
+from roam_core.propagate.result import Part
+
+
+def begin(
+    picture: PreparedFrame, parts: tuple[Part, ...], params: RoamParams, made: Sequence[Unit], order: Sequence[int]
+) -> Engine:
+    """An object on a frame whose outlines are given.
+
+    `made` tells what they are in their object (`objects.units`), `order` their indices as they are stacked on the
+    frame, the farthest first.
+    """
+    if params.region is None:
+        return CurveEngine.begun(picture, parts, params)
+    if params.region.part is None or (len(made) == 1 and made[0].role is Role.WHOLE):
+        return RegionEngine.begun(picture, parts, params)
+    return PartsEngine.begun(picture, parts, params, made, order)

@@ -1,0 +1,99 @@
+"""An object in parts: limbs by their poses, what hides them, and whole objects behind that."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from roam_core.cancel import CancelToken
+from roam_core.features import PreparedFrame
+from roam_core.landmarks.pool import Pool
+from roam_core.params import RoamParams, scale_for
+from roam_core.propagate import figure
+from roam_core.propagate.engines.by_regions import account_of, region_params
+from roam_core.propagate.engines.protocol import Account, Motion, by_pose
+from roam_core.propagate.figure import FigureState, FigureStep
+from roam_core.propagate.nodes import NodeMap
+from roam_core.propagate.objects import Unit
+from roam_core.propagate.result import Part, StepResult
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class PartsEngine:
+    """An object in parts (`propagate.figure`)."""
+
+    state: FigureState
+    params: RoamParams
+
+    @classmethod
+    def begun(
+        cls,
+        picture: PreparedFrame,
+        parts: Sequence[Part],
+        params: RoamParams,
+        made: Sequence[Unit],
+        order: Sequence[int],
+    ) -> PartsEngine:
+        """On a frame whose outlines are given; `made` tells what they are in their object."""
+        return cls(figure.begin(picture, parts, made, region_params(params), order), params)
+
+    @property
+    def frame(self) -> PreparedFrame:
+        return self.state.frame
+
+    @property
+    def landmarks(self) -> tuple[Pool | None, ...]:
+        return (None,) * len(self.state.parts)
+
+    @property
+    def motion(self) -> Motion:
+        """That of what is not in parts behind the occluders, where that is one object."""
+        count, limb = len(self.state.parts), self.state.whole
+        if limb is None or limb.whole is None:
+            return Motion(None, None, (False,) * count, pose_costs=self.state.pose_costs)
+        return Motion(
+            limb.whole.key.to_now,
+            limb.whole.region,
+            tuple(k in limb.unit.members for k in range(count)),
+            limb.whole.agreement_as_one_piece is not None,
+            self.state.pose_costs,
+        )
+
+    def step(self, picture: PreparedFrame, order: Sequence[int], token: CancelToken | None = None) -> PartsStep:
+        return PartsStep(figure.step(self.state, picture, region_params(self.params), order, token), self.params)
+
+    def corrected(self, parts: tuple[Part, ...], order: Sequence[int], given: Sequence[bool]) -> PartsEngine:
+        return PartsEngine(figure.corrected(self.state, parts, region_params(self.params), order, given), self.params)
+
+
+@dataclass(frozen=True, eq=False)
+class PartsStep:
+    """One step of an object in parts."""
+
+    step: FigureStep
+    params: RoamParams
+
+    @property
+    def after(self) -> PartsEngine:
+        return PartsEngine(self.step.state, self.params)
+
+    @property
+    def results(self) -> tuple[StepResult, ...]:
+        return self.step.state.results
+
+    def account(self, k: int, points: Array, subtracts: bool) -> Account:
+        limb = self.step.state.limb_of(k)
+        whole = self.step.wholes.get(limb.unit.members)
+        if whole is not None:
+            return account_of(whole, points, subtracts, self.params)
+        nodes = NodeMap.of(points, self.params, scale_for(self.frame_size))
+        return by_pose(nodes, points, limb.pose)
+
+    @property
+    def frame_size(self) -> tuple[int, int]:
+        return self.step.state.frame.size

@@ -1,0 +1,135 @@
+"""A whole object: all its outlines are laid along one region."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from roam_core.cancel import CancelToken
+from roam_core.features import PreparedFrame
+from roam_core.features.grid import Grid
+from roam_core.geometry import polyline
+from roam_core.landmarks.pool import Pool
+from roam_core.params import RegionParams, RoamParams, scale_for
+from roam_core.propagate import posed, region
+from roam_core.propagate.engines.protocol import REGION, Account, Motion, by_pose
+from roam_core.propagate.nodes import NodeMap
+from roam_core.propagate.region import RegionState, RegionStep
+from roam_core.propagate.result import Part, StepResult
+from roam_core.proposal.evidence import cues
+from roam_core.proposal.region import cleaned
+
+Array = NDArray[np.float64]
+Float32 = NDArray[np.float32]
+
+BESIDE = 2.0
+"""Cells from the outline to the places inside and outside of it where the cues are asked."""
+
+
+@dataclass(frozen=True, eq=False)
+class RegionEngine:
+    """All outlines of an object laid along its region (`propagate.region`)."""
+
+    state: RegionState
+    params: RoamParams
+
+    @classmethod
+    def begun(cls, picture: PreparedFrame, parts: tuple[Part, ...], params: RoamParams) -> RegionEngine:
+        """On a frame whose outlines are given."""
+        return cls(region.begin(picture, parts, region_params(params)), params)
+
+    @property
+    def frame(self) -> PreparedFrame:
+        return self.state.frame
+
+    @property
+    def landmarks(self) -> tuple[Pool | None, ...]:
+        return (None,) * len(self.state.parts)
+
+    @property
+    def motion(self) -> Motion:
+        state, count = self.state, len(self.state.parts)
+        return Motion(
+            state.key.to_now,
+            state.region,
+            (True,) * count,
+            state.agreement_as_one_piece is not None,
+            (None,) * count,
+            self._by_pose,
+        )
+
+    @property
+    def _by_pose(self) -> tuple[tuple[Array, ...], float] | None:
+        """The outlines of a lone shape by its pose, and what that costs; None where that may not be believed."""
+        pose = self.state.pose
+        if pose is None or not posed.is_believable(pose, region_params(self.params)):
+            return None
+        return tuple(part.points for part in posed.carried(pose, self.state.drawn)), pose.cost
+
+    def step(self, picture: PreparedFrame, order: Sequence[int], token: CancelToken | None = None) -> WholeStep:
+        return WholeStep(region.step(self.state, picture, region_params(self.params), token), self.params)
+
+    def corrected(self, parts: tuple[Part, ...], order: Sequence[int], given: Sequence[bool]) -> None:
+        return None
+
+
+@dataclass(frozen=True, eq=False)
+class WholeStep:
+    """One step of a whole object."""
+
+    step: RegionStep
+    params: RoamParams
+
+    @property
+    def after(self) -> RegionEngine:
+        return RegionEngine(self.step.state, self.params)
+
+    @property
+    def results(self) -> tuple[StepResult, ...]:
+        return self.step.results
+
+    def account(self, k: int, points: Array, subtracts: bool) -> Account:
+        return account_of(self.step, points, subtracts, self.params)
+
+
+def region_params(params: RoamParams) -> RegionParams:
+    """The parameters of the regions, which a configuration of this engine has."""
+    assert params.region is not None
+    return params.region
+
+
+def account_of(step: RegionStep, points: Array, subtracts: bool, params: RoamParams) -> Account:
+    """Why an outline of the object lies at `points`: by its pose where that laid it, else by the cues at its sides."""
+    nodes = NodeMap.of(points, params, scale_for(step.state.frame.size))
+    if step.state.is_posed:
+        return by_pose(nodes, points, step.state.pose)
+    account = replace(Account.at(nodes, points), as_one_piece=step.state.agreement_as_one_piece)
+    if step.observation is None:
+        return account
+    chosen, sources = region_params(params), step.observation.sources
+    beside = _both_sides(account.nodes, sources.grid)
+    sides = {name: beside(values) for name, values in cues(sources, chosen)}
+    evidence = region.evidence(step.observation, chosen, step.state.covers)
+    sides[REGION] = beside(cleaned(evidence, sources.expected.possible, chosen.overlap).values)
+    sign = -1.0 if subtracts else 1.0  # inside a hole there is no object
+    terms = {name: sign * (inside - outside) for name, (inside, outside) in sides.items()}
+    return replace(account, terms=terms, sides=sides)
+
+
+def _both_sides(nodes: Array, grid: Grid) -> Callable[[Float32], tuple[Array, Array]]:
+    """Reads a field `(rows, columns)` on the grid at each node, `BESIDE` cells inside the outline and outside."""
+    here = grid.to_grid(nodes)
+    normals = polyline.outward_normals(here)
+    cells = [
+        np.clip(np.floor(here + offset * normals).astype(np.intp), 0, [grid.columns - 1, grid.rows - 1])
+        for offset in (-BESIDE, BESIDE)
+    ]
+
+    def read(values: Float32) -> tuple[Array, Array]:
+        inside, outside = (values[cell[:, 1], cell[:, 0]].astype(np.float64) for cell in cells)
+        return inside, outside
+
+    return read

@@ -1,0 +1,176 @@
+"""What every engine offers: an object is begun on a key, stepped from frame to frame, and says why it lies there."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from roam_core.cancel import CancelToken
+from roam_core.features import PreparedFrame
+from roam_core.landmarks.pool import Pool
+from roam_core.motion.pose import Pose
+from roam_core.propagate.nodes import NodeMap
+from roam_core.propagate.result import Part, StepResult
+from roam_core.proposal.evidence import Field
+
+Array = NDArray[np.float64]
+Terms = Mapping[str, Array]
+
+REGION = "region"
+"""The cues together, smoothed and cleaned: what the curves of `best` were laid along. No cue, and not in any sum."""
+POSE = "pose"
+"""How unlike its key a part looks around a node, in [0, 1]."""
+
+
+@dataclass(frozen=True, eq=False)
+class Motion:
+    """How an object lies on a frame, beside its outlines.
+
+    Attributes
+    ----------
+    since_key : `(3, 3)` the similarity, image to image, of the object since the key; None where the engine knows of no
+        motion of the whole.
+    region : the object's region, where the engine works with regions. of_region : which outlines are laid along it.
+    as_one_piece : the outlines are as they are on the key, only moved (`propagate.rigid`).
+    pose_costs : for each outline what its pose costs; None where it was not laid by its pose alone.
+    by_pose : of a lone shape the outlines by its pose, taken or not, and what that costs (`posed.is_believable`).
+    """
+
+    since_key: Array | None
+    region: Field | None
+    of_region: tuple[bool, ...]
+    as_one_piece: bool = False
+    pose_costs: tuple[float | None, ...] = ()
+    by_pose: tuple[tuple[Array, ...], float] | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class LandmarkPieces:
+    """What landmarks have of the energy: `ids (M,)`, `positions (M, 2)` in pixels, weighted `terms` of `(M,)` each."""
+
+    ids: NDArray[np.intp]
+    positions: Array
+    terms: Terms
+
+
+@dataclass(frozen=True, eq=False)
+class Account:
+    """Why an outline lies where it lies on a frame.
+
+    Attributes
+    ----------
+    nodes : (N, 2) on the outline, pixels; `segment`, `t` : (N,) where on the spline.
+    terms : (N,) each. Energies by term, of which less is better; of the regions' cues how much more they speak, in
+        nats, for the object on its side of the outline than on the other, of which more is better. Empty where there is
+        nothing to tell.
+    sides : the cues just inside and just outside the outline, nats for the object, `(N,)` each; empty for energies.
+    landmarks : the landmarks' pieces, where the configuration has any.
+    as_one_piece : where the object was carried as one piece, whatever its cues said, the share of the artist's key's
+        corners that were found where its motion puts them; else None.
+    """
+
+    nodes: Array
+    segment: NDArray[np.intp]
+    t: Array
+    terms: Terms = field(default_factory=dict)
+    sides: Mapping[str, tuple[Array, Array]] = field(default_factory=dict)
+    landmarks: LandmarkPieces | None = None
+    as_one_piece: float | None = None
+
+    @classmethod
+    def at(cls, nodes: NodeMap, points: Array) -> Account:
+        """With nothing to tell yet of the outline with control points `(P, 3, 2)`."""
+        return cls(nodes.nodes(points), nodes.segment, nodes.t)
+
+    @property
+    def more_is_better(self) -> bool:
+        """True for the cues of regions, False for energies."""
+        return REGION in self.terms
+
+    @property
+    def total(self) -> Array:
+        """The sum over the terms at each node, `(N,)`."""
+        return _total(self.terms, len(self.nodes))
+
+    @property
+    def landmark_total(self) -> Array:
+        """The sum over the terms at each landmark, `(M,)`."""
+        return np.empty(0) if self.landmarks is None else _total(self.landmarks.terms, len(self.landmarks.ids))
+
+    @property
+    def sums(self) -> dict[str, float]:
+        """Each term over all nodes and landmarks; for energies, what tracking reported."""
+        parts = [self.terms, {} if self.landmarks is None else self.landmarks.terms]
+        names = dict.fromkeys(name for part in parts for name in part)
+        return {name: float(sum(part[name].sum() for part in parts if name in part)) for name in names}
+
+
+def _total(terms: Terms, count: int) -> Array:
+    return np.asarray(sum((values for name, values in terms.items() if name != REGION), np.zeros(count)))
+
+
+class Engine(Protocol):
+    """An object as it is known after a frame. Nothing of it changes: a step gives another one."""
+
+    @property
+    def frame(self) -> PreparedFrame:
+        """The picture that it stands on."""
+        ...
+
+    @property
+    def landmarks(self) -> tuple[Pool | None, ...]:
+        """The landmarks of each outline, in their order; None where the configuration has none."""
+        ...
+
+    @property
+    def motion(self) -> Motion:
+        """How the object lies, beside its outlines."""
+        ...
+
+    def step(self, picture: PreparedFrame, order: Sequence[int], token: CancelToken | None = None) -> Step:
+        """Carry the outlines to the frame of `picture`.
+
+        `order` are their indices as they are stacked there, the farthest first.
+
+        Raises
+        ------
+        Cancelled
+            at a safe point after `token` was cancelled.
+        """
+        ...
+
+    def corrected(self, parts: tuple[Part, ...], order: Sequence[int], given: Sequence[bool]) -> Engine | None:
+        """The same object where some outlines were `given` on its frame, and the others go on as they were.
+
+        `parts` are all outlines as they lie now, `order` as in `step`. None where all hang on each other, so that the
+        object has to be begun anew.
+        """
+        ...
+
+
+class Step(Protocol):
+    """What came of one step: the object after it, a result for each outline, and why."""
+
+    @property
+    def after(self) -> Engine:
+        """The object after the step."""
+        ...
+
+    @property
+    def results(self) -> tuple[StepResult, ...]:
+        """One result an outline, in their order."""
+        ...
+
+    def account(self, k: int, points: Array, subtracts: bool) -> Account:
+        """Why outline `k` lies where it lies, at its control points `(P, 3, 2)`. Nothing is solved for it."""
+        ...
+
+
+def by_pose(nodes: NodeMap, points: Array, pose: Pose | None) -> Account:
+    """How unlike its key a part looks around each node of an outline, in [0, 1]; nothing where it has no pose."""
+    account = Account.at(nodes, points)
+    return account if pose is None else replace(account, terms={POSE: 1.0 - pose.support(account.nodes)})
