@@ -61,7 +61,7 @@ def test_an_unknown_door_is_an_attribute_error() -> None:
     assert set(roam_core.__all__) <= set(dir(roam_core))
 
 
-@pytest.mark.parametrize("package", ["resources"])
+@pytest.mark.parametrize("package", ["app", "resources"])
 def test_a_package_that_a_wheel_renames_does_not_say_its_own_name(package: str) -> None:
     """Its modules import one another relatively, or the wheel would look for a stranger's package of that name."""
     named = []

@@ -16,7 +16,7 @@ from tests.conftest import ROOT
 
 STRANGERS = ("app", "resources")
 """Names that packages of other people may have; in the repository they are folders of ours."""
-PACKAGES = ("roam_core",)
+PACKAGES = ("roam_core", "roam_window")
 LOAD_ALL = """
 import importlib, pkgutil, sys
 for name in {packages}:

@@ -60,12 +60,14 @@ def test_help_and_version_need_no_window(
         assert "--versio" in said.err
 
 
-def test_the_window_is_handed_the_arguments_and_its_answer_is_the_programs(monkeypatch: pytest.MonkeyPatch) -> None:
-    handed: list[list[str]] = []
-    window = SimpleNamespace(main=lambda argv: handed.append(argv) or 7)
+def test_the_window_is_handed_what_to_open_and_its_answer_is_the_programs(monkeypatch: pytest.MonkeyPatch) -> None:
+    handed: list[str | None] = []
+    window = SimpleNamespace(
+        open_window=lambda path: handed.append(path) or 7, open_demo=lambda: 8, has_display=lambda: True
+    )
     monkeypatch.setattr(program, "window_module", lambda _: window)
-    assert program.main(["shot/"]) == 7
-    assert handed == [["shot/"]]
+    assert [program.main(arguments) for arguments in ([], ["shot/"], ["demo"])] == [7, 7, 8]
+    assert handed == [None, "shot/"]
 
 
 def test_a_checkout_finds_its_own_folders() -> None:
