@@ -8,9 +8,9 @@ from PySide6.QtCore import QObject, Qt, Signal
 from PySide6.QtGui import QAction, QKeySequence
 from PySide6.QtWidgets import QWidget
 
-from app import style
-from app.actions.keymaps import Keymap, keys_text
-from app.actions.specs import SPECS, ActionSpec, Reach
+from .. import style
+from .keymaps import Keymap, keys_text
+from .specs import SPECS, ActionSpec, Reach
 
 
 class Actions(QObject):

@@ -7,7 +7,6 @@ import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cache
-from importlib.resources import files
 from itertools import combinations
 from pathlib import Path
 from types import MappingProxyType
@@ -15,9 +14,11 @@ from typing import Any
 
 from PySide6.QtGui import QKeySequence
 
-from app.actions.specs import SPECS, ActionSpec, Reach
-from app.keeping import keep_json, load_json
 from roam_core.errors import RoamError
+from roam_core.installation import resource
+
+from ..keeping import keep_json, load_json
+from .specs import SPECS, ActionSpec, Reach
 
 Keymap = Mapping[str, tuple[str, ...]]
 """The keys of each action by its id, as Qt writes them: `Ctrl+Shift+Z`, `]`, `F7`."""
@@ -62,7 +63,7 @@ class OwnKeymap:
 
 def presets() -> dict[str, str]:
     """The titles of the presets by their names, ROAM's own first."""
-    folder = files("resources") / "keymaps"
+    folder = resource("keymaps")
     names = sorted(path.name.removesuffix(".json") for path in folder.iterdir() if path.name.endswith(".json"))
     names.sort(key=lambda name: name != DEFAULT)
     return {name: str(_document(name)["name"]) for name in names}
@@ -185,7 +186,7 @@ def _presses(given: Any) -> tuple[str, ...] | None:
 
 @cache
 def _document(name: str) -> Any:
-    preset = files("resources") / "keymaps" / f"{name}.json"
+    preset = resource("keymaps", f"{name}.json")
     if not preset.is_file():
         raise RoamError(f"There is no keymap {name!r}; choose one that lies in resources/keymaps.")
     return json.loads(preset.read_text(encoding="utf-8"))

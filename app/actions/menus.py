@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from PySide6.QtWidgets import QMenu, QMenuBar
 
-from app.actions.actions import Actions
+from .actions import Actions
 
 SEPARATOR = ""
 RECENT = "menu.recent"

@@ -8,15 +8,16 @@ from dataclasses import dataclass, field
 from PySide6.QtCore import QSizeF
 from PySide6.QtGui import QPainter
 
-from app.canvas.items.confidence import paint_confidence
-from app.canvas.items.onion import paint_onion
-from app.canvas.items.shapes import Hover, ShapePainter
-from app.canvas.plate.backdrop import Backdrop, Below
-from app.model.view_state import Selection
-from app.model.viewing import Onion, ViewMode
-from app.paint.viewport import Viewport
 from roam_core.propagate.edges import Edges
 from roam_core.roto import Project
+
+from ..model.view_state import Selection
+from ..model.viewing import Onion, ViewMode
+from ..paint.viewport import Viewport
+from .items.confidence import paint_confidence
+from .items.onion import paint_onion
+from .items.shapes import Hover, ShapePainter
+from .plate.backdrop import Backdrop, Below
 
 
 @dataclass(frozen=True)

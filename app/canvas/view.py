@@ -10,31 +10,32 @@ from PySide6.QtCore import QEvent, QPointF, QRectF, QSizeF, Qt, QTimer, Signal
 from PySide6.QtGui import QKeyEvent, QMouseEvent, QPainter, QPaintEvent, QTabletEvent, QWheelEvent
 from PySide6.QtWidgets import QWidget
 
-from app.actions.key_names import NUDGES, is_modifier, key_name
-from app.canvas.items.joints import paint_joints
-from app.canvas.items.proposal import ProposalPainter, Side
-from app.canvas.pen import Pen
-from app.canvas.plate.stage import Stage
-from app.canvas.repaint import Repaint
-from app.canvas.sight import Sight, SightPainter
-from app.canvas.wipe import Wipe
-from app.canvas.words import NO_PLATE, OPENING, paint_words
-from app.canvas.zoomable import ZoomableWidget
-from app.features.belonging import Bone
-from app.jobs.picture_work import PictureWork
-from app.model.document import Document
-from app.model.shown import selection_bounds
-from app.model.view_state import Selection, ViewState
-from app.model.viewing import Viewing, ViewMode
-from app.paint.feather import paint_feather
-from app.paint.viewport import Viewport
-from app.tools.edit.point_actions import PointActions
-from app.tools.reshape import pruned
-from app.tools.tool import Pointer, Tool
-from app.tools.toolbox import TOOLS
 from roam_core.propagate.edges import Edges
 from roam_core.propagate.offers import Proposal
 from roam_core.roto import Project
+
+from ..actions.key_names import NUDGES, is_modifier, key_name
+from ..features.belonging import Bone
+from ..jobs.picture_work import PictureWork
+from ..model.document import Document
+from ..model.shown import selection_bounds
+from ..model.view_state import Selection, ViewState
+from ..model.viewing import Viewing, ViewMode
+from ..paint.feather import paint_feather
+from ..paint.viewport import Viewport
+from ..tools.edit.point_actions import PointActions
+from ..tools.reshape import pruned
+from ..tools.tool import Pointer, Tool
+from ..tools.toolbox import TOOLS
+from .items.joints import paint_joints
+from .items.proposal import ProposalPainter, Side
+from .pen import Pen
+from .plate.stage import Stage
+from .repaint import Repaint
+from .sight import Sight, SightPainter
+from .wipe import Wipe
+from .words import NO_PLATE, OPENING, paint_words
+from .zoomable import ZoomableWidget
 
 PATIENCE = 25
 """Milliseconds in which the picture of another frame should come; then the shapes go there without it."""

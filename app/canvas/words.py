@@ -5,12 +5,12 @@ from __future__ import annotations
 from PySide6.QtCore import QPointF, QRectF, QSizeF, Qt
 from PySide6.QtGui import QPainter
 
-from app.canvas.items import edges
-from app.canvas.items.confidence import LEGEND
-from app.canvas.plate.backdrop import paint_label, paint_sentence
-from app.canvas.sight import Sight
-from app.model.viewing import WITHOUT_SHAPES, ViewMode, title_of
-from app.paint.viewport import Viewport
+from ..model.viewing import WITHOUT_SHAPES, ViewMode, title_of
+from ..paint.viewport import Viewport
+from .items import edges
+from .items.confidence import LEGEND
+from .plate.backdrop import paint_label, paint_sentence
+from .sight import Sight
 
 OPENING, NO_PLATE = "Opening …", "Drop a folder of images or a movie here"
 

@@ -19,10 +19,11 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app import style
-from app.jobs.found_clip import FoundClip
-from app.widgets.controls import dense_form, form_label, weak_label
 from roam_core.media.colour import LINEAR, LOG, SRGB, to_display
+
+from .. import style
+from ..jobs.found_clip import FoundClip
+from ..widgets.controls import dense_form, form_label, weak_label
 
 if TYPE_CHECKING:
     from roam_core.media import PlateSource

@@ -27,17 +27,18 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app import style
-from app.dialogs import questions
-from app.dialogs.matte_form import MatteForm
-from app.jobs.export import Export
-from app.jobs.foreseeing import Foresight
-from app.jobs.runner import Ending
-from app.model.document import Document
-from app.model.view_state import ViewState, selected_shapes
-from app.widgets.controls import dense_form, form_label, measure_field, number_field, weak_label
 from roam_core.interchange import EXPORTERS, Exporter, ExportOptions, KeyChoice
 from roam_core.interchange.foresight import Foreseen
+
+from .. import style
+from ..jobs.export import Export
+from ..jobs.foreseeing import Foresight
+from ..jobs.runner import Ending
+from ..model.document import Document
+from ..model.view_state import ViewState, selected_shapes
+from ..widgets.controls import dense_form, form_label, measure_field, number_field, weak_label
+from . import questions
+from .matte_form import MatteForm
 
 KEYS = {
     KeyChoice.EVERY: "Every key",

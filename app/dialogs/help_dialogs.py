@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 from importlib import metadata
@@ -19,12 +20,14 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app import style
-from app.actions.actions import Actions
-from app.actions.fuzzy import fuzzy_score, words_begin
-from app.actions.menus import menu_of
-from app.actions.specs import SPECS
-from app.widgets.controls import weak_label
+from roam_core import __version__
+
+from .. import style
+from ..actions.actions import Actions
+from ..actions.fuzzy import fuzzy_score, words_begin
+from ..actions.menus import menu_of
+from ..actions.specs import SPECS
+from ..widgets.controls import weak_label
 
 DISTRIBUTION = "roam-roto"
 GESTURES = (
@@ -93,7 +96,7 @@ class AboutDialog(QDialog):
         self.setWindowTitle("About ROAM")
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.resize(600, 480)
-        name = QLabel(f"ROAM {version()}")
+        name = QLabel(f"ROAM {__version__}")
         name.setObjectName("heading")
         what = QLabel("Rotoscoping with a Rich Online Appearance Model: editable curves carried through a shot.")
         what.setWordWrap(True)
@@ -112,22 +115,15 @@ class AboutDialog(QDialog):
         column.addWidget(self.libraries, 1)
 
 
-def version() -> str:
-    """ROAM's version; a word where it runs from a folder that was never installed."""
-    try:
-        return metadata.version(DISTRIBUTION)
-    except metadata.PackageNotFoundError:
-        return "(not installed)"
-
-
 def libraries() -> Iterator[Library]:
-    """What ROAM needs to run, with the versions that are installed here, in alphabetical order."""
+    """What ROAM and its window need to run, with the versions that are installed here, in alphabetical order."""
     try:
         needed = metadata.requires(DISTRIBUTION) or []
     except metadata.PackageNotFoundError:
         return
     for requirement in sorted(needed, key=str.casefold):
-        if "extra ==" in requirement:
+        extra = re.search(r"extra == .(\w+)", requirement)
+        if extra is not None and extra[1] != "window":
             continue
         name = requirement.split(";")[0].strip()
         for mark in "<>=!~ [":

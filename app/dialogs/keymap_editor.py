@@ -19,15 +19,15 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app import style
-from app.actions.fuzzy import fuzzy_score, words_begin
-from app.actions.key_names import NUDGES, is_modifier, key_name
-from app.actions.keymaps import OwnKeymap, holder_of, keys_text, presets, press
-from app.actions.menus import menu_of
-from app.actions.search_words import WORDS
-from app.actions.specs import SPECS
-from app.model.personal import Personal
-from app.widgets.controls import weak_label
+from .. import style
+from ..actions.fuzzy import fuzzy_score, words_begin
+from ..actions.key_names import NUDGES, is_modifier, key_name
+from ..actions.keymaps import OwnKeymap, holder_of, keys_text, presets, press
+from ..actions.menus import menu_of
+from ..actions.search_words import WORDS
+from ..actions.specs import SPECS
+from ..model.personal import Personal
+from ..widgets.controls import weak_label
 
 TITLES = {spec.id: spec.title.rstrip("…") for spec in SPECS}
 _ID = Qt.ItemDataRole.UserRole

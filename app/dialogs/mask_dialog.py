@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from PySide6.QtWidgets import QComboBox, QDialog, QDialogButtonBox, QVBoxLayout, QWidget
 
-from app import style
-from app.widgets.controls import dense_form, form_label, measure_field, weak_label
 from roam_core.interchange import KeyChoice, MaskOptions
+
+from .. import style
+from ..widgets.controls import dense_form, form_label, measure_field, weak_label
 
 KEYS = {KeyChoice.REDUCED: "As few as hold the outline", KeyChoice.EVERY: "One on every frame"}
 STRAYING = (

@@ -7,7 +7,6 @@ from enum import StrEnum
 
 from PySide6.QtWidgets import QCheckBox, QComboBox, QWidget
 
-from app.widgets.controls import dense_form, form_label
 from roam_core.interchange.mattes.style import (
     COMPRESSIONS,
     DEPTHS,
@@ -18,6 +17,8 @@ from roam_core.interchange.mattes.style import (
     MatteStyle,
     Parts,
 )
+
+from ..widgets.controls import dense_form, form_label
 
 FILES = {MatteFile.PNG: "PNG", MatteFile.EXR: "EXR", MatteFile.TIFF: "TIFF"}
 DEPTH_WORDS = {Depth.BITS_8: "8 bits", Depth.BITS_16: "16 bits", Depth.HALF: "Half float", Depth.FLOAT: "Float"}

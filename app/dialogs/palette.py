@@ -17,14 +17,14 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app import style
-from app.actions.actions import Actions
-from app.actions.fuzzy import fuzzy_score, words_begin
-from app.actions.menus import menu_of
-from app.actions.search_words import WORDS
-from app.actions.specs import SPECS, ActionSpec
-from app.model.view_state import ViewState
-from app.widgets.focus import KEEPS_KEYBOARD
+from .. import style
+from ..actions.actions import Actions
+from ..actions.fuzzy import fuzzy_score, words_begin
+from ..actions.menus import menu_of
+from ..actions.search_words import WORDS
+from ..actions.specs import SPECS, ActionSpec
+from ..model.view_state import ViewState
+from ..widgets.focus import KEEPS_KEYBOARD
 
 WIDTH, MOST_ROWS = 560, 14
 MENU_WIDTH, KEYS_WIDTH = 70, 170

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
 
-from app.model.document import PROJECT_SUFFIX
+from ..model.document import PROJECT_SUFFIX
 
 MOVIES = "Movies (*.mov *.mp4 *.avi *.mkv *.m4v *.mxf *.webm);;All files (*)"
 MOST_LOSSES = 6

@@ -15,10 +15,10 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app import style
-from app.jobs.thumbnails import empty_picture
-from app.journal.recovery import Recovery
-from app.widgets.controls import weak_label
+from .. import style
+from ..jobs.thumbnails import empty_picture
+from ..journal.recovery import Recovery
+from ..widgets.controls import weak_label
 
 PICTURE = QSize(128, 72)
 

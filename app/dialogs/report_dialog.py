@@ -6,8 +6,8 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QDialog, QHBoxLayout, QLabel, QPlainTextEdit, QPushButton, QVBoxLayout, QWidget
 
-from app import style
-from app.widgets.controls import weak_label
+from .. import style
+from ..widgets.controls import weak_label
 
 
 class ReportDialog(QDialog):

@@ -20,10 +20,12 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app import style
-from app.actions.keymaps import OwnKeymap, presets
-from app.model.personal import Personal
-from app.model.preferences import (
+from roam_core.params import CONFIGS
+
+from .. import style
+from ..actions.keymaps import OwnKeymap, presets
+from ..model.personal import Personal
+from ..model.preferences import (
     LEAST_CACHE,
     LEAST_UNDO,
     MOST_BACKUPS,
@@ -33,8 +35,7 @@ from app.model.preferences import (
     SCALES,
     Preferences,
 )
-from app.widgets.controls import dense_form, weak_label
-from roam_core.params import CONFIGS
+from ..widgets.controls import dense_form, weak_label
 
 LABEL_WIDTH, FIELD_WIDTH = 150, 150
 

@@ -11,9 +11,6 @@ import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtCore import QObject, Signal
 
-from app.jobs.runner import Report, Runner
-from app.model.document import Document
-from app.model.view_state import ViewState, shapes_in_hand
 from roam_core.geometry import polyline
 from roam_core.geometry.joints import joints
 from roam_core.params import scale_for
@@ -21,6 +18,10 @@ from roam_core.propagate import objects
 from roam_core.propagate.objects import Role, Unit, units
 from roam_core.propagate.provenance import Stamps
 from roam_core.roto import BlendMode, Project, RotoShape
+
+from ..jobs.runner import Report, Runner
+from ..model.document import Document
+from ..model.view_state import ViewState, shapes_in_hand
 
 Array = NDArray[np.float64]
 

@@ -7,14 +7,15 @@ from typing import Any
 
 from PySide6.QtCore import QObject, Signal
 
-from app.jobs.runner import Report, Runner
-from app.model.document import Document
-from app.model.view_state import ViewState, shapes_in_hand
 from roam_core.errors import RoamError
 from roam_core.features import PreparedFrame
 from roam_core.propagate import objects
 from roam_core.propagate.edges import Edges, edges
 from roam_core.roto import Project
+
+from ..jobs.runner import Report, Runner
+from ..model.document import Document
+from ..model.view_state import ViewState, shapes_in_hand
 
 Found = tuple[int, dict[str, Edges]]
 NOTHING: Found = (0, {})

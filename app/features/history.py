@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from app.model.document import Document
-from app.model.view_state import ViewState
+from ..model.document import Document
+from ..model.view_state import ViewState
 
 
 class History:

@@ -9,9 +9,9 @@ from dataclasses import dataclass
 
 from PySide6.QtCore import QObject, Signal
 
-from app.actions.keymaps import told
-from app.jobs.under_way import UnderWay
-from app.model.view_state import ViewState
+from ..actions.keymaps import told
+from ..jobs.under_way import UnderWay
+from ..model.view_state import ViewState
 
 MOST = 1000
 """Messages kept; the oldest go first."""

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from app.model.document import Document
-from app.model.view_state import ViewState, shapes_in_hand
 from roam_core.roto import Project
+
+from ..model.document import Document
+from ..model.view_state import ViewState, shapes_in_hand
 
 
 class Navigation:

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from app.features.navigation import clip_frames
-from app.features.tracking import NO_CLIP, NO_SHAPE
-from app.jobs.planar import PlanarTrack
-from app.model.document import Document
-from app.model.view_state import ViewState, shapes_in_hand
 from roam_core.geometry.plane_motion import PlaneMotion
 from roam_core.roto import RotoShape
+
+from ..jobs.planar import PlanarTrack
+from ..model.document import Document
+from ..model.view_state import ViewState, shapes_in_hand
+from .navigation import clip_frames
+from .tracking import NO_CLIP, NO_SHAPE
 
 
 class PlanarTracking:

@@ -9,7 +9,7 @@ from enum import StrEnum
 
 from PySide6.QtCore import QObject, Qt, QTimer, Signal
 
-from app.model.view_state import ViewState
+from ..model.view_state import ViewState
 
 FASTEST, SLOWEST = 8.0, 0.125
 MEASURED = 1.0

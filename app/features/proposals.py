@@ -8,14 +8,15 @@ from enum import StrEnum
 
 from PySide6.QtCore import QObject, Signal
 
-from app.jobs.propagation import Propagation
-from app.model.document import Document
-from app.model.view_state import ViewState, selected_shapes
 from roam_core.propagate.offers import Proposal
 from roam_core.propagate.provenance import is_stale
 from roam_core.propagate.result import FrameResult
 from roam_core.proposal.topology import TopologyKind
 from roam_core.roto import Keyframe
+
+from ..jobs.propagation import Propagation
+from ..model.document import Document
+from ..model.view_state import ViewState, selected_shapes
 
 Place = tuple[str, int]
 """A shape's id and a frame."""

@@ -5,15 +5,16 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from enum import StrEnum
 
-from app.features.navigation import clip_frames
-from app.jobs.filling import Gap, gaps_of
-from app.jobs.propagation import Propagation
-from app.model.document import Document
-from app.model.view_state import ViewState, shapes_in_hand
 from roam_core.dials import name_of
 from roam_core.errors import RoamError
 from roam_core.params import DEFAULT_CONFIG, DOUBTFUL, params_for
 from roam_core.roto import RotoShape
+
+from ..jobs.filling import Gap, gaps_of
+from ..jobs.propagation import Propagation
+from ..model.document import Document
+from ..model.view_state import ViewState, shapes_in_hand
+from .navigation import clip_frames
 
 NO_CLIP = "Open a clip first: drop a folder of images or a movie on the window."
 NO_GAP = "There is no gap to fill here: set a key (<key.set>) on two frames, with others between them."

@@ -7,10 +7,11 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject
 
-from app.jobs.runner import Report, Runner
-from app.model.document import Document
 from roam_core.roto import project_lock
 from roam_core.roto.project_lock import Holder
+
+from ..jobs.runner import Report, Runner
+from ..model.document import Document
 
 _numbers = itertools.count(1)
 

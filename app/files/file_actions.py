@@ -10,22 +10,23 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QWidget
 
-from app.dialogs import questions
-from app.dialogs.questions import Contested, Doubted, Unsaved
-from app.files.files import Files
-from app.folders import cache_folder
-from app.jobs.export import Export
-from app.jobs.found_clip import FoundClip
-from app.jobs.importing import SHAPE_FILES, Import
-from app.model.document import PROJECT_SUFFIX, Document
-from app.model.personal import Personal
-from app.model.view_state import ViewState
 from roam_core.errors import RoamError
 from roam_core.roto.project_lock import Holder
 
+from ..dialogs import questions
+from ..dialogs.questions import Contested, Doubted, Unsaved
+from ..folders import cache_folder
+from ..jobs.export import Export
+from ..jobs.found_clip import FoundClip
+from ..jobs.importing import SHAPE_FILES, Import
+from ..model.document import PROJECT_SUFFIX, Document
+from ..model.personal import Personal
+from ..model.view_state import ViewState
+from .files import Files
+
 if TYPE_CHECKING:
-    from app.dialogs.clip_dialog import ClipDialog
-    from app.dialogs.export_dialog import ExportDialog
+    from ..dialogs.clip_dialog import ClipDialog
+    from ..dialogs.export_dialog import ExportDialog
 
 
 class FileActions(QObject):
@@ -155,7 +156,7 @@ class FileActions(QObject):
         folder = questions.choose_folder(self._window, "Import the masks of a folder", self._start_folder())
         if folder is None:
             return
-        from app.dialogs.mask_dialog import MaskDialog
+        from ..dialogs.mask_dialog import MaskDialog
 
         clip = self._document.project.clip
         dialog = MaskDialog(folder.name, clip.size if clip else None, self._window)
@@ -166,7 +167,7 @@ class FileActions(QObject):
     def export(self) -> None:
         """Show the export dialog; it stays as it was left."""
         # Formats load what the window can begin without.
-        from app.dialogs.export_dialog import ExportDialog
+        from ..dialogs.export_dialog import ExportDialog
 
         if self._export_dialog is None:
             self._export_dialog = ExportDialog(
@@ -194,7 +195,7 @@ class FileActions(QObject):
             self._files.look_at(path)
 
     def _show_found(self, found: FoundClip) -> None:
-        from app.dialogs.clip_dialog import ClipDialog
+        from ..dialogs.clip_dialog import ClipDialog
 
         dialog = ClipDialog(found, self._window)
         dialog.chosen.connect(lambda: self._open_found(dialog))

@@ -9,15 +9,6 @@ from typing import TYPE_CHECKING, Any
 
 from PySide6.QtCore import QObject, Signal
 
-from app.files.claim import Claim
-from app.jobs.decode import PlateReader
-from app.jobs.found_clip import looked_at
-from app.jobs.runner import Ending, Report, Runner, Work
-from app.journal import recovery
-from app.journal.recovery import Recovery
-from app.model.document import PROJECT_SUFFIX, Document
-from app.model.preferences import Preferences
-from app.model.view_state import ViewState
 from roam_core.errors import RoamError
 from roam_core.interchange.authorship import is_project
 from roam_core.roto import BlendMode, Clip, Project, backups, edit, file, project_lock
@@ -25,6 +16,16 @@ from roam_core.roto.fingerprint import Fingerprint
 from roam_core.roto.migrate import UNION_SINCE
 from roam_core.roto.project_lock import Holder
 from roam_core.roto.relinking import other_content, other_size, relinked
+
+from ..jobs.decode import PlateReader
+from ..jobs.found_clip import looked_at
+from ..jobs.runner import Ending, Report, Runner, Work
+from ..journal import recovery
+from ..journal.recovery import Recovery
+from ..model.document import PROJECT_SUFFIX, Document
+from ..model.preferences import Preferences
+from ..model.view_state import ViewState
+from .claim import Claim
 
 if TYPE_CHECKING:
     from roam_core.media import PlateSource
@@ -319,8 +320,9 @@ def clip_project(
 
 
 def _demo_project(report: Report) -> tuple[Project, Any]:
-    from app.folders import cache_folder
-    from resources import demo
+    from roam_core.installation import demo
+
+    from ..folders import cache_folder
 
     folder = cache_folder() / demo.cache_name()
     try:

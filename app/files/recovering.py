@@ -10,17 +10,18 @@ from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QWidget
 from shiboken6 import isValid
 
-from app.dialogs.recovery_dialog import RecoveryDialog
-from app.files.file_actions import FileActions
-from app.files.files import Files, plate_of
-from app.jobs.runner import Report, Runner
-from app.jobs.thumbnails import drawn, grey_plate
-from app.journal import recovery
-from app.journal.recovery import Recovery
-from app.model.document import PROJECT_SUFFIX
-from app.model.view_state import ViewState
 from roam_core.errors import RoamError
 from roam_core.roto import Project
+
+from ..dialogs.recovery_dialog import RecoveryDialog
+from ..jobs.runner import Report, Runner
+from ..jobs.thumbnails import drawn, grey_plate
+from ..journal import recovery
+from ..journal.recovery import Recovery
+from ..model.document import PROJECT_SUFFIX
+from ..model.view_state import ViewState
+from .file_actions import FileActions
+from .files import Files, plate_of
 
 
 class Recovering(QObject):

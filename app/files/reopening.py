@@ -10,16 +10,16 @@ from typing import Any
 from PySide6.QtCore import QObject
 from PySide6.QtWidgets import QMenu, QWidget
 
-from app.actions.actions import Actions
-from app.files.file_actions import FileActions
-from app.files.files import Files
-from app.files.start_page import StartPage
-from app.jobs.decode import PlateReader
-from app.jobs.runner import Runner
-from app.jobs.thumbnails import Thumbnails
-from app.model.document import Document
-from app.model.personal import Personal
-from app.model.recent import Recent
+from ..actions.actions import Actions
+from ..jobs.decode import PlateReader
+from ..jobs.runner import Runner
+from ..jobs.thumbnails import Thumbnails
+from ..model.document import Document
+from ..model.personal import Personal
+from ..model.recent import Recent
+from .file_actions import FileActions
+from .files import Files
+from .start_page import StartPage
 
 IN_MENU = 10
 """Entries of the File menu's list."""

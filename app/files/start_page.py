@@ -16,13 +16,13 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app import style
-from app.actions.actions import Actions
-from app.files.files import Files
-from app.jobs.thumbnails import Sight, Thumbnails, empty_picture
-from app.model.document import Document
-from app.model.personal import Personal
-from app.widgets.controls import weak_label
+from .. import style
+from ..actions.actions import Actions
+from ..jobs.thumbnails import Sight, Thumbnails, empty_picture
+from ..model.document import Document
+from ..model.personal import Personal
+from ..widgets.controls import weak_label
+from .files import Files
 
 OFFERS = ("file.open_demo", "file.open_clip", "file.open_movie", "file.open_project")
 PICTURE = QSize(176, 99)

@@ -6,8 +6,9 @@ from collections.abc import Callable
 
 from PySide6.QtGui import QUndoCommand
 
-from app.model.holding import held_only_by
 from roam_core.roto import Project
+
+from .holding import held_only_by
 
 
 class ProjectEdit(QUndoCommand):

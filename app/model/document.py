@@ -8,11 +8,12 @@ from pathlib import Path
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QUndoStack
 
-from app.model.beginning import Beginning
-from app.model.commands import ProjectEdit
 from roam_core.roto import Project, RotoShape, file
 from roam_core.roto.fingerprint import Fingerprint
 from roam_core.roto.project import Layer
+
+from .beginning import Beginning
+from .commands import ProjectEdit
 
 PROJECT_SUFFIX = ".roam"
 UNDO_BYTES = 256 << 20

@@ -8,11 +8,12 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
 
-from app.actions.keymaps import OwnKeymap, load_own, save_own
-from app.keeping import loaded
-from app.model.preferences import Preferences, load_preferences, save_preferences
-from app.model.recent import Recent, load_recent, save_recent, with_newest, without
 from roam_core.errors import RoamError
+
+from ..actions.keymaps import OwnKeymap, load_own, save_own
+from ..keeping import loaded
+from .preferences import Preferences, load_preferences, save_preferences
+from .recent import Recent, load_recent, save_recent, with_newest, without
 
 PREFERENCES_FILE, KEYMAP_FILE, RECENT_FILE = "preferences.json", "keymap.json", "recent.json"
 

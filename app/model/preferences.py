@@ -6,8 +6,9 @@ from dataclasses import asdict, dataclass, fields
 from pathlib import Path
 from typing import Any
 
-from app.keeping import keep_json, load_json
 from roam_core.params import CONFIGS
+
+from ..keeping import keep_json, load_json
 
 TYPE = "roam.Preferences"
 LEAST_CACHE, MOST_CACHE = 0.25, 512.0

@@ -9,8 +9,9 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from app.keeping import keep_json, load_json
 from roam_core.errors import RoamError
+
+from ..keeping import keep_json, load_json
 
 MOST = 24
 """How many are remembered."""

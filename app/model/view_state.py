@@ -6,9 +6,10 @@ from dataclasses import dataclass
 
 from PySide6.QtCore import QObject, Signal
 
-from app.actions.keymaps import Keymap, load_keymap, told
-from app.model.editing import EditingModes
 from roam_core.roto import Project, RotoShape
+
+from ..actions.keymaps import Keymap, load_keymap, told
+from .editing import EditingModes
 
 
 @dataclass(frozen=True)

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from PySide6.QtCore import QPointF, QRectF
 from PySide6.QtGui import QPainter, QPainterPath
 
-from app.paint.viewport import Viewport
+from .viewport import Viewport
 
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]

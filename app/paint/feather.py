@@ -7,14 +7,15 @@ from numpy.typing import NDArray
 from PySide6.QtCore import QLineF, QPointF, Qt
 from PySide6.QtGui import QColor, QPainter, QPainterPath, QPen, QPolygonF
 
-from app.model.shown import shown_shapes
-from app.model.view_state import Selection
-from app.paint import marks
-from app.paint.viewport import Viewport
 from roam_core.geometry import bezier
 from roam_core.geometry.bezier import ANCHOR, IN, OUT
 from roam_core.roto import Outline, Project, RotoShape
 from roam_core.roto.feather import curve
+
+from ..model.shown import shown_shapes
+from ..model.view_state import Selection
+from . import marks
+from .viewport import Viewport
 
 Array = NDArray[np.float64]
 Hover = tuple[str, int, int] | None

@@ -10,10 +10,11 @@ from numpy.typing import NDArray
 from PySide6.QtCore import QPointF
 from PySide6.QtGui import QPainterPath
 
-from app.paint.clipping import clipped_path, inside
 from roam_core.geometry import bezier
 from roam_core.geometry.bezier import ANCHOR
 from roam_core.roto import RotoShape
+
+from .clipping import clipped_path, inside
 
 Array = NDArray[np.float64]
 REMEMBERED = 2048

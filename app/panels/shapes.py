@@ -8,14 +8,15 @@ from PySide6.QtCore import QSignalBlocker, QSize, Qt
 from PySide6.QtGui import QBrush, QColor, QDropEvent, QIcon, QKeyEvent, QMouseEvent
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QLabel, QTreeWidget, QTreeWidgetItem, QVBoxLayout, QWidget
 
-from app import style
-from app.actions.keymaps import told
-from app.features.verbs.shapes import delete, toggle
-from app.model.document import Document
-from app.model.view_state import ViewState
 from roam_core.errors import RoamError
 from roam_core.roto import Layer, RotoShape, edit
 from roam_core.roto.layers import moved, top_items
+
+from .. import style
+from ..actions.keymaps import told
+from ..features.verbs.shapes import delete, toggle
+from ..model.document import Document
+from ..model.view_state import ViewState
 
 NAME, EYE, LOCK = 0, 1, 2
 LEAST_ROWS, MOST_ROWS = 4, 9

@@ -7,14 +7,15 @@ from collections.abc import Mapping
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QFormLayout, QHBoxLayout, QLabel, QVBoxLayout, QWidget
 
-from app import style
-from app.actions.actions import Actions
-from app.features.tracking import Scope, Tracking
-from app.model.document import Document
-from app.model.view_state import ViewState, shapes_in_hand
-from app.panels.dials import DialForm
-from app.widgets.controls import ChoiceBox, dense_form, form_label, tool_button, weak_label
 from roam_core.params import CONFIGS, DOUBTFUL
+
+from .. import style
+from ..actions.actions import Actions
+from ..features.tracking import Scope, Tracking
+from ..model.document import Document
+from ..model.view_state import ViewState, shapes_in_hand
+from ..widgets.controls import ChoiceBox, dense_form, form_label, tool_button, weak_label
+from .dials import DialForm
 
 BUTTONS = (
     "track.backward",

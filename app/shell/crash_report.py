@@ -17,9 +17,9 @@ from importlib import metadata
 from pathlib import Path
 from typing import IO
 
+from roam_core import __version__
 from roam_core.roto.writing import is_alive
 
-DISTRIBUTION = "roam-roto"
 LIBRARIES = ("PySide6-Essentials", "numpy", "numba", "opencv-python-headless", "OpenImageIO", "scipy")
 MESSAGES = 20
 """How many of the last messages a report holds."""
@@ -35,7 +35,7 @@ def report(what: str, messages: Iterable[str] = ()) -> str:
     """A text for whoever looks after ROAM: `what` happened, the versions, the system, what was said last."""
     versions = ", ".join(f"{name} {_version(name)}" for name in LIBRARIES)
     lines = [
-        f"ROAM {_version(DISTRIBUTION)}, Python {platform.python_version()}, {versions}",
+        f"ROAM {__version__}, Python {platform.python_version()}, {versions}",
         f"{platform.platform()}, {os.cpu_count()} processors",
         time.strftime("%Y-%m-%d %H:%M:%S"),
         "",

@@ -12,11 +12,11 @@ from PySide6.QtCore import QObject, Qt, Signal
 from PySide6.QtWidgets import QDialog, QWidget
 from shiboken6 import isValid
 
-from app.dialogs.report_dialog import ReportDialog
-from app.features.messages import MessageLog
-from app.journal.journal import Journal
-from app.model.view_state import ViewState
-from app.shell import crash_report
+from ..dialogs.report_dialog import ReportDialog
+from ..features.messages import MessageLog
+from ..journal.journal import Journal
+from ..model.view_state import ViewState
+from . import crash_report
 
 KEPT, AT_RISK = "Your project is as it was, and every edit is in the journal.", "Save your work under a new name now."
 PATIENCE = 1.0

@@ -7,16 +7,16 @@ from collections.abc import Callable
 from PySide6.QtCore import QObject, QTimer, Signal
 from PySide6.QtWidgets import QWidget
 
-from app.actions.actions import Actions
-from app.dialogs.help_dialogs import AboutDialog, KeysDialog
-from app.dialogs.keymap_editor import KeymapEditor
-from app.dialogs.palette import Palette
-from app.dialogs.settings_dialog import SettingsDialog
-from app.features.messages import MessageLog
-from app.model.personal import Personal
-from app.model.view_state import ViewState
-from app.panels.log import LogPanel
-from app.widgets.panel import Panel
+from ..actions.actions import Actions
+from ..dialogs.help_dialogs import AboutDialog, KeysDialog
+from ..dialogs.keymap_editor import KeymapEditor
+from ..dialogs.palette import Palette
+from ..dialogs.settings_dialog import SettingsDialog
+from ..features.messages import MessageLog
+from ..model.personal import Personal
+from ..model.view_state import ViewState
+from ..panels.log import LogPanel
+from ..widgets.panel import Panel
 
 
 class Desk(QObject):

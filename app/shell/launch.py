@@ -1,50 +1,28 @@
-"""`roam`: opens the window on a clip, a project or the demo; hands every other command to the command line."""
+"""Opens the window, on a clip, a project or the demo: what `roam_core.cli.program` calls where it is installed."""
 
 from __future__ import annotations
 
-import argparse
 import logging
 import os
 import sys
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from logging.handlers import RotatingFileHandler
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from roam_core.errors import RoamError
-
 if TYPE_CHECKING:
-    from app.jobs.runner import Runner
-    from app.jobs.under_way import UnderWay
-    from app.model.view_state import ViewState
-    from app.shell.main_window import MainWindow
+    from ..jobs.runner import Runner
+    from ..jobs.under_way import UnderWay
+    from ..model.view_state import ViewState
+    from .main_window import MainWindow
 
 PATIENCE = 3000
 """Milliseconds after which the artist is told that the engine is being prepared."""
-FAILED, BAD_USAGE = 1, 2
+BAD_USAGE = 2
 NO_DISPLAY = (
     "There is no display to open a window on; use the command line (roam --help), "
     "or log in with a display or X forwarding."
 )
-EPILOG = """commands that need no window:
-{commands}
-roam COMMAND --help describes each of them.
-"""
-
-
-def main(argv: Sequence[str] | None = None) -> int:
-    """Run `roam`. Returns the exit code: 0 done, 1 refused or failed, 2 bad usage or no display."""
-    arguments = list(sys.argv[1:] if argv is None else argv)
-    from roam_core.cli import COMMANDS
-    from roam_core.cli import main as command_line
-
-    if arguments != ["demo"] and arguments and arguments[0] in {*COMMANDS, "--version"}:
-        return command_line(arguments)
-    try:
-        return _demo() if arguments == ["demo"] else _window(_parser(COMMANDS).parse_args(arguments).path)
-    except RoamError as error:
-        _tell(str(error))
-        return FAILED
 
 
 def has_display() -> bool:
@@ -54,36 +32,28 @@ def has_display() -> bool:
     return any(os.environ.get(name) for name in ("DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"))
 
 
-def _parser(commands: dict[str, str]) -> argparse.ArgumentParser:
-    listed = "\n".join(f"  {name:<10} {summary}" for name, summary in commands.items())
-    parser = argparse.ArgumentParser(
-        prog="roam",
-        usage="roam [CLIP | PROJECT.roam] | roam demo [--headless] | roam COMMAND ...",
-        description="Rotoscoping: editable curves carried through a shot. Without a command the window opens.",
-        epilog=EPILOG.format(commands=listed),
-        formatter_class=argparse.RawDescriptionHelpFormatter,
-        allow_abbrev=False,
-    )
-    parser.add_argument("path", nargs="?", metavar="CLIP | PROJECT.roam", help="what the window opens")
-    parser.add_argument("--version", action="store_true", help="print the version")
-    return parser
+def open_window(path: str | None) -> int:
+    """Open the window, on a clip or project if one was named. Returns the exit code when it was closed.
 
-
-def _window(path: str | None) -> int:
-    """Open the window, on a clip or project if one was named."""
+    Raises
+    ------
+    RoamError
+        when the clip or project cannot be opened.
+    """
     if path is not None:
         _require_readable(path)
     if not has_display():
-        _tell(NO_DISPLAY)
+        sys.stderr.write(f"roam: {NO_DISPLAY}\n")
         return BAD_USAGE
     return _run(lambda window: _open_first(window, path))
 
 
 def _require_readable(path: str) -> None:
     """Raise `RoamError` when a clip or project cannot be opened: a wrong name is told before any window opens."""
-    from app.files.files import clip_project
-    from app.model.document import PROJECT_SUFFIX
     from roam_core.roto import file
+
+    from ..files.files import clip_project
+    from ..model.document import PROJECT_SUFFIX
 
     if path.lower().endswith(PROJECT_SUFFIX):
         file.load(Path(path))
@@ -99,27 +69,22 @@ def _open_first(window: MainWindow, path: str | None) -> None:
         window.recovering.offer()
 
 
-def _demo() -> int:
-    """The demo in a window; without a display it is tracked on the command line."""
-    if has_display():
-        return _run(lambda window: window.files.open_demo())
-    from roam_core.cli import main as command_line
-
-    _tell("There is no display, so the demo is tracked without a window.")
-    return command_line(["demo", "--headless"])
+def open_demo() -> int:
+    """Open the window on the demo. Returns the exit code when it was closed."""
+    return _run(lambda window: window.files.open_demo())
 
 
 def _run(begin: Callable[[MainWindow], object]) -> int:
     from PySide6.QtCore import QTimer
     from PySide6.QtWidgets import QApplication
 
-    from app import style
-    from app.folders import cache_folder, state_folder, state_trouble
-    from app.jobs import warm_up
-    from app.model.personal import Personal
-    from app.shell.crash_report import NativeLog, native_crashes
-    from app.shell.leaving import leave_on_signals
-    from app.shell.main_window import MainWindow
+    from .. import style
+    from ..folders import cache_folder, state_folder, state_trouble
+    from ..jobs import warm_up
+    from ..model.personal import Personal
+    from .crash_report import NativeLog, native_crashes
+    from .leaving import leave_on_signals
+    from .main_window import MainWindow
 
     _keep_log(state_folder() / "roam.log")
     personal = Personal(state_folder(), cache_folder())
@@ -155,7 +120,7 @@ def _prepare(solver: Runner, config: str, view_state: ViewState, under_way: Unde
     """Compile what the engine needs, and say so where it takes its time: at the very first start."""
     from PySide6.QtCore import QTimer
 
-    from app.jobs import warm_up
+    from ..jobs import warm_up
 
     preparation = warm_up.start(solver, config)
     said: list[bool] = []
@@ -175,15 +140,7 @@ def _scale(scale: float) -> None:
         os.environ.setdefault("QT_SCALE_FACTOR", f"{scale:g}")
 
 
-def _tell(sentence: str) -> None:
-    sys.stderr.write(f"roam: {sentence}\n")
-
-
 def _keep_log(path: Path) -> None:
     handler = RotatingFileHandler(path, maxBytes=1 << 20, backupCount=2, encoding="utf-8", delay=True)
     handler.setFormatter(logging.Formatter("%(asctime)s %(levelname)s %(name)s: %(message)s"))
     logging.getLogger().addHandler(handler)
-
-
-if __name__ == "__main__":
-    sys.exit(main())

@@ -13,10 +13,11 @@ from PySide6.QtCore import QByteArray, QSettings
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QComboBox, QSplitter, QWidget
 
-from app.keeping import MOST_BYTES, loaded
-from app.widgets.panel import Panel
 from roam_core.bounded import bounded_bytes
 from roam_core.errors import RoamError
+
+from ..keeping import MOST_BYTES, loaded
+from ..widgets.panel import Panel
 
 SWITCHES = ("time.loop", "time.ping_pong", "view.panels", "edit.history", "help.log")
 """The actions whose state is kept."""

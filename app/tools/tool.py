@@ -8,10 +8,10 @@ from typing import ClassVar
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QPainter
 
-from app.jobs.picture_work import PictureWork
-from app.model.document import Document
-from app.model.view_state import ViewState
-from app.paint.viewport import Viewport
+from ..jobs.picture_work import PictureWork
+from ..model.document import Document
+from ..model.view_state import ViewState
+from ..paint.viewport import Viewport
 
 Modifier = Qt.KeyboardModifier
 

@@ -2,18 +2,18 @@
 
 from collections.abc import Mapping
 
-from app.tools.draw.bezier import BezierTool
-from app.tools.draw.box import EllipseTool, RectangleTool
-from app.tools.draw.bspline import BSplineTool
-from app.tools.draw.freehand import FreehandTool
-from app.tools.draw.magnetic import MagneticTool
-from app.tools.draw.object import ObjectTool
-from app.tools.draw.polygon import PolygonTool
-from app.tools.edit.brush import ReshapeTool
-from app.tools.edit.feather import FeatherTool
-from app.tools.edit.select import SelectTool
-from app.tools.edit.transform import TransformTool
-from app.tools.tool import Tool
+from .draw.bezier import BezierTool
+from .draw.box import EllipseTool, RectangleTool
+from .draw.bspline import BSplineTool
+from .draw.freehand import FreehandTool
+from .draw.magnetic import MagneticTool
+from .draw.object import ObjectTool
+from .draw.polygon import PolygonTool
+from .edit.brush import ReshapeTool
+from .edit.feather import FeatherTool
+from .edit.select import SelectTool
+from .edit.transform import TransformTool
+from .tool import Tool
 
 _ORDER: tuple[type[Tool], ...] = (
     SelectTool,

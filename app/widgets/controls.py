@@ -6,8 +6,8 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QWheelEvent
 from PySide6.QtWidgets import QComboBox, QDoubleSpinBox, QFormLayout, QLabel, QSpinBox, QToolButton
 
-from app import style
-from app.actions.actions import Actions
+from .. import style
+from ..actions.actions import Actions
 
 FRAME_LIMIT = 10_000_000
 LABEL_WIDTH = 68

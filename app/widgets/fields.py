@@ -10,9 +10,10 @@ from PySide6.QtCore import QEvent, QSignalBlocker, Qt, Signal
 from PySide6.QtGui import QEnterEvent, QFocusEvent, QKeyEvent, QMouseEvent, QWheelEvent
 from PySide6.QtWidgets import QCheckBox, QDoubleSpinBox, QLabel, QWidget
 
-from app import style
-from app.widgets.controls import LABEL_WIDTH, ChoiceBox
 from roam_core.roto import BlendMode
+
+from .. import style
+from .controls import LABEL_WIDTH, ChoiceBox
 
 MIXED = "mixed"
 """What a control shows for things that differ."""

@@ -6,7 +6,7 @@ from PySide6.QtCore import QEvent, QObject, Qt, QTimer
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QAbstractSpinBox, QApplication, QLineEdit, QWidget
 
-from app.widgets.fields import NumberField
+from .fields import NumberField
 
 Field = QLineEdit | QAbstractSpinBox
 """What is typed into."""

@@ -16,7 +16,7 @@ from tests.conftest import ROOT
 PACKAGES = ("app", "roam_core")
 MOST_FILES = 15
 """A folder of the window with more modules would tell more as two."""
-TOPS = {"roam_core": {"__main__"}}
+TOPS = {"app": {"__main__"}, "roam_core": {"__main__"}}
 """What stands above all rooms of a package and in no drawing of them."""
 
 

@@ -7,12 +7,13 @@ from numpy.typing import NDArray
 from PySide6.QtCore import QPointF, Qt
 from PySide6.QtGui import QColor, QPainter, QPainterPath, QPen
 
-from app.model.shown import shown_shapes
-from app.paint import marks
-from app.paint.viewport import Viewport
 from roam_core.geometry import bezier
 from roam_core.params import DOUBTFUL
 from roam_core.roto import Project, RotoShape
+
+from ...model.shown import shown_shapes
+from ...paint import marks
+from ...paint.viewport import Viewport
 
 SURE, DOUBT, NO_WORD = QColor("#4aa8ff"), QColor("#ff8c1a"), QColor("#9a9a9a")
 """Blue and orange, which all eyes tell apart; grey where the engine has said nothing: keys by hand, between keys."""

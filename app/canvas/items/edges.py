@@ -7,11 +7,12 @@ from numpy.typing import NDArray
 from PySide6.QtCore import QPointF, Qt
 from PySide6.QtGui import QColor, QPainter, QPainterPath, QPen, QPolygonF
 
-from app.paint import marks
-from app.paint.viewport import Viewport
 from roam_core.geometry import bezier
 from roam_core.propagate.edges import Edge, Edges
 from roam_core.roto import Outline, RotoShape
+
+from ...paint import marks
+from ...paint.viewport import Viewport
 
 Array = NDArray[np.float64]
 

@@ -7,10 +7,11 @@ from collections.abc import Sequence
 from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QPainter, QPen
 
-from app.features.belonging import Bone
-from app.paint import marks
-from app.paint.viewport import Viewport
 from roam_core.roto import Project
+
+from ...features.belonging import Bone
+from ...paint import marks
+from ...paint.viewport import Viewport
 
 RING, MIDDLE = 11.0, 4.0
 """Diameters of a joint's ring, and of the dot on the middle of a part."""

@@ -7,13 +7,14 @@ from collections.abc import Iterator
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QPainter, QPainterPath, QPen
 
-from app.model.shown import shown_shapes
-from app.model.view_state import Selection
-from app.model.viewing import Onion
-from app.paint import marks
-from app.paint.outline_paths import OutlinePaths
-from app.paint.viewport import Viewport
 from roam_core.roto import Project, RotoShape
+
+from ...model.shown import shown_shapes
+from ...model.view_state import Selection
+from ...model.viewing import Onion
+from ...paint import marks
+from ...paint.outline_paths import OutlinePaths
+from ...paint.viewport import Viewport
 
 WIDTH, SHADOW = 1.0, 0.6
 NEAREST, FARTHEST = 1.0, 0.45

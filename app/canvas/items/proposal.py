@@ -7,10 +7,11 @@ from enum import StrEnum
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QBrush, QColor, QPainter, QPainterPath, QPen
 
-from app.paint import marks
-from app.paint.outline_paths import outline_path
-from app.paint.viewport import Viewport
 from roam_core.propagate.offers import Proposal
+
+from ...paint import marks
+from ...paint.outline_paths import outline_path
+from ...paint.viewport import Viewport
 
 DASHES = [5.0, 4.0]
 WIDTH = 2.0

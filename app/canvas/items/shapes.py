@@ -9,19 +9,20 @@ from numpy.typing import NDArray
 from PySide6.QtCore import QLineF
 from PySide6.QtGui import QColor, QPainter, QPainterPath
 
-from app.canvas.items.edges import fits, paint_edges
-from app.model.shown import Shown, shown_shapes
-from app.model.view_state import Selection
-from app.paint import marks
-from app.paint.clipping import inside, painted_area
-from app.paint.handles import control_sides, visible_handles
-from app.paint.outline_paths import OutlinePaths
-from app.paint.viewport import Viewport
 from roam_core.geometry.bezier import ANCHOR
 from roam_core.params import DOUBTFUL
 from roam_core.propagate.edges import Edges
 from roam_core.roto import Outline, Project, RotoShape, Spline
 from roam_core.roto.edit import is_smooth
+
+from ...model.shown import Shown, shown_shapes
+from ...model.view_state import Selection
+from ...paint import marks
+from ...paint.clipping import inside, painted_area
+from ...paint.handles import control_sides, visible_handles
+from ...paint.outline_paths import OutlinePaths
+from ...paint.viewport import Viewport
+from .edges import fits, paint_edges
 
 Array = NDArray[np.float64]
 Hover = tuple[str, int, int] | None

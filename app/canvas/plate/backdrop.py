@@ -7,12 +7,13 @@ from typing import NamedTuple
 from PySide6.QtCore import QPointF, QRectF, QSize, QSizeF, Qt
 from PySide6.QtGui import QBrush, QColor, QFontMetricsF, QPainter, QPixmap
 
-from app.canvas.plate.ground import paint_ground
-from app.canvas.plate.picture import NEUTRAL, Picture
-from app.canvas.plate.pixel_marks import paint_pixel_marks
-from app.paint import marks
-from app.paint.viewport import Viewport
 from roam_core.media.looking import Look
+
+from ...paint import marks
+from ...paint.viewport import Viewport
+from .ground import paint_ground
+from .picture import NEUTRAL, Picture
+from .pixel_marks import paint_pixel_marks
 
 PADDING = 8.0
 

@@ -8,11 +8,12 @@ from pathlib import Path
 from PySide6.QtCore import QObject, QPointF, QRectF, QSizeF, Qt, Signal
 from PySide6.QtGui import QBrush, QColor, QPainter, QPixmap
 
-from app.canvas.plate.picture import Picture
-from app.model.viewing import Ground, GroundKind
-from app.paint.viewport import Viewport
 from roam_core.errors import RoamError
 from roam_core.media.looking import Pixels
+
+from ...model.viewing import Ground, GroundKind
+from ...paint.viewport import Viewport
+from .picture import Picture
 
 SQUARE = 12
 """Side of the checkerboard's squares, in widget units."""

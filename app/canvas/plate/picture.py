@@ -10,9 +10,10 @@ import numpy as np
 from PySide6.QtCore import QPointF, QRectF, QSizeF
 from PySide6.QtGui import QImage, QPainter
 
-from app.paint.viewport import Viewport
 from roam_core.media.colour import Image
 from roam_core.media.looking import Look, Pixels, Plate, has_more_than_shown, seen, seen_plate
+
+from ...paint.viewport import Viewport
 
 NEAREST_ABOVE = 2.0
 """Above this zoom (device pixels for an image pixel) pixels are shown as squares."""

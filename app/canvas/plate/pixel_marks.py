@@ -6,9 +6,10 @@ import numpy as np
 from PySide6.QtCore import QLineF, QPointF, QRectF, QSizeF, Qt
 from PySide6.QtGui import QColor, QPainter, QPen
 
-from app.canvas.plate.picture import Picture, in_sight
-from app.paint.viewport import Viewport
 from roam_core.media.looking import LUMINANCE, SINGLE, Look
+
+from ...paint.viewport import Viewport
+from .picture import Picture, in_sight
 
 GRID_ABOVE = 8.0
 """Above this zoom (widget units for a pixel) a grid shows the pixels' borders."""

@@ -6,14 +6,15 @@ from collections.abc import Callable
 
 from PySide6.QtCore import QObject, QSizeF, Signal
 
-from app.canvas.plate.backdrop import Below
-from app.canvas.plate.ground import GroundLayer
-from app.canvas.plate.matte_layer import MatteLayer
-from app.canvas.plate.picture import NEUTRAL, Picture
-from app.model.viewing import OF_MATTE, Viewing, ViewMode
-from app.paint import marks
 from roam_core.media.looking import Pixels, Plate
 from roam_core.roto import Project
+
+from ...model.viewing import OF_MATTE, Viewing, ViewMode
+from ...paint import marks
+from .backdrop import Below
+from .ground import GroundLayer
+from .matte_layer import MatteLayer
+from .picture import NEUTRAL, Picture
 
 
 class Stage(QObject):

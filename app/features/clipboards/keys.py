@@ -8,13 +8,14 @@ from pathlib import Path
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QWidget
 
-from app.features.clipboards.paste_range import PasteRangeDialog
-from app.model.document import Document
-from app.model.shown import editable_shapes
-from app.model.view_state import ViewState, selected_shapes
 from roam_core.errors import RoamError
 from roam_core.roto import Keyframe, Layer, Project, RotoShape, file
 from roam_core.roto.pasting import copied_key, paste_key, paste_through, targets
+
+from ...model.document import Document
+from ...model.shown import editable_shapes
+from ...model.view_state import ViewState, selected_shapes
+from .paste_range import PasteRangeDialog
 
 MARK = "clipboard"
 """The project's extra field that tells keys from whole shapes on the clipboard."""

@@ -7,11 +7,12 @@ from functools import partial
 
 from PySide6.QtGui import QGuiApplication
 
-from app.jobs.copying import Copying
-from app.jobs.importing import Import
-from app.model.document import Document
-from app.model.view_state import ViewState, shapes_in_hand
 from roam_core.roto.layers import only
+
+from ...jobs.copying import Copying
+from ...jobs.importing import Import
+from ...model.document import Document
+from ...model.view_state import ViewState, shapes_in_hand
 
 PROGRAMS = {"nuke": "Nuke", "fusion": "Fusion"}
 """Programs that paste nodes as text, by the name of the format that they understand."""

@@ -5,8 +5,8 @@ from __future__ import annotations
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QDialog, QDialogButtonBox, QSpinBox, QVBoxLayout, QWidget
 
-from app import style
-from app.widgets.controls import FRAME_LIMIT, dense_form, form_label, weak_label
+from ... import style
+from ...widgets.controls import FRAME_LIMIT, dense_form, form_label, weak_label
 
 
 class PasteRangeDialog(QDialog):

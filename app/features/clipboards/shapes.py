@@ -9,13 +9,14 @@ from pathlib import Path
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QWidget
 
-from app.counting import counted
-from app.features.clipboards.keys import KeyClipboard, copied_keys
-from app.model.document import Document
-from app.model.view_state import ViewState, selected_shapes
 from roam_core.errors import RoamError
 from roam_core.roto import Layer, Project, RotoShape, edit, file, linking
 from roam_core.roto.baking import baked
+
+from ...counting import counted
+from ...model.document import Document
+from ...model.view_state import ViewState, selected_shapes
+from .keys import KeyClipboard, copied_keys
 
 
 class ShapeClipboard:

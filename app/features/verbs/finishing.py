@@ -8,11 +8,12 @@ import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtGui import QColor
 
-from app.model.document import Document
-from app.model.view_state import ViewState
 from roam_core.roto import Project, RotoShape, Spline, edit
 from roam_core.roto.found import add_found
 from roam_core.roto.project import PALETTE
+
+from ...model.document import Document
+from ...model.view_state import ViewState
 
 Array = NDArray[np.float64]
 

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from app.features.verbs.shapes import NOTHING_SELECTED
-from app.model.document import Document
-from app.model.view_state import ViewState
 from roam_core.roto import Layer, edit
 from roam_core.roto.layers import grouped, ungrouped
+
+from ...model.document import Document
+from ...model.view_state import ViewState
+from .shapes import NOTHING_SELECTED
 
 NO_LAYER = "Select a layer first: click it in the list of shapes."
 

@@ -7,13 +7,14 @@ from pathlib import Path
 
 from PySide6.QtWidgets import QFileDialog, QWidget
 
-from app.features.verbs.finishing import put_in
-from app.jobs.picture_work import PictureWork
-from app.jobs.runner import Ending, Report
-from app.model.document import Document
-from app.model.view_state import ViewState
 from roam_core.errors import RoamError
 from roam_core.roto import RotoShape
+
+from ...jobs.picture_work import PictureWork
+from ...jobs.runner import Ending, Report
+from ...model.document import Document
+from ...model.view_state import ViewState
+from .finishing import put_in
 
 MASKS = "Mask pictures (*.png *.tif *.tiff *.jpg *.jpeg *.exr);;All files (*)"
 

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection
 
-from app.features.verbs.shapes import NOTHING_SELECTED
-from app.model.document import Document
-from app.model.view_state import ViewState, selected_shapes
 from roam_core.errors import RoamError
 from roam_core.roto import Project, linking
 from roam_core.roto.linking import AS_STACKED, BEHIND, IN_FRONT
+
+from ...model.document import Document
+from ...model.view_state import ViewState, selected_shapes
+from .shapes import NOTHING_SELECTED
 
 ALL_LOCKED = "What is selected is locked; unlock it first (<shape.lock>)."
 LEVELS = {IN_FRONT: "In front", AS_STACKED: "As stacked", BEHIND: "Behind"}

@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from dataclasses import replace
 
-from app.model.document import Document
-from app.model.view_state import ViewState, selected_shapes
 from roam_core.errors import RoamError
 from roam_core.roto import Layer, Project, RotoShape, edit, linking
+
+from ...model.document import Document
+from ...model.view_state import ViewState, selected_shapes
 
 NOTHING_SELECTED = "Select a shape first: click it in the viewer or in the list."
 

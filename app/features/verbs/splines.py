@@ -6,11 +6,12 @@ from collections.abc import Callable
 
 import numpy as np
 
-from app.features.verbs.shapes import NOTHING_SELECTED
-from app.model.document import Document
-from app.model.shown import editable_shapes
-from app.model.view_state import ViewState
 from roam_core.roto import RotoShape, Spline, grips
+
+from ...model.document import Document
+from ...model.shown import editable_shapes
+from ...model.view_state import ViewState
+from .shapes import NOTHING_SELECTED
 
 
 class SplineVerbs:

@@ -9,11 +9,12 @@ from PySide6.QtCore import QSignalBlocker, Qt, Signal
 from PySide6.QtGui import QActionGroup, QMouseEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QMenu, QSlider, QToolButton, QWidget
 
-from app import style
-from app.actions.actions import Actions
-from app.model.viewing import EXPOSURES, GAMMAS, Viewing
-from app.widgets.fields import NumberField
 from roam_core.media.looking import Channel, Look
+
+from ... import style
+from ...actions.actions import Actions
+from ...model.viewing import EXPOSURES, GAMMAS, Viewing
+from ...widgets.fields import NumberField
 
 STEPS = 160
 """Steps of a slider from one end to the other."""

@@ -5,10 +5,10 @@ from __future__ import annotations
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QHBoxLayout, QToolButton, QWidget
 
-from app.actions.actions import Actions
-from app.model.editing import LARGEST_RADIUS, LEAST_RADIUS
-from app.model.view_state import ViewState
-from app.widgets.fields import NumberField
+from ...actions.actions import Actions
+from ...model.editing import LARGEST_RADIUS, LEAST_RADIUS
+from ...model.view_state import ViewState
+from ...widgets.fields import NumberField
 
 SWITCHES = {"key.auto": "auto_key", "key.ripple": "ripple", "points.soft": "soft", "points.lasso": "lasso"}
 """The actions by the modes that they switch."""

@@ -7,8 +7,8 @@ import math
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QLabel, QWidget
 
-from app.canvas.plate.pixel_marks import values_text
-from app.canvas.view import CanvasView
+from ...canvas.plate.pixel_marks import values_text
+from ...canvas.view import CanvasView
 
 WIDTH = 276
 """Holds positions of four figures and four values of eight bits, in widget units."""

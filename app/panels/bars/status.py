@@ -6,11 +6,11 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QPainter, QPaintEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QProgressBar, QWidget
 
-from app import style
-from app.jobs.runner import Ending
-from app.jobs.under_way import UnderWay
-from app.model.view_state import ViewState
-from app.widgets.controls import icon_button
+from ... import style
+from ...jobs.runner import Ending
+from ...jobs.under_way import UnderWay
+from ...model.view_state import ViewState
+from ...widgets.controls import icon_button
 
 
 class Sentence(QLabel):

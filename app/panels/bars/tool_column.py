@@ -6,9 +6,9 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QActionGroup
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
-from app.actions.actions import Actions
-from app.model.view_state import ViewState
-from app.widgets.controls import tool_button
+from ...actions.actions import Actions
+from ...model.view_state import ViewState
+from ...widgets.controls import tool_button
 
 
 class ToolColumn(QWidget):

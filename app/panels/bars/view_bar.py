@@ -6,16 +6,17 @@ from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QActionGroup, QColor, QPainter, QPaintEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QWidget
 
-from app import style
-from app.actions.actions import Actions
-from app.canvas.view import CanvasView
-from app.folders import cache_folder
-from app.model.document import Document
-from app.model.viewing import ViewMode
-from app.panels.bars.look_controls import ChannelButton, exposure_slider, gamma_slider
-from app.panels.bars.view_options import GroundForm, OnionForm, options_button
-from app.widgets.controls import tool_button
 from roam_core.roto import Clip
+
+from ... import style
+from ...actions.actions import Actions
+from ...canvas.view import CanvasView
+from ...folders import cache_folder
+from ...model.document import Document
+from ...model.viewing import ViewMode
+from ...widgets.controls import tool_button
+from .look_controls import ChannelButton, exposure_slider, gamma_slider
+from .view_options import GroundForm, OnionForm, options_button
 
 
 class ViewBar(QWidget):

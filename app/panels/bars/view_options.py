@@ -20,10 +20,10 @@ from PySide6.QtWidgets import (
     QWidgetAction,
 )
 
-from app import style
-from app.model.viewing import MOST_GHOSTS, GroundKind, Viewing
-from app.widgets.controls import dense_form, form_label
-from app.widgets.fields import NumberField, SwitchBox
+from ... import style
+from ...model.viewing import MOST_GHOSTS, GroundKind, Viewing
+from ...widgets.controls import dense_form, form_label
+from ...widgets.fields import NumberField, SwitchBox
 
 GROUNDS = {GroundKind.CHECKER: "Checkerboard", GroundKind.COLOUR: "Colour", GroundKind.IMAGE: "Picture"}
 IMAGES = "Pictures (*.exr *.dpx *.png *.jpg *.jpeg *.tif *.tiff);;All files (*)"

@@ -5,11 +5,12 @@ from __future__ import annotations
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QPainter, QPolygonF
 
-from app import style
-from app.features.verbs.objects import PLACES
-from app.timeline.scale import TimeScale
 from roam_core.roto import RotoShape
 from roam_core.roto.linking import AS_STACKED
+
+from ... import style
+from ...features.verbs.objects import PLACES
+from ..scale import TimeScale
 
 TOP, HEIGHT, HALF = 1.0, 4.0, 3.5
 """Where the marks lie in the row, above its keys; their height and half their width."""

@@ -7,13 +7,14 @@ from collections.abc import Callable
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QMouseEvent
 
-from app.model.document import Document
-from app.timeline.axis import TimeAxis
-from app.timeline.keys.selection import KeySelection
-from app.timeline.keys.verbs import count_of, unlocked
-from app.timeline.scale import LABEL_WIDTH
 from roam_core.roto import Project, timing
 from roam_core.roto.timing import Place
+
+from ...model.document import Document
+from ..axis import TimeAxis
+from ..scale import LABEL_WIDTH
+from .selection import KeySelection
+from .verbs import count_of, unlocked
 
 STILL = 3
 """Pixels that the pointer may move between press and release of a click."""

@@ -7,11 +7,12 @@ from PySide6.QtCore import QLineF, QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QBrush, QColor, QPainter, QPen, QPixmap, QPolygonF
 from PySide6.QtWidgets import QWidget
 
-from app import style
-from app.timeline.keys.depth_marks import paint_depth
-from app.timeline.marks import Frames, KeyMarks, MarksOf
-from app.timeline.scale import LABEL_WIDTH, TimeScale
 from roam_core.roto import RotoShape
+
+from ... import style
+from ..marks import Frames, KeyMarks, MarksOf
+from ..scale import LABEL_WIDTH, TimeScale
+from .depth_marks import paint_depth
 
 ROW = style.ROW_HEIGHT
 MIDDLE = (ROW - 1) / 2

@@ -18,19 +18,20 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QAbstractScrollArea, QFrame, QMenu, QToolTip, QWidget
 
-from app import style
-from app.actions.key_names import NUDGES, key_name
-from app.model.document import Document
-from app.timeline.axis import TimeAxis, paint_playhead
-from app.timeline.keys.depth_marks import change_at
-from app.timeline.keys.hand import KeyHand
-from app.timeline.keys.row_painter import ROW, RowPainter
-from app.timeline.keys.selection import KeySelection
-from app.timeline.keys.tips import key_tip
-from app.timeline.marks import MarksOf
-from app.timeline.scale import LABEL_WIDTH
 from roam_core.roto import RotoShape
 from roam_core.roto.timing import Place
+
+from ... import style
+from ...actions.key_names import NUDGES, key_name
+from ...model.document import Document
+from ..axis import TimeAxis, paint_playhead
+from ..marks import MarksOf
+from ..scale import LABEL_WIDTH
+from .depth_marks import change_at
+from .hand import KeyHand
+from .row_painter import ROW, RowPainter
+from .selection import KeySelection
+from .tips import key_tip
 
 GRAB = 6
 """Pixels around a key's middle in which a click means the key."""

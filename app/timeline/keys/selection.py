@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from PySide6.QtCore import QObject, Signal
 
-from app.model.document import Document
 from roam_core.roto import Origin
 from roam_core.roto.timing import Place
+
+from ...model.document import Document
 
 
 class KeySelection(QObject):

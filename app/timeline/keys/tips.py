@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import bisect
 
-from app.timeline.keys.depth_marks import depth_sentence
-from app.timeline.marks import KeyMarks
 from roam_core.roto import Interpolation, RotoShape
+
+from ..marks import KeyMarks
+from .depth_marks import depth_sentence
 
 MOVES = {
     Interpolation.LINEAR: "moves on evenly",

@@ -5,12 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping
 from functools import partial
 
-from app.model.document import Document
-from app.model.view_state import ViewState, selected_shapes
-from app.timeline.keys.selection import KeySelection
 from roam_core.errors import RoamError
 from roam_core.roto import Interpolation, Keyframe, Layer, Project, timing
 from roam_core.roto.timing import Place
+
+from ...model.document import Document
+from ...model.view_state import ViewState, selected_shapes
+from .selection import KeySelection
 
 NO_KEYS = "Choose keys in the timeline first: click one, or drag a box around several."
 NOTHING_COPIED = "There is no key to paste; copy keys in the timeline first."

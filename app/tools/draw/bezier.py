@@ -5,10 +5,11 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from app.tools.draw.drawing import DrawingTool
-from app.tools.tool import Modifier, Pointer
 from roam_core.geometry.bezier import IN, OUT
 from roam_core.roto import edit
+
+from ..tool import Modifier, Pointer
+from .drawing import DrawingTool
 
 Array = NDArray[np.float64]
 

@@ -9,16 +9,17 @@ from numpy.typing import NDArray
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QPainter
 
-from app.features.verbs.finishing import finish_shape, next_colour
-from app.model.document import Document
-from app.model.view_state import ViewState
-from app.paint import marks
-from app.paint.outline_paths import outline_path
-from app.paint.viewport import Viewport
-from app.tools.gesture_tool import DROP_KEYS
-from app.tools.gestures import DRAG_DISTANCE
-from app.tools.tool import Modifier, Pointer, Tool
 from roam_core.geometry import primitives
+
+from ...features.verbs.finishing import finish_shape, next_colour
+from ...model.document import Document
+from ...model.view_state import ViewState
+from ...paint import marks
+from ...paint.outline_paths import outline_path
+from ...paint.viewport import Viewport
+from ..gesture_tool import DROP_KEYS
+from ..gestures import DRAG_DISTANCE
+from ..tool import Modifier, Pointer, Tool
 
 Array = NDArray[np.float64]
 

@@ -7,15 +7,16 @@ from numpy.typing import NDArray
 from PySide6.QtCore import QLineF
 from PySide6.QtGui import QColor, QPainter
 
-from app.paint import marks
-from app.paint.handles import control_sides
-from app.paint.outline_paths import outline_path
-from app.paint.viewport import Viewport
-from app.tools.draw.drawing import DrawingTool
-from app.tools.tool import Pointer
 from roam_core.geometry import bezier, bspline
 from roam_core.geometry.bezier import ANCHOR
 from roam_core.roto import Spline
+
+from ...paint import marks
+from ...paint.handles import control_sides
+from ...paint.outline_paths import outline_path
+from ...paint.viewport import Viewport
+from ..tool import Pointer
+from .drawing import DrawingTool
 
 Array = NDArray[np.float64]
 

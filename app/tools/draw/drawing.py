@@ -10,20 +10,21 @@ from numpy.typing import NDArray
 from PySide6.QtCore import QLineF, Qt
 from PySide6.QtGui import QColor, QPainter, QPainterPath
 
-from app.features.verbs.finishing import finish_shape, next_colour
-from app.model.document import Document
-from app.model.view_state import ViewState
-from app.paint import marks
-from app.paint.handles import visible_handles
-from app.paint.outline_paths import outline_path
-from app.paint.viewport import Viewport
-from app.tools.gestures import DRAG_DISTANCE
-from app.tools.hit_test import REACH
-from app.tools.tool import Pointer, Tool
 from roam_core.geometry import bezier
 from roam_core.geometry.bezier import ANCHOR
 from roam_core.roto import Spline, edit
 from roam_core.roto.edit import is_smooth
+
+from ...features.verbs.finishing import finish_shape, next_colour
+from ...model.document import Document
+from ...model.view_state import ViewState
+from ...paint import marks
+from ...paint.handles import visible_handles
+from ...paint.outline_paths import outline_path
+from ...paint.viewport import Viewport
+from ..gestures import DRAG_DISTANCE
+from ..hit_test import REACH
+from ..tool import Pointer, Tool
 
 Array = NDArray[np.float64]
 

@@ -7,13 +7,14 @@ from numpy.typing import NDArray
 from PySide6.QtCore import QPointF, Qt
 from PySide6.QtGui import QPainter, QPainterPath
 
-from app.features.verbs.finishing import finish_shape, next_colour
-from app.model.document import Document
-from app.model.view_state import ViewState
-from app.paint import marks
-from app.paint.viewport import Viewport
-from app.tools.tool import Pointer, Tool
 from roam_core.geometry import fit, polyline
+
+from ...features.verbs.finishing import finish_shape, next_colour
+from ...model.document import Document
+from ...model.view_state import ViewState
+from ...paint import marks
+from ...paint.viewport import Viewport
+from ..tool import Pointer, Tool
 
 Array = NDArray[np.float64]
 

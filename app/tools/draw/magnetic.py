@@ -11,17 +11,18 @@ from numpy.typing import NDArray
 from PySide6.QtCore import QPointF, Qt
 from PySide6.QtGui import QPainter, QPainterPath
 
-from app.features.verbs.finishing import finish_shape, next_colour
-from app.jobs.picture_work import Shown
-from app.jobs.runner import Report
-from app.model.document import Document
-from app.model.view_state import ViewState
-from app.paint import marks
-from app.paint.viewport import Viewport
-from app.tools.draw.drawing import CLOSE_KEYS, LEAVE_KEYS, TAKE_BACK_KEYS
-from app.tools.hit_test import REACH
-from app.tools.tool import Modifier, Pointer, Tool
 from roam_core.geometry import fit
+
+from ...features.verbs.finishing import finish_shape, next_colour
+from ...jobs.picture_work import Shown
+from ...jobs.runner import Report
+from ...model.document import Document
+from ...model.view_state import ViewState
+from ...paint import marks
+from ...paint.viewport import Viewport
+from ..hit_test import REACH
+from ..tool import Modifier, Pointer, Tool
+from .drawing import CLOSE_KEYS, LEAVE_KEYS, TAKE_BACK_KEYS
 
 if TYPE_CHECKING:
     from roam_core.proposal.livewire import LiveWire

@@ -10,16 +10,17 @@ from numpy.typing import NDArray
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QPainter, QPainterPath
 
-from app.features.verbs.finishing import put_in
-from app.jobs.picture_work import Shown
-from app.jobs.runner import Ending, Job, Report
-from app.model.document import Document
-from app.model.view_state import ViewState
-from app.paint import marks
-from app.paint.viewport import Viewport
-from app.tools.gestures import DRAG_DISTANCE
-from app.tools.tool import Modifier, Pointer, Tool
 from roam_core.roto import RotoShape
+
+from ...features.verbs.finishing import put_in
+from ...jobs.picture_work import Shown
+from ...jobs.runner import Ending, Job, Report
+from ...model.document import Document
+from ...model.view_state import ViewState
+from ...paint import marks
+from ...paint.viewport import Viewport
+from ..gestures import DRAG_DISTANCE
+from ..tool import Modifier, Pointer, Tool
 
 DROP_KEYS, FIND_KEYS = frozenset({"Esc"}), frozenset({"Return", "Enter"})
 TAKE_BACK_KEYS = frozenset({"Backspace", "Ctrl+Z"})

@@ -5,9 +5,10 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from app.tools.draw.drawing import DrawingTool
-from app.tools.tool import Pointer
 from roam_core.geometry import bezier
+
+from ..tool import Pointer
+from .drawing import DrawingTool
 
 
 class PolygonTool(DrawingTool):

@@ -6,9 +6,9 @@ import numpy as np
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QPainter, QPen, QPolygonF
 
-from app.paint import marks
-from app.paint.viewport import Viewport
-from app.tools.edit.transform_box import HANDLES, Act, Box, Part
+from ...paint import marks
+from ...paint.viewport import Viewport
+from .transform_box import HANDLES, Act, Box, Part
 
 HANDLE, PIVOT = 7.0, 11.0
 LINE = QColor("#f0f0f0")

@@ -10,18 +10,19 @@ from numpy.typing import NDArray
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QPainter
 
-from app.model.document import Document
-from app.model.shown import editable_shapes
-from app.model.view_state import ViewState
-from app.paint.viewport import Viewport
-from app.tools.gesture_tool import GROWTH, GestureTool
-from app.tools.gestures import Edit, Gesture
-from app.tools.reshape import Grab
-from app.tools.soft_marks import paint_reach, paint_weights
-from app.tools.tool import Modifier, Pointer
 from roam_core.geometry.bezier import ANCHOR
 from roam_core.roto import Outline, Project
 from roam_core.roto.transform import bell
+
+from ...model.document import Document
+from ...model.shown import editable_shapes
+from ...model.view_state import ViewState
+from ...paint.viewport import Viewport
+from ..gesture_tool import GROWTH, GestureTool
+from ..gestures import Edit, Gesture
+from ..reshape import Grab
+from ..soft_marks import paint_reach, paint_weights
+from ..tool import Modifier, Pointer
 
 Array = NDArray[np.float64]
 

@@ -9,18 +9,19 @@ from numpy.typing import NDArray
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QPainter
 
-from app.model.document import Document
-from app.model.shown import editable_shapes
-from app.model.view_state import Selection, ViewState
-from app.paint.feather import feather_grips, paint_feather_points
-from app.paint.viewport import Viewport
-from app.tools.gesture_tool import GestureTool
-from app.tools.gestures import Edit, Gesture, Marquee
-from app.tools.hit_test import REACH, SAME_SPOT, OutlineHit, PointHit, hit_outline
-from app.tools.reshape import Grab, break_tangent, selected_indices
-from app.tools.tool import Modifier, Pointer
 from roam_core.geometry.bezier import ANCHOR
 from roam_core.roto import Project, RotoShape, edit, feather
+
+from ...model.document import Document
+from ...model.shown import editable_shapes
+from ...model.view_state import Selection, ViewState
+from ...paint.feather import feather_grips, paint_feather_points
+from ...paint.viewport import Viewport
+from ..gesture_tool import GestureTool
+from ..gestures import Edit, Gesture, Marquee
+from ..hit_test import REACH, SAME_SPOT, OutlineHit, PointHit, hit_outline
+from ..reshape import Grab, break_tangent, selected_indices
+from ..tool import Modifier, Pointer
 
 Array = NDArray[np.float64]
 

@@ -9,9 +9,10 @@ from numpy.typing import NDArray
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QDialog, QDialogButtonBox, QDoubleSpinBox, QGridLayout, QVBoxLayout, QWidget
 
-from app import style
-from app.widgets.controls import form_label, weak_label
 from roam_core.geometry import affine
+
+from ... import style
+from ...widgets.controls import form_label, weak_label
 
 Array = NDArray[np.float64]
 

@@ -8,13 +8,14 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from app.model.document import Document
-from app.model.shown import editable_shapes
-from app.model.view_state import ViewState, selected_shapes
-from app.tools.reshape import grab_selection, grabbed_indices, selected_indices
 from roam_core.errors import RoamError
 from roam_core.roto import Project, RotoShape, Spline, edit
 from roam_core.roto.keying import Change, reshape
+
+from ...model.document import Document
+from ...model.shown import editable_shapes
+from ...model.view_state import ViewState, selected_shapes
+from ..reshape import grab_selection, grabbed_indices, selected_indices
 
 Array = NDArray[np.float64]
 

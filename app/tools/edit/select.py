@@ -5,17 +5,18 @@ from __future__ import annotations
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QPainter
 
-from app.model.document import Document
-from app.model.view_state import Selection, ViewState
-from app.paint.viewport import Viewport
-from app.tools.gesture_tool import GROWTH, GestureTool
-from app.tools.gestures import Edit, Gesture, Lasso, Marquee, Move, PullOut, Turn
-from app.tools.hit_test import OutlineHit, PointHit, hit, hit_outline
-from app.tools.reshape import grab_point, grab_selection, grabbed_weights, with_point_inserted
-from app.tools.soft_marks import paint_reach, paint_weights
-from app.tools.tool import Modifier, Pointer
 from roam_core.geometry.bezier import ANCHOR, OUT
 from roam_core.roto import Spline
+
+from ...model.document import Document
+from ...model.view_state import Selection, ViewState
+from ...paint.viewport import Viewport
+from ..gesture_tool import GROWTH, GestureTool
+from ..gestures import Edit, Gesture, Lasso, Marquee, Move, PullOut, Turn
+from ..hit_test import OutlineHit, PointHit, hit, hit_outline
+from ..reshape import grab_point, grab_selection, grabbed_weights, with_point_inserted
+from ..soft_marks import paint_reach, paint_weights
+from ..tool import Modifier, Pointer
 
 INSERT = Modifier.ControlModifier | Modifier.AltModifier
 

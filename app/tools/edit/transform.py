@@ -6,16 +6,17 @@ import numpy as np
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QPainter
 
-from app.model.document import Document
-from app.model.view_state import Selection, ViewState
-from app.paint.viewport import Viewport
-from app.tools.edit.box_marks import paint_box
-from app.tools.edit.select import INSERT, SelectTool
-from app.tools.edit.transform_box import CENTRE, HANDLES, Act, Box, Part, Pull, pulled
-from app.tools.gestures import Edit, Gesture
-from app.tools.reshape import Grab, grab_selection, grabbed_indices, selection_extent
-from app.tools.tool import Pointer
 from roam_core.roto import Project
+
+from ...model.document import Document
+from ...model.view_state import Selection, ViewState
+from ...paint.viewport import Viewport
+from ..gestures import Edit, Gesture
+from ..reshape import Grab, grab_selection, grabbed_indices, selection_extent
+from ..tool import Pointer
+from .box_marks import paint_box
+from .select import INSERT, SelectTool
+from .transform_box import CENTRE, HANDLES, Act, Box, Part, Pull, pulled
 
 END_KEYS = frozenset({"Return", "Enter", "Esc"})
 PIVOT_SNAP = 6.0

@@ -7,11 +7,12 @@ from collections.abc import Callable
 import numpy as np
 from PySide6.QtWidgets import QWidget
 
-from app.model.document import Document
-from app.model.view_state import ViewState
-from app.tools.edit.numbers import Numbers, NumbersDialog, matrix_of
-from app.tools.reshape import Grab, grab_selection, selection_extent
 from roam_core.geometry import affine
+
+from ...model.document import Document
+from ...model.view_state import ViewState
+from ..reshape import Grab, grab_selection, selection_extent
+from .numbers import Numbers, NumbersDialog, matrix_of
 
 NOTHING = "Select a shape or some of its points first; locked and hidden ones stay as they are."
 

@@ -8,8 +8,9 @@ from enum import Enum
 import numpy as np
 from numpy.typing import NDArray
 
-from app.tools.tool import Modifier, Pointer
 from roam_core.geometry import affine
+
+from ..tool import Modifier, Pointer
 
 Array = NDArray[np.float64]
 Vector = tuple[float, float]

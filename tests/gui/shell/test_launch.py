@@ -1,4 +1,4 @@
-"""`roam`: what it does without a display, with a wrong path, with a command."""
+"""`roam` where the window is installed: without a display, with a wrong path, with a command."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from app import folders
-from app.shell import launch
+from roam_core.cli import program
 from roam_core.errors import RoamError
 from tests.gui.windows import write_clip
 
@@ -27,7 +27,7 @@ class TestWithoutADisplay:
     def test_a_window_is_refused_in_one_sentence(
         self, no_display: None, capsys: pytest.CaptureFixture[str], tmp_path: Path
     ) -> None:
-        assert launch.main([str(write_clip(tmp_path / "plate", 1))]) == launch.BAD_USAGE
+        assert program.main([str(write_clip(tmp_path / "plate", 1))]) == program.BAD_USAGE
         error = capsys.readouterr().err
         assert error.count("\n") == 1
         assert "no display" in error
@@ -36,8 +36,8 @@ class TestWithoutADisplay:
         self, no_display: None, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
     ) -> None:
         asked: list[list[str]] = []
-        monkeypatch.setattr("roam_core.cli.main", lambda argv: asked.append(argv) or 0)
-        assert launch.main(["demo"]) == 0
+        monkeypatch.setattr(program, "command_line", lambda argv: asked.append(argv) or 0)
+        assert program.main(["demo"]) == 0
         assert asked == [["demo", "--headless"]]
         assert "without a window" in capsys.readouterr().err
 
@@ -46,7 +46,7 @@ class TestWithoutADisplay:
 def test_a_path_that_is_not_there_is_one_sentence(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], path: str
 ) -> None:
-    assert launch.main([str(tmp_path / path)]) == launch.FAILED
+    assert program.main([str(tmp_path / path)]) == program.FAILED
     error = capsys.readouterr().err
     assert error.startswith("roam: ")
     assert error.count("\n") == 1
@@ -73,26 +73,9 @@ def test_state_goes_to_a_private_folder_where_the_artists_own_cannot_be_written_
         folders.state_folder()
 
 
-def test_an_option_that_is_none_is_bad_usage(capsys: pytest.CaptureFixture[str]) -> None:
-    with pytest.raises(SystemExit) as left:
-        launch.main(["--versio"])
-    assert left.value.code == launch.BAD_USAGE
-    assert "--versio" in capsys.readouterr().err
-
-
-def test_help_names_every_command(capsys: pytest.CaptureFixture[str]) -> None:
-    from roam_core.cli import COMMANDS
-
-    with pytest.raises(SystemExit) as left:
-        launch.main(["--help"])
-    assert left.value.code == 0
-    text = capsys.readouterr().out
-    assert all(name in text for name in COMMANDS)
-
-
 def test_commands_are_handed_on_without_loading_qt() -> None:
     program = (
-        "import sys; from app.shell.launch import main; code = main(['info', '/nowhere.roam']); "
+        "import sys; from roam_core.cli.program import main; code = main(['info', '/nowhere.roam']); "
         "sys.exit(code if not any(name.startswith('PySide6') for name in sys.modules) else 99)"
     )
     result = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=60, check=False)
