@@ -1,11 +1,12 @@
 # make run    opens the application on the built-in demo shot (without a display: tracks the demo and says so)
 # make test   runs every check; each target may be the first command on a fresh machine
+# make docs   makes the reference of the library from its docstrings
 PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
 READY := $(VENV)/.ready
 
-.PHONY: run test setup lint bench screenshots clean
+.PHONY: run test setup lint bench docs screenshots clean
 
 setup: $(READY)
 
@@ -15,7 +16,7 @@ $(READY): pyproject.toml constraints.txt scripts/system-libraries
 	@$(PYTHON) -c 'import ensurepip' 2>/dev/null || { echo "Python's venv module is missing: sudo apt-get install python3-venv"; exit 1; }
 	@test -x $(BIN)/python || $(PYTHON) -m venv $(VENV)
 	@echo "Installing ROAM and its libraries into $(VENV) ..."
-	@$(BIN)/python -m pip install --quiet --disable-pip-version-check --constraint constraints.txt --editable '.[dev]'
+	@$(BIN)/python -m pip install --quiet --disable-pip-version-check --constraint constraints.txt --editable '.[window,docs,dev]'
 	@touch $(READY)
 
 run: setup
@@ -31,6 +32,10 @@ test: lint
 
 bench: setup
 	$(BIN)/python -m benchmarks
+
+docs: setup
+	$(BIN)/sphinx-build --quiet --fail-on-warning --keep-going docs/reference build/reference
+	@echo "The reference of the library: build/reference/index.html"
 
 screenshots: setup
 	$(BIN)/python -m scripts.screenshots

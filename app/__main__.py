@@ -2,7 +2,7 @@
 
 import sys
 
-from app.launch import main
+from roam_core.cli.program import main
 
 if __name__ == "__main__":
     sys.exit(main())

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import re
 from functools import lru_cache
-from importlib.resources import files
 
 from PySide6.QtCore import QByteArray, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QIcon, QPainter, QPalette, QPixmap
 from PySide6.QtSvg import QSvgRenderer
 from PySide6.QtWidgets import QApplication
+
+from roam_core.installation import resource
 
 WINDOW = "#262626"
 PANEL = "#2e2e2e"
@@ -55,15 +56,15 @@ def apply(application: QApplication) -> None:
 
 def style_sheet() -> str:
     """The style sheet with its colours and the folder of icons filled in."""
-    text = (files("resources") / "style" / "dark.qss").read_text(encoding="utf-8")
-    values = {**_COLOURS, "icons": str(files("resources") / "icons").replace("\\", "/")}
+    text = resource("style", "dark.qss").read_text(encoding="utf-8")
+    values = {**_COLOURS, "icons": str(resource("icons")).replace("\\", "/")}
     return re.sub(r"@(\w+)", lambda match: values[match[1]], text)
 
 
 @lru_cache(maxsize=256)
 def icon(name: str, colour: str = TEXT, lit: str = ACCENT) -> QIcon:
     """The line drawing `resources/icons/<name>.svg`: in `colour`, `lit` where it is switched on, dim where disabled."""
-    drawing = (files("resources") / "icons" / f"{name}.svg").read_text(encoding="utf-8")
+    drawing = resource("icons", f"{name}.svg").read_text(encoding="utf-8")
     result = QIcon()
     for size in (16, 32, 48):
         for mode, state, shade in (

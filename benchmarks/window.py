@@ -28,7 +28,7 @@ from roam_core.errors import RoamError
 from roam_core.roto import Clip, Keyframe, Layer, Project, RotoShape
 
 if TYPE_CHECKING:
-    from app.main_window import MainWindow
+    from app.shell.main_window import MainWindow
 
 SIZE = (4096, 2160)
 WINDOW = (1600, 1000)
@@ -55,7 +55,7 @@ def run(given: argparse.Namespace) -> None:
     if given.inside:
         print(json.dumps(measured()))
         return
-    from app.launch import has_display
+    from app.shell.launch import has_display
 
     platforms = ["offscreen", *(["xcb"] if has_display() and sys.platform.startswith("linux") else [])]
     results = {platform: _in_a_process(platform) for platform in platforms}
@@ -128,7 +128,7 @@ def opened_window(state: Path) -> Iterator[MainWindow]:
     from PySide6.QtWidgets import QApplication
 
     from app import style
-    from app.main_window import MainWindow
+    from app.shell.main_window import MainWindow
 
     application = QApplication.instance() or QApplication(sys.argv[:1])
     assert isinstance(application, QApplication)

@@ -25,6 +25,7 @@ class CancelToken:
 
     @property
     def is_cancelled(self) -> bool:
+        """True after `cancel` was called."""
         return self._event.is_set()
 
     def check(self) -> None:

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from PySide6.QtCore import QPoint
     from PySide6.QtWidgets import QWidget
 
-    from app.main_window import MainWindow
+    from app.shell.main_window import MainWindow
 
     Vector = NDArray[np.float64]
 
@@ -34,7 +34,7 @@ PATIENCE = 120.0
 @contextmanager
 def display() -> Iterator[bool]:
     """A display for Qt: the one that is there, or a virtual one. Gives False when there is neither."""
-    from app.launch import has_display
+    from app.shell.launch import has_display
 
     if has_display():
         yield True
@@ -55,8 +55,8 @@ def window(state: Path) -> Iterator[MainWindow]:
 
     from app import style
     from app.jobs import warm_up
-    from app.main_window import MainWindow
-    from app.personal import Personal
+    from app.model.personal import Personal
+    from app.shell.main_window import MainWindow
 
     application = QApplication(sys.argv[:1])
     application.setApplicationName("ROAM")

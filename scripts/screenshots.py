@@ -35,7 +35,7 @@ from scripts.camera import (
 )
 
 if TYPE_CHECKING:
-    from app.main_window import MainWindow
+    from app.shell.main_window import MainWindow
     from roam_core.propagate.offers import Proposal
     from roam_core.roto import Project, RotoShape
 
@@ -64,7 +64,7 @@ def main() -> int:
 
 def photograph_opening(shown: MainWindow) -> None:
     """What was found out about a clip before it opens."""
-    from app.clip_dialog import ClipDialog
+    from app.dialogs.clip_dialog import ClipDialog
     from roam_core.cli.demo import demo_frames
 
     assert shown.personal.folder is not None
@@ -234,7 +234,7 @@ def photograph_finding(shown: MainWindow) -> None:
 
 def photograph_export(shown: MainWindow) -> None:
     """The export dialog on the tracked demo, with the options of mattes."""
-    from app.export_dialog import MATTES, ExportDialog
+    from app.dialogs.export_dialog import MATTES, ExportDialog
 
     shown.actions_by_id["file.export"].trigger()
     dialog = shown.findChild(ExportDialog)
@@ -299,7 +299,7 @@ def photograph_start(shown: MainWindow) -> None:
 
 
 def photograph_parts(shown: MainWindow) -> None:
-    """A walking figure: its parts as drawn on the first frame, where they hang together, and tracked on a later one."""
+    """A walking figure: its parts on the first frame, their joints and edges there, and tracked on a later one."""
     from resources import walker
     from roam_core.roto import file
 
@@ -314,6 +314,10 @@ def photograph_parts(shown: MainWindow) -> None:
     shown.actions_by_id["view.joints"].trigger()
     photograph(shown, "parts-joints.jpg")
     shown.actions_by_id["view.joints"].trigger()
+    shown.actions_by_id["view.edges"].trigger()
+    until(lambda: len(shown.edge_kinds.here()) == len(walker.ORDER), "the edges")
+    photograph(shown, "parts-edges.jpg")
+    shown.actions_by_id["view.edges"].trigger()
     shown.view_state.set_play_range(walker.FIRST, WALKED_TO + 1)
     shown.view_state.select(frozenset())
     shown.actions_by_id["track.forward"].trigger()

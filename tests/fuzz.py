@@ -122,7 +122,8 @@ def read_settings(name: str) -> Callable[[Path], object]:
     """The loader of a settings file, loaded when it is asked for: it brings Qt along."""
 
     def read(path: Path) -> object:
-        from app import keymaps, preferences, recent
+        from app.actions import keymaps
+        from app.model import preferences, recent
 
         loaders: dict[str, Callable[[Path], object]] = {
             "preferences": preferences.load_preferences,

@@ -5,13 +5,14 @@ from __future__ import annotations
 from PySide6.QtCore import QEvent, QObject, Qt
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QToolButton, QWidget
 
-from app import style
-from app.actions import Actions
-from app.canvas.proposal_item import Side
-from app.canvas.view import CanvasView
-from app.panels.controls import weak_label
-from app.proposals import Proposals, sentence_of
 from roam_core.propagate.offers import Proposal
+
+from .. import style
+from ..actions.actions import Actions
+from ..features.proposals import Proposals, sentence_of
+from ..widgets.controls import weak_label
+from .items.proposal import Side
+from .view import CanvasView
 
 ANSWERS = ("proposal.keep", "proposal.refuse", "proposal.keep_always", "proposal.refuse_always")
 SIDES = {"proposal.keep": Side.AFTER, "proposal.refuse": Side.BEFORE}

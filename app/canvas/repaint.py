@@ -9,11 +9,12 @@ from PySide6.QtCore import QPointF, QRectF
 from PySide6.QtGui import QPainter, QPicture
 from PySide6.QtWidgets import QWidget
 
-from app.canvas.shape_item import Hover
-from app.canvas.shown import Shown, shown_shapes
-from app.canvas.viewport import Viewport
-from app.tools import Tool
 from roam_core.roto import Outline, Project, RotoShape
+
+from ..model.shown import Shown, shown_shapes
+from ..paint.viewport import Viewport
+from ..tools.tool import Tool
+from .items.shapes import Hover
 
 MARKS_MARGIN = 24.0
 """Rings, handles and wide lines reach so far from the points that they belong to, in widget units."""

@@ -6,7 +6,7 @@ from PySide6.QtCore import QEvent, QObject, QRect, Qt
 from PySide6.QtGui import QColor, QPainter, QPaintEvent, QRegion
 from PySide6.QtWidgets import QWidget
 
-from app.view_state import ViewState
+from ..model.view_state import ViewState
 
 RED = QColor("#d83a34")
 WIDTH, TAB_HEIGHT = 3, 20

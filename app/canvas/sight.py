@@ -2,19 +2,22 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 
 from PySide6.QtCore import QSizeF
 from PySide6.QtGui import QPainter
 
-from app.canvas.backdrop import Backdrop, Below
-from app.canvas.confidence_item import paint_confidence
-from app.canvas.onion_item import paint_onion
-from app.canvas.shape_item import Hover, ShapePainter
-from app.canvas.viewing import Onion, ViewMode
-from app.canvas.viewport import Viewport
-from app.view_state import Selection
+from roam_core.propagate.edges import Edges
 from roam_core.roto import Project
+
+from ..model.view_state import Selection
+from ..model.viewing import Onion, ViewMode
+from ..paint.viewport import Viewport
+from .items.confidence import paint_confidence
+from .items.onion import paint_onion
+from .items.shapes import Hover, ShapePainter
+from .plate.backdrop import Backdrop, Below
 
 
 @dataclass(frozen=True)
@@ -28,6 +31,7 @@ class Sight:
     mode, onion : how shapes are drawn.
     project, frame : whose shapes.
     shows_shapes : whether they are.
+    edges : of shapes whose outlines are drawn by what kind of edge they are, by their ids.
     """
 
     below: Below
@@ -37,6 +41,7 @@ class Sight:
     project: Project
     frame: int
     shows_shapes: bool
+    edges: Mapping[str, Edges] = field(default_factory=dict)
 
 
 class SightPainter:
@@ -63,4 +68,4 @@ class SightPainter:
             paint_confidence(painter, viewport, sight.project, sight.frame)
         elif sight.mode is ViewMode.ONION:
             paint_onion(painter, viewport, sight.project, sight.frame, selection, sight.onion, self._shapes.paths)
-        self._shapes.paint(painter, viewport, sight.project, sight.frame, selection, hover)
+        self._shapes.paint(painter, viewport, sight.project, sight.frame, selection, hover, sight.edges)

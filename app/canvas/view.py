@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,28 +10,32 @@ from PySide6.QtCore import QEvent, QPointF, QRectF, QSizeF, Qt, QTimer, Signal
 from PySide6.QtGui import QKeyEvent, QMouseEvent, QPainter, QPaintEvent, QTabletEvent, QWheelEvent
 from PySide6.QtWidgets import QWidget
 
-from app.belonging import Bone
-from app.canvas.feather_item import paint_feather
-from app.canvas.joint_item import paint_joints
-from app.canvas.keys import NUDGES, is_modifier, key_name
-from app.canvas.pen import Pen
-from app.canvas.proposal_item import ProposalPainter, Side
-from app.canvas.repaint import Repaint
-from app.canvas.shown import selection_bounds
-from app.canvas.sight import Sight, SightPainter
-from app.canvas.stage import Stage
-from app.canvas.viewing import Viewing, ViewMode
-from app.canvas.viewport import Viewport
-from app.canvas.wipe import Wipe
-from app.canvas.words import NO_PLATE, OPENING, paint_words
-from app.canvas.zoomable import ZoomableWidget
-from app.document import Document
-from app.jobs.picture_work import PictureWork
-from app.tools import TOOLS, PointActions, Pointer, Tool
-from app.tools.reshape import pruned
-from app.view_state import Selection, ViewState
+from roam_core.propagate.edges import Edges
 from roam_core.propagate.offers import Proposal
 from roam_core.roto import Project
+
+from ..actions.key_names import NUDGES, is_modifier, key_name
+from ..features.belonging import Bone
+from ..jobs.picture_work import PictureWork
+from ..model.document import Document
+from ..model.shown import selection_bounds
+from ..model.view_state import Selection, ViewState
+from ..model.viewing import Viewing, ViewMode
+from ..paint.feather import paint_feather
+from ..paint.viewport import Viewport
+from ..tools.edit.point_actions import PointActions
+from ..tools.reshape import pruned
+from ..tools.tool import Pointer, Tool
+from ..tools.toolbox import TOOLS
+from .items.joints import paint_joints
+from .items.proposal import ProposalPainter, Side
+from .pen import Pen
+from .plate.stage import Stage
+from .repaint import Repaint
+from .sight import Sight, SightPainter
+from .wipe import Wipe
+from .words import NO_PLATE, OPENING, paint_words
+from .zoomable import ZoomableWidget
 
 PATIENCE = 25
 """Milliseconds in which the picture of another frame should come; then the shapes go there without it."""
@@ -69,6 +73,8 @@ class CanvasView(ZoomableWidget):
         """Gives what the engine proposes for the present frame."""
         self.bones: Callable[[], Sequence[Bone]] = tuple
         """Gives where the parts in hand hang together on the present frame."""
+        self.edges: Callable[[], Mapping[str, Edges]] = dict
+        """Gives the kinds of edge of the shapes in hand on the present frame."""
         self._proposal_side = Side.BOTH
         self._is_pressed = self._is_waiting = False
         self._pointer: QPointF | None = None
@@ -226,7 +232,7 @@ class CanvasView(ZoomableWidget):
 
     def _follow_preview(self) -> None:
         """A drag goes on: only what it moved is painted again, where nothing but the plate lies below."""
-        is_plain = self.mode is ViewMode.OVERLAY and self.wipe.pinned is None
+        is_plain = self.mode is ViewMode.OVERLAY and self.wipe.pinned is None and not self.viewing.shows_edges
         self._repaint.follow_project(self._project(), self._view_state.frame, self._viewport, is_plain=is_plain)
 
     def _take_tool(self) -> None:
@@ -242,7 +248,8 @@ class CanvasView(ZoomableWidget):
         """What is shown now."""
         project, frame, image, viewing = self._project(), self._view_state.frame, self._image_size(), self.viewing
         below = self.stage.below(project, frame, image)
-        return Sight(below, image, viewing.mode, viewing.onion, project, frame, viewing.shows_shapes)
+        edges = self.edges() if viewing.shows_edges and viewing.shows_shapes else {}
+        return Sight(below, image, viewing.mode, viewing.onion, project, frame, viewing.shows_shapes, edges)
 
     # ---- painting
 

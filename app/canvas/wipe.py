@@ -7,9 +7,9 @@ from collections.abc import Callable
 from PySide6.QtCore import QObject, QPointF, QRectF, QSizeF, Qt, Signal
 from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen, QPolygonF
 
-from app.canvas import marks
-from app.canvas.sight import Sight
-from app.canvas.viewing import title_of
+from ..model.viewing import title_of
+from ..paint import marks
+from .sight import Sight
 
 REACH = 5.0
 """Half the width of the line's hit area, in widget units."""

@@ -5,11 +5,12 @@ from __future__ import annotations
 from PySide6.QtCore import QPointF, QRectF, QSizeF, Qt
 from PySide6.QtGui import QPainter
 
-from app.canvas.backdrop import paint_label, paint_sentence
-from app.canvas.confidence_item import LEGEND
-from app.canvas.sight import Sight
-from app.canvas.viewing import WITHOUT_SHAPES, ViewMode, title_of
-from app.canvas.viewport import Viewport
+from ..model.viewing import WITHOUT_SHAPES, ViewMode, title_of
+from ..paint.viewport import Viewport
+from .items import edges
+from .items.confidence import LEGEND
+from .plate.backdrop import paint_label, paint_sentence
+from .sight import Sight
 
 OPENING, NO_PLATE = "Opening …", "Drop a folder of images or a movie here"
 
@@ -32,5 +33,5 @@ def label_of(sight: Sight) -> str:
     if not sight.shows_shapes and sight.mode not in WITHOUT_SHAPES:
         return "Shapes hidden"
     if sight.mode is ViewMode.OVERLAY:
-        return ""
+        return edges.LEGEND if sight.edges else ""
     return LEGEND if sight.mode is ViewMode.CONFIDENCE else title_of(sight.mode)

@@ -6,7 +6,7 @@ from PySide6.QtCore import QEvent, QPointF, QRectF, QSizeF, Qt, Signal
 from PySide6.QtGui import QMouseEvent, QNativeGestureEvent, QResizeEvent, QWheelEvent
 from PySide6.QtWidgets import QWidget
 
-from app.canvas.viewport import Viewport
+from ..paint.viewport import Viewport
 
 ZOOM_PER_NOTCH = 1.2
 """Scaling by one notch of a mouse wheel (120 eighths of a degree); trackpads send fractions of it."""

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from PySide6.QtCore import QObject, Signal
 
-from app.counting import counted
-from app.jobs.runner import Ending, Report, Runner
 from roam_core.roto import Project
+
+from ..counting import counted
+from .runner import Ending, Report, Runner
 
 
 class Copying(QObject):

@@ -7,8 +7,9 @@ from typing import TYPE_CHECKING, Any
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
-from app.jobs.runner import Ending, Report, Runner
 from roam_core.errors import RoamError
+
+from .runner import Ending, Report, Runner
 
 if TYPE_CHECKING:
     from roam_core.media import FrameCache, PlateSource

@@ -9,10 +9,11 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Signal
 
-from app.document import Document
-from app.jobs.runner import Ending, Report, Runner
 from roam_core.roto import Project
 from roam_core.roto.layers import only
+
+from ..model.document import Document
+from .runner import Ending, Report, Runner
 
 if TYPE_CHECKING:
     from roam_core.interchange import ExportOptions

@@ -7,11 +7,12 @@ from dataclasses import dataclass
 from itertools import pairwise
 from typing import Any
 
-from app.jobs.runner import Report
 from roam_core.errors import RoamError
 from roam_core.params import RoamParams, params_for
 from roam_core.propagate.provenance import Stamps, takes_part
 from roam_core.roto import Keyframe, Origin, RotoShape
+
+from .runner import Report
 
 Gap = tuple[int, int]
 """Two frames with artist keys and none between."""

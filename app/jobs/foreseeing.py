@@ -8,9 +8,10 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
-from app.jobs.runner import Ending, Report, Runner
 from roam_core.roto import Project
 from roam_core.roto.layers import only
+
+from .runner import Ending, Report, Runner
 
 if TYPE_CHECKING:
     from roam_core.interchange import ExportOptions

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtCore import QObject, Signal
 
-from app.jobs.runner import Ending, Job, Report, Runner
+from .runner import Ending, Job, Report, Runner
 
 Spot = tuple[float, float]
 

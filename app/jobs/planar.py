@@ -10,12 +10,13 @@ from typing import Any
 
 from PySide6.QtCore import QObject, Signal
 
-from app.document import Document
-from app.jobs.runner import Ending, Job, Report, Runner
-from app.view_state import ViewState
 from roam_core.geometry.plane_motion import PlaneMotion
 from roam_core.roto import BlendMode, Layer, LayerTransform, Project, RotoShape
 from roam_core.roto.following import followed, with_moving_layer
+
+from ..model.document import Document
+from ..model.view_state import ViewState
+from .runner import Ending, Job, Report, Runner
 
 ReadFrame = Callable[[int], Any]
 LAYER_NAME = "Planar"

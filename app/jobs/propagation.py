@@ -9,16 +9,17 @@ from typing import Any
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
-from app.document import Document
-from app.jobs.filling import Filled, FillRequest, Gap, fill
-from app.jobs.runner import Ending, Job, Report, Runner
-from app.view_state import ViewState
 from roam_core.params import DEFAULT_CONFIG, DOUBTFUL
 from roam_core.propagate.memory import TrackMemory
 from roam_core.propagate.objects import decisive
 from roam_core.propagate.provenance import Stamps, clip_stamp
 from roam_core.propagate.result import FrameResult, Termination
 from roam_core.roto import Keyframe, Origin, Project, RotoShape, edit
+
+from ..model.document import Document
+from ..model.view_state import ViewState
+from .filling import Filled, FillRequest, Gap, fill
+from .runner import Ending, Job, Report, Runner
 
 ReadFrame = Callable[[int], Any]
 PATIENCE = 200

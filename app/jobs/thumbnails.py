@@ -9,11 +9,12 @@ from typing import TYPE_CHECKING, Any
 from PySide6.QtCore import QObject, QPointF, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QImage, QPainter, QPen, QPixmap, QPolygonF
 
-from app import style
-from app.canvas.shown import shown_shapes
-from app.jobs.runner import Report, Runner
-from app.recent import Recent
 from roam_core.roto import Project
+
+from .. import style
+from ..model.recent import Recent
+from ..model.shown import shown_shapes
+from .runner import Report, Runner
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

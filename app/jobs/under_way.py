@@ -6,7 +6,7 @@ from typing import Any, Protocol
 
 from PySide6.QtCore import QObject, Signal
 
-from app.jobs.runner import Ending
+from .runner import Ending
 
 
 class LongWork(Protocol):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from importlib import import_module
 
-from app.jobs.runner import Job, Report, Runner
+from .runner import Job, Report, Runner
 
 
 def use_threads(runner: Runner, count: int) -> Job:

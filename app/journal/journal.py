@@ -6,11 +6,11 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
 
-from app.document import Document
-from app.journal.beginning import Beginning
-from app.journal.recovery import prune
-from app.journal.session import Session
-from app.journal.writer import JournalWriter
+from ..model.beginning import Beginning
+from ..model.document import Document
+from .recovery import prune
+from .session import Session
+from .writer import JournalWriter
 
 
 class Journal(QObject):

@@ -13,15 +13,16 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
-from app.journal.delta import Delta, applied
-from app.journal.record import Damaged, Entry, entries
-from app.journal.session import DECLINED, RECOVERED, is_held, journals
-from app.journal.writer import ROOT, VERSION
-from app.preferences import MOST_BACKUPS
 from roam_core.errors import RoamError
 from roam_core.roto import Project, file
 from roam_core.roto.backups import backup_path
 from roam_core.roto.fingerprint import Fingerprint
+
+from ..model.preferences import MOST_BACKUPS
+from .delta import Delta, applied
+from .record import Damaged, Entry, entries
+from .session import DECLINED, RECOVERED, is_held, journals
+from .writer import ROOT, VERSION
 
 KEPT_SESSIONS = 10
 """Sessions kept whose work was saved, thrown away or recovered."""

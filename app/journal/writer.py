@@ -12,13 +12,14 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import IO
 
-from app.journal.beginning import Beginning
-from app.journal.delta import between
-from app.journal.record import Entry, append
-from app.journal.session import RECOVERED, Session
 from roam_core.errors import RoamError
 from roam_core.roto import Project, file
 from roam_core.roto.fingerprint import Fingerprint
+
+from ..model.beginning import Beginning
+from .delta import between
+from .record import Entry, append
+from .session import RECOVERED, Session
 
 VERSION = 1
 ROOT = Path("/")

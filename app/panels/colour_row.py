@@ -6,8 +6,9 @@ from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QButtonGroup, QColorDialog, QHBoxLayout, QToolButton, QWidget
 
-from app import style
 from roam_core.roto.project import PALETTE
+
+from .. import style
 
 Colour = tuple[float, float, float]
 

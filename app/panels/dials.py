@@ -7,12 +7,13 @@ from collections.abc import Callable
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QHBoxLayout, QPushButton, QToolButton, QVBoxLayout, QWidget
 
-from app import style
-from app.panels.controls import dense_form
-from app.panels.fields import NumberField, ScrubLabel
-from app.tracking import Tracking
 from roam_core.dials import DIALS, dials_of
 from roam_core.params import params_for
+
+from .. import style
+from ..features.tracking import Tracking
+from ..widgets.controls import dense_form
+from ..widgets.fields import NumberField, ScrubLabel
 
 STEP = 10.0
 """Percent."""

@@ -9,16 +9,17 @@ from typing import Any
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QLineEdit, QPushButton, QWidget
 
-from app import style
-from app.document import Document
-from app.panels.controls import dense_form, form_label
-from app.panels.fields import BlendBox, NumberField, ScrubLabel, SwitchBox, shared
-from app.panels.value_key import ValueKeyButton, ValueVerb, keyed_row
-from app.view_state import ViewState
 from roam_core.roto import Layer
 from roam_core.roto.animated import Animated, set_at
 from roam_core.roto.following import still
 from roam_core.roto.value_keys import with_value
+
+from .. import style
+from ..model.document import Document
+from ..model.view_state import ViewState
+from ..widgets.controls import dense_form, form_label
+from ..widgets.fields import BlendBox, NumberField, ScrubLabel, SwitchBox, shared
+from .value_key import ValueKeyButton, ValueVerb, keyed_row
 
 FREE_OF_LOCKS = {"visible", "locked"}
 """What can be changed on a locked layer."""

@@ -5,9 +5,9 @@ from __future__ import annotations
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QPlainTextEdit, QToolButton, QVBoxLayout, QWidget
 
-from app import style
-from app.messages import MOST, MessageLog
-from app.panels.controls import icon_button
+from .. import style
+from ..features.messages import MOST, MessageLog
+from ..widgets.controls import icon_button
 
 
 class LogPanel(QWidget):

@@ -7,15 +7,16 @@ from collections.abc import Sequence
 from PySide6.QtCore import QSignalBlocker
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QWidget
 
-from app import style
-from app.belonging import Belonging
-from app.document import Document
-from app.object_verbs import LEVELS, ObjectVerbs
-from app.panels.controls import ChoiceBox, dense_form, form_label
-from app.panels.fields import MIXED, SwitchBox, shared
-from app.view_state import ViewState, selected_shapes
 from roam_core.roto import RotoShape
 from roam_core.roto.linking import AS_STACKED, links
+
+from .. import style
+from ..features.belonging import Belonging
+from ..features.verbs.objects import LEVELS, ObjectVerbs
+from ..model.document import Document
+from ..model.view_state import ViewState, selected_shapes
+from ..widgets.controls import ChoiceBox, dense_form, form_label
+from ..widgets.fields import MIXED, SwitchBox, shared
 
 BY_OUTLINES, NEW_LINK, APART, OF_LINK = "outlines", "new", "apart", "link:"
 """What can be chosen: left to the outlines, a new link, a link of its own, or a link by its name."""

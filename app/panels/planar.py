@@ -5,11 +5,12 @@ from __future__ import annotations
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QHBoxLayout, QToolButton, QWidget
 
-from app import style
-from app.actions import Actions
-from app.panels.controls import ChoiceBox, tool_button
-from app.planar_tracking import PlanarTracking
 from roam_core.geometry.plane_motion import PlaneMotion
+
+from .. import style
+from ..actions.actions import Actions
+from ..features.planar_tracking import PlanarTracking
+from ..widgets.controls import ChoiceBox, tool_button
 
 WORDS = {
     PlaneMotion.TRANSLATION: ("Position", "The plane moves, and neither turns nor grows"),

@@ -17,22 +17,23 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app import style
-from app.belonging import Belonging
-from app.document import Document
-from app.navigation import clip_frames
-from app.panels.colour_row import ColourRow
-from app.panels.controls import FRAME_LIMIT, dense_form, form_label
-from app.panels.fields import BlendBox, NumberField, ScrubLabel, SwitchBox, shared
-from app.panels.layer_form import LayerForm
-from app.panels.object_form import ObjectForm
-from app.panels.value_key import ValueKeyButton, keyed_row
-from app.view_state import ViewState, selected_shapes
 from roam_core.roto import MotionBlur, RotoShape
 from roam_core.roto.animated import Animated, value_at
 from roam_core.roto.edit import MIN_POINTS_CLOSED
 from roam_core.roto.properties import begin_at, end_at, limit_lifetime, set_motion_blur
 from roam_core.roto.value_keys import set_value, with_value
+
+from .. import style
+from ..features.belonging import Belonging
+from ..features.navigation import clip_frames
+from ..model.document import Document
+from ..model.view_state import ViewState, selected_shapes
+from ..widgets.controls import FRAME_LIMIT, dense_form, form_label
+from ..widgets.fields import BlendBox, NumberField, ScrubLabel, SwitchBox, shared
+from .colour_row import ColourRow
+from .layer_form import LayerForm
+from .object_form import ObjectForm
+from .value_key import ValueKeyButton, keyed_row
 
 NOTHING = "Select a shape to see its properties."
 FREE_OF_LOCKS = {"visible", "locked"}

@@ -8,13 +8,15 @@ from PySide6.QtCore import QSignalBlocker, QSize, Qt
 from PySide6.QtGui import QBrush, QColor, QDropEvent, QIcon, QKeyEvent, QMouseEvent
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QLabel, QTreeWidget, QTreeWidgetItem, QVBoxLayout, QWidget
 
-from app import shape_verbs, style
-from app.document import Document
-from app.keymaps import told
-from app.view_state import ViewState
 from roam_core.errors import RoamError
 from roam_core.roto import Layer, RotoShape, edit
 from roam_core.roto.layers import moved, top_items
+
+from .. import style
+from ..actions.keymaps import told
+from ..features.verbs.shapes import delete, toggle
+from ..model.document import Document
+from ..model.view_state import ViewState
 
 NAME, EYE, LOCK = 0, 1, 2
 LEAST_ROWS, MOST_ROWS = 4, 9
@@ -152,7 +154,7 @@ class ShapeTree(QTreeWidget):
             return
         pressed = row.data(NAME, ID)
         others = [item_id for item_id in self.selected_ids() if item_id != pressed] if row.isSelected() else []
-        shape_verbs.toggle(self._document, "visible" if column == EYE else "locked", [pressed, *others])
+        toggle(self._document, "visible" if column == EYE else "locked", [pressed, *others])
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
         """Two quick presses on an eye or a lock are two presses."""
@@ -167,7 +169,7 @@ class ShapeTree(QTreeWidget):
 
     def delete_selected(self) -> None:
         """Delete the layers and shapes of the selected rows."""
-        shape_verbs.delete(self._document, self.selected_ids())
+        delete(self._document, self.selected_ids())
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         if event.key() in (Qt.Key.Key_Delete, Qt.Key.Key_Backspace):

@@ -2,17 +2,20 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QFormLayout, QHBoxLayout, QLabel, QVBoxLayout, QWidget
 
-from app import style
-from app.actions import Actions
-from app.document import Document
-from app.panels.controls import ChoiceBox, dense_form, form_label, tool_button, weak_label
-from app.panels.dials import DialForm
-from app.tracking import Scope, Tracking
-from app.view_state import ViewState, shapes_in_hand
 from roam_core.params import CONFIGS, DOUBTFUL
+
+from .. import style
+from ..actions.actions import Actions
+from ..features.tracking import Scope, Tracking
+from ..model.document import Document
+from ..model.view_state import ViewState, shapes_in_hand
+from ..widgets.controls import ChoiceBox, dense_form, form_label, tool_button, weak_label
+from .dials import DialForm
 
 BUTTONS = (
     "track.backward",
@@ -70,6 +73,15 @@ class TrackerPanel(QWidget):
             signal.connect(self._pull)
         self._pull_mode()
         self._pull()
+
+    def remembered(self) -> dict[str, dict[str, str]]:
+        """The turned dials, to be kept."""
+        return self._tracking.remembered()
+
+    def recall(self, kept: Mapping[str, Mapping[str, str]]) -> None:
+        """Turn the dials as `remembered` told."""
+        self._tracking.recall(kept)
+        self.dials.pull()
 
     def _fill_modes(self) -> None:
         for name in CONFIGS:

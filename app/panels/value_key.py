@@ -9,11 +9,12 @@ from PySide6.QtCore import QPoint, Qt, QTimer, Signal
 from PySide6.QtGui import QAction, QMouseEvent
 from PySide6.QtWidgets import QHBoxLayout, QMenu, QToolButton, QWidget
 
-from app import style
-from app.panels.fields import NumberField, shared
 from roam_core.roto import Interpolation
 from roam_core.roto.animated import Animatable
 from roam_core.roto.value_keys import Keying, interpolated, keyed, keying, leading_key, still, unkeyed
+
+from .. import style
+from ..widgets.fields import NumberField, shared
 
 ValueVerb = Callable[[Animatable], Animatable]
 

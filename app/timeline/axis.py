@@ -8,9 +8,9 @@ from PySide6.QtCore import QObject, QPointF, Qt, Signal
 from PySide6.QtGui import QColor, QPainter, QPen, QWheelEvent
 from PySide6.QtWidgets import QWidget
 
-from app import style
-from app.timeline.scale import RIGHT_MARGIN, TimeScale
-from app.view_state import ViewState
+from .. import style
+from ..model.view_state import ViewState
+from .scale import RIGHT_MARGIN, TimeScale
 
 FARTHEST = 3.0
 """Frames that time is panned by while a drag is held beyond an end of the strip, a move of the pointer."""

@@ -11,14 +11,15 @@ from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QHelpEvent, QMouseEvent, QPainter, QPaintEvent, QResizeEvent, QWheelEvent
 from PySide6.QtWidgets import QHBoxLayout, QSizePolicy, QToolTip, QWidget
 
-from app import style
-from app.document import Document
-from app.timeline.axis import TimeAxis
-from app.timeline.marks import MarksOf
-from app.timeline.scale import LABEL_WIDTH
-from app.tracking import doubt_sentence, doubtful_points
-from app.view_state import shapes_in_hand
 from roam_core.params import DOUBTFUL
+
+from .. import style
+from ..features.tracking import doubt_sentence, doubtful_points
+from ..model.document import Document
+from ..model.view_state import shapes_in_hand
+from .axis import TimeAxis
+from .marks import MarksOf
+from .scale import LABEL_WIDTH
 
 Pairs = NDArray[np.float64]
 Values = NDArray[np.float64]

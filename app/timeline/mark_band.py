@@ -8,12 +8,13 @@ from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QHelpEvent, QKeyEvent, QMouseEvent, QPainter, QPaintEvent, QPolygonF, QWheelEvent
 from PySide6.QtWidgets import QLineEdit, QSizePolicy, QToolTip, QWidget
 
-from app import style
-from app.document import Document
-from app.focus import KEEPS_KEYBOARD
-from app.timeline.axis import TimeAxis, paint_playhead
-from app.timeline.scale import LABEL_WIDTH
 from roam_core.roto import Mark, Project, timing
+
+from .. import style
+from ..model.document import Document
+from ..widgets.focus import KEEPS_KEYBOARD
+from .axis import TimeAxis, paint_playhead
+from .scale import LABEL_WIDTH
 
 HEIGHT = 18
 FLAG = 4.0

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from app.document import Document
-from app.view_state import ViewState
 from roam_core.roto import timing
+
+from ..model.document import Document
+from ..model.view_state import ViewState
 
 NO_CLIP = "Open a clip first: marks lie on its frames."
 

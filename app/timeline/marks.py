@@ -8,11 +8,12 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from app.document import Document
 from roam_core.params import DOUBTFUL
 from roam_core.propagate.provenance import Stamps
 from roam_core.roto import Interpolation, Origin, Project, RotoShape
 from roam_core.roto.imported import is_import
+
+from ..model.document import Document
 
 Frames = NDArray[np.int64]
 

@@ -6,8 +6,8 @@ from PySide6.QtCore import QEvent, QObject, QSignalBlocker, Qt
 from PySide6.QtGui import QMouseEvent
 from PySide6.QtWidgets import QHBoxLayout, QScrollBar, QWidget
 
-from app.timeline.axis import TimeAxis
-from app.timeline.scale import LABEL_WIDTH, RIGHT_MARGIN
+from .axis import TimeAxis
+from .scale import LABEL_WIDTH, RIGHT_MARGIN
 
 FINENESS = 100
 """Steps of the bar in a frame: a bar counts in whole numbers."""

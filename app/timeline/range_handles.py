@@ -8,8 +8,8 @@ from enum import StrEnum
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QPainter, QPen
 
-from app import style
-from app.timeline.axis import TimeAxis
+from .. import style
+from .axis import TimeAxis
 
 GRAB = 6
 """Pixels around a bracket in which a press takes hold of it."""

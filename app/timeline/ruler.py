@@ -20,10 +20,10 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QToolTip, QWidget
 
-from app import style
-from app.timeline.axis import TimeAxis
-from app.timeline.range_handles import End, RangeHandles
-from app.timeline.scale import LABEL_WIDTH
+from .. import style
+from .axis import TimeAxis
+from .range_handles import End, RangeHandles
+from .scale import LABEL_WIDTH
 
 HEIGHT = 34
 CACHE_HEIGHT = 3

@@ -6,19 +6,19 @@ from collections.abc import Callable, Iterable
 
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
-from app.actions import Actions
-from app.document import Document
-from app.timeline.axis import TimeAxis
-from app.timeline.confidence import ConfidencePlot
-from app.timeline.key_rows import KeyRows
-from app.timeline.key_selection import KeySelection
-from app.timeline.key_verbs import KeyVerbs
-from app.timeline.mark_band import MarkBand
-from app.timeline.mark_verbs import MarkVerbs
-from app.timeline.marks import MarksOf
-from app.timeline.panning import PanHand, TimeBar
-from app.timeline.ruler import Ruler
-from app.view_state import ViewState
+from ..actions.actions import Actions
+from ..model.document import Document
+from ..model.view_state import ViewState
+from .axis import TimeAxis
+from .confidence import ConfidencePlot
+from .keys.rows import KeyRows
+from .keys.selection import KeySelection
+from .keys.verbs import KeyVerbs
+from .mark_band import MarkBand
+from .mark_verbs import MarkVerbs
+from .marks import MarksOf
+from .panning import PanHand, TimeBar
+from .ruler import Ruler
 
 KEY_MENU = ("key.linear", "key.smooth", "key.hold"), ("edit.copy", "edit.cut", "edit.paste"), ("points.delete",)
 """What a right click on the key rows offers, in groups."""

@@ -7,12 +7,12 @@ from functools import partial
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QWidget
 
-from app import style
-from app.actions import Actions
-from app.navigation import Navigation
-from app.panels.controls import number_field, tool_button, weak_label
-from app.playback import Playback, Repeat
-from app.view_state import ViewState
+from .. import style
+from ..actions.actions import Actions
+from ..features.navigation import Navigation
+from ..features.playback import Playback, Repeat
+from ..model.view_state import ViewState
+from ..widgets.controls import number_field, tool_button, weak_label
 
 BUTTONS = (
     "time.first",

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from app.document import Document
-from app.tools.gestures import Gesture
-from app.tools.tool import Pointer, Tool
-from app.view_state import ViewState
+from ..model.document import Document
+from ..model.view_state import ViewState
+from .gestures import Gesture
+from .tool import Pointer, Tool
 
 DROP_KEYS = frozenset({"Esc", "Ctrl+Z"})
 """Keys that drop a gesture that is under way."""

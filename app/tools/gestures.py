@@ -8,17 +8,18 @@ from collections.abc import Callable
 from PySide6.QtCore import QRectF
 from PySide6.QtGui import QPainter, QPolygonF
 
-from app.canvas import marks
-from app.canvas.shown import editable_shapes
-from app.canvas.viewport import Viewport
-from app.document import Document
-from app.tools.hit_test import points_in_box, points_in_lasso
-from app.tools.reshape import Grab, Tangent, Vector, break_tangent, keys_changed, pull_out, turn
-from app.tools.tool import Modifier, Pointer
-from app.view_state import Selection, ViewState
 from roam_core.roto import Project, edit
 from roam_core.roto.edit import Part
 from roam_core.roto.keying import AUTO_KEY
+
+from ..model.document import Document
+from ..model.shown import editable_shapes
+from ..model.view_state import Selection, ViewState
+from ..paint import marks
+from ..paint.viewport import Viewport
+from .hit_test import points_in_box, points_in_lasso
+from .reshape import Grab, Tangent, Vector, break_tangent, keys_changed, pull_out, turn
+from .tool import Modifier, Pointer
 
 LASSO_STEP = 2.0
 """A lasso's line gets a corner after so many screen pixels."""

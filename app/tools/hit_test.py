@@ -12,11 +12,12 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from app.canvas.shown import editable_shapes
-from app.view_state import Selection
 from roam_core.geometry import bezier
 from roam_core.geometry.bezier import ANCHOR, IN, OUT
 from roam_core.roto import Project, RotoShape
+
+from ..model.shown import editable_shapes
+from ..model.view_state import Selection
 
 Array = NDArray[np.float64]
 Vector = tuple[float, float]

@@ -8,8 +8,6 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from app.canvas.shown import editable_shapes
-from app.view_state import Selection, ViewState
 from roam_core.geometry import affine
 from roam_core.geometry.bezier import ANCHOR, OUT
 from roam_core.geometry.extent import extent
@@ -17,6 +15,9 @@ from roam_core.roto import Outline, Project, RotoShape, edit
 from roam_core.roto.edit import Part
 from roam_core.roto.keying import AUTO_KEY, Change, Keying, held_at, reshape
 from roam_core.roto.transform import falloff, transform_like
+
+from ..model.shown import editable_shapes
+from ..model.view_state import Selection, ViewState
 
 Array = NDArray[np.float64]
 Vector = tuple[float, float]

@@ -9,10 +9,11 @@ from numpy.typing import NDArray
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QPainter, QPen
 
-from app.canvas import marks
-from app.canvas.viewport import Viewport
 from roam_core.geometry.bezier import ANCHOR
 from roam_core.roto import Project
+
+from ..paint import marks
+from ..paint.viewport import Viewport
 
 SIZE = marks.ANCHOR_SIZE - 1.0
 

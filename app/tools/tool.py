@@ -8,10 +8,10 @@ from typing import ClassVar
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QPainter
 
-from app.canvas.viewport import Viewport
-from app.document import Document
-from app.jobs.picture_work import PictureWork
-from app.view_state import ViewState
+from ..jobs.picture_work import PictureWork
+from ..model.document import Document
+from ..model.view_state import ViewState
+from ..paint.viewport import Viewport
 
 Modifier = Qt.KeyboardModifier
 
@@ -108,7 +108,7 @@ class Tool:
         return frozenset()
 
     def key(self, name: str) -> None:
-        """One of the claimed keys was pressed; `name` as in `app.canvas.keys.key_name`."""
+        """One of the claimed keys was pressed; `name` as in `app.actions.key_names.key_name`."""
 
     def paint(self, painter: QPainter, viewport: Viewport) -> None:
         """Paint the tool's own marks, in widget coordinates, above the shapes."""

@@ -1,9 +1,9 @@
 """The built-in demo shot: a manta ray over a reef, rendered by code, with its true outline known on every frame."""
 
-from resources.demo.frames import cache_name, missing_frames, write_frames
-from resources.demo.outline import true_points
-from resources.demo.shot import occlusion, render_frame, true_mask
-from resources.demo.timing import FIRST, LAST, SIZE
+from .frames import cache_name, missing_frames, write_frames
+from .outline import true_points
+from .shot import occlusion, render_frame, true_mask
+from .timing import FIRST, LAST, SIZE
 
 __all__ = [
     "FIRST",

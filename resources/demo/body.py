@@ -11,8 +11,8 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from resources.demo import camera
-from resources.demo.timing import FIRST, Array, progress
+from . import camera
+from .timing import FIRST, Array, progress
 
 HALF_SPAN = 170.0
 """Half the wing span on the plate in pixels, at scale 1."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from resources.demo.timing import FIRST, SIZE, Array, progress
+from .timing import FIRST, SIZE, Array, progress
 
 PAN = np.array([200.0, -62.0])
 """How far the camera travels over the whole shot, in pixels of the sand."""

@@ -8,8 +8,8 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from resources.demo.noise import Image
-from resources.demo.timing import SIZE, Array
+from .noise import Image
+from .timing import SIZE, Array
 
 GRAIN_SEED = 91
 _WEIGHTS = np.array([0.2126, 0.7152, 0.0722], dtype=np.float32)

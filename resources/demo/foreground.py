@@ -7,9 +7,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from resources.demo import body, camera
-from resources.demo.noise import Image
-from resources.demo.timing import FIRST, SIZE, smoothstep
+from . import body, camera
+from .noise import Image
+from .timing import FIRST, SIZE, smoothstep
 
 MEETING = 1027.0
 """The moment at which the school is in the middle of its crossing."""

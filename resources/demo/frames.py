@@ -9,8 +9,8 @@ from pathlib import Path
 
 import cv2
 
-from resources.demo.shot import render_frame
-from resources.demo.timing import FIRST, LAST
+from .shot import render_frame
+from .timing import FIRST, LAST
 
 VERSION = "manta-2"
 """Changes with every change of the picture or the true outline, so that no old frames are taken for new ones."""

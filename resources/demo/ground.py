@@ -9,8 +9,8 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from resources.demo.noise import Image, fractal
-from resources.demo.timing import SIZE, smoothstep
+from .noise import Image, fractal
+from .timing import SIZE, smoothstep
 
 MARGIN = (190, 120)
 """How far the textures reach past the plate on each side, in pixels: the room for the camera's travel."""

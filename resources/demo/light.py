@@ -7,8 +7,8 @@ from functools import lru_cache
 import cv2
 import numpy as np
 
-from resources.demo.noise import Image, cell_walls, fractal
-from resources.demo.timing import FIRST, SIZE, Array, progress, smoothstep
+from .noise import Image, cell_walls, fractal
+from .timing import FIRST, SIZE, Array, progress, smoothstep
 
 _TILE = 512
 _COARSE = 3

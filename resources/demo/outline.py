@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from resources.demo import body
-from resources.demo.timing import Array
+from . import body
+from .timing import Array
 
 STEPS = 20
 """Polyline vertices per Bezier segment when the outline is drawn."""

@@ -6,12 +6,12 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from resources.demo import body, camera, film, foreground, ground, light, skin
-from resources.demo.coverage import coverage
-from resources.demo.foreground import Layer
-from resources.demo.noise import Image
-from resources.demo.outline import polyline, true_points
-from resources.demo.timing import SIZE, Array, check_frame, shutter_times
+from . import body, camera, film, foreground, ground, light, skin
+from .coverage import coverage
+from .foreground import Layer
+from .noise import Image
+from .outline import polyline, true_points
+from .timing import SIZE, Array, check_frame, shutter_times
 
 WATER = np.array([0.006, 0.033, 0.048], dtype=np.float32)
 """Light that the water itself sends to the lens."""

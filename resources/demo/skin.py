@@ -8,9 +8,9 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from resources.demo.ground import mixed
-from resources.demo.noise import Image, fractal
-from resources.demo.timing import Array, smoothstep
+from .ground import mixed
+from .noise import Image, fractal
+from .timing import Array, smoothstep
 
 SCALE = 240.0
 """Texture pixels per half wing span: finer than the plate, so that the manta stays sharp when it is near."""

@@ -6,8 +6,8 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from resources.demo.noise import Image, fractal
-from resources.demo.timing import Array, smoothstep
+from ..demo.noise import Image, fractal
+from ..demo.timing import Array, smoothstep
 
 TILE = 360
 """Pixels of a side of a cloth: more than any part is long."""

@@ -15,12 +15,12 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from resources.demo.coverage import coverage
-from resources.demo.noise import Image
-from resources.demo.outline import polyline
-from resources.demo.timing import Array
-from resources.walker import cloth
-from resources.walker.body import ORDER, Gait, kind_of, pose, rest_points
+from ..demo.coverage import coverage
+from ..demo.noise import Image
+from ..demo.outline import polyline
+from ..demo.timing import Array
+from . import cloth
+from .body import ORDER, Gait, kind_of, pose, rest_points
 
 Mask = NDArray[np.bool_]
 

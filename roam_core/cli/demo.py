@@ -11,12 +11,12 @@ import numpy as np
 from platformdirs import user_cache_path
 from tqdm import tqdm
 
-from resources import demo
 from roam_core.cli.configuring import configured
 from roam_core.cli.overwriting import add_overwrite, project_writer
 from roam_core.cli.plate import Plate, opened
 from roam_core.cli.track import Report, frame_range, print_line, require_target, require_writable, track_project
 from roam_core.errors import RoamError
+from roam_core.installation import demo
 from roam_core.interchange.authorship import Kind
 from roam_core.interchange.targets import Sources, require_free
 from roam_core.matte import render_matte

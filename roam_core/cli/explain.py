@@ -23,6 +23,7 @@ from roam_core.features import PreparedFrame
 from roam_core.interchange.authorship import Kind
 from roam_core.interchange.mattes.files import signed_png
 from roam_core.interchange.targets import Sources, require_free
+from roam_core.propagate.edges import Edge, Edges
 from roam_core.propagate.engines.protocol import REGION
 from roam_core.propagate.explain import Explanation, explain
 from roam_core.roto import Origin, Project, RotoShape
@@ -123,6 +124,9 @@ def line_of(each: Explanation) -> dict[str, object]:
         "unit": "nats for the outline" if each.account.more_is_better else "energy",
         "apart": round(each.apart, 6),
         "as_one_piece": None if each.account.as_one_piece is None else round(each.account.as_one_piece, 6),
+        "edges": _shares(each.edges),
+        "key_frame": None if each.on_key is None else each.on_key[0],
+        "edges_on_key": None if each.on_key is None else _shares(each.on_key[1]),
         "sums": {name: round(value, 6) for name, value in each.account.sums.items()},
         "nodes": node_rows(each),
         "landmarks": landmark_rows(each),
@@ -174,13 +178,13 @@ def text_of(each: Explanation) -> list[str]:
     """The explanation of one shape as lines of text."""
     head = f"{each.shape.name!r}, frame {each.key.frame}: "
     if each.key.origin is Origin.ARTIST:
-        return [f"{head}the artist made this key; nothing was solved."]
+        return [f"{head}the artist made this key; nothing was solved.", *edge_lines(each)]
     head += f"{each.config}, {len(each.account.nodes)} nodes on {each.shape.point_count} points"
     if not each.account.terms:
-        return [f"{head}. The shape had left the picture: it was carried on as it moved."]
+        return [f"{head}. The shape had left the picture: it was carried on as it moved.", *edge_lines(each)]
     if each.account.landmarks is not None:
         head += f", {len(each.account.landmarks.ids)} landmarks"
-    lines = [head, *_apart_lines(each), *_piece_lines(each), "", *_sum_lines(each), ""]
+    lines = [head, *_apart_lines(each), *_piece_lines(each), *edge_lines(each), "", *_sum_lines(each), ""]
     if each.account.more_is_better:
         lines.append("Nats for the object just inside / just outside of the outline at each node; their difference:")
         lines += table([_beside(row) for row in node_rows(each)])
@@ -190,6 +194,26 @@ def text_of(each: Explanation) -> list[str]:
     if each.account.landmarks is not None and len(each.account.landmarks.ids):
         lines += ["", "Energy of each landmark; less is better:", *table(landmark_rows(each))]
     return [*lines, ""]
+
+
+def edge_lines(each: Explanation) -> list[str]:
+    """How much of the outline is free, a seam or hidden, on the frame and on the artist's key."""
+    if each.edges is None:
+        return []
+    lines = [f"Of its outline {_told(each.edges)}."]
+    if each.on_key is not None and each.on_key[0] != each.key.frame:
+        lines.append(f"On its key, frame {each.on_key[0]}, {_told(each.on_key[1])}.")
+    return lines
+
+
+def _told(found: Edges) -> str:
+    words = {Edge.FREE: "is free", Edge.SEAM: "a seam", Edge.HIDDEN: "hidden", Edge.UNKNOWN: "outside the picture"}
+    shares = [(word, found.share(kind)) for kind, word in words.items()]
+    return ", ".join(f"{share:.0%} {word}" for word, share in shares if share or word != "outside the picture")
+
+
+def _shares(found: Edges | None) -> Row | None:
+    return None if found is None else {name: round(share, 6) for name, share in found.shares.items()}
 
 
 def _apart_lines(each: Explanation) -> list[str]:

@@ -7,11 +7,11 @@ import sys
 from collections.abc import Sequence
 from contextlib import suppress
 from importlib import import_module
-from importlib.metadata import PackageNotFoundError, version
 from io import TextIOWrapper
 from keyword import iskeyword
 from types import ModuleType
 
+from roam_core import __version__
 from roam_core.cancel import Cancelled
 from roam_core.cli.lines import discard_output, flush_output
 from roam_core.cli.stopping import Stopped, raising
@@ -70,7 +70,7 @@ def main(argv: Sequence[str] | None = None) -> int:
 
 def _run(argv: list[str]) -> int:
     parser = argparse.ArgumentParser(prog="roam", description="Rotoscoping: editable curves carried through a shot.")
-    parser.add_argument("--version", action="version", version=f"roam {_version()}")
+    parser.add_argument("--version", action="version", version=f"roam {__version__}")
     commands = parser.add_subparsers(dest="command", required=True, metavar="command")
     for name, summary in COMMANDS.items():
         command = commands.add_parser(name, help=summary, description=summary.capitalize() + ".")
@@ -84,10 +84,3 @@ def _run(argv: list[str]) -> int:
 
 def _module(command: str) -> ModuleType:
     return import_module(f"roam_core.cli.{command}{'_' if iskeyword(command) else ''}")
-
-
-def _version() -> str:
-    try:
-        return version("roam-roto")
-    except PackageNotFoundError:
-        return "(not installed)"

@@ -3,7 +3,7 @@
 from roam_core.interchange.mattes.exporter import write_matte, write_mattes
 from roam_core.interchange.protocol import Exporter, ExportOptions, KeyChoice
 from roam_core.interchange.reading import Imported, Importer, ImportOptions, MaskOptions
-from roam_core.interchange.registry import EXPORTERS, IMPORTERS, exporter_for, importer_for, read_shapes
+from roam_core.interchange.registry import EXPORTERS, IMPORTERS, exporter_for, importer_for, read_shapes, write_shapes
 
 __all__ = [
     "EXPORTERS",
@@ -20,4 +20,5 @@ __all__ = [
     "read_shapes",
     "write_matte",
     "write_mattes",
+    "write_shapes",
 ]

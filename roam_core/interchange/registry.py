@@ -23,12 +23,12 @@ from roam_core.interchange.nuke.python_script import NukePythonExporter
 from roam_core.interchange.nuke.reading import NukeImporter
 from roam_core.interchange.nuke.tracks import NukeTracksExporter
 from roam_core.interchange.plain_json import JsonFormat
-from roam_core.interchange.protocol import Exporter
+from roam_core.interchange.protocol import STANDARD, Exporter, ExportOptions
 from roam_core.interchange.reading import PLAIN, Imported, Importer, ImportOptions
 from roam_core.interchange.silhouette.exporter import SilhouetteExporter
 from roam_core.interchange.silhouette.reading import SilhouetteImporter
 from roam_core.interchange.svg.format import SvgFormat
-from roam_core.roto import Clip
+from roam_core.roto import Clip, Project
 
 
 class Exporters(dict[str, Exporter]):
@@ -88,9 +88,41 @@ def importer_for(path: Path) -> Importer:
     raise RoamError(f"{path} has no suffix that ROAM reads shapes from; it reads: {known}, and folders of masks.")
 
 
-def read_shapes(path: Path, clip: Clip, options: ImportOptions = PLAIN) -> Imported:
-    """Read the shapes of a file, whatever its format, into pixels and frames of `clip`.
+def read_shapes(path: str | Path, clip: Clip, options: ImportOptions = PLAIN) -> Imported:
+    """Read the shapes of a file, or of a folder of masks, into pixels and frames of `clip`.
 
-    Raises `RoamError` when the suffix is not known, the file cannot be read, is none of its format, or is too large.
+    The suffix tells the format: `.nk`, `.fxs`, `.sfx`, `.setting`, `.svg`, `.json` or `.xml`; a picture or a folder
+    is a sequence of masks. `roam_core.edit.add_items` puts what was read into a project.
+
+    Raises
+    ------
+    RoamError
+        when the suffix is not known, the file cannot be read, is none of its format, or is too large.
     """
+    path = Path(path)
     return importer_for(path).read(path, clip, options)
+
+
+def write_shapes(project: Project, path: str | Path, name: str, options: ExportOptions = STANDARD) -> tuple[str, ...]:
+    """Write all shapes of a project for another program; a file that is there is replaced.
+
+    Parameters
+    ----------
+    project : a project with a clip.
+    path : the file; for mattes, and for SVG of every frame, a pattern such as `matte.####.png`.
+    name : of the format, as `roam export --to` takes it: `nuke`, `silhouette`, `after-effects`, `fusion`, `blender`,
+        `natron`, `svg`, `json` and the others of `roam_core.interchange.EXPORTERS`.
+    options : which keys and frames, how exactly, and whether what the format cannot hold may be lost.
+
+    Returns
+    -------
+    One sentence for each thing that the format cannot hold and that was therefore left out or changed.
+
+    Raises
+    ------
+    LossyExport
+        when the mattes would differ in the other program, and the options are not `lossy`.
+    RoamError
+        when the format is not known, the project has no clip, or the file cannot be written.
+    """
+    return exporter_for(name).export(project, Path(path), options)

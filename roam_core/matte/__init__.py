@@ -2,6 +2,6 @@
 
 from roam_core.matte.compose import render_matte
 from roam_core.matte.rasterise import Matte, Patch, shape_matte, shape_patch
-from roam_core.matte.vectorise import shapes_from_mask
+from roam_core.matte.vectorise import read_mask, shapes_from_mask
 
-__all__ = ["Matte", "Patch", "render_matte", "shape_matte", "shape_patch", "shapes_from_mask"]
+__all__ = ["Matte", "Patch", "read_mask", "render_matte", "shape_matte", "shape_patch", "shapes_from_mask"]

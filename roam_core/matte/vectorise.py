@@ -92,8 +92,20 @@ def coverage_of(mask: NDArray[Any]) -> NDArray[np.float64]:
     return np.clip(np.nan_to_num(values), 0.0, 1.0)
 
 
-def read_mask(path: Path, size: tuple[int, int] | None = None) -> NDArray[Any]:
-    """Read a mask image `(h, w, c)` as it is stored; with `size` (h, w) given, one of another size is refused."""
+def read_mask(path: str | Path, size: tuple[int, int] | None = None) -> NDArray[Any]:
+    """Read a mask image `(h, w, c)` in the type in which it is stored.
+
+    Parameters
+    ----------
+    path : a picture of a format that OpenImageIO reads; white, or opaque, inside.
+    size : (h, w) of the clip, where the mask must have it.
+
+    Raises
+    ------
+    RoamError
+        when it is no picture, is damaged, holds more than 512 MiB of pixels, or is not of that size.
+    """
+    path = Path(path)
     mask = _stored(path)
     if mask is None:
         raise RoamError(f"{path} cannot be read as a mask image; give a PNG, TIFF or JPEG, white inside.")

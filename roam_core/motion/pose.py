@@ -152,7 +152,10 @@ class Pose:
         velocity = values - self.values
         velocity[2 + self.template.chain.count :] = 0.0
         since = 0 if cost <= params.lost else self.since + 1
-        return Pose(self.template, values, velocity, self._likened(look, params), cost, since, look)
+        like = self._likened(look, params)
+        if around.needs is None:  # what hides it is not known, and must not pass for a new look of it
+            like = min(like, params.like_grows * self.like) if since == 0 else self.like
+        return Pose(self.template, values, velocity, like, cost, since, look)
 
     def missed(self) -> Pose:
         """After a frame that showed nothing of the part."""

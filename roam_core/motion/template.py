@@ -142,10 +142,15 @@ def _samples(
     pyramid: Pyramid, level: int, inside: Array, beside: Array, within: Array, chain: Chain, params: PoseParams
 ) -> Samples:
     own, there = pyramid.colours(within, level), pyramid.colours(beside, level)
-    contrast = 1.0 - np.exp(-((own - there) ** 2).sum(axis=1) / (2.0 * params.beside_like**2))
+    unlike = contrast(own, there, params)
     places = np.vstack([inside, beside])
-    weights = np.concatenate([np.full(len(inside), 1.0 / len(inside)), -params.beside * contrast / max(len(beside), 1)])
+    weights = np.concatenate([np.full(len(inside), 1.0 / len(inside)), -params.beside * unlike / max(len(beside), 1)])
     return Samples(places, np.vstack([pyramid.colours(inside, level), own]), weights, chain.skin(places))
+
+
+def contrast(own: Array, there: Array, params: PoseParams) -> Array:
+    """How much colours `own (M, 3)` inside an outline differ from those beside it, in [0, 1] each `(M,)`."""
+    return np.asarray(1.0 - np.exp(-((own - there) ** 2).sum(axis=1) / (2.0 * params.beside_like**2)))
 
 
 def every_other(samples: Samples) -> Samples:

@@ -22,7 +22,7 @@ from roam_core.params.curves import (
 )
 from roam_core.params.drawing import CUT_OUT, GROWING, LIVE_WIRE, CutOutParams, GrowingParams, LiveWireParams
 from roam_core.params.evidence import KeyColoursParams, LineageParams, PiecesParams
-from roam_core.params.figure import FigureParams, FreeEdgesParams
+from roam_core.params.figure import EDGES, EdgesParams, FigureParams, FreeEdgesParams
 from roam_core.params.keys import (
     ANCHORS,
     KEY_FIT,
@@ -52,6 +52,7 @@ __all__ = [
     "CUT_OUT",
     "DEFAULT_CONFIG",
     "DOUBTFUL",
+    "EDGES",
     "FILTERS",
     "GROWING",
     "JOINTS",
@@ -72,6 +73,7 @@ __all__ = [
     "ControlPolygonParams",
     "CurveFitParams",
     "CutOutParams",
+    "EdgesParams",
     "FigureParams",
     "FilterParams",
     "FreeEdgesParams",

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
-from roam_core.params.pose import JOINTS, JointParams
+from roam_core.params.pose import JOINTS, JointParams, PoseParams
 from roam_core.params.stamped import later
 
 
@@ -27,6 +27,30 @@ class FreeEdgesParams:
     step: float = 2.0
     facing: float = 0.7
     least: float = 0.5
+
+
+@dataclass(frozen=True)
+class EdgesParams:
+    """Parameters of what an outline is told to be at each place: free, a seam or hidden (`propagate.edges`).
+
+    Attributes
+    ----------
+    margin : pixels of a 480-line image around the outlines that are looked at.
+    changes : contrast from which the picture changes across an edge; from there `motion.template` counts no seam.
+    around : neighbouring samples whose median contrast counts: grain and small spots make no edge.
+    depths : shares of the distance from the edge at which the inside is looked at: the greatest that lies inside.
+    free : what makes an edge free in tracking. pose : what is looked at beside an outline.
+    """
+
+    margin: float = 12.0
+    changes: float = 0.5
+    around: int = 5
+    depths: tuple[float, ...] = (0.2, 0.5, 1.0)
+    free: FreeEdgesParams = field(default_factory=FreeEdgesParams)
+    pose: PoseParams = field(default_factory=PoseParams)
+
+
+EDGES = EdgesParams()
 
 
 @dataclass(frozen=True)

@@ -27,10 +27,10 @@ class RoamParams:
     steps : step between neighbouring moves, one entry for each round of inference, coarse to fine.
     max_iterations : rounds of dynamic programming at each step size.
     mu : weight of the l2 regulariser (equation 3), per node, of the squared edge length over the squared spacing.
-    l2_rest : where that term rests: mu |e_n - l2_rest e^_n|^2, with e^_n the edge as the pre-warp carried it. 0, the
+    l2_rest : where that term rests: `mu |e_n - l2_rest e^_n|^2`, with e^_n the edge as the pre-warp carried it. 0, the
         paper's, draws every edge to length zero and so smooths and shrinks; 1, beyond the paper, resists only what the
         pre-warp does not explain. Between them lies the mixture: up to a constant the term is that of
-        (1 - l2_rest) mu |e_n|^2 + l2_rest mu |e_n - e^_n|^2. Proposals, whose edges nothing carried, rest at zero.
+        `(1 - l2_rest) mu |e_n|^2 + l2_rest mu |e_n - e^_n|^2`. Proposals, whose edges nothing carried, rest at zero.
     lambda_gradient : weight of the squared image gradient (equation 3), per node, of its mean along the edge.
     gradient_sigma : blur before the gradient is taken.
     lambda_local : weight of the local appearance term (equation 3), per node and nat: of the mean over the ribbon, or,

@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from roam_core.cancel import CancelToken
 from roam_core.errors import RoamError
+from roam_core.media.source import MissingFrame
 from roam_core.params import RoamParams
 from roam_core.propagate import provenance
+from roam_core.propagate.edges import Edges, edges, edges_on_key
 from roam_core.propagate.engines.protocol import Account, Step
 from roam_core.propagate.group import GroupTracker
 from roam_core.propagate.memory import ReadPicture, solve_again
@@ -31,6 +33,8 @@ class Explanation:
     account : why its outline lies where it lies; without terms for an artist's key.
     apart : how far, in pixels, the key's control points lie from those that the run to this frame finds; 0 unless the
         key was filled from both sides, its shapes were tracked in other company, or on a machine that rounds otherwise.
+    edges : where its outline is free, a seam or hidden; None where the shape is not there.
+    on_key : the frame of the artist's key that it goes back to, and the same samples there; None without one.
     """
 
     shape: RotoShape
@@ -38,6 +42,8 @@ class Explanation:
     config: str
     account: Account
     apart: float = 0.0
+    edges: Edges | None = None
+    on_key: tuple[int, Edges] | None = None
 
 
 @dataclass(frozen=True)
@@ -84,7 +90,21 @@ def explain(
             runs.setdefault(_run_of(stamps, index, key), []).append(index)
     for run, asked in runs.items():
         found.update(_explained(read, stamps, asked, frame, run, token))
-    return [found[index] for index in sorted(found)]
+    return _with_edges(read, shapes, frame, [found[index] for index in sorted(found)])
+
+
+def _with_edges(
+    read: ReadPicture, shapes: Sequence[RotoShape], frame: int, found: Sequence[Explanation]
+) -> list[Explanation]:
+    """The explanations with the kinds of edge of their shapes; on the key where that has a picture."""
+    if not found:
+        return []
+    now = edges(read(frame), shapes, frame, {each.shape.id for each in found})
+    try:
+        keyed = edges_on_key(read, shapes, frame, now)
+    except MissingFrame:
+        keyed = {}
+    return [replace(each, edges=now.get(each.shape.id), on_key=keyed.get(each.shape.id)) for each in found]
 
 
 def _given(shape: RotoShape, key: Keyframe) -> Explanation:

@@ -89,3 +89,18 @@ def _enclosed(outside: Bools) -> Bools:
     _, labels = cv2.connectedComponents(outside.astype(np.uint8), connectivity=4)
     border = np.unique(np.concatenate([labels[0], labels[-1], labels[:, 0], labels[:, -1]]))
     return np.asarray(outside & ~np.isin(labels, border))
+
+
+def trusts_of(drawn: Sequence[Part], seen: Sequence[bool], confidence: float) -> list[float]:
+    """How far each shape is trusted, where the object is trusted as far as `confidence`.
+
+    A hole that closed is no reason to doubt. A shape out of sight is one by the share of the object, as it was `drawn`,
+    that would be missing if it should be there.
+    """
+    solid = np.array([not part.subtracts for part in drawn])
+    out = solid & ~np.array(seen)
+    if not out.any():
+        return [confidence] * len(out)
+    areas = solid * [part.area for part in drawn]
+    missing = out * (areas / max(float(areas.sum()), 1e-9)) if (solid & ~out).any() else out
+    return [confidence * (1.0 - float(share)) for share in missing]

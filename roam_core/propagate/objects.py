@@ -6,11 +6,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from enum import Enum
 from functools import cached_property, lru_cache
+from itertools import combinations
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.sparse import coo_array
-from scipy.sparse.csgraph import connected_components
 from scipy.spatial import cKDTree
 
 from roam_core.geometry import bezier, polyline
@@ -102,14 +101,16 @@ class _Question:
 @lru_cache(maxsize=8)
 def _grouped(question: _Question) -> list[list[int]]:
     shapes, gap = question.shapes, question.gap
-    pairs = [
-        (i, j) for i in range(len(shapes)) for j in range(i + 1, len(shapes)) if _belong(shapes[i], shapes[j], gap)
-    ]
-    rows, columns = ([pair[k] for pair in pairs] for k in (0, 1))
-    links = coo_array((np.ones(len(pairs)), (rows, columns)), shape=(len(shapes), len(shapes)))
-    count, labels = connected_components(links, directed=False)
-    groups = [[i for i in range(len(shapes)) if labels[i] == label] for label in range(count)]
-    return sorted(groups)
+    groups = [[i] for i in range(len(shapes))]
+    group_of = list(range(len(shapes)))
+    for i, j in combinations(range(len(shapes)), 2):
+        ours, theirs = group_of[i], group_of[j]
+        if ours != theirs and _belong(shapes[i], shapes[j], gap):  # what is joined already need not be asked again
+            groups[ours] += groups[theirs]
+            for k in groups[theirs]:
+                group_of[k] = ours
+            groups[theirs] = []
+    return sorted(sorted(group) for group in groups if group)
 
 
 def near(size: tuple[int, int] | None) -> float:

@@ -26,7 +26,7 @@ from roam_core.roto import BlendMode, Clip, Keyframe, Origin, RotoShape
 from roam_core.roto.imported import import_stamp, is_import
 from roam_core.roto.sight import is_shut, opened
 
-REVISION = 3
+REVISION = 4
 """Of the engine: another one whenever the same input gives other points (a test tells when that is)."""
 FILL = "fill"
 """The direction of a key that was filled from both sides."""
@@ -101,7 +101,7 @@ def stamp(
     direction = "forward" if forward else "backward"
     content = [_said(params, clip, direction, alone)]
     for shape, keys in zip(shapes, used, strict=True):
-        content.append(_as_drawn(shape))
+        content.append(_as_drawn(shape, begun, frame))
         content.append(outline_begun(shape, begun, forward).tobytes())
         content.extend(_as_keyed(key) for key in keys)
     return str(Stamp(direction, params.config, _digest(content), begun, alone=alone))
@@ -113,7 +113,7 @@ def fill_stamp(
     """The stamp of the frames between the two keys of a gap, where `shapes` are filled together."""
     content = [_said(params, clip, FILL, alone), f"{gap}".encode()]
     for shape in shapes:
-        content.append(_as_drawn(shape))
+        content.append(_as_drawn(shape, *gap))
         content.extend(_as_keyed(key) for key in shape.artist_keys if key.frame in gap)
     if len(shapes) > 1:  # one that is not there leaves its place to the others
         content.append(json.dumps([_there(shape, gap) for shape in shapes]).encode())
@@ -154,8 +154,13 @@ def _said(params: RoamParams, clip: str, direction: str, alone: bool) -> bytes:
     return json.dumps([REVISION, params.values(), clip, direction, alone], sort_keys=True).encode()
 
 
-def _as_drawn(shape: RotoShape) -> bytes:
-    return json.dumps([shape.closed, shape.blend.value, shape.link, shape.attached, shape.depth]).encode()
+def _as_drawn(shape: RotoShape, begun: int, frame: int) -> bytes:
+    """How a shape is drawn, linked and, from one frame to the other, stacked."""
+    low, high = sorted((begun, frame))
+    level = shape.depth_at(low)
+    changes = [pair for pair in shape.depth if low < pair[0] <= high]
+    depth = [level, *changes] if level else changes
+    return json.dumps([shape.closed, shape.blend.value, shape.link, shape.attached, depth]).encode()
 
 
 def _as_keyed(key: Keyframe) -> bytes:
@@ -179,6 +184,9 @@ class Stamps:
         self._clip, self._size = clip, size
         self._places = {shape.id: k for k, shape in enumerate(self.shapes)}
         self._known: dict[tuple[object, ...], str] = {}
+        self._solved: dict[tuple[tuple[int, ...], int, bool], tuple[int, ...]] = {}
+        self._given: dict[tuple[tuple[int, ...], bool], list[int]] = {}
+        self._params: dict[int, tuple[int, RoamParams]] = {}
 
     @classmethod
     def of(cls, shapes: Sequence[RotoShape], clip: Clip | None) -> Stamps:
@@ -202,9 +210,14 @@ class Stamps:
 
         Those take part that are there, and that the artist keyed by then.
         """
-        if alone or not is_known(self.shapes[k], frame, forward):
+        together = self.objects.get(k, (k,))
+        if alone:
             return (k,)
-        return tuple(j for j in self.objects.get(k, (k,)) if is_known(self.shapes[j], frame, forward))
+        if (together, frame, forward) not in self._solved:
+            there = tuple(j for j in together if is_known(self.shapes[j], frame, forward))
+            self._solved[together, frame, forward] = there
+        there = self._solved[together, frame, forward]
+        return there if k in there else (k,)
 
     def filled_with(self, k: int, gap: tuple[int, int], alone: bool = False) -> tuple[int, ...]:
         """The shapes of its object with which a shape is filled between two keys, itself among them."""
@@ -214,17 +227,34 @@ class Stamps:
 
     def tracked(self, k: int, frame: int, begun: int, params: RoamParams, forward: bool, alone: bool = False) -> str:
         """The stamp that a run which had `begun` on a frame gives a shape on `frame`."""
-        members = [self.shapes[j] for j in self.solved_with(k, begun, forward, alone)]
+        members = self.solved_with(k, begun, forward, alone)
         counted = bisect.bisect_right if forward else bisect.bisect_left
-        passed = tuple(counted(shape.artist_frames, frame) for shape in members)
-        name = (k, begun, passed, params, forward, alone)
+        passed = counted(self._given_frames(members, forward), frame)
+        name = (members, begun, passed, self._number(params), forward, alone)
         if name not in self._known:
-            self._known[name] = stamp(members, frame, begun, params, self._clip, forward, alone)
+            together = [self.shapes[j] for j in members]
+            self._known[name] = stamp(together, frame, begun, params, self._clip, forward, alone)
         return self._known[name]
+
+    def _given_frames(self, members: tuple[int, ...], forward: bool) -> list[int]:
+        """The frames on which the artist keyed or stacked any of the members, in order: between them stamps are alike.
+
+        A change of depth holds from its frame on: a run backward meets it on the frame before.
+        """
+        if (members, forward) not in self._given:
+            together = [self.shapes[j] for j in members]
+            frames = {frame for shape in together for frame in shape.artist_frames}
+            frames |= {frame - (not forward) for shape in together for frame, _ in shape.depth}
+            self._given[members, forward] = sorted(frames)
+        return self._given[members, forward]
+
+    def _number(self, params: RoamParams) -> int:
+        """A number for parameters, by their identity: to compare all their fields for every key would take long."""
+        return self._params.setdefault(id(params), (len(self._params), params))[0]
 
     def filled(self, k: int, gap: tuple[int, int], params: RoamParams, alone: bool = False) -> str:
         """The stamp that filling a gap gives a shape."""
-        name = (k, gap, params, alone)
+        name = (k, gap, self._number(params), alone)
         if name not in self._known:
             members = [self.shapes[j] for j in self.filled_with(k, gap, alone)]
             self._known[name] = fill_stamp(members, gap, params, self._clip, alone)

@@ -31,7 +31,7 @@ from roam_core.propagate.confidence import (
     vertex_confidence,
 )
 from roam_core.propagate.covering import carried_behind, learned_colours, visible
-from roam_core.propagate.laying import enclosed, laid
+from roam_core.propagate.laying import enclosed, laid, trusts_of
 from roam_core.propagate.nodes import smooth_points
 from roam_core.propagate.refinding import Lookout, Sighting, area_of, as_on_key, is_better, middle_of
 from roam_core.propagate.result import Part, StepResult, Termination
@@ -136,11 +136,15 @@ class Observation:
 
 @dataclass(frozen=True, eq=False)
 class RegionStep:
-    """One step: the `state` after it, a result for each shape, and what was seen before anything was decided.
+    """One step.
 
-    There is no observation where the object has left the picture. `redetected` : it was looked for and found elsewhere.
+    Attributes
+    ----------
+    begun : the state that it set out from; where the object is `redetected`, it lies there as on its key. state,
+        results : what came of it. observation : what was seen before; None where the object has left the picture.
     """
 
+    begun: RegionState
     state: RegionState
     results: tuple[StepResult, ...]
     observation: Observation | None
@@ -237,8 +241,7 @@ def _carried(
     parts = tuple(
         replace(part, points=points) if seen else part for part, (points, seen) in zip(parts, placed, strict=True)
     )
-    after = _after(state, frame, observation, found, unbroken, parts, colours, signs)
-    return RegionStep(after, results, observation)
+    return _after(state, frame, observation, found, unbroken, parts, colours, signs, results)
 
 
 def evidence(observation: Observation, params: RegionParams, covers: Sequence[Array]) -> Field:
@@ -276,8 +279,8 @@ def _as_one_piece(
         for part, drawn in zip(parts, state.drawn, strict=True)
     )
     colours = _adapted(state, observation, found, params)
-    after = _after(state, frame, observation, found, _unbroken(observation, found), parts, colours, signs)
-    return RegionStep(after, results, observation)
+    unbroken = _unbroken(observation, found)
+    return _after(state, frame, observation, found, unbroken, parts, colours, signs, results)
 
 
 def _as_posed(
@@ -294,8 +297,8 @@ def _as_posed(
     confidence = expected_overlap(signs, params=params.confidence)
     results = tuple(posed.result(part.points, pose, confidence, params.confidence) for part in parts)
     colours = _adapted(state, observation, found, params)
-    after = _after(state, frame, observation, found, _unbroken(observation, found), parts, colours, signs)
-    return RegionStep(after, results, observation)
+    unbroken = _unbroken(observation, found)
+    return _after(state, frame, observation, found, unbroken, parts, colours, signs, results)
 
 
 def _adapted(state: RegionState, observation: Observation, found: Field, params: RegionParams) -> GlobalModel:
@@ -316,12 +319,13 @@ def _after(
     parts: tuple[Part, ...],
     colours: GlobalModel,
     signs: Signs | PoseSigns,
-) -> RegionState:
-    """The state after a frame on which `found` is the object's region and `parts` are its shapes."""
+    results: tuple[StepResult, ...],
+) -> RegionStep:
+    """The step to a frame on which `found` is the object's region and `parts` are its shapes."""
     key = observation.sources.key
     if observation.pose is not None:
         key = replace(key, to_now=observation.pose.similarity)
-    return replace(
+    after = replace(
         state,
         frame=frame,
         region=found,
@@ -334,6 +338,7 @@ def _after(
         steps=state.steps + 1,
         signs=signs,
     )
+    return RegionStep(state, after, results, observation)
 
 
 def _seen(state: RegionState, key: KeyMemory, found: Field) -> Sighting:
@@ -408,21 +413,6 @@ def grid_around(positions: Array, size: tuple[int, int], params: RegionParams, s
     return Grid.over(area.aligned(cell.numerator, size), float(1 / cell))
 
 
-def trusts_of(drawn: Sequence[Part], seen: Sequence[bool], confidence: float) -> list[float]:
-    """How far each shape is trusted, where the object is trusted as far as `confidence`.
-
-    A hole that closed is no reason to doubt. A shape out of sight is one by the share of the object, as it was `drawn`,
-    that would be missing if it should be there.
-    """
-    solid = np.array([not part.subtracts for part in drawn])
-    out = solid & ~np.array(seen)
-    if not out.any():
-        return [confidence] * len(out)
-    areas = solid * [part.area for part in drawn]
-    missing = out * (areas / max(float(areas.sum()), 1e-9)) if (solid & ~out).any() else out
-    return [confidence * (1.0 - float(share)) for share in missing]
-
-
 def _result(part: Part, seen: bool, trust: float, found: Field, params: RegionParams) -> StepResult:
     anchors = part.points[:, bezier.ANCHOR]
     vertices = np.zeros(len(anchors))
@@ -445,4 +435,4 @@ def _left(state: RegionState, frame: PreparedFrame) -> RegionStep:
     )
     missed = state.sighting.missed()
     after = replace(state, frame=frame, sighting=missed, steps=state.steps + 1, signs=None)
-    return RegionStep(after, results, None)
+    return RegionStep(state, after, results, None)

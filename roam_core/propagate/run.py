@@ -53,8 +53,9 @@ def track(
     Raises
     ------
     Cancelled
-        at a safe point after `token` was cancelled. MissingFrame, RoamError: as `read` raises them for the first frame;
-        a gap later on is passed over and reported as MISSING_FRAME.
+        at a safe point after `token` was cancelled.
+    MissingFrame, RoamError
+        as `read` raises them for the first frame; a gap later on is passed over and reported as MISSING_FRAME.
     """
     asked = [k for k, shape in enumerate(shapes) if only is None or shape.id in only]
     if not asked:

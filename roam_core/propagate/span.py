@@ -53,8 +53,8 @@ def fill_span(
     ----------
     images : gives the picture of a frame, (h, w, 3) RGB, uint8 or float32 in [0, 1]; each is asked for three times,
         in no particular order, by one thread at a time. A `MissingFrame` is passed over.
-    only : the ids of the shapes that get keys; None: all. The others take part all the same. alone : each shape is
-        filled as if there were no others.
+    only : the ids of the shapes that get keys; None: all. The others take part all the same.
+    alone : each shape is filled as if there were no others.
     start, stop : the first and the last frame, both of which hold artist keys. Artist keys come back as they were.
 
     Raises

@@ -34,6 +34,7 @@ class Tracker:
 
     @property
     def params(self) -> RoamParams:
+        """The parameters that the tracker goes by."""
         return self._group.params
 
     @property

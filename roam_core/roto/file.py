@@ -30,8 +30,10 @@ MAX_MEMORY = 920 << 20
 VALUE_COST = 64
 
 
-def save(project: Project, path: Path) -> None:
+def save(project: Project, path: str | Path) -> None:
     """Write `project` to `path`: to a temporary file beside it, flushed, then put in place in one step.
+
+    A file that is there is replaced. Paths of media below its folder are written relative to it.
 
     Raises
     ------
@@ -39,18 +41,19 @@ def save(project: Project, path: Path) -> None:
         when the folder is missing or may not be written to, or the project is too large to be read again; a file that
         was there is then still there, whole.
     """
+    path = Path(path)
     write_atomically(path, _limited(_encoded(pieces(project, path.parent))))
 
 
-def load(path: Path) -> Project:
-    """Read a project file.
+def load(path: str | Path) -> Project:
+    """Read a project file. The plate that it names is not opened.
 
     Raises
     ------
     RoamError
         when it is missing, not a project, damaged, too large, or of a newer version.
     """
-    return load_versioned(path)[0]
+    return load_versioned(Path(path))[0]
 
 
 def load_versioned(path: Path) -> tuple[Project, int]:

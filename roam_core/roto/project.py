@@ -65,10 +65,12 @@ class Clip:
 
     @property
     def name(self) -> str:
+        """The last part of its path."""
         return self.path.name
 
     @property
     def frame_range(self) -> range:
+        """All frames from the first to the last, those that are missing too."""
         return range(self.first, self.last + 1)
 
 
@@ -208,6 +210,7 @@ class Project:
         return replace(taken, keys=keys)
 
     def has(self, item_id: str) -> bool:
+        """True when a layer or shape has this id."""
         return any(item.id == item_id for item in self.root.items())
 
     def free_id(self, kind: str) -> str:

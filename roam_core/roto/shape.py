@@ -203,6 +203,7 @@ class RotoShape:
 
     @property
     def point_count(self) -> int:
+        """How many points every key has."""
         return len(self.keys[0].points)
 
     @property

@@ -15,12 +15,12 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, QTimer
 
-from app import launch
+from app.shell import launch
 from roam_core.geometry.bezier import polygon_points
 from roam_core.roto import Project, edit
 
 if TYPE_CHECKING:
-    from app.main_window import MainWindow
+    from app.shell.main_window import MainWindow
 
 UNTITLED, TITLED, SAVING, TRACKING = MODES = ("untitled", "titled", "saving", "tracking")
 WORK, NOTES = "work.roam", "notes.txt"

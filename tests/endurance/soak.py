@@ -22,7 +22,7 @@ from tests.endurance.artist import SQUARE
 from tests.gui.windows import COUNT, FIRST, write_clip
 
 if TYPE_CHECKING:
-    from app.main_window import MainWindow
+    from app.shell.main_window import MainWindow
 
 PACE = 30
 """Milliseconds between two commands."""
@@ -144,7 +144,7 @@ def arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(given: argparse.Namespace) -> int:
     """Work so long, print how memory, threads and handles went, and fail where they grew."""
-    from app import launch
+    from app.shell import launch
 
     with tempfile.TemporaryDirectory() as place:
         folder = Path(place)

@@ -18,11 +18,12 @@ from PySide6.QtWidgets import QApplication, QComboBox
 from pytestqt.qtbot import QtBot
 from shiboken6 import isValid
 
-from app.actions import Actions, load_keymap
+from app.actions.actions import Actions
+from app.actions.keymaps import load_keymap
 from app.canvas.view import CanvasView
-from app.document import Document
 from app.jobs.runner import Runner
-from app.view_state import ViewState
+from app.model.document import Document
+from app.model.view_state import ViewState
 from roam_core.roto import Clip, Project
 from tests.gui.hand import Hand
 from tests.gui.watchdog import WatchedApplication

@@ -11,8 +11,8 @@ import pytest
 from PySide6.QtCore import Qt
 from pytestqt.qtbot import QtBot
 
-from app import dialogs
-from app.main_window import MainWindow
+from app.dialogs import questions
+from app.shell.main_window import MainWindow
 from roam_core.roto import Origin, edit, file
 from tests.gui.windows import (
     COUNT,
@@ -58,8 +58,8 @@ def track(qtbot: QtBot, window: MainWindow, key: Qt.Key) -> str:
 
 
 def test_the_artists_path(qtbot: QtBot, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(dialogs, "choose_save", lambda parent, start: tmp_path / "disc.roam")
-    monkeypatch.setattr(dialogs, "choose_export", lambda parent, title, start, suffix: tmp_path / f"disc{suffix}")
+    monkeypatch.setattr(questions, "choose_save", lambda parent, start: tmp_path / "disc.roam")
+    monkeypatch.setattr(questions, "choose_export", lambda parent, title, start, suffix: tmp_path / f"disc{suffix}")
     clip = write_clip(tmp_path / "plate")
     with (
         nothing_slow_in_the_window_thread(monkeypatch) as slow_calls,

@@ -11,7 +11,7 @@ import pytest
 from PySide6.QtCore import Qt
 from pytestqt.qtbot import QtBot
 
-from app.main_window import MainWindow
+from app.shell.main_window import MainWindow
 from roam_core.geometry import bspline
 from roam_core.roto import Origin, RotoShape, Spline
 from tests.gui.windows import FIRST, WAIT, centre, click, drag, opened_window, widget_point, write_clip

@@ -9,7 +9,7 @@ import OpenImageIO as oiio  # noqa: N813
 from PySide6.QtGui import QColor
 from pytestqt.qtbot import QtBot
 
-from app.panels.readout import Readout
+from app.panels.bars.readout import Readout
 from tests.gui.windows import opened_window
 
 SIZE, LIGHT = (64, 48), (3.0, 0.5, 0.25)

@@ -11,12 +11,12 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QGuiApplication
 
 from app.canvas.view import CanvasView
-from app.clipboard import ShapeClipboard
-from app.document import Document
-from app.history import History
-from app.shape_verbs import ShapeVerbs
-from app.tools.transform_actions import TransformActions
-from app.view_state import ViewState
+from app.features.clipboards.shapes import ShapeClipboard
+from app.features.history import History
+from app.features.verbs.shapes import ShapeVerbs
+from app.model.document import Document
+from app.model.view_state import ViewState
+from app.tools.edit.transform_actions import TransformActions
 from roam_core.geometry.bezier import polygon_points
 from roam_core.roto import edit, file
 from tests.gui.hand import ALT, CTRL, NONE, SHIFT, Hand

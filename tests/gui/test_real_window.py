@@ -16,7 +16,7 @@ import numpy as np
 import pytest
 
 from app.journal import recovery
-from app.recent import Recent, save_recent
+from app.model.recent import Recent, save_recent
 from roam_core.roto import Origin, file
 from scripts.virtual_display import virtual_display
 from tests.gui.windows import COUNT, FIRST, SIZE, centre, write_clip
@@ -92,7 +92,7 @@ def screen(tmp_path: Path) -> Iterator[Screen]:
 @pytest.fixture
 def project_path(tmp_path: Path) -> Path:
     """A project on a tiny clip, saved, without a shape: Ctrl+S then needs no file chooser."""
-    from app.files import clip_project
+    from app.files.files import clip_project
 
     path = tmp_path / "disc.roam"
     project, _source = clip_project(write_clip(tmp_path / "plate"))

@@ -14,8 +14,8 @@ import pytest
 from PySide6.QtCore import QPoint, Qt
 from pytestqt.qtbot import QtBot
 
-from app.main_window import MainWindow
-from app.personal import Personal
+from app.model.personal import Personal
+from app.shell.main_window import MainWindow
 from roam_core.media.sequence import ImageSequence
 from roam_core.propagate import run
 from roam_core.roto import Project, RotoShape, file

@@ -13,10 +13,9 @@ import cv2
 import numpy as np
 import pytest
 
-from app import launch
 from benchmarks import report
 from benchmarks.__main__ import BENCHMARKS
-from roam_core.cli import COMMANDS, main
+from roam_core.cli import COMMANDS, main, program
 from roam_core.params import CONFIGS
 from tests.conftest import ROOT
 
@@ -101,7 +100,7 @@ def commands_in(text: str) -> set[str]:
 
 def test_commands_of_the_readme_are_those_of_the_program(capsys: pytest.CaptureFixture[str]) -> None:
     with pytest.raises(SystemExit):
-        launch.main(["--help"])
+        program.main(["--help"])
     shown = capsys.readouterr().out
     assert commands_in(README) == set(COMMANDS)
     assert [command for command in COMMANDS if not re.search(rf"^  {command}\b", shown, flags=re.MULTILINE)] == []
@@ -147,6 +146,7 @@ def test_the_example_of_the_python_interface_runs(shot: Path) -> None:
     assert result.returncode == 0, result.stderr
     assert [line.split()[0] for line in result.stdout.splitlines()] == ["1002", "1003", "1004"]
     assert (shot / "shot.roam").is_file()
+    assert "\nRoto {\n" in (shot / "shot.nk").read_text(encoding="ascii")
 
 
 def test_tables_are_renewed_in_their_place() -> None:

@@ -23,7 +23,7 @@ opened = []
 sys.addaudithook(lambda event, _: opened.append(event) if event.startswith("socket.") else None)
 from pathlib import Path
 from PySide6.QtWidgets import QApplication
-from app.main_window import MainWindow
+from app.shell.main_window import MainWindow
 application = QApplication([])
 folder = Path(sys.argv[1])
 window = MainWindow(folder / "journal")

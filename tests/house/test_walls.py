@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ast
 import re
 import subprocess
 import sys
@@ -45,8 +46,9 @@ def test_the_engine_leaves_qt_unloaded(imports: str) -> None:
     assert done.returncode == 0, done.stderr
 
 
-def test_reading_a_project_does_not_wait_for_the_solver() -> None:
-    done = run_python("import sys, roam_core.roto.file; sys.exit(int('numba' in sys.modules or 'cv2' in sys.modules))")
+@pytest.mark.parametrize("imports", ["import roam_core.roto.file", "from roam_core import Project, edit, load_project"])
+def test_reading_a_project_does_not_wait_for_the_solver(imports: str) -> None:
+    done = run_python(f"import sys; {imports}; sys.exit(int('numba' in sys.modules or 'cv2' in sys.modules))")
     assert done.returncode == 0, done.stderr
 
 
@@ -55,7 +57,20 @@ def test_an_unknown_door_is_an_attribute_error() -> None:
 
     with pytest.raises(AttributeError, match="no attribute 'Brush'"):
         _ = roam_core.Brush
-    assert set(roam_core.__all__) <= {*roam_core._HOME}
+    assert [name for name in roam_core.__all__ if getattr(roam_core, name, None) is None] == []
+    assert set(roam_core.__all__) <= set(dir(roam_core))
+
+
+@pytest.mark.parametrize("package", ["app", "resources"])
+def test_a_package_that_a_wheel_renames_does_not_say_its_own_name(package: str) -> None:
+    """Its modules import one another relatively, or the wheel would look for a stranger's package of that name."""
+    named = []
+    for path in sorted((ROOT / package).rglob("*.py")):
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            modules = [node.module or ""] if isinstance(node, ast.ImportFrom) and node.level == 0 else []
+            modules += [alias.name for alias in node.names] if isinstance(node, ast.Import) else []
+            named += [f"{path}: {name}" for name in modules if name.partition(".")[0] in ("app", "resources")]
+    assert named == []
 
 
 @pytest.mark.parametrize(

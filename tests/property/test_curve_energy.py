@@ -1,4 +1,7 @@
-"""Solver, oracle and brute force over all configurations of tiny curves: one minimum, with every term of the curve."""
+"""Solver and brute force over all configurations of tiny curves: one minimum, with every term of the curve.
+
+What a configuration costs is told by the paper's equations (`tests.reference.energy`), not by the engine's terms.
+"""
 
 from __future__ import annotations
 
@@ -10,13 +13,13 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
-from roam_core.energy import total
 from roam_core.energy.colour_fields import ColourFields
 from roam_core.energy.total import CurveContext
 from roam_core.features import Region
 from roam_core.features.grid import Grid
 from roam_core.inference.contour_dp import best_moves
 from roam_core.params import AppearanceParams, RoamParams
+from tests.reference.energy import ref_curve_energies
 
 Array = NDArray[np.float64]
 
@@ -47,13 +50,13 @@ def tiny(seed: int) -> tuple[Array, Array, CurveContext]:
 @pytest.mark.parametrize("name", list(WEIGHTS))
 @settings(max_examples=8)
 @given(seed=st.integers(0, 10_000))
-def test_the_solver_finds_the_least_of_all_the_oracles_energies(name: str, seed: int) -> None:
+def test_the_solver_finds_the_least_of_the_energies_of_all_configurations(name: str, seed: int) -> None:
     nodes, moves, context = tiny(seed)
     params = WEIGHTS[name]
     all_energies = [
-        total.energies(nodes + moves[list(labels)], context, params)["total"]
+        ref_curve_energies(nodes + moves[list(labels)], context, params)["total"]
         for labels in product(range(len(moves)), repeat=len(nodes))
     ]
     solved, energy = best_moves(nodes, moves, context, params)
     assert energy == pytest.approx(min(all_energies), abs=1e-9)
-    assert energy == pytest.approx(total.energies(solved, context, params)["total"], abs=1e-9)
+    assert energy == pytest.approx(ref_curve_energies(solved, context, params)["total"], abs=1e-9)

@@ -13,16 +13,15 @@ def ref_region_sum(field: NDArray[np.float32], line: Array) -> float:
 
     Winding clockwise on screen counts as 1. A centre on an edge belongs to what lies on the right of it on screen.
     """
-    total = 0.0
-    for row in range(field.shape[0]):
-        for column in range(field.shape[1]):
-            total += float(field[row, column]) * _winding(line, column + 0.5, row + 0.5)
-    return total
+    return float((field.astype(np.float64) * _windings(line, field.shape)).sum())
 
 
-def _winding(line: Array, x: float, y: float) -> int:
-    turns = 0
+def _windings(line: Array, shape: tuple[int, int]) -> Array:
+    """How often the polyline winds around each centre: of a ray to the left of it, the edges that cross it."""
+    y, x = np.mgrid[: shape[0], : shape[1]] + 0.5
+    turns = np.zeros(shape)
     for (ax, ay), (bx, by) in zip(line, np.roll(line, -1, axis=0), strict=True):
-        if (ay <= y < by or by <= y < ay) and ax + (y - ay) * ((bx - ax) / (by - ay)) <= x:
-            turns += -1 if by > ay else 1
+        if ay != by:
+            is_crossed = ((ay <= y) & (y < by)) | ((by <= y) & (y < ay))
+            turns[is_crossed & (ax + (y - ay) * ((bx - ax) / (by - ay)) <= x)] += -1 if by > ay else 1
     return turns

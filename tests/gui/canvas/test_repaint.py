@@ -11,13 +11,13 @@ from PySide6.QtCore import QEvent, QObject, QPointF, QRectF
 from PySide6.QtGui import QImage, QPaintEvent
 from PySide6.QtWidgets import QApplication
 
-from app.canvas.clipping import clipped_path
-from app.canvas.outline_paths import outline_path
 from app.canvas.repaint import changed_area
 from app.canvas.view import CanvasView
-from app.canvas.viewport import Viewport
-from app.document import Document
-from app.view_state import ViewState
+from app.model.document import Document
+from app.model.view_state import ViewState
+from app.paint.clipping import clipped_path
+from app.paint.outline_paths import outline_path
+from app.paint.viewport import Viewport
 from roam_core.geometry import bezier
 from roam_core.roto import Keyframe, Origin, Project, RotoShape, Spline, edit
 from tests.gui.hand import CTRL, SHIFT, Hand

@@ -14,11 +14,11 @@ from PySide6.QtGui import QColor, QImage, QKeyEvent
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
-from app.canvas import marks
 from app.canvas.view import CanvasView
-from app.canvas.viewing import ViewMode
-from app.document import Document
-from app.view_state import Selection, ViewState
+from app.model.document import Document
+from app.model.view_state import Selection, ViewState
+from app.model.viewing import ViewMode
+from app.paint import marks
 from roam_core.geometry.bezier import polygon_points
 from roam_core.roto import Clip, Keyframe, Project, edit
 from tests.gui.hand import ALT, CTRL, MIDDLE, SHIFT, Hand

@@ -12,14 +12,14 @@ from PySide6.QtCore import QSizeF
 from PySide6.QtGui import QColor, QImage
 from pytestqt.qtbot import QtBot
 
-from app.canvas.backdrop import Backdrop
-from app.canvas.ground import CHECKERS
-from app.canvas.onion_item import ghosts
+from app.canvas.items.onion import ghosts
+from app.canvas.plate.backdrop import Backdrop
+from app.canvas.plate.ground import CHECKERS
 from app.canvas.view import CanvasView
-from app.canvas.viewing import GroundKind, Onion, Viewing, ViewMode
-from app.canvas.viewport import LARGEST, Viewport
-from app.document import Document
-from app.view_state import ViewState
+from app.model.document import Document
+from app.model.view_state import ViewState
+from app.model.viewing import GroundKind, Onion, Viewing, ViewMode
+from app.paint.viewport import LARGEST, Viewport
 from roam_core.geometry.bezier import polygon_points
 from roam_core.media.looking import Channel, Look, Plate
 from roam_core.roto import Keyframe, edit

@@ -8,9 +8,9 @@ from pathlib import Path
 import pytest
 from pytestqt.qtbot import QtBot
 
-from app.document import Document
 from app.jobs.export import Export
 from app.jobs.runner import Ending, Runner
+from app.model.document import Document
 from roam_core.geometry.bezier import polygon_points
 from roam_core.media import open_clip
 from roam_core.roto import Clip, Project, edit, file

@@ -10,11 +10,11 @@ from typing import Any
 import pytest
 from pytestqt.qtbot import QtBot
 
-from app.document import Document
 from app.jobs.filling import gaps_of
 from app.jobs.propagation import Propagation
 from app.jobs.runner import Ending, Runner
-from app.view_state import ViewState
+from app.model.document import Document
+from app.model.view_state import ViewState
 from roam_core.cancel import CancelToken
 from roam_core.geometry.bezier import polygon_points
 from roam_core.media import DamagedFrame

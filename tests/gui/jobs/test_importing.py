@@ -7,9 +7,9 @@ from pathlib import Path
 import pytest
 from pytestqt.qtbot import QtBot
 
-from app.document import Document
 from app.jobs.importing import SHAPE_FILES, Import
 from app.jobs.runner import Ending, Runner
+from app.model.document import Document
 from roam_core.geometry.bezier import polygon_points
 from roam_core.interchange import IMPORTERS
 from roam_core.interchange.nuke.exporter import roto_script

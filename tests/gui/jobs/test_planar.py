@@ -10,15 +10,16 @@ import pytest
 from PySide6.QtCore import Qt
 from pytestqt.qtbot import QtBot
 
-from app.actions import Actions, load_keymap
+from app.actions.actions import Actions
+from app.actions.keymaps import load_keymap
 from app.canvas.view import CanvasView
-from app.document import Document
+from app.features.planar_tracking import PlanarTracking
+from app.features.tracking import NO_CLIP
 from app.jobs.planar import PlanarTrack
 from app.jobs.runner import Ending, Runner
+from app.model.document import Document
+from app.model.view_state import ViewState
 from app.panels.planar import PlanarPanel
-from app.planar_tracking import PlanarTracking
-from app.tracking import NO_CLIP
-from app.view_state import ViewState
 from roam_core.geometry import projective
 from roam_core.geometry.bezier import ANCHOR
 from roam_core.geometry.plane_motion import PlaneMotion

@@ -7,10 +7,10 @@ from collections.abc import Callable
 import pytest
 from pytestqt.qtbot import QtBot
 
-from app.document import Document
 from app.jobs.propagation import Propagation
 from app.jobs.runner import Ending, Runner
-from app.view_state import ViewState
+from app.model.document import Document
+from app.model.view_state import ViewState
 from roam_core.geometry.bezier import polygon_points
 from roam_core.roto import Origin, Project, RotoShape, edit
 from tests.gui.engines import GlidingEngine, put_in

@@ -9,8 +9,8 @@ from pytestqt.qtbot import QtBot
 
 from app.jobs.runner import Ending
 from app.jobs.under_way import UnderWay
-from app.panels.status import StatusBar
-from app.view_state import ViewState
+from app.model.view_state import ViewState
+from app.panels.bars.status import StatusBar
 
 
 class Work(QObject):

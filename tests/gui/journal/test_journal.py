@@ -15,12 +15,12 @@ from typing import IO
 import pytest
 from pytestqt.qtbot import QtBot
 
-from app.document import Document
 from app.journal import recovery, writer
 from app.journal.journal import Journal
 from app.journal.record import Damaged, Entry, append, encoded, entries
 from app.journal.recovery import KEPT_SESSIONS, Recovery
 from app.journal.writer import BASES
+from app.model.document import Document
 from roam_core.errors import RoamError
 from roam_core.geometry.bezier import polygon_points
 from roam_core.roto import Clip, Keyframe, Origin, Project, backups, edit, file, timing

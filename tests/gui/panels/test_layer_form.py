@@ -7,11 +7,11 @@ import pytest
 from PySide6.QtCore import Qt
 from pytestqt.qtbot import QtBot
 
-from app.document import Document
-from app.layer_verbs import NO_LAYER, LayerVerbs
+from app.features.verbs.layers import NO_LAYER, LayerVerbs
+from app.features.verbs.shapes import NOTHING_SELECTED
+from app.model.document import Document
+from app.model.view_state import ViewState
 from app.panels.properties import PropertiesPanel
-from app.shape_verbs import NOTHING_SELECTED
-from app.view_state import ViewState
 from roam_core.roto import Layer, LayerTransform, Project, edit
 from tests.gui.panels.test_properties import SQUARE, type_in
 

@@ -9,11 +9,11 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QComboBox
 from pytestqt.qtbot import QtBot
 
-from app.belonging import places
-from app.document import Document
+from app.features.belonging import places
+from app.model.document import Document
+from app.model.view_state import ViewState
 from app.panels.object_form import ObjectForm
 from app.panels.properties import PropertiesPanel
-from app.view_state import ViewState
 from roam_core.geometry.bezier import polygon_points
 from roam_core.roto import Clip, Project, edit
 from roam_core.roto.linking import linked, set_depth

@@ -12,12 +12,12 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QColorDialog
 from pytestqt.qtbot import QtBot
 
-from app.document import Document
+from app.model.document import Document
+from app.model.view_state import ViewState
 from app.panels.colour_row import OTHER
-from app.panels.controls import ChoiceBox
-from app.panels.fields import NumberField, ScrubLabel
 from app.panels.properties import PropertiesPanel
-from app.view_state import ViewState
+from app.widgets.controls import ChoiceBox
+from app.widgets.fields import NumberField, ScrubLabel
 from roam_core.geometry.bezier import polygon_points
 from roam_core.roto import BlendMode, Clip, MotionBlur, Project, RotoShape, edit
 from roam_core.roto.project import PALETTE

@@ -9,9 +9,9 @@ from PySide6.QtWidgets import QAbstractItemView, QTreeWidgetItem
 from pytestqt.qtbot import QtBot
 
 from app import style
-from app.document import Document
+from app.model.document import Document
+from app.model.view_state import ViewState
 from app.panels.shapes import EYE, LOCK, NAME, ShapesPanel
-from app.view_state import ViewState
 from roam_core.geometry.bezier import polygon_points
 from roam_core.roto import Keyframe, Layer, Origin, Project, edit
 from roam_core.roto.layers import grouped

@@ -10,11 +10,12 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QWidget
 from pytestqt.qtbot import QtBot
 
-from app.actions import Actions, load_keymap
-from app.document import Document
+from app.actions.actions import Actions
+from app.actions.keymaps import load_keymap
+from app.features.tracking import NO_CLIP, Tracking
+from app.model.document import Document
+from app.model.view_state import ViewState
 from app.panels.tracker import WORDS, TrackerPanel
-from app.tracking import NO_CLIP, Tracking
-from app.view_state import ViewState
 from roam_core.dials import dials_of
 from roam_core.geometry.bezier import polygon_points
 from roam_core.params import CONFIGS, DEFAULT_CONFIG

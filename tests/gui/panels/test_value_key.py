@@ -8,10 +8,10 @@ from PySide6.QtGui import QAction, QContextMenuEvent
 from PySide6.QtWidgets import QApplication, QMenu
 from pytestqt.qtbot import QtBot
 
-from app.document import Document
+from app.model.document import Document
+from app.model.view_state import ViewState
 from app.panels.properties import PropertiesPanel
 from app.panels.value_key import ValueKeyButton
-from app.view_state import ViewState
 from roam_core.roto import Animated, Interpolation, ValueKey, edit
 from roam_core.roto.value_keys import Keying
 from tests.gui.panels.test_layer_form import layer

@@ -8,11 +8,12 @@ import pytest
 from PySide6.QtWidgets import QWidget
 from pytestqt.qtbot import QtBot
 
-from app.actions import Actions, load_keymap
-from app.document import Document
-from app.navigation import Navigation
+from app.actions.actions import Actions
+from app.actions.keymaps import load_keymap
+from app.features.navigation import Navigation
+from app.model.document import Document
+from app.model.view_state import ViewState
 from app.timeline.timeline import Timeline
-from app.view_state import ViewState
 from roam_core.params import CONFIGS, DEFAULT_CONFIG
 from roam_core.propagate.provenance import clip_stamp, stamp
 from roam_core.roto import Keyframe, Origin, Project, edit

@@ -6,7 +6,7 @@ from pathlib import Path
 
 from PySide6.QtCore import QPoint
 
-from app.timeline.row_painter import ROW
+from app.timeline.keys.row_painter import ROW
 from app.timeline.timeline import Timeline
 from roam_core.geometry.bezier import polygon_points
 from roam_core.roto import Clip

@@ -9,10 +9,10 @@ from PySide6.QtGui import QHelpEvent
 from PySide6.QtWidgets import QApplication, QToolTip
 from pytestqt.qtbot import QtBot
 
-from app.document import Document
+from app.model.document import Document
+from app.model.view_state import ViewState
 from app.timeline.confidence import _with_gaps, least_of
 from app.timeline.timeline import Timeline
-from app.view_state import ViewState
 from roam_core.roto import Keyframe, Origin, edit
 from tests.gui.timeline.places import SQUARE, x_of
 

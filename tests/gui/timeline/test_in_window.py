@@ -9,9 +9,8 @@ import pytest
 from PySide6.QtCore import QPoint, Qt
 from pytestqt.qtbot import QtBot
 
-from app import settings
-from app.main_window import MainWindow
-from app.playback import Repeat
+from app.features.playback import Repeat
+from app.shell.main_window import MainWindow
 from roam_core.geometry.bezier import polygon_points
 from roam_core.roto import Mark, edit
 from tests.gui.timeline.places import place, x_of
@@ -92,10 +91,10 @@ def test_a_bracket_that_is_dragged_shows_in_the_transport(qtbot: QtBot, window: 
 def test_turned_dials_and_back_and_forth_come_back(window: MainWindow, tmp_path: Path) -> None:
     window.tracking.turn("reach", 1.5)
     window.actions_by_id["time.ping_pong"].trigger()
-    settings.keep(window, tmp_path / "window.ini")
+    window.keep_settings(tmp_path / "window.ini")
     window.tracking.reset()
     window.actions_by_id["time.loop"].trigger()
-    settings.restore(window, tmp_path / "window.ini")
+    window.restore_settings(tmp_path / "window.ini")
     assert window.tracking.configuration == f"{window.tracking.config}+reach=1.5"
     assert window.tracker.dials.fields["reach"].value() == 150
     assert window.playback.repeat is Repeat.PING_PONG

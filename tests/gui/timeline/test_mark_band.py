@@ -7,10 +7,10 @@ from collections.abc import Callable
 from PySide6.QtCore import QPoint, Qt
 from pytestqt.qtbot import QtBot
 
-from app.document import Document
+from app.model.document import Document
+from app.model.view_state import ViewState
 from app.timeline.mark_verbs import NO_CLIP
 from app.timeline.timeline import Timeline
-from app.view_state import ViewState
 from roam_core.roto import Mark, Project, timing
 from tests.gui.timeline.places import x_of
 

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 
-from app.document import Document
+from app.model.document import Document
 from app.timeline.marks import MarksOf, key_marks
 from roam_core.geometry.bezier import polygon_points
 from roam_core.params import CONFIGS, DEFAULT_CONFIG

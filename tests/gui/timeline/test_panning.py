@@ -7,9 +7,9 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtWidgets import QWidget
 from pytestqt.qtbot import QtBot
 
+from app.model.view_state import ViewState
 from app.timeline.panning import FINENESS
 from app.timeline.timeline import Timeline
-from app.view_state import ViewState
 from tests.gui.timeline.places import x_of
 
 MIDDLE = Qt.MouseButton.MiddleButton

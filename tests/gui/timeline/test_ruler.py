@@ -8,9 +8,9 @@ from PySide6.QtGui import QHelpEvent
 from PySide6.QtWidgets import QApplication, QToolTip
 from pytestqt.qtbot import QtBot
 
+from app.model.view_state import ViewState
 from app.timeline.ruler import HINT
 from app.timeline.timeline import Timeline
-from app.view_state import ViewState
 from tests.gui.timeline.places import x_of
 
 LOW = 24

@@ -13,12 +13,12 @@ from PySide6.QtWidgets import QApplication, QWidget
 from pytestqt.qtbot import QtBot
 
 from app import style
-from app.document import Document
-from app.timeline import row_painter
+from app.model.document import Document
+from app.model.view_state import ViewState
 from app.timeline.confidence import LEAST_HEIGHT
-from app.timeline.row_painter import ROW
+from app.timeline.keys import row_painter
+from app.timeline.keys.row_painter import ROW
 from app.timeline.timeline import Timeline
-from app.view_state import ViewState
 from roam_core.roto import Project, RotoShape, edit
 from tests.gui.timeline.places import SQUARE, row_middle, x_of
 

@@ -9,12 +9,13 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QToolButton, QWidget
 from pytestqt.qtbot import QtBot
 
-from app.actions import Actions, load_keymap
-from app.document import Document
-from app.navigation import Navigation
-from app.playback import Playback, Repeat
+from app.actions.actions import Actions
+from app.actions.keymaps import load_keymap
+from app.features.navigation import Navigation
+from app.features.playback import Playback, Repeat
+from app.model.document import Document
+from app.model.view_state import ViewState
 from app.timeline.transport import Transport
-from app.view_state import ViewState
 from roam_core.roto import Project
 from tests.gui.timeline.places import CLIP
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 
 from app.canvas.view import CanvasView
-from app.document import Document
-from app.view_state import ViewState
+from app.model.document import Document
+from app.model.view_state import ViewState
 from roam_core.geometry.bezier import IN, OUT, polygon_points
 from roam_core.roto import RotoShape, edit
 

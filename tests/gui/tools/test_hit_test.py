@@ -7,8 +7,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from app.model.view_state import Selection
 from app.tools.hit_test import REACH, OutlineHit, PointHit, hit, hit_outline, points_in_box
-from app.view_state import Selection
 from roam_core.geometry.bezier import ANCHOR, IN, OUT, polygon_points
 from roam_core.roto import Keyframe, Project, RotoShape, edit
 from roam_core.roto.layers import moved

@@ -7,13 +7,13 @@ import pytest
 from PySide6.QtCore import Qt
 
 from app.canvas.view import CanvasView
-from app.document import Document
-from app.view_state import ViewState
+from app.model.document import Document
+from app.model.view_state import ViewState
 from roam_core.geometry.bezier import IN, OUT
 from roam_core.roto import Origin, edit
 from tests.gui.hand import ALT, CTRL, NONE, Hand
 from tests.gui.tools.conftest import SQUARE, OnlyShape
-from tests.gui.tools.test_brush import wheel
+from tests.gui.tools.edit.test_brush import wheel
 
 RIGHT = np.array([20.0, 0.0])
 

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from app.canvas.view import CanvasView
-from app.document import Document
-from app.view_state import ViewState
+from app.model.document import Document
+from app.model.view_state import ViewState
 from roam_core.geometry.bezier import ANCHOR
 from roam_core.matte import render_matte
 from roam_core.roto import LayerTransform, edit

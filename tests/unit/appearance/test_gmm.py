@@ -144,6 +144,21 @@ def test_matches_equal_the_twin() -> None:
     assert sums[:, :, 6].min() > 0
 
 
+@pytest.mark.parametrize("spread", [1, 2, 7])
+def test_matches_count_the_colours_of_neighbours_once_each(spread: int) -> None:
+    """With five edges there are two on either side, however many are asked for."""
+    start, rng = mixtures(5, 9), np.random.default_rng(3)
+    colours, index = rng.uniform(50.0, 200.0, (90, 3)), rng.integers(0, 5, 90).astype(np.int32)
+    samples = Samples.of(colours, index, 5)
+    sums = matches(
+        samples.colours, samples.starts, spread, (start.weight, start.mean, start.variance), AppearanceParams().matched
+    )
+    for n in range(5):
+        near = [(n + off) % 5 for off in range(-min(spread, 2), min(spread, 2) + 1)]
+        assert sums[n, :, 6].sum() == np.isin(index, near).sum()
+        np.testing.assert_allclose(sums[n, :, :3].sum(axis=0), colours[np.isin(index, near)].sum(axis=0))
+
+
 def test_what_stays_the_same_teaches_nothing_new_and_what_changes_is_learned() -> None:
     rng = np.random.default_rng(11)
     index = np.zeros(400, np.int32)
@@ -175,3 +190,17 @@ def test_a_rate_of_zero_and_a_frame_without_colours_change_nothing() -> None:
         np.testing.assert_allclose(after.mean[1], start.mean[1])
         np.testing.assert_allclose(after.weight[1], start.weight[1])
     np.testing.assert_allclose(adapted(start, none, 0.1, FLOORLESS).variance, start.variance)
+
+
+def test_a_component_grows_as_wide_as_the_colours_that_it_takes_in() -> None:
+    """Colours on both sides of its mean leave the mean; how far they lie from it goes into the variance (a frame's own
+    spread, and the way from the mean to theirs)."""
+    model = Mixtures(np.ones((1, 1)), np.full((1, 1, 3), 100.0), np.full((1, 1, 3), 64.0))
+    rng, rate = np.random.default_rng(6), 0.25
+    colours = rng.normal(110.0, 3.0, (500, 3))  # all of them within the component's reach
+    after = adapted(model, Samples.of(colours, np.zeros(500, np.int32), 1), rate, AppearanceParams(variance_floor=1.0))
+    mean = (1.0 - rate) * 100.0 + rate * colours.mean(axis=0)
+    np.testing.assert_allclose(after.mean[0, 0], mean)
+    # Stauffer and Grimson: (1 - rho) sigma^2 + rho |x - mu|^2, with the new mean, over all of the colours.
+    apart = ((colours - mean) ** 2).mean(axis=0)
+    np.testing.assert_allclose(after.variance[0, 0], (1.0 - rate) * 64.0 + rate * apart)

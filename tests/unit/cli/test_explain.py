@@ -33,7 +33,7 @@ def test_a_table_of_nodes_and_one_of_landmarks(roam: Roam, tracked: Path) -> Non
         ["node", "point", "x", "y", "gradient", "l2", "local", "joint", "total"],
         ["id", "x", "y", "landmark", "star", "joint", "total"],
     ]
-    assert {line.split()[0] for line in lines if "%" in line} == {
+    assert {line.split()[0] for line in lines if line.endswith("%")} == {
         "gradient",
         "l2",
         "local",
@@ -67,7 +67,24 @@ def test_best_tells_both_sides_of_the_outline(roam: Roam, plate: Plate) -> None:
 
 def test_the_artists_key_is_said_to_be_his(roam: Roam, tracked: Path) -> None:
     done = roam("explain", tracked, "--frame", 1001)
-    assert (done.status, done.out) == (0, "'Shape 1', frame 1001: the artist made this key; nothing was solved.\n")
+    assert done.status == 0
+    assert done.out.splitlines()[0] == "'Shape 1', frame 1001: the artist made this key; nothing was solved."
+
+
+def test_shares_of_the_outline_on_the_frame_and_on_its_key(roam: Roam, tracked: Path) -> None:
+    lines = roam("explain", tracked, "--frame", 1003).out.splitlines()
+    here = next(line for line in lines if line.startswith("Of its outline "))
+    there = next(line for line in lines if line.startswith("On its key, frame 1001, "))
+    assert "is free" in here
+    assert there.endswith("% hidden.")
+    told = json.loads(roam("explain", tracked, "--frame", 1003, "--json").out)
+    assert set(told["edges"]) == {"free", "seam", "hidden", "unknown"}
+    assert sum(told["edges"].values()) == pytest.approx(1.0, abs=1e-5)
+    assert f"{told['edges']['free']:.0%} is free" in here
+    assert told["key_frame"] == 1001
+    on_key = roam("explain", tracked, "--frame", 1001).out
+    assert "Of its outline" in on_key
+    assert "On its key" not in on_key
 
 
 @pytest.mark.parametrize("term", ["total", "local", "joint", "landmark"])

@@ -1,12 +1,16 @@
-"""E^L and E^J by hand, and their tables against the energies evaluated directly."""
+"""E^L and E^J by hand, and their tables and the oracle against the paper's equations."""
 
 from __future__ import annotations
 
 import numpy as np
 import pytest
 
-from roam_core.energy import joint, landmark
+from roam_core.energy import joint, joint_total, landmark
 from roam_core.energy.joint import Pairs, completed, paired
+from roam_core.energy.joint_total import LandmarkContext, Placing
+from roam_core.landmarks.star import Star
+from roam_core.params import LandmarkParams
+from tests.reference.energy import ref_landmark_energies
 
 SQUARE = np.array([(0.0, 0.0), (10.0, 0.0), (10.0, 10.0), (0.0, 10.0)])
 LEAVES = np.array([(2.0, 3.0), (8.0, 7.0), (50.0, 50.0)])
@@ -71,6 +75,7 @@ def test_pairs_of_landmarks_that_are_gone_fall_away() -> None:
     assert left.leaf.tolist() == [1, 0]
     np.testing.assert_array_equal(left.shift, [[0.0, 1.0], [4.0, 5.0]])
     assert len(pairs.between(np.empty(0, np.intp)).node) == 0
+    assert pairs.between(np.array([7, 1])).leaf.tolist() == [1], "landmarks that pull nobody are passed over"
 
 
 def test_nodes_without_their_landmarks_take_new_ones_and_the_others_keep_their_shifts() -> None:
@@ -99,3 +104,37 @@ def test_shifts_stay_or_follow_the_curve() -> None:
     assert joint.joint_energy(grown, LEAVES, pairs.followed(grown, LEAVES, 1.0)) == pytest.approx(0.0)
     half = joint.joint_energy(grown, LEAVES, pairs.followed(grown, LEAVES, 0.5))
     assert half == pytest.approx(0.25 * joint.joint_energy(grown, LEAVES, pairs))
+
+
+WEIGHTS = LandmarkParams(weight=0.7, star=0.05, joint=0.02)
+
+
+def a_context(rng: np.random.Generator, nodes: np.ndarray) -> LandmarkContext:
+    """Three landmarks on lattices of 5 by 5 places, in a picture of twice the size that the weights are meant for."""
+    leaves = rng.uniform(0.0, 10.0, (3, 2))
+    pairs = Pairs(np.array([0, 0, 1, 3]), np.array([0, 1, 2, 2]), rng.normal(size=(4, 2)))
+    return LandmarkContext(Star.of(leaves), rng.normal(size=(3, 5, 5)).astype(np.float32), 1.5, pairs, 2.0)
+
+
+def test_the_oracle_has_the_energies_of_the_papers_equations() -> None:
+    rng = np.random.default_rng(6)
+    for _ in range(10):
+        context, placing = a_context(rng, SQUARE), Placing(rng.integers(0, 5, (3, 2)), rng.integers(0, 5, 2))
+        ours = joint_total.landmark_energies(SQUARE, placing, context, WEIGHTS)
+        assert ours == pytest.approx(ref_landmark_energies(SQUARE, placing, context, WEIGHTS))
+
+
+def test_the_tables_have_what_the_papers_equations_add_at_each_place() -> None:
+    """A landmark's own terms at every place of its lattice; the pull on every node at each of its moves."""
+    rng = np.random.default_rng(7)
+    context = a_context(rng, SQUARE)
+    placing = Placing(rng.integers(0, 5, (3, 2)), np.array([2, 2]))
+    own, places = joint_total.leaf_table(SQUARE, context, WEIGHTS), placing.leaves
+    direct = ref_landmark_energies(SQUARE, placing, context, WEIGHTS)
+    ours = own[np.arange(3), places[:, 0], places[:, 1]].sum()
+    assert ours == pytest.approx(direct["landmarks"] + direct["joint"])
+    moves = rng.normal(size=(4, 2))
+    pull = joint_total.node_table(SQUARE, moves, placing.star(context), context, WEIGHTS)
+    for labels in rng.integers(0, 4, (6, 4)):
+        direct = ref_landmark_energies(SQUARE + moves[labels], placing, context, WEIGHTS)
+        assert pull[np.arange(4), labels].sum() == pytest.approx(direct["joint"])

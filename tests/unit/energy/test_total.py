@@ -1,4 +1,4 @@
-"""Tables and oracle: the same energy, asked for in two ways."""
+"""Tables and oracle: the energy of the paper's equations, as `tests.reference.energy` has them, in two ways."""
 
 from __future__ import annotations
 
@@ -14,6 +14,7 @@ from roam_core.features import Region
 from roam_core.features.grid import Grid
 from roam_core.params import AppearanceParams, RoamParams
 from tests.reference.cyclic_viterbi import chain_energy
+from tests.reference.energy import ref_curve_energies
 
 # No sample of any edge falls on a border between pixels, where rounding would choose the side.
 NODES = (
@@ -26,14 +27,6 @@ MOVES = np.array([(0.0, 0.0), (2.0, 0.0), (0.0, -2.0), (-2.0, 2.0)])
 def context() -> CurveContext:
     field = np.random.default_rng(2).random((30, 28)).astype(np.float32)
     return CurveContext(field, origin=(6, 8), spacing=12.0)
-
-
-def test_any_labelling_of_the_tables_has_the_oracles_energy(context: CurveContext) -> None:
-    params = RoamParams(mu=0.3, lambda_gradient=1.7)
-    unary, pairwise = total.tables(NODES, MOVES, context, params)
-    for labels in np.random.default_rng(4).integers(0, len(MOVES), (20, len(NODES))):
-        direct = total.energies(NODES + MOVES[labels], context, params)
-        assert chain_energy(unary, pairwise, labels) == pytest.approx(direct["total"], abs=1e-12)
 
 
 def test_the_shares_sum_to_the_total(context: CurveContext) -> None:
@@ -68,14 +61,6 @@ CARRIED = (
 WARPED = RoamParams(mu=0.3, l2_rest=0.8)
 
 
-def test_any_labelling_of_the_tables_with_rest_edges_has_the_oracles_energy(context: CurveContext) -> None:
-    at_rest = replace(context, rest=CARRIED)
-    unary, pairwise = total.tables(NODES, MOVES, at_rest, WARPED)
-    for labels in np.random.default_rng(4).integers(0, len(MOVES), (20, len(NODES))):
-        direct = total.energies(NODES + MOVES[labels], at_rest, WARPED)
-        assert chain_energy(unary, pairwise, labels) == pytest.approx(direct["total"], abs=1e-12)
-
-
 def test_the_papers_l2_is_the_same_bit_by_bit_whatever_the_prewarp_carried(context: CurveContext) -> None:
     at_rest = replace(context, rest=CARRIED)
     tables = [total.tables(NODES, MOVES, each, RoamParams())[1] for each in (context, at_rest)]
@@ -105,13 +90,41 @@ def coloured(context: CurveContext) -> CurveContext:
     return replace(context, colours=ColourFields(grid, foreground, background, 4.0, whole + np.float32(9.0)))
 
 
-@pytest.mark.parametrize("params", [RIBBON, COMPETITION], ids=["ribbon", "competition"])
-def test_any_labelling_of_the_tables_with_colours_has_the_oracles_energy(
-    coloured: CurveContext, params: RoamParams
+JUDGED = {
+    "no colour": RoamParams(mu=0.3, lambda_gradient=1.7),
+    "rest edges": replace(WARPED, lambda_gradient=1.7),
+    "ribbon": RIBBON,
+    "ribbon and global": replace(RIBBON, lambda_global=0.02, l2_rest=0.5),
+    "competition": COMPETITION,
+}
+
+
+@pytest.mark.parametrize("params", list(JUDGED.values()), ids=list(JUDGED))
+@pytest.mark.parametrize("turned", [False, True], ids=["clockwise", "counter-clockwise"])
+def test_the_oracle_has_the_energies_of_the_papers_equations(
+    coloured: CurveContext, params: RoamParams, turned: bool
 ) -> None:
-    unary, pairwise = total.tables(NODES, MOVES, coloured, params)
+    at_rest = replace(coloured, rest=CARRIED, orientation=-1.0 if turned else 1.0)
+    nodes = NODES[::-1].copy() if turned else NODES
+    for labels in np.random.default_rng(5).integers(0, len(MOVES), (6, len(NODES))):
+        ours = total.energies(nodes + MOVES[labels], at_rest, params)
+        theirs = ref_curve_energies(nodes + MOVES[labels], at_rest, params)
+        assert ours == pytest.approx({name: theirs.get(name, 0.0) for name in ours}, abs=1e-9)
+        assert set(theirs) <= set(ours)
+
+
+@pytest.mark.parametrize("params", list(JUDGED.values()), ids=list(JUDGED))
+@pytest.mark.parametrize("turned", [False, True], ids=["clockwise", "counter-clockwise"])
+def test_any_labelling_of_the_tables_has_the_energy_of_the_papers_equations(
+    coloured: CurveContext, params: RoamParams, turned: bool
+) -> None:
+    at_rest = replace(coloured, rest=CARRIED, orientation=-1.0 if turned else 1.0)
+    if params.appearance is None:
+        at_rest = replace(at_rest, colours=None)
+    nodes = NODES[::-1].copy() if turned else NODES
+    unary, pairwise = total.tables(nodes, MOVES, at_rest, params)
     for labels in np.random.default_rng(4).integers(0, len(MOVES), (20, len(NODES))):
-        direct = total.energies(NODES + MOVES[labels], coloured, params)
+        direct = ref_curve_energies(nodes + MOVES[labels], at_rest, params)
         assert chain_energy(unary, pairwise, labels) == pytest.approx(direct["total"], abs=1e-9)
 
 

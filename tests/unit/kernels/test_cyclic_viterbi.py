@@ -7,9 +7,12 @@ import pytest
 
 from roam_core.kernels.cyclic_viterbi import cyclic_viterbi
 from tests.reference.cyclic_viterbi import chain_energy, ref_cyclic_viterbi
+from tests.unit.kernels.conftest import needs_compiler
+
+LONG = [pytest.param(count, kinds, marks=needs_compiler) for count, kinds in ((120, 49), (220, 25))]
 
 
-@pytest.mark.parametrize(("count", "kinds"), [(2, 9), (3, 25), (40, 25), (120, 49), (220, 25)])
+@pytest.mark.parametrize(("count", "kinds"), [(2, 9), (3, 25), (40, 25), *LONG])
 def test_chains_of_real_size_equal_plain_viterbi_runs(count: int, kinds: int) -> None:
     rng = np.random.default_rng(count * 1000 + kinds)
     for smoothness in (0.0, 0.3, 3.0):

@@ -15,6 +15,7 @@ from roam_core.kernels import keeping
 from roam_core.kernels.keeping import DIGEST
 from roam_core.temporary import is_writable, private_folder
 from tests.conftest import ROOT
+from tests.unit.kernels.conftest import needs_compiler
 
 KERNEL = """
 import roam_core.kernels
@@ -63,6 +64,7 @@ DAMAGES: tuple[Callable[[bytes], bytes], ...] = (
 )
 
 
+@needs_compiler
 def test_a_damaged_kernel_is_compiled_again(folder: Path) -> None:
     assert run(folder)[0] == 0
     hits, place = run(folder)
@@ -85,6 +87,7 @@ def test_no_damage_goes_unseen(tmp_path: Path, suffix: str, damage: Callable[[by
     assert kept.load("key") == "anew"
 
 
+@needs_compiler
 def test_a_read_only_install_and_home_keep_kernels_in_a_private_folder(folder: Path, tmp_path: Path) -> None:
     (folder / "__pycache__").touch()  # stands in for a folder that cannot be written to, by root either
     (tmp_path / "temporary").mkdir()

@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from roam_core.kernels.posing import RIM, Costs, Prior, Samples, Ties, View, affines, energies, refined
 from tests.reference.posing import ref_affines, ref_carried, ref_energy
+from tests.unit.kernels.conftest import EXACT
 
 Array = NDArray[np.float64]
 
@@ -98,7 +99,7 @@ def test_energies_are_those_of_the_twin(bones: Array, spread: float, known: bool
     poses, prior, ties = poses_of(bones, 8, spread), prior_of(bones), ties_of(bones)
     found = energies(view, samples, bones, poses, COSTS, prior, ties)
     expected = [ref_energy(view, samples, bones, pose, COSTS, prior, ties) for pose in poses]
-    np.testing.assert_allclose(found, expected, rtol=1e-9, atol=1e-12)
+    np.testing.assert_allclose(found, expected, rtol=EXACT, atol=1e-12)
     assert np.ptp(found) > 1e-3
 
 
@@ -123,7 +124,7 @@ def test_what_a_refined_pose_costs_is_the_twins_and_no_more_than_the_start(bones
     prior, ties = prior_of(bones), ties_of(bones)
     for start in poses_of(bones):
         pose, cost = refined(view, samples, bones, start, COSTS, prior, ties, 12)
-        assert cost == pytest.approx(ref_energy(view, samples, bones, pose, COSTS, prior, ties, RIM), rel=1e-9)
+        assert cost == pytest.approx(ref_energy(view, samples, bones, pose, COSTS, prior, ties, RIM), rel=EXACT)
         assert cost <= ref_energy(view, samples, bones, start, COSTS, prior, ties, RIM) + 1e-12
 
 
@@ -173,6 +174,38 @@ def test_a_planted_pose_is_found(planted: tuple[float, ...]) -> None:
     ours, true = (ref_carried(ONE, each, samples.places[own], samples.skin[own]) for each in (found, pose))
     assert np.hypot(*(ours - true).T).max() < 0.25
     assert cost <= ref_energy(view, samples, ONE, pose, COSTS._replace(needless=0.0), loose, NO_TIES, RIM) + 1e-3
+
+
+@pytest.mark.parametrize("way", [(1, 0), (0, 1), (-1, 0), (0, -1)])
+def test_places_that_need_the_part_draw_it_and_what_lies_beside_it_is_driven_off(way: tuple[int, int]) -> None:
+    """In a picture of one colour nothing else tells where it lies."""
+    samples = samples_of(ONE)
+    samples = samples._replace(colours=np.full_like(samples.colours, 50.0))
+    spot = samples.places.mean(axis=0) + 8.0 * np.array(way)
+    need = np.exp(-((centres() - spot) ** 2).sum(axis=-1) / 200.0).astype(np.float32)
+    view = View(np.full((*SIZE, 3), 50.0, np.float32), 1.0, 1.0, 0.0, 0.0, np.zeros(SIZE, np.uint8), need)
+    stiff = Prior(np.zeros(6), np.array([1e-3, 1e-3, 10.0, 10.0, 10.0, 10.0]), np.zeros(6), 0.0, 0.0)
+    for costs, sign in ((COSTS._replace(needed=0.0), 1.0), (COSTS._replace(needless=0.0, needed=0.05), -1.0)):
+        pose, cost = refined(view, samples, ONE, np.zeros(6), costs, stiff, NO_TIES, 4)
+        assert cost < ref_energy(view, samples, ONE, np.zeros(6), costs, stiff, NO_TIES, RIM) - 1e-5
+        along, across = pose[:2] @ np.array(way), pose[:2] @ np.array(way[::-1])
+        assert sign * along > 0.3
+        assert abs(across) < 0.7 * abs(along)
+
+
+def test_a_prior_alone_is_met_within_a_few_rounds() -> None:
+    """It is quadratic: with the right curvature one step of Newton would do, and damping leaves a thousandth of it."""
+    bones, size = FOUR, 5 + len(FOUR)
+    samples = samples_of(bones)._replace(weights=np.zeros(120))
+    view = View(
+        np.zeros((*SIZE, 3), np.float32), 1.0, 1.0, 0.0, 0.0, np.ones(SIZE, np.uint8), np.zeros(SIZE, np.float32)
+    )
+    expected = np.random.default_rng(4).normal(0.0, 0.04, size)
+    prior = Prior(expected, np.full(size, 0.2), np.full(size, 0.1), 3.0, 2.0)
+    none = NO_TIES._replace(skin=np.zeros((0, len(bones))))
+    pose, _ = refined(view, samples, bones, np.zeros(size), COSTS, prior, none, 3)
+    before, after = (slope(view, samples, bones, each, COSTS, prior, none) for each in (np.zeros(size), pose))
+    assert np.abs(after).max() < 1e-3 * np.abs(before).max()
 
 
 def test_a_bend_that_was_planted_is_found() -> None:

@@ -46,6 +46,21 @@ def test_every_sweep_lowers_the_smoothing_energy_towards_its_minimum() -> None:
     npt.assert_allclose(energies[-1], energies[-2], rtol=1e-5)
 
 
+def test_smoothing_comes_to_rest_where_every_wanted_cell_is_the_mean_of_its_own_value_and_its_neighbours() -> None:
+    """Weighted by how alike they are; cells that are not wanted hold theirs, on the rim fewer neighbours have a say."""
+    rng = np.random.default_rng(7)
+    field = rng.normal(size=(7, 9)).astype(np.float32)
+    colours, wanted = rng.uniform(0, 30, (7, 9, 3)), rng.random((7, 9)) < 0.6
+    result = diffuse(field, colours.astype(np.float32), wanted, 2.0, 12.0, 300)
+    for y, x in np.argwhere(wanted):
+        total, weights = float(field[y, x]), 1.0
+        for row, column in ((y - 1, x), (y + 1, x), (y, x - 1), (y, x + 1)):
+            if 0 <= row < 7 and 0 <= column < 9:
+                weight = 2.0 * np.exp(-((colours[y, x] - colours[row, column]) ** 2).sum() / (2.0 * 12.0**2))
+                total, weights = total + weight * result[row, column], weights + weight
+        assert result[y, x] == pytest.approx(total / weights, abs=1e-4)
+
+
 def test_smoothing_holds_what_is_not_wanted() -> None:
     rng = np.random.default_rng(4)
     field = rng.normal(size=(6, 6)).astype(np.float32)

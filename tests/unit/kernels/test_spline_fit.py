@@ -42,6 +42,17 @@ def test_nearest_places_are_the_nearest_of_all_edges() -> None:
         assert np.hypot(*(a + (place - k) * (b - a) - sample)) <= ref_nearest(line, sample)[0] + 0.02
 
 
+def test_a_place_that_was_a_few_vertices_off_comes_to_the_nearest_edge_within_its_window() -> None:
+    angle = np.arange(40) * (2.0 * np.pi / 40)
+    line = 50.0 + 30.0 * np.stack([np.cos(angle), 0.8 * np.sin(angle)], axis=1)
+    normals, at = polyline.outward_normals(line), np.array([0, 1, 20, 38])
+    for off in (-4, 3):
+        found = nearest_places(line, normals, line[at] + 0.2, normals[at], (at + off) % 40, 6, 1e-6)
+        np.testing.assert_allclose((found - at + 20) % 40, 20.0, atol=0.2)
+    short = nearest_places(line, normals, line[at], normals[at], (at - 4) % 40, 2, 1e-6)
+    np.testing.assert_allclose((short - at + 20) % 40, 19.0, atol=1.01)
+
+
 def test_a_place_that_faces_the_other_way_is_not_taken() -> None:
     line = np.array([[0.0, 0.0], [10.0, 0.0], [20.0, 0.0], [20.0, 2.0], [10.0, 2.0], [0.0, 2.0]])
     normals = polyline.outward_normals(line)

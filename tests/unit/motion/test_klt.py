@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import cv2
 import numpy as np
 import pytest
 
 from roam_core.features import PreparedFrame
 from roam_core.geometry import bezier, similarity
-from roam_core.motion.klt import similarity_warp
+from roam_core.motion.klt import followed_points, similarity_warp
 from roam_core.params import RoamParams
 from tests.golden.shots import Shot, blob, inverse, pose
 
@@ -62,3 +63,19 @@ def test_the_ground_beside_the_object_has_no_say() -> None:
     centre = np.array([80.0, 70.0])
     for transform in transforms:
         assert np.hypot(*(similarity.apply(transform, centre) - (83.0, 71.0))) < 1.0
+
+
+def test_points_that_something_covers_are_dropped_and_not_followed_to_where_it_leads() -> None:
+    """Half of the object is hidden on the next frame: a point there goes somewhere, but does not come back from it."""
+    rng = np.random.default_rng(4)
+    surface, cover = (cv2.GaussianBlur(rng.normal(size=(120, 160)), (0, 0), 1.5) for _ in range(2))
+    picture, hidden = (np.clip(128.0 + 250.0 * each, 0, 255).astype(np.uint8) for each in (surface, cover))
+    moved = np.roll(picture, (1, 3), axis=(0, 1))
+    moved[:, 80:] = hidden[:, 80:]
+    before, after = (PreparedFrame(np.repeat(grey[..., None], 3, axis=2)) for grey in (picture, moved))
+    outline = np.array([(30.0, 30.0), (130.0, 30.0), (130.0, 90.0), (30.0, 90.0)])
+    source, target, _ = followed_points(before, after, outline, RoamParams(), 1.0)
+    seen = source[:, 0] < 72.0
+    assert np.count_nonzero(seen) >= 10
+    assert np.hypot(*(target - source - (3.0, 1.0))[seen].T).max() < 0.5
+    assert np.count_nonzero(source[:, 0] > 84.0) <= 0.1 * len(source)

@@ -5,13 +5,15 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
+from pathlib import Path
 
+import cv2
 import numpy as np
 from numpy.typing import NDArray
 
 from roam_core.geometry import bezier, similarity
 from roam_core.matte import shape_matte
-from roam_core.roto import BlendMode, Keyframe, RotoShape
+from roam_core.roto import BlendMode, Clip, Keyframe, Layer, Project, RotoShape, file
 from tests.golden.shots import Image, Texture, inverse, pose, texture
 
 Array = NDArray[np.float64]
@@ -117,3 +119,56 @@ def keys_of(shape: RotoShape) -> list[tuple[int, bytes, float | None, str]]:
 def laid(shapes: Sequence[RotoShape], found: RotoShape) -> list[RotoShape]:
     """The shapes with one of them as it was found."""
     return [found if shape.id == found.id else shape for shape in shapes]
+
+
+# ---- parts of which little is to be seen
+
+
+BODY = Moving("body", box(40, 50), (80, 64), (0.5, 0.0), 0.0, texture(11, 0.5, 0.9))
+ODD = {
+    "three pixels wide": Moving("odd", box(3, 40), (95, 60), (0.6, 0.3), 1.0, texture(12, 0.6, 1.0)),
+    "without texture": Moving("odd", box(30, 20), (100, 60), (1.0, 0.0)),
+    "leaves the picture": Moving("odd", box(30, 20), (100, 50), (16.0, 0.0), 0.0, texture(12, 0.6, 1.0)),
+    "out of the picture": Moving("odd", box(60, 20), (110, -11), (0.0, -2.0), 0.0, texture(12, 0.6, 1.0)),
+    "a speck": Moving("odd", box(1.2, 1.2), (95, 60), (0.6, 0.3), 0.0, texture(12, 0.6, 1.0)),
+    "without an area": Moving("odd", box(30, 0.0), (95, 60), (0.6, 0.3), 0.0, texture(12, 0.6, 1.0)),
+    "wholly behind": Moving("odd", box(20, 20), (80, 64), (1.0, 0.0), 0.0, texture(12, 0.6, 1.0)),
+}
+"""Parts over a body, or under it, that have no look of their own, hardly any extent, or are not to be seen."""
+
+
+def odd_objects() -> dict[str, tuple[Figure, list[RotoShape]]]:
+    """Objects that must break nothing, and how an artist would draw them: keys on frame 0."""
+    post = Moving("post", box(12, 90), (70, 60), (3.0, 0.0), 0.0, texture(15, 0.3, 1.0))
+    found: dict[str, tuple[Figure, list[RotoShape]]] = {}
+    for name, part in ODD.items():
+        figure = Figure((part, BODY) if name == "wholly behind" else (BODY, part), 3)
+        found[name] = figure, figure.shapes()
+    behind = Figure((BODY, post), 3)
+    found["an occluder"] = behind, [behind.shapes()[0], subtracting(behind.shapes()[1])]
+    crowd = a_hundred_parts()
+    found["a hundred"] = crowd, crowd.shapes()
+    return found
+
+
+def a_hundred_parts() -> Figure:
+    """Small boxes over each other, on two frames."""
+    places = np.random.default_rng(0).uniform((50.0, 30.0), (110.0, 90.0), (100, 2))
+    parts = [
+        Moving(f"p{k}", box(9, 9), (float(x), float(y)), (0.5, 0.2), 0.0, texture(k, 0.3, 1.0, 4))
+        for k, (x, y) in enumerate(places)
+    ]
+    return Figure(tuple(parts), 2)
+
+
+def written(figure: Figure, shapes: Sequence[RotoShape], folder: Path) -> Path:
+    """A figure as a plate in `folder`, and a project of its shapes beside it; the path of the project."""
+    plate = folder / "plate"
+    plate.mkdir()
+    for frame in figure.frames:
+        cv2.imwrite(str(plate / f"plate.{frame:04}.png"), figure.read(frame)[..., ::-1])
+    path = folder / "odd.roam"
+    height, width = SIZE
+    clip = Clip(plate, 0, figure.count - 1, (width, height))
+    file.save(Project(clip, Layer("root", "Root", tuple(shapes))), path)
+    return path

@@ -9,9 +9,8 @@ from roam_core.features import Region
 from roam_core.features.grid import Grid
 from roam_core.geometry import bezier, polyline
 from roam_core.params import ContourFitParams, RegionParams
-from roam_core.propagate.laying import enclosed, laid
+from roam_core.propagate.laying import enclosed, laid, trusts_of
 from roam_core.propagate.nodes import smooth_points
-from roam_core.propagate.region import trusts_of
 from roam_core.propagate.result import Part
 from roam_core.proposal.contour import Traits
 from roam_core.proposal.evidence import Field

@@ -20,9 +20,12 @@ from roam_core.propagate.result import Termination
 from roam_core.roto import Keyframe, Origin, RotoShape, edit
 from tests.golden.shots import outline_distance, texture
 from tests.unit.propagate.figures import (
+    BODY,
+    ODD,
     SIZE,
     Figure,
     Moving,
+    a_hundred_parts,
     arm_like_its_body,
     body_behind_a_post,
     body_with_arms,
@@ -145,6 +148,24 @@ def test_an_edit_of_a_neighbour_makes_stale_what_it_led_to(figure: Figure, whole
     fresh = figure.shapes()
     fresh[2] = edit.set_key(fresh[2], 5, whole[2].at(5).points + 1.0)
     assert same(again, tracked(figure, fresh))
+
+
+def at_depth(shape: RotoShape, *pairs: tuple[int, int]) -> RotoShape:
+    return replace(shape, depth=pairs)
+
+
+@pytest.mark.parametrize(("first", "stale"), [(0, [4, 5, 6, 7]), (LAST, [0, 1, 2, 3])], ids=["forward", "backward"])
+def test_a_change_of_depth_makes_stale_what_comes_after_it(figure: Figure, first: int, stale: list[int]) -> None:
+    """The arm lies behind from frame 4 on; a run backward meets that when it goes on to frame 3."""
+    frames, shapes = figure.frames[:: 1 if first == 0 else -1], figure.shapes(first)
+    behind = [((4, -1),), ((0, -1), (4, 0))][first == LAST]
+    whole = tracked(figure, shapes, frames)
+    restacked = [whole[0], at_depth(whole[1], *behind), whole[2]]
+    assert [stale_frames(restacked, k) for k in range(3)] == [stale] * 3
+    again = tracked(figure, restacked, range(3, 8) if first == 0 else range(4, -1, -1))
+    assert [stale_frames(again, k) for k in range(3)] == [[], [], []]
+    fresh = tracked(figure, [shapes[0], at_depth(shapes[1], *behind), shapes[2]], frames)
+    assert same(again, fresh)
 
 
 def test_alone_is_as_if_there_were_no_others(figure: Figure) -> None:
@@ -290,18 +311,6 @@ def test_a_stale_key_is_not_explained(figure: Figure, whole: list[RotoShape]) ->
 # ---- nothing breaks
 
 
-BODY = Moving("body", box(40, 50), (80, 64), (0.5, 0.0), 0.0, texture(11, 0.5, 0.9))
-ODD = {
-    "three pixels wide": Moving("odd", box(3, 40), (95, 60), (0.6, 0.3), 1.0, texture(12, 0.6, 1.0)),
-    "without texture": Moving("odd", box(30, 20), (100, 60), (1.0, 0.0)),
-    "leaves the picture": Moving("odd", box(30, 20), (100, 50), (16.0, 0.0), 0.0, texture(12, 0.6, 1.0)),
-    "out of the picture": Moving("odd", box(60, 20), (110, -11), (0.0, -2.0), 0.0, texture(12, 0.6, 1.0)),
-    "a speck": Moving("odd", box(1.2, 1.2), (95, 60), (0.6, 0.3), 0.0, texture(12, 0.6, 1.0)),
-    "without an area": Moving("odd", box(30, 0.0), (95, 60), (0.6, 0.3), 0.0, texture(12, 0.6, 1.0)),
-    "wholly behind": Moving("odd", box(20, 20), (80, 64), (1.0, 0.0), 0.0, texture(12, 0.6, 1.0)),
-}
-
-
 def require_sound(shapes: Sequence[RotoShape], frames: range) -> None:
     for shape in shapes:
         assert set(frames) <= set(shape.frames)
@@ -360,12 +369,6 @@ def test_a_hole_goes_with_its_part() -> None:
 
 
 def test_a_hundred_small_parts_break_nothing() -> None:
-    rng = np.random.default_rng(0)
-    places = rng.uniform((50.0, 30.0), (110.0, 90.0), (100, 2))
-    parts = [
-        Moving(f"p{k}", box(9, 9), (float(x), float(y)), (0.5, 0.2), 0.0, texture(k, 0.3, 1.0, 4))
-        for k, (x, y) in enumerate(places)
-    ]
-    figure = Figure(tuple(parts), 2)
+    figure = a_hundred_parts()
     assert len(objects(figure.shapes(), 5.0)) == 1
     require_sound(tracked(figure, figure.shapes()), figure.frames)

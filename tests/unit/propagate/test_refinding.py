@@ -10,6 +10,7 @@ import pytest
 from numpy.typing import NDArray
 
 from roam_core import shapes_from_mask, track
+from roam_core.appearance.global_model import GlobalModel
 from roam_core.features import PreparedFrame
 from roam_core.features.grid import Grid, Region
 from roam_core.geometry import bezier
@@ -17,7 +18,7 @@ from roam_core.matte.compose import render_matte
 from roam_core.params import CONFIGS, RedetectionParams, RegionParams
 from roam_core.propagate import step as outline
 from roam_core.propagate.explain import explain
-from roam_core.propagate.refinding import Lookout, Sighting, Watch
+from roam_core.propagate.refinding import Lookout, Sighting, Watch, middle_of
 from roam_core.propagate.region import begin, step
 from roam_core.propagate.result import Part
 from roam_core.proposal.evidence import Field, KeyMemory
@@ -30,6 +31,8 @@ FIRST, STEP = 40, 7
 """Column of the ball on frame 0, and columns a frame."""
 POST = slice(95, 150)
 """Columns that hide what is behind them."""
+
+REGION = RegionParams()
 
 UInt8 = NDArray[np.uint8]
 
@@ -185,6 +188,55 @@ def test_landmarks_of_what_was_found_again_are_new_ones() -> None:
     after, result = stepped.state, stepped.result
     assert after.promise > 0.9
     assert np.hypot(*(result.points[:, bezier.ANCHOR].mean(axis=0) - (220.0, ROW))) < 3.0
+
+
+def test_of_what_was_found_again_its_region_has_the_colours_of_the_key() -> None:
+    """Whatever was learned since: here the ground's colours for the object's."""
+    key = PreparedFrame(picture(60.0))
+    state = begin(key, (Part(shapes_from_mask(disc(60.0))[0].at(0).points),), REGION)
+    misled = GlobalModel(state.colours.outside, state.colours.inside)
+    away = replace(state, colours=misled, sighting=replace(state.sighting, since=PARAMS.long_gone - 1))
+    stepped = step(away, PreparedFrame(picture(200.0)), REGION)
+    found, after = stepped.begun, stepped.state
+    assert stepped.redetected
+    np.testing.assert_array_equal(found.colours.inside, state.key.colours.inside)
+    np.testing.assert_array_equal(found.colours.outside, state.key.colours.outside)
+    assert np.hypot(*(middle_of(after.region) - (200.0, ROW))) < 3.0
+
+
+def test_of_what_was_found_again_the_edges_learn_anew_from_the_key() -> None:
+    params = CONFIGS["full"]
+    key = PreparedFrame(picture(60.0))
+    state = outline.begin(key, shapes_from_mask(disc(60.0))[0].at(0).points, params)
+    assert state.watch is not None
+    assert state.models is not None
+    edges = state.models.edges
+    misled = replace(state.models, edges=replace(edges, inside=edges.outside, outside=edges.inside))
+    watch = replace(state.watch, sighting=replace(state.watch.sighting, since=PARAMS.long_gone - 1))
+    away = replace(state, models=misled, watch=watch)
+    found = outline.step(away, PreparedFrame(picture(200.0)), params).begun
+    assert found is not away
+    assert found.models is not None
+    learned = found.models.edges
+    np.testing.assert_array_equal(learned.inside.mean, learned.key_inside.mean)
+    np.testing.assert_allclose(learned.inside.mean.mean(axis=(0, 1)), edges.key_inside.mean.mean(axis=(0, 1)), atol=5.0)
+
+
+def test_a_frame_on_which_little_is_left_of_the_object_teaches_its_region_no_colours() -> None:
+    """The post hides most of the ball within one frame: what is left is not taken for the object as it looks now."""
+
+    def learned(before: float, now: float) -> bool:
+        shown = disc(before)
+        shown[:, POST] = False
+        state = begin(
+            PreparedFrame(picture(before, post=True)), (Part(shapes_from_mask(shown)[0].at(0).points),), REGION
+        )
+        after = step(state, PreparedFrame(picture(now, post=True)), REGION).state
+        assert after.region.inside.any()
+        return not np.array_equal(after.colours.inside, state.colours.inside)
+
+    assert learned(60.0, 62.0)
+    assert not learned(90.0, 106.0)
 
 
 def test_a_hole_is_not_looked_for() -> None:

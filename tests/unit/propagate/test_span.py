@@ -17,9 +17,10 @@ from roam_core.matte.compose import render_matte
 from roam_core.media.source import MissingFrame
 from roam_core.params import CONFIGS
 from roam_core.propagate import provenance
-from roam_core.propagate.span import spans
+from roam_core.propagate.span import Reader, spans
 from roam_core.roto import BlendMode, Keyframe, Origin, RotoShape
 from tests.golden.shots import Image, Shot, blob, outline_distance, pose
+from tests.narrow import Narrow
 
 FIRST, LAST = 1001, 1009
 BETWEEN = range(FIRST + 1, LAST)
@@ -134,6 +135,30 @@ def test_progress_goes_from_little_to_all_and_cancelling_stops(shot: Shot) -> No
             token=token,
             progress=lambda part, _: token.cancel() if part > 0.3 else None,
         )
+
+
+def test_pictures_are_asked_for_by_one_thread_at_a_time(shot: Shot) -> None:
+    narrow = Narrow()
+
+    class Plate(dict[int, Image]):
+        def __getitem__(self, frame: int) -> Image:
+            narrow.passed()
+            return super().__getitem__(frame)
+
+    read = Reader(Plate(pictures(shot)))
+    assert narrow.passed_by_two(lambda: read(FIRST)) == 1
+
+
+def test_progress_is_told_by_one_thread_at_a_time_and_never_goes_back(shot: Shot) -> None:
+    narrow, seen = Narrow(), list[float]()
+
+    def progress(part: float, text: str) -> None:
+        narrow.passed()
+        seen.append(part)
+
+    fill_span(pictures(shot), [keyed(shot, FIRST, LAST)], FIRST, LAST, "baseline", progress=progress)
+    assert narrow.most == 1
+    assert seen == sorted(set(seen))
 
 
 @pytest.mark.parametrize(

@@ -52,6 +52,15 @@ def test_a_product_is_exact_on_whole_frames(other: Animatable) -> None:
         assert value_at(both, frame) == pytest.approx(value_at(MOVES, frame) * value_at(other, frame))
 
 
+def test_a_product_has_the_keys_that_it_needs_and_no_others() -> None:
+    """From the first key of either to the last; of frames with one value in a row the first and the last."""
+    rises = Animated((ValueKey(3, 1.0), ValueKey(6, 1.0), ValueKey(8, 3.0)))
+    halved = Animated((ValueKey(1, 0.5), ValueKey(4, 0.5)))
+    both = product(rises, halved)
+    assert isinstance(both, Animated)
+    assert [(key.frame, key.value) for key in both.keys] == [(1, 0.5), (6, 0.5), (7, 1.0), (8, 1.5)]
+
+
 def test_setting_a_value_sets_a_key_only_where_it_varies() -> None:
     assert set_at(0.5, 10, 0.75) == 0.75
     again = set_at(MOVES, 31, 9.0)

@@ -229,6 +229,15 @@ def test_a_segment_that_curves_on_one_key_is_split_as_a_curve_on_all() -> None:
         assert outline_distance(after.at(frame).points, before.at(frame).points) < 0.03
 
 
+@pytest.mark.parametrize("handle", [(0, OUT), (1, IN)])
+def test_a_segment_with_one_handle_out_is_split_as_a_curve(handle: tuple[int, int]) -> None:
+    points = SQUARE.copy()
+    points[handle] += (0.0, -4.0)
+    before = shape(points)
+    after = edit.insert_point(before, 0, 0.5)
+    assert outline_distance(after.at(1).points, before.at(1).points) < 0.03
+
+
 def test_an_inserted_point_splits_the_feather_curve_too() -> None:
     feather = blob([36.0, 30.0, 36.0, 38.0, 30.0]) - ROUND
     before = shape(ROUND).with_key(Keyframe(1, ROUND, feather))

@@ -26,6 +26,14 @@ def shape(points: np.ndarray, *frames: int) -> RotoShape:
     return RotoShape("shape-1", "Shape 1", tuple(Keyframe(frame, points) for frame in frames or (1,)))
 
 
+@pytest.mark.parametrize("closed", [True, False])
+def test_a_point_without_handles_runs_along_its_neighbours_chord_and_an_end_along_its_one_segment(closed: bool) -> None:
+    along = feather.frames_along(SQUARE, closed)[:, 0]
+    slant = np.sqrt(0.5)
+    ends = [(slant, -slant), (-slant, -slant)] if closed else [(1.0, 0.0), (-1.0, 0.0)]
+    np.testing.assert_allclose(along, [ends[0], (slant, slant), (-slant, slant), ends[1]], atol=1e-12)
+
+
 def test_a_circle_pulled_alike_becomes_a_greater_circle() -> None:
     points = circle(10.0)
     across = -5.0  # this circle turns to the right: outside is on the left

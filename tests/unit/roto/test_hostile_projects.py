@@ -114,6 +114,16 @@ def test_a_flag_is_true_or_false(tmp_path: Path, where: Callable[[Document], Doc
     assert f"{name} is neither true nor false" in damaged(tmp_path, lambda d: where(d).update({name: "false"}))
 
 
+@pytest.mark.parametrize("where", [layer, shape])
+def test_a_value_is_a_number_or_an_animated_value(tmp_path: Path, where: Callable[[Document], Document]) -> None:
+    value = {"type": "Keyframe", "keys": [{"type": "ValueKey", "frame": 1, "value": 0.5, "interpolation": "linear"}]}
+    assert "is no number and no animated value" in damaged(tmp_path, lambda d: where(d).update(opacity=value))
+    where_it_is_one = json.loads(TEXT)
+    where(where_it_is_one).update(opacity=value | {"type": "Animated"})
+    (tmp_path / "b.roam").write_text(json.dumps(where_it_is_one))
+    assert file.load(tmp_path / "b.roam").root.children
+
+
 @pytest.mark.parametrize("name", ["id", "name"])
 @pytest.mark.parametrize("where", [layer, shape])
 def test_a_text_is_a_text(tmp_path: Path, where: Callable[[Document], Document], name: str) -> None:

@@ -179,6 +179,7 @@ def test_equal_stamps_are_told_once() -> None:
     [
         lambda d: d.update(frames=d["frames"][1:]),
         lambda d: d.update(frames=["1001"] * 12),
+        lambda d: d.update(frames=[*d["frames"][:5], 1006.5, *d["frames"][6:]]),
         lambda d: d.pop("frames"),
         lambda d: d.update(points=packed_numbers(np.zeros((12, 3, 2)))),
         lambda d: d.update(points=packed_numbers(np.zeros((12, 3, 2, 2)))),

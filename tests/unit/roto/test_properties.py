@@ -23,6 +23,7 @@ SHAPE = RotoShape("shape-1", "Shape 1", (Keyframe(1001, np.zeros((3, 3, 2))),))
         ((1005, 1020), begin_at, 1010, (1010, 1020)),
         ((1005, 1020), begin_at, 1030, (1030, 1031)),
         ((1005, 1020), end_at, 1002, (1002, 1003)),
+        ((1005, 1020), end_at, 1010, (1005, 1011)),
     ],
 )
 def test_a_lifetime_never_is_empty(before, verb, frame, after) -> None:

@@ -24,6 +24,11 @@ def test_weights_decide_how_far_each_point_follows() -> None:
     assert after.points[2:].tobytes() == SQUARE[2:].tobytes()
 
 
+def test_where_all_points_follow_by_half_none_goes_all_the_way() -> None:
+    after = transformed(outline(), 0.5 * ALL, affine.translation((4.0, 2.0)))
+    np.testing.assert_allclose(after.points, SQUARE + np.array((2.0, 1.0)))
+
+
 def test_feather_turns_with_the_points_and_ignores_moves() -> None:
     feather = np.tile((0.0, -2.0), (4, 3, 1))
     turned = transformed(outline(feather=feather), ALL, affine.rotation(90.0, (5.0, 5.0)))

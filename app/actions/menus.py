@@ -1,0 +1,91 @@
+"""The menu bar: which actions stand in which menu."""
+
+from __future__ import annotations
+
+from PySide6.QtWidgets import QMenu, QMenuBar
+
+from .actions import Actions
+
+SEPARATOR = ""
+RECENT = "menu.recent"
+"""Stands where a submenu is put in that fills itself."""
+
+MENUS: dict[str, tuple[str, ...]] = {
+    "File": (
+        "file.new", "file.open_clip", "file.open_movie", "file.open_project", RECENT,
+        "file.open_demo", SEPARATOR,
+        "file.save", "file.save_as", "file.recover", SEPARATOR,
+        "file.import_shapes", "file.import_masks", SEPARATOR,
+        "file.export", "file.export_nuke", "file.export_mattes", SEPARATOR,
+        "file.quit",
+    ),
+    "Edit": (
+        "edit.undo", "edit.redo", "edit.history", SEPARATOR,
+        "edit.copy", "edit.cut", "edit.paste", "edit.copy_nuke", "edit.copy_fusion", SEPARATOR,
+        "points.delete", "points.select_all", "points.next", "points.previous", SEPARATOR,
+        "points.soft", "points.lasso", SEPARATOR,
+        "points.transform", "points.mirror_across", "points.mirror_down", SEPARATOR,
+        "points.smooth", "points.cusp", "points.toggle_closed", "shape.to_bezier", "shape.to_bspline",
+        "feather.reset", SEPARATOR,
+        "edit.keymap", "edit.settings",
+    ),
+    "Shape": (
+        "tool.select", "tool.transform", "tool.reshape", "tool.bezier", "tool.bspline", "tool.polygon", "tool.freehand",
+        "tool.magnetic", "tool.ellipse", "tool.rectangle", "tool.object", "shape.from_mask", "tool.feather", SEPARATOR,
+        "key.auto", "key.ripple", SEPARATOR,
+        "key.copy", "key.paste", "key.paste_range", SEPARATOR,
+        "key.set", "key.delete", "key.linear", "key.smooth", "key.hold", SEPARATOR,
+        "shape.duplicate", "shape.group", "layer.ungroup", "layer.add", "shape.delete", SEPARATOR,
+        "shape.lock", "shape.hide", "shape.show_all",
+    ),
+    "Track": (
+        "track.forward", "track.backward", "track.forward_one", "track.backward_one", "track.to_next_key",
+        "track.fill", SEPARATOR,
+        "track.stop", SEPARATOR,
+        "track.next_doubtful", "track.previous_doubtful", "track.most_doubtful", SEPARATOR,
+        "object.one", "object.parts", "object.apart", SEPARATOR,
+        "object.attach", "object.detach", SEPARATOR,
+        "object.in_front", "object.behind", "object.as_stacked", SEPARATOR,
+        "planar.forward", "planar.backward", SEPARATOR,
+        "track.delete_engine_keys",
+    ),
+    "Proposal": (
+        "proposal.next", SEPARATOR,
+        "proposal.keep", "proposal.refuse", SEPARATOR,
+        "proposal.keep_always", "proposal.refuse_always", "proposal.ask_again",
+    ),
+    "View": (
+        "view.source", "view.overlay", "view.matte", "view.cutout", "view.onion", "view.confidence", "view.alpha",
+        "view.hide_overlays", "view.joints", "view.edges", SEPARATOR,
+        "view.colour", "view.red", "view.green", "view.blue", "view.luminance", "view.reset_look", SEPARATOR,
+        "view.wipe", "view.pin", SEPARATOR,
+        "view.fit", "view.fit_selection", "view.actual_size", SEPARATOR,
+        "time.previous", "time.next", "time.previous_key", "time.next_key", "time.first", "time.last", SEPARATOR,
+        "time.toggle_play", "time.play", "time.play_back", "time.pause", "time.play_slowly",
+        "time.play_back_slowly", "time.loop", "time.ping_pong", SEPARATOR,
+        "time.set_in", "time.set_out", "time.clear_range", SEPARATOR,
+        "mark.toggle", "mark.name", "time.previous_mark", "time.next_mark", SEPARATOR,
+        "view.fit_time", "view.tall_timeline", "view.panels",
+    ),
+    "Help": ("help.palette", "help.keys", SEPARATOR, "help.log", "help.report", "help.about"),
+}  # fmt: skip
+
+
+def menu_of(action_id: str) -> str:
+    """The title of the menu in which an action stands; empty where it stands in none."""
+    return next((title for title, entries in MENUS.items() if action_id in entries), "")
+
+
+def menu_bar(actions: Actions, recent: QMenu) -> QMenuBar:
+    """A bar with every menu; `recent` lists what was opened before."""
+    bar = QMenuBar()
+    for title, entries in MENUS.items():
+        menu = bar.addMenu(title)
+        for entry in entries:
+            if entry == SEPARATOR:
+                menu.addSeparator()
+            elif entry == RECENT:
+                menu.addMenu(recent)
+            else:
+                menu.addAction(actions[entry])
+    return bar

@@ -1,0 +1,113 @@
+"""Paints the shapes of a project on one frame. Only paints: it decides and changes nothing."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+from numpy.typing import NDArray
+from PySide6.QtCore import QLineF
+from PySide6.QtGui import QColor, QPainter, QPainterPath
+
+from roam_core.geometry.bezier import ANCHOR
+from roam_core.params import DOUBTFUL
+from roam_core.propagate.edges import Edges
+from roam_core.roto import Outline, Project, RotoShape, Spline
+from roam_core.roto.edit import is_smooth
+
+from ...model.shown import Shown, shown_shapes
+from ...model.view_state import Selection
+from ...paint import marks
+from ...paint.clipping import inside, painted_area
+from ...paint.handles import control_sides, visible_handles
+from ...paint.outline_paths import OutlinePaths
+from ...paint.viewport import Viewport
+from .edges import fits, paint_edges
+
+Array = NDArray[np.float64]
+Hover = tuple[str, int, int] | None
+
+LOCKED_OPACITY = 0.45
+NO_EDGES: Mapping[str, Edges] = {}
+
+
+class ShapePainter:
+    """Paints shapes and remembers their paths."""
+
+    def __init__(self) -> None:
+        self.paths = OutlinePaths()
+
+    def paint(
+        self,
+        painter: QPainter,
+        viewport: Viewport,
+        project: Project,
+        frame: int,
+        selection: Selection,
+        hover: Hover = None,
+        edges: Mapping[str, Edges] = NO_EDGES,
+    ) -> None:
+        """Paint all shapes in sight, the selected ones above the others; those with `edges` by their kinds."""
+        shown, area = shown_shapes(project, frame), painted_area(painter, viewport)
+        for item in sorted(shown, key=lambda s: s.shape.id in selection.shapes):
+            known = edges.get(item.shape.id)
+            if known is not None and fits(known, item.shape):
+                paint_edges(
+                    painter, viewport, known, item.shape.at(frame), _ink(item), item.shape.id in selection.shapes
+                )
+            elif (path := self.paths.in_sight(item.shape, frame, area)) is not None:
+                _paint_outline(painter, viewport, item, path, item.shape.id in selection.shapes)
+            _paint_doubts(painter, viewport, item.shape, frame)
+            if item.shape.id in selection.shapes and not item.locked:
+                _paint_points(painter, viewport, item.shape, item.shape.at(frame), selection, hover)
+
+
+def _paint_outline(painter: QPainter, viewport: Viewport, item: Shown, path: QPainterPath, selected: bool) -> None:
+    colour = _ink(item)
+    if selected:
+        marks.stroke(painter, viewport.transform.map(path), colour, marks.SELECTED_WIDTH)
+    else:
+        marks.thin_stroke(painter, viewport.transform.map(path), colour)
+
+
+def _ink(item: Shown) -> QColor:
+    """What the outline of a shape is drawn with."""
+    return marks.faded(shape_colour(item.shape), LOCKED_OPACITY if item.locked else 1.0)
+
+
+def shape_colour(shape: RotoShape) -> QColor:
+    return QColor.fromRgbF(*shape.colour)
+
+
+def _paint_points(
+    painter: QPainter, viewport: Viewport, shape: RotoShape, outline: Outline, selection: Selection, hover: Hover
+) -> None:
+    """Anchors of a selected shape, and the handles of its selected points."""
+    colour, points = shape_colour(shape), outline.grips
+    near = np.flatnonzero(inside(points, painted_area(painter, viewport))).tolist()
+    chosen = sorted(index for owner, index in selection.points if owner == shape.id and index < len(points))
+    grips = [(index, part) for index in set(chosen) & set(near) for part in visible_handles(points, index)]
+    sides = control_sides(len(points), shape.closed) if shape.spline is Spline.BSPLINE else []
+    placed = range(len(points)) if sides else near
+    spot = {i: [viewport.to_widget(*position) for position in points[i].tolist()] for i in placed}
+    lines = [QLineF(spot[i][ANCHOR], spot[i][part]) for i, part in grips]
+    marks.arms(painter, [*lines, *(QLineF(spot[a][ANCHOR], spot[b][ANCHOR]) for a, b in sides)], colour)
+    for i, part in grips:
+        marks.handle(painter, spot[i][part], colour, grown=hover == (shape.id, i, part))
+    picked = set(chosen)
+    for i in near:
+        grown = hover == (shape.id, i, ANCHOR)
+        round_ = bool(sides) or is_smooth(points[i])
+        marks.anchor(painter, spot[i][ANCHOR], colour, round_=round_, filled=i in picked, grown=grown)
+
+
+def _paint_doubts(painter: QPainter, viewport: Viewport, shape: RotoShape, frame: int) -> None:
+    """Rings about the vertices that the engine does not trust on this frame."""
+    key = shape.key_at(frame)
+    if key is None or key.vertex_confidence is None:
+        return
+    anchors = key.points[:, ANCHOR]
+    near = inside(anchors[:, None], painted_area(painter, viewport, marks.RING_SIZES[1])).tolist()
+    for position, confidence, is_near in zip(anchors.tolist(), key.vertex_confidence.tolist(), near, strict=True):
+        if is_near and confidence < DOUBTFUL:
+            marks.ring(painter, viewport.to_widget(*position), 1.0 - max(confidence, 0.0) / DOUBTFUL)

@@ -1,0 +1,188 @@
+"""Picture: one image of the plate (or a matte), ready to be painted at any zoom and under any look."""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import cv2
+import numpy as np
+from PySide6.QtCore import QPointF, QRectF, QSizeF
+from PySide6.QtGui import QImage, QPainter
+
+from roam_core.media.colour import Image
+from roam_core.media.looking import Look, Pixels, Plate, has_more_than_shown, seen, seen_plate
+
+from ...paint.viewport import Viewport
+
+NEAREST_ABOVE = 2.0
+"""Above this zoom (device pixels for an image pixel) pixels are shown as squares."""
+
+NEUTRAL = Look()
+
+
+class Picture:
+    """An image and its halvings, so that a small view of a large plate is smooth and quick.
+
+    Only what is in sight is converted and looked up: a look costs as much as the widget is large, not as the plate is.
+
+    Parameters
+    ----------
+    pixels : (h, w, 3) or (h, w) uint8, display values; (h, w, 4) with opacity. Kept, not copied, where it is read-only.
+    plate : the plate's own values of the same size, where they hold more than the display values show.
+    """
+
+    def __init__(self, pixels: Pixels, plate: Plate | None = None) -> None:
+        # A writeable array may change under the picture's feet.
+        self._levels: list[Image] = [pixels.copy() if pixels.flags.writeable else pixels]
+        self._plate = plate if plate and plate.values.shape[:2] == pixels.shape[:2] else None
+        self._plate_levels: list[Image] = [self._plate.values] if self._plate else []
+
+    @property
+    def size(self) -> QSizeF:
+        """Width and height in its own pixels."""
+        height, width = self._levels[0].shape[:2]
+        return QSizeF(width, height)
+
+    @property
+    def pixels(self) -> Pixels:
+        """The display values."""
+        return self._levels[0]
+
+    @property
+    def values(self) -> Image:
+        """What is told of its pixels: the plate's own values where they are known, else the display values."""
+        return self._plate.values if self._plate else self._levels[0]
+
+    def paint(
+        self, painter: QPainter, viewport: Viewport, size: QSizeF, device_ratio: float, look: Look = NEUTRAL
+    ) -> None:
+        """Paint into widget coordinates what lies inside the painter's clip, or else its window.
+
+        `size` is what the image covers in full-resolution pixels: a proxy has fewer pixels than that. `device_ratio`
+        is the number of device pixels for a widget unit.
+        """
+        across = viewport.scale * viewport.pixel_aspect * size.width() / self.size.width()
+        down = viewport.scale * size.height() / self.size.height()
+        area = painter.clipBoundingRect() if painter.hasClipping() else QRectF(painter.window())
+        window = QRectF(0.0, 0.0, area.right(), area.bottom())
+        if max(across, down) * device_ratio < NEAREST_ABOVE:
+            self._paint_smooth(painter, (viewport.x, viewport.y), (across, down), window, device_ratio, look)
+        else:
+            self._paint_squares(painter, (viewport.x, viewport.y), (across, down), window, look)
+
+    def _paint_smooth(
+        self,
+        painter: QPainter,
+        corner: tuple[float, float],
+        scale: tuple[float, float],
+        window: QRectF,
+        ratio: float,
+        look: Look,
+    ) -> None:
+        """Resample what is in sight to device pixels, from the halving that is just large enough."""
+        levels = self._sources(look)
+        level = _level(levels, min(scale) * ratio)
+        rows, columns = level.shape[:2]
+        spans = [
+            _Span.of(*given, ratio)
+            for given in (
+                (corner[0], scale[0] * self.size.width(), columns, window.width()),
+                (corner[1], scale[1] * self.size.height(), rows, window.height()),
+            )
+        ]
+        across, down = spans
+        if across.length <= 0 or down.length <= 0:
+            return
+        matrix = np.array([[across.grow, 0.0, across.shift], [0.0, down.grow, down.shift]])
+        shown = cv2.warpAffine(
+            level, matrix, (across.length, down.length), flags=cv2.INTER_LINEAR, borderMode=cv2.BORDER_REPLICATE
+        )
+        image = _image(self._looked(shown, look))
+        image.setDevicePixelRatio(ratio)
+        painter.drawImage(QPointF(across.start / ratio, down.start / ratio), image)
+
+    def _paint_squares(
+        self, painter: QPainter, corner: tuple[float, float], scale: tuple[float, float], window: QRectF, look: Look
+    ) -> None:
+        """Paint the pixels in sight as they are, enlarged."""
+        rows, columns = self._levels[0].shape[:2]
+        left, right = in_sight(corner[0], scale[0], columns, window.width())
+        top, bottom = in_sight(corner[1], scale[1], rows, window.height())
+        if left >= right or top >= bottom:
+            return
+        image = _image(self._looked(self._sources(look)[0][top:bottom, left:right], look))
+        target = QRectF(
+            corner[0] + left * scale[0], corner[1] + top * scale[1],
+            (right - left) * scale[0], (bottom - top) * scale[1],
+        )  # fmt: skip
+        painter.save()
+        painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform, False)
+        painter.drawImage(target, image)
+        painter.restore()
+
+    def _sources(self, look: Look) -> list[Image]:
+        """The halvings that the look is taken from: of the plate's values where exposing brings more to light."""
+        return self._plate_levels if self._is_exposed_anew(look) else self._levels
+
+    def _looked(self, shown: Image, look: Look) -> Pixels:
+        if self._plate and self._is_exposed_anew(look):
+            return seen_plate(shown, self._plate.colour_space, look)
+        return seen(shown, look)
+
+    def _is_exposed_anew(self, look: Look) -> bool:
+        return look.exposure != 0.0 and self._plate is not None and has_more_than_shown(*self._plate)
+
+    def looked_at(self, x: int, y: int, look: Look) -> tuple[int, ...]:
+        """The display values of one pixel as the look shows them: one for a grey picture, else three."""
+        exact = self._looked(self._sources(look)[0][y : y + 1, x : x + 1], look)
+        return tuple(int(value) for value in np.atleast_1d(exact[0, 0])[:3])
+
+
+class _Span(NamedTuple):
+    """One axis of what is in sight: device pixels from `start`, and the map from a level's pixels to them."""
+
+    start: int
+    length: int
+    grow: float
+    shift: float
+
+    @classmethod
+    def of(cls, corner: float, extent: float, pixels: int, window: float, ratio: float) -> _Span:
+        """`corner` and `extent` of the picture and the length of the `window` are widget units."""
+        first, last = corner * ratio, (corner + extent) * ratio
+        start, stop = max(round(first), 0), min(round(last), math.ceil(window * ratio))
+        grow = (last - first) / pixels
+        # Centres of pixels lie half a pixel in; OpenCV counts from the centre of the first one.
+        return cls(start, stop - start, grow, first + 0.5 * grow - 0.5 - start)
+
+
+def in_sight(corner: float, scale: float, pixels: int, window: float) -> tuple[int, int]:
+    """Which of a row of `pixels` can be seen, half open: those that reach into `window`, a length in widget units."""
+    return max(math.floor(-corner / scale), 0), min(math.ceil((window - corner) / scale), pixels)
+
+
+def _level(levels: list[Image], zoom: float) -> Image:
+    """The smallest halving that still has a pixel for each device pixel; those that are missing are made."""
+    wanted = max(0, math.floor(math.log2(1.0 / zoom))) if zoom > 0 else 0
+    while len(levels) <= wanted:
+        last = levels[-1]
+        height, width = last.shape[:2]
+        half = max(width // 2, 1), max(height // 2, 1)
+        # At just one half the linear filter is the mean of two by two pixels; floats know no exact variant of it.
+        how = cv2.INTER_LINEAR_EXACT if last.dtype == np.uint8 else cv2.INTER_LINEAR
+        levels.append(np.asarray(cv2.resize(last, half, interpolation=how)))
+    return levels[wanted]
+
+
+def _image(pixels: Pixels) -> QImage:
+    """A QImage with pixels of its own."""
+    height, width = pixels.shape[:2]
+    if pixels.ndim == 2:
+        packed, kind = np.ascontiguousarray(pixels), QImage.Format.Format_Grayscale8
+    elif pixels.shape[2] == 4:
+        packed, kind = np.ascontiguousarray(pixels), QImage.Format.Format_RGBA8888
+    else:
+        # The raster engine's own format: painting converts nothing.
+        packed, kind = np.asarray(cv2.cvtColor(pixels, cv2.COLOR_RGB2BGRA)), QImage.Format.Format_RGB32
+    return QImage(packed.data, width, height, packed.strides[0], kind).copy()

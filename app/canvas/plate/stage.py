@@ -1,0 +1,104 @@
+"""Stage: what lies below the shapes in each view: the plate's picture, the matte of the project, the cut-out."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from PySide6.QtCore import QObject, QSizeF, Signal
+
+from roam_core.media.looking import Pixels, Plate
+from roam_core.roto import Project
+
+from ...model.viewing import OF_MATTE, Viewing, ViewMode
+from ...paint import marks
+from .backdrop import Below
+from .ground import GroundLayer
+from .matte_layer import MatteLayer
+from .picture import NEUTRAL, Picture
+
+
+class Stage(QObject):
+    """Holds the pictures of the present frame. Mattes and grounds are made beside the window's thread.
+
+    Signals
+    -------
+    changed() : something can be shown that could not before.
+    matte_ready() : the matte or cut-out that was asked for last has been rendered.
+    """
+
+    changed = Signal()
+    matte_ready = Signal()
+
+    def __init__(self, viewing: Viewing, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._viewing = viewing
+        self.matte, self.ground = MatteLayer(), GroundLayer(self)
+        self.plate_of: Callable[[int], Plate | None] = lambda frame: None
+        """Gives the plate's own values of a frame, where they are at hand."""
+        self.picture: Picture | None = None
+        self.frame: int | None = None
+        """The frame that `picture` is of."""
+        self.missing: int | None = None
+        self._mattes: dict[bool, Picture] = {}
+        """The newest matte and cut-out, the latter under True."""
+        self.matte.ready.connect(self._take_matte)
+        self.ground.ready.connect(self.changed)
+
+    def set_image(self, frame: int, image: Pixels | None) -> None:
+        """The plate's picture of `frame`: (h, w, 3) uint8 display values, or None where the plate has none."""
+        self.picture = None if image is None else Picture(image, self.plate_of(frame))
+        self.frame, self.missing = frame, (frame if image is None else None)
+
+    def clear(self) -> None:
+        """Another project was opened."""
+        self.picture = self.frame = self.missing = None
+        self._mattes.clear()
+
+    def close(self) -> None:
+        """Wait for what is being made."""
+        self.matte.close()
+        self.ground.close()
+
+    def below(self, project: Project, frame: int, size: QSizeF | None) -> Below:
+        """What lies below the shapes; a matte that is not there yet is asked for.
+
+        The newest matte stays until the next one is rendered; a cut-out stays one of a picture with its own matte.
+        `size` is the plate's in full-resolution pixels.
+        """
+        mode = self._viewing.mode
+        if mode not in OF_MATTE:
+            return Below(self.picture or marks.EMPTY_PLATE, self._viewing.look if self.picture else NEUTRAL)
+        cuts_out = mode is ViewMode.CUTOUT
+        if cuts_out and self.missing is not None:
+            return Below(marks.EMPTY_PLATE)
+        ground = self.ground.of(self._viewing.ground) if cuts_out else None
+        if size is not None:
+            self._ask(project, frame, (round(size.height()), round(size.width())), cuts_out)
+        nothing = marks.EMPTY_PLATE if cuts_out else marks.EMPTY_MATTE
+        return Below(self._mattes.get(cuts_out, nothing), self._viewing.look, ground)
+
+    def shown_picture(self) -> Picture | None:
+        """The picture whose pixels the view shows, or None while there is none."""
+        mode = self._viewing.mode
+        return self._mattes.get(mode is ViewMode.CUTOUT) if mode in OF_MATTE else self.picture
+
+    def emptiness(self) -> str:
+        """Why the plate's area is empty, or nothing where it is not."""
+        mode = self._viewing.mode
+        if self.missing is not None and mode not in (ViewMode.MATTE, ViewMode.ALPHA):
+            return f"frame {self.missing} is missing"
+        if mode in OF_MATTE and self.shown_picture() is None:
+            return "Cutting out …" if mode is ViewMode.CUTOUT else "Rendering the matte …"
+        return ""
+
+    def _ask(self, project: Project, frame: int, size: tuple[int, int], cuts_out: bool) -> None:
+        if not cuts_out:
+            self.matte.request(project, frame, size)
+        elif self.picture is not None and self.frame == frame:
+            self.matte.request(project, frame, size, self.picture.pixels)
+
+    def _take_matte(self) -> None:
+        if (pixels := self.matte.pixels) is not None:
+            self._mattes[pixels.ndim == 3] = Picture(pixels)
+        self.changed.emit()
+        self.matte_ready.emit()

@@ -1,0 +1,168 @@
+"""The clip dialog: what was found out about a clip, with its first picture, before it opens; the artist may differ."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+from PySide6.QtCore import QSize, Qt, Signal
+from PySide6.QtGui import QImage, QPixmap
+from PySide6.QtWidgets import (
+    QCheckBox,
+    QComboBox,
+    QDialog,
+    QDialogButtonBox,
+    QDoubleSpinBox,
+    QHBoxLayout,
+    QLabel,
+    QVBoxLayout,
+    QWidget,
+)
+
+from roam_core.media.colour import LINEAR, LOG, SRGB, to_display
+
+from .. import style
+from ..jobs.found_clip import FoundClip
+from ..widgets.controls import dense_form, form_label, weak_label
+
+if TYPE_CHECKING:
+    from roam_core.media import PlateSource
+
+COLOUR_WORDS = {SRGB: "sRGB", LINEAR: "Scene linear", LOG: "Cineon log"}
+PICTURE = QSize(400, 225)
+MOST_GAPS = 6
+"""Missing frames that are named one by one; of more only the number is told."""
+
+
+class ClipDialog(QDialog):
+    """What cannot be changed is told, what can be mistaken by a program may be set.
+
+    Signals
+    -------
+    chosen() : open it, as `colour_space`, `fps` and `pixel_aspect` say.
+    """
+
+    chosen = Signal()
+
+    def __init__(self, found: FoundClip, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.found = found
+        self.setWindowTitle("Open clip")
+        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        self._build()
+        self._lay_out()
+        self._pull_picture()
+
+    @property
+    def colour_space(self) -> str:
+        return str(self.colours.currentData())
+
+    @property
+    def fps(self) -> float:
+        """Frames per second; the files' own value where the field, which rounds, was left as it was."""
+        return _unless_changed(self.rate, self.found.source.fps)
+
+    @property
+    def pixel_aspect(self) -> float:
+        return _unless_changed(self.aspect, self.found.source.pixel_aspect)
+
+    # ---- the rest is private
+
+    def _build(self) -> None:
+        source = self.found.source
+        self.picture = QLabel()
+        self.picture.setFixedSize(PICTURE)
+        self.picture.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        self.picture.setObjectName("plate")
+        self.picture.setWordWrap(True)
+        self.colours = QComboBox()
+        for space, word in COLOUR_WORDS.items():
+            self.colours.addItem(f"{word} (found)" if space == source.colour_space else word, space)
+        self.colours.setCurrentIndex(self.colours.findData(source.colour_space))
+        self.colours.currentIndexChanged.connect(lambda _: self._pull_picture())
+        self.rate, self.aspect = _number(1.0, 1000.0, source.fps), _number(0.1, 10.0, source.pixel_aspect)
+        self.aspect.valueChanged.connect(lambda _: self._pull_picture())
+        self.asks_no_more = QCheckBox("Open clips without asking from now on")
+        button = QDialogButtonBox.StandardButton
+        self.buttons = QDialogButtonBox(button.Open | button.Cancel)
+        self.buttons.accepted.connect(self._choose)
+        self.buttons.rejected.connect(self.close)
+
+    def _lay_out(self) -> None:
+        source = self.found.source
+        width, height = source.size
+        form = dense_form()
+        for title, word in (
+            ("Plate", source.path.name),
+            ("Frames", range_sentence(source)),
+            ("Missing", gaps_sentence(source.missing)),
+            ("Size", f"{width} × {height}"),
+            ("Depth", source.depth),
+        ):
+            label = QLabel(word)
+            label.setWordWrap(True)
+            label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+            form.addRow(form_label(title), label)
+        for title, field in (("Colour", self.colours), ("Per second", self.rate), ("Pixel aspect", self.aspect)):
+            form.addRow(form_label(title), field)
+        right = QVBoxLayout()
+        right.addLayout(form)
+        right.addStretch(1)
+        right.addWidget(weak_label(str(self.found.path.parent)))
+        upper = QHBoxLayout()
+        upper.setSpacing(2 * style.MARGIN)
+        upper.addWidget(self.picture, 0, Qt.AlignmentFlag.AlignTop)
+        upper.addLayout(right, 1)
+        lower = QHBoxLayout()
+        lower.addWidget(self.asks_no_more, 1)
+        lower.addWidget(self.buttons)
+        column = QVBoxLayout(self)
+        column.setSpacing(2 * style.MARGIN)
+        column.addLayout(upper, 1)
+        column.addLayout(lower)
+        self.setMinimumWidth(PICTURE.width() + 340)
+
+    def _pull_picture(self) -> None:
+        """The first picture as it will look with the colours and pixels that are chosen now."""
+        if self.found.picture is None:
+            self.picture.setText(self.found.trouble)
+            return
+        shown = np.ascontiguousarray(to_display(self.found.picture, self.colour_space))
+        height, width = shown.shape[:2]
+        image = QImage(shown.tobytes(), width, height, 3 * width, QImage.Format.Format_RGB888)
+        wide = image.scaled(max(round(width * self.pixel_aspect), 1), height)
+        mode = Qt.TransformationMode.SmoothTransformation
+        fitted = wide.scaled(PICTURE, Qt.AspectRatioMode.KeepAspectRatio, mode)
+        self.picture.setPixmap(QPixmap.fromImage(fitted))
+
+    def _choose(self) -> None:
+        self.chosen.emit()
+        self.close()
+
+
+def range_sentence(source: PlateSource) -> str:
+    """`1001–1048, 47 frames`; of a single frame its number."""
+    first, last, count = source.frames[0], source.frames[-1], len(source.frames)
+    return f"{first}–{last}, {count} frames" if count > 1 else f"{first}, a single picture"
+
+
+def gaps_sentence(missing: tuple[int, ...]) -> str:
+    """`none`, a few missing frames by number, or how many there are."""
+    if not missing:
+        return "none"
+    if len(missing) <= MOST_GAPS:
+        return ", ".join(map(str, missing))
+    return f"{len(missing)} frames, from {missing[0]} to {missing[-1]}"
+
+
+def _number(least: float, most: float, value: float) -> QDoubleSpinBox:
+    field = QDoubleSpinBox()
+    field.setDecimals(3)
+    field.setRange(least, most)
+    field.setValue(value)
+    field.setAlignment(Qt.AlignmentFlag.AlignRight)
+    return field
+
+
+def _unless_changed(field: QDoubleSpinBox, found: float) -> float:
+    return found if field.value() == round(found, field.decimals()) else field.value()

@@ -1,0 +1,396 @@
+"""The export dialog: every format, which keys, which frames, how mattes are written, and what a format cannot hold."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QHideEvent, QShowEvent
+from PySide6.QtWidgets import (
+    QCheckBox,
+    QComboBox,
+    QDialog,
+    QFormLayout,
+    QHBoxLayout,
+    QHeaderView,
+    QLabel,
+    QLineEdit,
+    QPlainTextEdit,
+    QProgressBar,
+    QPushButton,
+    QSizePolicy,
+    QTreeWidget,
+    QTreeWidgetItem,
+    QVBoxLayout,
+    QWidget,
+)
+
+from roam_core.interchange import EXPORTERS, Exporter, ExportOptions, KeyChoice
+from roam_core.interchange.foresight import Foreseen
+
+from .. import style
+from ..jobs.export import Export
+from ..jobs.foreseeing import Foresight
+from ..jobs.runner import Ending
+from ..model.document import Document
+from ..model.view_state import ViewState, selected_shapes
+from ..widgets.controls import dense_form, form_label, measure_field, number_field, weak_label
+from . import questions
+from .matte_form import MatteForm
+
+KEYS = {
+    KeyChoice.EVERY: "Every key",
+    KeyChoice.ARTIST: "My keys only",
+    KeyChoice.REDUCED: "As few as hold the outline",
+}
+STRAYING = "How far the outline may stray from the tracked one when keys are left out"
+SMOOTHING = (
+    "How far tracked keys may move so that shapes move evenly through time, in pixels of the plate;\n"
+    "your own keys stay where they are, and so does the project"
+)
+NOTES_HEIGHT = 110
+ANYWAY = "Export anyway"
+LOOKING, NOTHING_LOST = "Looking for what the format cannot hold …", "The format holds all that is chosen."
+MATTES = "mattes"
+"""The name of the format whose files are pictures: it is written to a folder, and knows nothing of fewer keys."""
+
+
+class ExportDialog(QDialog):
+    """Stays open beside the work: an export runs on the writer's thread and tells here what it noted.
+
+    `suggested(suffix)` gives the file that is proposed.
+    """
+
+    def __init__(
+        self,
+        document: Document,
+        view_state: ViewState,
+        export: Export,
+        suggested: Callable[[str], Path],
+        parent: QWidget | None = None,
+    ) -> None:
+        super().__init__(parent)
+        self._document, self._view, self._export, self._suggested = document, view_state, export, suggested
+        self._is_ours, self._written = False, Path()
+        self._losses: tuple[str, ...] = ()
+        """What the artist sees that the format would lose, as long as nothing else is chosen."""
+        self._foresight = Foresight(export.runner, self)
+        self.setWindowTitle("Export")
+        self.resize(760, 580)
+        self._build()
+        self._lay_out()
+        self._connect()
+        self._pull_project()
+
+    # ---- building
+
+    def _build(self) -> None:
+        self.formats = QTreeWidget()
+        self.formats.setColumnCount(2)
+        self.formats.setHeaderHidden(True)
+        self.formats.setRootIsDecorated(False)
+        for exporter in EXPORTERS.values():
+            item = QTreeWidgetItem(self.formats, [exporter.title, exporter.suffix])
+            item.setData(0, Qt.ItemDataRole.UserRole, exporter.name)
+            item.setTextAlignment(1, Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+        mode = QHeaderView.ResizeMode
+        self.formats.header().setSectionResizeMode(0, mode.Stretch)
+        self.formats.header().setSectionResizeMode(1, mode.ResizeToContents)
+        self.formats.header().setStretchLastSection(False)
+        self.selected = QCheckBox("Selected shapes only")
+        self.keys = QComboBox()
+        self.tolerance = measure_field(" px", 0.5, 0.01, 100.0, 0.1, STRAYING)
+        self.smoothing = measure_field(" px", 0.0, 0.0, 100.0, 0.1, SMOOTHING)
+        self.smoothing.setSpecialValueText("Off")
+        self.first, self.last = number_field("The first frame to export"), number_field("The last frame to export")
+        for number in (self.first, self.last):
+            number.setFocusPolicy(Qt.FocusPolicy.StrongFocus)  # Tab goes through the dialog
+        self.all_frames, self.in_out = QPushButton("All"), QPushButton("In to out")
+        self.mattes = MatteForm()
+        self.mattes.setSizePolicy(_kept(self.mattes.sizePolicy()))
+        self.target, self.browse = QLineEdit(), QPushButton("Browse…")
+        self.hint = weak_label("")
+        self.notes = QPlainTextEdit()
+        self.notes.setReadOnly(True)
+        self.notes.setMinimumHeight(NOTES_HEIGHT)
+        self.bar = QProgressBar()
+        self.bar.setRange(0, 1000)
+        self.bar.setTextVisible(False)
+        self.start, self.stop, self.leave = QPushButton("Export"), QPushButton("Stop"), QPushButton("Close")
+        self.start.setMinimumWidth(QPushButton(ANYWAY).sizeHint().width())  # nothing moves when its word changes
+        self.start.setDefault(True)
+        self.stop.setEnabled(False)
+
+    def _lay_out(self) -> None:
+        form = dense_form()
+        form.addRow(form_label("Shapes"), self.selected)
+        form.addRow(form_label("Keys"), self.keys)
+        self._tolerance_label = form_label("Within")
+        form.addRow(self._tolerance_label, _row(self.tolerance, None))
+        self._smoothing_label, self._smoothing_word = form_label("Smooth"), weak_label("through time")
+        form.addRow(self._smoothing_label, _row(self.smoothing, self._smoothing_word, None))
+        form.addRow(form_label("Frames"), _row(self.first, QLabel("to"), self.last, self.all_frames, self.in_out, None))
+        right = QVBoxLayout()
+        right.setSpacing(6)
+        right.addLayout(form)
+        right.addWidget(self.mattes)
+        right.addStretch(1)
+        upper = QHBoxLayout()
+        upper.setSpacing(2 * style.MARGIN)
+        upper.addWidget(self.formats, 1)
+        upper.addLayout(right, 1)
+        column = QVBoxLayout(self)
+        column.setSpacing(style.MARGIN)
+        column.addLayout(upper, 3)
+        where: QFormLayout = dense_form()
+        where.addRow(form_label("To"), _row(self.target, self.browse))
+        where.addRow(form_label(""), self.hint)
+        column.addLayout(where)
+        column.addWidget(self.notes, 2)
+        column.addLayout(_row(self.bar, self.stop, self.start, self.leave))
+
+    def _connect(self) -> None:
+        self.formats.currentItemChanged.connect(lambda *_: self._pull_format())
+        self.selected.toggled.connect(lambda _: self._pull_shapes())
+        self._view.selection_changed.connect(lambda: self._pull_shapes() if self.selected.isChecked() else None)
+        self._document.changed.connect(lambda _: self._look_ahead())
+        self._foresight.seen.connect(self._show_foreseen)
+        self._foresight.refused.connect(self._show_refused)
+        self.keys.currentIndexChanged.connect(lambda _: self._pull_keys())
+        self.target.textChanged.connect(lambda _: self._pull_hint())
+        self.mattes.file.currentIndexChanged.connect(lambda _: self._pull_hint())
+        self.first.valueChanged.connect(lambda _: self._pull_hint())
+        for field in (self.first, self.last):
+            field.valueChanged.connect(lambda _: self._look_ahead())
+        self.all_frames.clicked.connect(self._take_all_frames)
+        self.in_out.clicked.connect(self._take_range)
+        self.browse.clicked.connect(self._browse)
+        self.start.clicked.connect(self._start)
+        self.stop.clicked.connect(self._export.stop)
+        self.leave.clicked.connect(self.close)
+        self._document.replaced.connect(self._pull_project)
+        self._export.progress.connect(self._show_progress)
+        self._export.noted.connect(self._show_notes)
+        self._export.finished.connect(self._show_end)
+
+    # ---- what is chosen
+
+    @property
+    def exporter(self) -> Exporter:
+        """The format that is selected."""
+        item = self.formats.currentItem()
+        assert item is not None  # one is selected from the beginning
+        return EXPORTERS[item.data(0, Qt.ItemDataRole.UserRole)]
+
+    def choose(self, name: str) -> None:
+        """Select a format."""
+        for row in range(self.formats.topLevelItemCount()):
+            item = self.formats.topLevelItem(row)
+            if item is not None and item.data(0, Qt.ItemDataRole.UserRole) == name:
+                self.formats.setCurrentItem(item)
+
+    @property
+    def options(self) -> ExportOptions:
+        """The options as they stand in the fields."""
+        clip, frames = self._document.project.clip, range(self.first.value(), self.last.value() + 1)
+        return ExportOptions(
+            keys=KeyChoice(self.keys.currentData()),
+            tolerance=self.tolerance.value(),
+            frames=None if clip is None or frames == clip.frame_range else frames,
+            smoothing=self.smoothing.value() if self.smoothing.isEnabled() else 0.0,
+            mattes=self.mattes.chosen,
+        )
+
+    @property
+    def shapes(self) -> frozenset[str] | None:
+        """The ids of the shapes to export, None for all."""
+        if not self.selected.isChecked():
+            return None
+        return frozenset(shape.id for shape in selected_shapes(self._document.project, self._view.selection))
+
+    @property
+    def path(self) -> Path:
+        """Where the export goes; a name alone lies beside the suggested file, a missing suffix is added."""
+        path = self._suggested("").parent / Path(self.target.text().strip()).expanduser()
+        return path if self._is_folder or path.suffix else path.with_suffix(self.exporter.suffix)
+
+    @property
+    def _is_folder(self) -> bool:
+        return self.exporter.name == MATTES
+
+    # ---- pulling
+
+    def _pull_project(self) -> None:
+        """Another project: its frames, and a name for what is written of it."""
+        clip = self._document.project.clip
+        for field, value in ((self.first, clip.first if clip else 1), (self.last, clip.last if clip else 1)):
+            if clip is not None:
+                field.setRange(clip.first, clip.last)
+            field.setValue(value)
+        self.target.clear()
+        if self.formats.currentItem() is None:
+            self.choose(next(iter(EXPORTERS)))
+        self._pull_format()
+
+    def _pull_format(self) -> None:
+        chosen, kinds = (
+            self.keys.currentData(),
+            [kind for kind in KEYS if kind != KeyChoice.REDUCED or not self._is_folder],
+        )
+        self.keys.clear()
+        for kind in kinds:
+            self.keys.addItem(KEYS[kind], kind.value)
+        self.keys.setCurrentIndex(max(self.keys.findData(chosen), 0))
+        self.mattes.setVisible(self._is_folder)
+        self.target.setText(str(self._renamed()))
+        self.notes.clear()
+        self._pull_keys()
+
+    def _renamed(self) -> Path:
+        """The target for the format that is selected now: the artist's own name with another suffix."""
+        if self._is_folder:
+            suggested = self._suggested("")
+            return suggested.with_name(f"{suggested.name}_mattes")
+        own = self.target.text().strip()
+        suffix = self.exporter.suffix
+        return Path(own).with_suffix(suffix) if Path(own).suffix else self._suggested(suffix)
+
+    def _pull_keys(self) -> None:
+        """What is asked about keys depends on which are written: the artist's own are never moved."""
+        keys = self.keys.currentData()
+        if keys is None:  # the list is being filled
+            return
+        for widgets, is_used in (
+            ((self._tolerance_label, self.tolerance), keys == KeyChoice.REDUCED),
+            ((self._smoothing_label, self.smoothing, self._smoothing_word), keys != KeyChoice.ARTIST),
+        ):
+            for widget in widgets:
+                widget.setEnabled(is_used)
+        self._look_ahead()
+
+    def _pull_shapes(self) -> None:
+        """Other shapes are to be exported."""
+        self._pull_hint()
+        self._look_ahead()
+
+    def _pull_hint(self) -> None:
+        is_named, has_clip = bool(self.target.text().strip()), self._document.project.clip is not None
+        has_shapes = self.shapes is None or bool(self.shapes)
+        self.start.setEnabled(is_named and has_shapes and has_clip and not self._is_ours)
+        if not has_clip:
+            self.hint.setText("There is nothing to export yet; open a clip first.")
+        elif not is_named:
+            self.hint.setText("Say where to write it.")
+        elif not has_shapes:
+            self.hint.setText("No shape is selected; select some, or export all.")
+        elif self._is_folder:
+            first = f"matte.{self.first.value()}{self.mattes.chosen.suffix}"
+            self.hint.setText(f"A folder; its pictures are {first} and so on.")
+        else:
+            self.hint.setText("Replaces the file that is there." if self.path.is_file() else "")
+
+    def _take_all_frames(self) -> None:
+        if (clip := self._document.project.clip) is not None:
+            self.first.setValue(clip.first)
+            self.last.setValue(clip.last)
+
+    def _take_range(self) -> None:
+        first, stop = self._view.play_range
+        self.first.setValue(first)
+        self.last.setValue(stop - 1)
+
+    # ---- what would be lost
+
+    def _look_ahead(self) -> None:
+        """Find out what the format would lose of what is chosen now; until that is known nothing may be lost.
+
+        What is told stays until then, so that nothing flickers while shapes are tracked or dragged.
+        """
+        self._set_losses(())
+        project = self._document.project
+        is_asked = not self._is_ours and self.isVisible() and project.clip is not None
+        self.notes.setPlaceholderText(LOOKING if is_asked else "")
+        if is_asked:
+            self._foresight.ask(self.exporter.name, project, self.options, self.shapes)
+
+    def _show_foreseen(self, found: Foreseen) -> None:
+        self._set_losses(found.losses)
+        losses = ["The mattes would differ in the other program:", *found.losses] if found.losses else []
+        besides = ["", "Besides:"] if found.losses and found.notes else []
+        self.notes.setPlaceholderText(NOTHING_LOST)
+        self.notes.setPlainText("\n".join([*losses, *besides, *found.notes]))
+
+    def _show_refused(self, sentence: str) -> None:
+        self.notes.setPlainText(sentence)
+
+    def _set_losses(self, losses: tuple[str, ...]) -> None:
+        self._losses = losses
+        self.start.setText(ANYWAY if losses else "Export")
+
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
+        self._look_ahead()
+
+    def hideEvent(self, event: QHideEvent) -> None:
+        self._foresight.drop()
+        super().hideEvent(event)
+
+    # ---- the export
+
+    def _browse(self) -> None:
+        if self._is_folder:
+            chosen = questions.choose_folder(self, "Export mattes to a folder", self.path)
+        else:
+            chosen = questions.choose_export(self, f"Export: {self.exporter.title}", self.path, self.exporter.suffix)
+        if chosen is not None:
+            self.target.setText(str(chosen))
+
+    def _start(self) -> None:
+        self._foresight.drop()
+        self.notes.clear()
+        self._written = self.path
+        options = replace(self.options, lossy=bool(self._losses))
+        self._export.start(self.exporter.name, self._written, options, self.shapes)
+        self._is_ours = True
+        self._pull_running()
+
+    def _pull_running(self) -> None:
+        self.stop.setEnabled(self._is_ours)
+        self.bar.setValue(0)
+        self._pull_hint()
+
+    def _show_progress(self, fraction: float, _text: str) -> None:
+        if self._is_ours:
+            self.bar.setValue(round(1000 * fraction))
+
+    def _show_notes(self, notes: tuple[str, ...]) -> None:
+        if self._is_ours:
+            self.notes.setPlainText("\n".join([f"Exported to {self._written}.", *notes]))
+
+    def _show_end(self, ending: Ending, sentence: str) -> None:
+        if not self._is_ours:
+            return
+        if ending is not Ending.DONE:
+            self.notes.setPlainText(sentence)
+        self._is_ours = False
+        self._pull_running()
+
+
+def _kept(policy: QSizePolicy) -> QSizePolicy:
+    """The policy of a widget whose place stays its own while it is hidden."""
+    policy.setRetainSizeWhenHidden(True)
+    return policy
+
+
+def _row(*parts: QWidget | None) -> QHBoxLayout:
+    """Widgets side by side; None is a stretch."""
+    row = QHBoxLayout()
+    row.setSpacing(6)
+    for part in parts:
+        if part is None:
+            row.addStretch(1)
+        else:
+            row.addWidget(part, 1 if isinstance(part, QLineEdit | QProgressBar) else 0)
+    return row

@@ -1,0 +1,241 @@
+"""The keymap editor: every action with its keys in a table, found by words, changed by pressing the new key."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QEvent, Qt, Signal
+from PySide6.QtGui import QColor, QKeyEvent
+from PySide6.QtWidgets import (
+    QCheckBox,
+    QComboBox,
+    QDialog,
+    QHBoxLayout,
+    QHeaderView,
+    QLabel,
+    QLineEdit,
+    QPushButton,
+    QTreeWidget,
+    QTreeWidgetItem,
+    QVBoxLayout,
+    QWidget,
+)
+
+from .. import style
+from ..actions.fuzzy import fuzzy_score, words_begin
+from ..actions.key_names import NUDGES, is_modifier, key_name
+from ..actions.keymaps import OwnKeymap, holder_of, keys_text, presets, press
+from ..actions.menus import menu_of
+from ..actions.search_words import WORDS
+from ..actions.specs import SPECS
+from ..model.personal import Personal
+from ..widgets.controls import weak_label
+
+TITLES = {spec.id: spec.title.rstrip("…") for spec in SPECS}
+_ID = Qt.ItemDataRole.UserRole
+MENU_WIDTH, KEYS_WIDTH = 80, 170
+
+
+class KeyField(QLineEdit):
+    """Takes the next key that is pressed; it types nothing.
+
+    Signals
+    -------
+    pressed(key) : a key with its modifiers, as keymaps write it.
+    """
+
+    pressed = Signal(str)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setReadOnly(True)
+        self.setPlaceholderText("Click here, then press the new key")
+        self.setAttribute(Qt.WidgetAttribute.WA_InputMethodEnabled, False)
+
+    def event(self, event: QEvent) -> bool:
+        # Tab and the dialog's own Return and Esc come here, too: every key may be wanted.
+        if isinstance(event, QKeyEvent) and event.type() in (QEvent.Type.KeyPress, QEvent.Type.ShortcutOverride):
+            event.accept()
+            if event.type() is QEvent.Type.KeyPress and not is_modifier(event):
+                self.pressed.emit(key_name(event))
+            return True
+        return super().event(event)
+
+
+class KeymapEditor(QDialog):
+    """A preset above, the table, and what can be done to the selected action's keys below.
+
+    What is changed holds at once and is kept as the artist's own.
+    """
+
+    def __init__(self, personal: Personal, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._personal = personal
+        self._asked = ""
+        self.setWindowTitle("Change keys")
+        self.resize(640, 640)
+        self._build()
+        self._lay_out()
+        self._connect()
+        self._pull()
+
+    # ---- building
+
+    def _build(self) -> None:
+        self.preset = QComboBox()
+        for name, title in presets().items():
+            self.preset.addItem(title, name)
+        self.search = QLineEdit()
+        self.search.setPlaceholderText("Search")
+        self.search.setClearButtonEnabled(True)
+        self.table = QTreeWidget()
+        self.table.setColumnCount(3)
+        self.table.setHeaderLabels(["Action", "Menu", "Keys"])
+        self.table.setRootIsDecorated(False)
+        self.table.setUniformRowHeights(True)
+        self.table.addTopLevelItems([_row(spec.id) for spec in SPECS])
+        header = self.table.header()
+        header.setStretchLastSection(False)
+        header.setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
+        header.setSectionResizeMode(0, QHeaderView.ResizeMode.Stretch)
+        for column, width in ((1, MENU_WIDTH), (2, KEYS_WIDTH)):
+            header.resizeSection(column, width)
+        self.field = KeyField()
+        self.word = weak_label("")
+        self.word.setWordWrap(True)
+        self.word.setMinimumHeight(2 * style.ROW_HEIGHT)
+        self.adds = QCheckBox("Add")
+        self.adds.setToolTip("Keep the keys that the action has, and add the new one")
+        self.take = QPushButton("Take it over")
+        self.take.setToolTip("Give the key to this action; the other one goes without it")
+        self.remove = QPushButton("No key")
+        self.remove.setToolTip("Leave this action without a key")
+        self.reset = QPushButton("Reset")
+        self.reset.setToolTip("Give this action the keys of the preset again")
+        self.reset_all = QPushButton("Reset all")
+        self.reset_all.setToolTip("Forget all keys of your own")
+        self.leave = QPushButton("Close")
+        for button in (self.take, self.remove, self.reset, self.reset_all, self.leave):
+            button.setAutoDefault(False)
+
+    def _lay_out(self) -> None:
+        upper, middle, lower = QHBoxLayout(), QHBoxLayout(), QHBoxLayout()
+        upper.addWidget(QLabel("Keys of"))
+        upper.addWidget(self.preset)
+        upper.addWidget(self.search, 1)
+        for widget, stretch in ((self.field, 1), (self.adds, 0), (self.take, 0), (self.remove, 0), (self.reset, 0)):
+            middle.addWidget(widget, stretch)
+        lower.addWidget(self.reset_all)
+        lower.addStretch(1)
+        lower.addWidget(self.leave)
+        column = QVBoxLayout(self)
+        column.setSpacing(style.MARGIN)
+        column.addLayout(upper)
+        column.addWidget(self.table, 1)
+        column.addLayout(middle)
+        column.addWidget(self.word)
+        column.addLayout(lower)
+
+    def _connect(self) -> None:
+        self.preset.currentIndexChanged.connect(lambda _: self._push_preset())
+        self.search.textChanged.connect(lambda _: self._pull_search())
+        self.table.currentItemChanged.connect(lambda *_: self._pull_selected())
+        self.table.itemDoubleClicked.connect(lambda *_: self.field.setFocus())
+        self.field.pressed.connect(self._record)
+        self.take.clicked.connect(lambda: self._give(self._asked))
+        self.remove.clicked.connect(lambda: self._push_keys(()))
+        self.reset.clicked.connect(lambda: self._personal.set_keys(self._own.without(self.selected)))
+        self.reset_all.clicked.connect(lambda: self._personal.set_keys(OwnKeymap(self._own.preset)))
+        self.leave.clicked.connect(self.close)
+        self._personal.keys_changed.connect(self._pull)
+
+    # ---- what is chosen
+
+    @property
+    def selected(self) -> str:
+        """The id of the selected action; empty where none is."""
+        item = self.table.currentItem()
+        return "" if item is None else str(item.data(0, _ID))
+
+    def select(self, action_id: str) -> None:
+        """Select an action."""
+        for item in self._items():
+            if item.data(0, _ID) == action_id:
+                self.table.setCurrentItem(item)
+
+    @property
+    def _own(self) -> OwnKeymap:
+        return self._personal.keys
+
+    def _items(self) -> list[QTreeWidgetItem]:
+        items = (self.table.topLevelItem(row) for row in range(self.table.topLevelItemCount()))
+        return [item for item in items if item is not None]
+
+    # ---- pushing
+
+    def _push_preset(self) -> None:
+        self._personal.set_keys(OwnKeymap(self.preset.currentData(), self._own.keys))
+
+    def _push_keys(self, keys: tuple[str, ...]) -> None:
+        if self.selected:
+            self._personal.set_keys(self._own.with_keys(self.selected, keys))
+
+    def _record(self, key: str) -> None:
+        """A key was pressed: it becomes the action's where it is free, else the artist is told whose it is."""
+        if not self.selected:
+            self.word.setText("Select an action first.")
+            return
+        self.field.setText(keys_text((key,)))
+        holder = holder_of(self._own.keymap, self.selected, key)
+        if key in NUDGES:
+            self.word.setText(f"{keys_text((key,))} moves the selected points; choose another key.")
+        elif holder is not None:
+            self._asked = key
+            self.word.setText(f"{keys_text((key,))} is the key of “{TITLES[holder]}”.")
+        else:
+            self._give(key)
+        self.take.setEnabled(bool(self._asked))
+
+    def _give(self, key: str) -> None:
+        """Make a key the action's only one, or one more of its keys; whoever had it goes without it."""
+        present = self._own.keymap.get(self.selected, ()) if self.adds.isChecked() else ()
+        keys = (*(other for other in present if press(other) != press(key)), key)
+        self._push_keys(keys)
+        self.word.setText(f"“{TITLES[self.selected]}” is {keys_text(keys)} now.")
+        self._asked = ""
+        self.take.setEnabled(False)
+
+    # ---- pulling
+
+    def _pull(self) -> None:
+        keymap, own = self._own.keymap, self._own.keys
+        self.preset.blockSignals(True)
+        self.preset.setCurrentIndex(self.preset.findData(self._own.preset))
+        self.preset.blockSignals(False)
+        for item in self._items():
+            name = item.data(0, _ID)
+            item.setText(2, keys_text(keymap.get(name, ())))
+            item.setForeground(2, QColor(style.ACCENT if name in own else style.TEXT))
+            item.setToolTip(2, "A key of your own" if name in own else "")
+        self.reset_all.setEnabled(bool(own))
+        self._pull_selected()
+
+    def _pull_selected(self) -> None:
+        self._asked = ""
+        self.field.clear()
+        self.take.setEnabled(False)
+        self.remove.setEnabled(bool(self._own.keymap.get(self.selected)))
+        self.reset.setEnabled(self.selected in self._own.keys)
+        self.field.setEnabled(bool(self.selected))
+        self.word.setText("" if self.selected else "Select an action to give it another key.")
+
+    def _pull_search(self) -> None:
+        query = self.search.text()
+        for item in self._items():
+            words = f"{item.text(0)} {item.text(1)} {item.text(2)} {WORDS.get(item.data(0, _ID), '')}"
+            item.setHidden(fuzzy_score(query, item.text(0)) is None and not words_begin(query, words))
+
+
+def _row(action_id: str) -> QTreeWidgetItem:
+    item = QTreeWidgetItem([TITLES[action_id], menu_of(action_id), ""])
+    item.setData(0, _ID, action_id)
+    item.setForeground(1, QColor(style.WEAK))
+    return item

@@ -1,0 +1,52 @@
+"""The dialog before masks come in: how near curves must lie, with how many keys, and what is too small to follow."""
+
+from __future__ import annotations
+
+from PySide6.QtWidgets import QComboBox, QDialog, QDialogButtonBox, QVBoxLayout, QWidget
+
+from roam_core.interchange import KeyChoice, MaskOptions
+
+from .. import style
+from ..widgets.controls import dense_form, form_label, measure_field, weak_label
+
+KEYS = {KeyChoice.REDUCED: "As few as hold the outline", KeyChoice.EVERY: "One on every frame"}
+STRAYING = (
+    "How far a curve may stray from its mask's outline on any frame, in pixels of the masks; "
+    "of masks that tremble, a fifth of the outline may stray farther"
+)
+SPECKS = "Parts and holes that are never larger are left out"
+
+
+class MaskDialog(QDialog):
+    """Asks how the masks of a folder become shapes; `options` are what was chosen, for masks of `size` or unknown."""
+
+    def __init__(self, folder: str, size: tuple[int, int] | None, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setWindowTitle("Import masks")
+        asked = MaskOptions()
+        self.keys = QComboBox()
+        for choice, words in KEYS.items():
+            self.keys.addItem(words, choice.value)
+        self.tolerance = measure_field(" px", asked.tolerance, 0.05, 100.0, 0.25, STRAYING)
+        self.speckle = measure_field(" px²", asked.speckle_for(size or (480, 480)), 0.0, 1e6, 16.0, SPECKS)
+        self.speckle.setDecimals(0)
+        self.speckle.setPrefix("below ")
+        self.speckle.setSpecialValueText("Follow all")
+        form = dense_form()
+        form.addRow(form_label("From"), weak_label(folder))
+        form.addRow(form_label("Keys"), self.keys)
+        form.addRow(form_label("Within"), self.tolerance)
+        form.addRow(form_label("Specks"), self.speckle)
+        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Ok | QDialogButtonBox.StandardButton.Cancel)
+        buttons.button(QDialogButtonBox.StandardButton.Ok).setText("Import")
+        buttons.accepted.connect(self.accept)
+        buttons.rejected.connect(self.reject)
+        column = QVBoxLayout(self)
+        column.setSpacing(style.MARGIN)
+        column.addLayout(form)
+        column.addWidget(buttons)
+
+    @property
+    def options(self) -> MaskOptions:
+        """The options as they stand in the fields."""
+        return MaskOptions(self.tolerance.value(), KeyChoice(self.keys.currentData()), self.speckle.value())

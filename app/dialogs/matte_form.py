@@ -1,0 +1,91 @@
+"""The form that says how mattes are written: kind of file, depth, compression, what has a picture of its own."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from enum import StrEnum
+
+from PySide6.QtWidgets import QCheckBox, QComboBox, QWidget
+
+from roam_core.interchange.mattes.style import (
+    COMPRESSIONS,
+    DEPTHS,
+    DataWindow,
+    Depth,
+    Gathering,
+    MatteFile,
+    MatteStyle,
+    Parts,
+)
+
+from ..widgets.controls import dense_form, form_label
+
+FILES = {MatteFile.PNG: "PNG", MatteFile.EXR: "EXR", MatteFile.TIFF: "TIFF"}
+DEPTH_WORDS = {Depth.BITS_8: "8 bits", Depth.BITS_16: "16 bits", Depth.HALF: "Half float", Depth.FLOAT: "Float"}
+PART_WORDS = {Parts.ALL: "All shapes together", Parts.LAYER: "Every layer", Parts.SHAPE: "Every shape"}
+GATHERING_WORDS = {Gathering.FILES: "Files of their own", Gathering.CHANNELS: "Channels of one file"}
+WINDOW_WORDS = {DataWindow.FULL: "All pixels", DataWindow.TIGHT: "Around the shapes only"}
+
+
+class MatteForm(QWidget):
+    """Only what the kind of file can hold may be chosen."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.file, self.depths, self.compression, self.parts, self.gathering, self.pixels = (
+            QComboBox() for _ in range(6)
+        )
+        self.resumes = QCheckBox("Skip frames whose files are there")
+        _fill(self.file, FILES.items())
+        _fill(self.parts, PART_WORDS.items())
+        _fill(self.gathering, GATHERING_WORDS.items())
+        _fill(self.pixels, WINDOW_WORDS.items())
+        form = dense_form()
+        for title, field in (
+            ("Files", self.file),
+            ("Depth", self.depths),
+            ("Packing", self.compression),
+            ("Mattes of", self.parts),
+            ("Put into", self.gathering),
+            ("Pixels", self.pixels),
+            ("", self.resumes),
+        ):
+            form.addRow(form_label(title), field)
+        self.setLayout(form)
+        self.file.currentIndexChanged.connect(lambda _: self._pull())
+        self._pull()
+
+    @property
+    def chosen(self) -> MatteStyle:
+        """The style as it stands in the fields."""
+        is_exr = self._kind is MatteFile.EXR
+        return MatteStyle(
+            file=self._kind,
+            depth=Depth(self.depths.currentData()),
+            compression=self.compression.currentData(),
+            parts=Parts(self.parts.currentData()),
+            gathering=Gathering(self.gathering.currentData()) if is_exr else Gathering.FILES,
+            window=DataWindow(self.pixels.currentData()) if is_exr else DataWindow.FULL,
+            resumes=self.resumes.isChecked(),
+        )
+
+    @property
+    def _kind(self) -> MatteFile:
+        return MatteFile(self.file.currentData())
+
+    def _pull(self) -> None:
+        kind = self._kind
+        _fill(self.depths, ((depth, DEPTH_WORDS[depth]) for depth in DEPTHS[kind]))
+        _fill(self.compression, ((word, word) for word in COMPRESSIONS[kind]))
+        for field in (self.gathering, self.pixels):
+            field.setEnabled(kind is MatteFile.EXR)
+            field.setToolTip("" if kind is MatteFile.EXR else "EXR files only")
+
+
+def _fill(field: QComboBox, choices: Iterable[tuple[StrEnum | str, str]]) -> None:
+    """Put words into a field; what was chosen stays where it still can."""
+    chosen = field.currentData()
+    field.clear()
+    for value, word in choices:
+        field.addItem(word, str(value))
+    field.setCurrentIndex(max(field.findData(chosen), 0))

@@ -1,0 +1,150 @@
+"""The few questions that need a decision, and the file choosers."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from enum import Enum
+from pathlib import Path
+
+from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
+
+from ..model.document import PROJECT_SUFFIX
+
+MOVIES = "Movies (*.mov *.mp4 *.avi *.mkv *.m4v *.mxf *.webm);;All files (*)"
+MOST_LOSSES = 6
+"""How many sentences a question shows at once."""
+PROJECTS = f"ROAM projects (*{PROJECT_SUFFIX})"
+
+
+class Unsaved(Enum):
+    """What to do with unsaved changes."""
+
+    SAVE = "save"
+    DISCARD = "discard"
+    CANCEL = "cancel"
+
+
+def ask_unsaved(parent: QWidget, name: str) -> Unsaved:
+    """Ask what shall become of unsaved changes."""
+    box = QMessageBox(parent)
+    box.setWindowTitle("ROAM")
+    box.setText(f"Save the changes to {name}?")
+    box.setInformativeText("They are lost if you do not.")
+    button = QMessageBox.StandardButton
+    box.setStandardButtons(button.Save | button.Discard | button.Cancel)
+    box.setDefaultButton(button.Save)
+    answers = {button.Save: Unsaved.SAVE, button.Discard: Unsaved.DISCARD}
+    return answers.get(button(box.exec()), Unsaved.CANCEL)
+
+
+class Contested(Enum):
+    """What to do with a project that somebody else has open."""
+
+    COPY = "copy"
+    ANYWAY = "anyway"
+    CANCEL = "cancel"
+
+
+def ask_contested(parent: QWidget, name: str, who: str) -> Contested:
+    """Ask how to open a project that is open elsewhere."""
+    answers = {"Open a copy": Contested.COPY, "Open anyway": Contested.ANYWAY}
+    text = f"{name} is {who}."
+    weak = "If both save, the later one wins. A copy is a project of its own, without a file until you save it."
+    return answers.get(_ask(parent, text, weak, tuple(answers)), Contested.CANCEL)
+
+
+class Doubted(Enum):
+    """What to do with a file that is not as it was left."""
+
+    SAVE = "save"
+    SAVE_AS = "save as"
+    CANCEL = "cancel"
+
+
+def ask_doubted(parent: QWidget, doubt: str) -> Doubted:
+    """Ask whether to save over a file that somebody else changed or has open."""
+    answers = {"Save as…": Doubted.SAVE_AS, "Save anyway": Doubted.SAVE}
+    weak = "If you save anyway, what is in the file now stays beside it as a backup."
+    return answers.get(_ask(parent, doubt, weak, tuple(answers)), Doubted.CANCEL)
+
+
+def _ask(parent: QWidget, text: str, weak: str, choices: Sequence[str]) -> str:
+    """Ask with a button for each choice, the first one ready to be pressed, and Cancel; gives the one pressed."""
+    box = QMessageBox(parent)
+    box.setWindowTitle("ROAM")
+    box.setText(text)
+    box.setInformativeText(weak)
+    buttons = [box.addButton(choice, QMessageBox.ButtonRole.ActionRole) for choice in choices]
+    box.addButton(QMessageBox.StandardButton.Cancel)
+    box.setDefaultButton(buttons[0])
+    box.exec()
+    pressed = box.clickedButton()
+    return "" if pressed is None else pressed.text()
+
+
+def ask_overwrite(parent: QWidget, paths: Sequence[Path]) -> bool:
+    """Ask before files are written over that ROAM did not make; all of them can be looked at."""
+    others = len(paths) - 1
+    box = QMessageBox(parent)
+    box.setWindowTitle("ROAM")
+    box.setText(f"Write over {paths[0].name}" + (f" and {others} other file{'s' * (others > 1)}?" if others else "?"))
+    box.setInformativeText(f"ROAM did not make what is there in {paths[0].parent}. It would be lost.")
+    box.setDetailedText("\n".join(str(path) for path in paths))
+    overwrite = box.addButton("Write over", QMessageBox.ButtonRole.DestructiveRole)
+    keep = box.addButton(QMessageBox.StandardButton.Cancel)
+    box.setDefaultButton(keep)
+    box.setEscapeButton(keep)
+    box.exec()
+    return box.clickedButton() is overwrite
+
+
+def ask_lossy(parent: QWidget, losses: Sequence[str]) -> bool:
+    """Ask before an export whose mattes would differ in the other program; what differs is named."""
+    box = QMessageBox(parent)
+    box.setWindowTitle("ROAM")
+    box.setText("Export, although the mattes would differ in the other program?")
+    box.setInformativeText("\n".join(losses[:MOST_LOSSES]))
+    if len(losses) > MOST_LOSSES:
+        box.setDetailedText("\n".join(losses))
+    anyway = box.addButton("Export anyway", QMessageBox.ButtonRole.AcceptRole)
+    stay = box.addButton(QMessageBox.StandardButton.Cancel)
+    box.setDefaultButton(stay)
+    box.setEscapeButton(stay)
+    box.exec()
+    return box.clickedButton() is anyway
+
+
+def choose_clip_folder(parent: QWidget, start: Path) -> Path | None:
+    return _path(QFileDialog.getExistingDirectory(parent, "Open clip: the folder of its frames", str(start)))
+
+
+def choose_movie(parent: QWidget, start: Path) -> Path | None:
+    return _path(QFileDialog.getOpenFileName(parent, "Open movie", str(start), MOVIES)[0])
+
+
+def choose_project(parent: QWidget, start: Path) -> Path | None:
+    return _path(QFileDialog.getOpenFileName(parent, "Open project", str(start), PROJECTS)[0])
+
+
+def choose_save(parent: QWidget, start: Path) -> Path | None:
+    """Where to save the project; the suffix is added when it was left out."""
+    path = _path(QFileDialog.getSaveFileName(parent, "Save project", str(start), PROJECTS)[0])
+    return path if path is None or path.suffix else path.with_suffix(PROJECT_SUFFIX)
+
+
+def choose_export(parent: QWidget, title: str, start: Path, suffix: str) -> Path | None:
+    path = _path(QFileDialog.getSaveFileName(parent, title, str(start), f"*{suffix}")[0])
+    return path if path is None or path.suffix else path.with_suffix(suffix)
+
+
+def choose_shapes(parent: QWidget, start: Path, suffixes: Sequence[str]) -> Path | None:
+    kinds = " ".join(f"*{suffix}" for suffix in suffixes)
+    return _path(QFileDialog.getOpenFileName(parent, "Import shapes", str(start), f"Shapes ({kinds})")[0])
+
+
+def choose_folder(parent: QWidget, title: str, start: Path) -> Path | None:
+    return _path(QFileDialog.getExistingDirectory(parent, title, str(start)))
+
+
+def _path(chosen: str) -> Path | None:
+    return Path(chosen) if chosen else None

@@ -1,0 +1,175 @@
+"""The settings dialog: what holds for all projects; every change holds at once, or from the next start on."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import (
+    QCheckBox,
+    QComboBox,
+    QDialog,
+    QDoubleSpinBox,
+    QFormLayout,
+    QHBoxLayout,
+    QLabel,
+    QPushButton,
+    QSpinBox,
+    QVBoxLayout,
+    QWidget,
+)
+
+from roam_core.params import CONFIGS
+
+from .. import style
+from ..actions.keymaps import OwnKeymap, presets
+from ..model.personal import Personal
+from ..model.preferences import (
+    LEAST_CACHE,
+    LEAST_UNDO,
+    MOST_BACKUPS,
+    MOST_CACHE,
+    MOST_THREADS,
+    MOST_UNDO,
+    SCALES,
+    Preferences,
+)
+from ..widgets.controls import dense_form, weak_label
+
+LABEL_WIDTH, FIELD_WIDTH = 150, 150
+
+
+class SettingsDialog(QDialog):
+    """One form. Each control is a pair: what it pulls from the preferences, and what it pushes into them.
+
+    Signals
+    -------
+    keys_asked() : the artist wants to change single keys.
+    """
+
+    keys_asked = Signal()
+
+    def __init__(self, personal: Personal, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._personal = personal
+        self.setWindowTitle("Settings")
+        self._build()
+        self._lay_out()
+        self._pull()
+        self._connect()
+
+    # ---- building
+
+    def _build(self) -> None:
+        self.cache = QDoubleSpinBox()
+        self.cache.setRange(LEAST_CACHE, MOST_CACHE)
+        self.cache.setSingleStep(0.5)
+        self.cache.setDecimals(2)
+        self.cache.setSuffix(" GB")
+        self.threads, self.backups, self.undo = QSpinBox(), QSpinBox(), QSpinBox()
+        self.threads.setRange(0, MOST_THREADS)
+        self.threads.setSpecialValueText("As many as there are")
+        self.backups.setRange(0, MOST_BACKUPS)
+        self.backups.setSpecialValueText("None")
+        self.undo.setRange(LEAST_UNDO, MOST_UNDO)
+        self.undo.setSingleStep(64)
+        self.undo.setSuffix(" MB")
+        self.config, self.preset, self.scale = QComboBox(), QComboBox(), QComboBox()
+        self.config.addItem("The one used last", "")
+        for name in CONFIGS:
+            self.config.addItem(name.replace("_", " ").capitalize(), name)
+        for name, title in presets().items():
+            self.preset.addItem(title, name)
+        for scale in SCALES:
+            self.scale.addItem(f"{scale:.0%}", scale)
+        self.change_keys = QPushButton("Change keys…")
+        self.change_keys.setAutoDefault(False)
+        self.asks = QCheckBox("Show what was found before a clip opens")
+        self.asks.setToolTip("Holding Alt while dropping a clip opens it without a question")
+        self.reset, self.leave = QPushButton("Defaults"), QPushButton("Close")
+        self.reset.setToolTip("All settings as they were at first; keys stay")
+        for button in (self.reset, self.leave):
+            button.setAutoDefault(False)
+        for widget in (self.cache, self.threads, self.backups, self.undo, self.config, self.preset, self.scale):
+            widget.setFixedWidth(FIELD_WIDTH)
+        for number in (self.cache, self.threads, self.backups, self.undo):
+            number.setAlignment(Qt.AlignmentFlag.AlignRight)
+
+    def _lay_out(self) -> None:
+        form = dense_form()
+        _row(form, "Memory for frames", self.cache, "More keeps more of a clip ready to play")
+        _row(form, "Threads", self.threads, "For decoding pictures and for the engine")
+        _row(form, "Memory for undo", self.undo, "The oldest steps go first")
+        _row(form, "Backups", self.backups, "Older versions of a project, kept beside it when you save")
+        _row(form, "Mode at the start", self.config, "How the engine works")
+        _row(form, "Keys", self.preset, None, self.change_keys)
+        _row(form, "Size on the screen", self.scale, "From the next start on")
+        _row(form, "Clips", self.asks, None)
+        buttons = QHBoxLayout()
+        buttons.addWidget(self.reset)
+        buttons.addStretch(1)
+        buttons.addWidget(self.leave)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(2 * style.MARGIN, 2 * style.MARGIN, 2 * style.MARGIN, style.MARGIN)
+        column.setSpacing(2 * style.MARGIN)
+        column.addLayout(form)
+        column.addStretch(1)
+        column.addLayout(buttons)
+
+    def _connect(self) -> None:
+        self.cache.valueChanged.connect(lambda value: self._push(cache_gigabytes=value))
+        self.threads.valueChanged.connect(lambda value: self._push(threads=value))
+        self.backups.valueChanged.connect(lambda value: self._push(backups=value))
+        self.undo.valueChanged.connect(lambda value: self._push(undo_megabytes=value))
+        self.config.currentIndexChanged.connect(lambda _: self._push(config=self.config.currentData()))
+        self.scale.currentIndexChanged.connect(lambda _: self._push(scale=self.scale.currentData()))
+        self.asks.toggled.connect(lambda on: self._push(asks_about_clips=on))
+        self.preset.currentIndexChanged.connect(lambda _: self._push_preset())
+        self.change_keys.clicked.connect(self.keys_asked)
+        self.reset.clicked.connect(lambda: self._personal.set_preferences(Preferences()))
+        self.leave.clicked.connect(self.close)
+        self._personal.preferences_changed.connect(self._pull)
+        self._personal.keys_changed.connect(self._pull)
+
+    # ---- pushing and pulling
+
+    def _push(self, **changes: Any) -> None:
+        self._personal.set_preferences(replace(self._personal.preferences, **changes))
+
+    def _push_preset(self) -> None:
+        self._personal.set_keys(OwnKeymap(self.preset.currentData(), self._personal.keys.keys))
+
+    def _pull(self) -> None:
+        held = self._personal.preferences
+        numbers = self.cache, self.threads, self.backups, self.undo
+        fields = (*numbers, self.config, self.scale, self.preset, self.asks)
+        for field in fields:
+            field.blockSignals(True)
+        self.cache.setValue(held.cache_gigabytes)
+        self.threads.setValue(held.threads)
+        self.backups.setValue(held.backups)
+        self.undo.setValue(held.undo_megabytes)
+        self.config.setCurrentIndex(self.config.findData(held.config))
+        self.scale.setCurrentIndex(_nearest(held.scale))
+        self.preset.setCurrentIndex(self.preset.findData(self._personal.keys.preset))
+        self.asks.setChecked(held.asks_about_clips)
+        for field in fields:
+            field.blockSignals(False)
+
+
+def _nearest(scale: float) -> int:
+    """The place of the scale that comes closest."""
+    return min(range(len(SCALES)), key=lambda place: abs(SCALES[place] - scale))
+
+
+def _row(form: QFormLayout, title: str, field: QWidget, word: str | None, *more: QWidget) -> None:
+    """A label, a field, and a weak word about it."""
+    label = QLabel(title)
+    label.setFixedWidth(LABEL_WIDTH)
+    row = QHBoxLayout()
+    row.setSpacing(style.MARGIN)
+    for widget in (field, *more, *([] if word is None else [weak_label(word)])):
+        row.addWidget(widget)
+    row.addStretch(1)
+    form.addRow(label, row)

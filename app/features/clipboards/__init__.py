@@ -1,0 +1,1 @@
+"""Copying and pasting shapes, keys and the nodes of other programs."""

@@ -1,0 +1,34 @@
+"""Undo and redo, and the sentence that says what they did."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from ..model.document import Document
+from ..model.view_state import ViewState
+
+
+class History:
+    """The verbs behind the undo keys. Without a word an undo of something out of sight would seem to do nothing."""
+
+    def __init__(self, document: Document, view_state: ViewState) -> None:
+        self._stack, self._view = document.undo_stack, view_state
+
+    def handlers(self) -> dict[str, Callable[[], object]]:
+        """What the actions of this part call, by id."""
+        return {
+            "edit.undo": self.undo,
+            "edit.redo": self.redo,
+        }
+
+    def undo(self) -> None:
+        """Take the last step back."""
+        if text := self._stack.undoText():
+            self._stack.undo()
+            self._view.say(f"Undone: {text}.")
+
+    def redo(self) -> None:
+        """Do the step again that was taken back last."""
+        if text := self._stack.redoText():
+            self._stack.redo()
+            self._view.say(f"Redone: {text}.")

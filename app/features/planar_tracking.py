@@ -1,0 +1,61 @@
+"""What the planar track's buttons and keys mean: which shapes, from which frame to which, by which motion."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from roam_core.geometry.plane_motion import PlaneMotion
+from roam_core.roto import RotoShape
+
+from ..jobs.planar import PlanarTrack
+from ..model.document import Document
+from ..model.view_state import ViewState, shapes_in_hand
+from .navigation import clip_frames
+from .tracking import NO_CLIP, NO_SHAPE
+
+
+class PlanarTracking:
+    """Starts planar tracks from the playhead. `kind` is what the plane may do."""
+
+    def __init__(self, document: Document, view_state: ViewState, track: PlanarTrack) -> None:
+        self._document, self._view, self._track = document, view_state, track
+        self.kind = PlaneMotion.SIMILARITY
+
+    def handlers(self) -> dict[str, Callable[[], object]]:
+        """What the actions of this part call, by id."""
+        return {"planar.forward": self.forward, "planar.backward": self.backward}
+
+    def forward(self) -> None:
+        """Track to the end of the play range, or of the clip when the playhead lies beyond it."""
+        stop, frame = self._view.play_range[1], self._view.frame
+        self._run(range(frame, stop if frame + 1 < stop else self._clip().stop))
+
+    def backward(self) -> None:
+        """Track back to the beginning of the play range, or of the clip when the playhead lies before it."""
+        first, frame = self._view.play_range[0], self._view.frame
+        self._run(range(frame, (first if frame > first else self._clip().start) - 1, -1))
+
+    def _clip(self) -> range:
+        return clip_frames(self._document.project, self._view.frame)
+
+    def _run(self, frames: range) -> None:
+        if self._document.project.clip is None:
+            self._view.say(NO_CLIP)
+        elif len(frames) < 2:
+            self._view.say(f"The clip {'ends' if frames.step > 0 else 'begins'} here: there is no frame to track to.")
+        elif shapes := self._trackable():
+            self._track.start([shape.id for shape in shapes], frames, self.kind)
+
+    def _trackable(self) -> list[RotoShape]:
+        """The shapes in hand that the track may move; says why when there is none."""
+        shapes = shapes_in_hand(self._document.project, self._view.selection)
+        able = [shape for shape in shapes if not shape.locked]
+        if not shapes:
+            self._view.say(NO_SHAPE)
+        elif not able:
+            self._view.say(f"{shapes[0].name} is locked; unlock it to track it.")
+        elif not any(shape.closed for shape in able):
+            name = able[0].name
+            self._view.say(f"{name} is open; close it (<points.toggle_closed> in the viewer) to track its plane.")
+            return []
+        return able

@@ -1,0 +1,235 @@
+"""What the track buttons and keys mean: which shapes, from which frame to which, and where the doubtful frames are."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from enum import StrEnum
+
+from roam_core.dials import name_of
+from roam_core.errors import RoamError
+from roam_core.params import DEFAULT_CONFIG, DOUBTFUL, departed, params_for
+from roam_core.roto import RotoShape
+
+from ..jobs.filling import Gap, gaps_of
+from ..jobs.propagation import Propagation
+from ..model.document import Document
+from ..model.view_state import ViewState, shapes_in_hand
+from .navigation import clip_frames
+
+NO_CLIP = "Open a clip first: drop a folder of images or a movie on the window."
+NO_GAP = "There is no gap to fill here: set a key (<key.set>) on two frames, with others between them."
+NO_SHAPE = "Draw a shape first: press <tool.bezier> in the viewer."
+
+
+class Scope(StrEnum):
+    """Which shapes a run takes."""
+
+    SELECTED = "selected"
+    ALONE = "alone"
+    ALL = "all"
+
+
+class Tracking:
+    """Starts runs of the propagation from the playhead.
+
+    `config` names the engine's configuration, `factors` how far its dials are turned, by configuration and dial;
+    `scope` tells which shapes are meant: the selected ones (all where none is), or all in any case. The others of their
+    objects are solved with them, but where each is to be solved alone.
+    """
+
+    def __init__(self, document: Document, view_state: ViewState, propagation: Propagation) -> None:
+        self._document, self._view, self._propagation = document, view_state, propagation
+        self.config = DEFAULT_CONFIG
+        self.factors: dict[str, dict[str, float]] = {}
+        self.scope = Scope.SELECTED
+
+    @property
+    def configuration(self) -> str:
+        """The full name of the configuration, with its turned dials: `best+reach=1.5`."""
+        return name_of(self.config, self.factors.get(self.config, {}))
+
+    def turn(self, dial: str, factor: float) -> None:
+        """Turn a dial of the present configuration; 1 is what the configuration says."""
+        self.factors.setdefault(self.config, {})[dial] = factor
+
+    def reset(self) -> None:
+        """Turn all dials of the present configuration back."""
+        self.factors.pop(self.config, None)
+
+    def remembered(self) -> dict[str, dict[str, str]]:
+        """The turned dials, as words that can be kept."""
+        return {
+            config: {dial: f"{factor:g}" for dial, factor in own.items() if factor != 1.0}
+            for config, own in self.factors.items()
+        }
+
+    def recall(self, kept: Mapping[str, Mapping[str, str]]) -> None:
+        """Turn the dials as `remembered` told; what makes no sense any more is left out.
+
+        So is a dial that is offered no more, which is said: nothing would show that it is turned.
+        """
+        for config, own in kept.items():
+            for dial, word in own.items():
+                try:
+                    params_for(f"{config}+{dial}={word}")
+                except RoamError:
+                    continue
+                if departed(f"{config}+{dial}={word}"):
+                    self._view.say(f"The dial {dial!r} is not offered for {config!r} any more; it is left at 100 %.")
+                    continue
+                self.factors.setdefault(config, {})[dial] = float(word)
+
+    def handlers(self) -> dict[str, Callable[[], object]]:
+        """What the actions of this part call, by id."""
+        return {
+            "track.forward": self.forward,
+            "track.backward": self.backward,
+            "track.forward_one": self.forward_one,
+            "track.backward_one": self.backward_one,
+            "track.to_next_key": self.to_next_key,
+            "track.fill": self.fill,
+            "track.next_doubtful": self.next_doubtful,
+            "track.previous_doubtful": self.previous_doubtful,
+            "track.most_doubtful": self.most_doubtful,
+        }
+
+    def forward(self) -> None:
+        """Track to the end of the play range, or of the clip when the playhead lies behind it."""
+        stop = self._view.play_range[1]
+        self._run(1, stop if self._view.frame + 1 < stop else self._clip().stop)
+
+    def backward(self) -> None:
+        """Track back to the beginning of the play range, or of the clip when the playhead lies before it."""
+        first = self._view.play_range[0]
+        self._run(-1, (first if self._view.frame > first else self._clip().start) - 1)
+
+    def forward_one(self) -> None:
+        self._run(1, min(self._view.frame + 2, self._clip().stop))
+
+    def backward_one(self) -> None:
+        self._run(-1, max(self._view.frame - 2, self._clip().start - 1))
+
+    def to_next_key(self) -> None:
+        """Track up to the next artist key of the shapes, or to the end where there is none."""
+        frame = self._view.frame
+        later = [key for shape in self.in_scope() for key in shape.artist_frames if key > frame]
+        if not later:
+            self.forward()
+        elif min(later) == frame + 1:
+            self._view.say("The next frame is a key already: there is nothing to track before it.")
+        else:
+            self._run(1, min(later))
+
+    def fill(self) -> None:
+        """Fill the frames between artist keys: of the gaps inside in and out, or of the one at the playhead."""
+        if self._document.project.clip is None:
+            self._view.say(NO_CLIP)
+        elif shapes := self._trackable():
+            if gaps := self._gaps_meant(gaps_of(shapes)):
+                self._propagation.fill(
+                    [shape.id for shape in shapes], gaps, self.configuration, alone=self.scope is Scope.ALONE
+                )
+            else:
+                self._view.say(NO_GAP)
+
+    def next_doubtful(self) -> None:
+        self._go_to_doubtful(1)
+
+    def previous_doubtful(self) -> None:
+        self._go_to_doubtful(-1)
+
+    def most_doubtful(self) -> None:
+        """Go to the frame that the engine trusts least, the first where several are alike, and tell what it doubts."""
+        tracked = [
+            (key.confidence, key.frame, shape)
+            for shape in self._shapes()
+            for key in shape.keys
+            if key.confidence is not None
+        ]
+        if not tracked:
+            self._view.say("No frame is tracked yet.")
+            return
+        _, frame, shape = min(tracked, key=lambda each: each[:2])
+        self._view.set_frame(frame)
+        self._view.say(doubt_sentence(shape, frame))
+
+    # ---- the rest is private
+
+    def _clip(self) -> range:
+        return clip_frames(self._document.project, self._view.frame)
+
+    def _run(self, step: int, stop: int) -> None:
+        frames = range(self._view.frame, stop, step)
+        if self._document.project.clip is None:
+            self._view.say(NO_CLIP)
+        elif len(frames) < 2:
+            self._view.say(f"The clip {'ends' if step > 0 else 'begins'} here: there is no frame to track to.")
+        elif shapes := self._trackable():
+            ids, alone = [shape.id for shape in shapes], self.scope is Scope.ALONE
+            self._propagation.start(ids, frames, self.configuration, alone=alone)
+
+    def _gaps_meant(self, gaps: list[Gap]) -> list[Gap]:
+        """In and out mean the gaps between them, where they are set around the playhead; otherwise it lies in a gap.
+
+        On a key that is the gap after it; on the last key the one before.
+        """
+        frame, (first, stop) = self._view.frame, self._view.play_range
+        clip = self._clip()
+        if (first, stop) != (clip.start, clip.stop) and first <= frame < stop:
+            return [gap for gap in gaps if first <= gap[0] and gap[1] < stop]
+        around = [gap for gap in gaps if gap[0] <= frame < gap[1]]
+        return around or [gap for gap in gaps if gap[1] == frame]
+
+    def _shapes(self) -> list[RotoShape]:
+        """The selected shapes, or all when none is selected."""
+        return shapes_in_hand(self._document.project, self._view.selection)
+
+    def in_scope(self) -> list[RotoShape]:
+        """The shapes that a run would take, whether they can be tracked or not."""
+        return list(self._document.project.shapes) if self.scope is Scope.ALL else self._shapes()
+
+    def _trackable(self) -> list[RotoShape]:
+        """Those that can be tracked; says why when there is none."""
+        shapes = self.in_scope()
+        able = [shape for shape in shapes if shape.closed and not shape.locked]
+        if not shapes:
+            self._view.say(NO_SHAPE)
+        elif not able and shapes[0].locked:
+            self._view.say(f"{shapes[0].name} is locked; unlock it to track it.")
+        elif not able:
+            self._view.say(f"{shapes[0].name} is open; close it (<points.toggle_closed> in the viewer) to track it.")
+        return able
+
+    def _go_to_doubtful(self, step: int) -> None:
+        here = self._view.frame
+        doubtful = [
+            (abs(key.frame - here), key.confidence, key.frame, shape)
+            for shape in self._shapes()
+            for key in shape.keys
+            if key.confidence is not None and key.confidence < DOUBTFUL and (key.frame - here) * step > 0
+        ]
+        if doubtful:
+            _, _, frame, shape = min(doubtful, key=lambda each: each[:2])
+            self._view.set_frame(frame)
+            self._view.say(doubt_sentence(shape, frame))
+        else:
+            self._view.say(f"No doubtful frame {'after' if step > 0 else 'before'} frame {here}.")
+
+
+def doubt_sentence(shape: RotoShape, frame: int) -> str:
+    """How far the engine trusts a shape on a frame, and how many vertices are ringed; empty where it said nothing."""
+    key = shape.key_at(frame)
+    if key is None or key.confidence is None:
+        return ""
+    doubted = len(doubtful_points(shape, frame))
+    verb = "is" if doubted == 1 else "are"
+    rings = f" {doubted} of its {shape.point_count} vertices {verb} doubtful and ringed." if doubted else ""
+    return f"Frame {frame}: the confidence of {shape.name} is {key.confidence:.2f}.{rings}"
+
+
+def doubtful_points(shape: RotoShape, frame: int) -> tuple[int, ...]:
+    """The points of a shape that the engine does not trust on a frame."""
+    key = shape.key_at(frame)
+    if key is None or key.vertex_confidence is None:
+        return ()
+    return tuple(index for index, trust in enumerate(key.vertex_confidence.tolist()) if trust < DOUBTFUL)

@@ -1,0 +1,1 @@
+"""The verbs on shapes and layers, each one undo step."""

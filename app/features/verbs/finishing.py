@@ -1,0 +1,61 @@
+"""What ends every drawing tool: the shape goes into the document, is selected, and the select tool takes over."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+from PySide6.QtGui import QColor
+
+from roam_core.roto import Project, RotoShape, Spline, edit
+from roam_core.roto.found import add_found
+from roam_core.roto.project import PALETTE
+
+from ...model.document import Document
+from ...model.view_state import ViewState
+
+Array = NDArray[np.float64]
+
+
+def next_colour(project: Project) -> QColor:
+    """The colour that the next new shape will have."""
+    return QColor.fromRgbF(*PALETTE[len(project.shapes) % len(PALETTE)])
+
+
+def finish_shape(
+    document: Document,
+    view_state: ViewState,
+    tool: str,
+    grips: Array,
+    frame: int,
+    *,
+    closed: bool = True,
+    spline: Spline = Spline.BEZIER,
+) -> None:
+    """Make `grips (P, 3, 2)` a new shape with an artist key at `frame`, as one undo step.
+
+    Where `tool`, which drew it, is still in the hand, the select tool takes its place to adjust the shape.
+    """
+    project, shape = edit.new_shape(document.project, grips, frame, closed=closed, spline=spline)
+    document.apply("Draw shape", project)
+    hand_over(view_state, tool, frozenset({shape.id}))
+    follow = "] tracks it forward" if closed else "it is open, C closes it"
+    view_state.say(f"{shape.name} is drawn: drag its points to adjust it, {follow}.")
+
+
+def put_in(document: Document, view_state: ViewState, tool: str, shapes: Sequence[RotoShape], text: str) -> None:
+    """Make `shapes` that were found in a picture or a mask part of the project, as one undo step `text`."""
+    project, ids = add_found(document.project, shapes)
+    document.apply(text, project)
+    hand_over(view_state, tool, frozenset(ids))
+    name = project.shape(ids[0]).name
+    told = f"{name} is" if len(ids) == 1 else f"{len(ids)} shapes are"
+    view_state.say(f"{told} fitted: drag the points to adjust, ] tracks forward.")
+
+
+def hand_over(view_state: ViewState, tool: str, shape_ids: frozenset[str]) -> None:
+    """Select the new shapes, and take the select tool where `tool` is still in the hand."""
+    view_state.select(shape_ids)
+    if view_state.tool == tool:
+        view_state.set_tool("select")

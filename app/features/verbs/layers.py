@@ -1,0 +1,60 @@
+"""What menus and keys do to layers: grouping, dissolving, adding; and to the motion of layers."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from roam_core.roto import Layer, edit
+from roam_core.roto.layers import grouped, ungrouped
+
+from ...model.document import Document
+from ...model.view_state import ViewState
+from .shapes import NOTHING_SELECTED
+
+NO_LAYER = "Select a layer first: click it in the list of shapes."
+
+
+class LayerVerbs:
+    """The verbs on the selected layers. What cannot be done is said in the status bar."""
+
+    def __init__(self, document: Document, view_state: ViewState) -> None:
+        self._document, self._view = document, view_state
+
+    def handlers(self) -> dict[str, Callable[[], object]]:
+        """What the actions of this part call, by id."""
+        return {"shape.group": self.group, "layer.ungroup": self.ungroup, "layer.add": self.add}
+
+    def group(self) -> None:
+        """Put the selected layers and shapes into a new layer, which is then selected."""
+        chosen = self._view.selection.shapes | self._layers()
+        if not chosen:
+            self._view.say(NOTHING_SELECTED)
+            return
+        project, layer = grouped(self._document.project, chosen)
+        self._document.apply("Group", project)
+        self._view.select(self._view.selection.shapes, layers=frozenset({layer.id}))
+
+    def ungroup(self) -> None:
+        """Dissolve the selected layers, or those that hold the selected shapes; the shapes stay selected."""
+        project = self._document.project
+        layers = self._layers() or {
+            project.layers_above(shape_id)[-1].id for shape_id in self._view.selection.shapes
+        } - {project.root.id}
+        if not layers:
+            self._view.say(NO_LAYER)
+            return
+        for layer_id in sorted(layers, key=lambda layer_id: len(project.layers_above(layer_id))):
+            project = ungrouped(project, layer_id)
+        self._document.apply("Ungroup", project)
+
+    def add(self) -> None:
+        """Add an empty layer on top, or inside the selected one."""
+        project, inside = self._document.project, sorted(self._layers())
+        project, layer = edit.add_layer(project, parent_id=inside[0] if len(inside) == 1 else project.root.id)
+        self._document.apply("New layer", project)
+        self._view.select(frozenset(), layers=frozenset({layer.id}))
+
+    def _layers(self) -> frozenset[str]:
+        """The selected layers that are still there."""
+        there = {item.id for item in self._document.project.root.items() if isinstance(item, Layer)}
+        return self._view.layers & there

@@ -1,0 +1,64 @@
+"""MaskShapes: shapes of the present frame from a picture of its mask."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+from PySide6.QtWidgets import QFileDialog, QWidget
+
+from roam_core.errors import RoamError
+from roam_core.roto import RotoShape
+
+from ...jobs.picture_work import PictureWork
+from ...jobs.runner import Ending, Report
+from ...model.document import Document
+from ...model.view_state import ViewState
+from .finishing import put_in
+
+MASKS = "Mask pictures (*.png *.tif *.tiff *.jpg *.jpeg *.exr);;All files (*)"
+
+
+class MaskShapes:
+    """Asks for a mask picture, white inside, and fits shapes to it off the window's thread."""
+
+    def __init__(self, window: QWidget, document: Document, view_state: ViewState, pictures: PictureWork) -> None:
+        self._window, self._document, self._view, self._pictures = window, document, view_state, pictures
+
+    def handlers(self) -> dict[str, Callable[[], object]]:
+        """What the actions of this part call, by id."""
+        return {"shape.from_mask": self.choose}
+
+    def choose(self) -> None:
+        """Ask for the picture."""
+        clip = self._document.project.clip
+        if clip is None:
+            self._view.say("Open a clip first: a mask belongs to one of its frames.")
+            return
+        start = str(self._document.path.parent if self._document.path else clip.path.parent)
+        chosen, _ = QFileDialog.getOpenFileName(self._window, "Shape from the mask of this frame", start, MASKS)
+        if chosen:
+            self.read(Path(chosen))
+
+    def read(self, path: Path) -> None:
+        """Fit shapes to the mask in `path`, keyed on the present frame; what is wrong with it is said."""
+        width, height = self._document.project.require_clip().size
+        frame = self._view.frame
+
+        def look(report: Report) -> list[RotoShape]:
+            from roam_core.matte.vectorise import read_mask, shapes_from_mask
+
+            report.progress(0.0, f"Reading {path.name} …")
+            shapes = shapes_from_mask(read_mask(path, (height, width)), frame)
+            if not shapes:
+                raise RoamError(f"Nothing is white in {path.name}; paint the object white and the rest black.")
+            return shapes
+
+        self._pictures.find("mask", look, self._take, ended=self._end)
+
+    def _take(self, shapes: list[RotoShape]) -> None:
+        put_in(self._document, self._view, self._view.tool, shapes, "Shape from mask")
+
+    def _end(self, ending: Ending, sentence: str) -> None:
+        if ending is Ending.FAILED:
+            self._view.say(sentence)

@@ -1,0 +1,83 @@
+"""ObjectVerbs: what menus and keys do to objects: which shapes are solved as one, how they hang together and lie."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection
+
+from roam_core.errors import RoamError
+from roam_core.roto import Project, linking
+from roam_core.roto.linking import AS_STACKED, BEHIND, IN_FRONT
+
+from ...model.document import Document
+from ...model.view_state import ViewState, selected_shapes
+from .shapes import NOTHING_SELECTED
+
+ALL_LOCKED = "What is selected is locked; unlock it first (<shape.lock>)."
+LEVELS = {IN_FRONT: "In front", AS_STACKED: "As stacked", BEHIND: "Behind"}
+"""The levels of depth, the nearest first, as the window calls them."""
+PLACES = {IN_FRONT: "in front of the others", BEHIND: "behind the others", AS_STACKED: "as stacked again"}
+"""Where a shape lies, in a sentence."""
+
+Verb = Callable[[Project, Collection[str]], Project]
+
+
+class ObjectVerbs:
+    """The verbs on the selected shapes, those of selected layers among them; locked ones are left alone.
+
+    Each is one undo step. What cannot be done is said in the status bar.
+    """
+
+    def __init__(self, document: Document, view_state: ViewState) -> None:
+        self._document, self._view = document, view_state
+
+    def handlers(self) -> dict[str, Callable[[], object]]:
+        """What the actions of this part call, by id."""
+        return {
+            "object.one": self.link,
+            "object.parts": self.unlink,
+            "object.apart": self.set_apart,
+            "object.attach": lambda: self.attach(True),
+            "object.detach": lambda: self.attach(False),
+            "object.in_front": lambda: self.set_depth(IN_FRONT),
+            "object.behind": lambda: self.set_depth(BEHIND),
+            "object.as_stacked": lambda: self.set_depth(AS_STACKED),
+        }
+
+    def link(self, link: str = "") -> None:
+        """Solve the selected shapes as one whole object: a new one, or the one of a link that is there."""
+        self._edit("Solve as one object", lambda project, ids: linking.linked(project, ids, link))
+
+    def unlink(self) -> None:
+        """Leave it to the outlines again what the selected shapes belong to."""
+        self._edit("Solve as parts", linking.unlinked)
+
+    def set_apart(self) -> None:
+        """Solve each of the selected shapes by itself."""
+        self._edit("Solve by itself", linking.apart)
+
+    def attach(self, on: bool) -> None:
+        """Let the selected shapes hang on the parts that they overlap, or free them."""
+        self._edit("Attach to neighbours" if on else "Detach", lambda project, ids: linking.attached(project, ids, on))
+
+    def set_depth(self, level: int) -> None:
+        """Let the selected shapes lie in front, behind or as stacked, from this frame on."""
+        frame = self._view.frame
+        if names := self._edit(LEVELS[level], lambda project, ids: linking.set_depth(project, ids, frame, level)):
+            who = f"{names[0]} lies" if len(names) == 1 else f"{len(names)} shapes lie"
+            self._view.say(f"{who} {PLACES[level]} from frame {frame} on.")
+
+    def _edit(self, text: str, verb: Verb) -> list[str]:
+        """Do it with the selected shapes that are not locked; gives their names, none where nothing was done."""
+        project = self._document.project
+        shapes = selected_shapes(project, self._view.selection)
+        free = [shape for shape in shapes if not shape.locked]
+        if not free:
+            self._view.say(ALL_LOCKED if shapes else NOTHING_SELECTED)
+            return []
+        try:
+            edited = verb(project, [shape.id for shape in free])
+        except RoamError as error:
+            self._view.say(str(error))
+            return []
+        self._document.apply(text, edited)
+        return [shape.name for shape in free]

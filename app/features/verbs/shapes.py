@@ -1,0 +1,117 @@
+"""What menus, keys and panels do to whole shapes and their keys: each one edit of the document, one undo step."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from dataclasses import replace
+
+from roam_core.errors import RoamError
+from roam_core.roto import Layer, Project, RotoShape, edit, linking
+
+from ...model.document import Document
+from ...model.view_state import ViewState, selected_shapes
+
+NOTHING_SELECTED = "Select a shape first: click it in the viewer or in the list."
+
+
+class ShapeVerbs:
+    """The verbs on the selected shapes. What cannot be done is said in the status bar."""
+
+    def __init__(self, document: Document, view_state: ViewState) -> None:
+        self._document, self._view = document, view_state
+
+    def handlers(self) -> dict[str, Callable[[], object]]:
+        """What the actions of this part call, by id."""
+        return {
+            "shape.duplicate": self.duplicate,
+            "shape.lock": self.toggle_lock,
+            "shape.hide": self.hide,
+            "shape.show_all": self.show_all,
+            "key.set": self.set_key,
+            "key.delete": self.delete_key,
+            "track.delete_engine_keys": self.delete_engine_keys,
+        }
+
+    def set_key(self) -> None:
+        """Make the selected shapes, as they are on this frame, artist keys."""
+        frame = self._view.frame
+        self._edit_each("Set key", lambda shape: edit.key_here(shape, frame))
+
+    def delete_key(self) -> None:
+        """Delete the selected shapes' keys on this frame."""
+        frame = self._view.frame
+        self._edit_each("Delete key", lambda shape: edit.delete_keys(shape, [frame]))
+
+    def delete_engine_keys(self) -> None:
+        """Delete every tracked frame of the selected shapes."""
+        self._edit_each("Delete tracked frames", edit.delete_engine_keys)
+
+    def delete(self) -> None:
+        delete(self._document, self._selected())
+
+    def duplicate(self) -> None:
+        """Copies of the selected shapes on top of their layers, selected in their place."""
+        project, copies = self._document.project, []
+        chosen = [project.shape(shape_id) for shape_id in self._selected()]
+        for shape in linking.relinked(project, chosen):
+            copy = replace(shape, id=project.free_id("shape"), name=project.free_name(shape.name))
+            project = edit.add_shape(project, copy, _layer_of(project, shape.id))
+            copies.append(copy.id)
+        self._document.apply("Duplicate", project)
+        self._view.select(frozenset(copies) or self._view.selection.shapes)
+
+    def toggle_lock(self) -> None:
+        toggle(self._document, "locked", self._selected())
+
+    def hide(self) -> None:
+        project = self._document.project
+        for shape_id in self._selected():
+            project = edit.set_properties(project, shape_id, visible=False)
+        self._document.apply("Hide", project)
+
+    def show_all(self) -> None:
+        project = self._document.project
+        for item in project.root.items():
+            project = edit.set_properties(project, item.id, visible=True)
+        self._document.apply("Show all", project)
+
+    def _edit_each(self, text: str, verb: Callable[[RotoShape], RotoShape]) -> None:
+        project = self._document.project
+        try:
+            for shape_id in self._selected():
+                if not project.shape(shape_id).locked:
+                    project = project.with_shape(verb(project.shape(shape_id)))
+        except RoamError as error:
+            self._view.say(str(error))
+            return
+        self._document.apply(text, project)
+
+    def _selected(self) -> list[str]:
+        """The selected shapes in the order of stacking; says so when there is none."""
+        ids = [shape.id for shape in selected_shapes(self._document.project, self._view.selection)]
+        if not ids:
+            self._view.say(NOTHING_SELECTED)
+        return ids
+
+
+def delete(document: Document, item_ids: Iterable[str]) -> None:
+    """Delete layers and shapes."""
+    if ids := list(item_ids):
+        document.apply("Delete", edit.remove_items(document.project, ids))
+
+
+def toggle(document: Document, switch: str, item_ids: Iterable[str]) -> None:
+    """Turn `visible` or `locked` of layers and shapes: all to the opposite of the first one's."""
+    project, ids = document.project, list(item_ids)
+    if ids:
+        value = not getattr(project.find(ids[0]), switch)
+        for item_id in ids:
+            project = edit.set_properties(project, item_id, **{switch: value})
+        names = {"visible": ("Hide", "Show"), "locked": ("Unlock", "Lock")}
+        document.apply(names[switch][value], project)
+
+
+def _layer_of(project: Project, item_id: str) -> str:
+    """The id of the layer that holds an item."""
+    layers = [project.root, *(item for item in project.root.items() if isinstance(item, Layer))]
+    return next(layer.id for layer in layers if any(child.id == item_id for child in layer.children))

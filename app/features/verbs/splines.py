@@ -1,0 +1,56 @@
+"""SplineVerbs: shapes made B-splines, and Beziers again."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+
+from roam_core.roto import RotoShape, Spline, grips
+
+from ...model.document import Document
+from ...model.shown import editable_shapes
+from ...model.view_state import ViewState
+from .shapes import NOTHING_SELECTED
+
+
+class SplineVerbs:
+    """The verbs on the selected shapes; locked and hidden ones are left alone. Each is one undo step."""
+
+    def __init__(self, document: Document, view_state: ViewState) -> None:
+        self._document, self._view = document, view_state
+
+    def handlers(self) -> dict[str, Callable[[], object]]:
+        """What the actions of this part call, by id."""
+        return {"shape.to_bezier": self.to_bezier, "shape.to_bspline": self.to_bspline}
+
+    def to_bezier(self) -> None:
+        """Give the selected B-splines anchors and handles; no outline changes."""
+        self._turn(Spline.BEZIER, "Make Bezier", lambda *_: "handles shape the curve now, and no outline changed")
+
+    def to_bspline(self) -> None:
+        """Give the selected shapes control points in place of their points; says by how much outlines moved."""
+
+        def told(before: RotoShape, after: RotoShape) -> str:
+            moved = max(np.abs(a.points - b.points).max() for a, b in zip(before.keys, after.keys, strict=True))
+            return f"its curve is smooth everywhere now, and its points moved by up to {moved:.1f} pixels"
+
+        self._turn(Spline.BSPLINE, "Make B-spline", told)
+
+    def _turn(self, spline: Spline, text: str, told: Callable[[RotoShape, RotoShape], str]) -> None:
+        project, chosen = self._document.project, self._view.selection.shapes
+        shapes = [shape for shape in editable_shapes(project, self._view.frame) if shape.id in chosen]
+        turning = [shape for shape in shapes if shape.spline is not spline]
+        if not turning:
+            kind = "Bezier" if spline is Spline.BEZIER else "B-spline"
+            self._view.say(f"The selected shapes are {kind} already." if shapes else NOTHING_SELECTED)
+            return
+        sentences = []
+        for shape in turning:
+            after = grips.with_spline(shape, spline)
+            project = project.with_shape(after)
+            sentences.append(f"{shape.name}: {told(shape, after)}.")
+        self._document.apply(text, project)
+        # Points of one kind are not those of the other.
+        self._view.select(chosen)
+        self._view.say(sentences[0] if len(sentences) == 1 else f"{len(sentences)} shapes changed. {sentences[0]}")

@@ -1,0 +1,297 @@
+"""The File menu's verbs: which file, and what becomes of unsaved changes, asked of the artist."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QObject, Signal
+from PySide6.QtWidgets import QWidget
+
+from roam_core.errors import RoamError
+from roam_core.roto.project_lock import Holder
+
+from ..dialogs import questions
+from ..dialogs.questions import Contested, Doubted, Unsaved
+from ..folders import cache_folder
+from ..jobs.export import Export
+from ..jobs.found_clip import FoundClip
+from ..jobs.importing import SHAPE_FILES, Import
+from ..model.document import PROJECT_SUFFIX, Document
+from ..model.personal import Personal
+from ..model.view_state import ViewState
+from .files import Files
+
+if TYPE_CHECKING:
+    from ..dialogs.clip_dialog import ClipDialog
+    from ..dialogs.export_dialog import ExportDialog
+
+
+class FileActions(QObject):
+    """Each method asks what must be asked and hands the rest to `Files`, `Export` and `Import`.
+
+    Signals
+    -------
+    refused_to_open() : the artist does not want to open a project after all.
+    """
+
+    refused_to_open = Signal()
+
+    def __init__(
+        self,
+        window: QWidget,
+        document: Document,
+        view_state: ViewState,
+        files: Files,
+        export: Export,
+        importing: Import,
+        personal: Personal,
+    ) -> None:
+        super().__init__(window)
+        self._window, self._document, self._view, self._files = window, document, view_state, files
+        self._export, self._import, self._personal = export, importing, personal
+        self._after_saving: Callable[[], object] | None = None
+        self._export_dialog: ExportDialog | None = None
+        files.saved.connect(self._saved)
+        files.not_saved.connect(self._disarm)
+        files.doubted.connect(self._ask_doubted)
+        files.contested.connect(self._ask_contested)
+        files.looked.connect(self._show_found)
+
+    def handlers(self) -> dict[str, Callable[[], object]]:
+        """What the actions of this part call, by id."""
+        return {
+            "file.new": self.new,
+            "file.open_clip": self.open_clip,
+            "file.open_movie": self.open_movie,
+            "file.open_project": self.open_project,
+            "file.save": self.save,
+            "file.save_as": self.save_as,
+            "file.import_shapes": self.import_shapes,
+            "file.import_masks": self.import_masks,
+            "file.export": self.export,
+            "file.export_nuke": self.export_nuke,
+            "file.export_mattes": self.export_mattes,
+        }
+
+    def leave_project(self, then: Callable[[], object]) -> None:
+        """Do `then` once nothing is lost by it: at once, after saving, or never."""
+        if self._files.is_saving:
+            self._after_saving = lambda: self.leave_project(then)
+            self._view.say("The project is being saved …")
+            return
+        if not self._document.is_modified:
+            then()
+            return
+        answer = questions.ask_unsaved(self._window, self.title)
+        if answer is Unsaved.DISCARD:
+            then()
+        elif answer is Unsaved.SAVE:
+            # What was edited while it was saved is asked about again.
+            self._after_saving = lambda: self.leave_project(then)
+            self.save()
+
+    @property
+    def title(self) -> str:
+        """The project's name, for titles and questions."""
+        return self._document.path.name if self._document.path else "untitled"
+
+    def new(self) -> None:
+        self.leave_project(self._files.new)
+
+    def open_clip(self) -> None:
+        self._open_asking(questions.choose_clip_folder(self._window, self._start_folder()))
+
+    def open_movie(self) -> None:
+        self._open_asking(questions.choose_movie(self._window, self._start_folder()))
+
+    def open_project(self) -> None:
+        self._open(questions.choose_project(self._window, self._start_folder()))
+
+    def open_chosen(self, path: Path) -> None:
+        """Open a project or clip that was chosen among those of before."""
+        self._open(path)
+
+    def open_dropped(self, path: Path, *, at_once: bool = False) -> None:
+        """Open what was dropped on the window; shapes of another program join the project's.
+
+        A clip is shown first, with what was found out about it, unless it is to be opened `at_once`.
+        """
+        if path.suffix.lower() in SHAPE_FILES:
+            self._import.start(path)
+        elif at_once:
+            self._open(path)
+        else:
+            self._open_asking(path)
+
+    def save(self) -> None:
+        """Save to the project's file; ask for one if it has none."""
+        if self._document.path is None:
+            self.save_as()
+        else:
+            self._files.save(self._document.path)
+
+    def save_as(self) -> None:
+        """Ask where, and save there."""
+        path = questions.choose_save(self._window, self._suggested(PROJECT_SUFFIX))
+        if path is None or not self._may_save_to(path):
+            self._disarm()
+        else:
+            self._files.save(path)
+
+    def import_shapes(self) -> None:
+        """Ask for a file of shapes, and read it."""
+        if self._lacks_clip():
+            return
+        path = questions.choose_shapes(self._window, self._start_folder(), SHAPE_FILES)
+        if path is not None:
+            self._import.start(path)
+
+    def import_masks(self) -> None:
+        """Ask for a folder of masks, and how near and with how few keys they are to be followed."""
+        if self._lacks_clip():
+            return
+        folder = questions.choose_folder(self._window, "Import the masks of a folder", self._start_folder())
+        if folder is None:
+            return
+        from ..dialogs.mask_dialog import MaskDialog
+
+        clip = self._document.project.clip
+        dialog = MaskDialog(folder.name, clip.size if clip else None, self._window)
+        dialog.accepted.connect(lambda: self._import.start(folder, dialog.options))
+        dialog.finished.connect(dialog.deleteLater)
+        dialog.open()
+
+    def export(self) -> None:
+        """Show the export dialog; it stays as it was left."""
+        # Formats load what the window can begin without.
+        from ..dialogs.export_dialog import ExportDialog
+
+        if self._export_dialog is None:
+            self._export_dialog = ExportDialog(
+                self._document, self._view, self._export, self._suggested, parent=self._window
+            )
+        self._export_dialog.show()
+        self._export_dialog.activateWindow()
+
+    def export_nuke(self) -> None:
+        self._export_file("nuke", "Export to Nuke")
+
+    def export_mattes(self) -> None:
+        folder = questions.choose_folder(self._window, "Export mattes to a folder", self._start_folder())
+        if folder is not None:
+            self._export.start("mattes", folder)
+
+    # ---- the rest is private
+
+    def _open_asking(self, path: Path | None) -> None:
+        """Open what was chosen; a new clip only after the artist saw what was found."""
+        is_project = path is not None and path.suffix.lower() == PROJECT_SUFFIX
+        if path is None or is_project or self._files.lacks_plate or not self._personal.preferences.asks_about_clips:
+            self._open(path)
+        else:
+            self._files.look_at(path)
+
+    def _show_found(self, found: FoundClip) -> None:
+        from ..dialogs.clip_dialog import ClipDialog
+
+        dialog = ClipDialog(found, self._window)
+        dialog.chosen.connect(lambda: self._open_found(dialog))
+        dialog.open()
+
+    def _open_found(self, dialog: ClipDialog) -> None:
+        """Open the clip of the dialog as it is declared there."""
+        from roam_core.media import declared
+
+        if dialog.asks_no_more.isChecked():
+            self._personal.set_preferences(replace(self._personal.preferences, asks_about_clips=False))
+        said = dialog.colour_space, dialog.fps, dialog.pixel_aspect
+        path = dialog.found.path
+        self.leave_project(lambda: self._files.open_clip(path, lambda source: declared(source, *said)))
+
+    def _open(self, path: Path | None) -> None:
+        """Open a project or a clip; a clip takes the place of the plate that the project looks for in vain."""
+        if path is None:
+            return
+        if self._files.lacks_plate and path.suffix.lower() != PROJECT_SUFFIX:
+            self._files.open_plate(path)
+        else:
+            self.leave_project(lambda: self._files.open(path))
+
+    def _lacks_clip(self) -> bool:
+        """True, and said, where there is no clip for shapes to come into: told before anything is asked."""
+        if self._document.project.clip is None:
+            self._view.say("Open a clip first: shapes come into its frames and pixels.")
+            return True
+        return False
+
+    def _export_file(self, format_name: str, title: str) -> None:
+        from roam_core.interchange import EXPORTERS
+
+        suffix = EXPORTERS[format_name].suffix
+        path = questions.choose_export(self._window, title, self._suggested(suffix), suffix)
+        if path is not None:
+            self._export.start(format_name, path)
+
+    def _may_save_to(self, path: Path) -> bool:
+        """Whether the project may be written there: not onto the plate; onto what is no project if the artist says so.
+
+        Over another project the file chooser has asked already.
+        """
+        from roam_core.interchange.authorship import Kind
+        from roam_core.interchange.targets import Sources, obstacles
+
+        found = obstacles([(path, Kind.PROJECT)], Sources.of(self._files.plate), self._document.path)
+        try:
+            found.refuse_always()
+        except RoamError as error:
+            self._view.say(str(error))
+            return False
+        return not found.foreign or questions.ask_overwrite(self._window, found.foreign)
+
+    def _saved(self) -> None:
+        then, self._after_saving = self._after_saving, None
+        if then is not None:
+            then()
+
+    def _disarm(self) -> None:
+        """What was to be done after saving is not done."""
+        self._after_saving = None
+
+    def _ask_doubted(self, path: Path, doubt: str) -> None:
+        answer = questions.ask_doubted(self._window, doubt)
+        if answer is Doubted.SAVE:
+            self._files.save(path, anyway=True)
+        elif answer is Doubted.SAVE_AS:
+            self.save_as()
+        else:
+            self._disarm()
+
+    def _ask_contested(self, path: Path, holder: Holder) -> None:
+        answer = questions.ask_contested(self._window, path.name, holder.sentence)
+        if answer is Contested.COPY:
+            self._files.open_copy(path)
+        elif answer is Contested.ANYWAY:
+            self._files.open_anyway(path)
+        else:
+            self._view.say(f"{path.name} was not opened.")
+            self.refused_to_open.emit()
+
+    def _suggested(self, suffix: str) -> Path:
+        clip = self._document.project.clip
+        stem = self._document.path.stem if self._document.path else (clip.path.stem if clip else "untitled")
+        return self._start_folder() / f"{stem}{suffix}"
+
+    def _start_folder(self) -> Path:
+        """Where choosers begin: beside the project, the clip, what was opened last, or at home.
+
+        Never in the cache: it may be emptied.
+        """
+        clip = self._document.project.clip
+        if self._document.path is not None:
+            return self._document.path.parent
+        known = [*([clip.path] if clip else []), *(recent.path for recent in self._personal.recent)]
+        kept = (path.parent for path in known if not path.is_relative_to(cache_folder()))
+        return next(kept, Path.home())

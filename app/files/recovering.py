@@ -1,0 +1,147 @@
+"""Recovering: offers what a crash left, at the start and when its project is opened, and finds it in the File menu."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+from PySide6.QtCore import QObject, Signal
+from PySide6.QtGui import QImage
+from PySide6.QtWidgets import QWidget
+from shiboken6 import isValid
+
+from roam_core.errors import RoamError
+from roam_core.roto import Project
+
+from ..dialogs.recovery_dialog import RecoveryDialog
+from ..jobs.runner import Report, Runner
+from ..jobs.thumbnails import drawn, grey_plate
+from ..journal import recovery
+from ..journal.recovery import Recovery
+from ..model.document import PROJECT_SUFFIX
+from ..model.view_state import ViewState
+from .file_actions import FileActions
+from .files import Files, plate_of
+
+
+class Recovering(QObject):
+    """Looks through the journals under `root` on the worker, and asks the artist.
+
+    Signals
+    -------
+    asking(dialog) : a question is about to be shown.
+    """
+
+    asking = Signal(object)
+
+    def __init__(
+        self,
+        root: Path,
+        runner: Runner,
+        files: Files,
+        file_actions: FileActions,
+        view_state: ViewState,
+        parent: QWidget,
+    ) -> None:
+        super().__init__(parent)
+        self._root, self._runner, self._parent = root, runner, parent
+        self._files, self._file_actions, self._view = files, file_actions, view_state
+        self.dialog: RecoveryDialog | None = None
+        files.opened.connect(self._offer_for)
+
+    def handlers(self) -> dict[str, Callable[[], object]]:
+        """What the actions of this part call, by id."""
+        return {"file.recover": self.show_all}
+
+    def offer(self) -> None:
+        """Show what nobody answered for yet, if there is anything."""
+        self._look(lambda found: self._ask(recovery.offered(found)))
+
+    def show_all(self) -> None:
+        """Show everything that journals hold, also what was declined, thrown away or saved."""
+
+        def show(found: list[Recovery]) -> None:
+            if found:
+                self._ask(found, is_asked_for=True)
+            else:
+                self._view.say("There is nothing to recover.")
+
+        self._look(show)
+
+    # ---- the rest is private
+
+    def _offer_for(self, path: Path) -> None:
+        """The project that was opened: what a crash left of it."""
+        if path.suffix.lower() == PROJECT_SUFFIX:
+            self._look(lambda found: self._ask(recovery.offered(found, path)))
+
+    def _look(self, then: Callable[[list[Recovery]], object]) -> None:
+        root = self._root
+
+        def work(report: Report) -> str:
+            report.partial(recovery.recoveries(root))
+            return ""
+
+        self._runner.start("recoveries", work).partial.connect(then)
+
+    def _ask(self, found: list[Recovery], *, is_asked_for: bool = False) -> None:
+        if self.dialog is not None and isValid(self.dialog):
+            self.dialog.reject()
+        if not found:
+            return
+        self.dialog = dialog = RecoveryDialog(found, self._parent, is_asked_for=is_asked_for)
+        dialog.chosen.connect(self._open)
+        dialog.declined.connect(self._decline)
+        self.asking.emit(dialog)
+        dialog.open()
+        for each in found:
+            self._draw(each, dialog)
+
+    def _draw(self, each: Recovery, dialog: RecoveryDialog) -> None:
+        """Draw what would come back, when the worker comes to it."""
+
+        def work(report: Report) -> str:
+            if isValid(dialog):
+                report.partial(_picture(each))
+            return ""
+
+        def show(picture: QImage | None) -> None:
+            if picture is not None and isValid(dialog):
+                dialog.show_picture(each, picture)
+
+        self._runner.start(f"picture of {each.journal}", work).partial.connect(show)
+
+    def _open(self, found: Recovery) -> None:
+        self._file_actions.leave_project(lambda: self._files.open_recovered(found))
+
+    def _decline(self, found: Recovery) -> None:
+        try:
+            recovery.decline(found)
+        except RoamError as error:
+            self._view.say(str(error))
+
+
+def _picture(found: Recovery) -> QImage | None:
+    """The plate with the shapes that would come back; without the plate the shapes alone, without either nothing."""
+    try:
+        project = recovery.load(found)[0]
+    except RoamError:
+        return None
+    if project.clip is None:
+        return None
+    frame = _frame(project)
+    source = plate_of(project)[0]
+    try:
+        from roam_core.media.colour import to_display
+
+        pixels = to_display(source.read(frame), source.colour_space) if source else grey_plate(project.clip.size)
+    except RoamError:
+        pixels = grey_plate(project.clip.size)
+    return drawn(pixels, project, frame)
+
+
+def _frame(project: Project) -> int:
+    """A frame on which something is to be seen: the first key of the uppermost shape, or the first of the clip."""
+    clip = project.require_clip()
+    frame = project.shapes[-1].keys[0].frame if project.shapes else clip.first
+    return min(max(frame, clip.first), clip.last)

@@ -1,0 +1,97 @@
+"""Reopening: remembers what was opened and saved, and offers it again on the start page and in the File menu."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+from PySide6.QtCore import QObject
+from PySide6.QtWidgets import QMenu, QWidget
+
+from ..actions.actions import Actions
+from ..jobs.decode import PlateReader
+from ..jobs.runner import Runner
+from ..jobs.thumbnails import Thumbnails
+from ..model.document import Document
+from ..model.personal import Personal
+from ..model.recent import Recent
+from .file_actions import FileActions
+from .files import Files
+from .start_page import StartPage
+
+IN_MENU = 10
+"""Entries of the File menu's list."""
+
+
+class Reopening(QObject):
+    """Notes every project and clip that was opened, and draws its picture as soon as there is one to draw."""
+
+    def __init__(
+        self,
+        document: Document,
+        files: Files,
+        file_actions: FileActions,
+        reader: PlateReader,
+        personal: Personal,
+        actions: Actions,
+        viewer: QWidget,
+        runner: Runner,
+        parent: QWidget,
+    ) -> None:
+        super().__init__(parent)
+        self._document, self._files, self._file_actions, self._personal = document, files, file_actions, personal
+        self._thumbnails = Thumbnails(personal.cache, runner, self)
+        self._undrawn: list[Path] = []
+        self._picture: tuple[int, Any] | None = None
+        self.page = StartPage(viewer, document, files, actions, personal, self._thumbnails)
+        self.menu = QMenu("Open recent", parent)
+        self.menu.aboutToShow.connect(self._fill_menu)
+        self.page.chosen.connect(file_actions.open_chosen)
+        file_actions.refused_to_open.connect(self.page.begin)
+        document.replaced.connect(self._forget_picture)
+        files.opened.connect(self._note_opened)
+        files.saved.connect(self._note_saved)
+        reader.picture.connect(self._see)
+
+    def handlers(self) -> dict[str, Callable[[], object]]:
+        """What the actions of this part call, by id."""
+        return {"file.open_demo": lambda: self._file_actions.leave_project(self._files.open_demo)}
+
+    # ---- the rest is private
+
+    def _note_opened(self, path: Path) -> None:
+        self._personal.note_recent(path)
+        self._undrawn.append(path)
+        self._draw()
+
+    def _note_saved(self) -> None:
+        if (path := self._document.path) is not None:
+            self._note_opened(path)
+
+    def _see(self, frame: int, pixels: Any) -> None:
+        if pixels is not None:
+            self._picture = frame, pixels
+            self._draw()
+
+    def _forget_picture(self) -> None:
+        self._undrawn, self._picture = [], None
+
+    def _draw(self) -> None:
+        """Draw the picture of what was opened or saved, once, when both it and a frame are there."""
+        if self._picture is not None:
+            frame, pixels = self._picture
+            project, others = self._document.project, self._personal.recent
+            for path in self._undrawn:
+                self._thumbnails.keep(Recent(path, time.time()), pixels, project, frame, others)
+            self._undrawn = []
+
+    def _fill_menu(self) -> None:
+        self.menu.clear()
+        for recent in self._personal.recent[:IN_MENU]:
+            action = self.menu.addAction(recent.path.name)
+            action.setToolTip(str(recent.path))
+            action.triggered.connect(lambda _=False, path=recent.path: self._file_actions.open_chosen(path))
+        if self.menu.isEmpty():
+            self.menu.addAction("Nothing yet").setEnabled(False)

@@ -1,0 +1,50 @@
+"""What can be found out about a clip without opening it: its headers and its first picture."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from roam_core.errors import RoamError
+
+if TYPE_CHECKING:
+    from roam_core.media import PlateSource
+
+LARGEST = (800, 450)
+"""Width and height of the picture that is kept: sharp where half of it is shown, on screens of any density."""
+
+
+@dataclass(frozen=True)
+class FoundClip:
+    """A clip that was looked at and is not open yet.
+
+    `picture` is its first frame `(h, w, 3)`, small, with the values of the files; None where that frame cannot be read,
+    and `trouble` says why.
+    """
+
+    path: Path
+    source: PlateSource
+    picture: Any
+    trouble: str = ""
+
+
+def looked_at(path: Path) -> FoundClip:
+    """Look at a clip: its headers and its first picture. Raises `RoamError` when there is no clip at `path`."""
+    from roam_core.media import open_clip
+
+    source = open_clip(path)
+    try:
+        return FoundClip(path, source, _small(source.read(source.frames[0])))
+    except RoamError as error:
+        return FoundClip(path, source, None, str(error))
+
+
+def _small(picture: Any) -> Any:
+    """A picture no larger than is worth showing before a clip is open."""
+    import cv2
+
+    height, width = picture.shape[:2]
+    scale = min(LARGEST[0] / width, LARGEST[1] / height, 1.0)
+    size = max(round(width * scale), 1), max(round(height * scale), 1)
+    return picture if scale == 1.0 else cv2.resize(picture, size, interpolation=cv2.INTER_AREA)

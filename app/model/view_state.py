@@ -1,0 +1,143 @@
+"""ViewState: what the window looks at and holds in its hand. Never saved in the project, never undone."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from PySide6.QtCore import QObject, Signal
+
+from roam_core.roto import Project, RotoShape
+
+from ..actions.keymaps import Keymap, load_keymap, told
+from .editing import EditingModes
+
+
+@dataclass(frozen=True)
+class Selection:
+    """Selected shapes by id, and the selected points as (shape id, point index)."""
+
+    shapes: frozenset[str] = frozenset()
+    points: frozenset[tuple[str, int]] = frozenset()
+
+
+class ViewState(QObject):
+    """Frame, selection, tool, drag preview, play range.
+
+    Signals carry nothing: listeners pull. `preview` is the project as a drag would make it, or None.
+    """
+
+    frame_changed = Signal()
+    selection_changed = Signal()
+    tool_changed = Signal()
+    preview_changed = Signal()
+    range_changed = Signal()
+    message_changed = Signal()
+    keymap_changed = Signal()
+
+    def __init__(self, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._frame = 1
+        self._selection = Selection()
+        self._layers: frozenset[str] = frozenset()
+        self._tool = "select"
+        self._preview: Project | None = None
+        self._range = (1, 2)
+        self._message = ""
+        self._keymap = load_keymap()
+        self.editing = EditingModes(self)
+        """How edits reach points and keys."""
+        self.hovered: tuple[str, int, int] | None = None
+        """(shape id, point index, part) under the pointer, or None."""
+
+    @property
+    def frame(self) -> int:
+        return self._frame
+
+    def set_frame(self, frame: int) -> None:
+        if frame != self._frame:
+            self._frame = frame
+            self.frame_changed.emit()
+
+    @property
+    def selection(self) -> Selection:
+        return self._selection
+
+    @property
+    def layers(self) -> frozenset[str]:
+        """The ids of the layers that are selected as such; their shapes are in `selection`."""
+        return self._layers
+
+    def select(
+        self,
+        shapes: frozenset[str],
+        points: frozenset[tuple[str, int]] = frozenset(),
+        layers: frozenset[str] | None = None,
+    ) -> None:
+        """Select shapes and points; a selected point's shape is selected with it.
+
+        Layers stay selected as long as the same shapes and points do, unless `layers` says which are.
+        """
+        selection = Selection(shapes | {shape_id for shape_id, _ in points}, points)
+        if layers is None:
+            layers = self._layers if selection == self._selection else frozenset()
+        if (selection, layers) != (self._selection, self._layers):
+            self._selection, self._layers = selection, layers
+            self.selection_changed.emit()
+
+    @property
+    def tool(self) -> str:
+        return self._tool
+
+    def set_tool(self, name: str) -> None:
+        if name != self._tool:
+            self._tool = name
+            self.tool_changed.emit()
+
+    @property
+    def preview(self) -> Project | None:
+        return self._preview
+
+    def set_preview(self, project: Project | None) -> None:
+        if project is not self._preview:
+            self._preview = project
+            self.preview_changed.emit()
+
+    @property
+    def play_range(self) -> tuple[int, int]:
+        """In and out frame, half open."""
+        return self._range
+
+    def set_play_range(self, first: int, stop: int) -> None:
+        if (first, stop) != self._range and stop > first:
+            self._range = (first, stop)
+            self.range_changed.emit()
+
+    @property
+    def keymap(self) -> Keymap:
+        """The keys that hold: sentences tell them."""
+        return self._keymap
+
+    def set_keymap(self, keymap: Keymap) -> None:
+        if keymap != self._keymap:
+            self._keymap = keymap
+            self.keymap_changed.emit()
+
+    @property
+    def message(self) -> str:
+        """The sentence in the status bar: an error, or what to do next."""
+        return self._message
+
+    def say(self, sentence: str) -> None:
+        """Tell the artist something; `<tool.bezier>` in it stands for the key that this action has at present."""
+        self._message = told(sentence, self._keymap)
+        self.message_changed.emit()
+
+
+def selected_shapes(project: Project, selection: Selection) -> list[RotoShape]:
+    """The selected shapes, bottom first."""
+    return [shape for shape in project.shapes if shape.id in selection.shapes]
+
+
+def shapes_in_hand(project: Project, selection: Selection) -> list[RotoShape]:
+    """What tracking and navigation act on: the selected shapes, or all where none is selected; bottom first."""
+    return selected_shapes(project, selection) or list(project.shapes)

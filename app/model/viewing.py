@@ -1,0 +1,242 @@
+"""Viewing: how the artist looks at the plate: which view, which channel, how exposed, what lies under a cut-out."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import asdict, dataclass, fields, replace
+from enum import StrEnum
+from pathlib import Path
+from typing import Any
+
+from PySide6.QtCore import QObject, Signal
+from PySide6.QtGui import QColor
+
+from roam_core.media.looking import Channel, Look
+
+EXPOSURES, GAMMAS = (-8.0, 8.0), (0.2, 5.0)
+"""How far a look may go."""
+
+MOST_GHOSTS = 12
+"""Frames that the onion skin shows at most on either side."""
+
+
+class ViewMode(StrEnum):
+    """What the canvas shows below the tool's marks."""
+
+    SOURCE = "source"
+    OVERLAY = "overlay"
+    MATTE = "matte"
+    CUTOUT = "cutout"
+    ONION = "onion"
+    CONFIDENCE = "confidence"
+    ALPHA = "alpha"
+
+
+TITLES = {ViewMode.CUTOUT: "Cut-out", ViewMode.ONION: "Onion skin", ViewMode.ALPHA: "Alpha alone"}
+"""What views are called whose names are not words."""
+
+
+def title_of(mode: ViewMode) -> str:
+    """What a view is called."""
+    return TITLES.get(mode, mode.capitalize())
+
+
+WITHOUT_SHAPES = frozenset({ViewMode.SOURCE, ViewMode.ALPHA})
+OF_MATTE = frozenset({ViewMode.MATTE, ViewMode.ALPHA, ViewMode.CUTOUT})
+"""Views that need the matte rendered."""
+
+
+@dataclass(frozen=True)
+class Onion:
+    """Which other frames' outlines the onion skin draws.
+
+    Attributes
+    ----------
+    before, after : how many of them.
+    step : frames from one to the next.
+    only_keys : the artist's keys before and after, in place of every `step`-th frame.
+    all_shapes : of all shapes in sight, also while some are selected.
+    before_colour, after_colour : `#rrggbb`.
+    """
+
+    before: int = 3
+    after: int = 3
+    step: int = 1
+    only_keys: bool = False
+    all_shapes: bool = False
+    before_colour: str = "#ff8c1a"
+    after_colour: str = "#4aa8ff"
+
+
+class GroundKind(StrEnum):
+    """What a cut-out lies on."""
+
+    COLOUR = "colour"
+    CHECKER = "checker"
+    IMAGE = "image"
+
+
+@dataclass(frozen=True)
+class Ground:
+    """What a cut-out lies on: a `colour` `#rrggbb`, a checkerboard, or the image in the file `image`."""
+
+    kind: GroundKind = GroundKind.CHECKER
+    colour: str = "#808080"
+    image: str = ""
+
+
+class Viewing(QObject):
+    """The one place that says how the canvas looks at things. Never saved in the project, never undone.
+
+    Signals
+    -------
+    changed() : something of it is another.
+    """
+
+    changed = Signal()
+
+    def __init__(self, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._mode = self._before_alpha = ViewMode.OVERLAY
+        self._are_shapes_hidden = self._shows_joints = self._shows_edges = False
+        self._look, self._onion, self._ground = Look(), Onion(), Ground()
+
+    @property
+    def mode(self) -> ViewMode:
+        return self._mode
+
+    def set_mode(self, mode: ViewMode) -> None:
+        """Show another view, with its shapes."""
+        self._mode, self._are_shapes_hidden = ViewMode(mode), False
+        if self._mode is not ViewMode.ALPHA:
+            self._before_alpha = self._mode
+        self.changed.emit()
+
+    def toggle_alpha(self) -> None:
+        """Show the alpha alone, or again what was shown before it."""
+        self.set_mode(self._before_alpha if self._mode is ViewMode.ALPHA else ViewMode.ALPHA)
+
+    @property
+    def are_shapes_hidden(self) -> bool:
+        return self._are_shapes_hidden
+
+    def hide_shapes(self, hidden: bool) -> None:
+        """Hide or show the shapes in any view."""
+        self._are_shapes_hidden = hidden
+        self.changed.emit()
+
+    @property
+    def shows_shapes(self) -> bool:
+        """True where shapes are drawn, and so can be edited."""
+        return self._mode not in WITHOUT_SHAPES and not self._are_shapes_hidden
+
+    @property
+    def shows_joints(self) -> bool:
+        """True where parts are drawn with what they hang on, over the shapes."""
+        return self._shows_joints
+
+    def show_joints(self, shown: bool) -> None:
+        """Show or hide where parts hang together."""
+        self._set("_shows_joints", shown)
+
+    @property
+    def shows_edges(self) -> bool:
+        """True where outlines are drawn by what kind of edge they are."""
+        return self._shows_edges
+
+    def show_edges(self, shown: bool) -> None:
+        """Draw outlines by what kind of edge they are, or as usual."""
+        self._set("_shows_edges", shown)
+
+    @property
+    def look(self) -> Look:
+        return self._look
+
+    def set_look(self, **changes: Any) -> None:
+        """Change `exposure`, `gamma` or `channel`; numbers are kept within their bounds."""
+        look = replace(self._look, **changes)
+        exposure = min(max(look.exposure, EXPOSURES[0]), EXPOSURES[1])
+        gamma = min(max(look.gamma, GAMMAS[0]), GAMMAS[1])
+        self._set("_look", replace(look, exposure=exposure, gamma=gamma))
+
+    def toggle_channel(self, channel: Channel) -> None:
+        """Show one channel alone, or all of them again."""
+        self.set_look(channel=Channel.COLOUR if self._look.channel is channel else channel)
+
+    def reset_look(self) -> None:
+        """Show the picture as it is."""
+        self._set("_look", Look())
+
+    @property
+    def onion(self) -> Onion:
+        return self._onion
+
+    def set_onion(self, **changes: Any) -> None:
+        """Change what the onion skin draws."""
+        onion = replace(self._onion, **changes)
+        before, after = (min(max(count, 0), MOST_GHOSTS) for count in (onion.before, onion.after))
+        self._set("_onion", replace(onion, before=before, after=after, step=max(onion.step, 1)))
+
+    @property
+    def ground(self) -> Ground:
+        return self._ground
+
+    def set_ground(self, **changes: Any) -> None:
+        """Change what cut-outs lie on."""
+        self._set("_ground", replace(self._ground, **changes))
+
+    def handlers(self) -> dict[str, Callable[[], object]]:
+        """What the actions of this part call, by id."""
+        modes = {f"view.{mode}": (lambda mode=mode: self.set_mode(mode)) for mode in ViewMode}
+        channels = {
+            f"view.{channel}": (lambda channel=channel: self.toggle_channel(channel))
+            for channel in Channel
+            if channel is not Channel.COLOUR
+        }
+        return {
+            **modes,
+            **channels,
+            "view.alpha": self.toggle_alpha,
+            "view.colour": lambda: self.set_look(channel=Channel.COLOUR),
+            "view.reset_look": self.reset_look,
+            "view.hide_overlays": lambda: self.hide_shapes(not self._are_shapes_hidden),
+            "view.joints": lambda: self.show_joints(not self._shows_joints),
+            "view.edges": lambda: self.show_edges(not self._shows_edges),
+        }
+
+    def remembered(self) -> dict[str, dict[str, Any]]:
+        """What comes back when the window is opened again, as plain values: not the look, which would deceive."""
+        overlays = {"joints": self._shows_joints, "edges": self._shows_edges}
+        return {"onion": asdict(self._onion), "ground": asdict(self._ground), "overlays": overlays}
+
+    def recall(self, remembered: object) -> None:
+        """Take back what `remembered` gave; what makes no sense stays as it is."""
+        kept = remembered if isinstance(remembered, dict) else {}
+        self.set_onion(**_fitting(kept.get("onion"), Onion()))
+        overlays = kept.get("overlays")
+        self.show_joints(isinstance(overlays, dict) and overlays.get("joints") is True)
+        self.show_edges(isinstance(overlays, dict) and overlays.get("edges") is True)
+        ground = _fitting(kept.get("ground"), Ground())
+        if ground.get("kind", GroundKind.CHECKER) in set(GroundKind):
+            ground["kind"] = GroundKind(ground.get("kind", GroundKind.CHECKER))
+            if Path(ground.get("image", "")).is_file() or ground["kind"] is not GroundKind.IMAGE:
+                self.set_ground(**ground)
+
+    def _set(self, name: str, value: object) -> None:
+        if getattr(self, name) != value:
+            setattr(self, name, value)
+            self.changed.emit()
+
+
+def _fitting(given: object, default: Onion | Ground) -> dict[str, Any]:
+    """Those of the given values that a field of their name and type can take."""
+    if not isinstance(given, dict):
+        return {}
+    own = {field.name: getattr(default, field.name) for field in fields(default)}
+    return {
+        name: value
+        for name, value in given.items()
+        if name in own
+        and isinstance(value, str if isinstance(own[name], str) else type(own[name]))
+        and ("colour" not in name or QColor.isValidColorName(str(value)))
+    }

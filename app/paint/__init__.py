@@ -1,0 +1,1 @@
+"""What canvas and tools both paint with: marks, the viewport, the paths of outlines."""

@@ -1,0 +1,1 @@
+"""The bars about the viewer: tools, views, modes, status."""

@@ -1,0 +1,147 @@
+"""How the picture is looked at, in the view bar: channel, exposure, gamma. None of it reaches the engine or a file."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+
+from PySide6.QtCore import QSignalBlocker, Qt, Signal
+from PySide6.QtGui import QActionGroup, QMouseEvent
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QMenu, QSlider, QToolButton, QWidget
+
+from roam_core.media.looking import Channel, Look
+
+from ... import style
+from ...actions.actions import Actions
+from ...model.viewing import EXPOSURES, GAMMAS, Viewing
+from ...widgets.fields import NumberField
+
+STEPS = 160
+"""Steps of a slider from one end to the other."""
+SLIDER_WIDTH, FIELD_WIDTH = 72, 40
+LETTERS = {
+    Channel.COLOUR: "RGB",
+    Channel.RED: "R",
+    Channel.GREEN: "G",
+    Channel.BLUE: "B",
+    Channel.LUMINANCE: "Y",
+}
+
+
+class ResettingSlider(QSlider):
+    """A slider that a double click puts back.
+
+    Signals
+    -------
+    reset() : it was double-clicked.
+    """
+
+    reset = Signal()
+
+    def __init__(self, tip: str) -> None:
+        super().__init__(Qt.Orientation.Horizontal)
+        self.setRange(0, STEPS)
+        self.setFixedWidth(SLIDER_WIDTH)
+        self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        self.setToolTip(tip)
+
+    def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
+        self.reset.emit()
+
+
+class LookSlider(QWidget):
+    """A name, a slider and a number for one part of the look; the name is marked while it is not neutral.
+
+    `share` says how far along the slider a value lies, in [0, 1]; `value` is its inverse.
+    """
+
+    def __init__(
+        self,
+        viewing: Viewing,
+        name: str,
+        letters: str,
+        bounds: tuple[float, float],
+        share: Callable[[float], float],
+        value: Callable[[float], float],
+        tip: str,
+    ) -> None:
+        super().__init__()
+        self._viewing, self._name, self._letters, self._share = viewing, name, letters, share
+        self.mark = QLabel()
+        self.mark.setToolTip(tip)
+        self.slider = ResettingSlider(f"{tip}; double click: neutral")
+        self.field = NumberField(*bounds, decimals=2, step=0.1, tip=tip)
+        self.field.setFixedWidth(FIELD_WIDTH)
+        row = QHBoxLayout(self)
+        row.setContentsMargins(0, 0, 0, 0)
+        row.setSpacing(4)
+        for part in (self.mark, self.slider, self.field):
+            row.addWidget(part)
+        self.slider.valueChanged.connect(lambda step: self._push(round(value(step / STEPS), 2)))
+        self.slider.reset.connect(lambda: self._push(getattr(Look(), name)))
+        self.field.edited.connect(lambda number, _: self._push(number))
+        viewing.changed.connect(self._pull)
+        self._pull()
+
+    @property
+    def is_neutral(self) -> bool:
+        """True while this part of the look changes nothing."""
+        return bool(getattr(self._viewing.look, self._name) == getattr(Look(), self._name))
+
+    def _push(self, number: float) -> None:
+        self._viewing.set_look(**{self._name: number})
+
+    def _pull(self) -> None:
+        number = getattr(self._viewing.look, self._name)
+        with QSignalBlocker(self.slider):
+            self.slider.setValue(round(STEPS * self._share(number)))
+        self.field.show_value(number)
+        self.mark.setText(self._letters if self.is_neutral else f"●  {self._letters}")
+        self.mark.setStyleSheet(f"color: {style.WEAK if self.is_neutral else style.ACCENT}; font-size: 11px;")
+
+
+class ChannelButton(QToolButton):
+    """Says which channel is shown, and lets another be chosen."""
+
+    def __init__(self, viewing: Viewing, actions: Actions) -> None:
+        super().__init__()
+        self._viewing, self._actions = viewing, actions
+        self.setObjectName("menuButton")
+        self.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
+        self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        self.setToolTip("Which channel is shown")
+        self.setFixedSize(42, 24)
+        menu, group = QMenu(self), QActionGroup(self)
+        for channel in Channel:
+            menu.addAction(group.addAction(actions[f"view.{channel}"]))
+        menu.addSeparator()
+        menu.addAction(actions["view.reset_look"])
+        self.setMenu(menu)
+        viewing.changed.connect(self._pull)
+        self._pull()
+
+    def _pull(self) -> None:
+        channel = self._viewing.look.channel
+        self._actions[f"view.{channel}"].setChecked(True)
+        self.setText(LETTERS[channel])
+        self.setStyleSheet("" if channel is Channel.COLOUR else f"color: {style.ACCENT};")
+
+
+def exposure_slider(viewing: Viewing) -> LookSlider:
+    """Exposure in stops, evenly along the slider."""
+    low, high = EXPOSURES
+    return LookSlider(
+        viewing, "exposure", "EV", EXPOSURES,
+        lambda stops: (stops - low) / (high - low), lambda share: low + share * (high - low),
+        "Exposure in stops, for looking only",
+    )  # fmt: skip
+
+
+def gamma_slider(viewing: Viewing) -> LookSlider:
+    """Gamma, by its logarithm along the slider: 1 lies in the middle."""
+    span = math.log(GAMMAS[1] / GAMMAS[0])
+    return LookSlider(
+        viewing, "gamma", "γ", GAMMAS,
+        lambda gamma: math.log(gamma / GAMMAS[0]) / span, lambda share: GAMMAS[0] * math.exp(share * span),
+        "Gamma, for looking only",
+    )  # fmt: skip

@@ -1,0 +1,53 @@
+"""The read-out: where the pointer is on the plate, and the values of the pixel under it."""
+
+from __future__ import annotations
+
+import math
+
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QLabel, QWidget
+
+from ...canvas.plate.pixel_marks import values_text
+from ...canvas.view import CanvasView
+
+WIDTH = 276
+"""Holds positions of four figures and four values of eight bits, in widget units."""
+
+
+class Readout(QLabel):
+    """`x 512.4  y 220.1   R 103  G 98  B 71`: position in full-resolution pixels, values as the plate holds them."""
+
+    def __init__(self, canvas: CanvasView, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._canvas = canvas
+        self._position: tuple[float, float] | None = None
+        self.setObjectName("weak")
+        self.setFixedWidth(WIDTH)
+        self.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+        self.setToolTip("The pixel under the pointer; the values are the plate's own, before exposure and gamma")
+        canvas.pointer_moved.connect(self._follow)
+        canvas.stage.changed.connect(self._pull)
+
+    def _follow(self, position: tuple[float, float] | None) -> None:
+        self._position = position
+        self._pull()
+
+    def _pull(self) -> None:
+        self.setText("" if self._position is None else self._words(*self._position))
+
+    def _words(self, x: float, y: float) -> str:
+        where = f"x {x:.1f}  y {y:.1f}"
+        picture, size = self._canvas.stage.shown_picture(), self._canvas.plate_size()
+        if picture is None:
+            return where
+        # A proxy has fewer pixels than the plate.
+        column = math.floor(x * picture.size.width() / size.width())
+        row = math.floor(y * picture.size.height() / size.height())
+        if not (0 <= column < picture.size.width() and 0 <= row < picture.size.height()):
+            return where
+        values = picture.values[row, column]
+        texts = values_text(values)
+        if len(texts) == 1:
+            return f"{where}    A {texts[0]}"
+        opacity = f"  A {values[3]}" if len(values) == 4 else ""
+        return f"{where}    R {texts[0]}  G {texts[1]}  B {texts[2]}{opacity}"

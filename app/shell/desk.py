@@ -1,0 +1,73 @@
+"""The desk: what lies around the work - palette, keys, settings, help, messages - opened when it is asked for."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from PySide6.QtCore import QObject, QTimer, Signal
+from PySide6.QtWidgets import QWidget
+
+from ..actions.actions import Actions
+from ..dialogs.help_dialogs import AboutDialog, KeysDialog
+from ..dialogs.keymap_editor import KeymapEditor
+from ..dialogs.palette import Palette
+from ..dialogs.settings_dialog import SettingsDialog
+from ..features.messages import MessageLog
+from ..model.personal import Personal
+from ..model.view_state import ViewState
+from ..panels.log import LogPanel
+from ..widgets.panel import Panel
+
+
+class Desk(QObject):
+    """Makes each of them once, or anew where it is deleted on closing; they lie over `parent`.
+
+    Signals
+    -------
+    log_shown() : the messages are open, and have their place.
+    """
+
+    log_shown = Signal()
+
+    def __init__(
+        self, actions: Actions, view_state: ViewState, messages: MessageLog, personal: Personal, parent: QWidget
+    ) -> None:
+        super().__init__(parent)
+        self._actions, self._personal, self._parent = actions, personal, parent
+        self.palette = Palette(parent, actions, view_state)
+        self.log = LogPanel(messages)
+        self.log_panel = Panel("Messages", self.log, self.log.tools)
+        self.log_panel.setVisible(False)
+        actions["help.log"].toggled.connect(self._show_log)
+        self._editor: KeymapEditor | None = None
+        self._settings: SettingsDialog | None = None
+
+    def handlers(self) -> dict[str, Callable[[], object]]:
+        """What the actions of this part call, by id."""
+        return {
+            "help.palette": self.palette.open,
+            "help.keys": lambda: KeysDialog(self._actions, self._parent).show(),
+            "help.about": lambda: AboutDialog(self._parent).show(),
+            "edit.keymap": self.edit_keys,
+            "edit.settings": self.edit_settings,
+        }
+
+    def edit_keys(self) -> None:
+        """Show the keymap editor."""
+        if self._editor is None:
+            self._editor = KeymapEditor(self._personal, self._parent)
+        self._editor.show()
+        self._editor.activateWindow()
+
+    def edit_settings(self) -> None:
+        """Show the settings."""
+        if self._settings is None:
+            self._settings = SettingsDialog(self._personal, self._parent)
+            self._settings.keys_asked.connect(self.edit_keys)
+        self._settings.show()
+        self._settings.activateWindow()
+
+    def _show_log(self, is_shown: bool) -> None:
+        self.log_panel.setVisible(is_shown)
+        if is_shown:  # once it has its place: the column may be longer than the window is high
+            QTimer.singleShot(0, self, self.log_shown.emit)

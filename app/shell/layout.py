@@ -1,0 +1,52 @@
+"""How the parts of the main window are laid out beside and above each other."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QBoxLayout, QFrame, QHBoxLayout, QScrollArea, QSplitter, QVBoxLayout, QWidget
+
+LEAST_COLUMN_WIDTH = 240
+
+
+def row(*parts: QWidget, growing: QWidget | None = None) -> QWidget:
+    """The parts beside each other without a gap; `growing` takes what is left."""
+    return _filled(QHBoxLayout(), parts, growing)
+
+
+def column(*parts: QWidget, growing: QWidget | None = None) -> QWidget:
+    """The parts below each other without a gap; `growing` takes what is left."""
+    return _filled(QVBoxLayout(), parts, growing)
+
+
+def split(orientation: Qt.Orientation, growing: QWidget, other: QWidget) -> QSplitter:
+    """Two parts with a border to drag; `growing` takes what a larger window gives."""
+    splitter = QSplitter(orientation)
+    for part, stretch in ((growing, 1), (other, 0)):
+        splitter.addWidget(part)
+        splitter.setStretchFactor(splitter.indexOf(part), stretch)
+    splitter.setChildrenCollapsible(False)
+    splitter.setHandleWidth(3)
+    return splitter
+
+
+def scrolled(whole: QWidget) -> QScrollArea:
+    """A column for small screens: nothing is squeezed, what does not fit is scrolled to."""
+    scroll = QScrollArea()
+    scroll.setWidgetResizable(True)
+    scroll.setFrameShape(QFrame.Shape.NoFrame)
+    scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+    scroll.setWidget(whole)
+    scroll.setMinimumWidth(LEAST_COLUMN_WIDTH)
+    return scroll
+
+
+def _filled(box: QBoxLayout, parts: tuple[QWidget, ...], growing: QWidget | None) -> QWidget:
+    whole = QWidget()
+    whole.setLayout(box)
+    box.setContentsMargins(0, 0, 0, 0)
+    box.setSpacing(0)
+    for part in parts:
+        box.addWidget(part)
+    if growing is not None:
+        box.setStretchFactor(growing, 1)
+    return whole

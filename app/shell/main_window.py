@@ -1,0 +1,388 @@
+"""The main window: builds the parts and connects them. What they do is theirs."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import partial
+from pathlib import Path
+
+from PySide6.QtCore import Qt, QTimer
+from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent
+from PySide6.QtWidgets import QMainWindow, QScrollArea, QUndoView
+
+from .. import style
+from ..actions import menus
+from ..actions.actions import Actions
+from ..actions.keymaps import told
+from ..canvas.proposal_bar import ProposalBar
+from ..canvas.ripple_frame import RippleFrame
+from ..canvas.view import CanvasView
+from ..dialogs import questions
+from ..features.belonging import Belonging
+from ..features.clipboards.nodes import NodeClipboard
+from ..features.clipboards.shapes import ShapeClipboard
+from ..features.edge_kinds import EdgeKinds
+from ..features.history import History
+from ..features.messages import MessageLog
+from ..features.navigation import Navigation
+from ..features.planar_tracking import PlanarTracking
+from ..features.playback import Playback
+from ..features.proposals import Proposals
+from ..features.tracking import Tracking
+from ..features.verbs.layers import LayerVerbs
+from ..features.verbs.masks import MaskShapes
+from ..features.verbs.objects import ObjectVerbs
+from ..features.verbs.shapes import ShapeVerbs
+from ..features.verbs.splines import SplineVerbs
+from ..files.file_actions import FileActions
+from ..files.files import Files
+from ..files.recovering import Recovering
+from ..files.reopening import Reopening
+from ..jobs import warm_up
+from ..jobs.copying import Copying
+from ..jobs.decode import PlateReader
+from ..jobs.export import Export
+from ..jobs.importing import Import
+from ..jobs.picture_work import PictureWork
+from ..jobs.planar import PlanarTrack
+from ..jobs.propagation import Propagation
+from ..jobs.runner import Runner
+from ..jobs.under_way import UnderWay
+from ..journal.journal import Journal
+from ..model.document import Document
+from ..model.personal import Personal
+from ..model.view_state import ViewState
+from ..panels.bars.mode_bar import ModeBar
+from ..panels.bars.readout import Readout
+from ..panels.bars.status import StatusBar
+from ..panels.bars.tool_column import ToolColumn
+from ..panels.bars.view_bar import ViewBar
+from ..panels.planar import PlanarPanel
+from ..panels.properties import PropertiesPanel
+from ..panels.shapes import ShapesPanel
+from ..panels.tracker import TrackerPanel
+from ..timeline.timeline import Timeline
+from ..timeline.transport import Transport
+from ..tools.edit.feather import FeatherActions
+from ..tools.edit.transform_actions import TransformActions
+from ..tools.toolbox import TOOLS
+from ..widgets.controls import tool_button
+from ..widgets.focus import FocusFollowsPointer
+from ..widgets.panel import Panel
+from . import layout, settings
+from .defects import Defects
+from .desk import Desk
+
+PANEL_WIDTH = 272
+TIMELINE_HEIGHT = 200
+DRAW_HINT = "Draw a shape: press <tool.bezier>"
+
+
+class MainWindow(QMainWindow):
+    """ROAM's window. `journal_root` is the folder of the journals, `personal` the artist's own settings."""
+
+    def __init__(self, journal_root: Path, personal: Personal | None = None) -> None:
+        super().__init__()
+        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose, False)
+        self.setAcceptDrops(True)
+        self.resize(1500, 940)
+        self._is_leaving = False
+        self._threads = 0  # as many as the libraries think fit
+        self.personal = personal or Personal(parent=self)
+        self._build_state(journal_root)
+        self._build_parts()
+        self._lay_out()
+        self._connect()
+        self._connect_actions()
+        self._connect_personal()
+        self._pull_title()
+        self.canvas.setFocus()
+
+    # ---- building
+
+    def _build_state(self, journal_root: Path) -> None:
+        self.document, self.view_state = Document(self), ViewState(self)
+        self.solver, self.writer = Runner("solver", self), Runner("writer", self)
+        self.saver = Runner("saver", self)
+        self.reader = PlateReader(self)
+        self.files = Files(self.document, self.view_state, self.reader, self.writer, self.saver, self)
+        asks = partial(questions.ask_overwrite, self), partial(questions.ask_lossy, self)
+        self.export = Export(self.document, self.writer, self, *asks)
+        self.importing, self.copying = Import(self.document, self.writer, self), Copying(self.writer, self)
+        self.journal = Journal(self.document, journal_root, self)
+        self.propagation = Propagation(self.document, self.view_state, self.solver, self.reader.engine_frame, self)
+        self.proposals = Proposals(self.document, self.view_state, self.propagation, self)
+        self.eye = Runner("eye", self)
+        self.pictures = PictureWork(self.eye, self)
+        self.belonging = Belonging(self.document, self.view_state, self.eye, self)
+        self.edge_kinds = EdgeKinds(self.document, self.view_state, self.reader.engine_frame, self.eye, self)
+        self.planar = PlanarTrack(self.document, self.view_state, self.solver, self.reader.engine_frame, self)
+        works = self.files, self.export, self.importing, self.copying, self.propagation, self.planar, self.pictures
+        self.under_way = UnderWay(*works, parent=self)
+        self.playback = Playback(self.view_state, self)
+        self.navigation = Navigation(self.document, self.view_state)
+        self.tracking = Tracking(self.document, self.view_state, self.propagation)
+        self.planar_tracking = PlanarTracking(self.document, self.view_state, self.planar)
+        self.shape_verbs = ShapeVerbs(self.document, self.view_state)
+        self._journal_root = journal_root
+        self.file_actions = FileActions(
+            self, self.document, self.view_state, self.files, self.export, self.importing, self.personal
+        )
+
+    def _build_parts(self) -> None:
+        document, view_state = self.document, self.view_state
+        self.canvas = CanvasView(document, view_state)
+        self.canvas.lend(self.pictures)
+        FocusFollowsPointer(self.canvas)
+        self.actions_by_id = actions = Actions(self, self.canvas, self.personal.keys.keymap)
+        self.canvas.proposed = lambda: self.proposals.current
+        self.canvas.bones, self.canvas.edges = self.belonging.bones, self.edge_kinds.here
+        self.canvas.stage.plate_of = self.reader.plate
+        RippleFrame(view_state, self.canvas)
+        self.proposal_bar = ProposalBar(self.proposals, actions, self.canvas)
+        self.tool_column = ToolColumn(view_state, actions, tuple(TOOLS))
+        self.view_bar = ViewBar(document, self.canvas, actions)
+        self.shapes = ShapesPanel(document, view_state)
+        self.planar_panel = PlanarPanel(self.planar_tracking, actions)
+        self.tracker = TrackerPanel(document, view_state, self.tracking, actions)
+        self.properties = PropertiesPanel(document, view_state, self.belonging)
+        self.history = QUndoView(document.undo_stack)
+        self.history.setEmptyLabel("As opened")
+        self.history.setMinimumHeight(6 * style.ROW_HEIGHT)
+        self.transport = Transport(self.navigation, view_state, self.playback, actions)
+        self.timeline = Timeline(document, view_state, self.reader.cached_frames, self._missing_frames, actions)
+        self.status = StatusBar(view_state, self.under_way)
+        self.status.add(Readout(self.canvas))
+        self.status.add(ModeBar(view_state, actions))
+        self._build_surroundings(actions)
+
+    def _build_surroundings(self, actions: Actions) -> None:
+        """What lies around the work: dialogs, the start page, and what is there for bad days."""
+        view_state, files, file_actions = self.view_state, self.files, self.file_actions
+        messages = MessageLog(view_state, self.under_way, self)
+        self.desk = Desk(actions, view_state, messages, self.personal, self)
+        self.reopening = Reopening(
+            self.document, files, file_actions, self.reader, self.personal, actions, self.canvas, self.writer, self
+        )
+        self.defects = Defects(view_state, self.journal, messages, self)
+        self.recovering = Recovering(self._journal_root, self.writer, files, file_actions, view_state, self)
+        self.recovering.asking.connect(self.defects.wait_for)
+        menu_bar = menus.menu_bar(actions, self.reopening.menu)
+        self.setMenuWidget(layout.row(menu_bar, self.view_bar, growing=menu_bar))
+
+    def _lay_out(self) -> None:
+        self.panel_column = self._panel_column()
+        picture, lower = layout.row(self.tool_column, self.canvas), layout.column(self.transport, self.timeline)
+        upper = layout.split(Qt.Orientation.Horizontal, picture, self.panel_column)
+        self._halves = layout.split(Qt.Orientation.Vertical, upper, lower)
+        self.splitters = {"upper": upper, "halves": self._halves}
+        upper.setSizes([self.width() - PANEL_WIDTH, PANEL_WIDTH])
+        self._halves.setSizes([self.height() - TIMELINE_HEIGHT, TIMELINE_HEIGHT])
+        self.setCentralWidget(layout.column(self._halves, self.status))
+
+    def _panel_column(self) -> QScrollArea:
+        actions = self.actions_by_id
+        shape_tools = tuple(tool_button(actions, name) for name in ("shape.group", "shape.duplicate", "shape.delete"))
+        key_tools = tuple(tool_button(actions, name) for name in ("key.set", "key.delete"))
+        self.history_panel = Panel("History", self.history)
+        self.history_panel.setVisible(False)
+        shapes, shape = Panel("Shapes", self.shapes, shape_tools), Panel("Shape", self.properties, key_tools)
+        tracks = Panel("Track", self.tracker), Panel("Planar track", self.planar_panel)
+        column = layout.column(shapes, *tracks, shape, self.history_panel, self.desk.log_panel, growing=shapes)
+        column.setObjectName("panelColumn")
+        column.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
+        return layout.scrolled(column)
+
+    # ---- connecting
+
+    def _connect(self) -> None:
+        view, reader, status = self.view_state, self.reader, self.status
+        view.frame_changed.connect(lambda: reader.show(view.frame))
+        self.belonging.changed.connect(self.canvas.update)
+        self.desk.log_shown.connect(lambda: self.panel_column.ensureWidgetVisible(self.desk.log_panel))
+        self.edge_kinds.changed.connect(self.canvas.update)
+        reader.plate_changed.connect(self.edge_kinds.forget)
+        reader.plate_changed.connect(lambda: reader.show(view.frame))
+        reader.picture.connect(self.canvas.set_image)
+        reader.picture.connect(self.playback.note_picture)
+        reader.picture.connect(self.pictures.show)
+        reader.plate_changed.connect(self.pictures.clear)
+        reader.refused.connect(view.say)
+        reader.cache_changed.connect(self.timeline.ruler.update)
+        reader.cache_changed.connect(lambda: status.show_memory(*reader.memory()))
+        self.propagation.finished.connect(lambda _, sentence: view.say(self.proposals.told(sentence)))
+        self.under_way.changed.connect(self._pull_running)
+        self.document.replaced.connect(self._pull_clip)
+        self.document.path_changed.connect(self._pull_title)
+        self.document.forgot.connect(lambda: self.history.setEmptyLabel("Earlier steps were dropped"))
+        self.document.replaced.connect(lambda: self.history.setEmptyLabel("As opened"))
+        undo = self.document.undo_stack
+        undo.canUndoChanged.connect(self.actions_by_id["edit.undo"].setEnabled)
+        undo.canRedoChanged.connect(self.actions_by_id["edit.redo"].setEnabled)
+        undo.undoTextChanged.connect(lambda text: self.actions_by_id["edit.undo"].setText(f"Undo {text}".rstrip()))
+        undo.redoTextChanged.connect(lambda text: self.actions_by_id["edit.redo"].setText(f"Redo {text}".rstrip()))
+
+    def _connect_actions(self) -> None:
+        actions = self.actions_by_id
+        actions.connect_all(self._handlers())
+        for name in ("edit.undo", "edit.redo", "track.stop"):
+            actions[name].setEnabled(False)
+        actions["view.panels"].setChecked(True)
+        for name, switch in (
+            ("edit.history", self.history_panel.setVisible),
+            ("view.panels", self.panel_column.setVisible),
+            ("view.tall_timeline", self._set_tall_timeline),
+        ):
+            actions[name].toggled.connect(switch)
+
+    def _connect_personal(self) -> None:
+        personal, say = self.personal, self.view_state.say
+        personal.keys_changed.connect(self._pull_keys)
+        personal.preferences_changed.connect(self._pull_preferences)
+        for part in (personal, self.journal):
+            part.refused.connect(say)
+        self._pull_keys()
+        self._pull_preferences()
+        if personal.trouble:
+            say(personal.trouble)
+
+    def _handlers(self) -> dict[str, Callable[[], object]]:
+        """What each action calls; tools and switches are connected by their own widgets."""
+        nodes = NodeClipboard(self.document, self.view_state, self.copying, self.importing)
+        clipboard = ShapeClipboard(self.document, self.view_state, self, nodes.paste)
+        history = History(self.document, self.view_state)
+        files, tracking, time, playback = self.file_actions, self.tracking, self.navigation, self.playback
+        handlers: dict[str, Callable[[], object]] = {
+            "file.quit": self.close,
+            "shape.delete": self._delete_in_list,
+            "track.stop": self.under_way.stop,
+            "view.fit_time": self.timeline.axis.fit,
+        }
+        for part in (
+            self.canvas,
+            FeatherActions(self.document, self.view_state),
+            LayerVerbs(self.document, self.view_state),
+            ObjectVerbs(self.document, self.view_state),
+            self.planar_tracking,
+            TransformActions(self.document, self.view_state, self),
+            self.desk,
+            self.reopening,
+            self.recovering,
+            self.defects,
+            files,
+            history,
+            clipboard,
+            nodes,
+            self.shape_verbs,
+            MaskShapes(self, self.document, self.view_state, self.pictures),
+            SplineVerbs(self.document, self.view_state),
+            tracking,
+            self.proposals,
+            time,
+            playback,
+        ):
+            handlers |= part.handlers()
+        return handlers | self.timeline.handlers() | self.timeline.verbs.taking_over(handlers)
+
+    # ---- settings
+
+    def restore_settings(self, path: Path) -> None:
+        """Give the window what was kept of the last one; a damaged file is set aside, and told."""
+        if trouble := settings.restore(self._kept(), path, self.personal.preferences.config):
+            self.view_state.say(trouble)
+
+    def keep_settings(self, path: Path) -> None:
+        """Write what the next window is to begin with."""
+        settings.keep(self._kept(), path)
+
+    def _kept(self) -> settings.Kept:
+        return settings.Kept(
+            frame=self,
+            splitters=self.splitters,
+            switches={name: self.actions_by_id[name] for name in settings.SWITCHES},
+            panels=self.panel_column.findChildren(Panel),
+            mode=self.tracker.mode,
+            tables={"proposals": self.proposals, "dials": self.tracker, "viewing": self.canvas.viewing},
+        )
+
+    # ---- pulling
+
+    def _pull_keys(self) -> None:
+        """Other keys hold: whoever has them or tells them."""
+        actions = self.actions_by_id
+        actions.set_keymap(self.personal.keys.keymap)
+        self.status.show_stop_keys(actions.keys_of("track.stop"))
+        self.view_state.set_keymap(actions.keymap)
+        self.canvas.empty_hint = told(DRAW_HINT, actions.keymap)
+        self.canvas.update()
+
+    def _pull_preferences(self) -> None:
+        held = self.personal.preferences
+        self.reader.set_cache_limit(held.cache_bytes)
+        self.files.backups = held.backups
+        self.document.undo_bytes = held.undo_megabytes << 20
+        if held.threads != self._threads:
+            self._threads = held.threads
+            warm_up.use_threads(self.writer, held.threads)
+
+    def _pull_title(self) -> None:
+        self.setWindowTitle(f"{self.file_actions.title}[*] – ROAM")
+        self.setWindowModified(self.document.is_modified)
+
+    def _pull_clip(self) -> None:
+        clip = self.document.project.clip
+        self.playback.pause()
+        self.playback.fps = clip.fps if clip is not None else 24.0
+
+    def _missing_frames(self) -> tuple[int, ...]:
+        return () if self.reader.source is None else self.reader.source.missing
+
+    def _pull_running(self) -> None:
+        self.actions_by_id["track.stop"].setEnabled(self.under_way.is_any)
+        self.canvas.set_waiting(self.files.is_opening)
+
+    def _set_tall_timeline(self, tall: bool) -> None:
+        height = self._halves.height()
+        lower = height // 2 if tall else TIMELINE_HEIGHT
+        self._halves.setSizes([height - lower, lower])
+
+    def _delete_in_list(self) -> None:
+        self.shapes.tree.delete_selected()
+
+    # ---- events of the window
+
+    def dragEnterEvent(self, event: QDragEnterEvent) -> None:
+        if any(url.isLocalFile() for url in event.mimeData().urls()):
+            event.acceptProposedAction()
+
+    def dropEvent(self, event: QDropEvent) -> None:
+        paths = [Path(url.toLocalFile()) for url in event.mimeData().urls() if url.isLocalFile()]
+        if paths:
+            event.acceptProposedAction()
+            alt = bool(event.modifiers() & Qt.KeyboardModifier.AltModifier)
+            self.file_actions.open_dropped(paths[0], at_once=alt)
+
+    def closeEvent(self, event: QCloseEvent) -> None:
+        if self._is_leaving:
+            self._shut_down()
+            event.accept()
+        else:
+            event.ignore()
+            self.file_actions.leave_project(self._leave)
+
+    def leave_unasked(self) -> None:
+        """Close without a question, because the desktop or the terminal says so; unsaved work waits for recovery."""
+        self.journal.leave_for_recovery()
+        self._leave()
+
+    def _leave(self) -> None:
+        """Close for good. Later, because Qt lets no window close while it is being asked to."""
+        self._is_leaving = True
+        QTimer.singleShot(0, self, self.close)
+
+    def _shut_down(self) -> None:
+        self.playback.pause()
+        self.propagation.drop()
+        self.planar.drop()
+        for part in (self.solver, self.eye, self.reader, self.writer, self.saver, self.files.claim, self.journal):
+            part.close()

@@ -1,0 +1,1 @@
+"""The rows of keys: painted, chosen, dragged and edited."""

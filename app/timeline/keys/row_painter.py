@@ -1,0 +1,157 @@
+"""One row of the timeline as a picture: painted again only when what it shows has changed."""
+
+from __future__ import annotations
+
+import numpy as np
+from PySide6.QtCore import QLineF, QPointF, QRectF, QSize, Qt
+from PySide6.QtGui import QBrush, QColor, QPainter, QPen, QPixmap, QPolygonF
+from PySide6.QtWidgets import QWidget
+
+from roam_core.roto import RotoShape
+
+from ... import style
+from ..marks import Frames, KeyMarks, MarksOf
+from ..scale import LABEL_WIDTH, TimeScale
+from .depth_marks import paint_depth
+
+ROW = style.ROW_HEIGHT
+MIDDLE = (ROW - 1) / 2
+DIAMOND, DISC, SQUARE = 5.5, 4.5, 4.0
+"""Half the height of an artist's key: linear, smooth, held."""
+TICK = 4.0
+"""Half the height of a tick."""
+SELECTED, GROUND = "#3a3a3a", "#707070"
+DOUBT, STALE = "#ff8c1a", "#a8a8a8"
+"""The canvas's colour of doubt; a grey for what is of the past. Form tells them apart as well."""
+
+NO_FRAMES: frozenset[int] = frozenset()
+Look = tuple[TimeScale, QSize, bool, frozenset[int], float]
+
+
+class RowPainter:
+    """Keeps the picture of each shape's row: scrubbing then only moves a line over them."""
+
+    def __init__(self, marks: MarksOf) -> None:
+        self._marks = marks
+        self._known: dict[str, tuple[RotoShape, Look, QPixmap]] = {}
+
+    def row(
+        self, shape: RotoShape, scale: TimeScale, size: QSize, is_selected: bool, chosen: frozenset[int], on: QWidget
+    ) -> QPixmap:
+        """The row of a shape with its `chosen` keys, for a widget of the screen that `on` is on."""
+        look = (scale, size, is_selected, chosen, on.devicePixelRatioF())
+        known = self._known.get(shape.id)
+        if known is not None and known[0] is shape and known[1] == look:
+            return known[2]
+        picture = QPixmap(size * look[4])
+        picture.setDevicePixelRatio(look[4])
+        painter = QPainter(picture)
+        painter.setFont(on.font())
+        self._paint(painter, shape, scale, size, is_selected, chosen)
+        painter.end()
+        self._known[shape.id] = (shape, look, picture)
+        return picture
+
+    def _paint(
+        self,
+        painter: QPainter,
+        shape: RotoShape,
+        scale: TimeScale,
+        size: QSize,
+        is_selected: bool,
+        chosen: frozenset[int],
+    ) -> None:
+        painter.fillRect(QRectF(0, 0, size.width(), ROW), QColor(SELECTED if is_selected else style.PANEL))
+        painter.fillRect(QRectF(0, ROW - 1, size.width(), 1), QColor(style.WINDOW))
+        _paint_label(painter, shape)
+        painter.setClipRect(QRectF(scale.left, 0, size.width() - scale.left, ROW))
+        _paint_marks(painter, shape, self._marks(shape), chosen, scale)
+        paint_depth(painter, shape, scale)
+
+
+def columns(frames: Frames, scale: TimeScale) -> list[float]:
+    """Where to draw the visible ones of `frames`: whole pixels, each once, however many frames share it."""
+    visible = frames[(frames >= scale.first - 1) & (frames <= scale.last + 1)]
+    x = np.floor(scale.left + (visible - scale.first + 0.5) * scale.pixels)
+    return [float(column) + 0.5 for column in np.unique(x)]
+
+
+def _paint_label(painter: QPainter, shape: RotoShape) -> None:
+    painter.fillRect(QRectF(style.MARGIN, 7, 8, 8), QColor.fromRgbF(*shape.colour))
+    painter.setPen(QColor(style.TEXT if shape.visible else style.DISABLED))
+    name = painter.fontMetrics().elidedText(shape.name, Qt.TextElideMode.ElideRight, LABEL_WIDTH - 34)
+    painter.drawText(QRectF(22, 0, LABEL_WIDTH - 30, ROW - 1), Qt.AlignmentFlag.AlignVCenter, name)
+
+
+def _paint_marks(
+    painter: QPainter, shape: RotoShape, marks: KeyMarks, chosen: frozenset[int], scale: TimeScale
+) -> None:
+    colour, thickness = QColor.fromRgbF(*shape.colour), 2 if scale.pixels >= 9 else 1
+    _paint_ground(painter, marks, scale)
+    doubtful = columns(marks.doubtful, scale)
+    for at, ink in ((columns(marks.engine, scale), colour), (doubtful, QColor(DOUBT))):
+        painter.setPen(QPen(QBrush(ink), thickness, Qt.PenStyle.SolidLine, Qt.PenCapStyle.FlatCap))
+        painter.drawLines([QLineF(x, MIDDLE - TICK, x, MIDDLE + TICK) for x in at])
+    _paint_notches(painter, doubtful)
+    painter.setPen(QPen(QColor(STALE), 1))
+    painter.setBrush(QColor(style.PANEL))
+    painter.drawRects([QRectF(x - 1.5, MIDDLE - TICK, 3, 2 * TICK) for x in columns(marks.stale, scale)])
+    _paint_keys(painter, marks, chosen, scale, colour)
+
+
+def _paint_ground(painter: QPainter, marks: KeyMarks, scale: TimeScale) -> None:
+    """A line under stretches with a key on every frame; dots over gaps, where the shape is only interpolated."""
+    keyed = marks.keyed
+    begins = np.append(True, np.diff(keyed) > 1)
+    firsts, lasts = keyed[begins], keyed[np.append(begins[1:], True)]
+    solid = QPen(QColor(GROUND), 1)
+    dotted = QPen(QColor(GROUND), 1, Qt.PenStyle.DotLine)
+    for pen, starts, stops in ((solid, firsts, lasts), (dotted, lasts[:-1], firsts[1:])):
+        visible = (stops >= scale.first - 1) & (starts <= scale.last + 1) & (starts < stops)
+        painter.setPen(pen)
+        painter.drawLines(
+            [
+                QLineF(scale.x(first), MIDDLE, scale.x(last), MIDDLE)
+                for first, last in zip(starts[visible].tolist(), stops[visible].tolist(), strict=True)
+            ]
+        )
+
+
+def _paint_notches(painter: QPainter, at: list[float]) -> None:
+    """A small wedge under a tick: look at this frame."""
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    painter.setPen(Qt.PenStyle.NoPen)
+    painter.setBrush(QColor(style.TEXT))
+    top = MIDDLE + TICK
+    for x in at:
+        painter.drawPolygon(QPolygonF([QPointF(x, top), QPointF(x - 3, top + 6), QPointF(x + 3, top + 6)]))
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
+
+
+def _paint_keys(painter: QPainter, marks: KeyMarks, chosen: frozenset[int], scale: TimeScale, colour: QColor) -> None:
+    """The artist's keys: their form tells how the shape moves on from them; chosen ones are white, in a frame."""
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    picked = np.isin(marks.artist, list(chosen))
+    kinds = np.where(np.isin(marks.artist, marks.smooth), 1, np.where(np.isin(marks.artist, marks.held), 2, 0))
+    for is_chosen in (False, True):
+        painter.setPen(QPen(QColor(style.ACCENT if is_chosen else style.EDGE), 1.5 if is_chosen else 1))
+        painter.setBrush(QColor("#ffffff") if is_chosen else colour.lighter(115))
+        for kind, paint in enumerate((_diamond, _disc, _square)):
+            for x in columns(marks.artist[(picked == is_chosen) & (kinds == kind)], scale):
+                paint(painter, x)
+
+
+def _diamond(painter: QPainter, x: float) -> None:
+    """An even pace."""
+    corners = ((0, -DIAMOND), (DIAMOND, 0), (0, DIAMOND), (-DIAMOND, 0))
+    painter.drawPolygon(QPolygonF([QPointF(x + dx, MIDDLE + dy) for dx, dy in corners]))
+
+
+def _disc(painter: QPainter, x: float) -> None:
+    """A pace that begins and ends softly."""
+    painter.drawEllipse(QPointF(x, MIDDLE), DISC, DISC)
+
+
+def _square(painter: QPainter, x: float) -> None:
+    """Standing still up to the next key."""
+    painter.drawRect(QRectF(x - SQUARE, MIDDLE - SQUARE, 2 * SQUARE, 2 * SQUARE))

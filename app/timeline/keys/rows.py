@@ -1,0 +1,264 @@
+"""The key rows: one line a shape, its keys as marks. Paints what it pulls; only what is visible."""
+
+from __future__ import annotations
+
+import numpy as np
+from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal
+from PySide6.QtGui import (
+    QColor,
+    QContextMenuEvent,
+    QHelpEvent,
+    QKeyEvent,
+    QMouseEvent,
+    QPainter,
+    QPaintEvent,
+    QPen,
+    QResizeEvent,
+    QWheelEvent,
+)
+from PySide6.QtWidgets import QAbstractScrollArea, QFrame, QMenu, QToolTip, QWidget
+
+from roam_core.roto import RotoShape
+from roam_core.roto.timing import Place
+
+from ... import style
+from ...actions.key_names import NUDGES, key_name
+from ...model.document import Document
+from ..axis import TimeAxis, paint_playhead
+from ..marks import MarksOf
+from ..scale import LABEL_WIDTH
+from .depth_marks import change_at
+from .hand import KeyHand
+from .row_painter import ROW, RowPainter
+from .selection import KeySelection
+from .tips import key_tip
+
+GRAB = 6
+"""Pixels around a key's middle in which a click means the key."""
+
+
+class KeyRows(QAbstractScrollArea):
+    """Click a key to go there, drag it along time, drag a box around several; click a name to select its shape.
+
+    The wheel zooms. A click takes the keyboard: then copy, paste and delete mean keys, and Alt with arrows moves them.
+
+    Signals
+    -------
+    nudged(frames, merge_key) : the chosen keys are to move; one held key has one merge key.
+    """
+
+    nudged = Signal(int, str)
+
+    def __init__(
+        self,
+        document: Document,
+        axis: TimeAxis,
+        marks: MarksOf,
+        keys: KeySelection,
+        parent: QWidget | None = None,
+    ) -> None:
+        super().__init__(parent)
+        self._document, self._axis, self._marks, self._keys = document, axis, marks, keys
+        self._painter, self._presses = RowPainter(marks), 0
+        self.menu = QMenu(self)
+        """What a right click offers."""
+        self.hand = KeyHand(document, axis, keys, self.key_at, self.keys_in, self.viewport().update)
+        self.setFrameShape(QFrame.Shape.NoFrame)
+        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
+        self.viewport().setMouseTracking(True)
+        self._pull_height()
+        document.changed.connect(self._pull)
+        document.replaced.connect(self._pull)
+        for signal in (axis.changed, axis.view_state.frame_changed, keys.changed):
+            signal.connect(self.viewport().update)
+        axis.view_state.selection_changed.connect(self._show_selected)
+
+    def sizeHint(self) -> QSize:
+        return QSize(600, 3 * ROW)
+
+    def rows(self) -> list[RotoShape]:
+        """The shapes from the top row down, the top-most first; while keys are dragged as the drag would leave them."""
+        return list(reversed((self.hand.preview or self._document.project).shapes))
+
+    def shape_at(self, y: float) -> RotoShape | None:
+        """The shape whose row lies at `y` pixels of the viewport, or None."""
+        index, rows = int(y + self._offset) // ROW, self.rows()
+        return rows[index] if 0 <= index < len(rows) else None
+
+    def key_at(self, at: QPointF) -> Place | None:
+        """The artist's key near a place of the viewport, so that a click need not be exact, or None."""
+        shape = self.shape_at(at.y())
+        if shape is None or at.x() < LABEL_WIDTH:
+            return None
+        scale, artist = self._axis.scale, self._marks(shape).artist
+        distances = np.abs(scale.left + (artist - scale.first + 0.5) * scale.pixels - at.x())
+        if not len(artist) or distances.min() > GRAB:
+            return None
+        return shape.id, int(artist[distances.argmin()])
+
+    def keys_in(self, box: QRectF) -> frozenset[Place]:
+        """The artist's keys whose middles lie inside a box of the viewport."""
+        scale, inside = self._axis.scale, []
+        for index, shape in enumerate(self.rows()):
+            middle = index * ROW + ROW / 2 - self._offset
+            if box.top() - ROW / 2 <= middle <= box.bottom() + ROW / 2:
+                x = scale.left + (self._marks(shape).artist - scale.first + 0.5) * scale.pixels
+                caught = self._marks(shape).artist[(x >= box.left()) & (x <= box.right())]
+                inside += [(shape.id, frame) for frame in caught.tolist()]
+        return frozenset(inside)
+
+    # ---- events
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        self._pull()
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        if event.button() != Qt.MouseButton.LeftButton:
+            return
+        shape = self.shape_at(event.position().y())
+        if event.position().x() < LABEL_WIDTH:
+            if shape is not None:
+                self._select(shape, event.modifiers())
+            return
+        self.hand.press(event)
+        if shape is not None and self.key_at(event.position()) is not None:
+            self._select(shape, event.modifiers(), keep_selected=True)
+
+    def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
+        """A press like any other: whoever clicks a key and drags it at once presses twice."""
+        self.mousePressEvent(event)
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        if event.buttons() & Qt.MouseButton.LeftButton:
+            self.hand.move(event)
+        else:
+            over_key = self.key_at(event.position()) is not None
+            self.viewport().setCursor(Qt.CursorShape.SizeHorCursor if over_key else Qt.CursorShape.ArrowCursor)
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        if event.button() == Qt.MouseButton.LeftButton:
+            self.hand.release(event)
+
+    def contextMenuEvent(self, event: QContextMenuEvent) -> None:
+        """A menu for the chosen keys; a key under the pointer that is not chosen is chosen first."""
+        place = self.key_at(QPointF(event.pos()))
+        if place is not None and place not in self._keys.places:
+            self._keys.select(frozenset({place}))
+        self.menu.popup(event.globalPos())
+
+    def event(self, event: QEvent) -> bool:
+        # Esc is the whole window's key for stopping; while keys are dragged it means this drag.
+        if event.type() == QEvent.Type.ShortcutOverride and self.hand.is_busy and _is_escape(event):
+            event.accept()
+            return True
+        return super().event(event)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Esc drops a drag; what nudges points in the viewer nudges keys here."""
+        frames = NUDGES.get(key_name(event), (0.0, 0.0))[0]
+        if event.key() == Qt.Key.Key_Escape:
+            self.hand.cancel()
+        elif frames:
+            self._presses += not event.isAutoRepeat()
+            self.nudged.emit(int(frames), f"nudge-keys-{self._presses}")
+        else:
+            event.ignore()
+
+    def viewportEvent(self, event: QEvent) -> bool:
+        if isinstance(event, QHelpEvent) and event.type() == QEvent.Type.ToolTip:
+            QToolTip.showText(event.globalPos(), self.tip_at(QPointF(event.pos())), self.viewport())
+            return True
+        return super().viewportEvent(event)
+
+    def tip_at(self, at: QPointF) -> str:
+        """What is said of the frame of a shape under the pointer; of the key near it, where there is one."""
+        shape = self.shape_at(at.y())
+        if shape is None:
+            return ""
+        if at.x() < LABEL_WIDTH:
+            return f"{shape.name}: click to select, Shift adds"
+        near = self.key_at(at)
+        change = change_at(shape, at.x(), self._axis.scale, GRAB)
+        frame = near[1] if near is not None else self._axis.scale.frame(at.x()) if change is None else change
+        return key_tip(shape, frame, self._marks(shape))
+
+    def wheelEvent(self, event: QWheelEvent) -> None:
+        if event.position().x() < LABEL_WIDTH:
+            super().wheelEvent(event)
+        else:
+            self._axis.wheel(event, event.position().x())
+
+    # ---- the rest is private
+
+    @property
+    def _offset(self) -> int:
+        return self.verticalScrollBar().value()
+
+    def _pull_height(self) -> None:
+        """No taller than the rows: what is left belongs to the plot below. At least two rows stay in sight."""
+        rows = max(len(self._document.project.shapes), 1)
+        self.setMinimumHeight(min(rows, 2) * ROW)
+        self.setMaximumHeight(rows * ROW)
+
+    def _pull(self) -> None:
+        self._pull_height()
+        bar, height = self.verticalScrollBar(), self.viewport().height()
+        bar.setPageStep(height)
+        bar.setSingleStep(ROW)
+        bar.setRange(0, max(len(self._document.project.shapes) * ROW - height, 0))
+        self.viewport().update()
+
+    def _show_selected(self) -> None:
+        """Scroll by as little as brings a selected row into sight, if none is."""
+        chosen, height = self._axis.view_state.selection.shapes, self.viewport().height()
+        tops = [index * ROW - self._offset for index, shape in enumerate(self.rows()) if shape.id in chosen]
+        if tops and not any(0 <= top <= height - ROW for top in tops):
+            self.verticalScrollBar().setValue(self._offset + (tops[0] if tops[0] < 0 else tops[0] + ROW - height))
+        self.viewport().update()
+
+    def _select(self, shape: RotoShape, modifiers: Qt.KeyboardModifier, *, keep_selected: bool = False) -> None:
+        """Select the shape; with Shift or Ctrl add it or take it away. `keep_selected`: one that is selected stays."""
+        view = self._axis.view_state
+        adds = modifiers & (Qt.KeyboardModifier.ShiftModifier | Qt.KeyboardModifier.ControlModifier)
+        if keep_selected:
+            if shape.id not in view.selection.shapes:
+                view.select((view.selection.shapes if adds else frozenset()) | {shape.id})
+        else:
+            view.select(view.selection.shapes ^ {shape.id} if adds else frozenset({shape.id}))
+
+    # ---- painting
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        viewport, selected = self.viewport(), self._axis.view_state.selection.shapes
+        painter = QPainter(viewport)
+        painter.fillRect(viewport.rect(), QColor(style.PANEL))
+        rows = self.rows()
+        first = self._offset // ROW
+        last = min((self._offset + viewport.height()) // ROW + 1, len(rows))
+        size = QSize(viewport.width(), ROW)
+        for index in range(first, last):
+            shape = rows[index]
+            chosen = self.hand.chosen(shape.id)
+            row = self._painter.row(shape, self._axis.scale, size, shape.id in selected, chosen, viewport)
+            painter.drawPixmap(0, index * ROW - self._offset, row)
+        if not rows:
+            self._paint_hint(painter)
+        paint_playhead(painter, self._axis, viewport)
+        self._paint_box(painter)
+        painter.end()
+
+    def _paint_box(self, painter: QPainter) -> None:
+        if self.hand.box is not None:
+            painter.setPen(QPen(QColor(style.TEXT), 1, Qt.PenStyle.DashLine))
+            painter.setBrush(QColor(255, 255, 255, 20))
+            painter.drawRect(self.hand.box)
+
+    def _paint_hint(self, painter: QPainter) -> None:
+        painter.setPen(QColor(style.WEAK))
+        box = QRectF(LABEL_WIDTH + style.MARGIN, 0, self.viewport().width() - LABEL_WIDTH, ROW)
+        painter.drawText(box, Qt.AlignmentFlag.AlignCenter, "The keys of your shapes appear here.")
+
+
+def _is_escape(event: QEvent) -> bool:
+    return isinstance(event, QKeyEvent) and event.key() == Qt.Key.Key_Escape

@@ -1,0 +1,198 @@
+"""What keys and menus do to the chosen keys of the timeline: each one edit of the document, one undo step."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from functools import partial
+
+from roam_core.errors import RoamError
+from roam_core.roto import Interpolation, Keyframe, Layer, Project, timing
+from roam_core.roto.timing import Place
+
+from ...model.document import Document
+from ...model.view_state import ViewState, selected_shapes
+from .selection import KeySelection
+
+NO_KEYS = "Choose keys in the timeline first: click one, or drag a box around several."
+NOTHING_COPIED = "There is no key to paste; copy keys in the timeline first."
+NOTHING_HERE = "Select a shape first, or choose keys in the timeline."
+
+
+class KeyVerbs:
+    """The verbs on chosen keys. `has_keyboard` tells whether the key rows have it: then copy means keys."""
+
+    def __init__(
+        self, document: Document, view_state: ViewState, keys: KeySelection, has_keyboard: Callable[[], bool]
+    ) -> None:
+        self._document, self._view, self._keys, self._has_keyboard = document, view_state, keys, has_keyboard
+        self._copied: dict[str, tuple[Keyframe, ...]] = {}
+
+    def handlers(self) -> dict[str, Callable[[], object]]:
+        """What the actions of this part call, by id."""
+        return {f"key.{each.value}": partial(self.interpolate, each) for each in Interpolation}
+
+    def taking_over(self, handlers: Mapping[str, Callable[[], object]]) -> dict[str, Callable[[], object]]:
+        """Handlers that mean keys while the key rows have the keyboard, and what they meant elsewhere.
+
+        Where no key is chosen, or was copied, copying and pasting mean shapes in the key rows, too: a click on a
+        shape's name has selected it.
+        """
+        own: dict[str, tuple[Callable[[], object], Callable[[], bool]]] = {
+            "edit.copy": (self.copy, lambda: bool(self._keys.places)),
+            "edit.cut": (self.cut, lambda: bool(self._keys.places)),
+            "edit.paste": (self.paste, lambda: bool(self._copied)),
+            "points.delete": (self.delete, lambda: True),
+            "points.select_all": (self.select_all, lambda: True),
+        }
+
+        def chosen(action_id: str) -> Callable[[], object]:
+            (mine, is_meant), other = own[action_id], handlers.get(action_id)
+
+            def call() -> None:
+                if other is None or (self._has_keyboard() and is_meant()):
+                    mine()
+                    return
+                if action_id in ("edit.copy", "edit.cut"):
+                    self._copied = {}  # what was copied last is what is pasted
+                other()
+
+            return call
+
+        return {action_id: chosen(action_id) for action_id in own}
+
+    # ---- the verbs
+
+    def copy(self) -> bool:
+        """Remember the chosen keys; False when there is none."""
+        project, places = self._document.project, self._keys.places
+        if not places:
+            self._view.say(NO_KEYS)
+            return False
+        self._copied = {
+            shape.id: tuple(key for key in shape.keys if (shape.id, key.frame) in places)
+            for shape in project.shapes
+            if self._keys.frames_of(shape.id)
+        }
+        self._view.say(f"Copied {count_of(places)}: paste puts the first one on the playhead's frame.")
+        return True
+
+    def cut(self) -> None:
+        """Remember the chosen keys and delete them."""
+        if self.copy():
+            self.delete()
+
+    def paste(self) -> None:
+        """Put the copied keys into their shapes, or those of one shape into the selected one; the first one here."""
+        if not self._copied:
+            self._view.say(NOTHING_COPIED)
+            return
+        project, copied = self._document.project, self._targets()
+        offset = self._view.frame - min(key.frame for keys in copied.values() for key in keys)
+        pasted = timing.paste_keys(project, _inside(project, copied, offset), offset)
+        places = timing.artist_places(pasted) & {
+            (shape_id, key.frame + offset) for shape_id, keys in copied.items() for key in keys
+        }
+        if pasted == project or not places:
+            self._view.say("The copied keys fit no shape here: shapes may be locked, or have other points.")
+            return
+        self._document.apply("Paste keys", pasted)
+        self._keys.select(places)
+
+    def delete(self) -> None:
+        """Delete the chosen keys; the engine's stay, and are shown as stale."""
+        if places := self._unlocked(self._keys.places):
+            self._apply("Delete keys", lambda project: timing.delete_keys(project, places))
+
+    def nudge(self, frames: int, merge_key: str = "") -> None:
+        """Move the chosen keys by some frames, not out of the clip; steps with one `merge_key` are one undo step."""
+        project, clip = self._document.project, self._document.project.clip
+        if not (places := self._unlocked(self._keys.places)):
+            return
+        own = [frame for _, frame in places]
+        if clip is not None:
+            frames = max(min(frames, max(clip.last - max(own), 0)), min(clip.first - min(own), 0))
+        self._document.apply("Move keys", timing.move_keys(project, places, frames), merge_key)
+        self._keys.select(frozenset((shape_id, frame + frames) for shape_id, frame in places))
+
+    def interpolate(self, interpolation: Interpolation) -> None:
+        """Set how shapes move on: from the chosen keys, or from the key before the playhead where none is chosen."""
+        chosen = self._keys.places or self._governing()
+        if not chosen:
+            self._view.say(NOTHING_HERE)
+        elif places := self._unlocked(chosen):
+            self._apply(
+                interpolation.value.capitalize(),
+                lambda project: timing.set_interpolation(project, places, interpolation),
+            )
+
+    def select_all(self) -> None:
+        """Choose every artist's key of the selected shapes, or of all where none is selected."""
+        project, shapes = self._document.project, self._view.selection.shapes
+        self._keys.select(
+            frozenset(place for place in timing.artist_places(project) if not shapes or place[0] in shapes)
+        )
+
+    # ---- the rest is private
+
+    def _apply(self, text: str, verb: Callable[[Project], Project]) -> None:
+        try:
+            self._document.apply(text, verb(self._document.project))
+        except RoamError as error:
+            self._view.say(str(error))
+
+    def _unlocked(self, places: Iterable[Place]) -> frozenset[Place]:
+        """The places of shapes that may be edited; says why when there is none."""
+        free = unlocked(self._document.project, places)
+        if not free:
+            self._view.say("The shape is locked; unlock it to change its keys." if places else NO_KEYS)
+        return free
+
+    def _targets(self) -> dict[str, tuple[Keyframe, ...]]:
+        """The copied keys by the shape that they go to."""
+        selected = self._view.selection.shapes
+        if len(self._copied) == len(selected) == 1 and not selected & self._copied.keys():
+            return {next(iter(selected)): next(iter(self._copied.values()))}
+        return self._copied
+
+    def _governing(self) -> frozenset[Place]:
+        """The key at or before the playhead of each selected shape."""
+        frame, places = self._view.frame, set()
+        for shape in selected_shapes(self._document.project, self._view.selection):
+            earlier = [key for key in shape.artist_frames if key <= frame]
+            places |= {(shape.id, max(earlier))} if earlier else set()
+        return frozenset(places)
+
+
+def unlocked(project: Project, places: Iterable[Place]) -> frozenset[Place]:
+    """Those places whose shapes are not locked, nor lie in a locked layer."""
+    free = set(_unlocked_ids(project.root))
+    return frozenset(place for place in places if place[0] in free)
+
+
+def count_of(places: Iterable[Place]) -> str:
+    """`1 key`, `3 keys`."""
+    number = len(list(places))
+    return f"{number} key{'s' * (number != 1)}"
+
+
+def _unlocked_ids(layer: Layer) -> Iterable[str]:
+    if layer.locked:
+        return
+    for child in layer.children:
+        if isinstance(child, Layer):
+            yield from _unlocked_ids(child)
+        elif not child.locked:
+            yield child.id
+
+
+def _inside(
+    project: Project, copied: Mapping[str, tuple[Keyframe, ...]], offset: int
+) -> dict[str, tuple[Keyframe, ...]]:
+    """Those keys that land inside the clip and on shapes that may be edited."""
+    frames = None if project.clip is None else project.clip.frame_range
+    free = unlocked(project, [(shape_id, 0) for shape_id in copied])
+    return {
+        shape_id: tuple(key for key in keys if frames is None or key.frame + offset in frames)
+        for shape_id, keys in copied.items()
+        if (shape_id, 0) in free
+    }

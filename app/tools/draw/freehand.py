@@ -1,0 +1,104 @@
+"""FreehandTool: a stroke of the hand becomes a spline of few points."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+from PySide6.QtCore import QPointF, Qt
+from PySide6.QtGui import QPainter, QPainterPath
+
+from roam_core.geometry import fit, polyline
+
+from ...features.verbs.finishing import finish_shape, next_colour
+from ...model.document import Document
+from ...model.view_state import ViewState
+from ...paint import marks
+from ...paint.viewport import Viewport
+from ..tool import Pointer, Tool
+
+Array = NDArray[np.float64]
+
+TOLERANCE = 1.5
+"""Screen pixels by which the fitted spline may stray from the stroke: the closer the view, the finer the fit."""
+
+CLOSING = 20.0
+"""Screen pixels from the start at which the end of a stroke closes the shape."""
+
+LEAST_LENGTH = 12.0
+"""Screen pixels: a shorter stroke is a slip."""
+
+DROP_KEYS = frozenset({"Esc", "Ctrl+Z"})
+
+
+class FreehandTool(Tool):
+    """One drag draws one shape, closed where it ends near its start. Esc drops the stroke."""
+
+    name = "freehand"
+    title = "Freehand"
+    hint = "Drag around the object; end near the start to close the shape. Zoom in for a finer fit."
+
+    def __init__(self, document: Document, view_state: ViewState) -> None:
+        super().__init__(document, view_state)
+        self._stroke: list[tuple[float, float]] = []
+        self._pointer: Pointer | None = None
+        self._frame = 0
+
+    @property
+    def cursor(self) -> Qt.CursorShape:
+        return Qt.CursorShape.PointingHandCursor if self._closes() else Qt.CursorShape.CrossCursor
+
+    @property
+    def claimed_keys(self) -> frozenset[str]:
+        return DROP_KEYS if self._stroke else frozenset()
+
+    def deactivate(self) -> None:
+        self.drop()
+
+    def drop(self) -> None:
+        self._stroke, self._pointer = [], None
+
+    def press(self, pointer: Pointer) -> None:
+        self._stroke, self._pointer, self._frame = [pointer.position], pointer, self.view_state.frame
+
+    def drag(self, pointer: Pointer) -> None:
+        if self._stroke and pointer.position != self._stroke[-1]:
+            self._stroke.append(pointer.position)
+            self._pointer = pointer
+
+    def release(self, pointer: Pointer) -> None:
+        self.drag(pointer)
+        if not self._stroke:
+            return
+        closed, line = self._closes(), self._on_screen(pointer)
+        self.drop()
+        if polyline.length(line, closed=False) < LEAST_LENGTH:
+            self.view_state.say(self.hint)
+            return
+        points = fit.fit_stroke(line, TOLERANCE, closed=closed) * pointer.pixel
+        finish_shape(self.document, self.view_state, self.name, points, self._frame, closed=closed)
+
+    def key(self, name: str) -> None:
+        self.drop()
+        self.view_state.say(self.hint)
+
+    def paint(self, painter: QPainter, viewport: Viewport) -> None:
+        if len(self._stroke) < 2:
+            return
+        path = QPainterPath(QPointF(*self._stroke[0]))
+        for spot in self._stroke[1:]:
+            path.lineTo(*spot)
+        colour = next_colour(self.document.project)
+        marks.stroke(painter, viewport.transform.map(path), colour, marks.SELECTED_WIDTH)
+        start = viewport.to_widget(*self._stroke[0])
+        closes = self._closes()
+        marks.anchor(painter, start, colour, round_=True, filled=closes, grown=closes)
+
+    def _on_screen(self, pointer: Pointer) -> Array:
+        """The stroke `(K, 2)` in screen pixels from the picture's corner."""
+        return np.array(self._stroke) / pointer.pixel
+
+    def _closes(self) -> bool:
+        """True where a release would join the stroke's end to its start."""
+        if self._pointer is None or self._pointer.screen_distance(self._stroke[0]) > CLOSING:
+            return False
+        return polyline.length(self._on_screen(self._pointer), closed=False) > 4.0 * CLOSING

@@ -1,0 +1,23 @@
+"""PolygonTool: draws straight edges."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from roam_core.geometry import bezier
+
+from ..tool import Pointer
+from .drawing import DrawingTool
+
+
+class PolygonTool(DrawingTool):
+    """Each press places a corner; a drag after it moves the corner until release."""
+
+    name = "polygon"
+    title = "Polygon"
+    hint = "Click for each corner. Return or the first point closes, Esc leaves it open."
+
+    def place(self, point: NDArray[np.float64], pointer: Pointer) -> NDArray[np.float64]:
+        placed: NDArray[np.float64] = bezier.polygon_points([pointer.position])[0]
+        return placed

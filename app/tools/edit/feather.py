@@ -1,0 +1,228 @@
+"""FeatherTool: pulls the soft edge of a shape out of its points, turns the handles of the feather curve."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+
+import numpy as np
+from numpy.typing import NDArray
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QPainter
+
+from roam_core.geometry.bezier import ANCHOR
+from roam_core.roto import Project, RotoShape, edit, feather
+
+from ...model.document import Document
+from ...model.shown import editable_shapes
+from ...model.view_state import Selection, ViewState
+from ...paint.feather import feather_grips, paint_feather_points
+from ...paint.viewport import Viewport
+from ..gesture_tool import GestureTool
+from ..gestures import Edit, Gesture, Marquee
+from ..hit_test import REACH, SAME_SPOT, OutlineHit, PointHit, hit_outline
+from ..reshape import Grab, break_tangent, selected_indices
+from ..tool import Modifier, Pointer
+
+Array = NDArray[np.float64]
+
+NOTHING_SELECTED = "Select a shape or some of its points first."
+
+
+class Pull(Edit):
+    """Drags feather points. Each goes its own way: what one moves outwards, all do."""
+
+    def __init__(
+        self, document: Document, view_state: ViewState, pressed: Pointer, grab: Grab, held: tuple[str, int],
+        on_click: Callable[[], None] | None = None,
+    ) -> None:  # fmt: skip
+        super().__init__(document, view_state, pressed, grab, "Feather", on_click)
+        shape = document.project.shape(held[0])
+        self._frame_here = feather.frames_along(shape.at(grab.frame).points, shape.closed)[held[1]]
+
+    def edited(self) -> Project:
+        along, across = (self._frame_here @ np.asarray(self.delta)).tolist()
+        project = self.document.project
+        return self.grab.changed(
+            project, lambda each: feather.pull(project.shape(each), self.grab.weights[each], along, across)
+        )
+
+
+class TurnFeather(Edit):
+    """Drags one handle of the feather curve. Ctrl breaks the tangent, Shift makes both handles equal."""
+
+    def __init__(
+        self, document: Document, view_state: ViewState, pressed: Pointer, grab: Grab, part: tuple[int, int]
+    ) -> None:
+        super().__init__(document, view_state, pressed, grab, "Feather handle")
+        self._part = part
+
+    def edited(self) -> Project:
+        tangent: feather.Turn = edit.drag_handle
+        if self.last.holds(Modifier.ControlModifier):
+            tangent = break_tangent
+        elif self.last.holds(Modifier.ShiftModifier):
+            tangent = edit.equal_handles
+        project = self.document.project
+        return self.grab.changed(
+            project, lambda each: feather.turn(project.shape(each), *self._part, self.delta, tangent)
+        )
+
+
+class FeatherTool(GestureTool):
+    """A drag from a point of a selected shape pulls its feather out; one from the outline pulls both of its ends."""
+
+    name = "feather"
+    title = "Feather"
+    hint = "Drag out of a point of the selected shape to soften its edge; double-click a feather point to take it back."
+
+    def __init__(self, document: Document, view_state: ViewState) -> None:
+        super().__init__(document, view_state)
+        self._hover: PointHit | None = None
+        self._cursor = Qt.CursorShape.ArrowCursor
+
+    @property
+    def cursor(self) -> Qt.CursorShape:
+        return self._cursor
+
+    def press(self, pointer: Pointer) -> None:
+        found = self._hit(pointer)
+        if isinstance(found, PointHit) and found.part == ANCHOR:
+            self._gesture = self._pull_points(pointer, found)
+        elif isinstance(found, PointHit):
+            weights = _weights(self.document.project.shape(found.shape_id), {found.index: 1.0})
+            grab = self._grab({found.shape_id: weights})
+            self._gesture = TurnFeather(self.document, self.view_state, pointer, grab, (found.index, found.part))
+        elif found is None:
+            self._gesture = Marquee(self.document, self.view_state, pointer)
+        elif found.shape_id in self.view_state.selection.shapes:
+            self._gesture = self._pull_segment(pointer, found)
+        else:
+            self.view_state.select(frozenset({found.shape_id}))
+            self._gesture = Gesture(self.document, self.view_state, pointer)
+
+    def double_press(self, pointer: Pointer) -> None:
+        """On a feather point: put it back on the outline."""
+        found = self._hit(pointer)
+        if not isinstance(found, PointHit):
+            self.press(pointer)
+            return
+        weights = _weights(self.document.project.shape(found.shape_id), {found.index: 1.0})
+        grab = self._grab({found.shape_id: weights})
+        self.document.apply(
+            "Reset feather", grab.changed(self.document.project, lambda _: feather.reset([found.index]))
+        )
+
+    def hover(self, pointer: Pointer) -> None:
+        found = self._hit(pointer)
+        self._hover = found if isinstance(found, PointHit) else None
+        grabs = found is not None and found.shape_id in self.view_state.selection.shapes
+        other = Qt.CursorShape.ArrowCursor if found is None else Qt.CursorShape.PointingHandCursor
+        self._cursor = Qt.CursorShape.SizeAllCursor if grabs else other
+
+    def leave(self) -> None:
+        self._hover, self._cursor = None, Qt.CursorShape.ArrowCursor
+
+    def paint(self, painter: QPainter, viewport: Viewport) -> None:
+        view = self.view_state
+        hover = (self._hover.shape_id, self._hover.index, self._hover.part) if self._hover else None
+        for shape in _chosen(view.preview or self.document.project, view):
+            paint_feather_points(painter, viewport, shape, shape.at(view.frame), view.selection, hover)
+        if self._gesture:
+            self._gesture.paint(painter, viewport)
+
+    def _hit(self, pointer: Pointer) -> PointHit | OutlineHit | None:
+        view = self.view_state
+        best: PointHit | None = None
+        for shape in _chosen(self.document.project, view):
+            found = hit_feather(shape, view.frame, view.selection, pointer)
+            if found and (best is None or found.distance < best.distance):
+                best = found
+        return best or hit_outline(self.document.project, view.frame, view.selection, pointer.position, pointer.pixel)
+
+    def _pull_points(self, pointer: Pointer, found: PointHit) -> Gesture:
+        """Select the point, unless it is one of several; pull all that are selected."""
+        view, point = self.view_state, (found.shape_id, found.index)
+        if point not in view.selection.points:
+            adds = pointer.holds(Modifier.ShiftModifier)
+            view.select(view.selection.shapes, view.selection.points | {point} if adds else frozenset({point}))
+        shapes = _chosen(self.document.project, view)
+        weights = {s.id: _weights(s, dict.fromkeys(selected_indices(s, view.selection), 1.0)) for s in shapes}
+        grab = self._grab({shape_id: each for shape_id, each in weights.items() if each.any()})
+
+        def click() -> None:
+            view.select(view.selection.shapes, frozenset({point}))
+
+        on_click = None if pointer.holds(Modifier.ShiftModifier) else click
+        return Pull(self.document, view, pointer, grab, point, on_click)
+
+    def _pull_segment(self, pointer: Pointer, found: OutlineHit) -> Gesture:
+        shape = self.document.project.shape(found.shape_id)
+        after = (found.segment + 1) % shape.point_count
+        grab = self._grab({shape.id: _weights(shape, {found.segment: 1.0 - found.t, after: found.t})})
+        held = found.segment if found.t < 0.5 else after
+        view = self.view_state
+
+        def click() -> None:
+            view.select(frozenset({shape.id}))
+
+        return Pull(self.document, view, pointer, grab, (shape.id, held), click)
+
+    def _grab(self, weights: Mapping[str, Array]) -> Grab:
+        view = self.view_state
+        return Grab.of(self.document.project, view.frame, weights, view.editing.keying(view.play_range))
+
+
+class FeatherActions:
+    """What menus and keys do to feather curves."""
+
+    def __init__(self, document: Document, view_state: ViewState) -> None:
+        self._document, self._view = document, view_state
+
+    def handlers(self) -> dict[str, Callable[[], object]]:
+        """What the actions of this part call, by id."""
+        return {"feather.reset": self.reset}
+
+    def reset(self) -> None:
+        """Put the feather of the selected points back on the outline; of all points where none is selected."""
+        view = self._view
+        shapes = _chosen(self._document.project, view)
+        if not shapes:
+            view.say(NOTHING_SELECTED)
+            return
+        chosen = {s.id: selected_indices(s, view.selection) if view.selection.points else None for s in shapes}
+        whole = {s.id: _weights(s, {}) for s in shapes if chosen[s.id] != []}
+        grab = Grab.of(self._document.project, view.frame, whole, view.editing.keying(view.play_range))
+        self._document.apply(
+            "Reset feather",
+            grab.changed(
+                self._document.project,
+                lambda each: feather.reset(range(len(whole[each])) if chosen[each] is None else chosen[each] or ()),
+            ),
+        )
+
+
+def hit_feather(shape: RotoShape, frame: int, selection: Selection, pointer: Pointer) -> PointHit | None:
+    """The feather point, or the handle of a selected one, under the pointer."""
+    line = feather.curve(shape.at(frame))
+    distances = np.hypot(*np.moveaxis((line - pointer.position) / pointer.pixel, -1, 0)) + SAME_SPOT
+    distances[:, ANCHOR] -= SAME_SPOT
+    seen = np.zeros(distances.shape, dtype=bool)
+    seen[:, ANCHOR] = True
+    for grip in feather_grips(shape.id, line, selection):
+        seen[grip] = True
+    distances[~seen] = np.inf
+    index, part = np.unravel_index(int(np.argmin(distances)), distances.shape)
+    distance = float(distances[index, part])
+    return PointHit(shape.id, int(index), int(part), distance) if distance <= REACH + SAME_SPOT else None
+
+
+def _chosen(project: Project, view: ViewState) -> list[RotoShape]:
+    """The selected shapes that may be edited here, the upper first."""
+    return [s for s in reversed(editable_shapes(project, view.frame)) if s.id in view.selection.shapes]
+
+
+def _weights(shape: RotoShape, chosen: Mapping[int, float]) -> Array:
+    weights = np.zeros(shape.point_count)
+    for index, weight in chosen.items():
+        weights[index] = weight
+    return weights

@@ -1,0 +1,104 @@
+"""NumbersDialog: a transform by numbers: move, turn, scale, shear. Numbers that stand for nothing are its beginning."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import QDialog, QDialogButtonBox, QDoubleSpinBox, QGridLayout, QVBoxLayout, QWidget
+
+from roam_core.geometry import affine
+
+from ... import style
+from ...widgets.controls import form_label, weak_label
+
+Array = NDArray[np.float64]
+
+FURTHEST = 100_000.0
+
+
+@dataclass(frozen=True)
+class Numbers:
+    """A transform: `move` in pixels, `turn` in degrees clockwise, `scale` and `shear` in percent, along x and y."""
+
+    move: tuple[float, float] = (0.0, 0.0)
+    turn: float = 0.0
+    scale: tuple[float, float] = (100.0, 100.0)
+    shear: tuple[float, float] = (0.0, 0.0)
+
+
+def matrix_of(numbers: Numbers, middle: tuple[float, float]) -> Array:
+    """The map `(2, 3)` that scales, shears and turns about `middle`, in this order, and then moves."""
+    scaled = affine.scaling(numbers.scale[0] / 100.0, numbers.scale[1] / 100.0, middle)
+    sheared = affine.chained(scaled, affine.shear(numbers.shear[0] / 100.0, numbers.shear[1] / 100.0, middle))
+    turned = affine.chained(sheared, affine.rotation(numbers.turn, middle))
+    return affine.chained(turned, affine.translation(numbers.move))
+
+
+class NumbersDialog(QDialog):
+    """Fields for `Numbers`. Deleted when it closes.
+
+    Signals
+    -------
+    changed() : a number is another one.
+    """
+
+    changed = Signal()
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setWindowTitle("Transform")
+        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        self.move_x, self.move_y = _field(0.0, " px", FURTHEST), _field(0.0, " px", FURTHEST)
+        self.turn = _field(0.0, "°", 3600.0)
+        self.scale_x, self.scale_y = _field(100.0, " %", FURTHEST), _field(100.0, " %", FURTHEST)
+        self.shear_x, self.shear_y = _field(0.0, " %", FURTHEST), _field(0.0, " %", FURTHEST)
+        grid = QGridLayout()
+        grid.setHorizontalSpacing(style.MARGIN)
+        grid.setVerticalSpacing(6)
+        rows = (
+            ("Move x, y", (self.move_x, self.move_y)),
+            ("Rotate", (self.turn,)),
+            ("Scale x, y", (self.scale_x, self.scale_y)),
+            ("Shear x, y", (self.shear_x, self.shear_y)),
+        )
+        for index, (title, fields) in enumerate(rows):
+            grid.addWidget(form_label(title), index, 0)
+            for column, field in enumerate(fields, start=1):
+                field.valueChanged.connect(self.changed)
+                grid.addWidget(field, index, column)
+        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Ok | QDialogButtonBox.StandardButton.Cancel)
+        buttons.button(QDialogButtonBox.StandardButton.Ok).setText("Transform")
+        buttons.accepted.connect(self.accept)
+        buttons.rejected.connect(self.reject)
+        box = QVBoxLayout(self)
+        box.setContentsMargins(16, 14, 16, 12)
+        box.setSpacing(style.MARGIN)
+        box.addLayout(grid)
+        box.addWidget(weak_label("About the middle of what is selected."))
+        box.addWidget(buttons)
+        self.move_x.selectAll()
+
+    @property
+    def numbers(self) -> Numbers:
+        """What the fields say."""
+        return Numbers(
+            (self.move_x.value(), self.move_y.value()),
+            self.turn.value(),
+            (self.scale_x.value(), self.scale_y.value()),
+            (self.shear_x.value(), self.shear_y.value()),
+        )
+
+
+def _field(value: float, suffix: str, furthest: float) -> QDoubleSpinBox:
+    field = QDoubleSpinBox()
+    field.setRange(-furthest, furthest)
+    field.setDecimals(3)
+    field.setSuffix(suffix)
+    field.setValue(value)
+    field.setAlignment(Qt.AlignmentFlag.AlignRight)
+    field.setMinimumHeight(style.ROW_HEIGHT)
+    field.setMinimumWidth(96)
+    return field

@@ -1,0 +1,148 @@
+"""PointActions: what keys and menus do to the selected points. Each action is one undo step."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from roam_core.errors import RoamError
+from roam_core.roto import Project, RotoShape, Spline, edit
+from roam_core.roto.keying import Change, reshape
+
+from ...model.document import Document
+from ...model.shown import editable_shapes
+from ...model.view_state import ViewState, selected_shapes
+from ..reshape import grab_selection, grabbed_indices, selected_indices
+
+Array = NDArray[np.float64]
+
+
+class PointActions:
+    """Actions on the selection of the view state, for menus and keys.
+
+    Where shapes are selected but no point of any, an action takes all their points. Locked and hidden shapes are left
+    alone; what cannot be done is said in the status bar.
+    """
+
+    def __init__(self, document: Document, view_state: ViewState) -> None:
+        self._document, self._view = document, view_state
+
+    def delete(self) -> None:
+        """Delete the selected points; a shape goes whole when all its points are selected, or no point at all is."""
+        shapes = self._shapes()
+        if not shapes:
+            self._say_why()
+            return
+        whole = [s for s in shapes if self._point_count(s) in (0, s.point_count)]
+        project = edit.remove_items(self._document.project, [shape.id for shape in whole])
+        removed = 0
+        for shape in shapes:
+            if shape not in whole:
+                indices = selected_indices(shape, self._view.selection)
+                try:
+                    project = project.with_shape(edit.delete_points(shape, indices))
+                except RoamError as error:
+                    self._view.say(str(error))
+                    return
+                removed += len(indices)
+        text = _counted("Delete", removed, "point") if removed else _counted("Delete", len(whole), "shape")
+        self._document.apply(text, project)
+        gone = {shape.id for shape in whole}
+        self._view.select(frozenset(i for i in self._view.selection.shapes if i not in gone))
+
+    def smooth(self) -> None:
+        """Give the points tangents along the chord of their neighbours."""
+        self._reshape("Smooth", lambda shape, points, chosen: edit.smooth_points(points, chosen, shape.closed))
+
+    def cusp(self) -> None:
+        """Draw the points' handles in, so that the outline has corners there."""
+        self._reshape("Cusp", lambda _shape, points, chosen: edit.cusp_points(points, chosen))
+
+    def nudge(self, dx: float, dy: float, merge_key: str = "") -> None:
+        """Move the points by image pixels. Nudges with one `merge_key` (a held key) are one undo step."""
+        project = self._document.project
+        grab = grab_selection(project, self._view)
+        if not grab.weights:
+            self._say_why()
+            return
+        grabbed = sum(int((weights == 1.0).sum()) for weights in grab.weights.values())
+        self._document.apply(_counted("Nudge", grabbed, "point"), grab.moved(project, (dx, dy)), merge_key)
+
+    def cycle(self, step: int) -> None:
+        """Select the point `step` further along the shape (backwards when negative)."""
+        shapes = self._shapes()
+        if not shapes:
+            self._say_why()
+            return
+        shape = next((s for s in shapes if selected_indices(s, self._view.selection)), shapes[0])
+        chosen = selected_indices(shape, self._view.selection)
+        here = (chosen[-1] if step > 0 else chosen[0]) if chosen else (-1 if step > 0 else 0)
+        index = (here + step) % shape.point_count
+        self._view.select(self._view.selection.shapes, frozenset({(shape.id, index)}))
+
+    def toggle_closed(self) -> None:
+        """Close the open selected shapes and open the closed ones."""
+        project = self._document.project
+        try:
+            for shape in self._shapes():
+                project = project.with_shape(edit.toggle_closed(shape))
+        except RoamError as error:
+            self._view.say(str(error))
+            return
+        self._apply("Open or close shape", project)
+
+    def select_all(self) -> None:
+        """Select all points of the selected shapes, or of every shape where none is selected."""
+        shapes = self._shapes() or editable_shapes(self._document.project, self._view.frame)
+        points = frozenset((shape.id, index) for shape in shapes for index in range(shape.point_count))
+        self._view.select(self._view.selection.shapes, points)
+
+    def _reshape(self, verb: str, function: Callable[[RotoShape, Array, Iterable[int]], Array]) -> None:
+        """Apply `function(shape, points, indices)` to the selected points, on the keys that edits reach."""
+        project, view = self._document.project, self._view
+        chosen = grabbed_indices(project, view.frame, view.selection)
+        for shape_id, indices in chosen.items():
+            shape = project.shape(shape_id)
+            if shape.spline is Spline.BSPLINE:
+                view.say(f"{shape.name!r} is a B-spline, which is smooth everywhere; make it Bezier for corners.")
+                continue
+            change = _change(shape, indices, function)
+            project = project.with_shape(reshape(shape, view.frame, change, view.editing.keying(view.play_range)))
+        self._apply(_counted(verb, sum(map(len, chosen.values())), "point"), project)
+
+    def _apply(self, text: str, project: Project) -> None:
+        if self._shapes():
+            self._document.apply(text, project)
+        else:
+            self._say_why()
+
+    def _shapes(self) -> list[RotoShape]:
+        """The selected shapes that may be edited; those with selected points where any point is selected."""
+        selection = self._view.selection
+        shapes = [s for s in editable_shapes(self._document.project, self._view.frame) if s.id in selection.shapes]
+        return [s for s in shapes if self._point_count(s)] if selection.points else shapes
+
+    def _point_count(self, shape: RotoShape) -> int:
+        return len(selected_indices(shape, self._view.selection))
+
+    def _say_why(self) -> None:
+        """Say why nothing happened."""
+        selected = selected_shapes(self._document.project, self._view.selection)
+        if selected:
+            self._view.say(f"{selected[0].name!r} is locked or hidden; unlock and show it to edit it.")
+        else:
+            self._view.say("Select a shape or some of its points first.")
+
+
+def _change(
+    shape: RotoShape, indices: list[int], function: Callable[[RotoShape, Array, Iterable[int]], Array]
+) -> Change:
+    """`function` on the points `indices` of any key."""
+    return lambda outline: replace(outline, points=function(shape, outline.points, indices))
+
+
+def _counted(verb: str, count: int, noun: str) -> str:
+    return f"{verb} {noun}" if count == 1 else f"{verb} {count} {noun}s"

@@ -1,0 +1,170 @@
+"""SelectTool: selects shapes and points; drags points, handles and whole shapes."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QPainter
+
+from roam_core.geometry.bezier import ANCHOR, OUT
+from roam_core.roto import Spline
+
+from ...model.document import Document
+from ...model.view_state import Selection, ViewState
+from ...paint.viewport import Viewport
+from ..gesture_tool import GROWTH, GestureTool
+from ..gestures import Edit, Gesture, Lasso, Marquee, Move, PullOut, Turn
+from ..hit_test import OutlineHit, PointHit, hit, hit_outline
+from ..reshape import grab_point, grab_selection, grabbed_weights, with_point_inserted
+from ..soft_marks import paint_reach, paint_weights
+from ..tool import Modifier, Pointer
+
+INSERT = Modifier.ControlModifier | Modifier.AltModifier
+
+
+class SelectTool(GestureTool):
+    """Click selects, drag moves. A press on a shape that is not selected selects it and moves nothing."""
+
+    name = "select"
+    title = "Select"
+
+    def __init__(self, document: Document, view_state: ViewState) -> None:
+        super().__init__(document, view_state)
+        self._cursor = Qt.CursorShape.ArrowCursor
+
+    @property
+    def cursor(self) -> Qt.CursorShape:
+        return self._cursor
+
+    def press(self, pointer: Pointer) -> None:
+        if pointer.holds(INSERT) and self._insert_point(pointer):
+            return
+        found = None if pointer.holds(INSERT) else self._hit(pointer)
+        if isinstance(found, PointHit):
+            self._gesture = self._press_anchor(pointer, found) if found.part == ANCHOR else self._turn(pointer, found)
+        elif isinstance(found, OutlineHit):
+            self._gesture = self._press_outline(pointer, found)
+        else:
+            draws_line = self.view_state.editing.modes.lasso != pointer.holds(INSERT)
+            self._gesture = (Lasso if draws_line else Marquee)(self.document, self.view_state, pointer)
+
+    def double_press(self, pointer: Pointer) -> None:
+        """On an outline: select all points of its shape."""
+        found = self._hit(pointer)
+        if not isinstance(found, OutlineHit):
+            self.press(pointer)
+            return
+        count = self.document.project.shape(found.shape_id).point_count
+        self.view_state.select(frozenset(), frozenset((found.shape_id, index) for index in range(count)))
+
+    def hover(self, pointer: Pointer) -> None:
+        found = self._hit_insertion(pointer) if pointer.holds(INSERT) else self._hit(pointer)
+        self.view_state.hovered = (found.shape_id, found.index, found.part) if isinstance(found, PointHit) else None
+        if found is None:
+            self._cursor = Qt.CursorShape.ArrowCursor
+        elif pointer.holds(INSERT):
+            self._cursor = Qt.CursorShape.CrossCursor
+        elif isinstance(found, PointHit) or found.shape_id in self.view_state.selection.shapes:
+            self._cursor = Qt.CursorShape.SizeAllCursor
+        else:
+            self._cursor = Qt.CursorShape.PointingHandCursor
+
+    def leave(self) -> None:
+        self.view_state.hovered = None
+        self._cursor = Qt.CursorShape.ArrowCursor
+
+    def wheel(self, pointer: Pointer, notches: float) -> bool:
+        """Widen or narrow the reach of soft selection, while it is on."""
+        editing = self.view_state.editing
+        if editing.modes.soft:
+            editing.set(soft_radius=editing.modes.soft_radius * GROWTH**notches)
+        return editing.modes.soft
+
+    def paint(self, painter: QPainter, viewport: Viewport) -> None:
+        self._paint_weights(painter, viewport)
+        if self._gesture:
+            self._gesture.paint(painter, viewport)
+
+    def _paint_weights(self, painter: QPainter, viewport: Viewport) -> None:
+        """Which points soft selection takes along."""
+        view, gesture = self.view_state, self._gesture
+        radius = view.editing.soft_radius
+        if radius is None or not view.selection.points:
+            return
+        if isinstance(gesture, Edit):
+            weights = gesture.grab.weights
+        else:
+            weights = grabbed_weights(self.document.project, view.frame, view.selection, radius)
+        paint_weights(painter, viewport, view.preview or self.document.project, view.frame, weights)
+        if len(view.selection.points) == 1 and weights and not gesture:
+            ((shape_id, index),) = view.selection.points
+            x, y = self.document.project.shape(shape_id).at(view.frame).grips[index, ANCHOR].tolist()
+            paint_reach(painter, viewport, (x, y), radius)
+
+    def _hit(self, pointer: Pointer) -> PointHit | OutlineHit | None:
+        view = self.view_state
+        return hit(self.document.project, view.frame, view.selection, pointer.position, pointer.pixel)
+
+    def _hit_insertion(self, pointer: Pointer) -> OutlineHit | None:
+        view = self.view_state
+        return hit_outline(self.document.project, view.frame, view.selection, pointer.position, pointer.pixel)
+
+    def _press_anchor(self, pointer: Pointer, found: PointHit) -> Gesture:
+        """Select the point, unless it is one of several that a drag may want to keep together.
+
+        With Ctrl the drag draws the handles out of it: a corner has none to take hold of.
+        """
+        view, point = self.view_state, (found.shape_id, found.index)
+        shapes, points = view.selection.shapes, view.selection.points
+        adds = pointer.holds(Modifier.ShiftModifier)
+        if point not in points:
+            view.select(shapes, points | {point} if adds else frozenset({point}))
+            after_click = view.selection
+        else:
+            after_click = Selection(shapes, points - {point} if adds else frozenset({point}))
+        if pointer.holds(Modifier.ControlModifier) and self._has_handles(found.shape_id):
+            grab = grab_point(self.document.project, view, found.shape_id, found.index)
+            return PullOut(self.document, view, pointer, grab, "Pull out handles", (found.index, OUT))
+        count = len(view.selection.points)
+        return self._move(pointer, "Move point" if count == 1 else f"Move {count} points", view.selection, after_click)
+
+    def _has_handles(self, shape_id: str) -> bool:
+        """False of a B-spline, whose control points have none."""
+        return self.document.project.shape(shape_id).spline is Spline.BEZIER
+
+    def _press_outline(self, pointer: Pointer, found: OutlineHit) -> Gesture:
+        """Select the shape; one that is selected can be dragged as a whole, with the others that are."""
+        view, shape_id = self.view_state, found.shape_id
+        shapes = view.selection.shapes
+        adds = pointer.holds(Modifier.ShiftModifier)
+        if shape_id not in shapes:
+            added = Selection(shapes | {shape_id}, view.selection.points) if adds else Selection(frozenset({shape_id}))
+            view.select(added.shapes, added.points)
+            return Gesture(self.document, view, pointer)
+        after_click = Selection(shapes - {shape_id}) if adds else Selection(frozenset({shape_id}))
+        text = "Move shape" if len(shapes) == 1 else f"Move {len(shapes)} shapes"
+        return self._move(pointer, text, Selection(shapes), after_click)
+
+    def _move(self, pointer: Pointer, text: str, moving: Selection, after_click: Selection) -> Gesture:
+        view = self.view_state
+        grab = grab_selection(self.document.project, view, moving)
+
+        def click() -> None:
+            view.select(after_click.shapes, after_click.points)
+
+        return Move(self.document, view, pointer, grab, text, click)
+
+    def _turn(self, pointer: Pointer, found: PointHit) -> Gesture:
+        grab = grab_point(self.document.project, self.view_state, found.shape_id, found.index)
+        return Turn(self.document, self.view_state, pointer, grab, "Move handle", (found.index, found.part))
+
+    def _insert_point(self, pointer: Pointer) -> bool:
+        """Insert a point where the outline is pressed; False, with a word about it, beside every outline."""
+        found = self._hit_insertion(pointer)
+        if found is None:
+            self.view_state.say("Ctrl+Alt+click on an outline inserts a point there; a drag is a lasso.")
+            return False
+        project = self.document.project
+        shape = with_point_inserted(project.shape(found.shape_id), found.segment, found.t)
+        self.document.apply("Insert point", project.with_shape(shape))
+        self.view_state.select(self.view_state.selection.shapes, frozenset({(shape.id, found.segment + 1)}))
+        return True

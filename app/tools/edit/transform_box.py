@@ -1,0 +1,212 @@
+"""Box: the transform box about points, what lies under the pointer on it, and the map that a drag of it means."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from enum import Enum
+
+import numpy as np
+from numpy.typing import NDArray
+
+from roam_core.geometry import affine
+
+from ..tool import Modifier, Pointer
+
+Array = NDArray[np.float64]
+Vector = tuple[float, float]
+
+REACH = 7.0
+"""Radius of the hit area of a handle, screen pixels."""
+
+EDGE_REACH = 5.0
+"""Half the width of a side's hit area, screen pixels."""
+
+TURN_REACH = 24.0
+"""How far outside of a corner a press still turns the box, screen pixels."""
+
+STALK = 26.0
+"""How far beyond its upper side the box carries the handle that turns it, screen pixels."""
+
+LEAST_SIDE = 32.0
+"""A side that has no length (one point, points in a row) is drawn this long, screen pixels."""
+
+LEAST_FACTOR = 1e-3
+"""No drag scales by less: points that fell together could never be told apart again."""
+
+SNAP_DEGREES = 15.0
+CENTRE = (0.5, 0.5)
+HANDLES: tuple[Vector, ...] = (
+    (0.0, 0.0), (0.5, 0.0), (1.0, 0.0), (1.0, 0.5), (1.0, 1.0), (0.5, 1.0), (0.0, 1.0), (0.0, 0.5),
+)  # fmt: skip
+"""The places of the handles in the box, once around; corners are the even ones."""
+
+IDENTITY = affine.translation((0.0, 0.0))
+
+
+class Act(Enum):
+    """What a drag of a part of the box does; the value is the undo step's first word."""
+
+    MOVE = "Move"
+    TURN = "Rotate"
+    SCALE = "Scale"
+    SHEAR = "Shear"
+    PIVOT = "Move pivot"
+
+
+@dataclass(frozen=True)
+class Part:
+    """A part of the box: what dragging it does, and its place in the box (of a side: its middle)."""
+
+    act: Act
+    place: Vector = CENTRE
+
+
+@dataclass(frozen=True, eq=False)
+class Box:
+    """A parallelogram: `corner (2,)` in image pixels and its two sides, the columns of `sides (2, 2)`.
+
+    `pivot` is the place, in the box, about which it turns: (0, 0) the first corner, (1, 1) the one across.
+    """
+
+    corner: Array
+    sides: Array
+    pivot: Vector = CENTRE
+
+    @classmethod
+    def around(cls, low: Vector, high: Vector, pixel: Vector, pivot: Vector = CENTRE) -> Box:
+        """The upright box from `low` to `high`, image pixels; sides without a length get one that can be grabbed."""
+        size, corner = np.subtract(high, low), np.array(low, dtype=np.float64)
+        least = np.multiply(LEAST_SIDE, pixel)
+        thin = size < 1e-6
+        return cls(np.where(thin, corner - least / 2, corner), np.diag(np.where(thin, least, size)), pivot)
+
+    def at(self, place: Vector) -> Array:
+        """The image position `(2,)` of a place in the box."""
+        return np.asarray(self.corner + self.sides @ np.asarray(place))
+
+    def place(self, position: Vector) -> Array:
+        """The place in the box of an image position."""
+        return np.asarray(np.linalg.solve(self.sides, np.subtract(position, self.corner)), dtype=np.float64)
+
+    def carried(self, matrix: Array) -> Box:
+        """The box carried by `matrix (2, 3)`, its pivot with it."""
+        return replace(self, corner=affine.apply(matrix, self.corner), sides=matrix[:, :2] @ self.sides)
+
+    def stalk(self, pixel: Vector) -> Array:
+        """Where the handle that turns the box lies, image pixels: `STALK` beyond the middle of the first side."""
+        middle = self.at((0.5, 0.0)) / pixel
+        out = middle - self.at((0.5, 1.0)) / pixel
+        return np.asarray((middle + out / max(float(np.hypot(*out)), 1e-9) * STALK) * pixel)
+
+    def hit(self, pointer: Pointer) -> Part | None:
+        """The part under the pointer: handles before the pivot, then what turns, the sides, the inside."""
+
+        def gap(position: Array) -> float:
+            x, y = position.tolist()
+            return pointer.screen_distance((x, y))
+
+        grips = [Part(Act.SCALE, place) for place in HANDLES] + [Part(Act.PIVOT, self.pivot)]
+        gaps = [gap(self.at(grip.place)) for grip in grips]
+        nearest = int(np.argmin(gaps))
+        if gaps[nearest] <= REACH:
+            return grips[nearest]
+        if gap(self.stalk(pointer.pixel)) <= REACH:
+            return Part(Act.TURN)
+        sides = [(gap(self._nearest_on_side(index, pointer)), HANDLES[index + 1]) for index in (0, 2, 4, 6)]
+        side_gap, side = min(sides)
+        if side_gap <= EDGE_REACH:
+            return Part(Act.SHEAR, side)
+        u, v = self.place(pointer.position).tolist()
+        if 0.0 <= u <= 1.0 and 0.0 <= v <= 1.0:
+            return Part(Act.MOVE)
+        corners = min(gap(self.at(HANDLES[index])) for index in (0, 2, 4, 6))
+        return Part(Act.TURN) if corners <= TURN_REACH else None
+
+    def _nearest_on_side(self, index: int, pointer: Pointer) -> Array:
+        """The position nearest to the pointer on the side that begins at handle `index`, on the screen."""
+        a = self.at(HANDLES[index]) / pointer.pixel
+        run = self.at(HANDLES[(index + 2) % 8]) / pointer.pixel - a
+        along = float(
+            np.clip((np.divide(pointer.position, pointer.pixel) - a) @ run / max(float(run @ run), 1e-9), 0.0, 1.0)
+        )
+        return np.asarray((a + along * run) * pointer.pixel)
+
+
+@dataclass(frozen=True)
+class Pull:
+    """The map that a drag of a part of the box means, and how to say it."""
+
+    matrix: Array
+    sentence: str
+
+
+def pulled(box: Box, part: Part, pressed: Pointer, pointer: Pointer) -> Pull:
+    """What a drag of `part` from `pressed` to `pointer` does.
+
+    Shift: a move along one axis, a turn by 15 degrees, a scaling that keeps proportions. Ctrl: scaling and shear about
+    the pivot instead of the side or corner across.
+    """
+    if part.act is Act.TURN:
+        return _turned(box, pressed, pointer)
+    if part.act is Act.SCALE:
+        return _scaled(box, part.place, pressed, pointer)
+    if part.act is Act.SHEAR:
+        return _sheared(box, part.place, pressed, pointer)
+    return _moved(pressed, pointer)
+
+
+def _moved(pressed: Pointer, pointer: Pointer) -> Pull:
+    dx, dy = _delta(pressed, pointer).tolist()
+    if pointer.holds(Modifier.ShiftModifier):
+        across = abs(dx / pointer.pixel[0]) >= abs(dy / pointer.pixel[1])
+        dx, dy = (dx, 0.0) if across else (0.0, dy)
+    return Pull(affine.translation((dx, dy)), f"Move {dx:+.1f}, {dy:+.1f} px")
+
+
+def _turned(box: Box, pressed: Pointer, pointer: Pointer) -> Pull:
+    # On the screen, where a turn keeps its form also when the plate's pixels are not square.
+    to_screen = np.diag(np.divide(1.0, pointer.pixel))
+    pivot = box.at(box.pivot)
+    begun, now = (np.arctan2(*(to_screen @ np.subtract(each.position, pivot))[::-1]) for each in (pressed, pointer))
+    degrees = (float(np.degrees(now - begun)) + 180.0) % 360.0 - 180.0
+    if pointer.holds(Modifier.ShiftModifier):
+        degrees = round(degrees / SNAP_DEGREES) * SNAP_DEGREES
+    linear = affine.along(np.linalg.inv(to_screen), affine.rotation(degrees, (0.0, 0.0))[:, :2])
+    return Pull(affine.about(linear, pivot), f"Rotate {degrees:+.1f}°")
+
+
+def _scaled(box: Box, place: Vector, pressed: Pointer, pointer: Pointer) -> Pull:
+    fixed = _fixed(box, place, pointer)
+    arm = np.subtract(place, fixed)
+    reach = arm + np.linalg.solve(box.sides, _delta(pressed, pointer))
+    if pointer.holds(Modifier.ShiftModifier):
+        before, after = box.sides @ arm, box.sides @ reach
+        length = float(before @ before)
+        factors = np.full(2, float(after @ before) / length if length > 1e-12 else 1.0)
+    else:
+        # A handle in the middle of a side pulls across it only; one that lies on the fixed place pulls nothing.
+        pulls = (np.abs(arm) > 1e-9) & (np.asarray(place) != 0.5)
+        factors = np.where(pulls, reach / np.where(pulls, arm, 1.0), 1.0)
+    factors = np.where(factors < 0.0, -1.0, 1.0) * np.maximum(np.abs(factors), LEAST_FACTOR)
+    linear = affine.along(box.sides, np.diag(factors))
+    return Pull(affine.about(linear, box.at(fixed)), "Scale {:.1f} %, {:.1f} %".format(*(100.0 * factors).tolist()))
+
+
+def _sheared(box: Box, place: Vector, pressed: Pointer, pointer: Pointer) -> Pull:
+    fixed = _fixed(box, place, pointer)
+    along = 0 if place[0] == 0.5 else 1
+    arm = place[1 - along] - fixed[1 - along]
+    slip = float(np.linalg.solve(box.sides, _delta(pressed, pointer))[along])
+    amount = slip / arm if abs(arm) > 1e-9 else 0.0
+    linear = np.eye(2)
+    linear[along, 1 - along] = amount
+    return Pull(affine.about(affine.along(box.sides, linear), box.at(fixed)), f"Shear {100.0 * amount:+.1f} %")
+
+
+def _fixed(box: Box, place: Vector, pointer: Pointer) -> Vector:
+    """The place that stays: the pivot with Ctrl, else what lies across."""
+    return box.pivot if pointer.holds(Modifier.ControlModifier) else (1.0 - place[0], 1.0 - place[1])
+
+
+def _delta(pressed: Pointer, pointer: Pointer) -> Array:
+    return np.subtract(pointer.position, pressed.position)

@@ -1,0 +1,109 @@
+"""The small controls that all panels are made of: flat buttons, number fields, labels, dense forms."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QWheelEvent
+from PySide6.QtWidgets import QComboBox, QDoubleSpinBox, QFormLayout, QLabel, QSpinBox, QToolButton
+
+from .. import style
+from ..actions.actions import Actions
+
+FRAME_LIMIT = 10_000_000
+LABEL_WIDTH = 68
+MEASURE_WIDTH = 110
+
+
+def tool_button(actions: Actions, action_id: str, *, size: int = 24, name: str = "flat") -> QToolButton:
+    """A button for an action: its icon, its tooltip with the keys; it never takes the keyboard.
+
+    `name` is the style sheet's word for its look: `flat` in bars, `raised` among the fields of a form.
+    """
+    button = QToolButton()
+    button.setDefaultAction(actions[action_id])
+    button.setObjectName(name)
+    button.setIconSize(style.ICON_SIZE)
+    button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonIconOnly)
+    button.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+    button.setFixedHeight(size)
+    button.setMinimumWidth(size)
+    return button
+
+
+def icon_button(icon: str, tip: str, *, size: int = 24) -> QToolButton:
+    """A flat button that is no action of the window's; it never takes the keyboard."""
+    button = QToolButton()
+    button.setObjectName("flat")
+    button.setIcon(style.icon(icon))
+    button.setIconSize(style.ICON_SIZE)
+    button.setFixedSize(size, size)
+    button.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+    button.setToolTip(tip)
+    return button
+
+
+def number_field(tip: str) -> QSpinBox:
+    """A field for a frame number: typed, or changed by the wheel; one change when it is done."""
+    field = QSpinBox()
+    field.setRange(-FRAME_LIMIT, FRAME_LIMIT)
+    field.setKeyboardTracking(False)
+    field.setAlignment(Qt.AlignmentFlag.AlignRight)
+    field.setFixedWidth(58)
+    field.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
+    field.setToolTip(tip)
+    return field
+
+
+class ChoiceBox(QComboBox):
+    """A list to choose from in a panel.
+
+    It never takes the keyboard: keys pressed afterwards choose nothing. Nor does the wheel choose:
+    over it the panel scrolls, and a choice that is changed by the way is not noticed.
+    """
+
+    def __init__(self, tip: str = "") -> None:
+        super().__init__()
+        self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        self.setToolTip(tip)
+
+    def wheelEvent(self, event: QWheelEvent) -> None:
+        event.ignore()
+
+
+def measure_field(unit: str, value: float, least: float, most: float, step: float, tip: str) -> QDoubleSpinBox:
+    """A dialog's field for a length or an area."""
+    field = QDoubleSpinBox()
+    field.setRange(least, most)
+    field.setSingleStep(step)
+    field.setValue(value)
+    field.setSuffix(unit)
+    field.setToolTip(tip)
+    field.setFixedWidth(MEASURE_WIDTH)
+    field.setAlignment(Qt.AlignmentFlag.AlignRight)
+    return field
+
+
+def weak_label(text: str) -> QLabel:
+    """A quiet label."""
+    label = QLabel(text)
+    label.setObjectName("weak")
+    return label
+
+
+def dense_form() -> QFormLayout:
+    """A form with the house's spacing and labels on the left."""
+    form = QFormLayout()
+    form.setContentsMargins(0, 0, 0, 0)
+    form.setHorizontalSpacing(style.MARGIN)
+    form.setVerticalSpacing(6)
+    form.setLabelAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
+    form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
+    return form
+
+
+def form_label(text: str) -> QLabel:
+    """A form's label: weak, of one width in all panels."""
+    label = weak_label(text)
+    label.setFixedWidth(LABEL_WIDTH)
+    label.setMinimumHeight(style.ROW_HEIGHT)
+    return label

@@ -1,0 +1,219 @@
+"""Controls that can show several values at once: numbers that are typed or dragged, switches, colours, choices."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from itertools import count
+from typing import TypeVar
+
+from PySide6.QtCore import QEvent, QSignalBlocker, Qt, Signal
+from PySide6.QtGui import QEnterEvent, QFocusEvent, QKeyEvent, QMouseEvent, QWheelEvent
+from PySide6.QtWidgets import QCheckBox, QDoubleSpinBox, QLabel, QWidget
+
+from roam_core.roto import BlendMode
+
+from .. import style
+from .controls import LABEL_WIDTH, ChoiceBox
+
+MIXED = "mixed"
+"""What a control shows for things that differ."""
+
+PIXELS_A_STEP = 4.0
+"""How far the pointer goes for one step while it drags a label, in widget units."""
+
+MEANINGS = {
+    BlendMode.ADD: "Joins with what lies under it, soft edges as one painted over the other",
+    BlendMode.PLUS: "The sum of both, as projects of earlier versions added: soft edges that overlap grow hard",
+    BlendMode.SUBTRACT: "Cuts a hole into what lies under it",
+    BlendMode.INTERSECT: "Keeps only what both cover",
+    BlendMode.DIFFERENCE: "Keeps what one of both covers and the other does not",
+    BlendMode.MAX: "The greater of both",
+}
+"""What the modes do, for tooltips."""
+
+Value = TypeVar("Value")
+_gestures = count(1)
+
+
+def shared(values: Iterable[Value]) -> Value | None:
+    """The one value that all have, or None where they differ or there is none."""
+    first, *others = values
+    return first if all(other == first for other in others) else None
+
+
+class NumberField(QDoubleSpinBox):
+    """A number that is typed, stepped (wheel, arrow keys) or dragged by its label. It can show that values differ.
+
+    Signals
+    -------
+    edited(value, merge_key) : the user gave a value. Steps of one gesture (a held key, a turn of the wheel, a drag)
+        share a merge key; a typed value has none.
+    """
+
+    edited = Signal(float, str)
+
+    def __init__(
+        self, low: float, high: float, *, suffix: str = "", decimals: int = 0, step: float = 1.0, tip: str = ""
+    ) -> None:
+        super().__init__()
+        self._mixed, self._typed = False, False
+        self._words, self._merge_key = suffix, ""
+        self.setRange(low, high)
+        self.setDecimals(decimals)
+        self.setSingleStep(step)
+        self.setSuffix(suffix)
+        self.setToolTip(tip)
+        self.setKeyboardTracking(False)
+        self.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+        self.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
+        self.lineEdit().setPlaceholderText(MIXED)
+        self.lineEdit().setTextMargins(0, 0, 4, 0)
+        self.lineEdit().textEdited.connect(self._note_typing)
+        self.editingFinished.connect(self._push_typed)
+
+    def show_value(self, value: float | None) -> None:
+        """Show a value, or that several differ (None)."""
+        with QSignalBlocker(self):
+            self._mixed, self._typed = value is None, False
+            self.setSuffix("" if value is None else self._words)
+            self.setValue(self.value() if value is None else value)
+            self.lineEdit().setText(self.text() if value is not None else "")
+
+    @property
+    def is_mixed(self) -> bool:
+        return self._mixed
+
+    def begin_gesture(self) -> None:
+        """What is stepped or dragged from now on is a change of its own."""
+        self._merge_key = f"number {next(_gestures)}"
+
+    def drag_to(self, value: float) -> None:
+        """Take a value from a drag that `begin_gesture` began."""
+        with QSignalBlocker(self):
+            self.setValue(value)
+        self.edited.emit(self.value(), self._merge_key)
+
+    def forget_typing(self) -> None:
+        """What was typed is no value to give: it was taken back."""
+        self._typed = False
+
+    # ---- Qt's own doors
+
+    def textFromValue(self, value: float) -> str:
+        return "" if self._mixed else super().textFromValue(value)
+
+    def stepBy(self, steps: int) -> None:
+        self._mixed = self._typed = False
+        super().stepBy(steps)
+        self.edited.emit(self.value(), self._merge_key)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        if not event.isAutoRepeat():
+            self.begin_gesture()
+        super().keyPressEvent(event)
+
+    def wheelEvent(self, event: QWheelEvent) -> None:
+        # A field that was not chosen lets the panel scroll: a number changed by the way is not noticed.
+        if self.hasFocus():
+            super().wheelEvent(event)
+        else:
+            event.ignore()
+
+    def enterEvent(self, event: QEnterEvent) -> None:
+        self.begin_gesture()
+        super().enterEvent(event)
+
+    def focusInEvent(self, event: QFocusEvent) -> None:
+        self.begin_gesture()
+        super().focusInEvent(event)
+
+    def _note_typing(self, text: str) -> None:
+        self._typed = bool(text.removesuffix(self._words).strip())
+
+    def _push_typed(self) -> None:
+        if self._typed:
+            self._mixed = self._typed = False
+            self.edited.emit(self.value(), "")
+
+
+class ScrubLabel(QLabel):
+    """A form's label that changes its number field when it is dragged sideways; Shift ten times as fast, Ctrl slow."""
+
+    def __init__(self, text: str, field: NumberField) -> None:
+        super().__init__(text)
+        self.setObjectName("weak")
+        self.setFixedWidth(LABEL_WIDTH)
+        self.setMinimumHeight(style.ROW_HEIGHT)
+        self._field = field
+        self._last: float | None = None
+        self._reached = 0.0
+        self.setCursor(Qt.CursorShape.SizeHorCursor)
+        self.setToolTip("Drag to change; Shift: faster, Ctrl: finer")
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        if event.button() is Qt.MouseButton.LeftButton and self._field.isEnabled():
+            self._last, self._reached = event.position().x(), self._field.value()
+            self._field.begin_gesture()
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        if self._last is None:
+            return
+        moved, self._last = event.position().x() - self._last, event.position().x()
+        pace = {Qt.KeyboardModifier.ShiftModifier: 10.0, Qt.KeyboardModifier.ControlModifier: 0.1}
+        self._reached += moved / PIXELS_A_STEP * self._field.singleStep() * pace.get(event.modifiers(), 1.0)
+        self._reached = min(max(self._reached, self._field.minimum()), self._field.maximum())
+        self._field.drag_to(self._reached)
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        self._last = None
+
+    def changeEvent(self, event: QEvent) -> None:
+        if event.type() is QEvent.Type.EnabledChange and not self.isEnabled():
+            self._last = None
+        super().changeEvent(event)
+
+
+class BlendBox(ChoiceBox):
+    """The modes by which a matte may join what lies under it. It can show that they differ.
+
+    `picked(mode)` tells of a mode that is not the one that was shown.
+    """
+
+    picked = Signal(BlendMode)
+
+    def __init__(self, tip: str) -> None:
+        super().__init__(tip)
+        self.setPlaceholderText(MIXED)
+        for mode in BlendMode:
+            self.addItem(mode.value.capitalize(), mode)
+            self.setItemData(self.count() - 1, MEANINGS[mode], Qt.ItemDataRole.ToolTipRole)
+        self.currentIndexChanged.connect(lambda _: self.picked.emit(BlendMode(self.currentData())))
+
+    def show_mode(self, mode: BlendMode | None) -> None:
+        """Show a mode, or that they differ (None)."""
+        with QSignalBlocker(self):
+            self.setCurrentIndex(-1 if mode is None else self.findData(mode))
+
+
+class SwitchBox(QCheckBox):
+    """A switch that can show that some are on and some off; a click then turns all on.
+
+    `clicked(on)` tells of the user's clicks alone.
+    """
+
+    def __init__(self, text: str, tip: str = "", parent: QWidget | None = None) -> None:
+        super().__init__(text, parent)
+        self.setToolTip(tip)
+        self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+
+    def show_value(self, value: bool | None) -> None:
+        """Show on, off, or that they differ (None)."""
+        states = {None: Qt.CheckState.PartiallyChecked, True: Qt.CheckState.Checked, False: Qt.CheckState.Unchecked}
+        with QSignalBlocker(self):
+            self.setTristate(value is None)
+            self.setCheckState(states[value])
+
+    def nextCheckState(self) -> None:
+        on = self.checkState() is not Qt.CheckState.Checked
+        self.setTristate(False)
+        self.setCheckState(Qt.CheckState.Checked if on else Qt.CheckState.Unchecked)

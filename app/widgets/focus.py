@@ -1,0 +1,69 @@
+"""The viewer has the keyboard: edit keys mean what lies under the hand, whatever was typed before."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QEvent, QObject, Qt, QTimer
+from PySide6.QtGui import QKeyEvent
+from PySide6.QtWidgets import QAbstractSpinBox, QApplication, QLineEdit, QWidget
+
+from .fields import NumberField
+
+Field = QLineEdit | QAbstractSpinBox
+"""What is typed into."""
+
+KEEPS_KEYBOARD = "keepsKeyboard"
+"""The property of a field that knows itself when it is done with: the palette's."""
+
+LEAVING = {Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_Escape}
+
+
+class FocusFollowsPointer(QObject):
+    """Gives `viewer` the keyboard when the pointer enters it, and when a field of its window is done with.
+
+    What is being typed keeps the keyboard until Return takes it, Esc takes it back, or the viewer is pressed.
+    """
+
+    def __init__(self, viewer: QWidget) -> None:
+        super().__init__(viewer)
+        self._viewer = viewer
+        self._field: Field | None = None
+        self._before = ""
+        viewer.installEventFilter(self)
+        application = QApplication.instance()
+        assert isinstance(application, QApplication)
+        application.focusChanged.connect(self._follow)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if watched is self._viewer:
+            if event.type() == QEvent.Type.Enter and not isinstance(QApplication.focusWidget(), Field):
+                self._viewer.setFocus()
+        elif watched is self._field and isinstance(event, QKeyEvent) and event.type() == QEvent.Type.KeyPress:
+            return self._leave(event)
+        return False
+
+    # ---- the rest is private
+
+    def _follow(self, _old: QWidget | None, now: QWidget | None) -> None:
+        """Watch the field that has the keyboard, where it lies in the viewer's window; forget the one before."""
+        if self._field is not None:
+            self._field.removeEventFilter(self)
+            self._field = None
+        is_ours = isinstance(now, Field) and now.window() is self._viewer.window()
+        if isinstance(now, Field) and is_ours and not now.property(KEEPS_KEYBOARD):
+            self._field, self._before = now, _line_of(now).text()
+            now.installEventFilter(self)
+
+    def _leave(self, event: QKeyEvent) -> bool:
+        """Return is the field's own, and done after it; Esc puts back what stood there, so that nothing is changed."""
+        if event.key() not in LEAVING or self._field is None:
+            return False
+        if event.key() == Qt.Key.Key_Escape:
+            _line_of(self._field).setText(self._before)
+            if isinstance(self._field, NumberField):
+                self._field.forget_typing()
+        QTimer.singleShot(0, self._viewer, self._viewer.setFocus)
+        return event.key() == Qt.Key.Key_Escape
+
+
+def _line_of(field: Field) -> QLineEdit:
+    return field if isinstance(field, QLineEdit) else field.lineEdit()

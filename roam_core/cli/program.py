@@ -1,0 +1,72 @@
+"""`roam`: hands commands to the command line, and a clip, a project or nothing to the window, where there is one."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from collections.abc import Sequence
+from types import ModuleType
+
+from roam_core import __version__
+from roam_core.cli.main import COMMANDS
+from roam_core.cli.main import main as command_line
+from roam_core.errors import RoamError
+from roam_core.installation import WINDOW_MISSING, window_module
+
+FAILED, BAD_USAGE = 1, 2
+EPILOG = """commands that need no window:
+{commands}
+roam COMMAND --help describes each of them.
+"""
+
+
+def main(argv: Sequence[str] | None = None) -> int:
+    """Run `roam`. Returns the exit code: 0 done, 1 refused or failed, 2 bad usage, or no window or display."""
+    arguments = list(sys.argv[1:] if argv is None else argv)
+    if arguments != ["demo"] and arguments and arguments[0] in COMMANDS:
+        return command_line(arguments)
+    path = _parser().parse_args(arguments).path
+    launch = window_module("shell.launch")
+    return _demo(launch) if arguments == ["demo"] else _window(launch, path)
+
+
+def _window(launch: ModuleType | None, path: str | None) -> int:
+    """Open the window, on a clip or project if one was named."""
+    if launch is None:
+        _tell(WINDOW_MISSING)
+        return BAD_USAGE
+    try:
+        status: int = launch.open_window(path)
+    except RoamError as error:
+        _tell(str(error))
+        return FAILED
+    return status
+
+
+def _demo(launch: ModuleType | None) -> int:
+    """The demo in a window; without one, or without a display, it is tracked on the command line."""
+    if launch is not None and launch.has_display():
+        status: int = launch.open_demo()
+        return status
+    missing = "The window is not installed" if launch is None else "There is no display"
+    _tell(f"{missing}, so the demo is tracked without a window.")
+    return command_line(["demo", "--headless"])
+
+
+def _parser() -> argparse.ArgumentParser:
+    listed = "\n".join(f"  {name:<10} {summary}" for name, summary in COMMANDS.items())
+    parser = argparse.ArgumentParser(
+        prog="roam",
+        usage="roam [CLIP | PROJECT.roam] | roam demo [--headless] | roam COMMAND ...",
+        description="Rotoscoping: editable curves carried through a shot. Without a command the window opens.",
+        epilog=EPILOG.format(commands=listed),
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+        allow_abbrev=False,
+    )
+    parser.add_argument("path", nargs="?", metavar="CLIP | PROJECT.roam", help="what the window opens")
+    parser.add_argument("--version", action="version", version=f"roam {__version__}", help="print the version")
+    return parser
+
+
+def _tell(sentence: str) -> None:
+    sys.stderr.write(f"roam: {sentence}\n")

@@ -1,0 +1,60 @@
+"""Actions and keymaps: no key twice, no unknown id, every tooltip tells its key, every action does something."""
+
+from __future__ import annotations
+
+import json
+from collections import Counter
+from importlib.resources import files
+
+import pytest
+from PySide6.QtWidgets import QWidget
+from pytestqt.qtbot import QtBot
+
+from app.actions import menus
+from app.actions.actions import Actions
+from app.actions.keymaps import keys_text, load_keymap, presets
+from app.actions.specs import SPECS
+from roam_core.errors import RoamError
+
+
+def test_ids_are_unique_and_every_action_stands_in_a_menu() -> None:
+    ids = Counter(spec.id for spec in SPECS)
+    assert max(ids.values()) == 1
+    in_menus = {entry for entries in menus.MENUS.values() for entry in entries} - {menus.SEPARATOR, menus.RECENT}
+    assert in_menus <= set(ids)
+    assert set(ids) - in_menus == {"time.back_ten", "time.on_ten"}
+
+
+def test_both_sets_of_track_keys_work() -> None:
+    keymap = load_keymap()
+    assert keymap["track.forward"] == ("]", "F7")
+    assert keymap["track.backward"] == ("[", "F5")
+    assert keymap["track.stop"] == ("Esc",)
+
+
+def test_every_tooltip_shows_its_keys(qtbot: QtBot) -> None:
+    window = QWidget()
+    qtbot.addWidget(window)
+    keymap = load_keymap()
+    actions = Actions(window, QWidget(window), keymap)
+    for action_id in actions:
+        keys = keymap.get(action_id, ())
+        assert keys_text(keys) in actions[action_id].toolTip()
+        assert len(actions[action_id].shortcuts()) == len(keys)
+
+
+def test_every_icon_that_an_action_names_is_there(qtbot: QtBot) -> None:
+    names = {spec.icon for spec in SPECS if spec.icon}
+    assert names <= {path.name.removesuffix(".svg") for path in (files("resources") / "icons").iterdir()}
+
+
+def test_a_keymap_that_is_not_there_is_refused_in_a_sentence() -> None:
+    with pytest.raises(RoamError, match="no keymap 'abacus'"):
+        load_keymap("abacus")
+
+
+def test_keymap_files_say_what_they_are() -> None:
+    for preset in presets():
+        document = json.loads((files("resources") / "keymaps" / f"{preset}.json").read_text(encoding="utf-8"))
+        assert document["type"] == "roam.Keymap"
+        assert document["version"] == 1

@@ -1,0 +1,87 @@
+"""The joints of parts in the viewer: rings and lines, switched in the View menu, remembered."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+from PySide6.QtGui import QImage, QPainter
+
+from app.canvas.items.joints import RING, paint_joints
+from app.canvas.view import CanvasView
+from app.features.belonging import Bone
+from app.model.document import Document
+from app.model.viewing import Viewing
+from app.paint.viewport import Viewport
+from roam_core.geometry.bezier import polygon_points
+from roam_core.roto import Project, edit
+
+BONE = Bone(("shape-1", "shape-2"), np.array([100.0, 75.0]), np.array([[60.0, 75.0], [140.0, 75.0]]))
+
+
+@pytest.fixture
+def shapes(document: Document, canvas: CanvasView) -> None:
+    """Two boxes that overlap about the middle of the plate, orange and blue."""
+    project = document.project
+    for left in (20.0, 95.0):
+        corners = [(left, 50.0), (left + 85.0, 50.0), (left + 85.0, 100.0), (left, 100.0)]
+        project, _ = edit.new_shape(project, polygon_points(corners), 1)
+    document.apply("Draw", project)
+    canvas.bones = lambda: (BONE,)
+
+
+def looks(canvas: CanvasView) -> NDArray[np.int64]:
+    image = canvas.grab().toImage().convertToFormat(QImage.Format.Format_RGB32)
+    shape = image.height(), image.width(), 4
+    return np.frombuffer(image.constBits(), dtype=np.uint8).reshape(shape)[:, :, 2::-1].astype(np.int64)
+
+
+def changed(before: NDArray[np.int64], after: NDArray[np.int64]) -> NDArray[np.bool_]:
+    return (before != after).any(axis=2)
+
+
+def test_joints_are_off_until_they_are_asked_for(canvas: CanvasView, shapes: None) -> None:
+    canvas.bones = lambda: pytest.fail("asked for joints that are not shown")
+    looks(canvas)
+    canvas.bones = lambda: (BONE,)
+    without = looks(canvas)
+    canvas.viewing.handlers()["view.joints"]()
+    there = changed(without, looks(canvas))
+    rows, columns = np.nonzero(there)
+    joint = canvas.image_to_widget(100.0, 75.0)
+    assert abs(rows.mean() - joint.y()) < 2.0
+    assert abs(np.median(rows) - joint.y()) < 2.0
+    left, right = (canvas.image_to_widget(x, 75.0).x() for x in (60.0, 140.0))
+    assert left - 6 < columns.min() < left < right < columns.max() < right + 6
+    canvas.viewing.handlers()["view.joints"]()
+    assert not changed(without, looks(canvas)).any()
+
+
+def test_hidden_shapes_hide_their_joints(canvas: CanvasView, shapes: None) -> None:
+    canvas.viewing.hide_shapes(True)
+    without = looks(canvas)
+    canvas.viewing.show_joints(True)
+    assert not changed(without, looks(canvas)).any()
+
+
+@pytest.mark.parametrize("scale", [0.5, 2.0])
+def test_a_ring_is_as_large_at_any_zoom(scale: float) -> None:
+    image = QImage(400, 300, QImage.Format.Format_RGB32)
+    image.fill(0)
+    painter = QPainter(image)
+    at = Bone(BONE.shapes, BONE.joint, np.array([BONE.joint, BONE.joint]))
+    paint_joints(painter, Viewport(scale), Project(), [at])
+    painter.end()
+    pixels = np.frombuffer(image.constBits(), dtype=np.uint8).reshape(300, 400, 4)[:, :, 0]
+    bright = np.nonzero(pixels == 255)[1]
+    assert np.ptp(bright) == pytest.approx(RING, abs=3.0)
+
+
+def test_the_switch_is_remembered() -> None:
+    viewing = Viewing()
+    viewing.show_joints(True)
+    other = Viewing()
+    other.recall(viewing.remembered())
+    assert other.shows_joints
+    other.recall({})
+    assert not other.shows_joints

@@ -1,0 +1,79 @@
+"""Mattes are rendered off the window's thread, one at a time, the newest request last."""
+
+from __future__ import annotations
+
+import threading
+
+import numpy as np
+from numpy.typing import NDArray
+from pytestqt.qtbot import QtBot
+
+from app.canvas.plate.matte_layer import MatteLayer
+from roam_core.geometry.bezier import polygon_points
+from roam_core.roto import Project, edit
+
+SIZE = (12, 16)
+
+
+class SlowRenderer:
+    """Renders the frame number as grey, when it is let go."""
+
+    def __init__(self) -> None:
+        self.frames: list[int] = []
+        self.threads: set[int] = set()
+        self.gate = threading.Semaphore(0)
+
+    def __call__(self, project: Project, frame: int, size: tuple[int, int]) -> NDArray[np.float32]:
+        self.gate.acquire()
+        self.frames.append(frame)
+        self.threads.add(threading.get_ident())
+        return np.full(size, frame / 255.0, dtype=np.float32)
+
+
+def test_only_the_newest_of_the_waiting_requests_is_rendered(qtbot: QtBot) -> None:
+    renderer, project = SlowRenderer(), Project()
+    layer = MatteLayer(renderer)
+    for frame in (1, 2, 3, 4):
+        layer.request(project, frame, SIZE)
+    assert layer.pixels is None
+    for expected in (1, 4):
+        with qtbot.waitSignal(layer.ready):
+            renderer.gate.release()
+        assert layer.pixels is not None
+        assert (layer.pixels == expected).all()
+    assert renderer.frames == [1, 4]
+    assert threading.get_ident() not in renderer.threads
+    layer.close()
+
+
+def test_the_same_matte_is_rendered_once(qtbot: QtBot) -> None:
+    renderer, project = SlowRenderer(), Project()
+    layer = MatteLayer(renderer)
+    layer.request(project, 1, SIZE)
+    layer.request(project, 1, SIZE)
+    with qtbot.waitSignal(layer.ready):
+        renderer.gate.release()
+    layer.request(project, 1, SIZE)
+    layer.close()
+    assert renderer.frames == [1]
+
+
+def test_closing_forgets_what_waits(qtbot: QtBot) -> None:
+    renderer = SlowRenderer()
+    layer = MatteLayer(renderer)
+    layer.request(Project(), 1, SIZE)
+    layer.request(Project(), 2, SIZE)
+    renderer.gate.release()
+    layer.close()
+    assert renderer.frames == [1]
+
+
+def test_the_matte_of_a_project(qtbot: QtBot) -> None:
+    project, _ = edit.new_shape(Project(), polygon_points([(4.0, 2.0), (12.0, 2.0), (12.0, 10.0), (4.0, 10.0)]), 1)
+    layer = MatteLayer()
+    with qtbot.waitSignal(layer.ready):
+        layer.request(project, 1, SIZE)
+    layer.close()
+    expected = np.zeros(SIZE, dtype=np.uint8)
+    expected[2:10, 4:12] = 255
+    np.testing.assert_array_equal(layer.pixels, expected)

@@ -1,0 +1,134 @@
+"""The clip dialog: what was found is told, what the artist says holds, and who wants no question gets none."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QDialogButtonBox, QLabel
+from pytestqt.qtbot import QtBot
+
+from app.dialogs import questions
+from app.dialogs.clip_dialog import ClipDialog, gaps_sentence
+from app.jobs.found_clip import looked_at
+from app.model.personal import Personal
+from app.shell.main_window import MainWindow
+from roam_core.errors import RoamError
+from roam_core.media.colour import to_display
+from tests.gui.windows import FIRST, WAIT, opened_window, write_clip
+
+
+@pytest.fixture
+def window(qtbot: QtBot, tmp_path: Path) -> Iterator[MainWindow]:
+    with opened_window(qtbot, None, tmp_path / "journal", Personal(tmp_path)) as window:
+        yield window
+
+
+@pytest.fixture
+def clip(tmp_path: Path) -> Path:
+    """Eight frames, the third one missing."""
+    folder = write_clip(tmp_path / "plate")
+    (folder / f"plate.{FIRST + 2}.png").unlink()
+    return folder
+
+
+def asked(qtbot: QtBot, window: MainWindow, clip: Path, monkeypatch: pytest.MonkeyPatch) -> ClipDialog:
+    """The dialog that File > Open clip shows."""
+    monkeypatch.setattr(questions, "choose_clip_folder", lambda parent, start: clip)
+    with qtbot.waitSignal(window.files.looked, timeout=WAIT):
+        window.actions_by_id["file.open_clip"].trigger()
+    (dialog,) = window.findChildren(ClipDialog)
+    return dialog
+
+
+def press(qtbot: QtBot, dialog: ClipDialog, which: QDialogButtonBox.StandardButton) -> None:
+    qtbot.mouseClick(dialog.buttons.button(which), Qt.MouseButton.LeftButton)
+
+
+OPEN, CANCEL = QDialogButtonBox.StandardButton.Open, QDialogButtonBox.StandardButton.Cancel
+
+
+def test_it_tells_what_was_found(qtbot: QtBot, window: MainWindow, clip: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    dialog = asked(qtbot, window, clip, monkeypatch)
+    said = [label.text() for label in dialog.findChildren(QLabel)]
+    for sentence in ("plate", f"{FIRST}–{FIRST + 7}, 7 frames", str(FIRST + 2), "160 × 120", "8 bits"):
+        assert sentence in said
+    assert dialog.colours.currentText() == "sRGB (found)"
+    assert not dialog.picture.pixmap().isNull()
+    press(qtbot, dialog, CANCEL)
+    assert window.document.project.clip is None
+
+
+def test_a_clip_opens_as_it_was_found(
+    qtbot: QtBot, window: MainWindow, clip: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    dialog = asked(qtbot, window, clip, monkeypatch)
+    with qtbot.waitSignal(window.reader.picture, timeout=WAIT):
+        press(qtbot, dialog, OPEN)
+    opened = window.document.project.require_clip()
+    assert (opened.path, opened.fps, opened.colour_space, opened.pixel_aspect) == (clip, 24.0, "sRGB", 1.0)
+    assert window.personal.recent[0].path == clip
+
+
+def test_what_the_artist_says_holds_and_comes_back_with_the_project(
+    qtbot: QtBot, window: MainWindow, clip: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    dialog = asked(qtbot, window, clip, monkeypatch)
+    before = dialog.picture.pixmap().toImage()
+    dialog.colours.setCurrentIndex(dialog.colours.findData("linear"))
+    assert dialog.picture.pixmap().toImage() != before
+    dialog.rate.setValue(25.0)
+    dialog.aspect.setValue(2.0)
+    assert dialog.picture.pixmap().width() > 1.9 * dialog.picture.pixmap().height()
+    with qtbot.waitSignal(window.reader.picture, timeout=WAIT) as shown:
+        press(qtbot, dialog, OPEN)
+    plate = looked_at(clip).source.read(FIRST)
+    np.testing.assert_array_equal(shown.args[1], to_display(plate, "linear"))
+    assert window.playback.fps == 25.0
+    window.document.save(tmp_path / "a.roam")
+    window.files.new()
+    with qtbot.waitSignal(window.reader.picture, timeout=WAIT) as shown:
+        window.files.open(tmp_path / "a.roam")
+    np.testing.assert_array_equal(shown.args[1], to_display(plate, "linear"))
+    opened = window.document.project.require_clip()
+    assert (opened.fps, opened.colour_space, opened.pixel_aspect) == (25.0, "linear", 2.0)
+
+
+def test_the_question_can_be_put_off_for_good(
+    qtbot: QtBot, window: MainWindow, clip: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    dialog = asked(qtbot, window, clip, monkeypatch)
+    qtbot.keyClick(dialog.asks_no_more, Qt.Key.Key_Space)
+    with qtbot.waitSignal(window.reader.picture, timeout=WAIT):
+        press(qtbot, dialog, OPEN)
+    assert not window.personal.preferences.asks_about_clips
+    window.files.new()
+    with qtbot.waitSignal(window.reader.picture, timeout=WAIT):
+        window.actions_by_id["file.open_clip"].trigger()
+
+
+def test_a_first_frame_that_cannot_be_read_is_told_and_the_rest_opens(tmp_path: Path) -> None:
+    folder = write_clip(tmp_path / "plate")
+    damaged = folder / f"plate.{FIRST}.png"
+    damaged.write_bytes(damaged.read_bytes()[:200])
+    found = looked_at(folder)
+    assert found.picture is None
+    assert damaged.name in found.trouble
+
+
+def test_no_clip_is_one_sentence(qtbot: QtBot, window: MainWindow, tmp_path: Path) -> None:
+    with qtbot.waitSignal(window.files.finished, timeout=WAIT):
+        window.file_actions.open_dropped(tmp_path / "nothing.mov")
+    assert "nothing.mov" in window.status.sentence.text()
+    assert window.findChildren(ClipDialog) == []
+    with pytest.raises(RoamError):
+        looked_at(tmp_path / "nothing")
+
+
+def test_gaps_are_named_while_they_are_few() -> None:
+    assert gaps_sentence(()) == "none"
+    assert gaps_sentence((3, 5)) == "3, 5"
+    assert gaps_sentence(tuple(range(10, 30))) == "20 frames, from 10 to 29"

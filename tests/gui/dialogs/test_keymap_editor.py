@@ -1,0 +1,138 @@
+"""The keymap editor: a pressed key holds at once, a conflict names the other action, everything can be reset."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import Qt
+from pytestqt.qtbot import QtBot
+
+from app.actions.keymaps import load_keymap, load_own
+from app.dialogs.keymap_editor import KeymapEditor
+from app.model.personal import Personal
+from app.shell.main_window import MainWindow
+from tests.gui.windows import opened_window
+
+CONTROL = Qt.KeyboardModifier.ControlModifier
+
+
+@pytest.fixture
+def window(qtbot: QtBot, tmp_path: Path) -> Iterator[MainWindow]:
+    with opened_window(qtbot, None, tmp_path / "journal", Personal(tmp_path)) as window:
+        yield window
+
+
+@pytest.fixture
+def editor(window: MainWindow) -> KeymapEditor:
+    window.actions_by_id["edit.keymap"].trigger()
+    assert window.desk._editor is not None
+    return window.desk._editor
+
+
+def go_on(qtbot: QtBot, window: MainWindow, editor: KeymapEditor) -> None:
+    """Close the editor; the window has the keyboard again."""
+    editor.close()
+    window.activateWindow()
+    qtbot.waitUntil(window.isActiveWindow)
+    window.canvas.setFocus()
+
+
+def test_a_recorded_key_works_at_once_and_tooltips_follow(
+    qtbot: QtBot, window: MainWindow, editor: KeymapEditor, tmp_path: Path
+) -> None:
+    editor.select("tool.bezier")
+    qtbot.keyClick(editor.field, Qt.Key.Key_F9)
+    assert "is F9 now" in editor.word.text()
+    assert "(F9)" in window.actions_by_id["tool.bezier"].toolTip()
+    assert window.canvas.empty_hint == "Draw a shape: press F9"
+    go_on(qtbot, window, editor)
+    qtbot.keyClick(window.canvas, Qt.Key.Key_B)
+    assert window.view_state.tool == "select"
+    qtbot.keyClick(window.canvas, Qt.Key.Key_F9)
+    assert window.view_state.tool == "bezier"
+    assert load_own(tmp_path / "keymap.json").keys == {"tool.bezier": ("F9",)}
+
+
+def test_a_conflict_is_told_with_the_other_actions_name_and_can_be_taken_over(
+    qtbot: QtBot, window: MainWindow, editor: KeymapEditor
+) -> None:
+    editor.select("tool.bezier")
+    qtbot.keyClick(editor.field, Qt.Key.Key_P)
+    assert editor.word.text() == "P is the key of “Polygon”."
+    assert window.personal.keys.keys == {}
+    qtbot.mouseClick(editor.take, Qt.MouseButton.LeftButton)
+    assert window.actions_by_id.keymap["tool.bezier"] == ("P",)
+    assert "tool.polygon" not in window.actions_by_id.keymap
+    assert not editor.take.isEnabled()
+
+
+def test_a_key_can_be_added_to_those_that_are_there(qtbot: QtBot, window: MainWindow, editor: KeymapEditor) -> None:
+    editor.select("track.forward")
+    qtbot.keyClick(editor.adds, Qt.Key.Key_Space)
+    for _ in range(2):  # the same key twice is one key
+        qtbot.keyClick(editor.field, Qt.Key.Key_F9)
+    assert window.actions_by_id.keymap["track.forward"] == ("]", "F7", "F9")
+    assert "] or F7 or F9 now" in editor.word.text()
+
+
+def test_keys_with_which_points_are_nudged_are_refused(qtbot: QtBot, editor: KeymapEditor) -> None:
+    editor.select("tool.bezier")
+    qtbot.keyClick(editor.field, Qt.Key.Key_Left, Qt.KeyboardModifier.AltModifier)
+    assert "moves the selected points" in editor.word.text()
+    assert not editor.take.isEnabled()
+
+
+def test_every_key_can_be_recorded(qtbot: QtBot, window: MainWindow, editor: KeymapEditor) -> None:
+    editor.select("edit.history")
+    for key, modifiers, name in (
+        (Qt.Key.Key_Tab, CONTROL, "Ctrl+Tab"),
+        (Qt.Key.Key_Escape, CONTROL, "Ctrl+Esc"),
+        (Qt.Key.Key_Return, CONTROL, "Ctrl+Return"),
+        (Qt.Key.Key_Control, CONTROL, "Ctrl+Return"),  # a modifier alone is no key
+    ):
+        qtbot.keyClick(editor.field, key, modifiers)
+        assert window.actions_by_id.keymap["edit.history"] == (name,)
+    assert editor.isVisible()
+
+
+def test_one_and_all_are_reset(qtbot: QtBot, window: MainWindow, editor: KeymapEditor) -> None:
+    for name, key in (("tool.bezier", Qt.Key.Key_F9), ("tool.polygon", Qt.Key.Key_F10)):
+        editor.select(name)
+        qtbot.keyClick(editor.field, key)
+    qtbot.mouseClick(editor.reset, Qt.MouseButton.LeftButton)
+    assert window.actions_by_id.keymap["tool.polygon"] == load_keymap()["tool.polygon"]
+    assert not editor.reset.isEnabled()
+    editor.select("tool.select")
+    qtbot.mouseClick(editor.remove, Qt.MouseButton.LeftButton)
+    assert window.actions_by_id["tool.select"].shortcuts() == []
+    qtbot.mouseClick(editor.reset_all, Qt.MouseButton.LeftButton)
+    assert window.actions_by_id.keymap == load_keymap()
+    assert not editor.reset_all.isEnabled()
+
+
+def test_another_preset_holds_at_once(qtbot: QtBot, window: MainWindow, editor: KeymapEditor) -> None:
+    editor.preset.setCurrentIndex(editor.preset.findData("nuke"))
+    go_on(qtbot, window, editor)
+    qtbot.keyClick(window.canvas, Qt.Key.Key_V)
+    assert window.view_state.tool == "bezier"
+
+
+def test_the_table_is_searched_by_title_key_and_word(qtbot: QtBot, editor: KeymapEditor) -> None:
+    def shown() -> set[str]:
+        return {item.text(0) for item in editor._items() if not item.isHidden()}
+
+    qtbot.keyClicks(editor.search, "f7")
+    assert {"Track forward", "Track one frame forward"} & shown() == {"Track forward"}
+    editor.search.clear()
+    qtbot.keyClicks(editor.search, "pen")
+    assert "Bezier" in shown()
+    assert "Track forward" not in shown()
+
+
+def test_keys_that_cannot_be_read_are_told_at_the_start(qtbot: QtBot, tmp_path: Path) -> None:
+    (tmp_path / "keymap.json").write_text("no keymap", encoding="utf-8")
+    with opened_window(qtbot, None, tmp_path / "journal", Personal(tmp_path)) as window:
+        assert "keymap.json is damaged" in window.status.sentence.text()
+        assert window.actions_by_id.keymap == load_keymap()

@@ -1,0 +1,173 @@
+"""Copying the key of one frame by keys of the keyboard, pasting it elsewhere and through a range."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QGuiApplication
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QDialogButtonBox
+from pytestqt.qtbot import QtBot
+
+from app.actions.actions import Actions
+from app.actions.keymaps import load_keymap
+from app.canvas.view import CanvasView
+from app.features.clipboards.paste_range import PasteRangeDialog
+from app.features.clipboards.shapes import ShapeClipboard
+from app.model.document import Document
+from app.model.view_state import ViewState
+from roam_core.geometry.bezier import polygon_points
+from roam_core.roto import edit
+from tests.gui.hand import ALT, CTRL, SHIFT, Hand
+from tests.gui.tools.conftest import SQUARE, OnlyShape, only, square
+
+__all__ = ["only", "square"]
+
+
+@pytest.fixture
+def keys(canvas: CanvasView, document: Document, view_state: ViewState, square: str) -> Iterator[None]:
+    """The clipboard's keys work in the viewer, and nothing has been copied."""
+    handlers = ShapeClipboard(document, view_state, canvas).handlers()
+    for child in canvas.findChildren(Actions):
+        for name in handlers:
+            child[name].setShortcuts([])
+    Actions(canvas, canvas, {name: load_keymap()[name] for name in handlers}).connect_all(handlers)
+    QGuiApplication.clipboard().clear()
+    yield
+    QGuiApplication.clipboard().clear()
+
+
+def copy_key(hand: Hand) -> None:
+    hand.key(Qt.Key.Key_C, CTRL | ALT)
+
+
+def paste_key(hand: Hand) -> None:
+    hand.key(Qt.Key.Key_V, CTRL | ALT)
+
+
+def move_on_frame(hand: Hand, view_state: ViewState, frame: int) -> None:
+    """Move the whole square by (5, 10) on a frame, which gives it a key there."""
+    view_state.set_frame(frame)
+    hand.drag((80.0, 40.0), (85.0, 50.0))
+
+
+MOVED = [(x + 5.0, y + 10.0) for x, y in SQUARE]
+
+
+def test_a_key_is_copied_to_another_frame(
+    hand: Hand, document: Document, view_state: ViewState, keys: None, only: OnlyShape
+) -> None:
+    copy_key(hand)
+    move_on_frame(hand, view_state, 7)
+    view_state.set_frame(12)
+    paste_key(hand)
+    assert only().artist_frames == (1, 7, 12)
+    assert (only.anchors(7), only.anchors(12)) == (MOVED, SQUARE)
+    assert document.undo_stack.undoText() == "Paste key"
+    document.undo_stack.undo()
+    assert only().artist_frames == (1, 7)
+
+
+def test_paste_means_what_was_copied(
+    hand: Hand, document: Document, view_state: ViewState, keys: None, only: OnlyShape
+) -> None:
+    copy_key(hand)
+    view_state.set_frame(9)
+    hand.key(Qt.Key.Key_V, CTRL)
+    assert only().artist_frames == (1, 9)
+    hand.key(Qt.Key.Key_C, CTRL)
+    hand.key(Qt.Key.Key_V, CTRL)
+    assert len(document.project.shapes) == 2
+    paste_key(hand)
+    assert "no key to paste" in view_state.message
+
+
+def test_a_key_of_a_shape_with_other_points_is_refused_in_a_sentence(
+    hand: Hand, document: Document, view_state: ViewState, keys: None
+) -> None:
+    project, triangle = edit.new_shape(document.project, polygon_points(SQUARE[:3]), 1)
+    document.open(project, None)
+    view_state.select(frozenset({project.shapes[0].id}))
+    copy_key(hand)
+    view_state.select(frozenset({triangle.id}))
+    paste_key(hand)
+    assert "has 3 points and the copied key 4" in view_state.message
+    assert document.undo_stack.count() == 0
+
+
+def test_a_locked_shape_takes_no_key(
+    hand: Hand, document: Document, view_state: ViewState, keys: None, square: str, only: OnlyShape
+) -> None:
+    copy_key(hand)
+    document.open(edit.set_properties(document.project, square, locked=True), None)
+    view_state.select(frozenset({square}))
+    view_state.set_frame(9)
+    paste_key(hand)
+    assert only().frames == (1,)
+    assert "locked" in view_state.message
+
+
+def ask(hand: Hand) -> PasteRangeDialog:
+    """The dialog that Ctrl+Shift+V opens."""
+    hand.key(Qt.Key.Key_V, CTRL | SHIFT)
+    (dialog,) = (each for each in QApplication.topLevelWidgets() if isinstance(each, PasteRangeDialog))
+    return dialog
+
+
+def test_a_key_is_held_through_a_range(
+    hand: Hand, document: Document, view_state: ViewState, keys: None, only: OnlyShape, qtbot: QtBot
+) -> None:
+    copy_key(hand)
+    move_on_frame(hand, view_state, 5)
+    for frame in (7, 12):
+        view_state.set_frame(frame)
+        hand.key(Qt.Key.Key_Right, ALT)
+    view_state.set_play_range(4, 9)
+    dialog = ask(hand)
+    assert (dialog.first.value(), dialog.last.value(), dialog.step.text()) == (4, 8, "at both ends")
+    dialog.last.selectAll()
+    QTest.keyClicks(dialog.last, "10")
+    buttons = dialog.findChild(QDialogButtonBox)
+    assert isinstance(buttons, QDialogButtonBox)
+    qtbot.mouseClick(buttons.button(QDialogButtonBox.StandardButton.Ok), Qt.MouseButton.LeftButton)
+    assert only().artist_frames == (1, 4, 10, 12)
+    for frame in range(4, 11):
+        np.testing.assert_allclose(only.anchors(frame), SQUARE)
+    assert document.undo_stack.undoText() == "Paste key to range"
+
+
+def test_a_range_that_is_cancelled_changes_nothing(hand: Hand, document: Document, keys: None, only: OnlyShape) -> None:
+    copy_key(hand)
+    dialog = ask(hand)
+    QTest.keyClick(dialog, Qt.Key.Key_Escape)
+    assert document.undo_stack.count() == 0
+
+
+def test_a_range_cannot_end_before_it_begins(hand: Hand, keys: None) -> None:
+    copy_key(hand)
+    dialog = ask(hand)
+    dialog.first.setValue(15)
+    assert dialog.last.value() == 15
+    dialog.last.setValue(999)
+    assert dialog.last.value() == 20  # the clip's last frame
+    dialog.reject()
+
+
+def test_without_a_copied_key_no_range_is_asked_for(hand: Hand, view_state: ViewState, keys: None) -> None:
+    hand.key(Qt.Key.Key_V, CTRL | SHIFT)
+    assert "no key to paste" in view_state.message
+
+
+def test_feather_is_pasted_with_the_key(
+    hand: Hand, document: Document, view_state: ViewState, keys: None, only: OnlyShape
+) -> None:
+    feather = np.ones((4, 3, 2))
+    document.open(document.project.with_shape(edit.set_key(only(), 1, only().keys[0].points, feather)), None)
+    view_state.select(frozenset({only().id}))
+    copy_key(hand)
+    view_state.set_frame(9)
+    paste_key(hand)
+    np.testing.assert_array_equal(only().keys[-1].feather, feather)

@@ -1,0 +1,84 @@
+"""Moving the playhead: by frames and keys, of the selected shapes alone; in and out."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from app.features.navigation import Navigation
+from app.model.document import Document
+from app.model.view_state import ViewState
+from roam_core.geometry.bezier import polygon_points
+from roam_core.roto import Clip, Keyframe, Origin, Project, edit
+from roam_core.roto.linking import BEHIND, set_depth
+
+SQUARE = polygon_points([(0, 0), (10, 0), (10, 10), (0, 10)])
+CLIP = Clip(Path("shot"), 1001, 1048, (64, 48))
+
+
+@pytest.fixture
+def navigation(document: Document, view_state: ViewState) -> Navigation:
+    """Two shapes: keys by hand on 1005 and 1020, and on 1012; a tracked frame on 1008."""
+    navigation = Navigation(document, view_state)
+    project, first = edit.new_shape(Project(CLIP), SQUARE, 1005)
+    tracked = edit.set_engine_keys(edit.key_here(first, 1020), [Keyframe(1008, SQUARE, origin=Origin.ENGINE)])
+    document.open(edit.new_shape(project.with_shape(tracked), SQUARE, 1012)[0], None)
+    return navigation
+
+
+def test_a_project_opens_on_its_first_key(navigation: Navigation, view_state: ViewState) -> None:
+    assert view_state.frame == 1005
+    assert view_state.play_range == (1001, 1049)
+
+
+def test_keys_by_hand_are_visited_of_all_shapes_or_of_the_selected_ones(
+    navigation: Navigation, view_state: ViewState
+) -> None:
+    visited = []
+    for shapes in (frozenset[str](), frozenset({"shape-1"})):
+        view_state.select(shapes)
+        view_state.set_frame(1001)
+        for step in (navigation.next_key, navigation.next_key, navigation.next_key, navigation.previous_key):
+            step()
+            visited.append(view_state.frame)
+    assert visited == [1005, 1012, 1020, 1012, 1005, 1020, 1020, 1005]
+    assert view_state.message == "There is no key after this frame."
+
+
+def test_changes_of_depth_are_visited_like_keys(
+    navigation: Navigation, document: Document, view_state: ViewState
+) -> None:
+    document.apply("Behind", set_depth(document.project, ["shape-1"], 1015, BEHIND))
+    view_state.select(frozenset({"shape-1"}))
+    visited = []
+    for step in (navigation.next_key, navigation.next_key, navigation.previous_key):
+        step()
+        visited.append(view_state.frame)
+    assert visited == [1015, 1020, 1015]
+    document.open(document.project, None)
+    assert view_state.frame == 1005  # a project opens on its first key
+
+
+def test_steps_stay_inside_the_clip(navigation: Navigation, view_state: ViewState) -> None:
+    navigation.step(-10)
+    assert view_state.frame == 1001
+    navigation.step(100)
+    assert view_state.frame == 1048
+
+
+def test_an_end_that_passes_the_other_one_frees_it(navigation: Navigation, view_state: ViewState) -> None:
+    view_state.set_frame(1010)
+    navigation.set_out()
+    view_state.set_frame(1020)
+    navigation.set_in()
+    assert view_state.play_range == (1020, 1049)
+    view_state.set_frame(1015)
+    navigation.set_out()
+    assert view_state.play_range == (1001, 1016)
+    navigation.first()
+    assert view_state.frame == 1001
+    navigation.last()
+    assert view_state.frame == 1015
+    navigation.clear_range()
+    assert view_state.play_range == (1001, 1049)

@@ -1,0 +1,82 @@
+"""Shapes from a picture of the frame's mask."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import cv2
+import numpy as np
+import pytest
+from PySide6.QtWidgets import QFileDialog, QWidget
+from pytestqt.qtbot import QtBot
+
+from app.features.verbs.masks import MaskShapes
+from app.jobs.picture_work import PictureWork
+from app.jobs.runner import Runner
+from app.model.document import Document
+from app.model.view_state import ViewState
+from roam_core.kernels.coverage import coverage
+from roam_core.roto import Clip, Project
+
+WAIT = 10_000
+
+
+@pytest.fixture
+def masks(document: Document, view_state: ViewState, runner: Runner, qtbot: QtBot) -> MaskShapes:
+    """On frame 4 of a clip of 120 x 80."""
+    window = QWidget()
+    qtbot.addWidget(window)
+    document.open(Project(clip=Clip(Path("plate"), 1, 20, (120, 80))), None)
+    view_state.set_frame(4)
+    return MaskShapes(window, document, view_state, PictureWork(runner, window))
+
+
+def written(path: Path, mask: np.ndarray) -> Path:
+    assert cv2.imwrite(str(path), mask)
+    return path
+
+
+def answer(monkeypatch: pytest.MonkeyPatch, path: Path | str) -> None:
+    monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_: (str(path), ""))
+
+
+def test_a_mask_becomes_a_selected_shape(
+    masks: MaskShapes, document: Document, view_state: ViewState, tmp_path: Path, qtbot: QtBot,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:  # fmt: skip
+    mask = np.zeros((80, 120), dtype=np.uint8)
+    cv2.circle(mask, (60, 40), 25, 255, -1, cv2.LINE_AA)
+    answer(monkeypatch, written(tmp_path / "mask.png", mask))
+    masks.handlers()["shape.from_mask"]()
+    qtbot.waitUntil(lambda: bool(document.project.shapes), timeout=WAIT)
+    (shape,) = document.project.shapes
+    assert shape.frames == (4,)
+    assert np.abs(coverage(shape.at(4).flatten(), (80, 120)) - mask / 255.0).mean() < 0.01
+    assert view_state.selection.shapes == {shape.id}
+    assert document.undo_stack.undoText() == "Shape from mask"
+    document.undo_stack.undo()
+    assert not document.project.shapes
+
+
+@pytest.mark.parametrize(
+    ("size", "value", "sentence"), [((80, 120), 0, "Nothing is white in mask.png"), ((40, 60), 255, "is 60x40")]
+)
+def test_a_mask_that_gives_nothing_is_told(
+    masks: MaskShapes, document: Document, view_state: ViewState, tmp_path: Path, qtbot: QtBot,
+    size: tuple[int, int], value: int, sentence: str,
+) -> None:  # fmt: skip
+    masks.read(written(tmp_path / "mask.png", np.full(size, value, dtype=np.uint8)))
+    qtbot.waitUntil(lambda: sentence in view_state.message, timeout=WAIT)
+    assert not document.project.shapes
+
+
+def test_no_choice_does_nothing(masks: MaskShapes, runner: Runner, monkeypatch: pytest.MonkeyPatch) -> None:
+    answer(monkeypatch, "")
+    masks.choose()
+    assert runner.is_idle
+
+
+def test_without_a_clip_it_says_what_to_do(masks: MaskShapes, document: Document, view_state: ViewState) -> None:
+    document.open(Project(), None)
+    masks.choose()
+    assert view_state.message.startswith("Open a clip first")

@@ -1,0 +1,311 @@
+"""Saving: never behind an export, never over what somebody else wrote, never half; and nothing is left by accident."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+import threading
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from pytestqt.qtbot import QtBot
+
+from app.dialogs.questions import Contested, Doubted, Unsaved
+from app.shell.main_window import MainWindow
+from roam_core.errors import RoamError
+from roam_core.geometry.bezier import polygon_points
+from roam_core.roto import Project, backups, edit, file, project_lock
+from tests.gui.windows import WAIT, opened_window
+
+SQUARE = polygon_points([(40, 30), (80, 30), (80, 70), (40, 70)])
+
+
+@pytest.fixture
+def window(qtbot: QtBot, tmp_path: Path) -> Iterator[MainWindow]:
+    with opened_window(qtbot, None, tmp_path / "journal") as window:
+        yield window
+
+
+@pytest.fixture
+def mine(tmp_path: Path) -> Path:
+    return tmp_path / "mine.roam"
+
+
+def draw(window: MainWindow) -> Project:
+    window.document.apply("Draw", edit.new_shape(window.document.project, SQUARE, 1)[0])
+    return window.document.project
+
+
+def saved(qtbot: QtBot, window: MainWindow, path: Path) -> None:
+    with qtbot.waitSignal(window.files.saved, timeout=WAIT):
+        window.files.save(path)
+    qtbot.waitUntil(lambda: window.saver.is_idle, timeout=WAIT)
+
+
+class Gate:
+    """Holds saves up until it is opened."""
+
+    def __init__(self, monkeypatch: pytest.MonkeyPatch) -> None:
+        self.reached, self.open = threading.Event(), threading.Event()
+        write = file.save
+
+        def slow(project: Project, path: Path) -> None:
+            self.reached.set()
+            assert self.open.wait(WAIT / 1000)
+            write(project, path)
+
+        monkeypatch.setattr(file, "save", slow)
+
+
+def test_a_save_does_not_wait_for_other_work(qtbot: QtBot, window: MainWindow, mine: Path) -> None:
+    done = threading.Event()
+    window.writer.start("export", lambda report: str(done.wait(WAIT / 1000)))
+    draw(window)
+    saved(qtbot, window, mine)
+    assert window.writer.running("export") is not None
+    done.set()
+    qtbot.waitUntil(lambda: window.writer.is_idle, timeout=WAIT)
+
+
+def test_leaving_while_a_save_is_under_way_waits_and_asks_about_what_came_after(
+    qtbot: QtBot, window: MainWindow, mine: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    asked: list[str] = []
+    left: list[bool] = []
+    monkeypatch.setattr("app.dialogs.questions.ask_unsaved", lambda _, name: asked.append(name) or Unsaved.CANCEL)
+    gate = Gate(monkeypatch)
+    draw(window)
+    window.files.save(mine)
+    assert gate.reached.wait(WAIT / 1000)
+    window.file_actions.leave_project(lambda: left.append(True))
+    assert (left, asked) == ([], [])
+    with qtbot.waitSignal(window.files.saved, timeout=WAIT):
+        gate.open.set()
+    assert (left, asked) == ([True], [])
+    gate.open.clear()
+    gate.reached.clear()
+    first = draw(window)
+    window.files.save(mine)
+    assert gate.reached.wait(WAIT / 1000)
+    draw(window)
+    window.file_actions.leave_project(lambda: left.append(True))
+    with qtbot.waitSignal(window.files.saved, timeout=WAIT):
+        gate.open.set()
+    assert (left, asked) == ([True], ["mine.roam"])
+    assert file.load(mine) == first
+
+
+def test_a_failed_save_arms_nothing(
+    qtbot: QtBot, window: MainWindow, mine: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def refuse(*_: object) -> None:
+        raise RoamError("The disk is full.")
+
+    left: list[bool] = []
+    monkeypatch.setattr("app.dialogs.questions.ask_unsaved", lambda *_: Unsaved.SAVE)
+    monkeypatch.setattr("app.dialogs.questions.choose_save", lambda *_: mine)
+    draw(window)
+    with monkeypatch.context() as full:
+        full.setattr(file, "save", refuse)
+        with qtbot.waitSignal(window.files.not_saved, timeout=WAIT):
+            window.file_actions.leave_project(lambda: left.append(True))
+    assert window.document.is_modified
+    qtbot.waitUntil(lambda: "The disk is full." in window.status.sentence.text(), timeout=WAIT)
+    saved(qtbot, window, mine)  # later, for its own sake
+    assert left == []
+
+
+def test_older_versions_stay_beside_the_file(qtbot: QtBot, window: MainWindow, mine: Path) -> None:
+    window.files.backups = 2
+    states = []
+    for _ in range(4):
+        states.append(draw(window))
+        saved(qtbot, window, mine)
+    assert file.load(mine) == states[3]
+    assert [file.load(mine.with_name(f"mine.roam.{number}")) for number in (1, 2)] == [states[2], states[1]]
+    assert not mine.with_name("mine.roam.3").exists()
+
+
+def test_a_backup_that_cannot_be_kept_stands_in_no_ones_way(
+    qtbot: QtBot, window: MainWindow, mine: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def refuse(*_: object) -> None:
+        raise RoamError("No room for backups.")
+
+    monkeypatch.setattr(backups, "rotate", refuse)
+    draw(window)
+    saved(qtbot, window, mine)
+    qtbot.waitUntil(lambda: "No room for backups." in window.status.sentence.text(), timeout=WAIT)
+    assert file.load(mine) == window.document.project
+
+
+@pytest.mark.parametrize("answer", Doubted)
+def test_a_file_that_another_program_changed_is_asked_about(
+    qtbot: QtBot, window: MainWindow, mine: Path, monkeypatch: pytest.MonkeyPatch, answer: Doubted
+) -> None:
+    elsewhere = mine.with_name("elsewhere.roam")
+    monkeypatch.setattr("app.dialogs.questions.ask_doubted", lambda _, doubt: doubts.append(doubt) or answer)
+    monkeypatch.setattr("app.dialogs.questions.choose_save", lambda *_: elsewhere)
+    doubts: list[str] = []
+    window.files.backups = 0
+    draw(window)
+    saved(qtbot, window, mine)
+    draw(window)
+    saved(qtbot, window, mine)
+    assert doubts == []
+    theirs = edit.new_shape(Project(), SQUARE, 9)[0]
+    file.save(theirs, mine)
+    ours = draw(window)
+    window.file_actions.save()
+    qtbot.waitUntil(lambda: doubts != [] and window.saver.is_idle, timeout=WAIT)
+    assert doubts == ["mine.roam was changed by another program since it was opened or saved here."]
+    if answer is Doubted.SAVE:
+        assert file.load(mine) == ours
+        assert file.load(mine.with_name("mine.roam.1")) == theirs
+    else:
+        assert file.load(mine) == theirs
+    if answer is Doubted.SAVE_AS:
+        assert file.load(elsewhere) == ours
+    assert window.document.is_modified == (answer is Doubted.CANCEL)
+
+
+def test_two_saves_in_a_row_raise_no_doubt(
+    qtbot: QtBot, window: MainWindow, mine: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    doubts: list[str] = []
+    monkeypatch.setattr("app.dialogs.questions.ask_doubted", lambda _, doubt: doubts.append(doubt) or Doubted.CANCEL)
+    draw(window)
+    saved(qtbot, window, mine)
+    gate = Gate(monkeypatch)
+    draw(window)
+    window.files.save(mine)
+    assert gate.reached.wait(WAIT / 1000)
+    last = draw(window)
+    gate.open.set()
+    saved(qtbot, window, mine)
+    assert doubts == []
+    assert file.load(mine) == last
+
+
+def test_a_save_of_a_project_that_was_left_says_nothing_about_the_next(
+    qtbot: QtBot, window: MainWindow, mine: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    gate = Gate(monkeypatch)
+    draw(window)
+    window.files.save(mine)
+    assert gate.reached.wait(WAIT / 1000)
+    window.files.new()
+    with qtbot.waitSignal(window.files.finished, timeout=WAIT):
+        gate.open.set()
+    assert window.document.path is None
+    assert not window.document.is_modified
+
+
+@pytest.fixture
+def other_process() -> Iterator[int]:
+    """A process of this machine that lives as long as the test."""
+    program = subprocess.Popen([sys.executable, "-c", "input()"], stdin=subprocess.PIPE)
+    yield program.pid
+    program.communicate(b"\n", timeout=WAIT / 1000)
+
+
+def hold(path: Path, process: int, host: str | None = None) -> None:
+    """Lock a project as another process does."""
+    mine = project_lock.take(path, anyway=True)
+    assert mine is not None
+    written = project_lock.lock_path(path)
+    document = json.loads(written.read_text(encoding="utf-8"))
+    changed = {"process": process, "mark": "theirs", "user": "ada", "host": host or document["host"]}
+    written.write_text(json.dumps(document | changed), encoding="utf-8")
+
+
+def test_a_lock_is_taken_with_the_file_follows_it_and_goes(
+    qtbot: QtBot, window: MainWindow, mine: Path, tmp_path: Path
+) -> None:
+    draw(window)
+    saved(qtbot, window, mine)
+    document = json.loads(project_lock.lock_path(mine).read_text(encoding="utf-8"))
+    assert document["process"] == os.getpid()
+    assert project_lock.holder(mine) is None  # it is ours
+    saved(qtbot, window, tmp_path / "other.roam")
+    assert not project_lock.lock_path(mine).exists()
+    assert project_lock.lock_path(tmp_path / "other.roam").exists()
+    window.files.new()
+    qtbot.waitUntil(lambda: not project_lock.lock_path(tmp_path / "other.roam").exists(), timeout=WAIT)
+
+
+def test_closing_the_window_gives_the_lock_back(qtbot: QtBot, mine: Path, tmp_path: Path) -> None:
+    with opened_window(qtbot, None, tmp_path / "journal") as window:
+        saved(qtbot, window, mine)
+        assert project_lock.lock_path(mine).exists()
+    assert not project_lock.lock_path(mine).exists()
+
+
+@pytest.mark.parametrize("answer", Contested)
+def test_a_project_that_is_open_elsewhere_is_asked_about(
+    qtbot: QtBot,
+    window: MainWindow,
+    mine: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    other_process: int,
+    answer: Contested,
+) -> None:
+    held: list[str] = []
+    monkeypatch.setattr("app.dialogs.questions.ask_contested", lambda _, name, who: held.append(who) or answer)
+    project = edit.new_shape(Project(), SQUARE, 1)[0]
+    file.save(project, mine)
+    hold(mine, other_process)
+    window.files.open(mine)
+    qtbot.waitUntil(lambda: held != [] and window.writer.is_idle and window.saver.is_idle, timeout=WAIT)
+    assert "by ada since" in held[0]
+    assert f"process {other_process}" in held[0]
+    assert window.document.path == (mine if answer is Contested.ANYWAY else None)
+    assert len(window.document.project.shapes) == (answer is not Contested.CANCEL)
+    assert window.document.is_modified == (answer is Contested.COPY)
+    assert window.reopening.page.isVisible() == (answer is Contested.CANCEL)
+    assert ("was not opened" in window.status.sentence.text()) == (answer is Contested.CANCEL)
+    ours = json.loads(project_lock.lock_path(mine).read_text(encoding="utf-8"))["process"] == os.getpid()
+    assert ours == (answer is Contested.ANYWAY)
+
+
+def test_saving_over_a_project_that_is_open_elsewhere_is_asked_about(
+    qtbot: QtBot, window: MainWindow, mine: Path, other_process: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    doubts: list[str] = []
+    monkeypatch.setattr("app.dialogs.questions.ask_doubted", lambda _, doubt: doubts.append(doubt) or Doubted.CANCEL)
+    file.save(Project(), mine)
+    hold(mine, other_process)
+    draw(window)
+    window.files.save(mine)
+    qtbot.waitUntil(lambda: doubts != [], timeout=WAIT)
+    assert "open on" in doubts[0]
+    assert file.load(mine) == Project()
+
+
+def test_the_lock_of_a_process_that_is_gone_is_taken_over(mine: Path) -> None:
+    program = subprocess.Popen([sys.executable, "-c", ""])
+    program.wait()
+    hold(mine, program.pid)
+    assert project_lock.holder(mine) is None
+    hold(mine, os.getpid())  # a process that ended before us had our number
+    assert project_lock.holder(mine) is None
+    hold(mine, program.pid, host="another")
+    assert project_lock.holder(mine) is not None
+    assert project_lock.take(mine) is None
+
+
+@pytest.mark.parametrize("text", ["", "[]", "{}", '{"host": 1, "user": "", "process": "x", "since": 0, "mark": ""}'])
+def test_a_lock_that_makes_no_sense_is_none(mine: Path, text: str) -> None:
+    project_lock.lock_path(mine).write_text(text, encoding="utf-8")
+    assert project_lock.holder(mine) is None
+    taken = project_lock.take(mine)
+    assert taken is not None
+    project_lock.release(mine, taken)
+    assert not project_lock.lock_path(mine).exists()
+
+
+def test_a_folder_that_cannot_be_written_to_has_no_locks(tmp_path: Path) -> None:
+    assert project_lock.take(tmp_path / "nowhere" / "mine.roam") is None

@@ -1,0 +1,179 @@
+"""Preferences and the settings dialog: what is set holds at once, is kept, and survives a damaged file."""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import Qt
+from pytestqt.qtbot import QtBot
+
+from app.actions.keymaps import OwnKeymap
+from app.dialogs.settings_dialog import SettingsDialog
+from app.model.personal import Personal
+from app.model.preferences import Preferences, load_preferences, save_preferences
+from app.shell import launch
+from app.shell.main_window import MainWindow
+from tests.gui.windows import opened_window, write_clip
+
+OTHERS = Preferences(2.5, 3, 7, "lean", 1.5, False)
+
+
+@pytest.fixture
+def window(qtbot: QtBot, tmp_path: Path) -> Iterator[MainWindow]:
+    clip = write_clip(tmp_path / "plate", 2)
+    with opened_window(qtbot, clip, tmp_path / "journal", Personal(tmp_path)) as window:
+        yield window
+
+
+@pytest.fixture
+def dialog(window: MainWindow) -> SettingsDialog:
+    window.actions_by_id["edit.settings"].trigger()
+    assert window.desk._settings is not None
+    return window.desk._settings
+
+
+def test_preferences_come_back_from_their_file(tmp_path: Path) -> None:
+    save_preferences(OTHERS, tmp_path / "preferences.json")
+    assert load_preferences(tmp_path / "preferences.json") == OTHERS
+    assert load_preferences(tmp_path / "none.json") == Preferences()
+
+
+@pytest.mark.parametrize(
+    "damage",
+    [
+        {"cache_gigabytes": -1},
+        {"cache_gigabytes": "much"},
+        {"threads": 1.5},
+        {"threads": True},
+        {"backups": -1},
+        {"undo_megabytes": 1},
+        {"config": "abacus"},
+        {"scale": 1000},
+        {"asks_about_clips": 1},
+        {"of_a_later_version": 3},
+    ],
+)
+def test_what_makes_no_sense_is_the_default_and_the_rest_holds(tmp_path: Path, damage: dict[str, object]) -> None:
+    save_preferences(OTHERS, tmp_path / "preferences.json")
+    document = json.loads((tmp_path / "preferences.json").read_text(encoding="utf-8"))
+    (tmp_path / "preferences.json").write_text(json.dumps(document | damage), encoding="utf-8")
+    found = load_preferences(tmp_path / "preferences.json")
+    expected = {name: getattr(Preferences(), name) for name in damage if hasattr(Preferences(), name)}
+    assert found == replace(OTHERS, **expected)
+
+
+KEPT = ("preferences.json", "keymap.json", "recent.json", "window.ini")
+DAMAGES: dict[str, Callable[[Path], object]] = {
+    "empty": lambda path: path.write_bytes(b""),
+    "a list": lambda path: path.write_bytes(b"[]"),
+    "no text": lambda path: path.write_bytes(bytes(range(256)) * 3),
+    "deep": lambda path: path.write_bytes(b"[" * 100_000),
+    "huge": lambda path: (path.touch(), os.truncate(path, 1 << 40)),
+    "a folder": lambda path: (path.mkdir(), (path / "file").touch()),
+    "a pipe": os.mkfifo,
+    "an endless device": lambda path: path.symlink_to("/dev/zero"),
+    "a link to nothing": lambda path: path.symlink_to(path.parent / "nothing"),
+    "wrong types": lambda path: path.write_text('{"keys": 3, "recent": {}, "based_on": []}', encoding="utf-8"),
+    "an object of Qt": lambda path: path.write_bytes(b"[General]\ngeometry=@Variant(\\0\\0\\0\\x7f)\n"),
+}
+
+
+@pytest.mark.parametrize("damage", DAMAGES)
+def test_damaged_settings_are_set_aside_and_told_and_the_window_opens(
+    qtbot: QtBot, tmp_path: Path, damage: str
+) -> None:
+    for name in KEPT:
+        DAMAGES[damage](tmp_path / name)
+    personal = Personal(tmp_path)
+    assert (personal.preferences, personal.keys, personal.recent) == (Preferences(), OwnKeymap(), ())
+    with opened_window(qtbot, None, tmp_path / "journal", personal) as window:
+        window.restore_settings(tmp_path / "window.ini")
+        told = f"{personal.trouble} {window.view_state.message}"
+        for aside in tmp_path.glob("*.damaged"):
+            assert aside.name in told
+            assert not os.path.lexists(tmp_path / aside.name.removesuffix(".damaged"))
+        personal.set_preferences(OTHERS)
+        personal.note_recent(tmp_path)
+    assert list(tmp_path.glob("*.damaged")), "nothing of a damaged file may be lost"
+    assert Personal(tmp_path).preferences == OTHERS
+    assert [recent.path for recent in Personal(tmp_path).recent] == [tmp_path]
+
+
+def test_a_second_damaged_file_does_not_replace_the_first(tmp_path: Path) -> None:
+    for text in ("one", "two"):
+        (tmp_path / "preferences.json").write_text(text, encoding="utf-8")
+        assert "was set aside" in Personal(tmp_path).trouble
+    assert (tmp_path / "preferences.json.damaged").read_text(encoding="utf-8") == "one"
+    assert (tmp_path / "preferences.json.damaged-2").read_text(encoding="utf-8") == "two"
+
+
+def test_memory_and_backups_hold_at_once(qtbot: QtBot, window: MainWindow, dialog: SettingsDialog) -> None:
+    dialog.cache.setFocus()
+    dialog.cache.selectAll()
+    qtbot.keyClicks(dialog.cache, "2")
+    dialog.backups.setValue(9)
+    dialog.undo.setValue(64)
+    assert window.reader.memory()[1] == 2 * 2**30
+    assert window.files.backups == 9
+    assert window.document.undo_bytes == 64 << 20
+    window.files.new()
+    assert window.reader.memory() == (0, 0)
+
+
+def test_all_settings_are_kept_and_defaults_bring_them_back(
+    qtbot: QtBot, window: MainWindow, dialog: SettingsDialog, tmp_path: Path
+) -> None:
+    dialog.threads.setValue(2)
+    dialog.config.setCurrentIndex(dialog.config.findData("lean"))
+    dialog.scale.setCurrentIndex(dialog.scale.findData(1.5))
+    qtbot.keyClick(dialog.asks, Qt.Key.Key_Space)
+    kept = load_preferences(tmp_path / "preferences.json")
+    assert kept == Preferences(threads=2, config="lean", scale=1.5, asks_about_clips=False)
+    qtbot.mouseClick(dialog.reset, Qt.MouseButton.LeftButton)
+    assert load_preferences(tmp_path / "preferences.json") == Preferences()
+    assert dialog.threads.value() == 0
+
+
+def test_the_keymap_is_a_setting_too(qtbot: QtBot, window: MainWindow, dialog: SettingsDialog) -> None:
+    dialog.preset.setCurrentIndex(dialog.preset.findData("blender"))
+    assert window.actions_by_id.keymap["key.set"] == ("I",)
+    qtbot.mouseClick(dialog.change_keys, Qt.MouseButton.LeftButton)
+    assert window.desk._editor is not None
+    assert window.desk._editor.preset.currentData() == "blender"
+
+
+def test_settings_that_cannot_be_written_hold_and_say_so(qtbot: QtBot, window: MainWindow) -> None:
+    window.personal.folder = Path("/nowhere")
+    window.personal.set_preferences(OTHERS)
+    assert window.personal.preferences == OTHERS
+    assert "cannot be written" in window.status.sentence.text()
+
+
+def test_the_size_on_the_screen_is_qts_from_the_next_start_on(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.delenv("QT_SCALE_FACTOR", raising=False)
+    environment: dict[str, str] = {}
+    monkeypatch.setattr("os.environ", environment)
+    launch._scale(1.0)
+    assert environment == {}
+    launch._scale(1.5)
+    assert environment == {"QT_SCALE_FACTOR": "1.5"}
+    launch._scale(2.0)  # what is set already, by the desktop or the artist, wins
+    assert environment == {"QT_SCALE_FACTOR": "1.5"}
+
+
+def test_the_engines_mode_at_the_start_is_the_one_that_was_set(
+    qtbot: QtBot, window: MainWindow, tmp_path: Path
+) -> None:
+    window.tracker.mode.setCurrentIndex(window.tracker.mode.findData("medium"))
+    window.keep_settings(tmp_path / "window.ini")
+    for preference, expected in (("", "medium"), ("lean", "lean")):
+        personal = Personal()
+        personal.set_preferences(Preferences(config=preference))
+        with opened_window(qtbot, None, tmp_path / f"other-{expected}", personal) as other:
+            other.restore_settings(tmp_path / "window.ini")
+            assert other.tracker.mode.currentData() == expected

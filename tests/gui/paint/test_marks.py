@@ -1,0 +1,55 @@
+"""The marks: thin outlines drawn the quick way look as those drawn the plain way."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+from PySide6.QtCore import QPointF
+from PySide6.QtGui import QColor, QImage, QPainter, QPainterPath
+
+from app.paint import marks
+
+COLOUR, GROUND = QColor("#e0a030"), 128
+
+
+def drawn(draw: Callable[[QPainter], None], ratio: float = 1.0) -> NDArray[np.int64]:
+    """What a grey ground of 80 x 80 looks like after drawing, (80, 80, 3)."""
+    ground = QImage(80, 80, QImage.Format.Format_RGB32)
+    ground.setDevicePixelRatio(ratio)
+    ground.fill(QColor(GROUND, GROUND, GROUND))
+    painter = QPainter(ground)
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    draw(painter)
+    painter.end()
+    return np.frombuffer(ground.constBits(), dtype=np.uint8).reshape(80, 80, 4)[..., :3].astype(np.int64)
+
+
+def line(degrees: float) -> QPainterPath:
+    """A line through the middle."""
+    aside = 30.0 * QPointF(np.cos(np.radians(degrees)), np.sin(np.radians(degrees)))
+    path = QPainterPath(QPointF(40.3, 40.4) - aside)
+    path.lineTo(QPointF(40.3, 40.4) + aside)
+    return path
+
+
+@pytest.mark.parametrize("degrees", [0.0, 20.0, 45.0, 70.0, 90.0, 135.0])
+def test_thin_outlines_are_as_wide_and_bright_as_plain_ones(degrees: float) -> None:
+    path = line(degrees)
+    plain = drawn(lambda painter: marks.stroke(painter, path, COLOUR, marks.OUTLINE_WIDTH))
+    quick = drawn(lambda painter: marks.thin_stroke(painter, path, COLOUR))
+    for way in (1, -1):  # what is brighter than the ground, and what is darker
+        ink, expected = (float(np.clip(way * (picture[..., 2] - GROUND), 0, None).sum()) for picture in (quick, plain))
+        assert ink == pytest.approx(expected, rel=0.4)
+    assert np.abs(plain - quick).mean() < 1.0
+
+
+def test_faded_outlines_and_dense_screens_take_the_plain_way() -> None:
+    path, faded = line(30.0), marks.faded(COLOUR, 0.4)
+    for colour, ratio in ((faded, 1.0), (COLOUR, 2.0)):
+        plain = drawn(lambda painter, c=colour: marks.stroke(painter, path, c, marks.OUTLINE_WIDTH), ratio)
+        np.testing.assert_array_equal(
+            drawn(lambda painter, c=colour: marks.thin_stroke(painter, path, c), ratio), plain
+        )

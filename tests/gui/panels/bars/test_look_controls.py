@@ -1,0 +1,185 @@
+"""The controls of looking: sliders and numbers, double click resets, a mark tells what is not neutral; the popups."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtGui import QColor
+from PySide6.QtWidgets import QColorDialog, QFileDialog
+from pytestqt.qtbot import QtBot
+
+from app.actions.actions import Actions
+from app.canvas.view import CanvasView
+from app.model.document import Document
+from app.model.viewing import GroundKind
+from app.panels.bars.look_controls import STEPS, LookSlider
+from app.panels.bars.readout import Readout
+from app.panels.bars.view_bar import ViewBar
+from roam_core.media.looking import Channel, Plate
+from tests.gui.hand import Hand
+
+LEFT = Qt.MouseButton.LeftButton
+
+
+@pytest.fixture
+def bar(qtbot: QtBot, document: Document, canvas: CanvasView) -> ViewBar:
+    (actions,) = canvas.findChildren(Actions)
+    bar = ViewBar(document, canvas, actions)
+    qtbot.addWidget(bar)
+    bar.resize(900, 28)
+    bar.show()
+    return bar
+
+
+def drag_to(qtbot: QtBot, control: LookSlider, share: float) -> None:
+    slider = control.slider
+    middle, y = slider.width() // 2, slider.height() // 2
+    qtbot.mousePress(slider, LEFT, pos=QPoint(middle, y))
+    qtbot.mouseMove(slider, QPoint(round(share * slider.width()), y))
+    qtbot.mouseRelease(slider, LEFT, pos=QPoint(round(share * slider.width()), y))
+
+
+def test_exposure_is_dragged_typed_and_put_back_by_a_double_click(
+    qtbot: QtBot, bar: ViewBar, canvas: CanvasView
+) -> None:
+    viewing, control = canvas.viewing, bar.exposure
+    assert control.is_neutral
+    assert control.mark.text() == "EV"
+    drag_to(qtbot, control, 0.9)
+    assert viewing.look.exposure > 3.0
+    assert control.mark.text() == "●  EV"
+    assert control.field.value() == pytest.approx(viewing.look.exposure)
+    qtbot.mouseDClick(control.slider, LEFT)
+    assert viewing.look.exposure == 0.0
+    assert control.slider.value() == STEPS // 2
+    control.field.setFocus()
+    control.field.selectAll()
+    qtbot.keyClicks(control.field, "-1.5")
+    qtbot.keyClick(control.field, Qt.Key.Key_Return)
+    assert viewing.look.exposure == -1.5
+
+
+def test_gamma_of_one_lies_in_the_middle(qtbot: QtBot, bar: ViewBar, canvas: CanvasView) -> None:
+    assert bar.gamma.slider.value() == STEPS // 2
+    drag_to(qtbot, bar.gamma, 0.75)
+    assert 1.5 < canvas.viewing.look.gamma < 3.5
+    assert bar.gamma.mark.text() == "●  γ"
+    qtbot.mouseDClick(bar.gamma.slider, LEFT)
+    assert canvas.viewing.look.is_neutral
+
+
+def test_the_channel_button_says_which_channel_is_shown(bar: ViewBar, canvas: CanvasView) -> None:
+    assert bar.channel.text() == "RGB"
+    for action in bar.channel.menu().actions():
+        if action.objectName() == "view.green":
+            action.trigger()
+    assert canvas.viewing.look.channel is Channel.GREEN
+    assert bar.channel.text() == "G"
+
+
+def test_the_bar_marks_what_is_shown(bar: ViewBar, canvas: CanvasView) -> None:
+    for name in ("cutout", "onion", "alpha", "source"):
+        canvas.handlers()[f"view.{name}"]()
+        assert bar._actions[f"view.{name}"].isChecked()
+    canvas.wipe.toggle()
+    assert bar._actions["view.wipe"].isChecked()
+
+
+def test_the_plates_name_gives_way_in_a_narrow_window(bar: ViewBar) -> None:
+    assert bar._plate.minimumSizeHint().width() <= 40
+
+
+# ---- what lies under a cut-out
+
+
+def test_the_ground_is_chosen_in_its_popup(
+    bar: ViewBar, canvas: CanvasView, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    form, viewing = bar.ground, canvas.viewing
+    assert not form.colour.isEnabled()
+    form.kind.setCurrentIndex(form.kind.findData(GroundKind.COLOUR))
+    form.kind.activated.emit(form.kind.currentIndex())
+    assert viewing.ground.kind is GroundKind.COLOUR
+    assert form.colour.isEnabled()
+    path = str(tmp_path / "street.exr")
+    monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_: (path, ""))
+    form.kind.setCurrentIndex(form.kind.findData(GroundKind.IMAGE))
+    form.kind.activated.emit(form.kind.currentIndex())
+    assert (viewing.ground.kind, viewing.ground.image) == (GroundKind.IMAGE, path)
+    assert form.image.text() == "street.exr"
+
+
+def test_no_picture_chosen_changes_nothing(bar: ViewBar, canvas: CanvasView, monkeypatch: pytest.MonkeyPatch) -> None:
+    form = bar.ground
+    monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_: ("", ""))
+    form.kind.setCurrentIndex(form.kind.findData(GroundKind.IMAGE))
+    form.kind.activated.emit(form.kind.currentIndex())
+    assert canvas.viewing.ground.kind is GroundKind.CHECKER
+    assert form.kind.currentData() == GroundKind.CHECKER
+
+
+def test_a_colour_is_seen_while_it_is_being_chosen(bar: ViewBar, canvas: CanvasView, qtbot: QtBot) -> None:
+    canvas.viewing.set_ground(kind=GroundKind.COLOUR)
+    bar.ground.colour.click()
+    (dialog,) = bar.ground.colour.findChildren(QColorDialog) or bar.findChildren(QColorDialog)
+    dialog.setCurrentColor(QColor("#224466"))
+    assert canvas.viewing.ground.colour == "#224466"
+    dialog.accept()
+
+
+# ---- the onion skin's popup
+
+
+def test_the_onion_skin_is_told_its_frames(bar: ViewBar, canvas: CanvasView, qtbot: QtBot) -> None:
+    form = bar.onion
+    form.before.setFocus()
+    form.before.selectAll()
+    qtbot.keyClicks(form.before, "5")
+    qtbot.keyClick(form.before, Qt.Key.Key_Return)
+    form.only_keys.click()
+    form.all_shapes.click()
+    onion = canvas.viewing.onion
+    assert (onion.before, onion.after, onion.only_keys, onion.all_shapes) == (5, 3, True, True)
+    assert not form.step.isEnabled()
+
+
+# ---- the read-out
+
+
+def test_the_read_out_tells_where_the_pointer_is_and_what_is_there(
+    canvas: CanvasView, hand: Hand, qtbot: QtBot
+) -> None:
+    readout = Readout(canvas)
+    qtbot.addWidget(readout)
+    picture = np.full((150, 200, 3), 100, dtype=np.uint8)
+    picture[44, 33] = 7, 8, 9
+    canvas.set_image(1, picture)
+    hand.move((33.5, 44.5))
+    assert readout.text().split() == ["x", "33.5", "y", "44.5", "R", "7", "G", "8", "B", "9"]
+    hand.move((-3.0, 44.5))
+    assert readout.text().split() == ["x", "-3.0", "y", "44.5"]
+    canvas.leaveEvent(None)
+    assert readout.text() == ""
+
+
+def test_the_read_out_tells_a_float_plates_own_values(canvas: CanvasView, hand: Hand, qtbot: QtBot) -> None:
+    readout = Readout(canvas)
+    qtbot.addWidget(readout)
+    canvas.stage.plate_of = lambda frame: Plate(np.full((150, 200, 3), 2.5, dtype=np.float32), "linear")
+    canvas.set_image(1, np.full((150, 200, 3), 255, dtype=np.uint8))
+    canvas.viewing.set_look(exposure=-1.0)
+    hand.move((33.5, 44.5))
+    assert readout.text().split()[4:6] == ["R", "2.500"]
+
+
+def test_the_read_out_knows_proxies(canvas: CanvasView, hand: Hand, qtbot: QtBot) -> None:
+    readout = Readout(canvas)
+    qtbot.addWidget(readout)
+    proxy = np.zeros((75, 100, 3), dtype=np.uint8)
+    proxy[22, 16] = 50
+    canvas.set_image(1, proxy)
+    hand.move((33.5, 44.5))
+    assert readout.text().split()[5] == "50"

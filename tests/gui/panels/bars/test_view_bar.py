@@ -1,0 +1,38 @@
+"""The view bar: what it calls the plate."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+from pytestqt.qtbot import QtBot
+
+from app.actions.actions import Actions
+from app.actions.keymaps import load_keymap
+from app.canvas.view import CanvasView
+from app.folders import cache_folder
+from app.model.document import Document
+from app.panels.bars.view_bar import ViewBar
+from resources import demo
+from roam_core.roto import Clip, Project
+
+CLIP = Clip(Path("plate_v003"), 1001, 1048, (960, 540))
+
+
+@pytest.mark.parametrize(
+    ("path", "name"),
+    [
+        (cache_folder() / demo.cache_name(), "demo"),
+        (Path("shots") / "demo-11e8108e", "demo-11e8108e"),  # a folder of the artist's keeps its name
+        (Path("shots") / "plate_v003", "plate_v003"),
+    ],
+)
+def test_the_plate_is_called_by_a_name_the_artist_knows(
+    qtbot: QtBot, document: Document, canvas: CanvasView, path: Path, name: str
+) -> None:
+    bar = ViewBar(document, canvas, Actions(canvas, canvas, load_keymap()))
+    qtbot.addWidget(bar)
+    document.open(Project(replace(CLIP, path=path)), None)
+    assert bar._plate.text().split("  ·  ") == [name, "1001–1048", "960×540", "sRGB"]
+    assert bar._plate.toolTip() == str(path)

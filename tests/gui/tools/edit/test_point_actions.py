@@ -1,0 +1,239 @@
+"""Point actions by key and by method: each one undo step, locked shapes left alone, reasons said."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QEvent, Qt
+from PySide6.QtGui import QKeyEvent
+from PySide6.QtWidgets import QApplication
+
+from app.canvas.view import CanvasView
+from app.model.document import Document
+from app.model.view_state import Selection, ViewState
+from roam_core.geometry.bezier import polygon_points
+from roam_core.roto import edit
+from tests.gui.hand import ALT, CTRL, NONE, SHIFT, Hand
+from tests.gui.tools.conftest import SQUARE, OnlyShape
+
+Key = Qt.Key
+
+
+def select_points(view_state: ViewState, shape_id: str, *indices: int) -> None:
+    view_state.select(frozenset({shape_id}), frozenset((shape_id, index) for index in indices))
+
+
+# ---- delete
+
+
+def test_delete_removes_the_selected_points(
+    hand: Hand, document: Document, view_state: ViewState, square: str, only: OnlyShape
+):
+    select_points(view_state, square, 1)
+    hand.key(Key.Key_Delete)
+    assert only.anchors() == [SQUARE[0], *SQUARE[2:]]
+    assert view_state.selection == Selection(frozenset({square}))
+    assert document.undo_stack.undoText() == "Delete point"
+    document.undo_stack.undo()
+    assert only.anchors() == SQUARE
+
+
+@pytest.mark.parametrize("indices", [(), (0, 1, 2, 3)])
+def test_delete_removes_the_shape_when_none_or_all_of_its_points_are_selected(
+    hand: Hand, document: Document, view_state: ViewState, square: str, only: OnlyShape, indices: tuple[int, ...]
+) -> None:
+    select_points(view_state, square, *indices)
+    hand.key(Key.Key_Delete)
+    assert not document.project.shapes
+    assert view_state.selection == Selection()
+    document.undo_stack.undo()
+    assert only.anchors() == SQUARE
+
+
+def test_delete_of_points_spares_shapes_that_have_no_selected_point(
+    hand: Hand, document: Document, view_state: ViewState, square: str
+) -> None:
+    project, other = edit.new_shape(document.project, polygon_points(SQUARE), 1)
+    document.open(project, None)
+    view_state.select(frozenset({square, other.id}), frozenset({(square, 1)}))
+    hand.key(Key.Key_Delete)
+    assert [shape.point_count for shape in document.project.shapes] == [3, 4]
+
+
+def test_delete_of_too_many_points_says_so(hand: Hand, document: Document, view_state: ViewState, square: str) -> None:
+    select_points(view_state, square, 0, 1)
+    hand.key(Key.Key_Delete)
+    assert "needs at least 3 points" in view_state.message
+    assert document.undo_stack.count() == 0
+
+
+def test_actions_without_a_selection_say_what_to_do(
+    canvas: CanvasView, document: Document, view_state: ViewState
+) -> None:
+    points = canvas.points
+    for action in (points.delete, points.smooth, points.cusp, points.toggle_closed, lambda: points.cycle(1)):
+        view_state.say("")
+        action()
+        assert "Select a shape" in view_state.message
+    assert document.undo_stack.count() == 0
+
+
+def test_locked_shape_is_left_alone_and_named(
+    hand: Hand, document: Document, view_state: ViewState, square: str, only: OnlyShape
+):
+    document.open(edit.set_properties(document.project, square, locked=True), None)
+    view_state.select(frozenset({square}))
+    for key, modifiers in ((Key.Key_Delete, NONE), (Key.Key_Z, NONE), (Key.Key_C, NONE), (Key.Key_Left, ALT)):
+        view_state.say("")
+        hand.key(key, modifiers)
+        assert "'Shape 1' is locked" in view_state.message
+    assert only.anchors() == SQUARE
+    assert document.undo_stack.count() == 0
+
+
+# ---- smooth and cusp
+
+
+def test_z_smooths_and_shift_z_cusps(
+    hand: Hand, document: Document, view_state: ViewState, square: str, only: OnlyShape
+):
+    select_points(view_state, square, 0)
+    hand.key(Key.Key_Z)
+    assert edit.is_smooth(only().at(1).points[0])
+    np.testing.assert_array_equal(only().at(1).points[1:], polygon_points(SQUARE)[1:])
+    assert document.undo_stack.undoText() == "Smooth point"
+    hand.key(Key.Key_Z, SHIFT)
+    np.testing.assert_array_equal(only().at(1).points, polygon_points(SQUARE))
+    assert document.undo_stack.count() == 2
+
+
+def test_smooth_takes_the_whole_shape_when_no_point_is_selected(hand: Hand, square: str, only: OnlyShape) -> None:
+    hand.key(Key.Key_Z)
+    assert all(edit.is_smooth(point) for point in only().at(1).points)
+
+
+def test_cusp_of_corners_is_no_step(
+    hand: Hand, document: Document, view_state: ViewState, square: str, only: OnlyShape
+):
+    view_state.set_frame(5)
+    hand.key(Key.Key_Z, SHIFT)
+    assert only().frames == (1,)
+    assert document.undo_stack.count() == 0
+
+
+# ---- nudge
+
+
+@pytest.mark.parametrize(
+    ("key", "modifiers", "step"),
+    [
+        (Key.Key_Left, ALT, (-1.0, 0.0)),
+        (Key.Key_Right, ALT, (1.0, 0.0)),
+        (Key.Key_Up, ALT, (0.0, -1.0)),
+        (Key.Key_Down, ALT, (0.0, 1.0)),
+        (Key.Key_Right, ALT | SHIFT, (10.0, 0.0)),
+        (Key.Key_Up, ALT | SHIFT, (0.0, -10.0)),
+    ],
+)
+def test_alt_arrows_nudge(
+    hand: Hand,
+    document: Document,
+    view_state: ViewState,
+    square: str,
+    only: OnlyShape,
+    key: Qt.Key,
+    modifiers: Qt.KeyboardModifier,
+    step: tuple[float, float],
+) -> None:
+    select_points(view_state, square, 2)
+    hand.key(key, modifiers)
+    moved = (SQUARE[2][0] + step[0], SQUARE[2][1] + step[1])
+    assert only.anchors() == [*SQUARE[:2], moved, SQUARE[3]]
+    document.undo_stack.undo()
+    assert only.anchors() == SQUARE
+
+
+def test_nudge_without_points_moves_the_shape(hand: Hand, square: str, only: OnlyShape) -> None:
+    hand.key(Key.Key_Right, ALT)
+    assert only.anchors() == [(x + 1.0, y) for x, y in SQUARE]
+
+
+def test_two_presses_are_two_steps_but_a_held_key_is_one(
+    canvas: CanvasView, hand: Hand, document: Document, square: str, only: OnlyShape
+) -> None:
+    hand.key(Key.Key_Right, ALT)
+    hand.key(Key.Key_Right, ALT)
+    assert document.undo_stack.count() == 2
+    for _ in range(3):
+        QApplication.sendEvent(canvas, QKeyEvent(QEvent.Type.KeyPress, Key.Key_Right.value, ALT, "", True))
+    assert document.undo_stack.count() == 2
+    assert only.anchors()[0] == (45.0, 40.0)
+    document.undo_stack.undo()
+    assert only.anchors()[0] == (41.0, 40.0)
+
+
+# ---- cycling, closing, selecting all
+
+
+def test_tab_cycles_through_the_points(hand: Hand, view_state: ViewState, square: str) -> None:
+    seen = []
+    for modifiers in (NONE, NONE, SHIFT, SHIFT, SHIFT):
+        hand.key(Key.Key_Tab, modifiers)
+        ((_, index),) = view_state.selection.points
+        seen.append(index)
+    assert seen == [0, 1, 0, 3, 2]
+
+
+def test_first_step_back_selects_the_last_point(hand: Hand, view_state: ViewState, square: str) -> None:
+    hand.key(Key.Key_Tab, SHIFT)
+    assert view_state.selection.points == {(square, 3)}
+
+
+def test_c_toggles_closed(hand: Hand, document: Document, square: str, only: OnlyShape) -> None:
+    hand.key(Key.Key_C)
+    assert not only().closed
+    hand.key(Key.Key_C)
+    assert only().closed
+    document.undo_stack.undo()
+    assert not only().closed
+
+
+def test_two_points_cannot_be_closed(canvas: CanvasView, document: Document, view_state: ViewState) -> None:
+    project, line = edit.new_shape(document.project, polygon_points(SQUARE[:2]), 1, closed=False)
+    document.open(project, None)
+    view_state.select(frozenset({line.id}))
+    canvas.points.toggle_closed()
+    assert "needs at least 3 points" in view_state.message
+    assert not document.project.shape(line.id).closed
+
+
+def test_ctrl_a_selects_all_points_of_the_selected_shape(
+    hand: Hand, document: Document, view_state: ViewState, square: str
+):
+    project, other = edit.new_shape(document.project, polygon_points(SQUARE[:3]), 1)
+    document.open(project, None)
+    view_state.select(frozenset({square}))
+    hand.key(Key.Key_A, CTRL)
+    assert view_state.selection.points == {(square, index) for index in range(4)}
+    view_state.select(frozenset())
+    hand.key(Key.Key_A, CTRL)
+    assert view_state.selection.shapes == {square, other.id}
+    assert len(view_state.selection.points) == 7
+
+
+def test_edit_keys_make_an_artist_key_on_their_frame(
+    hand: Hand, view_state: ViewState, square: str, only: OnlyShape
+) -> None:
+    view_state.set_frame(8)
+    hand.key(Key.Key_Right, ALT)
+    assert only().artist_frames == (1, 8)
+    assert only.anchors(1) == SQUARE
+
+
+def test_keys_of_the_points_rest_while_a_drag_is_under_way(hand: Hand, document: Document, square: str) -> None:
+    hand.press((120.0, 40.0))
+    hand.move((130.0, 40.0))
+    hand.key(Key.Key_Delete)
+    assert document.project.has(square)
+    hand.release((130.0, 40.0))
+    assert document.undo_stack.undoText() == "Move point"

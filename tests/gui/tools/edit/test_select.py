@@ -1,0 +1,247 @@
+"""The select tool: clicks, marquee, inserting points, and what the pointer shows."""
+
+from __future__ import annotations
+
+import numpy as np
+from PySide6.QtCore import Qt
+
+from app.canvas.view import CanvasView
+from app.model.document import Document
+from app.model.view_state import Selection, ViewState
+from roam_core.geometry import bezier
+from roam_core.geometry.bezier import ANCHOR, OUT, polygon_points
+from roam_core.roto import edit
+from tests.gui.hand import ALT, CTRL, SHIFT, Hand
+from tests.gui.tools.conftest import SQUARE, OnlyShape
+
+
+def add_triangle(document: Document) -> str:
+    """A second shape, above the first; not an undo step."""
+    project, shape = edit.new_shape(document.project, polygon_points([(150.0, 20.0), (190.0, 20.0), (170.0, 60.0)]), 1)
+    document.open(project, None)
+    return shape.id
+
+
+# ---- selecting
+
+
+def test_click_on_an_outline_selects_its_shape(hand: Hand, view_state: ViewState, square: str) -> None:
+    view_state.select(frozenset())
+    hand.click((80.0, 40.0))
+    assert view_state.selection == Selection(frozenset({square}))
+
+
+def test_shift_click_adds_a_shape_and_takes_it_away(hand: Hand, document: Document, view_state: ViewState, square: str):
+    triangle = add_triangle(document)
+    view_state.select(frozenset({square}))
+    hand.click((170.0, 20.0), SHIFT)
+    assert view_state.selection.shapes == {square, triangle}
+    hand.click((170.0, 20.0), SHIFT)
+    assert view_state.selection.shapes == {square}
+
+
+def test_click_on_empty_ground_selects_nothing(hand: Hand, view_state: ViewState, square: str) -> None:
+    hand.click((180.0, 130.0))
+    assert view_state.selection == Selection()
+
+
+def test_click_on_an_anchor_selects_the_point(hand: Hand, view_state: ViewState, square: str) -> None:
+    hand.click((120.0, 40.0))
+    assert view_state.selection == Selection(frozenset({square}), frozenset({(square, 1)}))
+
+
+def test_shift_click_adds_a_point_and_takes_it_away(hand: Hand, view_state: ViewState, square: str) -> None:
+    hand.click((120.0, 40.0))
+    hand.click((120.0, 100.0), SHIFT)
+    assert view_state.selection.points == {(square, 1), (square, 2)}
+    hand.click((120.0, 40.0), SHIFT)
+    assert view_state.selection.points == {(square, 2)}
+
+
+def test_click_on_one_of_several_selected_points_leaves_only_that(hand: Hand, view_state: ViewState, square: str):
+    view_state.select(frozenset(), frozenset({(square, 0), (square, 1)}))
+    hand.click((120.0, 40.0))
+    assert view_state.selection.points == {(square, 1)}
+
+
+def test_double_click_on_an_outline_selects_all_its_points(hand: Hand, view_state: ViewState, square: str) -> None:
+    hand.double_click((80.0, 40.0))
+    assert view_state.selection.points == {(square, index) for index in range(4)}
+
+
+def test_clicks_are_no_undo_steps(hand: Hand, document: Document, square: str) -> None:
+    for at in ((80.0, 40.0), (120.0, 40.0), (180.0, 130.0)):
+        hand.click(at)
+    assert document.undo_stack.count() == 0
+
+
+def test_press_that_trembles_is_a_click(hand: Hand, document: Document, square: str, only: OnlyShape) -> None:
+    hand.press((120.0, 40.0))
+    hand.move((121.0, 40.0))
+    hand.release((121.0, 40.0))
+    assert only.anchors() == SQUARE
+    assert document.undo_stack.count() == 0
+
+
+# ---- marquee
+
+
+def test_marquee_selects_the_points_inside(hand: Hand, view_state: ViewState, square: str) -> None:
+    hand.drag((100.0, 20.0), (140.0, 120.0))
+    assert view_state.selection.points == {(square, 1), (square, 2)}
+
+
+def test_marquee_with_shift_adds_points(hand: Hand, view_state: ViewState, square: str) -> None:
+    view_state.select(frozenset(), frozenset({(square, 0)}))
+    hand.drag((100.0, 20.0), (140.0, 120.0), SHIFT)
+    assert view_state.selection.points == {(square, 0), (square, 1), (square, 2)}
+
+
+def test_marquee_prefers_points_of_the_selected_shapes(
+    hand: Hand, document: Document, view_state: ViewState, square: str
+):
+    triangle = add_triangle(document)
+    view_state.select(frozenset({square}))
+    hand.drag((100.0, 10.0), (199.0, 145.0))
+    assert {shape_id for shape_id, _ in view_state.selection.points} == {square}
+    hand.drag((145.0, 10.0), (199.0, 70.0))
+    assert {shape_id for shape_id, _ in view_state.selection.points} == {triangle}
+
+
+def test_marquee_with_ctrl_takes_points_away(hand: Hand, view_state: ViewState, square: str) -> None:
+    view_state.select(frozenset(), frozenset((square, index) for index in range(4)))
+    hand.drag((100.0, 20.0), (140.0, 120.0), CTRL)
+    assert view_state.selection == Selection(frozenset({square}), frozenset({(square, 0), (square, 3)}))
+
+
+def draw(hand: Hand, line: list[tuple[float, float]], modifiers: Qt.KeyboardModifier) -> None:
+    """A drag through every place of a line."""
+    hand.press(line[0], modifiers)
+    for at in line[1:]:
+        hand.move(at, modifiers)
+    hand.release(line[-1], modifiers)
+
+
+AROUND_A_DIAGONAL = [(30.0, 30.0), (60.0, 30.0), (130.0, 90.0), (130.0, 110.0), (110.0, 110.0), (30.0, 60.0)]
+"""A line about the first and third corner of the square, that leaves the other two outside."""
+
+
+def test_ctrl_alt_drag_is_a_lasso(hand: Hand, view_state: ViewState, square: str) -> None:
+    draw(hand, AROUND_A_DIAGONAL, CTRL | ALT)
+    assert view_state.selection.points == {(square, 0), (square, 2)}
+
+
+def test_lasso_in_place_of_the_rectangle(hand: Hand, view_state: ViewState, square: str) -> None:
+    view_state.editing.set(lasso=True)
+    draw(hand, AROUND_A_DIAGONAL, Qt.KeyboardModifier.NoModifier)
+    assert view_state.selection.points == {(square, 0), (square, 2)}
+    view_state.select(frozenset(), frozenset({(square, 1), (square, 2)}))
+    draw(hand, AROUND_A_DIAGONAL, SHIFT)
+    assert view_state.selection.points == {(square, 0), (square, 1), (square, 2)}
+    draw(hand, AROUND_A_DIAGONAL, CTRL)
+    assert view_state.selection.points == {(square, 1)}
+
+
+def test_a_lasso_is_drawn_while_it_is_spanned(
+    canvas: CanvasView, hand: Hand, view_state: ViewState, square: str
+) -> None:
+    view_state.select(frozenset())
+    hand.move((199.0, 140.0))
+    before = canvas.grab().toImage()
+    hand.press((20.0, 120.0), CTRL | ALT)
+    for at in ((60.0, 130.0), (100.0, 120.0)):
+        hand.move(at, CTRL | ALT)
+    assert canvas.grab().toImage() != before
+    hand.key(Qt.Key.Key_Escape)
+    hand.release((100.0, 120.0))
+    hand.move((199.0, 140.0))
+    assert canvas.grab().toImage() == before
+
+
+def test_escape_drops_a_marquee(hand: Hand, view_state: ViewState, square: str) -> None:
+    hand.press((100.0, 20.0))
+    hand.move((140.0, 120.0))
+    assert view_state.selection.points
+    hand.key(Qt.Key.Key_Escape)
+    hand.release((140.0, 120.0))
+    assert not view_state.selection.points
+
+
+# ---- inserting points
+
+
+def test_ctrl_alt_click_inserts_a_corner_into_a_straight_edge(
+    hand: Hand, document: Document, view_state: ViewState, square: str, only: OnlyShape
+) -> None:
+    hand.click((80.0, 40.0), CTRL | ALT)
+    assert only().point_count == 5
+    np.testing.assert_allclose(only().at(1).points[1], np.tile((80.0, 40.0), (3, 1)), atol=0.2)
+    assert view_state.selection.points == {(square, 1)}
+    assert document.undo_stack.undoText() == "Insert point"
+    document.undo_stack.undo()
+    assert only.anchors() == SQUARE
+    assert view_state.selection.points <= {(square, index) for index in range(4)}
+
+
+def test_inserting_a_point_leaves_a_curved_outline_as_it_was_on_every_key(
+    hand: Hand, document: Document, smooth: str, only: OnlyShape
+) -> None:
+    moved = edit.set_key(only(), 9, only().at(1).points * 1.1)
+    document.open(document.project.with_shape(moved), None)
+    hand.click(tuple(moved.at(1).flatten(0.5)[3]), CTRL | ALT)
+    assert only().point_count == 5
+    for frame in (1, 9):
+        for position in only().at(frame).flatten(1.0):
+            assert bezier.nearest(moved.at(frame).points, position)[2] < 1e-4
+
+
+def test_insertion_beside_every_outline_says_what_to_do(
+    hand: Hand, document: Document, view_state: ViewState, square: str
+):
+    hand.click((180.0, 130.0), CTRL | ALT)
+    assert "outline" in view_state.message
+    assert document.undo_stack.count() == 0
+
+
+def test_selection_is_pruned_when_undo_takes_its_points_away(
+    hand: Hand, document: Document, view_state: ViewState, square: str
+):
+    hand.click((80.0, 40.0), CTRL | ALT)
+    view_state.select(frozenset({square}), frozenset({(square, 4)}))
+    document.undo_stack.undo()
+    assert view_state.selection == Selection(frozenset({square}))
+
+
+# ---- the pointer
+
+
+def test_pointer_shows_what_a_press_would_do(
+    canvas: CanvasView, hand: Hand, view_state: ViewState, square: str
+) -> None:
+    shapes = {}
+    for name, at, modifiers in (
+        ("anchor", (120.0, 40.0), None),
+        ("outline", (80.0, 40.0), None),
+        ("insert", (80.0, 40.0), CTRL | ALT),
+        ("empty", (180.0, 130.0), None),
+    ):
+        hand.move(at, modifiers or Qt.KeyboardModifier.NoModifier)
+        shapes[name] = canvas.cursor().shape()
+    assert shapes == {
+        "anchor": Qt.CursorShape.SizeAllCursor,
+        "outline": Qt.CursorShape.SizeAllCursor,
+        "insert": Qt.CursorShape.CrossCursor,
+        "empty": Qt.CursorShape.ArrowCursor,
+    }
+    view_state.select(frozenset())
+    hand.move((80.0, 40.0))
+    assert canvas.cursor().shape() is Qt.CursorShape.PointingHandCursor
+
+
+def test_hovered_part_is_known(hand: Hand, view_state: ViewState, smooth: str) -> None:
+    hand.move((70.0, 40.0))
+    assert view_state.hovered == (smooth, 0, OUT)
+    hand.move((120.0, 100.0))
+    assert view_state.hovered == (smooth, 2, ANCHOR)
+    hand.move((180.0, 130.0))
+    assert view_state.hovered is None

@@ -1,0 +1,78 @@
+"""`roam` where the window is not installed, and where it is."""
+
+from __future__ import annotations
+
+from types import SimpleNamespace
+
+import pytest
+
+import roam_core
+from roam_core import installation
+from roam_core.cli import COMMANDS, program
+
+
+@pytest.fixture
+def no_window(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(installation, "WINDOW_LIBRARIES", ("no_such_library",))
+
+
+@pytest.mark.parametrize("arguments", [[], ["shot/"], ["work.roam"]])
+def test_without_the_window_it_is_said_what_to_install(
+    no_window: None, arguments: list[str], capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert program.main(arguments) == program.BAD_USAGE
+    said = capsys.readouterr().err
+    assert said.count("\n") == 1
+    assert 'pip install "roam-roto[window]"' in said
+
+
+def test_without_the_window_the_demo_is_tracked_all_the_same(
+    no_window: None, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    asked: list[list[str]] = []
+    monkeypatch.setattr(program, "command_line", lambda argv: asked.append(argv) or 0)
+    assert program.main(["demo"]) == 0
+    assert asked == [["demo", "--headless"]]
+    assert "The window is not installed" in capsys.readouterr().err
+
+
+def test_commands_do_not_ask_for_the_window(
+    no_window: None, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(installation, "find_spec", lambda name: pytest.fail(f"asked for {name}"))
+    assert program.main(["info", "nowhere.roam"]) == 1
+    assert "nowhere.roam" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(("arguments", "status"), [(["--help"], 0), (["--version"], 0), (["--versio"], 2)])
+def test_help_and_version_need_no_window(
+    no_window: None, arguments: list[str], status: int, capsys: pytest.CaptureFixture[str]
+) -> None:
+    with pytest.raises(SystemExit) as left:
+        program.main(arguments)
+    assert left.value.code == status
+    said = capsys.readouterr()
+    if arguments == ["--help"]:
+        assert all(f"\n  {name} " in said.out for name in COMMANDS)
+    elif status == 0:
+        assert said.out == f"roam {roam_core.__version__}\n"
+    else:
+        assert "--versio" in said.err
+
+
+def test_the_window_is_handed_what_to_open_and_its_answer_is_the_programs(monkeypatch: pytest.MonkeyPatch) -> None:
+    handed: list[str | None] = []
+    window = SimpleNamespace(
+        open_window=lambda path: handed.append(path) or 7, open_demo=lambda: 8, has_display=lambda: True
+    )
+    monkeypatch.setattr(program, "window_module", lambda _: window)
+    assert [program.main(arguments) for arguments in ([], ["shot/"], ["demo"])] == [7, 7, 8]
+    assert handed == [None, "shot/"]
+
+
+def test_a_checkout_finds_its_own_folders() -> None:
+    assert (installation.RESOURCES, installation.WINDOW) == ("resources", "app")
+    assert installation.demo.__name__ == "resources.demo"
+    assert installation.resource("icons", "eye.svg").is_file()
+    with pytest.raises(AttributeError, match="no attribute 'trailer'"):
+        _ = installation.trailer
