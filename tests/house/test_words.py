@@ -91,7 +91,7 @@ def test_every_parameter_is_described() -> None:
 
 @pytest.mark.parametrize("config", list(CONFIGS))
 def test_every_configuration_is_described_and_knows_its_name(config: str) -> None:
-    text = Path(params.__file__).read_text(encoding="utf-8")
+    text = Path(configurations.__file__).read_text(encoding="utf-8")
     described = text[text.index("CONFIGS:") :]
     assert f"`{config}`" in described
     assert CONFIGS[config].config == config
