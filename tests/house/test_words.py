@@ -9,9 +9,8 @@ from pathlib import Path
 
 import pytest
 
-from roam_core import params
 from roam_core.cli import COMMANDS
-from roam_core.params import CONFIGS, DEFAULT_CONFIG, RoamParams
+from roam_core.params import CONFIGS, DEFAULT_CONFIG, RoamParams, configurations
 from tests.conftest import ROOT
 
 MOST_LINES = 450
