@@ -20,6 +20,8 @@ class Dial:
     low, high : bounds of the factor; 1 is what the configuration says.
     turn : from parameters (`RoamParams`) and a factor to the parameters so changed; the very same ones where the
         configuration has nothing for this dial to turn.
+    is_offered : whether it is worth turning in parameters. A name that turns it all the same is understood as ever, so
+        that keys which were tracked so stay what they are.
     """
 
     name: str
@@ -28,6 +30,7 @@ class Dial:
     low: float
     high: float
     turn: Callable[[Any, float], Any]
+    is_offered: Callable[[Any], bool] = lambda params: True
 
 
 def _reach(params: Any, factor: float) -> Any:
@@ -72,18 +75,26 @@ def _key_colours(params: Any, factor: float) -> Any:
     return replace(params, appearance=replace(params.appearance, key_share=share))
 
 
+def _is_curve(params: Any) -> bool:
+    """Whether curves are drawn by their own energy: for regions what the dial turns told nothing but chance."""
+    return params.region is None
+
+
 DIALS: tuple[Dial, ...] = (
     Dial("reach", "Reach", "How far the outline may go in one frame from where the motion puts it", 0.25, 4.0, _reach),
-    Dial("firmness", "Firmness", "How firmly the outline keeps its form from frame to frame", 0.0, 8.0, _firmness),
+    Dial(
+        "firmness", "Firmness", "How firmly the outline keeps its form from frame to frame", 0.0, 8.0, _firmness,
+        _is_curve,
+    ),
     Dial("smoothness", "Smoothness", "How smooth the edge is: less follows finer detail", 0.5, 3.0, _smoothness),
-    Dial("learning", "Learning", "How quickly new colours are learned; at 0 never", 0.0, 4.0, _learning),
+    Dial("learning", "Learning", "How quickly new colours are learned; at 0 never", 0.0, 4.0, _learning, _is_curve),
     Dial("key", "Key colours", "How much your key's colours count beside later ones", 0.0, 3.0, _key_colours),
 )  # fmt: skip
 
 
 def dials_of(params: Any) -> tuple[Dial, ...]:
-    """The dials that turn something in these parameters (`RoamParams`)."""
-    return tuple(dial for dial in DIALS if dial.turn(params, dial.high) != params)
+    """The dials that are worth turning in these parameters (`RoamParams`)."""
+    return tuple(dial for dial in DIALS if dial.is_offered(params) and dial.turn(params, dial.high) != params)
 
 
 def name_of(config: str, factors: Mapping[str, float]) -> str:

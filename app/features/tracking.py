@@ -7,7 +7,7 @@ from enum import StrEnum
 
 from roam_core.dials import name_of
 from roam_core.errors import RoamError
-from roam_core.params import DEFAULT_CONFIG, DOUBTFUL, params_for
+from roam_core.params import DEFAULT_CONFIG, DOUBTFUL, departed, params_for
 from roam_core.roto import RotoShape
 
 from ..jobs.filling import Gap, gaps_of
@@ -64,12 +64,18 @@ class Tracking:
         }
 
     def recall(self, kept: Mapping[str, Mapping[str, str]]) -> None:
-        """Turn the dials as `remembered` told; what makes no sense any more is left out."""
+        """Turn the dials as `remembered` told; what makes no sense any more is left out.
+
+        So is a dial that is offered no more, which is said: nothing would show that it is turned.
+        """
         for config, own in kept.items():
             for dial, word in own.items():
                 try:
                     params_for(f"{config}+{dial}={word}")
                 except RoamError:
+                    continue
+                if departed(f"{config}+{dial}={word}"):
+                    self._view.say(f"The dial {dial!r} is not offered for {config!r} any more; it is left at 100 %.")
                     continue
                 self.factors.setdefault(config, {})[dial] = float(word)
 

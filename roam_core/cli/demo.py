@@ -11,6 +11,7 @@ import numpy as np
 from platformdirs import user_cache_path
 from tqdm import tqdm
 
+from roam_core.cli.configuring import configured
 from roam_core.cli.overwriting import add_overwrite, project_writer
 from roam_core.cli.plate import Plate, opened
 from roam_core.cli.track import Report, frame_range, print_line, require_target, require_writable, track_project
@@ -19,7 +20,7 @@ from roam_core.installation import demo
 from roam_core.interchange.authorship import Kind
 from roam_core.interchange.targets import Sources, require_free
 from roam_core.matte import render_matte
-from roam_core.params import DEFAULT_CONFIG, params_for
+from roam_core.params import DEFAULT_CONFIG
 from roam_core.propagate import FrameResult
 from roam_core.roto import Clip, Project, RotoShape, edit
 
@@ -36,7 +37,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace) -> int:
     """Carry out the command."""
-    params_for(arguments.config)
+    configured(arguments.config)
     if arguments.save is not None:
         require_target(arguments.save)
     require_free_places(arguments.frames, arguments.save, overwrite=arguments.overwrite)

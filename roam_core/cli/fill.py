@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from tqdm import tqdm
 
 from roam_core.cancel import CancelToken
+from roam_core.cli.configuring import configured
 from roam_core.cli.keeping import kept
 from roam_core.cli.lines import print_json
 from roam_core.cli.overwriting import add_overwrite, project_writer, tell_of_holder
@@ -27,7 +28,7 @@ from roam_core.errors import RoamError
 from roam_core.interchange.authorship import Kind
 from roam_core.interchange.mattes.exporter import write_matte
 from roam_core.interchange.targets import Sources, require_free
-from roam_core.params import CONFIGS, DEFAULT_CONFIG, RoamParams, params_for
+from roam_core.params import CONFIGS, DEFAULT_CONFIG, RoamParams
 from roam_core.propagate import Termination, warm_up
 from roam_core.propagate.provenance import Stamps, clip_stamp, takes_part
 from roam_core.propagate.span import fill_span
@@ -52,7 +53,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace) -> int:
     """Carry out the command."""
-    params = params_for(arguments.config)
+    params = configured(arguments.config)
     target = arguments.project if arguments.save is None else arguments.save
     write = project_writer(target, arguments.project)
     project = loaded(arguments.project)

@@ -25,6 +25,7 @@ COMMANDS: dict[str, str] = {
     "render": "write a project's mattes",
     "explain": "say what each term contributes to a tracked key",
     "info": "say what is in a project or clip",
+    "configs": "list the engine's configurations, dials and parameters",
     "demo": "track the built-in demo shot",
 }
 """Commands and what they do; each lives in the module of its name beside this one (a keyword's ends in `_`)."""

@@ -12,6 +12,7 @@ from pathlib import Path
 
 from tqdm import tqdm
 
+from roam_core.cli.configuring import configured
 from roam_core.cli.keeping import kept
 from roam_core.cli.lines import print_json
 from roam_core.cli.overwriting import add_overwrite, project_writer, tell_of_holder
@@ -54,7 +55,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(arguments: argparse.Namespace) -> int:
     """Carry out the command."""
     # Everything that can be refused is refused before anything is written.
-    params_for(arguments.config)
+    configured(arguments.config)
     if arguments.landmarks is not None:
         require_landmarks(arguments.config, arguments.landmarks)
     init = Path(arguments.init)

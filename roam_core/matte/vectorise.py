@@ -15,6 +15,7 @@ from roam_core.errors import RoamError
 from roam_core.geometry import fit, polyline
 from roam_core.geometry.simple import simplified
 from roam_core.media.sequence import opened_image
+from roam_core.params import UNTYING
 from roam_core.roto import BlendMode, Keyframe, RotoShape
 from roam_core.roto.project import PALETTE
 
@@ -57,7 +58,7 @@ def shapes_from_mask(mask: NDArray[Any], frame: int = 0, tolerance: float = 1.0)
 
 def _fitted(ring: Array, tolerance: float) -> Array:
     points = fit.fit_closed(ring, tolerance)
-    return simplified(points, points)
+    return simplified(points, points, params=UNTYING)
 
 
 def outlines(mask: NDArray[Any]) -> list[list[Array]]:

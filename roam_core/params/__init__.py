@@ -10,7 +10,7 @@ from __future__ import annotations
 from roam_core.params.appearance import AppearanceParams
 from roam_core.params.between import SpanParams, WitnessParams
 from roam_core.params.confidence import CONFIDENCE, ConfidenceParams
-from roam_core.params.configurations import CONFIGS, DEFAULT_CONFIG, DOUBTFUL, params_for
+from roam_core.params.configurations import CONFIGS, DEFAULT_CONFIG, DOUBTFUL, departed, params_for
 from roam_core.params.contour import TIPS, UNTYING, ContourFitParams, RefineParams, TipsParams, UntyingParams
 from roam_core.params.curves import (
     CONTROL_POLYGON,
@@ -102,6 +102,7 @@ __all__ = [
     "TipsParams",
     "UntyingParams",
     "WitnessParams",
+    "departed",
     "params_for",
     "scale_for",
 ]

@@ -16,11 +16,11 @@ class AppearanceParams:
     Attributes
     ----------
     local_kind : what says ln p_n^f / p_n^b. "mixture", the paper's: one model an edge. "nearest", beyond the paper: the
-        nearest colours of the last frame along the flow and of the artist's key, with the parameters `cues`, of which
-        those named local, key and motion, band, bias, blur, clip, margin and grid_factor are read
-        (`proposal.nearest_colours`), and doubted, better and believed, on the resemblance to the key
-        (`propagate.refinding.Watch`) in place of an expected IoU. "both": the mean of the two log-ratios; what one
-        loses the other mostly holds.
+        nearest colours of the last frame along the flow and of the artist's key (`proposal.nearest_colours`). "both":
+        the mean of the two log-ratios; what one loses the other mostly holds.
+    cues : of the nearest colours; of them those named local, key and motion, band, bias, blur, clip, margin and
+        grid_factor are read, and doubted, better, believed and redetection, on the resemblance to the key
+        (`propagate.refinding.Watch`) in place of an expected IoU.
     term : how the models enter the energy. "ribbon", the paper's: each edge's colours on both sides, up to the ribbon's
         depth, under its own model. "region": the same log-ratios ln p_n^f / p_n^b summed over all that the curve
         encloses near its old place (region competition, Zhu and Yuille 1996), so that it is drawn from farther away.
@@ -32,8 +32,8 @@ class AppearanceParams:
     adaptation : rate of the Stauffer-Grimson update, a frame of full confidence.
     trusted : confidence below which a frame teaches nothing.
     global_kind : the global model p_0 (equation 4), made where `lambda_global` is above zero: "mixture", the paper's,
-        of `global_components` Gaussians a side, or "histogram", beyond the paper. global_ring : depth of the
-        surroundings that it learns the background from.
+        or "histogram", beyond the paper. global_components : Gaussians of that mixture, a side. global_ring :
+        depth of the surroundings that it learns the background from.
     edge_blur : cells on both sides of the outline whose colours are mixed from both, and teach nothing.
     matched : standard deviations within which a colour matches a component (`appearance.update`).
     new_variance : least variance, Lab units squared, of a component that is put in for colours that matched none.

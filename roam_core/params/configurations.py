@@ -85,6 +85,18 @@ def params_for(config: str | RoamParams) -> RoamParams:
     return CONFIGS[config] if config in CONFIGS else _changed(config)
 
 
+def departed(name: str) -> list[str]:
+    """A sentence for each dial that a configuration's name turns, though it is offered there no more."""
+    base, *words = WORD.split(name)
+    turned = {word.partition("=")[0] for word in words}
+    gone = [dial for dial in DIALS if dial.name in turned and base in CONFIGS and not dial.is_offered(CONFIGS[base])]
+    return [
+        f"The dial {dial.name!r} is not offered for {base!r} any more, where it changed results by chance only; "
+        f"{name!r} is understood as before."
+        for dial in gone
+    ]
+
+
 @lru_cache(maxsize=64)
 def _changed(name: str) -> RoamParams:
     """One value for one name: who compares parameters, or keeps something by them, may go by identity."""

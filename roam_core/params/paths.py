@@ -64,13 +64,13 @@ def changed(params: P, path: str, text: str) -> P:
 
 
 def no_such(params: Any, name: str, others: Sequence[str] = ()) -> str:
-    """That there is no dial or parameter of this name, with those that may have been meant."""
+    """That there is no dial or parameter of this name, with the closest ones."""
     known = [*others, *(path for path, _ in leaves(params))]
     last = {path.rpartition(".")[2]: path for path in reversed(known)}
     close = difflib.get_close_matches(name, known, 3, CLOSE)
     close += [last[each] for each in difflib.get_close_matches(name.rpartition(".")[2], list(last), 3, CLOSE)]
     meant = list(dict.fromkeys(close))[:3]
-    hint = f"did you mean {' or '.join(meant)}?" if meant else "`roam configs --params` lists them all."
+    hint = f"the closest are {', '.join(meant)}." if meant else "`roam configs --params` lists them all."
     return f"There is no dial or parameter {name!r} in the configuration {params.config!r}; {hint}"
 
 

@@ -9,7 +9,7 @@ import pytest
 from roam_core.dials import DIALS, dials_of, name_of
 from roam_core.errors import RoamError
 from roam_core.geometry.bezier import polygon_points
-from roam_core.params import CONFIGS, params_for
+from roam_core.params import CONFIGS, departed, params_for
 from roam_core.propagate.provenance import clip_stamp, is_stale, stamp
 from roam_core.roto import Clip, Keyframe, Origin, RotoShape, edit
 
@@ -28,7 +28,18 @@ def test_every_dial_that_is_offered_turns_something_both_ways(config: str) -> No
 
 def test_what_a_configuration_has_not_cannot_be_turned() -> None:
     assert {dial.name for dial in dials_of(CONFIGS["baseline"])} == {"reach", "firmness", "smoothness"}
-    assert {dial.name for dial in dials_of(CONFIGS["best"])} == {dial.name for dial in DIALS}
+    assert {dial.name for dial in dials_of(CONFIGS["full"])} == {dial.name for dial in DIALS}
+
+
+def test_what_told_nothing_for_regions_is_not_offered_there_and_a_name_that_turns_it_is_understood() -> None:
+    assert {dial.name for dial in dials_of(CONFIGS["best"])} == {"reach", "smoothness", "key"}
+    turned, usual = params_for("best+firmness=2").region, CONFIGS["best"].region
+    assert turned is not None
+    assert usual is not None
+    assert turned.prior_weight == 2.0 * usual.prior_weight
+    (sentence,) = departed("best+firmness=2+reach=2")
+    assert "firmness" in sentence
+    assert departed("best+reach=2+region.prior_weight=0.1") == departed("lean+firmness=2") == []
 
 
 def test_a_name_tells_the_dials_that_are_turned_and_comes_back_as_parameters() -> None:

@@ -255,9 +255,9 @@ def test_dials_are_turned_for_the_run_and_turned_back(
     assert dials.is_unfolded
     field = dials.fields["reach"]
     qtbot.keyClick(field, Qt.Key.Key_Up)
-    qtbot.keyClick(dials.fields["learning"], Qt.Key.Key_Down)
+    qtbot.keyClick(dials.fields["key"], Qt.Key.Key_Down)
     tracking.forward()
-    assert propagation.asked[-1][2] == "best+reach=1.1+learning=0.9"
+    assert propagation.asked[-1][2] == "best+reach=1.1+key=0.9"
     assert dials.arrow.text() == "Fine tuning, changed"
     qtbot.mouseClick(dials.reset, left)
     tracking.forward()
@@ -284,5 +284,7 @@ def test_turned_dials_are_kept_and_nonsense_is_left_out(tracking: Tracking) -> N
     tracking.turn("key", 1.0)
     assert tracking.remembered() == {DEFAULT_CONFIG: {"reach": "1.5"}}
     tracking.reset()
-    tracking.recall({DEFAULT_CONFIG: {"reach": "1.5", "speed": "2", "key": "many"}, "abacus": {"reach": "2"}})
+    tracking.recall(
+        {DEFAULT_CONFIG: {"reach": "1.5", "speed": "2", "key": "many", "firmness": "2"}, "abacus": {"reach": "2"}}
+    )
     assert tracking.factors == {DEFAULT_CONFIG: {"reach": 1.5}}
