@@ -9,6 +9,7 @@ import sys
 import pytest
 
 import roam_core
+from roam_core import params
 from tests.conftest import ROOT
 
 SOURCE = ROOT / "docs" / "reference"
@@ -32,6 +33,11 @@ def test_every_name_that_the_library_offers_is_described(pages: dict[str, str]) 
     text = "".join(pages.values())
     assert [name for name in offered if f'id="roam_core.{name}"' not in text] == []
     assert 'id="module-roam_core.roto.edit"' in text
+
+
+def test_every_room_of_the_parameters_is_described(pages: dict[str, str]) -> None:
+    rooms = [name for name in params.__all__ if name.endswith("Params")]
+    assert [name for name in rooms if f'.{name}">' not in pages["configurations"]] == []
 
 
 def test_parameters_stand_with_their_meaning_and_errors_with_their_reason(pages: dict[str, str]) -> None:

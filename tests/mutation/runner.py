@@ -26,7 +26,7 @@ LIBRARIES = (
     "numpy", "numba", "cv2", "scipy.ndimage", "scipy.signal", "scipy.optimize", "scipy.spatial", "contourpy",
     "OpenImageIO", "hypothesis", "shapely", "defusedxml.ElementTree", "sklearn.mixture", "coverage",
 )  # fmt: skip
-MOST_SECONDS = 40.0
+MOST_SECONDS = 15.0
 """Of tests for one mutant, by their time on the unchanged tree."""
 MEMORY = 6 << 30
 """Bytes of address space for a mutant's tests."""

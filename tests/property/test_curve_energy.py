@@ -20,6 +20,7 @@ from roam_core.features.grid import Grid
 from roam_core.inference.contour_dp import best_moves
 from roam_core.params import AppearanceParams, RoamParams
 from tests.reference.energy import ref_curve_energies
+from tests.unit.kernels.conftest import EXACT
 
 Array = NDArray[np.float64]
 
@@ -58,5 +59,5 @@ def test_the_solver_finds_the_least_of_the_energies_of_all_configurations(name: 
         for labels in product(range(len(moves)), repeat=len(nodes))
     ]
     solved, energy = best_moves(nodes, moves, context, params)
-    assert energy == pytest.approx(min(all_energies), abs=1e-9)
-    assert energy == pytest.approx(ref_curve_energies(solved, context, params)["total"], abs=1e-9)
+    assert energy == pytest.approx(min(all_energies), rel=EXACT, abs=EXACT)
+    assert energy == pytest.approx(ref_curve_energies(solved, context, params)["total"], rel=EXACT, abs=EXACT)

@@ -110,10 +110,10 @@ WEIGHTS = LandmarkParams(weight=0.7, star=0.05, joint=0.02)
 
 
 def a_context(rng: np.random.Generator, nodes: np.ndarray) -> LandmarkContext:
-    """Three landmarks on lattices of 5 by 5 places, in a picture of twice the size that the weights are meant for."""
+    """Three landmarks on lattices of 5 by 5 places, in a picture larger than the weights are meant for."""
     leaves = rng.uniform(0.0, 10.0, (3, 2))
     pairs = Pairs(np.array([0, 0, 1, 3]), np.array([0, 1, 2, 2]), rng.normal(size=(4, 2)))
-    return LandmarkContext(Star.of(leaves), rng.normal(size=(3, 5, 5)).astype(np.float32), 1.5, pairs, 2.0)
+    return LandmarkContext(Star.of(leaves), rng.normal(size=(3, 5, 5)).astype(np.float32), 1.5, pairs, 1.7)
 
 
 def test_the_oracle_has_the_energies_of_the_papers_equations() -> None:

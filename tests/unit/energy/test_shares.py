@@ -75,6 +75,18 @@ def test_a_cell_of_the_region_speaks_at_the_edge_that_it_is_nearest_to() -> None
     npt.assert_array_equal(enclosed_shares(outside, square, context), np.zeros(4))
 
 
+def test_the_global_model_speaks_at_the_edges_that_its_cells_are_nearest_to() -> None:
+    grid = Grid(Region(0, 0, 20, 20), 20, 20)
+    nothing, whole = np.zeros((20, 20), dtype=np.float32), np.zeros((20, 20), dtype=np.float32)
+    whole[5, 10] = 3.0
+    square = np.array([(4.0, 4.0), (16.0, 4.0), (16.0, 16.0), (4.0, 16.0)])
+    context = CurveContext(nothing, (0, 0), 1.0, 1.0, ColourFields(grid, nothing, nothing, 4.0, whole))
+    shares = curve_shares(square, context, replace(COMPETITION, lambda_global=0.5))
+    npt.assert_allclose(shares["global"], [-0.75, -0.75, 0.0, 0.0])
+    without = replace(context, colours=ColourFields(grid, nothing, nothing, 4.0))
+    assert set(curve_shares(square, without, COMPETITION)) == {"gradient", "l2", "local"}
+
+
 def test_the_pieces_of_nodes_and_landmarks_sum_to_the_oracle() -> None:
     rng = np.random.default_rng(5)
     nodes, leaves = rng.uniform(0.0, 60.0, (9, 2)), rng.uniform(15.0, 45.0, (4, 2))

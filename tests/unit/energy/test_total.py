@@ -15,6 +15,7 @@ from roam_core.features.grid import Grid
 from roam_core.params import AppearanceParams, RoamParams
 from tests.reference.cyclic_viterbi import chain_energy
 from tests.reference.energy import ref_curve_energies
+from tests.unit.kernels.conftest import EXACT
 
 # No sample of any edge falls on a border between pixels, where rounding would choose the side.
 NODES = (
@@ -109,7 +110,7 @@ def test_the_oracle_has_the_energies_of_the_papers_equations(
     for labels in np.random.default_rng(5).integers(0, len(MOVES), (6, len(NODES))):
         ours = total.energies(nodes + MOVES[labels], at_rest, params)
         theirs = ref_curve_energies(nodes + MOVES[labels], at_rest, params)
-        assert ours == pytest.approx({name: theirs.get(name, 0.0) for name in ours}, abs=1e-9)
+        assert ours == pytest.approx({name: theirs.get(name, 0.0) for name in ours}, rel=EXACT, abs=EXACT)
         assert set(theirs) <= set(ours)
 
 
@@ -125,7 +126,7 @@ def test_any_labelling_of_the_tables_has_the_energy_of_the_papers_equations(
     unary, pairwise = total.tables(nodes, MOVES, at_rest, params)
     for labels in np.random.default_rng(4).integers(0, len(MOVES), (20, len(NODES))):
         direct = ref_curve_energies(nodes + MOVES[labels], at_rest, params)
-        assert chain_energy(unary, pairwise, labels) == pytest.approx(direct["total"], abs=1e-9)
+        assert chain_energy(unary, pairwise, labels) == pytest.approx(direct["total"], rel=EXACT, abs=EXACT)
 
 
 @pytest.mark.parametrize(("weight", "term"), [("lambda_local", "local"), ("lambda_global", "global")])

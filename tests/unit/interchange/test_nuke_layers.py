@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 from pathlib import Path
 
@@ -102,6 +103,15 @@ def test_a_node_of_its_own_is_made_where_it_is_needed(items: tuple[Layer | RotoS
 def test_sums_that_become_unions_are_told() -> None:
     _, notes = roto_document(project_of(A, named("B", blend=PLUS)))
     assert notes == ("Nuke unites where ROAM adds 'B': pixels that two edges share are darker there.",)
+
+
+def test_nodes_are_numbered_as_they_stand_side_by_side() -> None:
+    text, _ = roto_document(project_of(A, layer_of(B, invert=True), layer_of(FAINT, invert=True)))
+    rotos = [node for node in nuke_grammar.nodes(text) if node.species == "Roto"]
+    assert len(rotos) == 3
+    assert [text.count(f" name Roto{number}\n") for number in (1, 2, 3)] == [1, 1, 1]
+    places = [int(place) for place in re.findall(r" xpos (-?\d+)", text)]
+    assert len(set(places)) >= 3
 
 
 def test_names_and_locks_of_layers_come_back(tmp_path: Path) -> None:

@@ -39,6 +39,11 @@ DRAWINGS = {
     '<use xlink:href="#g" transform="scale(.3)"/>',
     "picture in picture": '<svg x="100" y="50" width="300" height="200" viewBox="0 0 100 100"><circle cx="50" cy="50" '
     'r="50"/></svg>',
+    "important rules": "<style>.a{display:inline!important} .b{display:none !important}</style>"
+    '<rect class="a" style="display:none" x="20" y="30" width="200" height="150"/>'
+    '<rect class="b" style="display:inline" x="320" y="30" width="200" height="150"/>',
+    "turned arcs": '<path d="M100 150A120 50 30 1 1 300 160Z"/><path d="M400 300a60 90-40 0 0 120-80L520 350z"/>'
+    '<path d="M350 60A10 4 70 0 1 420 90Z"/>',
     "visibility": f'<g visibility="hidden">{DISC}<rect visibility="visible" x="300" y="200" '
     'width="90" height="90"/></g>',
     "traced": '<g transform="translate(0,400) scale(0.1,-0.1)" fill="#000000" stroke="none"><path d="M1000 3000 c500 0 '

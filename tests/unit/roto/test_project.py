@@ -92,3 +92,8 @@ def test_equal_projects_are_equal_values(project: Project) -> None:
     again = project.with_shape(shape(3))
     assert again == project
     assert np.array_equal(again.shape("shape-3").keys[0].points, POINTS)
+
+
+def test_what_is_not_there_cannot_be_replaced() -> None:
+    with pytest.raises(KeyError, match="nobody"):
+        Project().map_item("nobody", lambda item: item)

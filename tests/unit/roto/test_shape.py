@@ -149,3 +149,13 @@ def test_a_feather_has_the_form_of_its_points() -> None:
 def test_what_is_no_shape_is_refused(keys: tuple[Keyframe, ...], reason: str) -> None:
     with pytest.raises(ValueError, match=reason):
         RotoShape("a", "A", keys)
+
+
+def test_a_key_has_arrays_of_its_own_that_nobody_can_change() -> None:
+    arrays = TRIANGLE.copy(), TRIANGLE.copy(), np.ones(3)
+    key = Keyframe(1, arrays[0], feather=arrays[1], origin=Origin.ENGINE, vertex_confidence=arrays[2])
+    for given, kept in zip(arrays, (key.points, key.feather, key.vertex_confidence), strict=True):
+        assert kept is not None
+        assert not kept.flags.writeable
+        given += 1.0
+        assert not np.array_equal(given, kept)

@@ -11,7 +11,7 @@ import pytest
 
 from roam_core.errors import RoamError
 from roam_core.roto import writing
-from roam_core.roto.writing import STALE_SECONDS, sweep, temporary_beside, write_atomically
+from roam_core.roto.writing import STALE_SECONDS, is_alive, sweep, temporary_beside, write_atomically
 from tests.unit.roto.faults import each_crash, each_fault
 
 posix = pytest.mark.skipif(os.name != "posix", reason="needs links, FIFOs and processes of POSIX")
@@ -158,3 +158,16 @@ def test_only_old_temporary_files_of_dead_processes_are_swept(tmp_path: Path) ->
     (tmp_path / young).write_bytes(b"")
     write_atomically(tmp_path / "new", NEW)
     assert names(tmp_path) == sorted([mine, young, "new", *others])
+
+
+@posix
+def test_a_folder_is_named_as_what_it_is(tmp_path: Path) -> None:
+    with pytest.raises(RoamError, match="it is a folder"):
+        write_atomically(tmp_path, NEW)
+
+
+@posix
+def test_a_process_is_alive_or_not_and_a_group_of_them_is_none() -> None:
+    assert is_alive(os.getpid())
+    assert not is_alive(0)
+    assert not is_alive(-os.getpgid(0))
