@@ -32,8 +32,8 @@ class AppearanceParams:
     adaptation : rate of the Stauffer-Grimson update, a frame of full confidence.
     trusted : confidence below which a frame teaches nothing.
     global_kind : the global model p_0 (equation 4), made where `lambda_global` is above zero: "mixture", the paper's,
-        or "histogram", beyond the paper. global_components : Gaussians of that mixture, a side. global_ring :
-        depth of the surroundings that it learns the background from.
+        or "histogram", beyond the paper. global_components : Gaussians of that mixture, a side.
+    global_ring : depth of the surroundings that it learns the background from.
     edge_blur : cells on both sides of the outline whose colours are mixed from both, and teach nothing.
     matched : standard deviations within which a colour matches a component (`appearance.update`).
     new_variance : least variance, Lab units squared, of a component that is put in for colours that matched none.

@@ -13,7 +13,11 @@ from roam_core.errors import RoamError
 
 P = TypeVar("P")
 MOST_TIMES = 100.0
-"""How many times what the configuration says a number may be."""
+"""How many times what the configuration says a number may be; that small a part of it, too, unless it may be zero."""
+MAY_BE_ZERO = re.compile(
+    r"weight|share|lambda_|adaptation|doubted|better|believed|momentum|strength|\b(mu|held|diffusion|key_aged|star|joint|tie)$"
+)
+"""What is multiplied and nothing is divided by: it can be left out."""
 CLOSE = 0.6
 """Likeness of two names from which one may have been meant for the other, in [0, 1]."""
 NAMES = re.compile(r"(?:^|(?<=[.;:] )|(?<=\n))\s*((?:`?[a-z]\w*`?, )*`?[a-z]\w*`?) ?: ")
@@ -142,7 +146,11 @@ def _number(path: str, text: str, now: float) -> float:
     except ValueError:
         found = math.nan
     most = MOST_TIMES * max(abs(now), 1.0)
-    least = 1 if isinstance(now, int) and now > 0 else -most if now < 0 else 0
+    least = 0.0 if now == 0 or MAY_BE_ZERO.search(path) else now / MOST_TIMES
+    if now < 0:
+        least = -most
+    elif isinstance(now, int) and now > 0:
+        least = 1
     if not least <= found <= most:
         kind = "whole number" if isinstance(now, int) else "number"
         raise RoamError(f"{path}={text} makes no sense; give a {kind} from {least:g} to {most:g} (it is {now:g}).")
