@@ -79,16 +79,16 @@ def left_out(frames: Mapping[tuple[str, str], Sequence[Rated]]) -> tuple[dict[tu
 
 def weights_of(frames: Mapping[tuple[str, str], Sequence[Rated]]) -> Array:
     """Constant and weights of the model; each shot counts the same, frames on which nothing was found not at all."""
-    signs, shares, counts = [], [], []
+    features, shares, counts = [], [], []
     for (name, _), each in frames.items():
         total = sum(len(others) for (other, _), others in frames.items() if other == name)
         for frame in each:
             found = [(share, values) for share, values in frame.known if share > 0.0]
             if found:
-                signs.append(np.average([v for _, v in found], axis=0, weights=[share for share, _ in found]))
+                features.append(np.average([v for _, v in found], axis=0, weights=[share for share, _ in found]))
                 shares.append(frame.iou)
                 counts.append(1.0 / total)
-    return logistic.fitted(np.array(signs), np.array(shares), np.array(counts))
+    return logistic.fitted(np.array(features), np.array(shares), np.array(counts))
 
 
 def confidences(frames: Sequence[Rated], weights: Array) -> Array:

@@ -12,16 +12,16 @@ ROUNDS, STEPS = 6, 8
 """Times that signs of negative weight are dropped, and Newton's steps each time: both more than enough."""
 
 
-def fitted(signs: Array, shares: Array, counts: Array) -> Array:
+def fitted(features: Array, shares: Array, counts: Array) -> Array:
     """Constant and weights `(1 + K,)` of `expected` that make the shares most probable.
 
     Parameters
     ----------
     signs : (M, K). shares : (M,) in [0, 1]. counts : (M,) how much each row counts.
     """
-    middle, spread = signs.mean(axis=0), signs.std(axis=0) + 1e-9
-    rows = np.column_stack([np.ones(len(signs)), -(signs - middle) / spread])
-    price = np.array([0.0, *[RIDGE] * signs.shape[1]])
+    middle, spread = features.mean(axis=0), features.std(axis=0) + 1e-9
+    rows = np.column_stack([np.ones(len(features)), -(features - middle) / spread])
+    price = np.array([0.0, *[RIDGE] * features.shape[1]])
     weights, kept = np.zeros(rows.shape[1]), np.ones(rows.shape[1], dtype=bool)
     for _ in range(ROUNDS):
         weights[kept] = _newton(rows[:, kept], shares, counts / counts.sum(), price[kept])
@@ -35,9 +35,9 @@ def fitted(signs: Array, shares: Array, counts: Array) -> Array:
     return np.array([weights[0] + slopes @ middle, *slopes])
 
 
-def expected(signs: Array, weights: Array) -> Array:
+def expected(features: Array, weights: Array) -> Array:
     """The share `(M,)` that signs `(M, K)` let one expect, as `confidence.expected_overlap` has it."""
-    return np.asarray(1.0 / (1.0 + np.exp(signs @ weights[1:] - weights[0])))
+    return np.asarray(1.0 / (1.0 + np.exp(features @ weights[1:] - weights[0])))
 
 
 def _newton(rows: Array, shares: Array, counts: Array, price: Array) -> Array:

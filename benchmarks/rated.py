@@ -15,7 +15,7 @@ from roam_core import shapes_from_mask
 from roam_core.features import PreparedFrame
 from roam_core.geometry import bezier
 from roam_core.params import CONFIGS, params_for
-from roam_core.propagate.confidence import Signs, SpanSigns
+from roam_core.propagate.confidence import ConfidenceFeatures, SpanFeatures
 from roam_core.propagate.engines.by_regions import RegionEngine
 from roam_core.propagate.group import GroupTracker
 from roam_core.propagate.objects import near, objects
@@ -65,10 +65,10 @@ def carried(shot: Shot, run: range) -> Iterator[Rated]:
             results = tracker.step(picture, frame)
             engine = tracker.standing.engine
             assert isinstance(engine, RegionEngine)
-            signs = engine.state.signs
+            features = engine.state.features
             outlines += [each.shape for each in results]
             found = [each.shape for each in results if each.confidence > 0.0]
-            known.append((_area(found, frame), signs if isinstance(signs, Signs) else None))
+            known.append((_area(found, frame), features if isinstance(features, ConfidenceFeatures) else None))
         yield _rated(shot, frame, outlines, known)
 
 
@@ -94,16 +94,19 @@ def filled(shot: Shot, gap: int) -> Iterator[Rated]:
                 pairs = [(s, each) for s, each in zip(group, solved, strict=True) if each is not None]
                 here = [RotoShape(s.id, s.name, (Keyframe(frame, m.points),), blend=s.blend) for s, m in pairs]
                 outlines += here
-                known.append((_area(here, frame), pairs[0][1].signs if pairs else None))
+                known.append((_area(here, frame), pairs[0][1].features if pairs else None))
             yield _rated(shot, frame, outlines, known)
 
 
 def _rated(
-    shot: Shot, frame: int, outlines: list[RotoShape], known: list[tuple[float, Signs | SpanSigns | None]]
+    shot: Shot,
+    frame: int,
+    outlines: list[RotoShape],
+    known: list[tuple[float, ConfidenceFeatures | SpanFeatures | None]],
 ) -> Rated:
     iou = shots.overlap(shots.matte(outlines, frame, shot.size), shot.mask(frame))
     whole = max(_area(outlines, frame), 1.0)
-    return Rated(iou, tuple((area / whole, astuple(signs)) for area, signs in known if signs is not None))
+    return Rated(iou, tuple((area / whole, astuple(features)) for area, features in known if features is not None))
 
 
 def _area(shapes: Sequence[RotoShape], frame: int) -> float:

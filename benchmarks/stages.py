@@ -36,15 +36,15 @@ from roam_core.motion.klt import similarity_warp
 from roam_core.params import CONFIGS
 from roam_core.propagate import track, warm_up
 from roam_core.propagate.confidence import edge_support, frame_confidence, node_support
-from roam_core.propagate.laying import enclosed, laid
+from roam_core.propagate.contour_fit import enclosed, laid
 from roam_core.propagate.nodes import NodeMap
 from roam_core.propagate.reshaping import reshape
 from roam_core.propagate.rigid import Rigidity
 from roam_core.propagate.step import curve_context
+from roam_core.proposal.components import ring_around, shares
 from roam_core.proposal.contour import follow
 from roam_core.proposal.evidence import gathered
-from roam_core.proposal.lineage import lineage
-from roam_core.proposal.pieces import ring_around, shares
+from roam_core.proposal.label_propagation import label_propagation
 from roam_core.proposal.region import cleaned
 from roam_core.roto import RotoShape
 
@@ -60,7 +60,7 @@ STAGES: dict[str, Sequence[Callable[..., Any]]] = {
     "reparametrisation": (reshape,),
     "fit back to the control points": (NodeMap.points,),
     "one piece": (Rigidity.step,),
-    "lineage": (lineage,),
+    "lineage": (label_propagation,),
     "local colours": (nearest_colours,),
     "smoothing of the evidence": (diffuse,),
     "the other evidence": (gathered,),

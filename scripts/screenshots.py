@@ -36,7 +36,7 @@ from scripts.camera import (
 
 if TYPE_CHECKING:
     from app.shell.main_window import MainWindow
-    from roam_core.propagate.offers import Proposal
+    from roam_core.propagate.topology_proposals import Proposal
     from roam_core.roto import Project, RotoShape
 
 TRACKED_TO, LOOKED_AT, STOPPED_AT, DOUBTED_AFTER = 1024, 1012, 1016, 1030
@@ -187,7 +187,7 @@ def posed_proposal(shape: RotoShape, project: Project) -> Proposal:
     import numpy as np
 
     from roam_core import render_matte
-    from roam_core.propagate.offers import Proposal
+    from roam_core.propagate.topology_proposals import Proposal
     from roam_core.proposal.topology import TopologyChange, TopologyKind
 
     assert project.clip is not None
@@ -221,12 +221,12 @@ def photograph_finding(shown: MainWindow) -> None:
     from PySide6.QtTest import QTest
 
     shown.actions_by_id["help.palette"].trigger()
-    QTest.keyClicks(shown.desk.palette.field, "doub")
+    QTest.keyClicks(shown.services.palette.field, "doub")
     photograph(shown, "palette.jpg")
-    shown.desk.palette.leave()
+    shown.services.palette.leave()
     shown.actions_by_id["edit.keymap"].trigger()
     shown.actions_by_id["edit.settings"].trigger()
-    for dialog, name in ((shown.desk._editor, "keymap"), (shown.desk._settings, "settings")):
+    for dialog, name in ((shown.services._editor, "keymap"), (shown.services._settings, "settings")):
         assert dialog is not None
         photograph(dialog, f"{name}.png")
         dialog.close()

@@ -17,7 +17,7 @@ from PySide6.QtGui import QKeySequence
 from roam_core.errors import RoamError
 from roam_core.installation import resource
 
-from ..keeping import keep_json, load_json
+from ..atomic_json import keep_json, load_json
 from .specs import SPECS, ActionSpec, Reach
 
 Keymap = Mapping[str, tuple[str, ...]]

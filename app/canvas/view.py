@@ -11,7 +11,7 @@ from PySide6.QtGui import QKeyEvent, QMouseEvent, QPainter, QPaintEvent, QTablet
 from PySide6.QtWidgets import QWidget
 
 from roam_core.propagate.edges import Edges
-from roam_core.propagate.offers import Proposal
+from roam_core.propagate.topology_proposals import Proposal
 from roam_core.roto import Project
 
 from ..actions.key_names import NUDGES, is_modifier, key_name

@@ -11,7 +11,7 @@ from PySide6.QtCore import QObject, Signal
 from roam_core.errors import RoamError
 
 from ..actions.keymaps import OwnKeymap, load_own, save_own
-from ..keeping import loaded
+from ..atomic_json import loaded
 from .preferences import Preferences, load_preferences, save_preferences
 from .recent import Recent, load_recent, save_recent, with_newest, without
 

@@ -8,7 +8,7 @@ from typing import Any
 
 from roam_core.params import CONFIGS
 
-from ..keeping import keep_json, load_json
+from ..atomic_json import keep_json, load_json
 
 TYPE = "roam.Preferences"
 LEAST_CACHE, MOST_CACHE = 0.25, 512.0

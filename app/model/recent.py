@@ -11,7 +11,7 @@ from typing import Any
 
 from roam_core.errors import RoamError
 
-from ..keeping import keep_json, load_json
+from ..atomic_json import keep_json, load_json
 
 MOST = 24
 """How many are remembered."""

@@ -71,7 +71,7 @@ from ..widgets.focus import FocusFollowsPointer
 from ..widgets.panel import Panel
 from . import layout, settings
 from .defects import Defects
-from .desk import Desk
+from .window_services import WindowServices
 
 PANEL_WIDTH = 272
 TIMELINE_HEIGHT = 200
@@ -160,7 +160,7 @@ class MainWindow(QMainWindow):
         """What lies around the work: dialogs, the start page, and what is there for bad days."""
         view_state, files, file_actions = self.view_state, self.files, self.file_actions
         messages = MessageLog(view_state, self.under_way, self)
-        self.desk = Desk(actions, view_state, messages, self.personal, self)
+        self.services = WindowServices(actions, view_state, messages, self.personal, self)
         self.reopening = Reopening(
             self.document, files, file_actions, self.reader, self.personal, actions, self.canvas, self.writer, self
         )
@@ -188,7 +188,7 @@ class MainWindow(QMainWindow):
         self.history_panel.setVisible(False)
         shapes, shape = Panel("Shapes", self.shapes, shape_tools), Panel("Shape", self.properties, key_tools)
         tracks = Panel("Track", self.tracker), Panel("Planar track", self.planar_panel)
-        column = layout.column(shapes, *tracks, shape, self.history_panel, self.desk.log_panel, growing=shapes)
+        column = layout.column(shapes, *tracks, shape, self.history_panel, self.services.log_panel, growing=shapes)
         column.setObjectName("panelColumn")
         column.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
         return layout.scrolled(column)
@@ -199,7 +199,7 @@ class MainWindow(QMainWindow):
         view, reader, status = self.view_state, self.reader, self.status
         view.frame_changed.connect(lambda: reader.show(view.frame))
         self.belonging.changed.connect(self.canvas.update)
-        self.desk.log_shown.connect(lambda: self.panel_column.ensureWidgetVisible(self.desk.log_panel))
+        self.services.log_shown.connect(lambda: self.panel_column.ensureWidgetVisible(self.services.log_panel))
         self.edge_kinds.changed.connect(self.canvas.update)
         reader.plate_changed.connect(self.edge_kinds.forget)
         reader.plate_changed.connect(lambda: reader.show(view.frame))
@@ -265,7 +265,7 @@ class MainWindow(QMainWindow):
             ObjectVerbs(self.document, self.view_state),
             self.planar_tracking,
             TransformActions(self.document, self.view_state, self),
-            self.desk,
+            self.services,
             self.reopening,
             self.recovering,
             self.defects,

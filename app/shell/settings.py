@@ -16,7 +16,7 @@ from PySide6.QtWidgets import QComboBox, QSplitter, QWidget
 from roam_core.bounded import bounded_bytes
 from roam_core.errors import RoamError
 
-from ..keeping import MOST_BYTES, loaded
+from ..atomic_json import MOST_BYTES, loaded
 from ..widgets.panel import Panel
 
 SWITCHES = ("time.loop", "time.ping_pong", "view.panels", "edit.history", "help.log")

@@ -10,7 +10,7 @@ from roam_core.interchange.authorship import is_project
 from roam_core.media import open_clip
 from roam_core.media.finding import is_there
 from roam_core.propagate.provenance import Stamps
-from roam_core.propagate.worth import most_worth_fixing
+from roam_core.propagate.suggest_keyframe import suggest_keyframe
 from roam_core.roto import Origin, RotoShape, file
 from roam_core.roto.imported import is_import
 from roam_core.roto.relinking import relinked
@@ -72,7 +72,7 @@ def _shape_line(shape: RotoShape, stamps: Stamps) -> str:
     if rated:
         confidence, frame = min(rated)
         line += f"; least sure on {frame} ({confidence:.2f})"
-    if (worst := most_worth_fixing(shape)) is not None:
+    if (worst := suggest_keyframe(shape)) is not None:
         line += f"; most worth fixing is {worst}"
     return line
 

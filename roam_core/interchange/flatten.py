@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, replace
 
 from roam_core.geometry import bezier
-from roam_core.interchange.stilled import stilled
+from roam_core.interchange.bake_layers import bake_layers
 from roam_core.roto import BlendMode, Keyframe, Layer, Project, RotoShape
 from roam_core.roto.animated import Animatable, Animated, is_always, mapped, product
 
@@ -63,7 +63,7 @@ def branched(project: Project, timed_intersect: bool = True) -> Branch:
     `timed_intersect` is False for programs where an intersecting shape with a lifetime can be without one, as
     `without_timed_intersect` makes it.
     """
-    project = stilled(project)
+    project = bake_layers(project)
     root = _branch(project.root, visible=True, locked=False)
     if timed_intersect or project.clip is None:
         return root

@@ -13,10 +13,10 @@ import numpy as np
 
 from roam_core.cancel import CancelToken, Progress
 from roam_core.errors import RoamError
+from roam_core.interchange.bake_layers import BY_LAYER, bake_layers
 from roam_core.interchange.keys.reduction import Motion, Slopes, reduced
 from roam_core.interchange.keys.smoothing import smoothed
 from roam_core.interchange.mattes.style import MatteStyle
-from roam_core.interchange.stilled import BY_LAYER, stilled
 from roam_core.interchange.timing import value_within
 from roam_core.roto import Clip, Interpolation, Keyframe, Layer, Origin, Project, RotoShape, Spline
 
@@ -205,7 +205,7 @@ def readied(project: Project, options: ExportOptions) -> Project:
 
     The keys of outlines are chosen as each shape is begun.
     """
-    project = stilled(project)
+    project = bake_layers(project)
     return project if options.frames is None else replace(project, root=_values_within(project.root, options.frames))
 
 

@@ -19,7 +19,7 @@ Mask = NDArray[np.bool_]
 
 
 @dataclass(frozen=True, eq=False)
-class Sighting:
+class LastSeen:
     """What the filters say of one frame.
 
     Attributes
@@ -70,7 +70,7 @@ class Pool:
     def __len__(self) -> int:
         return len(self.ids)
 
-    def located(self, frame: PreparedFrame, guess: Array, reach: float) -> Sighting:
+    def located(self, frame: PreparedFrame, guess: Array, reach: float) -> LastSeen:
         """Look for each landmark within `reach` pixels of `guess (M, 2)`."""
         cells = max(1, round(reach / self.cell))
         side = self.filters.side
@@ -78,7 +78,7 @@ class Pool:
         centres = guess + self.filters.offset * self.cell
         response = self.filters.response(_areas(frame, centres, side + 2 * cells, self.cell))
         displacement, sharpness = filters.peaks(response, self.params.filters.lobe)
-        return Sighting(response, guess + displacement * self.cell, sharpness, self.cell)
+        return LastSeen(response, guess + displacement * self.cell, sharpness, self.cell)
 
     def adapted(self, frame: PreparedFrame, positions: Array, sharpness: Array, region: Mask, trust: float) -> Pool:
         """The pool on the next frame, once the object is known to cover `region (h, w)` there.

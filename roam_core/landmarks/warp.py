@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from roam_core.geometry import similarity
-from roam_core.landmarks.pool import Pool, Sighting
+from roam_core.landmarks.pool import LastSeen, Pool
 from roam_core.motion.klt import Warp
 
 Array = NDArray[np.float64]
@@ -16,7 +16,7 @@ NO_POINTS.setflags(write=False)
 
 
 def landmark_warp(
-    pool: Pool, sighting: Sighting, threshold: float, others: tuple[Array, Array] = (NO_POINTS, NO_POINTS)
+    pool: Pool, last_seen: LastSeen, threshold: float, others: tuple[Array, Array] = (NO_POINTS, NO_POINTS)
 ) -> Warp:
     """The similarity that most of the clearly seen landmarks agree with (RANSAC), the paper's pre-warp.
 
@@ -25,9 +25,9 @@ def landmark_warp(
     threshold : pixels up to which a landmark agrees.
     others : (C, 2) places before and after of other followed points, which vote with the landmarks.
     """
-    clear = sighting.sharpness >= pool.params.ambiguity
+    clear = last_seen.sharpness >= pool.params.ambiguity
     source = np.vstack([pool.positions[clear], others[0]])
-    target = np.vstack([sighting.positions[clear], others[1]])
+    target = np.vstack([last_seen.positions[clear], others[1]])
     if len(source) < 3:
         return Warp(similarity.IDENTITY.copy(), len(source), 0.0)
     transform, inliers = similarity.ransac(source, target, threshold)

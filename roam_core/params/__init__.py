@@ -8,10 +8,17 @@ stay where they are used; `docs/ARCHITECTURE.md` says which those are.
 from __future__ import annotations
 
 from roam_core.params.appearance import AppearanceParams
-from roam_core.params.between import SpanParams, WitnessParams
+from roam_core.params.between import EndpointConsistencyParams, SpanParams
 from roam_core.params.confidence import CONFIDENCE, ConfidenceParams
 from roam_core.params.configurations import CONFIGS, DEFAULT_CONFIG, DOUBTFUL, departed, params_for
-from roam_core.params.contour import TIPS, UNTYING, ContourFitParams, RefineParams, TipsParams, UntyingParams
+from roam_core.params.contour import (
+    INVARIANTS,
+    UNTYING,
+    ContourFitParams,
+    InvariantsParams,
+    RefineParams,
+    UntyingParams,
+)
 from roam_core.params.curves import (
     CONTROL_POLYGON,
     CURVE_FIT,
@@ -21,7 +28,7 @@ from roam_core.params.curves import (
     MergingParams,
 )
 from roam_core.params.drawing import CUT_OUT, GROWING, LIVE_WIRE, CutOutParams, GrowingParams, LiveWireParams
-from roam_core.params.evidence import KeyColoursParams, LineageParams, PiecesParams
+from roam_core.params.evidence import ComponentsParams, KeyColoursParams, LabelPropagationParams
 from roam_core.params.figure import EDGES, EdgesParams, FigureParams, FreeEdgesParams
 from roam_core.params.keys import (
     ANCHORS,
@@ -55,6 +62,7 @@ __all__ = [
     "EDGES",
     "FILTERS",
     "GROWING",
+    "INVARIANTS",
     "JOINTS",
     "KEY_FIT",
     "LIVE_WIRE",
@@ -63,32 +71,33 @@ __all__ = [
     "OUTLINE_MATCH",
     "PAIRING",
     "PLANAR",
-    "TIPS",
     "UNTYING",
     "AnchorParams",
     "AppearanceParams",
     "BonesParams",
+    "ComponentsParams",
     "ConfidenceParams",
     "ContourFitParams",
     "ControlPolygonParams",
     "CurveFitParams",
     "CutOutParams",
     "EdgesParams",
+    "EndpointConsistencyParams",
     "FigureParams",
     "FilterParams",
     "FreeEdgesParams",
     "GrowingParams",
+    "InvariantsParams",
     "JointParams",
     "KeyColoursParams",
     "KeyFitParams",
+    "LabelPropagationParams",
     "LandmarkParams",
-    "LineageParams",
     "LiveWireParams",
     "MergingParams",
     "ObjectParams",
     "OutlineMatchParams",
     "PairingParams",
-    "PiecesParams",
     "PlanarParams",
     "PoseParams",
     "ProposalParams",
@@ -99,9 +108,7 @@ __all__ = [
     "RigidityParams",
     "RoamParams",
     "SpanParams",
-    "TipsParams",
     "UntyingParams",
-    "WitnessParams",
     "departed",
     "params_for",
     "scale_for",

@@ -9,12 +9,12 @@ from roam_core.params.stamped import later
 
 
 @dataclass(frozen=True)
-class WitnessParams:
-    """Parameters of how far each passage missed the other key (`propagate.witness`).
+class EndpointConsistencyParams:
+    """Parameters of how far each passage missed the other key (`propagate.endpoint_consistency`).
 
     Attributes
     ----------
-    reach : pixels of a 480-line image around a place over which its misses are averaged.
+    reach : pixels of a 480-line image around a place over which its residuals are averaged.
     lenient : what a lone shape's pose may miss the keys by, against the region: what it says between them is
         steadier.
     dear : mean cost from which a lone shape's poses are not taken: it does not look as on its keys.
@@ -48,7 +48,7 @@ class SpanParams:
     sure_cost : what is added to the cost of a pose: even the best may be wrong.
     unposed : what an outline that was not laid by its pose is taken to cost.
     apart : pixels of a 480-line image between the witnesses of a point at which half the trust in it is gone.
-    witness : of what the passages are believed by. key_colours : of what the colours of both keys say.
+    endpoint_consistency : of what both passes are believed by. key_colours : of what the colours of both keys say.
     """
 
     sure_of: float = 0.5
@@ -63,5 +63,5 @@ class SpanParams:
     sure_cost: float = 0.1
     unposed: float = 0.4
     apart: float = 4.0
-    witness: WitnessParams = later(WitnessParams())
+    endpoint_consistency: EndpointConsistencyParams = later(EndpointConsistencyParams())
     key_colours: KeyColoursParams = later(KeyColoursParams())

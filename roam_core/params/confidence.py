@@ -14,18 +14,18 @@ class ConfidenceParams:
     reach : pixels to both sides of the outline that are searched for a stronger edge than the one it lies on.
     least : overlap below which all is lost.
     far_apart : overlap with both passages below which a filled frame is no worse for being farther from them.
-    signs : the constant of the logistic model, and the weight of each of the signs of a region in their order.
-    pose_signs : the same of the signs of a pose; fitted to rendered figures and to real legs, both weighing the same.
-    span_signs : the same of the signs of a filled frame.
+    features : the constant of the logistic model, and the weight of each of the features of a region in their order.
+    pose_features : the same of those of a pose; fitted to rendered figures and to real legs, both weighing the same.
+    span_features : the same of those of a filled frame.
     vertex : constant of the logistic model of anchors, weight of their support, weight of the frame's log-odds.
     """
 
     reach: int = 8
     least: float = 0.02
     far_apart: float = 0.5
-    signs: tuple[float, ...] = (3.73, 1.01, 3.74, 3.64, 0.67, 0.089, 0.65, 2.26)
-    pose_signs: tuple[float, ...] = (3.96, 5.91, 1.88, 0.54)
-    span_signs: tuple[float, ...] = (3.94, 1.64, 3.3, 0.74, 0.21)
+    features: tuple[float, ...] = (3.73, 1.01, 3.74, 3.64, 0.67, 0.089, 0.65, 2.26)
+    pose_features: tuple[float, ...] = (3.96, 5.91, 1.88, 0.54)
+    span_features: tuple[float, ...] = (3.94, 1.64, 3.3, 0.74, 0.21)
     vertex: tuple[float, float, float] = (-1.33, 1.72, 0.79)
 
 

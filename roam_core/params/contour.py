@@ -25,8 +25,8 @@ UNTYING = UntyingParams()
 
 
 @dataclass(frozen=True)
-class TipsParams:
-    """Parameters of which places of an outline are tips and which are bays (`proposal.tips`).
+class InvariantsParams:
+    """Parameters of which places of an outline are tips and which are bays (`proposal.invariants`).
 
     Attributes
     ----------
@@ -42,7 +42,7 @@ class TipsParams:
     most: int = 1000
 
 
-TIPS = TipsParams()
+INVARIANTS = InvariantsParams()
 
 
 @dataclass(frozen=True)
@@ -77,7 +77,7 @@ class ContourFitParams:
     stretch : price of a piece of outline that grows to twice its share of the whole.
     near : pixels of a 480-line image at which a node that lies so far from where it was expected has a price of 1.
     turn : price of a node whose outline runs the opposite way.
-    bulge : price of a node that was all tip on the key and now is all bay (`proposal.tips`).
+    bulge : price of a node that was all tip on the key and now is all bay (`proposal.invariants`).
     spacing : pixels of a 480-line image between the nodes that are matched.
     chords : chords by which the length from node to node is told.
     step : pixels of a 480-line image between the places where a node may come to lie.
@@ -101,6 +101,6 @@ class ContourFitParams:
     starts: int = 3
     settling: int = 3
     loose: float = 0.95
-    tips: TipsParams = later(TIPS)
+    tips: InvariantsParams = later(INVARIANTS)
     refine: RefineParams = later(RefineParams())
     untying: UntyingParams = later(UNTYING)

@@ -6,9 +6,9 @@ from dataclasses import dataclass
 
 
 @dataclass(frozen=True)
-class LineageParams:
-    """Parameters of what a cell brings along from the key (`proposal.lineage`). Lengths are pixels of a 480-line image,
-    differences of colour the mean over the channels of 8 bits.
+class LabelPropagationParams:
+    """Parameters of what a cell brings along from the key (`proposal.label_propagation`). Lengths are pixels of a
+    480-line image, differences of colour the mean over the channels of 8 bits.
 
     Attributes
     ----------
@@ -31,8 +31,8 @@ class LineageParams:
 
 
 @dataclass(frozen=True)
-class PiecesParams:
-    """Parameters of the pieces of a region and how they hang together (`proposal.pieces`, `proposal.region`).
+class ComponentsParams:
+    """Parameters of the pieces of a region and how they hang together (`proposal.components`, `proposal.region`).
 
     Attributes
     ----------

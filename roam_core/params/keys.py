@@ -46,7 +46,7 @@ class OutlineMatchParams:
         matching.
     stretch : price of a piece of outline that grows to twice its share of the whole.
     turn : price of a node whose outline runs the opposite way.
-    bulge : price of a node that is all tip on a sample that is all bay (`proposal.tips`).
+    bulge : price of a node that is all tip on a sample that is all bay (`proposal.invariants`).
     starts : samples tried for the node that is surest of its place.
     doubt : price a node that says nothing for or against a pose.
     turned : A pose that turns by a right angle has to match better by this factor plus one: round shapes do not

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from roam_core.params.between import SpanParams
 from roam_core.params.confidence import ConfidenceParams
 from roam_core.params.contour import ContourFitParams
-from roam_core.params.evidence import LineageParams, PiecesParams
+from roam_core.params.evidence import ComponentsParams, LabelPropagationParams
 from roam_core.params.figure import FigureParams
 from roam_core.params.pose import PoseParams
 from roam_core.params.redetection import RedetectionParams
@@ -39,17 +39,19 @@ class RegionParams:
     uncovered_weight : the same against what only the flow carries along: where neither the similarity nor the key
         expects the object, what moves with the surroundings is the ground that it has uncovered.
     prior_weight : nats a cell of depth inside the region carried from the last frame.
-    lineage_weight : nats of the side that a cell brings along from the key by sound flow (`proposal.lineage`); 0: it is
-        not asked. beside_lineage : share of the other cues that is heard where the flow has been sound all the way.
+    label_propagation_weight : nats of the side that a cell brings along from the key by sound flow
+        (`proposal.label_propagation`); 0: it is not asked. beside_label_propagation : share of the other cues that is
+        heard where the flow has been sound all the way.
     keys_weight : between two keys, of what the colours of both say (`proposal.key_colours`); 0: they are not asked.
     kept_shares : how far each piece's share of an outline's length is to be the key's (1), not the last frame's (0).
-    longest_thread : by which pieces of a region hang together in one outline (`proposal.pieces`), in the square root of
-        a piece's area; 0: each outline has one piece.
+    longest_bridge : by which pieces of a region hang together in one outline (`proposal.components`), in the square
+        root of a piece's area; 0: each outline has one piece.
     held : how far points are expected to have gone back, on each frame, to where the key carried as one piece has them.
     held_within : pixels of a 480-line image from there at which it is half as far, for limbs swing.
     blur : Gaussian on the ratio. diffusion, contrast, sweeps : contrast-dependent smoothing (`kernels.diffusion`).
     overlap : share of a detached part that must lie where the object was expected.
-    doubted : expected IoU under which the object is looked for as it was on the key (`propagate.refinding`); 0: never.
+    doubted : expected IoU under which the object is looked for as it was on the key (`propagate.redetection`); 0:
+        never.
     better : by how much more must be expected of what is found for it to be believed. believed : how much, at least.
     rigid : share of the key's corners that must be found where the motion of a plane puts them for the object to be
         carried as one piece (`propagate.rigid`); above 1: never.
@@ -63,7 +65,8 @@ class RegionParams:
         nothing. least_seen : share of an object that must be seen for its motion to be taken from that alone.
     whole_cells : cells, at most, after which a whole pixel begins.
     closed : size, of its last one, to which an outline shrinks while the region has no place for it.
-    lineage : of what a cell brings along. pieces : of the region's pieces. contour_fit : of laying points along it.
+    label_propagation : of what a cell brings along. components : of the region's components. contour_fit : of laying
+        points along it.
     redetection : of looking for what was lost. rigidity : of what is carried as one piece. figure : of an object in
         parts. span : of filling between two keys. confidence : of how far all that is trusted.
     """
@@ -90,10 +93,10 @@ class RegionParams:
     motion_sigma: float = 1.5
     uncovered_weight: float = 3.0
     prior_weight: float = 0.05
-    lineage_weight: float = 8.0
-    beside_lineage: float = 0.2
+    label_propagation_weight: float = 8.0
+    beside_label_propagation: float = 0.2
     keys_weight: float = 1.0
-    longest_thread: float = 2.0
+    longest_bridge: float = 2.0
     kept_shares: float = 0.5
     held: float = 0.1
     held_within: float = 50.0
@@ -118,8 +121,8 @@ class RegionParams:
     least_seen: float = later(0.05)
     whole_cells: int = later(2)
     closed: float = later(0.02)
-    lineage: LineageParams = later(LineageParams())
-    pieces: PiecesParams = later(PiecesParams())
+    label_propagation: LabelPropagationParams = later(LabelPropagationParams())
+    components: ComponentsParams = later(ComponentsParams())
     contour_fit: ContourFitParams = later(ContourFitParams())
     redetection: RedetectionParams = later(RedetectionParams())
     rigidity: RigidityParams = later(RigidityParams())

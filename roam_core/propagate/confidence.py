@@ -19,7 +19,7 @@ from roam_core.geometry import polyline
 from roam_core.motion.klt import Warp
 from roam_core.motion.pose import Pose
 from roam_core.params import CONFIDENCE, ConfidenceParams
-from roam_core.propagate.laying import enclosed
+from roam_core.propagate.contour_fit import enclosed
 from roam_core.propagate.result import Part
 from roam_core.proposal.evidence import SURE, Expectation, Field
 
@@ -28,7 +28,7 @@ Bools = NDArray[np.bool_]
 
 
 @dataclass(frozen=True)
-class Signs:
+class ConfidenceFeatures:
     """What speaks against one frame of an object carried by regions; zero where all is well.
 
     Attributes
@@ -38,7 +38,8 @@ class Signs:
     undecided : cells under one nat to either side, per cell of the region; at most 3.
     new : the share of the region that lies outside the key's, carried all the way.
     age : ln of the frames since the key. Errors add up, and what was lost seldom comes back.
-    broken : how little of the key's word the flow has brought to the border of the region (`proposal.lineage`).
+    broken : how little of the key's word the flow has brought to the border of the region
+        (`proposal.label_propagation`).
     disagreeing : where the curves moved as one piece, with none of the above but the age, the share of the key's
         corners that are not found where they should be.
     """
@@ -52,7 +53,7 @@ class Signs:
     disagreeing: float = 0.0
 
     @classmethod
-    def of_one_piece(cls, disagreeing: float, frames: int) -> Signs:
+    def of_one_piece(cls, disagreeing: float, frames: int) -> ConfidenceFeatures:
         """Of an object that moved as one piece, so many frames after the key."""
         return cls(0.0, 0.0, 0.0, 0.0, float(np.log(frames)), disagreeing=disagreeing)
 
@@ -62,13 +63,13 @@ class Signs:
         parts: Sequence[Part],
         found: Field,
         expected: Expectation,
-        unbroken: NDArray[np.float32],
+        flow_reliability: NDArray[np.float32],
         frames: int,
         params: ConfidenceParams = CONFIDENCE,
-    ) -> Signs:
+    ) -> ConfidenceFeatures:
         """Of the outlines laid along the region `found`, so many frames after the key.
 
-        `unbroken (rows, columns)`, on the region's grid, is how sound the flow has been since the key.
+        `flow_reliability (rows, columns)`, on the region's grid, is how sound the flow has been since the key.
         """
         inside = found.inside
         nats = np.abs(np.clip(found.values, -SURE, SURE))
@@ -82,12 +83,12 @@ class Signs:
             undecided=min(int(np.count_nonzero(nats < 1.0)) / cells, 3.0),
             new=int(np.count_nonzero(inside & (expected.remembered <= 0.5))) / cells,
             age=float(np.log(frames)),
-            broken=1.0 - float(unbroken[near].mean()) if near.any() else 1.0,
+            broken=1.0 - float(flow_reliability[near].mean()) if near.any() else 1.0,
         )
 
 
 @dataclass(frozen=True)
-class PoseSigns:
+class PoseFeatures:
     """What speaks against one frame of a part that lies as on its key, but for its pose; zero where all is well.
 
     Attributes
@@ -103,13 +104,13 @@ class PoseSigns:
     hidden: float
 
     @classmethod
-    def of(cls, pose: Pose) -> PoseSigns:
+    def of(cls, pose: Pose) -> PoseFeatures:
         """Of a pose that was found on a frame."""
         return cls(pose.unlike, 0.0 if pose.look is None else pose.look.beside, 1.0 - pose.seen)
 
 
 def expected_overlap(
-    signs: Signs | PoseSigns | SpanSigns,
+    features: ConfidenceFeatures | PoseFeatures | SpanFeatures,
     weights: Sequence[float] | None = None,
     params: ConfidenceParams = CONFIDENCE,
 ) -> float:
@@ -117,13 +118,17 @@ def expected_overlap(
 
     A logistic function of the weighted signs. All weights are at least zero, so that no sign can speak for a frame.
     """
-    fitted = {Signs: params.signs, PoseSigns: params.pose_signs, SpanSigns: params.span_signs}
-    constant, *slopes = weights or fitted[type(signs)]
-    return float(1.0 / (1.0 + np.exp(np.dot(slopes, astuple(signs)) - constant)))
+    fitted = {
+        ConfidenceFeatures: params.features,
+        PoseFeatures: params.pose_features,
+        SpanFeatures: params.span_features,
+    }
+    constant, *slopes = weights or fitted[type(features)]
+    return float(1.0 / (1.0 + np.exp(np.dot(slopes, astuple(features)) - constant)))
 
 
 @dataclass(frozen=True)
-class SpanSigns:
+class SpanFeatures:
     """What speaks against one filled frame between two keys; zero where all is well.
 
     Attributes
@@ -143,7 +148,7 @@ class SpanSigns:
     @classmethod
     def of(
         cls, missed: float, nearer: float, u: float, frames: int, params: ConfidenceParams = CONFIDENCE
-    ) -> SpanSigns:
+    ) -> SpanFeatures:
         """From the miss at the keys, the overlap with the `nearer` passage, and the place in a span of `frames`."""
         middle = 2.0 * float(np.sqrt(u * (1.0 - u)))
         return cls(missed, -float(np.log(max(nearer, params.far_apart))), middle, float(np.log(frames)))

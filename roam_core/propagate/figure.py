@@ -28,9 +28,9 @@ from roam_core.matte.vectorise import shapes_from_mask
 from roam_core.motion.pose import Pose, Surroundings
 from roam_core.params import PoseParams, RegionParams, scale_for
 from roam_core.propagate import posed, region
-from roam_core.propagate.confidence import PoseSigns, expected_overlap
+from roam_core.propagate.confidence import PoseFeatures, expected_overlap
+from roam_core.propagate.contour_fit import enclosed
 from roam_core.propagate.free_edges import Border, drawn_to
-from roam_core.propagate.laying import enclosed
 from roam_core.propagate.objects import Role, Unit
 from roam_core.propagate.region import RegionState, RegionStep
 from roam_core.propagate.result import Part, StepResult, Termination
@@ -332,7 +332,7 @@ class _Solving:
         if self._has_left(parts):
             return self._out_of_sight(replace(limb, parts=parts), pose)
         trust = self.region_params.confidence
-        confidence = expected_overlap(PoseSigns.of(pose), params=trust)
+        confidence = expected_overlap(PoseFeatures.of(pose), params=trust)
         results = tuple(posed.result(part.points, pose, confidence, trust) for part in parts)
         return replace(limb, parts=parts, pose=pose, results=results)
 

@@ -17,8 +17,8 @@ from roam_core.propagate import provenance
 from roam_core.propagate.engines.begin import begin
 from roam_core.propagate.engines.protocol import Engine
 from roam_core.propagate.objects import near, stacked, units
-from roam_core.propagate.offers import Proposal
 from roam_core.propagate.result import Landmarks, Part, StepResult, Termination, TrackResult
+from roam_core.propagate.topology_proposals import Proposal
 from roam_core.roto import BlendMode, Keyframe, Origin, RotoShape
 from roam_core.roto.edit import set_engine_keys
 

@@ -12,7 +12,7 @@ from roam_core.energy.joint_total import LandmarkContext, Placing
 from roam_core.features import PreparedFrame
 from roam_core.kernels.coverage import coverage
 from roam_core.landmarks.filters import between, peaks
-from roam_core.landmarks.pool import Pool, Sighting
+from roam_core.landmarks.pool import LastSeen, Pool
 from roam_core.landmarks.star import Star
 from roam_core.motion.klt import Warp
 from roam_core.params import LandmarkParams, scale_for
@@ -36,7 +36,7 @@ def begin(frame: PreparedFrame, nodes: Array, params: LandmarkParams | None, fir
     return LandmarkState(pool, paired(nodes, pool.positions, params.neighbours))
 
 
-def search(state: LandmarkState, frame: PreparedFrame) -> Sighting:
+def search(state: LandmarkState, frame: PreparedFrame) -> LastSeen:
     """Look for the landmarks around where they were on the frame before."""
     reach = state.pool.params.search * scale_for(frame.size)
     return state.pool.located(frame, state.pool.positions, reach)
@@ -49,9 +49,9 @@ def context(state: LandmarkState, frame: PreparedFrame, warp: Warp) -> LandmarkC
     """
     scale, params = scale_for(frame.size), state.pool.params
     rest = Star.of(state.pool.positions).carried(warp.transform)
-    sighting = state.pool.located(frame, rest.leaves, params.reach * scale)
-    pairs = state.pairs.turned(warp.transform).of(sighting.sharpness >= params.ambiguity)
-    return LandmarkContext(rest, sighting.response, sighting.cell, pairs, scale)
+    last_seen = state.pool.located(frame, rest.leaves, params.reach * scale)
+    pairs = state.pairs.turned(warp.transform).of(last_seen.sharpness >= params.ambiguity)
+    return LandmarkContext(rest, last_seen.response, last_seen.cell, pairs, scale)
 
 
 def adapted(

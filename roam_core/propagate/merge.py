@@ -15,12 +15,12 @@ from roam_core.geometry import bezier, similarity
 from roam_core.geometry.simple import simplified
 from roam_core.kernels.diffusion import diffuse
 from roam_core.params import RegionParams
-from roam_core.propagate.confidence import SpanSigns, expected_overlap, overlap, vertex_confidence
+from roam_core.propagate.confidence import SpanFeatures, expected_overlap, overlap, vertex_confidence
+from roam_core.propagate.contour_fit import enclosed, laid, spline_coverage
 from roam_core.propagate.covering import covered
-from roam_core.propagate.laying import enclosed, laid, spline_coverage
-from roam_core.propagate.passage import Stop
+from roam_core.propagate.directional_pass import Stop
+from roam_core.propagate.endpoint_consistency import Key, Span, carried, grid_over, stop_at
 from roam_core.propagate.result import Part
-from roam_core.propagate.witness import Key, Span, carried, grid_over, stop_at
 from roam_core.proposal import region as proposed
 from roam_core.proposal.evidence import SURE, Field, uncertain_band
 from roam_core.proposal.key_colours import key_colours
@@ -43,13 +43,13 @@ class Colours:
 class Merged:
     """One outline on one frame: its points `(P, 3, 2)`, confidence in [0, 1], and the same for each point `(P,)`.
 
-    `signs` is what speaks against the frame; None where a single passage knows of it.
+    `features` is what speaks against the frame; None where a single passage knows of it.
     """
 
     points: Array
     confidence: float
     vertex_confidence: Array
-    signs: SpanSigns | None = None
+    features: SpanFeatures | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -126,13 +126,13 @@ def merged(
     parts = tuple(Part(_expected(moment, k), span.subtracts(k)) for k in known)
     outlines = _along_region(moment, dict(zip(known, parts, strict=True)), colours)
     together = [k for k in known if not moment.is_laid_by_pose(k)]
-    signs_together = _span_signs(moment, together, [outlines[k] for k in together])
+    signs_together = _span_features(moment, together, [outlines[k] for k in together])
     for k, part in outlines.items():
-        signs = _signs_of_one(moment, k, part.points) if moment.is_laid_by_pose(k) else signs_together
+        features = _signs_of_one(moment, k, part.points) if moment.is_laid_by_pose(k) else signs_together
         trust = span.params.confidence
-        confidence = _alone(moment) if signs is None else expected_overlap(signs, params=trust)
+        confidence = _alone(moment) if features is None else expected_overlap(features, params=trust)
         vertices = vertex_confidence(_support(moment, k, len(part.points)), confidence, trust)
-        result[k] = Merged(part.points, confidence, vertices, signs)
+        result[k] = Merged(part.points, confidence, vertices, features)
     return result
 
 
@@ -147,8 +147,8 @@ def _along_region(moment: _Moment, parts: Mapping[int, Part], colours: Colours |
     points = {k: part.points for k, part in parts.items()}
     if region is not None:
         begun |= {k: _where_more_is(moment, k, parts[k], region) for k in ours}
-        traits = [span.traits(k, moment.u) for k in ours]
-        placed = laid(tuple(begun[k] for k in ours), traits, region, span.scale, span.params)
+        constraints = [span.constraints(k, moment.u) for k in ours]
+        placed = laid(tuple(begun[k] for k in ours), constraints, region, span.scale, span.params)
         points |= {k: each for k, (each, _) in zip(ours, placed, strict=True)}
     untying = span.params.contour_fit.untying
     return {
@@ -175,7 +175,7 @@ def _mean(weights: Sequence[Any], values: Sequence[Any]) -> Array:
 def _expected(moment: _Moment, k: int) -> Array:
     """The points of an outline by all witnesses, each weighted by how near it came to the other key."""
     there, here = moment.there.get(k), moment.here.get(k)
-    if there is None or here is None or moment.span.misses is None:
+    if there is None or here is None or moment.span.residuals is None:
         only = here if there is None else there
         assert only is not None
         return only
@@ -186,7 +186,7 @@ def _expected(moment: _Moment, k: int) -> Array:
         return planar
     if _are_apart(there, here, moment.span.params.span.apart_by):
         return there if moment.u < 0.5 else here
-    weights = moment.weights(*(miss.of(k) for miss in moment.span.misses))
+    weights = moment.weights(*(residual.of(k) for residual in moment.span.residuals))
     return _mean([weight[:, None, None] for weight in weights], [there, here, planar])
 
 
@@ -196,8 +196,8 @@ def _by_poses(moment: _Moment, k: int) -> Array:
     Each counts the more the less its pose costs, the nearer its key is, and the nearer it came to the other one.
     """
     there, here, params = moment.there[k], moment.here[k], moment.span.params.span
-    assert moment.span.misses is not None
-    onwards, back = (miss.of(k) for miss in moment.span.misses[:2])
+    assert moment.span.residuals is not None
+    onwards, back = (residual.of(k) for residual in moment.span.residuals[:2])
     doubts = [params.unposed if cost is None else cost for cost in moment.costs[k]]
     ahead = (1.0 - moment.u) / (params.sure_of + onwards * moment.u) / (params.sure_cost + doubts[0])
     behind = moment.u / (params.sure_of + back * (1.0 - moment.u)) / (params.sure_cost + doubts[1])
@@ -234,13 +234,13 @@ def _region(moment: _Moment, parts: tuple[Part, ...], covers: Sequence[Array], c
     if not fields:
         return None
     grid = _common([field.grid for field in fields])
-    if len(fields) == 1 or span.misses is None:
+    if len(fields) == 1 or span.residuals is None:
         nats = np.mean([field.nats_on(grid) for field in fields], axis=0)
         return Field(grid, nats.astype(np.float32))
     assert moment.onwards is not None
     assert moment.back is not None
     to_first, to_last = moment.onwards.carried, moment.back.carried
-    onwards, back, planar_there, planar_here = span.misses
+    onwards, back, planar_there, planar_here = span.residuals
     weights = moment.weights(
         onwards.on(grid, to_last),
         back.on(grid, to_first),
@@ -253,7 +253,7 @@ def _region(moment: _Moment, parts: tuple[Part, ...], covers: Sequence[Array], c
     values = _mean(weights, [*(field.nats_on(grid) for field in fields), _depth(moment, coverages, grid)])
     sides = [field.on(grid) > 0.5 for field in fields]
     witnessed = sides[0] | sides[1] | (enclosed(parts, grid) > 0.5)
-    found = proposed.cleaned(Field(grid, values.astype(np.float32)), witnessed, 0.0, span.params.pieces.speck)
+    found = proposed.cleaned(Field(grid, values.astype(np.float32)), witnessed, 0.0, span.params.components.speck)
     return found if colours is None else _compared(moment, found, sides, coverages, covers, colours)
 
 
@@ -269,11 +269,11 @@ def _compared(
     span, grid, params = moment.span, found.grid, colours.params
     picture = grid.of(colours.picture.image)
     views = [
-        (KeyView(passage.picture, stop.carried, coverage), away)
-        for passage, stop, coverage, away in zip(
+        (KeyView(directional_pass.picture, stop.carried, coverage), away)
+        for directional_pass, stop, coverage, away in zip(
             (span.onwards, span.back), (moment.onwards, moment.back), coverages, (moment.u, 1.0 - moment.u), strict=True
         )
-        if passage is not None and stop is not None
+        if directional_pass is not None and stop is not None
     ]
     near = uncertain_band(found.inside, found.inside, params.band)
     wanted = near | uncertain_band(sides[0] & sides[1], sides[0] | sides[1], params.span.beside)
@@ -286,7 +286,7 @@ def _compared(
     )
     rough = np.where(wanted, values, found.values)
     smooth = diffuse(rough, lab(picture), wanted, params.diffusion, params.contrast, params.sweeps)
-    return proposed.cleaned(Field(grid, smooth), found.inside, 0.0, params.pieces.speck)
+    return proposed.cleaned(Field(grid, smooth), found.inside, 0.0, params.components.speck)
 
 
 def _coverage(moment: _Moment, key: Key, stop: Stop | None, grid: Grid) -> Float32:
@@ -317,32 +317,32 @@ def _common(grids: list[Grid]) -> Grid:
     return Grid.over(region, max(float(grid.factor.max()) for grid in grids))
 
 
-def _span_signs(moment: _Moment, known: list[int], outlines: list[Part]) -> SpanSigns | None:
+def _span_features(moment: _Moment, known: list[int], outlines: list[Part]) -> SpanFeatures | None:
     """What speaks against the merged outlines; None where a passage did not arrive, and nothing can be compared."""
     span = moment.span
-    if not known or span.misses is None or moment.onwards is None or moment.back is None:
+    if not known or span.residuals is None or moment.onwards is None or moment.back is None:
         return None
     sides = [
         [Part(points[k], span.subtracts(k)) for k in known if k in points] for points in (moment.there, moment.here)
     ]
     splines = [part.points for side in (outlines, *sides) for part in side]
-    grid = grid_over(splines, span.size, span.params.span.witness.look, span.scale)
+    grid = grid_over(splines, span.size, span.params.span.endpoint_consistency.look, span.scale)
     ours, *theirs = (enclosed(side, grid) > 0.5 for side in (outlines, *sides))
-    onwards, back, _, _ = span.misses
+    onwards, back, _, _ = span.residuals
     missed, nearer = 0.5 * (onwards.loss + back.loss), max(overlap(ours, each) for each in theirs)
-    return SpanSigns.of(missed, nearer, moment.u, span.last.frame - span.first.frame, span.params.confidence)
+    return SpanFeatures.of(missed, nearer, moment.u, span.last.frame - span.first.frame, span.params.confidence)
 
 
-def _signs_of_one(moment: _Moment, k: int, points: Array) -> SpanSigns | None:
+def _signs_of_one(moment: _Moment, k: int, points: Array) -> SpanFeatures | None:
     """What speaks against one outline that was laid by its pose; None where only one passage knows of it."""
     span, sides = moment.span, [side[k] for side in (moment.there, moment.here) if k in side]
     if k not in span.losses or len(sides) < 2:
         return None
-    grid = grid_over([points, *sides], span.size, span.params.span.witness.look, span.scale)
+    grid = grid_over([points, *sides], span.size, span.params.span.endpoint_consistency.look, span.scale)
     ours, *theirs = (enclosed([Part(each)], grid) > 0.5 for each in (points, *sides))
     nearer = max(overlap(ours, each) for each in theirs)
     frames = span.last.frame - span.first.frame
-    return SpanSigns.of(span.losses[k], nearer, moment.u, frames, span.params.confidence)
+    return SpanFeatures.of(span.losses[k], nearer, moment.u, frames, span.params.confidence)
 
 
 def _alone(moment: _Moment) -> float:

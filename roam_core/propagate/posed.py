@@ -18,7 +18,7 @@ from roam_core.motion.pose import Pose, Surroundings
 from roam_core.motion.template import Template
 from roam_core.params import ConfidenceParams, PoseParams, RegionParams, scale_for
 from roam_core.propagate.confidence import overlap, vertex_confidence
-from roam_core.propagate.laying import enclosed
+from roam_core.propagate.contour_fit import enclosed
 from roam_core.propagate.result import Part, StepResult, Termination
 from roam_core.proposal.evidence import Field
 

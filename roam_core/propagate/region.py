@@ -23,23 +23,23 @@ from roam_core.motion.flow import carried_by_flow, dense_flow, flow_similarity, 
 from roam_core.params import RegionParams, scale_for
 from roam_core.propagate import posed
 from roam_core.propagate.confidence import (
-    PoseSigns,
-    Signs,
+    ConfidenceFeatures,
+    PoseFeatures,
     edge_support,
     expected_overlap,
     overlap,
     vertex_confidence,
 )
+from roam_core.propagate.contour_fit import enclosed, laid, trusts_of
 from roam_core.propagate.covering import carried_behind, learned_colours, visible
-from roam_core.propagate.laying import enclosed, laid, trusts_of
 from roam_core.propagate.nodes import smooth_points
-from roam_core.propagate.refinding import Lookout, Sighting, area_of, as_on_key, is_better, middle_of
+from roam_core.propagate.redetection import AppearanceTemplate, LastSeen, area_of, as_on_key, is_better, middle_of
 from roam_core.propagate.result import Part, StepResult, Termination
 from roam_core.propagate.rigid import Pose, Rigidity
 from roam_core.proposal import region as proposed
-from roam_core.proposal.contour import Traits
+from roam_core.proposal.contour import KeyConstraints
 from roam_core.proposal.evidence import SURE, Expectation, Field, KeyMemory, Sources, gathered
-from roam_core.proposal.lineage import lineage
+from roam_core.proposal.label_propagation import label_propagation
 from roam_core.proposal.motion_cue import motion_on
 
 Array = NDArray[np.float64]
@@ -51,46 +51,51 @@ Bools = NDArray[np.bool_]
 class RegionState:
     """After a frame: its picture, the region, each shape where it was last seen, and what is known of the object.
 
-    `drawn` are the shapes on the key and `traits` what they keep of it, `lookout` what the object looked like there,
-    `sighting` tells when it was last whole, `rigidity` whether it may still move as one piece; `unbroken`, on the
-    region's grid, how far each cell's side still is the key's word (`proposal.lineage`); `steps` counts the frames
-    since the key; `signs` tell how well the last of them went. `pose` is that of an object drawn as one shape;
-    `covers` are closed polylines `(K, 2)` of what lies before the object; `params` those that it began with.
+    `drawn` are the shapes on the key and `constraints` what they keep of it, `appearance` what the object looked like
+    there, `last_seen` tells when it was last whole, `rigidity` whether it may still move as one piece;
+    `flow_reliability`, on the region's grid, how far each cell's side still is the key's word
+    (`proposal.label_propagation`); `steps` counts the frames since the key; `features` tell how well the last of them
+    went. `pose` is that of an object drawn as one shape; `covers` are closed polylines `(K, 2)` of what lies before the
+    object; `params` those that it began with.
     """
 
     frame: PreparedFrame
     region: Field
     parts: tuple[Part, ...]
-    traits: tuple[Traits, ...]
+    constraints: tuple[KeyConstraints, ...]
     key: KeyMemory
     colours: GlobalModel
     drawn: tuple[Part, ...]
-    lookout: Lookout
-    sighting: Sighting
+    appearance: AppearanceTemplate
+    last_seen: LastSeen
     rigidity: Rigidity
-    unbroken: Float32
+    flow_reliability: Float32
     params: RegionParams
     steps: int = 0
-    signs: Signs | PoseSigns | None = None
+    features: ConfidenceFeatures | PoseFeatures | None = None
     pose: motion_pose.Pose | None = None
     covers: tuple[Array, ...] = ()
 
     @property
     def trust(self) -> float:
         """The IoU to be expected of the last frame; 0 where the object was lost on it."""
-        if self.signs is None or self.sighting.since > 0:
+        if self.features is None or self.last_seen.since > 0:
             return 0.0
-        return expected_overlap(self.signs, params=self.params.confidence)
+        return expected_overlap(self.features, params=self.params.confidence)
 
     @property
     def is_posed(self) -> bool:
         """Whether the outlines of the last frame were laid by the pose."""
-        return isinstance(self.signs, PoseSigns)
+        return isinstance(self.features, PoseFeatures)
 
     @property
     def agreement_as_one_piece(self) -> float | None:
         """The share of the key's corners that agreed, where the last frame was carried as one piece; else None."""
-        return 1.0 - self.signs.disagreeing if isinstance(self.signs, Signs) and self.rigidity.held else None
+        return (
+            1.0 - self.features.disagreeing
+            if isinstance(self.features, ConfidenceFeatures) and self.rigidity.held
+            else None
+        )
 
 
 def begin(
@@ -106,12 +111,15 @@ def begin(
     colours = learned_colours(grid.of(frame.image), region, covers)
     key = KeyMemory(frame, region, colours, np.eye(3))
     fit, kept = params.contour_fit, params.kept_shares
-    traits = tuple(Traits.of(part.points, smooth_points(part.points), fit, scale, kept) for part in parts)
-    seen = Sighting(key.to_now, area_of(region), middle_of(region), params.redetection)
+    constraints = tuple(KeyConstraints.of(part.points, smooth_points(part.points), fit, scale, kept) for part in parts)
+    seen = LastSeen(key.to_now, area_of(region), middle_of(region), params.redetection)
     rigidity = Rigidity.learned(frame, parts, params.rigidity)
-    lookout, unbroken = Lookout(frame, region, params.redetection, params.unseen), np.ones(grid.shape, np.float32)
+    appearance, flow_reliability = (
+        AppearanceTemplate(frame, region, params.redetection, params.unseen),
+        np.ones(grid.shape, np.float32),
+    )
     return RegionState(
-        frame, region, parts, traits, key, colours, parts, lookout, seen, rigidity, unbroken, params,
+        frame, region, parts, constraints, key, colours, parts, appearance, seen, rigidity, flow_reliability, params,
         pose=posed.on_key(frame, parts, params, covers), covers=tuple(covers),
     )  # fmt: skip
 
@@ -168,18 +176,18 @@ def step(
     carried = _carried(state, frame, params, token, tuple(covers))
     if carried.state.trust >= params.doubted:
         return carried
-    found = _at_sighting(state, carried.state.sighting, frame, params)
+    found = _as_last_seen(state, carried.state.last_seen, frame, params)
     if found is None:
         return carried
     again = replace(_carried(found, frame, params, token, tuple(covers)), redetected=True)
     return again if is_better(again.state.trust, carried.state.trust, params) else carried
 
 
-def _at_sighting(
-    state: RegionState, sighting: Sighting, frame: PreparedFrame, params: RegionParams
+def _as_last_seen(
+    state: RegionState, last_seen: LastSeen, frame: PreparedFrame, params: RegionParams
 ) -> RegionState | None:
     """As if, the frame before, the object had lain as on the key where it is seen on `frame`."""
-    to_now = state.lookout.found(frame, sighting) if sighting.is_worth_a_look else None
+    to_now = state.appearance.found(frame, last_seen) if last_seen.is_worth_a_look else None
     if to_now is None:
         return None
     picture = as_on_key(state.key.frame, to_now)
@@ -197,7 +205,7 @@ def _at_sighting(
         key=key,
         colours=key.colours,
         rigidity=rigidity,
-        unbroken=np.zeros(grid.shape, np.float32),  # it lies there roughly
+        flow_reliability=np.zeros(grid.shape, np.float32),  # it lies there roughly
     )
 
 
@@ -220,28 +228,28 @@ def _carried(
     ratio = evidence(observation, params, covers)
     if token is not None:
         token.check()
-    found = proposed.cleaned(ratio, expected.possible, params.overlap, params.pieces.speck)
+    found = proposed.cleaned(ratio, expected.possible, params.overlap, params.components.speck)
     scale = scale_for(frame.size)
     if state.pose is not None:
         parts = posed.carried(state.pose, state.drawn)
         if posed.is_believed(state.pose, parts, found, params):
             return _as_posed(state, frame, observation, state.pose, parts, params)
     parts = tuple(replace(part, points=similarity.apply(observation.moved[:2], part.points)) for part in state.parts)
-    shapes = zip(parts, state.drawn, state.traits, strict=True)
+    shapes = zip(parts, state.drawn, state.constraints, strict=True)
     held = [_held(*shape, observation.sources.key, params, scale) for shape in shapes]
-    placed = laid(parts, state.traits, found, scale, params, held, expected.likely)
+    placed = laid(parts, state.constraints, found, scale, params, held, expected.likely)
     colours = _adapted(state, observation, found, params)
     outlines = [replace(part, points=points) for part, (points, _) in zip(parts, placed, strict=True)]
-    unbroken = _unbroken(observation, found)
-    signs = Signs.of(outlines, found, expected, unbroken, state.steps + 1, params.confidence)
-    confidence = expected_overlap(signs, params=params.confidence)
+    flow_reliability = _flow_reliability(observation, found)
+    features = ConfidenceFeatures.of(outlines, found, expected, flow_reliability, state.steps + 1, params.confidence)
+    confidence = expected_overlap(features, params=params.confidence)
     seen = [seen for _, seen in placed]
     trusts = trusts_of(state.drawn, seen, confidence)
     results = tuple(_result(*each, found, params) for each in zip(outlines, seen, trusts, strict=True))
     parts = tuple(
         replace(part, points=points) if seen else part for part, (points, seen) in zip(parts, placed, strict=True)
     )
-    return _after(state, frame, observation, found, unbroken, parts, colours, signs, results)
+    return _after(state, frame, observation, found, flow_reliability, parts, colours, features, results)
 
 
 def evidence(observation: Observation, params: RegionParams, covers: Sequence[Array]) -> Field:
@@ -249,14 +257,16 @@ def evidence(observation: Observation, params: RegionParams, covers: Sequence[Ar
     return carried_behind(gathered(observation.sources, params), covers, observation.sources.expected)
 
 
-def _held(part: Part, drawn: Part, traits: Traits, key: KeyMemory, params: RegionParams, scale: float) -> Array:
+def _held(
+    part: Part, drawn: Part, constraints: KeyConstraints, key: KeyMemory, params: RegionParams, scale: float
+) -> Array:
     """The points `(P, 3, 2)` of a shape that was carried on from the last frame, drawn a little towards the key's.
 
     What points slide by from frame to frame would add up otherwise.
     """
     way = similarity.apply(key.to_now[:2], drawn.points) - part.points
     length = np.hypot(*way[:, bezier.ANCHOR].T) / (params.held_within * scale)
-    return bezier.aligned(part.points + (params.held / (1.0 + length**2))[:, None, None] * way, traits.smooth)
+    return bezier.aligned(part.points + (params.held / (1.0 + length**2))[:, None, None] * way, constraints.smooth)
 
 
 def _as_one_piece(
@@ -265,9 +275,9 @@ def _as_one_piece(
     """The shapes as drawn on the key, carried by the motion of a plane."""
     grid, parts = observation.sources.grid, pose.carried(state.drawn)
     found = Field.of_coverage(grid, enclosed(parts, grid))
-    signs = pose.signs(state.steps + 1)
-    confidence = expected_overlap(signs, params=params.confidence)
-    energy = {"rigid": signs.disagreeing, "total": signs.disagreeing}
+    features = pose.features(state.steps + 1)
+    confidence = expected_overlap(features, params=params.confidence)
+    energy = {"rigid": features.disagreeing, "total": features.disagreeing}
     results = tuple(
         StepResult(
             points=part.points,
@@ -279,8 +289,8 @@ def _as_one_piece(
         for part, drawn in zip(parts, state.drawn, strict=True)
     )
     colours = _adapted(state, observation, found, params)
-    unbroken = _unbroken(observation, found)
-    return _after(state, frame, observation, found, unbroken, parts, colours, signs, results)
+    flow_reliability = _flow_reliability(observation, found)
+    return _after(state, frame, observation, found, flow_reliability, parts, colours, features, results)
 
 
 def _as_posed(
@@ -293,12 +303,12 @@ def _as_posed(
 ) -> RegionStep:
     """The shapes as drawn on the key, under their pose."""
     found = Field.of_coverage(observation.sources.grid, enclosed(parts, observation.sources.grid))
-    signs = PoseSigns.of(pose)
-    confidence = expected_overlap(signs, params=params.confidence)
+    features = PoseFeatures.of(pose)
+    confidence = expected_overlap(features, params=params.confidence)
     results = tuple(posed.result(part.points, pose, confidence, params.confidence) for part in parts)
     colours = _adapted(state, observation, found, params)
-    unbroken = _unbroken(observation, found)
-    return _after(state, frame, observation, found, unbroken, parts, colours, signs, results)
+    flow_reliability = _flow_reliability(observation, found)
+    return _after(state, frame, observation, found, flow_reliability, parts, colours, features, results)
 
 
 def _adapted(state: RegionState, observation: Observation, found: Field, params: RegionParams) -> GlobalModel:
@@ -315,10 +325,10 @@ def _after(
     frame: PreparedFrame,
     observation: Observation,
     found: Field,
-    unbroken: Float32,
+    flow_reliability: Float32,
     parts: tuple[Part, ...],
     colours: GlobalModel,
-    signs: Signs | PoseSigns,
+    features: ConfidenceFeatures | PoseFeatures,
     results: tuple[StepResult, ...],
 ) -> RegionStep:
     """The step to a frame on which `found` is the object's region and `parts` are its shapes."""
@@ -332,18 +342,18 @@ def _after(
         parts=parts,
         key=key,
         colours=colours,
-        sighting=_seen(state, key, found),
+        last_seen=_seen(state, key, found),
         rigidity=observation.rigidity,
-        unbroken=unbroken,
+        flow_reliability=flow_reliability,
         steps=state.steps + 1,
-        signs=signs,
+        features=features,
     )
     return RegionStep(state, after, results, observation)
 
 
-def _seen(state: RegionState, key: KeyMemory, found: Field) -> Sighting:
+def _seen(state: RegionState, key: KeyMemory, found: Field) -> LastSeen:
     """What the frame on which `found` is the region says about where the object is."""
-    before = state.sighting
+    before = state.last_seen
     return before.missed() if before.is_lost(found) else before.after(key, found)
 
 
@@ -357,7 +367,7 @@ def observed(
     if min(grid.shape) < 4:
         return None
     fine = Grid.over(grid.region, 1.0 / scale)
-    flows = dense_flow(state.frame, frame, fine, is_exact=params.lineage_weight > 0)
+    flows = dense_flow(state.frame, frame, fine, is_exact=params.label_propagation_weight > 0)
     forth, back = (on_grid(flow, fine, grid) for flow in flows)
     everywhere = state.region.on(fine) > 0.5
     inside = visible(everywhere, state.covers, fine, params.least_seen)
@@ -369,10 +379,12 @@ def observed(
     motion = motion_on(grid, back, moved, surroundings, agreement, params.motion_sigma * scale, params.clip)
     rigidity, pose = state.rigidity.step(frame, moved, params.rigid)
     lines = None
-    if params.lineage_weight > 0:
+    if params.label_propagation_weight > 0:
         sides = carried_by_flow(state.region.nats_on(fine), flows[1])
-        unbroken = grid.warped(state.unbroken, state.region.grid.map_to_image)
-        lines = lineage(pictures, sides, (forth, back), unbroken, grid, scale, params.lineage)
+        flow_reliability = grid.warped(state.flow_reliability, state.region.grid.map_to_image)
+        lines = label_propagation(
+            pictures, sides, (forth, back), flow_reliability, grid, scale, params.label_propagation
+        )
     key = replace(state.key, to_now=moved @ state.key.to_now)
     last = state.region.on(grid)
     expected = Expectation(
@@ -391,9 +403,9 @@ def _corners(region: Field) -> Array:
     return region.grid.to_image(np.array([[columns[0], rows[0]], [columns[-1], rows[-1]]]) + 0.5)
 
 
-def _unbroken(observation: Observation, found: Field) -> Float32:
+def _flow_reliability(observation: Observation, found: Field) -> Float32:
     """How far each cell's side still is the key's word, once `found` was decided."""
-    lines = observation.sources.lineage
+    lines = observation.sources.label_propagation
     return np.ones(found.grid.shape, np.float32) if lines is None else lines.after(found.inside)
 
 
@@ -433,6 +445,6 @@ def _left(state: RegionState, frame: PreparedFrame) -> RegionStep:
     results = tuple(
         StepResult(part.points, 0.0, np.zeros(len(part.points)), {}, Termination.LEFT_FRAME) for part in state.parts
     )
-    missed = state.sighting.missed()
-    after = replace(state, frame=frame, sighting=missed, steps=state.steps + 1, signs=None)
+    missed = state.last_seen.missed()
+    after = replace(state, frame=frame, last_seen=missed, steps=state.steps + 1, features=None)
     return RegionStep(state, after, results, None)

@@ -15,7 +15,7 @@ from roam_core.geometry.simple import simplified
 from roam_core.inference.contour_dp import Unary
 from roam_core.params import ProposalParams, RoamParams
 from roam_core.propagate.nodes import NodeMap
-from roam_core.proposal.contour import Traits, follow
+from roam_core.proposal.contour import KeyConstraints, follow
 from roam_core.proposal.reparametrise import Reshaped, energy_of, reshaped, untouched
 from roam_core.proposal.segmentation import Segmentation, segmented
 from roam_core.proposal.topology import TopologyChange, topology_changes
@@ -90,7 +90,7 @@ def _laid(
 ) -> Array:
     """The control points along the new ring; those whose segments did not change are put back where they were."""
     fit = params.contour_fit
-    result = follow(points, new.ring, Traits.of(points, nodes.smooth, fit, scale), scale)
+    result = follow(points, new.ring, KeyConstraints.of(points, nodes.smooth, fit, scale), scale)
     slid = np.hypot(*(result[:, bezier.ANCHOR] - points[:, bezier.ANCHOR]).T)
     keep = untouched(points, new.changed, found.grid, params.samples) & (slid < fit.near * scale)
     result[keep] = points[keep]

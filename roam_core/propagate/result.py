@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from roam_core.geometry import bezier
 from roam_core.params import DOUBTFUL
-from roam_core.propagate.offers import Proposal
+from roam_core.propagate.topology_proposals import Proposal
 from roam_core.proposal.topology import TopologyChange
 from roam_core.roto import Keyframe, RotoShape
 

@@ -17,7 +17,7 @@ from roam_core.geometry import bezier, polyline, projective, similarity
 from roam_core.geometry.plane_motion import PlaneMotion, fit
 from roam_core.motion.planar import Match, Reference
 from roam_core.params import RigidityParams, scale_for
-from roam_core.propagate.confidence import Signs
+from roam_core.propagate.confidence import ConfidenceFeatures
 from roam_core.propagate.result import Part
 
 Array = NDArray[np.float64]
@@ -50,9 +50,9 @@ class Pose:
         agreeing = np.exp(-((_distances(anchors, match.agreeing) / reach[:, None]) ** 2)).sum(axis=1)
         return np.asarray(np.clip(agreeing / all_of, 0.0, 1.0))
 
-    def signs(self, frames: int) -> Signs:
+    def features(self, frames: int) -> ConfidenceFeatures:
         """What speaks against it, so many frames after the key."""
-        return Signs.of_one_piece(1.0 - self.match.agreement, frames)
+        return ConfidenceFeatures.of_one_piece(1.0 - self.match.agreement, frames)
 
 
 @dataclass(frozen=True, eq=False)

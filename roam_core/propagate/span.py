@@ -17,12 +17,12 @@ from roam_core.features import PreparedFrame
 from roam_core.media.source import MissingFrame
 from roam_core.params import RegionParams, RoamParams, params_for, scale_for
 from roam_core.propagate import provenance
+from roam_core.propagate.directional_pass import DirectionalPass, directional_pass
+from roam_core.propagate.endpoint_consistency import Key, Span
 from roam_core.propagate.merge import Colours, Merged, merged
 from roam_core.propagate.objects import near, stacked, units
-from roam_core.propagate.passage import Passage, passage
 from roam_core.propagate.provenance import Stamps
 from roam_core.propagate.result import Part
-from roam_core.propagate.witness import Key, Span
 from roam_core.roto import BlendMode, Keyframe, Origin, RotoShape
 from roam_core.roto.edit import set_engine_keys
 from roam_core.threads import each
@@ -44,10 +44,10 @@ def fill_span(
 
     Each gap between two neighbouring artist keys is one span: the object is carried forward from the first and
     backward from the second, each on a thread of its own, and both are merged with the motion of the object as one
-    piece, each believed as far as it met the other key (`propagate.witness`), and with what the colours of both keys
-    say (`proposal.key_colours`). Shapes of one object with the same keys are filled together. A shape that ends between
-    two keys of its object is carried on from its last key; one that begins or ends on a key gets no keys, but tells how
-    much of the object the others do not show there.
+    piece, each believed as far as it met the other key (`propagate.endpoint_consistency`), and with what the colours of
+    both keys say (`proposal.key_colours`). Shapes of one object with the same keys are filled together. A shape that
+    ends between two keys of its object is carried on from its last key; one that begins or ends on a key gets no keys,
+    but tells how much of the object the others do not show there.
 
     Parameters
     ----------
@@ -189,17 +189,19 @@ class Filling:
         first, last = (_key(shapes, frame) for frame in gap)
         frames = range(gap[0], gap[1] + 1)
         ways = [(first, frames), (last, frames[::-1])]
-        ahead, behind = each(lambda way: self._passage(shapes, *way, size), ways)
+        ahead, behind = each(lambda way: self._directional_pass(shapes, *way, size), ways)
         return Span(first, last, ahead, behind, size, scale_for(size), self.params.region or RegionParams()).better
 
-    def _passage(self, shapes: Sequence[RotoShape], key: Key, frames: range, size: tuple[int, int]) -> Passage | None:
+    def _directional_pass(
+        self, shapes: Sequence[RotoShape], key: Key, frames: range, size: tuple[int, int]
+    ) -> DirectionalPass | None:
         parts = [part for part in key.parts if part is not None]
         if not parts:
             return None
         there = [shapes[k] for k in key.members]
         passed = None if self.meter is None else self.meter.passed
         made = units(there, near(size))
-        return passage(self.read, parts, made, partial(stacked, there), frames, self.finer, self.token, passed)
+        return directional_pass(self.read, parts, made, partial(stacked, there), frames, self.finer, self.token, passed)
 
 
 def _require_closed(shape: RotoShape) -> None:

@@ -28,7 +28,7 @@ from roam_core.propagate.confidence import frame_confidence, node_support, whole
 from roam_core.propagate.landmarks import LandmarkState
 from roam_core.propagate.nodes import NodeMap
 from roam_core.propagate.prewarp import expected
-from roam_core.propagate.refinding import Watch, as_on_key, is_better
+from roam_core.propagate.redetection import Watch, as_on_key, is_better
 from roam_core.propagate.reshaping import reshape
 from roam_core.propagate.result import StepResult, Termination
 from roam_core.proposal.nearest_colours import NearestColours
@@ -138,30 +138,30 @@ def step(state: TrackerState, frame: PreparedFrame, params: RoamParams, token: C
     """Carry the outline from the state's frame to `frame`.
 
     Where its inside then looks too little like the object on the key, that is looked for, and taken from there if it
-    looks more so (`propagate.refinding`).
+    looks more so (`propagate.redetection`).
     """
     carried = _carried(state, frame, params, token)
     if state.watch is None or params.appearance is None or carried.state.promise >= params.appearance.cues.doubted:
         return carried
-    found = _at_sighting(carried.state, frame, params)
+    found = _as_last_seen(carried.state, frame, params)
     if found is None:
         return carried
     again = _carried(found, frame, params, token)
     return again if is_better(again.state.promise, carried.state.promise, params.appearance.cues) else carried
 
 
-def _at_sighting(state: TrackerState, frame: PreparedFrame, params: RoamParams) -> TrackerState | None:
+def _as_last_seen(state: TrackerState, frame: PreparedFrame, params: RoamParams) -> TrackerState | None:
     """As if, the frame before, the object had lain as on the key where it is seen on `frame`.
 
     All that was learned since the key is forgotten: it was learned from something else.
     """
     watch, nearest = state.watch, state.nearest
-    if watch is None or nearest is None or not watch.sighting.is_worth_a_look:
+    if watch is None or nearest is None or not watch.last_seen.is_worth_a_look:
         return None
-    to_now = watch.lookout.found(frame, watch.sighting)
+    to_now = watch.appearance.found(frame, watch.last_seen)
     if to_now is None:
         return None
-    picture, points = as_on_key(watch.lookout.frame, to_now), similarity.apply(to_now[:2], watch.drawn)
+    picture, points = as_on_key(watch.appearance.frame, to_now), similarity.apply(to_now[:2], watch.drawn)
     first_id = 0 if state.landmarks is None else state.landmarks.pool.next_id
     fresh = _learned(picture, points, params, first_id)
     assert fresh.nearest is not None

@@ -12,16 +12,16 @@ from roam_core.geometry.bezier import ANCHOR, IN, OUT
 from roam_core.kernels.alignment import prices
 from roam_core.kernels.settling import settled
 from roam_core.params import ContourFitParams
+from roam_core.proposal.invariants import surroundings
 from roam_core.proposal.monotone import in_order
 from roam_core.proposal.refine import refined
-from roam_core.proposal.tips import surroundings
 
 Array = NDArray[np.float64]
 IntArray = NDArray[np.int64]
 
 
 @dataclass(frozen=True, eq=False)
-class Traits:
+class KeyConstraints:
     """What a shape keeps of its key, however it moves.
 
     Attributes
@@ -37,7 +37,7 @@ class Traits:
 
     smooth: NDArray[np.bool_]
     counts: NDArray[np.intp]
-    bulges: Array
+    descriptors: Array
     shares: Array
     params: ContourFitParams
     kept: float = 0.0
@@ -50,7 +50,7 @@ class Traits:
         params: ContourFitParams,
         scale: float = 1.0,
         kept: float = 0.0,
-    ) -> Traits:
+    ) -> KeyConstraints:
         """Of the closed spline `points (P, 3, 2)` as it is on the key, pixels, of which those `smooth (P,)` stay so."""
         return cls._of(points, smooth, _counts(points, scale, params), params, kept)
 
@@ -62,7 +62,7 @@ class Traits:
         counts: NDArray[np.intp],
         params: ContourFitParams,
         kept: float,
-    ) -> Traits:
+    ) -> KeyConstraints:
         nodes, shares = _nodes_and_shares(points, counts, params)
         return cls(smooth, counts, surroundings(nodes, params.tips), shares, params, kept)
 
@@ -75,16 +75,16 @@ class Traits:
         params: ContourFitParams,
         scale: float = 1.0,
         kept: float = 0.0,
-    ) -> tuple[Traits, Traits]:
+    ) -> tuple[KeyConstraints, KeyConstraints]:
         """Of a spline on two keys, with the same nodes."""
         counts = np.maximum(_counts(first, scale, params), _counts(last, scale, params))
         return cls._of(first, smooth, counts, params, kept), cls._of(last, smooth, counts, params, kept)
 
-    def towards(self, other: Traits, u: float) -> Traits:
+    def towards(self, other: KeyConstraints, u: float) -> KeyConstraints:
         """Of a spline `u` of the way from the one key to the other (`of_keys`)."""
         return replace(
             self,
-            bulges=(1.0 - u) * self.bulges + u * other.bulges,
+            descriptors=(1.0 - u) * self.descriptors + u * other.descriptors,
             shares=(1.0 - u) * self.shares + u * other.shares,
         )
 
@@ -94,7 +94,7 @@ class Traits:
         return np.asarray(np.cumsum(self.counts) - self.counts)
 
 
-def follow(points: Array, ring: Array, traits: Traits, scale: float = 1.0) -> Array:
+def follow(points: Array, ring: Array, constraints: KeyConstraints, scale: float = 1.0) -> Array:
     """The closed spline `points (P, 3, 2)` laid along the closed polyline `ring (K, 2)`, its points in correspondence.
 
     Nodes of the spline, the anchors among them, are matched to the outline in order (`kernels.alignment`): near where
@@ -104,19 +104,19 @@ def follow(points: Array, ring: Array, traits: Traits, scale: float = 1.0) -> Ar
     outline, and all of them together (`proposal.refine`). Points that are smooth keep their handles on one line;
     handles that lie on their anchor stay there.
     """
-    params = traits.params
-    nodes, last = _nodes_and_shares(points, traits.counts, params)
-    share = last ** (1.0 - traits.kept) * traits.shares**traits.kept
+    params = constraints.params
+    nodes, last = _nodes_and_shares(points, constraints.counts, params)
+    share = last ** (1.0 - constraints.kept) * constraints.shares**constraints.kept
     share /= max(float(share.sum()), 1e-9)
     if polyline.signed_area(ring) * polyline.signed_area(nodes) < 0:
         ring = ring[::-1]
     places = max(2 * len(nodes), int(polyline.length(ring) / (params.step * scale)))
     samples = polyline.resample(ring, params.finer * places)
-    at = params.finer * _matched(nodes, samples[:: params.finer], share, traits, scale)
-    anchors = at[traits.anchors]
-    laid = _laid(points, samples, anchors, traits.smooth)
-    laid += (_settled(nodes, samples, at, share, params, scale)[traits.anchors] - laid[:, ANCHOR])[:, None]
-    return refined(laid, samples, anchors, traits.smooth, params.rounds, params.refine)
+    at = params.finer * _matched(nodes, samples[:: params.finer], share, constraints, scale)
+    anchors = at[constraints.anchors]
+    laid = _laid(points, samples, anchors, constraints.smooth)
+    laid += (_settled(nodes, samples, at, share, params, scale)[constraints.anchors] - laid[:, ANCHOR])[:, None]
+    return refined(laid, samples, anchors, constraints.smooth, params.rounds, params.refine)
 
 
 def _counts(points: Array, scale: float, params: ContourFitParams) -> NDArray[np.intp]:
@@ -138,9 +138,9 @@ def _nodes_and_shares(points: Array, counts: NDArray[np.intp], params: ContourFi
     return fine[:: params.chords], lengths / max(float(lengths.sum()), 1e-9)
 
 
-def _matched(nodes: Array, samples: Array, share: Array, traits: Traits, scale: float) -> IntArray:
-    params = traits.params
-    ours = nodes, polyline.outward_normals(nodes), traits.bulges
+def _matched(nodes: Array, samples: Array, share: Array, constraints: KeyConstraints, scale: float) -> IntArray:
+    params = constraints.params
+    ours = nodes, polyline.outward_normals(nodes), constraints.descriptors
     theirs = samples, polyline.outward_normals(samples), surroundings(samples, params.tips)
     cost = prices(ours, theirs, params.near * scale, params.turn, params.bulge)
     expected = np.maximum(share * len(samples), 1.0)

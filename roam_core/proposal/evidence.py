@@ -17,7 +17,7 @@ from roam_core.kernels.diffusion import diffuse
 from roam_core.kernels.local_match import log_ratio, nearest_colours
 from roam_core.params import RegionParams
 from roam_core.proposal.key_view import KeyFlow, KeyView, lab, trimap
-from roam_core.proposal.lineage import Lineage
+from roam_core.proposal.label_propagation import LabelPropagation
 
 Array = NDArray[np.float64]
 Float32 = NDArray[np.float32]
@@ -124,7 +124,7 @@ class Sources:
     colours: GlobalModel
     motion: Float32
     band_reach: int
-    lineage: Lineage | None = None
+    label_propagation: LabelPropagation | None = None
 
     @cached_property
     def lab(self) -> UInt8:
@@ -174,14 +174,14 @@ def cues(sources: Sources, params: RegionParams) -> Iterator[tuple[str, Float32]
     "motion", "prior" and "bias"; "lineage", the more the less the others are heard. Only their sum in the band means
     anything to the region.
     """
-    lineage = sources.lineage
-    if lineage is None:
+    label_propagation = sources.label_propagation
+    if label_propagation is None:
         yield from _own_cues(sources, params)
         return
-    heard = np.float32(1.0) - np.float32(1.0 - params.beside_lineage) * lineage.unbroken
+    heard = np.float32(1.0) - np.float32(1.0 - params.beside_label_propagation) * label_propagation.flow_reliability
     for name, cue in _own_cues(sources, params):
         yield name, heard * cue
-    yield "lineage", np.float32(params.lineage_weight) * lineage.log_ratio
+    yield "lineage", np.float32(params.label_propagation_weight) * label_propagation.log_ratio
 
 
 def _own_cues(sources: Sources, params: RegionParams) -> Iterator[tuple[str, Float32]]:
@@ -226,7 +226,7 @@ def gathered(sources: Sources, params: RegionParams) -> Field:
     sure = np.where(expected.rigid & expected.fluid, np.float32(SURE), np.float32(-SURE))
     blurred = np.where(band, cv2.GaussianBlur(ratio, (0, 0), params.blur), sure).astype(np.float32)
     smoothed = diffuse(blurred, sources.lab, band, params.diffusion, params.contrast, params.sweeps)
-    if sources.lineage is not None:
-        held = np.where(band, sources.lineage.unbroken, np.float32(0.0))
+    if sources.label_propagation is not None:
+        held = np.where(band, sources.label_propagation.flow_reliability, np.float32(0.0))
         smoothed += held * (ratio - smoothed)
     return Field(sources.grid, smoothed)

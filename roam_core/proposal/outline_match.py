@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 from roam_core.geometry import bezier, polyline, similarity
 from roam_core.kernels.alignment import prices
 from roam_core.params import OUTLINE_MATCH
+from roam_core.proposal.invariants import surroundings
 from roam_core.proposal.monotone import in_order
-from roam_core.proposal.tips import surroundings
 
 Array = NDArray[np.float64]
 IntArray = NDArray[np.int64]
@@ -25,7 +25,8 @@ class Match:
     ----------
     points : (P, 3, 2) the spline, where it was expected. nodes : (N, 2) on it, where the outline was last expected.
     first : (P,) the nodes that are anchors. share : (N,) lengths from each node to the next.
-    samples : (M, 2) the outline at equal steps. around : the surroundings (`proposal.tips`) of nodes and of samples.
+    samples : (M, 2) the outline at equal steps. around : the surroundings (`proposal.invariants`) of nodes and of
+        samples.
     at : (N,) the sample of each node. energy : mean price of a node.
     """
 

@@ -101,8 +101,8 @@ def _nearest(points: Array, places: Array, samples: Array, normals: Array, param
 def bounded(points: Array, places: Array, samples: Array) -> Array:
     """No handle longer than the piece of outline beside it: where samples are few a cubic could loop."""
     step = polyline.length(samples) / len(samples)
-    pieces = np.bincount(np.minimum(places.astype(np.intp), len(points) - 1), minlength=len(points))
-    longest: Array = np.asarray((pieces + 1.0) * step, dtype=np.float64)
+    components = np.bincount(np.minimum(places.astype(np.intp), len(points) - 1), minlength=len(points))
+    longest: Array = np.asarray((components + 1.0) * step, dtype=np.float64)
     result = points.copy()
     for part, most in ((OUT, longest), (IN, polyline.preceding(longest))):
         handle = points[:, part] - points[:, ANCHOR]

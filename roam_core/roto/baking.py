@@ -27,11 +27,11 @@ def without_transforms(project: Project) -> Project:
     if project.plate_root is project.root:
         return project
 
-    def stilled(layer: Layer) -> Layer:
-        children = (stilled(child) if isinstance(child, Layer) else baked(child) for child in layer.children)
+    def bake_layers(layer: Layer) -> Layer:
+        children = (bake_layers(child) if isinstance(child, Layer) else baked(child) for child in layer.children)
         return replace(layer, children=tuple(children))
 
-    return replace(project, root=stilled(project.plate_root))
+    return replace(project, root=bake_layers(project.plate_root))
 
 
 def _moving(placement: Placement) -> range:

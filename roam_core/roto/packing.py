@@ -135,7 +135,7 @@ def packed_keys(keys: Sequence[Keyframe]) -> list[Document]:
     """A shape's keys as plain data: few that are alike one by one, many as one object; by their first frames."""
     alike: dict[tuple[Any, ...], list[Keyframe]] = {}
     for key in keys:
-        alike.setdefault(_traits(key), []).append(key)
+        alike.setdefault(_constraints(key), []).append(key)
     placed: list[tuple[int, Document]] = []
     for run in alike.values():
         fewest = FEWEST_PACKED_DRAWN if run[0].origin is Origin.ARTIST else FEWEST_PACKED
@@ -146,7 +146,7 @@ def packed_keys(keys: Sequence[Keyframe]) -> list[Document]:
     return [document for _, document in sorted(placed, key=lambda each: each[0])]
 
 
-def _traits(key: Keyframe) -> tuple[Any, ...]:
+def _constraints(key: Keyframe) -> tuple[Any, ...]:
     """What keys that are alike have in common."""
     vertices = None if key.vertex_confidence is None else key.vertex_confidence.shape
     alike = (key.origin, key.interpolation, key.feather is None, key.confidence is None, vertices)

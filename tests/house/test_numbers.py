@@ -23,7 +23,7 @@ NO_CHOICE = {
     # A law: a circle by cubics, half a pixel between two conventions, a mean, no colour in a picture of all colours.
     "geometry/primitives.py": {"QUARTER"},
     "features/grid.py": {"FROM_CENTRES", "TO_CENTRES"},
-    "proposal/lineage.py": {"MEAN"},
+    "proposal/label_propagation.py": {"MEAN"},
     "appearance/gmm.py": {"FLOOR"},
     # Made of parameters.
     "geometry/merging.py": {"STRAIGHT"},

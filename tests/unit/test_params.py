@@ -110,7 +110,7 @@ def test_a_number_that_came_later_is_stamped_only_where_it_is_changed() -> None:
 def test_what_a_changed_number_made_is_fresh_under_its_name_and_stale_under_another() -> None:
     clip, square = Clip("shot", 1, 9, (64, 48)), blob([20.0] * 4)
     shape = RotoShape("s", "s", (Keyframe(1, square),))
-    changed = params_for("best+region.pieces.speck=9")
+    changed = params_for("best+region.components.speck=9")
     inputs = stamp([shape], 2, 1, changed, clip_stamp(clip), True)
     assert inputs != stamp([shape], 2, 1, replace(changed, config="best"), clip_stamp(clip), True)
     made = Keyframe(2, square, origin=Origin.ENGINE, inputs=inputs)
@@ -130,7 +130,7 @@ SHOT = Shot(
     ("config", "word"),
     [
         ("best+region.rigid=1.5", "region.contour_fit.stretch=60"),
-        ("best+region.rigid=1.5", "region.lineage.like=1"),
+        ("best+region.rigid=1.5", "region.label_propagation.like=1"),
         ("best+region.rigid=1.5", "region.unseen=0.002"),
         ("best", "region.rigidity.fewest=2000"),
         ("medium", "landmarks.filters.lobe=1"),

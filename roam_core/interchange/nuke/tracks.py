@@ -17,10 +17,10 @@ from numpy.typing import NDArray
 
 from roam_core.errors import RoamError
 from roam_core.geometry import projective, similarity
+from roam_core.interchange.bake_layers import bake_layers
 from roam_core.interchange.nuke.keys import LAST_EXACT_FRAME
 from roam_core.interchange.nuke.text import HEAD, tcl_word
 from roam_core.interchange.protocol import FARTHEST, STANDARD, ExportOptions, ShapeWriter, exported_keys
-from roam_core.interchange.stilled import stilled
 from roam_core.roto import Clip, Layer, Project, RotoShape
 from roam_core.roto.file import write_atomically
 from roam_core.roto.placement import matrix_at
@@ -72,7 +72,7 @@ class NukeTracksExporter:
 
     def export(self, project: Project, path: Path, options: ExportOptions = STANDARD) -> tuple[str, ...]:
         """Write `project` to `path`; a shape with one key does not move and is left out, with a note."""
-        clip, baked = project.require_clip(), stilled(project)
+        clip, baked = project.require_clip(), bake_layers(project)
         writer = ShapeWriter(clip, options, len(project.shapes))
         nodes = []
         for layer in project.root.items():

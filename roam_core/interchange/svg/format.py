@@ -12,10 +12,10 @@ from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+from roam_core.interchange.bake_layers import bake_layers
 from roam_core.interchange.naming import file_words, is_numbered, numbering
 from roam_core.interchange.protocol import STANDARD, ExportOptions, with_chosen_keys
 from roam_core.interchange.reading import PLAIN, Imported, ImportOptions, quietly
-from roam_core.interchange.stilled import stilled
 from roam_core.interchange.svg.painting import Painter
 from roam_core.interchange.svg.reading import SvgReader
 from roam_core.interchange.svg.words import INKSCAPE, SODIPODI, SVG, XLINK, svg_tag
@@ -39,7 +39,7 @@ class SvgFormat:
 
         Where the name of `path` says where a frame's number goes (`####` or `%04d`), one picture for every frame.
         """
-        clip, project = project.require_clip(), stilled(project)
+        clip, project = project.require_clip(), bake_layers(project)
         frames, frame = options.frames_of(clip), options.frame_of(clip)
         options = replace(options, frames=None)  # a picture shows one moment: there is no motion to be cut
         if not is_numbered(path.name):
@@ -91,7 +91,7 @@ class _Picture:
 
 
 def _picture(project: Project, frame: int, options: ExportOptions) -> _Picture:
-    project = stilled(project)
+    project = bake_layers(project)
     clip, root = project.require_clip(), project.root
     width, height = (str(length) for length in clip.size)
     for prefix, space in {"": SVG, "inkscape": INKSCAPE, "sodipodi": SODIPODI, "xlink": XLINK}.items():

@@ -113,7 +113,7 @@ def account_of(step: RegionStep, points: Array, subtracts: bool, params: RoamPar
     beside = _both_sides(account.nodes, sources.grid)
     sides = {name: beside(values) for name, values in cues(sources, chosen)}
     evidence = region.evidence(step.observation, chosen, step.state.covers)
-    found = cleaned(evidence, sources.expected.possible, chosen.overlap, chosen.pieces.speck)
+    found = cleaned(evidence, sources.expected.possible, chosen.overlap, chosen.components.speck)
     sides[REGION] = beside(found.values)
     sign = -1.0 if subtracts else 1.0  # inside a hole there is no object
     terms = {name: sign * (inside - outside) for name, (inside, outside) in sides.items()}

@@ -70,11 +70,11 @@ def test_about_tells_the_version_and_every_librarys_licence(qtbot: QtBot, window
 
 def test_messages_are_kept_with_their_times(qtbot: QtBot, window: MainWindow) -> None:
     window.actions_by_id["help.log"].trigger()
-    assert not window.desk.log_panel.isHidden()
+    assert not window.services.log_panel.isHidden()
     window.view_state.say("First.")
     window.view_state.say("Second.")
-    text = window.desk.log.text.toPlainText().splitlines()
+    text = window.services.log.text.toPlainText().splitlines()
     assert [line[10:] for line in text[-2:]] == ["First.", "Second."]
     assert text[-1][2::3].startswith("::")
-    qtbot.mouseClick(window.desk.log.copy_button, Qt.MouseButton.LeftButton)
+    qtbot.mouseClick(window.services.log.copy_button, Qt.MouseButton.LeftButton)
     assert QGuiApplication.clipboard().text().splitlines()[-2:] == text[-2:]

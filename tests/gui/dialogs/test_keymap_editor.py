@@ -27,8 +27,8 @@ def window(qtbot: QtBot, tmp_path: Path) -> Iterator[MainWindow]:
 @pytest.fixture
 def editor(window: MainWindow) -> KeymapEditor:
     window.actions_by_id["edit.keymap"].trigger()
-    assert window.desk._editor is not None
-    return window.desk._editor
+    assert window.services._editor is not None
+    return window.services._editor
 
 
 def go_on(qtbot: QtBot, window: MainWindow, editor: KeymapEditor) -> None:

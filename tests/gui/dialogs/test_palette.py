@@ -28,9 +28,9 @@ def window(qtbot: QtBot, tmp_path: Path) -> Iterator[MainWindow]:
 def palette(qtbot: QtBot, window: MainWindow) -> Palette:
     """Open, by its key."""
     qtbot.keyClick(window.canvas, Qt.Key.Key_K, Qt.KeyboardModifier.ControlModifier)
-    assert window.desk.palette.isVisible()
-    assert window.desk.palette.field.hasFocus()
-    return window.desk.palette
+    assert window.services.palette.isVisible()
+    assert window.services.palette.field.hasFocus()
+    return window.services.palette
 
 
 def test_it_knows_every_action_and_its_keys(window: MainWindow, palette: Palette) -> None:

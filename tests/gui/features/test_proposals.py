@@ -16,9 +16,9 @@ from app.shell.main_window import MainWindow
 from roam_core.geometry import bezier
 from roam_core.geometry.bezier import polygon_points
 from roam_core.params import CONFIGS
-from roam_core.propagate.offers import Proposal
 from roam_core.propagate.provenance import Stamps, governing_key
 from roam_core.propagate.result import FrameResult, Termination, TrackResult
+from roam_core.propagate.topology_proposals import Proposal
 from roam_core.proposal.topology import TopologyChange, TopologyKind
 from roam_core.roto import Keyframe, Origin, RotoShape, edit
 from tests.gui.engines import Asked, StandIn, put_in

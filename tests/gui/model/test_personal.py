@@ -33,8 +33,8 @@ def window(qtbot: QtBot, tmp_path: Path) -> Iterator[MainWindow]:
 @pytest.fixture
 def dialog(window: MainWindow) -> SettingsDialog:
     window.actions_by_id["edit.settings"].trigger()
-    assert window.desk._settings is not None
-    return window.desk._settings
+    assert window.services._settings is not None
+    return window.services._settings
 
 
 def test_preferences_come_back_from_their_file(tmp_path: Path) -> None:
@@ -143,8 +143,8 @@ def test_the_keymap_is_a_setting_too(qtbot: QtBot, window: MainWindow, dialog: S
     dialog.preset.setCurrentIndex(dialog.preset.findData("blender"))
     assert window.actions_by_id.keymap["key.set"] == ("I",)
     qtbot.mouseClick(dialog.change_keys, Qt.MouseButton.LeftButton)
-    assert window.desk._editor is not None
-    assert window.desk._editor.preset.currentData() == "blender"
+    assert window.services._editor is not None
+    assert window.services._editor.preset.currentData() == "blender"
 
 
 def test_settings_that_cannot_be_written_hold_and_say_so(qtbot: QtBot, window: MainWindow) -> None:

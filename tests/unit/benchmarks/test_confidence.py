@@ -10,15 +10,15 @@ import pytest
 from benchmarks import confidence, logistic, rated
 from benchmarks.rated import Rated
 from benchmarks.shots import Shot
-from roam_core.propagate.confidence import Signs, SpanSigns, expected_overlap
+from roam_core.propagate.confidence import ConfidenceFeatures, SpanFeatures, expected_overlap
 
 
 def made(weights: np.ndarray, seed: int, count: int = 60) -> list[Rated]:
     """Frames whose IoU is just what the model of these weights says."""
-    signs = np.random.default_rng(seed).uniform(0.0, 1.0, (count, len(weights) - 1))
+    features = np.random.default_rng(seed).uniform(0.0, 1.0, (count, len(weights) - 1))
     return [
         Rated(float(share), ((1.0, tuple(row)),))
-        for share, row in zip(logistic.expected(signs, weights), signs, strict=True)
+        for share, row in zip(logistic.expected(features, weights), features, strict=True)
     ]
 
 
@@ -35,10 +35,10 @@ def test_no_weight_is_negative() -> None:
 
 
 def test_the_model_is_that_of_the_engine() -> None:
-    signs = Signs(0.1, 0.2, 0.05, 0.1, 1.5, 0.4)
+    features = ConfidenceFeatures(0.1, 0.2, 0.05, 0.1, 1.5, 0.4)
     weights = np.array([3.0, 2.0, 5.0, 0.3, 0.7, 0.1, 0.5, 2.0])
-    assert logistic.expected(np.array(astuple(signs)), weights) == pytest.approx(
-        expected_overlap(signs, weights.tolist())
+    assert logistic.expected(np.array(astuple(features)), weights) == pytest.approx(
+        expected_overlap(features, weights.tolist())
     )
 
 
@@ -72,9 +72,9 @@ def test_frames_of_a_shot_are_rated_in_both_ways(gliding: Shot) -> None:
     assert len(carried) == 7
     filled = list(rated.filled(gliding, 7))
     assert len(filled) == 6
-    for frames, kind in ((carried, Signs), (filled, SpanSigns)):
+    for frames, kind in ((carried, ConfidenceFeatures), (filled, SpanFeatures)):
         assert min(frame.iou for frame in frames) > 0.9
         for frame in frames:
-            ((share, signs),) = frame.known
+            ((share, features),) = frame.known
             assert share == pytest.approx(1.0)
-            assert expected_overlap(kind(*signs)) > 0.8
+            assert expected_overlap(kind(*features)) > 0.8

@@ -8,12 +8,12 @@ import numpy as np
 import pytest
 
 from roam_core.geometry import bezier
+from roam_core.interchange.bake_layers import BY_LAYER, bake_layers
 from roam_core.interchange.keys.reduction import reduced
 from roam_core.interchange.mattes.exporter import parts_of
 from roam_core.interchange.mattes.style import Parts
 from roam_core.interchange.protocol import ExportOptions, KeyChoice, exported_keys
 from roam_core.interchange.registry import EXPORTERS
-from roam_core.interchange.stilled import BY_LAYER, stilled
 from roam_core.matte import render_matte
 from roam_core.roto import Keyframe, Layer, LayerTransform, Project, RotoShape, edit
 from tests.unit.interchange.conftest import CLIP
@@ -26,7 +26,7 @@ def test_a_format_holds_the_motion(name: str, project: Project, tmp_path: Path) 
     moving = edit.set_properties(project, "layer-1", transform=LayerTransform.of({1001: np.eye(3), 1030: TILT}))
     exporter = EXPORTERS[name]
     texts = {}
-    for word, each in (("moving", moving), ("baked", stilled(moving)), ("still", project)):
+    for word, each in (("moving", moving), ("baked", bake_layers(moving)), ("still", project)):
         path = tmp_path / word / f"shapes{exporter.suffix}"
         path.parent.mkdir()
         exporter.export(each, path, ExportOptions(lossy=True))
@@ -57,8 +57,8 @@ def test_keys_that_only_a_layer_asks_for_are_left_out_or_kept_as_the_motion_want
     shape = RotoShape("shape-1", "S", (Keyframe(1001, bezier.polygon_points(corners)),))
     push = np.array([[1.0, 0.0, 90.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]])
     layer = Layer("layer-1", "L", (shape,), transform=LayerTransform.of({1001: np.eye(3), 1031: push}))
-    still = stilled(Project(CLIP, Layer("root", "Root", (layer,))))
-    assert stilled(still) is still
+    still = bake_layers(Project(CLIP, Layer("root", "Root", (layer,))))
+    assert bake_layers(still) is still
     (carried,) = still.shapes
     assert carried.artist_frames == (1001,)
     assert {key.inputs for key in carried.keys[1:]} == {BY_LAYER}

@@ -39,11 +39,11 @@ def test_landmarks_lie_inside_and_have_ids() -> None:
 
 def test_they_are_located_where_the_object_went() -> None:
     pool = Pool.learned(picture(50, 40), region(50, 40), PARAMS)
-    sighting = pool.located(picture(57, 36), pool.positions, 12.0)
-    error = np.hypot(*(sighting.positions - pool.positions - (7.0, -4.0)).T)
+    last_seen = pool.located(picture(57, 36), pool.positions, 12.0)
+    error = np.hypot(*(last_seen.positions - pool.positions - (7.0, -4.0)).T)
     assert np.median(error) < 0.05
-    assert sighting.response.shape == (len(pool), 25, 25)
-    assert (sighting.response.reshape(len(pool), -1).argmax(axis=1) == (12 - 4) * 25 + 12 + 7).mean() > 0.7
+    assert last_seen.response.shape == (len(pool), 25, 25)
+    assert (last_seen.response.reshape(len(pool), -1).argmax(axis=1) == (12 - 4) * 25 + 12 + 7).mean() > 0.7
 
 
 def test_a_still_picture_moves_nobody() -> None:
@@ -52,8 +52,8 @@ def test_a_still_picture_moves_nobody() -> None:
     pool = Pool.learned(frame, mask, PARAMS)
     start = pool.positions
     for _ in range(20):
-        sighting = pool.located(frame, pool.positions, 6.0)
-        pool = pool.adapted(frame, sighting.positions, sighting.sharpness, mask, 1.0)
+        last_seen = pool.located(frame, pool.positions, 6.0)
+        pool = pool.adapted(frame, last_seen.positions, last_seen.sharpness, mask, 1.0)
     first = pool.ids < len(start)
     np.testing.assert_allclose(pool.positions[first], start[pool.ids[first]], atol=0.25)
 
@@ -62,8 +62,8 @@ def test_large_pictures_are_seen_in_larger_cells() -> None:
     frame, mask = picture(50, 40, 6), region(50, 40, 6)
     pool = Pool.learned(frame, mask, PARAMS)
     assert pool.cell == pytest.approx(2.0)
-    sighting = pool.located(picture(53, 39, 6), pool.positions, 30.0)
-    error = np.hypot(*(sighting.positions - pool.positions - (18.0, -6.0)).T)
+    last_seen = pool.located(picture(53, 39, 6), pool.positions, 30.0)
+    error = np.hypot(*(last_seen.positions - pool.positions - (18.0, -6.0)).T)
     assert np.median(error) < 0.5
 
 
@@ -102,10 +102,10 @@ def test_an_object_that_shows_nothing_has_no_landmarks_and_nobody_minds() -> Non
     mask = np.zeros((60, 80), bool)
     for covered in (mask, ~mask):
         pool = Pool.learned(flat, covered, PARAMS)
-        sighting = pool.located(flat, pool.positions, 5.0)
+        last_seen = pool.located(flat, pool.positions, 5.0)
         assert len(pool) == 0
-        assert sighting.response.shape == (0, 11, 11)
-        assert len(pool.adapted(flat, sighting.positions, sighting.sharpness, covered, 1.0)) == 0
+        assert last_seen.response.shape == (0, 11, 11)
+        assert len(pool.adapted(flat, last_seen.positions, last_seen.sharpness, covered, 1.0)) == 0
 
 
 def test_a_small_object_has_small_patches() -> None:
@@ -117,5 +117,5 @@ def test_a_small_object_has_small_patches() -> None:
 
 def test_landmarks_near_the_border_are_looked_for_without_a_word() -> None:
     pool = Pool.learned(picture(50, 40), region(50, 40), PARAMS)
-    sighting = pool.located(picture(50, 40), pool.positions - (200.0, 0.0), 10.0)
-    assert np.isfinite(sighting.positions).all()
+    last_seen = pool.located(picture(50, 40), pool.positions - (200.0, 0.0), 10.0)
+    assert np.isfinite(last_seen.positions).all()

@@ -7,7 +7,7 @@ import pytest
 
 from roam_core.features import PreparedFrame
 from roam_core.geometry import similarity
-from roam_core.landmarks.pool import Pool, Sighting
+from roam_core.landmarks.pool import LastSeen, Pool
 from roam_core.landmarks.star import Star
 from roam_core.landmarks.warp import landmark_warp, node_projection
 from roam_core.params import LandmarkParams
@@ -22,9 +22,9 @@ def pool() -> Pool:
     return Pool.learned(frame, region(50, 40), LandmarkParams(count=12))
 
 
-def seen(pool: Pool, positions: np.ndarray, sharpness: float = 9.0) -> Sighting:
+def seen(pool: Pool, positions: np.ndarray, sharpness: float = 9.0) -> LastSeen:
     response = np.zeros((len(pool), 3, 3), np.float32)
-    return Sighting(response, positions, np.full(len(pool), sharpness), 1.0)
+    return LastSeen(response, positions, np.full(len(pool), sharpness), 1.0)
 
 
 def test_a_similarity_is_found_past_liars(pool: Pool) -> None:

@@ -13,8 +13,8 @@ from roam_core.geometry import bezier
 from roam_core.propagate.confidence import (
     SIGNS,
     SPAN_SIGNS,
-    Signs,
-    SpanSigns,
+    ConfidenceFeatures,
+    SpanFeatures,
     expected_overlap,
     vertex_confidence,
 )
@@ -24,8 +24,8 @@ from roam_core.propagate.result import Part
 from roam_core.proposal.evidence import SURE, Expectation, Field
 from tests.golden.shots import Shot
 
-WELL = Signs(0.0, 0.0, 0.0, 0.0, 0.0)
-HALF_WAY = SpanSigns(0.05, 0.05, 1.0, 2.3)
+WELL = ConfidenceFeatures(0.0, 0.0, 0.0, 0.0, 0.0)
+HALF_WAY = SpanFeatures(0.05, 0.05, 1.0, 2.3)
 GRID = Grid(Region(0, 0, 60, 40), 40, 60)
 
 
@@ -53,10 +53,10 @@ def test_no_sign_speaks_for_a_frame(weights: tuple[float, ...]) -> None:
 
 
 @pytest.mark.parametrize("signs", [WELL, HALF_WAY], ids=["carried", "filled"])
-def test_every_sign_costs_confidence(signs: Signs | SpanSigns) -> None:
-    before = expected_overlap(signs)
-    for field in fields(signs):
-        worse = replace(signs, **{field.name: getattr(signs, field.name) + 0.3})
+def test_every_sign_costs_confidence(features: ConfidenceFeatures | SpanFeatures) -> None:
+    before = expected_overlap(features)
+    for field in fields(features):
+        worse = replace(features, **{field.name: getattr(features, field.name) + 0.3})
         assert 0.0 < expected_overlap(worse) < before < 1.0
 
 
@@ -70,24 +70,24 @@ def test_the_model_is_logistic() -> None:
 
 def test_signs_of_a_region_that_is_found_as_expected() -> None:
     sure = box(SURE)
-    signs = Signs.of([square(20, 10, 40, 30)], sure, everywhere(sure), UNBROKEN, 1)
-    np.testing.assert_allclose(astuple(signs), astuple(WELL), atol=1e-9)
+    features = ConfidenceFeatures.of([square(20, 10, 40, 30)], sure, everywhere(sure), UNBROKEN, 1)
+    np.testing.assert_allclose(astuple(features), astuple(WELL), atol=1e-9)
 
 
 def test_curves_that_enclose_half_the_region() -> None:
     sure = box(SURE)
-    signs = Signs.of([square(20, 10, 30, 30)], sure, everywhere(sure), UNBROKEN, 1)
-    assert signs.unenclosed == pytest.approx(np.log(2.0))
+    features = ConfidenceFeatures.of([square(20, 10, 30, 30)], sure, everywhere(sure), UNBROKEN, 1)
+    assert features.unenclosed == pytest.approx(np.log(2.0))
 
 
 def test_faint_evidence_is_flat_and_undecided() -> None:
-    faint, signs = box(0.5), []
+    faint, features = box(0.5), []
     for field in (faint, box(2.0)):
-        signs.append(Signs.of([square(20, 10, 40, 30)], field, everywhere(field), UNBROKEN, 1))
-    assert signs[0].flat == pytest.approx(1.0 - 0.5 / SURE)
-    assert signs[1].flat == pytest.approx(0.5)
-    assert signs[0].undecided == 3.0  # of 2400 cells, for 400 inside, capped
-    assert signs[1].undecided == 0.0
+        features.append(ConfidenceFeatures.of([square(20, 10, 40, 30)], field, everywhere(field), UNBROKEN, 1))
+    assert features[0].flat == pytest.approx(1.0 - 0.5 / SURE)
+    assert features[1].flat == pytest.approx(0.5)
+    assert features[0].undecided == 3.0  # of 2400 cells, for 400 inside, capped
+    assert features[1].undecided == 0.0
 
 
 def test_what_the_key_did_not_have_is_new() -> None:
@@ -95,29 +95,29 @@ def test_what_the_key_did_not_have_is_new() -> None:
     known = found.inside.astype(np.float32)
     known[:, 30:] = 0.0
     expected = replace(everywhere(found), remembered=known)
-    assert Signs.of([square(20, 10, 40, 30)], found, expected, UNBROKEN, 1).new == pytest.approx(0.5)
+    assert ConfidenceFeatures.of([square(20, 10, 40, 30)], found, expected, UNBROKEN, 1).new == pytest.approx(0.5)
 
 
 def test_what_the_flow_did_not_bring_from_the_key_is_broken() -> None:
-    found, unbroken = box(SURE), UNBROKEN.copy()
-    unbroken[:, 30:] = 0.2  # half of the border
-    signs = Signs.of([square(20, 10, 40, 30)], found, everywhere(found), unbroken, 1)
-    assert signs.broken == pytest.approx(0.4, abs=0.01)
+    found, flow_reliability = box(SURE), UNBROKEN.copy()
+    flow_reliability[:, 30:] = 0.2  # half of the border
+    features = ConfidenceFeatures.of([square(20, 10, 40, 30)], found, everywhere(found), flow_reliability, 1)
+    assert features.broken == pytest.approx(0.4, abs=0.01)
 
 
 def test_nothing_found_leaves_no_confidence() -> None:
     nothing = Field(GRID, np.full(GRID.shape, -SURE, dtype=np.float32))
-    signs = Signs.of([square(20, 10, 40, 30)], nothing, everywhere(nothing), UNBROKEN, 1)
-    assert np.isfinite(astuple(signs)).all()
-    assert expected_overlap(signs) < 0.05
+    features = ConfidenceFeatures.of([square(20, 10, 40, 30)], nothing, everywhere(nothing), UNBROKEN, 1)
+    assert np.isfinite(astuple(features)).all()
+    assert expected_overlap(features) < 0.05
 
 
 def test_a_filled_frame_is_surest_beside_a_key_and_in_a_short_span() -> None:
-    beside, middle = (expected_overlap(SpanSigns.of(0.1, 0.9, u, 10)) for u in (0.1, 0.5))
-    assert beside > middle > expected_overlap(SpanSigns.of(0.1, 0.9, 0.5, 20))
-    assert middle > expected_overlap(SpanSigns.of(0.3, 0.9, 0.5, 10))
-    assert middle > expected_overlap(SpanSigns.of(0.1, 0.6, 0.5, 10))
-    assert SpanSigns.of(0.1, 0.9, 0.2, 10).middle == pytest.approx(SpanSigns.of(0.1, 0.9, 0.8, 10).middle)
+    beside, middle = (expected_overlap(SpanFeatures.of(0.1, 0.9, u, 10)) for u in (0.1, 0.5))
+    assert beside > middle > expected_overlap(SpanFeatures.of(0.1, 0.9, 0.5, 20))
+    assert middle > expected_overlap(SpanFeatures.of(0.3, 0.9, 0.5, 10))
+    assert middle > expected_overlap(SpanFeatures.of(0.1, 0.6, 0.5, 10))
+    assert SpanFeatures.of(0.1, 0.9, 0.2, 10).middle == pytest.approx(SpanFeatures.of(0.1, 0.9, 0.8, 10).middle)
 
 
 def test_a_vertex_is_trusted_by_its_edge_and_by_its_frame() -> None:
@@ -130,19 +130,19 @@ def test_a_vertex_is_trusted_by_its_edge_and_by_its_frame() -> None:
 
 
 def test_a_run_counts_its_frames_from_the_key(box_shot: Shot) -> None:
-    def signs() -> Signs:
+    def features() -> ConfidenceFeatures:
         engine = tracker.standing.engine
         assert isinstance(engine, RegionEngine)
         state = engine.state
-        assert state.signs is not None
-        return state.signs
+        assert state.features is not None
+        return state.features
 
     tracker = GroupTracker("best")
     tracker.start(box_shot.read(1001), [box_shot.shape()], 1001)
     for count, frame in enumerate(box_shot.frames[1:5], 1):
         [result] = tracker.step(box_shot.read(frame), frame)
-        assert signs().age == pytest.approx(np.log(count))
-        assert result.confidence == expected_overlap(signs()) > 0.8
+        assert features().age == pytest.approx(np.log(count))
+        assert result.confidence == expected_overlap(features()) > 0.8
     tracker.correct([result.shape])
     tracker.step(box_shot.read(1006), 1006)
-    assert signs().age == 0.0
+    assert features().age == 0.0

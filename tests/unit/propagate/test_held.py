@@ -10,10 +10,10 @@ from roam_core.features import PreparedFrame, Region
 from roam_core.features.grid import Grid
 from roam_core.geometry.bezier import ANCHOR
 from roam_core.params import params_for
-from roam_core.propagate.laying import laid
+from roam_core.propagate.contour_fit import laid
 from roam_core.propagate.region import begin, step
 from roam_core.propagate.result import Part
-from roam_core.proposal.contour import Traits
+from roam_core.proposal.contour import KeyConstraints
 from roam_core.proposal.evidence import Field
 from tests.golden.shots import blob, gliding
 
@@ -48,7 +48,7 @@ def test_a_shape_that_finds_no_region_stays_where_it_was_carried() -> None:
     part = Part(SHOT.truth(SHOT.first), False)
     grid = Grid.over(Region(0, 0, SHOT.size[1], SHOT.size[0]), 0.5)
     nothing = Field.of_coverage(grid, np.zeros(grid.shape, dtype=np.float32))
-    traits = Traits.of(part.points, np.ones(8, dtype=bool), PARAMS.contour_fit)
-    ((points, seen),) = laid([part], [traits], nothing, 1.0, PARAMS, [part.points + 9.0])
+    constraints = KeyConstraints.of(part.points, np.ones(8, dtype=bool), PARAMS.contour_fit)
+    ((points, seen),) = laid([part], [constraints], nothing, 1.0, PARAMS, [part.points + 9.0])
     assert not seen
     np.testing.assert_array_equal(points, part.points)

@@ -13,10 +13,11 @@ from roam_core.features.grid import Grid
 from roam_core.geometry.bezier import polygon_points
 from roam_core.matte import shape_matte
 from roam_core.params import RegionParams, scale_for
+from roam_core.propagate.directional_pass import DirectionalPass, Stop
+from roam_core.propagate.endpoint_consistency import Key, Span
+from roam_core.propagate.engines.protocol import Motion
 from roam_core.propagate.merge import Colours, merged
-from roam_core.propagate.passage import Passage, Stop
 from roam_core.propagate.result import Part
-from roam_core.propagate.witness import Key, Span
 from roam_core.proposal.evidence import SURE, Field
 from roam_core.roto import Keyframe, RotoShape
 
@@ -45,16 +46,19 @@ def region(strip: float) -> Field:
 def strip_taken(onwards: float, back: float, keys_weight: float) -> float:
     """The share of the strip in the outline half way between two keys, where the passages say so much of it."""
 
-    def passage(key: int, strip: float) -> Passage:
+    def directional_pass(key: int, strip: float) -> DirectionalPass:
+        def seen(frame: int) -> Field:
+            return region(strip if frame == 3 else -SURE)
+
         stops = {
-            frame: Stop((SQUARE,), (1.0,), np.eye(3), region(strip if frame == 3 else -SURE), (True,), False, (None,))
+            frame: Stop((SQUARE,), (1.0,), np.eye(3), Motion(np.eye(3), seen(frame), (True,), pose_costs=(None,)))
             for frame in (1, 3, 5)
         }
-        return Passage(stops, picture(90))
+        return DirectionalPass(stops, picture(90))
 
     params = replace(RegionParams(), keys_weight=keys_weight, sweeps=0)
     keys = [Key(frame, (Part(SQUARE),)) for frame in (1, 5)]
-    span = Span(*keys, passage(1, onwards), passage(5, back), SIZE, scale_for(SIZE), params)
+    span = Span(*keys, directional_pass(1, onwards), directional_pass(5, back), SIZE, scale_for(SIZE), params)
     [outline] = merged(span, 3, colours=Colours(picture(94), params))
     assert outline is not None
     matte: NDArray[np.float32] = shape_matte(RotoShape("x", "x", (Keyframe(3, outline.points),)), 3, SIZE)

@@ -57,9 +57,9 @@ def picture(frame: int, post: tuple[int, int] | None = None) -> Image:
     return drawn([(pose(frame), HULL)], post)
 
 
-def drawn(pieces: list[tuple[Array, Array]], post: tuple[int, int] | None = None) -> Image:
+def drawn(components: list[tuple[Array, Array]], post: tuple[int, int] | None = None) -> Image:
     image = SEA.copy()
-    for motion, points in pieces:
+    for motion, points in components:
         moved = cv2.warpPerspective(PAINT, TO_OPENCV @ motion @ np.linalg.inv(TO_OPENCV), SIZE[::-1])
         mask = np.zeros(SIZE, np.uint8)
         corners = projective.apply(motion, points[:, ANCHOR])

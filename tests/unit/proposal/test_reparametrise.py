@@ -64,9 +64,9 @@ def test_marked_differences_are_large_deep_and_not_stray() -> None:
     threaded = body.copy()
     threaded[90:112, 60:62] = True
     proposed = threaded | speck | drawn(BODY, LIMB) | stray
-    pieces = differences(halved(body), proposal(proposed, body), PROPOSALS)
-    assert [piece.added for piece in pieces] == [True]
-    assert pieces[0].cells[29, 48]
+    components = differences(halved(body), proposal(proposed, body), PROPOSALS)
+    assert [piece.added for piece in components] == [True]
+    assert components[0].cells[29, 48]
     gone = differences(halved(proposed), proposal(body, body), PROPOSALS)
     assert {piece.added for piece in gone} == {False}
     assert [p.cells.sum() for p in gone] == sorted((p.cells.sum() for p in gone), reverse=True)

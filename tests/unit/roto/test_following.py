@@ -88,6 +88,6 @@ def test_motion_is_told_in_the_space_around_the_layer(project: Project) -> None:
 
 def test_motion_can_be_taken_away(project: Project) -> None:
     after, layer_id = with_moving_layer(project, ["shape-1"], 1, "Planar")
-    stilled = still(followed(after, layer_id, 1, 5, moved(6.0)), layer_id)
-    assert stilled.find(layer_id).transform is None
-    np.testing.assert_allclose(stilled.shape("shape-1").at(9).points, project.shape("shape-1").at(9).points)
+    bake_layers = still(followed(after, layer_id, 1, 5, moved(6.0)), layer_id)
+    assert bake_layers.find(layer_id).transform is None
+    np.testing.assert_allclose(bake_layers.shape("shape-1").at(9).points, project.shape("shape-1").at(9).points)

@@ -8,12 +8,12 @@ from numpy.typing import NDArray
 
 from roam_core.geometry import polyline
 from roam_core.kernels.coverage import coverage
-from roam_core.params import TIPS, TipsParams
+from roam_core.params import INVARIANTS, InvariantsParams
 
 Array = NDArray[np.float64]
 
 
-def surroundings(line: Array, params: TipsParams = TIPS) -> Array:
+def surroundings(line: Array, params: InvariantsParams = INVARIANTS) -> Array:
     """`(K, R)`: the share of a Gaussian neighbourhood of each vertex that lies inside the closed polyline `(K, 2)`.
 
     It is small at a tip, great at the end of a bay, and says nothing of direction (an integral invariant: Manay et al.,

@@ -19,11 +19,11 @@ from roam_core.features import Region
 from roam_core.features.grid import Grid
 from roam_core.geometry import bezier, similarity
 from roam_core.params import RegionParams
-from roam_core.propagate.laying import enclosed
+from roam_core.propagate.contour_fit import enclosed
+from roam_core.propagate.directional_pass import DirectionalPass, Stop
 from roam_core.propagate.nodes import smooth_points
-from roam_core.propagate.passage import Passage, Stop
 from roam_core.propagate.result import Part
-from roam_core.proposal.contour import Traits
+from roam_core.proposal.contour import KeyConstraints
 
 Array = NDArray[np.float64]
 Float32 = NDArray[np.float32]
@@ -44,7 +44,7 @@ class Key:
 
 
 @dataclass(frozen=True, eq=False)
-class Miss:
+class Residual:
     """How far a witness was from a key, in pixels of a 480-line image: on a grid, and at the points of each outline."""
 
     grid: Grid
@@ -76,8 +76,8 @@ class Span:
 
     first: Key
     last: Key
-    onwards: Passage | None
-    back: Passage | None
+    onwards: DirectionalPass | None
+    back: DirectionalPass | None
     size: tuple[int, int]
     scale: float
     params: RegionParams
@@ -90,16 +90,21 @@ class Span:
         if onwards is None or back is None:
             return self
         costs = [
-            cost for passage in (onwards, back) for stop in passage.stops.values() for cost in stop.motion.pose_costs
+            cost
+            for directional_pass in (onwards, back)
+            for stop in directional_pass.stops.values()
+            for cost in stop.motion.pose_costs
         ]
-        if float(np.mean([cost for cost in costs if cost is not None])) > self.params.span.witness.dear:
+        if float(np.mean([cost for cost in costs if cost is not None])) > self.params.span.endpoint_consistency.dear:
             return self
         posed = replace(self, onwards=onwards, back=back)
-        ours, theirs = (sum(miss.loss for miss in span.misses[:2]) if span.misses else 0.0 for span in (self, posed))
-        return posed if theirs < self.params.span.witness.lenient * ours else self
+        ours, theirs = (
+            sum(residual.loss for residual in span.residuals[:2]) if span.residuals else 0.0 for span in (self, posed)
+        )
+        return posed if theirs < self.params.span.endpoint_consistency.lenient * ours else self
 
     @cached_property
-    def misses(self) -> tuple[Miss, Miss, Miss, Miss] | None:
+    def residuals(self) -> tuple[Residual, Residual, Residual, Residual] | None:
         """Of the passage onwards, of the one back, and of planar motion at the last and the first key.
 
         None where a passage did not arrive.
@@ -117,9 +122,9 @@ class Span:
     @cached_property
     def is_planar(self) -> bool:
         """True where each key, carried as one piece, came nearer to the other than the passages did."""
-        if self.misses is None:
+        if self.residuals is None:
             return False
-        onwards, back, planar_there, planar_here = self.misses
+        onwards, back, planar_there, planar_here = self.residuals
         return planar_there.loss + planar_here.loss < onwards.loss + back.loss
 
     @cached_property
@@ -140,25 +145,27 @@ class Span:
 
     def _loss(self, found: Array, true: Array) -> float:
         """The share in which two outlines differ."""
-        grid = grid_over([found, true], self.size, self.params.span.witness.look, self.scale)
+        grid = grid_over([found, true], self.size, self.params.span.endpoint_consistency.look, self.scale)
         a, b = (enclosed([Part(points)], grid) > 0.5 for points in (found, true))
         union = int(np.count_nonzero(a | b))
         return int(np.count_nonzero(a ^ b)) / union if union else 0.0
 
-    def traits(self, k: int, u: float) -> Traits:
+    def constraints(self, k: int, u: float) -> KeyConstraints:
         """What an outline keeps of both keys, or of the one that has it, `u` of the way between them."""
-        first, last = self._traits[k]
+        first, last = self._constraints[k]
         return first.towards(last, u)
 
     @cached_property
-    def _traits(self) -> list[tuple[Traits, Traits]]:
+    def _constraints(self) -> list[tuple[KeyConstraints, KeyConstraints]]:
         made = []
         for k in range(len(self.first.parts)):
             first, last = (key.parts[k] or self._part(k) for key in (self.first, self.last))
             smooth = smooth_points(first.points) & smooth_points(last.points)
             params = self.params
             made.append(
-                Traits.of_keys(first.points, last.points, smooth, params.contour_fit, self.scale, params.kept_shares)
+                KeyConstraints.of_keys(
+                    first.points, last.points, smooth, params.contour_fit, self.scale, params.kept_shares
+                )
             )
         return made
 
@@ -171,15 +178,15 @@ class Span:
         assert part is not None
         return part
 
-    def _missed(self, key: Key, source: Key, arrived: Sequence[Array]) -> Miss:
+    def _missed(self, key: Key, source: Key, arrived: Sequence[Array]) -> Residual:
         """What arrived from the parts of `source`, against the parts of `key`."""
         came = dict(zip(source.members, arrived, strict=True))
         true = [part for part in key.parts if part is not None]
         found = [Part(came[k], part.subtracts) for k, part in enumerate(source.parts) if part is not None]
-        witness = self.params.span.witness
-        grid = grid_over([part.points for part in (*true, *found)], self.size, witness.look, self.scale)
+        endpoint_consistency = self.params.span.endpoint_consistency
+        grid = grid_over([part.points for part in (*true, *found)], self.size, endpoint_consistency.look, self.scale)
         a, b = enclosed(found, grid) > 0.5, enclosed(true, grid) > 0.5
-        around = _displacement(a, b, grid, witness.reach, self.scale)
+        around = _displacement(a, b, grid, endpoint_consistency.reach, self.scale)
         union = int(np.count_nonzero(a | b))
         loss = int(np.count_nonzero(a ^ b)) / union if union else 0.0
         points = tuple(
@@ -188,12 +195,12 @@ class Span:
             else None
             for k, part in enumerate(key.parts)
         )
-        return Miss(grid, around, points, loss)
+        return Residual(grid, around, points, loss)
 
 
-def stop_at(passage: Passage | None, frame: int) -> Stop | None:
+def stop_at(directional_pass: DirectionalPass | None, frame: int) -> Stop | None:
     """Where a passage stands on a frame; None without a passage or a picture."""
-    return None if passage is None else passage.at(frame)
+    return None if directional_pass is None else directional_pass.at(frame)
 
 
 def carried(key: Key, transform: Array) -> list[Array]:

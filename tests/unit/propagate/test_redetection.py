@@ -18,7 +18,7 @@ from roam_core.matte.compose import render_matte
 from roam_core.params import CONFIGS, RedetectionParams, RegionParams
 from roam_core.propagate import step as outline
 from roam_core.propagate.explain import explain
-from roam_core.propagate.refinding import Lookout, Sighting, Watch, middle_of
+from roam_core.propagate.redetection import AppearanceTemplate, LastSeen, Watch, middle_of
 from roam_core.propagate.region import begin, step
 from roam_core.propagate.result import Part
 from roam_core.proposal.evidence import Field, KeyMemory
@@ -56,57 +56,57 @@ def picture(*columns: float, post: bool = False, radius: float = RADIUS) -> UInt
     return image
 
 
-def lookout(column: float = 60.0) -> tuple[Lookout, Sighting]:
+def appearance(column: float = 60.0) -> tuple[AppearanceTemplate, LastSeen]:
     whole = Grid.over(Region(0, 0, SIZE[1], SIZE[0]), 0.5)
     cover = whole.of(disc(column).astype(np.float32))
     region = Field(whole, (8.0 * (cover - 0.5)).astype(np.float32))
     area = np.pi * RADIUS**2
-    sighting = Sighting(np.eye(3), area, np.array([column, ROW]), PARAMS, since=12)
-    return Lookout(PreparedFrame(picture(column)), region, PARAMS, 2e-5), sighting
+    last_seen = LastSeen(np.eye(3), area, np.array([column, ROW]), PARAMS, since=12)
+    return AppearanceTemplate(PreparedFrame(picture(column)), region, PARAMS, 2e-5), last_seen
 
 
 @pytest.mark.parametrize("column", [30.0, 61.0, 148.5, 220.0])
 def test_it_is_seen_where_it_is(column: float) -> None:
-    eye, sighting = lookout()
-    placed = eye.found(PreparedFrame(picture(column)), sighting)
+    eye, last_seen = appearance()
+    placed = eye.found(PreparedFrame(picture(column)), last_seen)
     assert placed is not None
     middle = placed[:2, :2] @ (60.0, ROW) + placed[:2, 2]
     assert np.hypot(*(middle - (column, ROW))) < 3.0
 
 
 def test_it_is_seen_though_it_has_grown() -> None:
-    eye, sighting = lookout()
-    placed = eye.found(PreparedFrame(picture(150.0, radius=1.25 * RADIUS)), sighting)
+    eye, last_seen = appearance()
+    placed = eye.found(PreparedFrame(picture(150.0, radius=1.25 * RADIUS)), last_seen)
     assert placed is not None
     assert np.sqrt(np.linalg.det(placed[:2, :2])) == pytest.approx(1.25)
 
 
 def test_nothing_is_seen_where_nothing_is() -> None:
-    eye, sighting = lookout()
-    assert eye.found(PreparedFrame(picture()), sighting) is None
+    eye, last_seen = appearance()
+    assert eye.found(PreparedFrame(picture()), last_seen) is None
 
 
 def test_of_two_alike_none_is_taken() -> None:
-    eye, sighting = lookout()
-    assert eye.found(PreparedFrame(picture(40.0, 160.0)), sighting) is None
+    eye, last_seen = appearance()
+    assert eye.found(PreparedFrame(picture(40.0, 160.0)), last_seen) is None
 
 
 def test_it_is_not_looked_for_farther_than_it_can_have_gone() -> None:
-    eye, sighting = lookout()
+    eye, last_seen = appearance()
     frame = PreparedFrame(picture(230.0))
-    assert eye.found(frame, sighting) is not None
-    assert eye.found(frame, replace(sighting, since=0)) is None
+    assert eye.found(frame, last_seen) is not None
+    assert eye.found(frame, replace(last_seen, since=0)) is None
 
 
 def test_a_place_beyond_the_picture_shows_nothing() -> None:
-    eye, sighting = lookout()
-    beyond = replace(sighting, middle=np.array([9000.0, 9000.0]))
+    eye, last_seen = appearance()
+    beyond = replace(last_seen, middle=np.array([9000.0, 9000.0]))
     assert eye.found(PreparedFrame(picture(60.0)), beyond) is None
 
 
 def test_what_is_long_gone_is_looked_for_now_and_then() -> None:
-    _, sighting = lookout()
-    looks = [frames for frames in range(25) if replace(sighting, since=frames).is_worth_a_look]
+    _, last_seen = appearance()
+    looks = [frames for frames in range(25) if replace(last_seen, since=frames).is_worth_a_look]
     assert looks == [*range(PARAMS.long_gone + 1), 12, 16, 20, 24]
 
 
@@ -115,7 +115,7 @@ def test_what_is_found_is_left_where_too_little_is_to_be_expected_of_it() -> Non
     frames = [PreparedFrame(picture(column, post=True)) for column in columns]
     parts = tuple(Part(shape.at(0).points) for shape in shapes_from_mask(disc(columns[0])))
 
-    def sightings(believed: float) -> list[int]:
+    def last_seen_at(believed: float) -> list[int]:
         params = RegionParams(believed=believed)
         state, found = begin(frames[0], parts, params), []
         for number, frame in enumerate(frames[1:], 1):
@@ -125,8 +125,8 @@ def test_what_is_found_is_left_where_too_little_is_to_be_expected_of_it() -> Non
             state = stepped.state
         return found
 
-    assert sightings(0.5)
-    assert not sightings(1.0)
+    assert last_seen_at(0.5)
+    assert not last_seen_at(1.0)
 
 
 def ring_of(column: float, radius: float = RADIUS) -> NDArray[np.float64]:
@@ -135,7 +135,7 @@ def ring_of(column: float, radius: float = RADIUS) -> NDArray[np.float64]:
 
 
 def test_what_lies_inside_resembles_the_object_as_far_as_it_is_the_object() -> None:
-    eye, _ = lookout()
+    eye, _ = appearance()
     frame = PreparedFrame(picture(150.0))
     alike = [eye.resemblance(frame, ring_of(150.0 + off)) for off in (0.0, 8.0, 16.0, 60.0)]
     assert alike[0] > 0.95
@@ -146,27 +146,27 @@ def test_what_lies_inside_resembles_the_object_as_far_as_it_is_the_object() -> N
 
 @pytest.mark.parametrize("line", [ring_of(9000.0), ring_of(60.0, 0.1)], ids=["beyond the picture", "nothing left"])
 def test_nothing_resembles_nothing(line: NDArray[np.float64]) -> None:
-    assert lookout()[0].resemblance(PreparedFrame(picture(60.0)), line) == 0.0
+    assert appearance()[0].resemblance(PreparedFrame(picture(60.0)), line) == 0.0
 
 
 def test_only_what_can_be_told_from_its_surroundings_is_watched() -> None:
-    eye, _ = lookout()
+    eye, _ = appearance()
     drawn = np.zeros((4, 3, 2))
     assert Watch.begun(drawn, eye.frame, eye.region, RegionParams()) is not None
     assert Watch.begun(drawn, PreparedFrame(meadow()), eye.region, RegionParams()) is None
 
 
 def test_size_and_turn_are_taken_over_from_where_they_are_sure() -> None:
-    eye, sighting = lookout()
+    eye, last_seen = appearance()
     grown = np.diag([1.5, 1.5, 1.0])
     key = KeyMemory(eye.frame, eye.region, eye.colours, grown)
     region = Field(eye.region.grid, eye.region.on(eye.region.grid, grown) - np.float32(0.5))
-    sure, doubtful = sighting.after(key, region), sighting.after(key, region, resemblance=0.7)
+    sure, doubtful = last_seen.after(key, region), last_seen.after(key, region, resemblance=0.7)
     assert sure.since == doubtful.since == 0
     np.testing.assert_array_equal(sure.middle, doubtful.middle)
     np.testing.assert_array_equal(sure.carried, grown)
-    np.testing.assert_array_equal(doubtful.carried, sighting.carried)
-    assert sighting.missed().since == sighting.since + 1
+    np.testing.assert_array_equal(doubtful.carried, last_seen.carried)
+    assert last_seen.missed().since == last_seen.since + 1
 
 
 def test_landmarks_of_what_was_found_again_are_new_ones() -> None:
@@ -177,8 +177,8 @@ def test_landmarks_of_what_was_found_again_are_new_ones() -> None:
     assert state.watch is not None
     assert state.landmarks is not None
     frame = PreparedFrame(picture(220.0))
-    sighting = replace(state.watch.sighting, since=PARAMS.long_gone - 1)
-    away = replace(state, watch=replace(state.watch, sighting=sighting))
+    last_seen = replace(state.watch.last_seen, since=PARAMS.long_gone - 1)
+    away = replace(state, watch=replace(state.watch, last_seen=last_seen))
     stepped = outline.step(away, frame, params)
     found = stepped.begun
     assert found is not away
@@ -195,7 +195,7 @@ def test_of_what_was_found_again_its_region_has_the_colours_of_the_key() -> None
     key = PreparedFrame(picture(60.0))
     state = begin(key, (Part(shapes_from_mask(disc(60.0))[0].at(0).points),), REGION)
     misled = GlobalModel(state.colours.outside, state.colours.inside)
-    away = replace(state, colours=misled, sighting=replace(state.sighting, since=PARAMS.long_gone - 1))
+    away = replace(state, colours=misled, last_seen=replace(state.last_seen, since=PARAMS.long_gone - 1))
     stepped = step(away, PreparedFrame(picture(200.0)), REGION)
     found, after = stepped.begun, stepped.state
     assert stepped.redetected
@@ -212,7 +212,7 @@ def test_of_what_was_found_again_the_edges_learn_anew_from_the_key() -> None:
     assert state.models is not None
     edges = state.models.edges
     misled = replace(state.models, edges=replace(edges, inside=edges.outside, outside=edges.inside))
-    watch = replace(state.watch, sighting=replace(state.watch.sighting, since=PARAMS.long_gone - 1))
+    watch = replace(state.watch, last_seen=replace(state.watch.last_seen, since=PARAMS.long_gone - 1))
     away = replace(state, models=misled, watch=watch)
     found = outline.step(away, PreparedFrame(picture(200.0)), params).begun
     assert found is not away

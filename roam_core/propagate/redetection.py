@@ -27,7 +27,7 @@ Float32 = NDArray[np.float32]
 
 
 @dataclass(frozen=True, eq=False)
-class Sighting:
+class LastSeen:
     """When an object was last seen for sure.
 
     Attributes
@@ -56,19 +56,19 @@ class Sighting:
         """True when too little is left of the object to carry it on."""
         return area_of(region) <= self.params.lost * self.area
 
-    def missed(self) -> Sighting:
+    def missed(self) -> LastSeen:
         """After one more frame on which the object was not seen."""
         return replace(self, since=self.since + 1)
 
-    def after(self, key: KeyMemory, region: Field, resemblance: float = 1.0) -> Sighting:
+    def after(self, key: KeyMemory, region: Field, resemblance: float = 1.0) -> LastSeen:
         """After a frame on which the object was seen, as `region`; `key` knows the way from the key to there.
 
         Its size and turn are taken over where they are sure: from `RedetectionParams.whole` of its area and
-        `almost` full `resemblance` (`Lookout.resemblance`) on.
+        `almost` full `resemblance` (`AppearanceTemplate.resemblance`) on.
         """
         area = area_of(key.region) * abs(float(np.linalg.det(key.to_now[:2, :2])))
         if resemblance >= self.params.almost and area_of(region) >= self.params.whole * area:
-            return Sighting(key.to_now, area, middle_of(region), self.params)
+            return LastSeen(key.to_now, area, middle_of(region), self.params)
         return replace(self, middle=middle_of(region), since=0)
 
 
@@ -101,7 +101,7 @@ class Likeness:
 
 
 @dataclass(frozen=True, eq=False)
-class Lookout:
+class AppearanceTemplate:
     """What an object looked like on the artist's key: its picture and region, and what follows from them.
 
     `unseen` is the density of a colour that the histograms never saw.
@@ -144,22 +144,22 @@ class Lookout:
         likeness = self._likeness(self.frame, np.eye(2), self.middle, 2.0 * cell)
         return likeness.best(self.middle, 2.0 * cell)[0]
 
-    def found(self, frame: PreparedFrame, sighting: Sighting) -> Array | None:
+    def found(self, frame: PreparedFrame, last_seen: LastSeen) -> Array | None:
         """The similarity `(3, 3)` from the key that puts the object where it is seen; None where it is not.
 
         Turn and size are those of the sighting, but for `RedetectionParams.sizes`.
         """
         if self.extent < 1.0:
             return None
-        near, reach = sighting.middle, sighting.reach
-        turns = [size * sighting.carried[:2, :2] for size in self.params.sizes]
+        near, reach = last_seen.middle, last_seen.reach
+        turns = [size * last_seen.carried[:2, :2] for size in self.params.sizes]
         tried = each(lambda turn: self._likeness(frame, turn, near, reach), turns)
         seen = [likeness.best(near, reach) for likeness in tried]
         chosen = int(np.argmax([score for score, _ in seen]))
         score, place = seen[chosen]
         if not score >= max(self.params.alike * self.own_score, 0.0):
             return None
-        rival, _ = tried[chosen].best(near, reach, beyond=(place, float(np.sqrt(sighting.area))))
+        rival, _ = tried[chosen].best(near, reach, beyond=(place, float(np.sqrt(last_seen.area))))
         if rival > self.params.alone * score:
             return None
         placed = np.eye(3)
@@ -225,27 +225,27 @@ class Watch:
     """
 
     drawn: Array
-    lookout: Lookout
-    sighting: Sighting
+    appearance: AppearanceTemplate
+    last_seen: LastSeen
     resemblance: float = 1.0
 
     @classmethod
     def begun(cls, drawn: Array, frame: PreparedFrame, region: Field, params: RegionParams) -> Watch | None:
         """On the key, where the outline encloses `region`; None of what could not be told from its surroundings."""
-        lookout = Lookout(frame, region, params.redetection, params.unseen)
-        if lookout.extent < params.redetection.least or lookout.own_score < params.redetection.distinct:
+        appearance = AppearanceTemplate(frame, region, params.redetection, params.unseen)
+        if appearance.extent < params.redetection.least or appearance.own_score < params.redetection.distinct:
             return None
-        return cls(drawn, lookout, Sighting(np.eye(3), area_of(region), middle_of(region), params.redetection))
+        return cls(drawn, appearance, LastSeen(np.eye(3), area_of(region), middle_of(region), params.redetection))
 
     def after(self, frame: PreparedFrame, line: Array, key: KeyMemory, region: Field, params: RegionParams) -> Watch:
         """After a frame with the outline `line (N, 2)`, which encloses `region` there."""
-        alike = self.lookout.resemblance(frame, line)
-        seen = self.sighting.after(key, region, alike) if alike >= params.believed else self.sighting.missed()
-        return replace(self, sighting=seen, resemblance=alike)
+        alike = self.appearance.resemblance(frame, line)
+        seen = self.last_seen.after(key, region, alike) if alike >= params.believed else self.last_seen.missed()
+        return replace(self, last_seen=seen, resemblance=alike)
 
     def missed(self) -> Watch:
         """After a frame on which the outline lay outside the picture."""
-        return replace(self, sighting=self.sighting.missed(), resemblance=0.0)
+        return replace(self, last_seen=self.last_seen.missed(), resemblance=0.0)
 
 
 def is_better(again: float, promise: float, params: RegionParams) -> bool:

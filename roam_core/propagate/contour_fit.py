@@ -14,9 +14,9 @@ from roam_core.geometry.simple import simplified
 from roam_core.kernels.coverage import coverage
 from roam_core.params import RegionParams
 from roam_core.propagate.result import Part
-from roam_core.proposal.contour import Traits, follow
+from roam_core.proposal.components import ring_around, shares
+from roam_core.proposal.contour import KeyConstraints, follow
 from roam_core.proposal.evidence import Field
-from roam_core.proposal.pieces import ring_around, shares
 
 Array = NDArray[np.float64]
 Float32 = NDArray[np.float32]
@@ -39,7 +39,7 @@ def enclosed(parts: Sequence[Part], grid: Grid) -> Float32:
 
 def laid(
     parts: Sequence[Part],
-    traits: Sequence[Traits],
+    constraints: Sequence[KeyConstraints],
     found: Field,
     scale: float,
     params: RegionParams,
@@ -49,9 +49,9 @@ def laid(
     """Each shape's points `(P, 3, 2)` along the outline that it claims, and whether it found one.
 
     `parts` lie where they were carried, and do not cross themselves: where no shape finds anything all stay there.
-    `expected` tells where along the outline their points should come to lie, if not just there; `traits` are what they
-    keep of their key. Pieces of the region hang together by threads up to `RegionParams.longest_thread`, or, at 0, not
-    at all; `likely` is where pieces belong to the object that no shape claims, everywhere if it is None. A shape
+    `expected` tells where along the outline their points should come to lie, if not just there; `constraints` are what
+    they keep of their key. Pieces of the region hang together by threads up to `RegionParams.longest_bridge`, or, at 0,
+    not at all; `likely` is where pieces belong to the object that no shape claims, everywhere if it is None. A shape
     that finds nothing while others do, and lies mostly outside the region, is out of sight and closes to almost
     nothing, as does a hole that the region fills.
     """
@@ -66,11 +66,11 @@ def laid(
         if not members:
             continue
         area = inside if field is found else _enclosed(~inside)
-        strays = hanging if field is found and params.longest_thread > 0 else np.zeros_like(inside)
-        for k, mine in zip(members, shares(area, [covers[k] for k in members], strays, params.pieces), strict=True):
-            ring = ring_around(field, mine, params.longest_thread, params.pieces)
+        strays = hanging if field is found and params.longest_bridge > 0 else np.zeros_like(inside)
+        for k, mine in zip(members, shares(area, [covers[k] for k in members], strays, params.components), strict=True):
+            ring = ring_around(field, mine, params.longest_bridge, params.components)
             if ring is not None:
-                points = follow(wanted[k], ring, traits[k], scale)
+                points = follow(wanted[k], ring, constraints[k], scale)
                 placed[k] = simplified(points, parts[k].points, scale, params.contour_fit.untying), True
     is_in_sight = any(placed[k][1] for k in solid)
     for k, (points, seen) in enumerate(placed):

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from roam_core.geometry.bezier import polygon_points
-from roam_core.propagate.whole import whole_confidence
+from roam_core.propagate.frame_confidence import whole_confidence
 from roam_core.roto import BlendMode, Keyframe, Origin, RotoShape
 
 

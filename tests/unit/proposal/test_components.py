@@ -7,8 +7,8 @@ import numpy.testing as npt
 import pytest
 
 from roam_core.geometry import polyline
-from roam_core.params import PiecesParams
-from roam_core.proposal.pieces import joined, ring_around, shares
+from roam_core.params import ComponentsParams
+from roam_core.proposal.components import joined, ring_around, shares
 from tests.unit.proposal.cells import box, field_of
 
 SHAPE = (40, 120)
@@ -26,7 +26,7 @@ def test_shapes_that_claim_one_part_divide_it_and_others_get_their_own() -> None
         box((20, 60), slice(5, 15), slice(48, 58)).astype(np.float32),
         box((20, 60), slice(17, 19), slice(2, 8)).astype(np.float32),
     ]
-    left, right, alone, none = shares(whole, claims, np.ones_like(whole), PiecesParams())
+    left, right, alone, none = shares(whole, claims, np.ones_like(whole), ComponentsParams())
     assert (left | right | alone == whole).all()
     assert not (left & right).any()
     assert left[10, 5]
@@ -40,18 +40,18 @@ def test_a_piece_that_nobody_wants_most_goes_to_who_claims_most_of_it_or_is_near
     far = box(SHAPE, slice(2, 6), slice(104, 118))
     one = (LEFT | box(SHAPE, slice(10, 20), slice(60, 70))).astype(np.float32)
     other = box(SHAPE, slice(33, 38), slice(112, 118)).astype(np.float32)
-    mine, lost = shares(LEFT | RIGHT | far, [one, other], EVERYWHERE, PiecesParams())
+    mine, lost = shares(LEFT | RIGHT | far, [one, other], EVERYWHERE, ComponentsParams())
     assert (mine == LEFT | RIGHT).all()
     assert (lost == far).all()
 
 
 def test_a_stray_is_left_alone_where_the_object_is_not_likely_to_be() -> None:
-    (mine,) = shares(LEFT | RIGHT, [LEFT.astype(np.float32)], LEFT, PiecesParams())
+    (mine,) = shares(LEFT | RIGHT, [LEFT.astype(np.float32)], LEFT, ComponentsParams())
     assert (mine == LEFT).all()
 
 
 def test_what_a_shape_claims_most_of_is_its_own_wherever_it_lies() -> None:
-    body, hand = shares(LEFT | RIGHT, [LEFT.astype(np.float32), RIGHT.astype(np.float32)], LEFT, PiecesParams())
+    body, hand = shares(LEFT | RIGHT, [LEFT.astype(np.float32), RIGHT.astype(np.float32)], LEFT, ComponentsParams())
     assert (body == LEFT).all()
     assert (hand == RIGHT).all()
 
@@ -59,13 +59,13 @@ def test_what_a_shape_claims_most_of_is_its_own_wherever_it_lies() -> None:
 def test_rivals_divide_evenly_up_to_the_border_of_the_grid() -> None:
     whole = box((20, 80), slice(0, 20), slice(0, 80))
     claims = [box((20, 80), slice(0, 20), columns).astype(np.float32) for columns in (slice(0, 50), slice(30, 80))]
-    left, right = shares(whole, claims, whole, PiecesParams())
+    left, right = shares(whole, claims, whole, ComponentsParams())
     assert (left[:, :39]).all()
     assert (right[:, 41:]).all()
 
 
 def test_pieces_hang_together_by_the_shortest_way() -> None:
-    body, threads = joined(LEFT | RIGHT, 2.0, PiecesParams())
+    body, threads = joined(LEFT | RIGHT, 2.0, ComponentsParams())
     assert (body == LEFT | RIGHT).all()
     rows, columns = np.nonzero(threads)
     assert (np.sort(columns) == np.arange(45, 60)).all()
@@ -77,7 +77,7 @@ def test_pieces_hang_together_by_the_shortest_way() -> None:
 def test_specks_and_what_is_far_off_do_not_hang_on(apart: np.ndarray) -> None:
     near = np.zeros(apart.shape, dtype=bool)
     near[:, :120] = LEFT
-    body, threads = joined(near | apart, 2.0, PiecesParams())
+    body, threads = joined(near | apart, 2.0, ComponentsParams())
     assert (body == near).all()
     assert not threads.any()
 
@@ -86,14 +86,14 @@ def test_a_speck_on_the_way_does_not_cut_the_thread() -> None:
     nose = box(SHAPE, slice(18, 22), slice(44, 48)) | box(SHAPE, slice(18, 22), slice(57, 61))
     speck = box(SHAPE, slice(18, 22), slice(51, 54))
     field = field_of(LEFT | RIGHT | nose | speck)
-    ring = ring_around(field, field.inside, 2.0, PiecesParams())
+    ring = ring_around(field, field.inside, 2.0, ComponentsParams())
     assert ring is not None
     assert abs(polyline.signed_area(ring)) / 4.0 > 0.97 * (LEFT | RIGHT | nose).sum()
 
 
 def test_one_outline_goes_around_all_pieces_and_does_not_cross_itself() -> None:
     field = field_of(LEFT | RIGHT)
-    ring = ring_around(field, field.inside, 2.0, PiecesParams())
+    ring = ring_around(field, field.inside, 2.0, ComponentsParams())
     assert ring is not None
     assert len(polyline.crossings(ring)) == 0
     cell = 4.0  # square pixels
@@ -101,10 +101,10 @@ def test_one_outline_goes_around_all_pieces_and_does_not_cross_itself() -> None:
 
 
 def test_around_nothing_there_is_no_outline() -> None:
-    assert ring_around(field_of(LEFT), np.zeros_like(LEFT), 2.0, PiecesParams()) is None
+    assert ring_around(field_of(LEFT), np.zeros_like(LEFT), 2.0, ComponentsParams()) is None
 
 
 def test_without_threads_an_outline_has_one_piece() -> None:
-    body, threads = joined(LEFT | RIGHT, 0.0, PiecesParams())
+    body, threads = joined(LEFT | RIGHT, 0.0, ComponentsParams())
     assert (body == LEFT).all()
     assert not threads.any()

@@ -52,7 +52,7 @@ class Stop:
 
 
 @dataclass(frozen=True, eq=False)
-class Passage:
+class DirectionalPass:
     """All stops of one direction: `stops[frame]`, the key's own among them; frames without a picture are left out.
 
     `picture` is the key's.
@@ -62,18 +62,18 @@ class Passage:
     picture: PreparedFrame
 
     @property
-    def posed(self) -> Passage | None:
+    def posed(self) -> DirectionalPass | None:
         """The same, if the pose of the lone shape is believed all the way; None where it has none."""
         stops = {frame: stop.posed for frame, stop in self.stops.items()}
         known = {frame: stop for frame, stop in stops.items() if stop is not None}
-        return Passage(known, self.picture) if len(known) == len(stops) else None
+        return DirectionalPass(known, self.picture) if len(known) == len(stops) else None
 
     def at(self, frame: int) -> Stop | None:
         """The stop on a frame, or None where the picture is missing."""
         return self.stops.get(frame)
 
 
-def passage(
+def directional_pass(
     read: ReadPicture,
     parts: Sequence[Part],
     made: Sequence[Unit],
@@ -82,7 +82,7 @@ def passage(
     params: RoamParams,
     token: CancelToken | None = None,
     passed: Callable[[], None] | None = None,
-) -> Passage:
+) -> DirectionalPass:
     """Carry `parts` from `frames[0]`, where they are given, through the other frames in their order.
 
     `made` tells what they are in their object, `orders` how they are stacked on a frame (`propagate.objects`). `passed`
@@ -113,7 +113,7 @@ def passage(
         stops[frame] = Stop(points, confidence, carried, motion)
         if passed is not None:
             passed()
-    return Passage(stops, key)
+    return DirectionalPass(stops, key)
 
 
 def _moved(before: PreparedFrame, after: PreparedFrame, points: tuple[Array, ...], params: RoamParams) -> Array:

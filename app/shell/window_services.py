@@ -19,7 +19,7 @@ from ..panels.log import LogPanel
 from ..widgets.panel import Panel
 
 
-class Desk(QObject):
+class WindowServices(QObject):
     """Makes each of them once, or anew where it is deleted on closing; they lie over `parent`.
 
     Signals

@@ -9,10 +9,10 @@ from roam_core.features import Region
 from roam_core.features.grid import Grid
 from roam_core.geometry import bezier, polyline
 from roam_core.params import ContourFitParams, RegionParams
-from roam_core.propagate.laying import enclosed, laid, trusts_of
+from roam_core.propagate.contour_fit import enclosed, laid, trusts_of
 from roam_core.propagate.nodes import smooth_points
 from roam_core.propagate.result import Part
-from roam_core.proposal.contour import Traits
+from roam_core.proposal.contour import KeyConstraints
 from roam_core.proposal.evidence import Field
 from tests.golden.shots import blob
 
@@ -21,17 +21,17 @@ BODY = Part(blob([60.0, 50.0] * 6) + np.array([110.0, 80.0]))
 HAND = Part(blob([12.0] * 6) + np.array([200.0, 40.0]))
 
 
-def along(parts: list[Part], inside: np.ndarray, longest_thread: float = 2.0) -> list[tuple[np.ndarray, bool]]:
-    traits = [Traits.of(part.points, smooth_points(part.points), ContourFitParams()) for part in parts]
-    field, params = Field.of_coverage(GRID, inside.astype(np.float32)), RegionParams(longest_thread=longest_thread)
-    return laid(parts, traits, field, 1.0, params)
+def along(parts: list[Part], inside: np.ndarray, longest_bridge: float = 2.0) -> list[tuple[np.ndarray, bool]]:
+    constraints = [KeyConstraints.of(part.points, smooth_points(part.points), ContourFitParams()) for part in parts]
+    field, params = Field.of_coverage(GRID, inside.astype(np.float32)), RegionParams(longest_bridge=longest_bridge)
+    return laid(parts, constraints, field, 1.0, params)
 
 
-@pytest.mark.parametrize(("longest_thread", "least", "most"), [(2.0, 0.93, 1.0), (0.0, 0.4, 0.8)])
-def test_behind_a_post_one_outline_has_both_sides(longest_thread: float, least: float, most: float) -> None:
+@pytest.mark.parametrize(("longest_bridge", "least", "most"), [(2.0, 0.93, 1.0), (0.0, 0.4, 0.8)])
+def test_behind_a_post_one_outline_has_both_sides(longest_bridge: float, least: float, most: float) -> None:
     seen = enclosed([BODY], GRID) > 0.5
     seen[:, 45:55] = False
-    ((points, found),) = along([BODY], seen, longest_thread)
+    ((points, found),) = along([BODY], seen, longest_bridge)
     assert found
     ours = enclosed([Part(points)], GRID) > 0.5
     assert least <= (ours & seen).sum() / (ours | seen).sum() <= most

@@ -7,8 +7,8 @@ import numpy.testing as npt
 
 from roam_core.geometry import bezier, similarity
 from roam_core.geometry.bezier import polygon_points
-from roam_core.params import TIPS
-from roam_core.proposal.tips import surroundings
+from roam_core.params import INVARIANTS
+from roam_core.proposal.invariants import surroundings
 from tests.golden.shots import blob, pose
 
 STAR = blob([80.0, 30.0] * 5)
@@ -35,4 +35,4 @@ def test_it_is_the_same_wherever_the_outline_lies() -> None:
 def test_what_is_all_length_and_no_area_is_borne() -> None:
     needle = np.array([[0.0, 0.0], [5000.0, 0.001], [10000.0, 0.0], [5000.0, -0.001]])
     assert np.isfinite(surroundings(needle)).all()
-    npt.assert_array_equal(surroundings(np.zeros((4, 2))).shape, (4, len(TIPS.radii)))
+    npt.assert_array_equal(surroundings(np.zeros((4, 2))).shape, (4, len(INVARIANTS.radii)))

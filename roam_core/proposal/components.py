@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial import KDTree
 
-from roam_core.params import PiecesParams
+from roam_core.params import ComponentsParams
 from roam_core.proposal.evidence import Field
 from roam_core.proposal.region import contours
 
@@ -22,7 +22,7 @@ Float32 = NDArray[np.float32]
 Bools = NDArray[np.bool_]
 
 
-def shares(region: Bools, claims: Sequence[Float32], likely: Bools, params: PiecesParams) -> list[Bools]:
+def shares(region: Bools, claims: Sequence[Float32], likely: Bools, params: ComponentsParams) -> list[Bools]:
     """Which pieces `(rows, columns)` of the region belong to each shape.
 
     `claims` are the shapes' expected coverages on the grid. Each shape has the piece that it claims most of; shapes
@@ -55,7 +55,7 @@ def shares(region: Bools, claims: Sequence[Float32], likely: Bools, params: Piec
     return [owner == number for number in range(len(claims))]
 
 
-def ring_around(field: Field, mine: Bools, longest: float, params: PiecesParams) -> Array | None:
+def ring_around(field: Field, mine: Bools, longest: float, params: ComponentsParams) -> Array | None:
     """The one outline `(K, 2)`, in pixels, around the pieces `mine` of a region that hang together (`joined`)."""
     if not mine.any():
         return None
@@ -67,7 +67,7 @@ def ring_around(field: Field, mine: Bools, longest: float, params: PiecesParams)
     return field.grid.to_image(rings[0][0] + [window[1].start, window[0].start]) if rings else None
 
 
-def joined(mine: Bools, longest: float, params: PiecesParams) -> tuple[Bools, Bools]:
+def joined(mine: Bools, longest: float, params: ComponentsParams) -> tuple[Bools, Bools]:
     """The pieces that hang together with the largest, and the threads, a cell wide, by which they do.
 
     A piece hangs on to what is nearest of all that does already, if the thread is no longer than `longest` times the

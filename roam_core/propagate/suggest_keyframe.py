@@ -6,7 +6,7 @@ from roam_core.params import DOUBTFUL
 from roam_core.roto import Keyframe, Origin, RotoShape
 
 
-def most_worth_fixing(shape: RotoShape) -> int | None:
+def suggest_keyframe(shape: RotoShape) -> int | None:
     """The frame of a shape on which a new artist's key would gain most; None where no frame is doubtful.
 
     Among the frames whose confidence is below `DOUBTFUL`, the one with the greatest doubt (1 - confidence) times the

@@ -14,7 +14,7 @@ They are nobody's work: reducing keys may leave them out, but keeping the artist
 """
 
 
-def stilled(project: Project) -> Project:
+def bake_layers(project: Project) -> Project:
     """The project with every layer standing still and its motion in the shapes, as engine keys that are `BY_LAYER`."""
     if project.plate_root is project.root:
         return project

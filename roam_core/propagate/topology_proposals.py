@@ -12,7 +12,7 @@ from roam_core.geometry import fit
 from roam_core.geometry.simple import simplified
 from roam_core.params import ProposalParams
 from roam_core.propagate.nodes import smooth_points
-from roam_core.proposal.contour import Traits, follow
+from roam_core.proposal.contour import KeyConstraints, follow
 from roam_core.proposal.topology import TopologyChange, TopologyKind
 from roam_core.roto import Clip, Keyframe, Layer, Origin, Project, RotoShape, Spline
 from roam_core.roto.edit import set_engine_keys, set_key
@@ -64,8 +64,8 @@ class Proposal:
         (shape,) = self.before
         outline = shape.at(self.frame)
         fitted = self.params.contour_fit
-        traits = Traits.of(outline.points, smooth_points(outline.points), fitted, self.scale)
-        laid = follow(outline.points, self.rings[0], traits, self.scale)
+        constraints = KeyConstraints.of(outline.points, smooth_points(outline.points), fitted, self.scale)
+        laid = follow(outline.points, self.rings[0], constraints, self.scale)
         key = shape.key_at(self.frame) or Keyframe(self.frame, outline.points, feather=outline.feather)
         stays = replace(key, points=simplified(laid, outline.points, self.scale, fitted.untying), origin=Origin.ENGINE)
         parts = [self._part(shape, number, ring) for number, ring in enumerate(self.rings[1:], start=2)]

@@ -10,7 +10,7 @@ import numpy.testing as npt
 import pytest
 
 from roam_core.geometry import bezier, polyline
-from roam_core.propagate.offers import Proposal
+from roam_core.propagate.topology_proposals import Proposal
 from roam_core.proposal.topology import TopologyChange, TopologyKind
 from roam_core.roto import BlendMode, Clip, Keyframe, Layer, Origin, Project, RotoShape
 from tests.unit.proposal.scenes import drawn, spline

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from roam_core.features.grid import Grid, signed_distance
 from roam_core.motion.flow import carried_by_flow
-from roam_core.params import LineageParams
+from roam_core.params import LabelPropagationParams
 
 Float32 = NDArray[np.float32]
 UInt8 = NDArray[np.uint8]
@@ -28,39 +28,41 @@ MEAN = np.full((1, 3), 1.0 / 3.0, dtype=np.float32)
 
 
 @dataclass(frozen=True, eq=False)
-class Lineage:
+class LabelPropagation:
     """What each cell of a grid brings along from the frame before, `(rows, columns)` each.
 
     `depth` is how deep inside the last region, carried by the flow, it lies (pixels of a 480-line image, negative
-    outside); `likeness`, in [0, 1], how well the flow explains it; `unbroken`, in [0, 1], how sound the flow has been
-    on its way since the key.
+    outside); `likeness`, in [0, 1], how well the flow explains it; `flow_reliability`, in [0, 1], how sound the flow
+    has been on its way since the key.
     """
 
     depth: Float32
     likeness: Float32
-    unbroken: Float32
-    params: LineageParams
+    flow_reliability: Float32
+    params: LabelPropagationParams
 
     @property
     def log_ratio(self) -> Float32:
         """How much it speaks for the side that the cell lay on: between -1, outside, and 1."""
-        return np.asarray(self.unbroken * self.likeness * np.tanh(self.depth / self.params.edge), dtype=np.float32)
+        return np.asarray(
+            self.flow_reliability * self.likeness * np.tanh(self.depth / self.params.edge), dtype=np.float32
+        )
 
     def after(self, inside: Bools) -> Float32:
         """How unbroken the lines are once `inside (rows, columns)` was decided."""
         kept = inside == (self.depth > 0)
-        return np.where(kept, self.unbroken, np.float32(self.params.contradicted) * self.unbroken)
+        return np.where(kept, self.flow_reliability, np.float32(self.params.contradicted) * self.flow_reliability)
 
 
-def lineage(
+def label_propagation(
     pictures: tuple[UInt8, UInt8],
     sides: Float32,
     flows: tuple[Float32, Float32],
-    unbroken: Float32,
+    flow_reliability: Float32,
     grid: Grid,
     scale: float,
-    params: LineageParams,
-) -> Lineage:
+    params: LabelPropagationParams,
+) -> LabelPropagation:
     """What the cells of `grid` bring along from the first of two pictures to the second.
 
     Parameters
@@ -80,9 +82,9 @@ def lineage(
     astray = np.hypot(returned[..., 0], returned[..., 1]) * np.float32(1.0 / (scale * grid.factor.mean()))
     depth = signed_distance(sides > 0, params.reach)
     sound = 1.0 / ((1.0 + (unlike / params.like_enough) ** 2) * (1.0 + (astray / params.returned_enough) ** 2))
-    return Lineage(
+    return LabelPropagation(
         depth=cv2.resize(depth, (grid.columns, grid.rows), interpolation=cv2.INTER_AREA),
         likeness=0.5 * (np.exp(-unlike / params.like) + np.exp(-astray / params.returned)),
-        unbroken=np.asarray(carried_by_flow(unbroken, back) * sound, dtype=np.float32),
+        flow_reliability=np.asarray(carried_by_flow(flow_reliability, back) * sound, dtype=np.float32),
         params=params,
     )
