@@ -114,9 +114,9 @@ def expected_overlap(
     weights: Sequence[float] | None = None,
     params: ConfidenceParams = CONFIDENCE,
 ) -> float:
-    """The IoU with the artist's wish, in [0, 1], to be expected on a frame with these signs.
+    """The IoU with the artist's wish, in [0, 1], to be expected on a frame with these features.
 
-    A logistic function of the weighted signs. All weights are at least zero, so that no sign can speak for a frame.
+    A logistic function of the weighted features. All weights are at least zero, so that none can speak for a frame.
     """
     fitted = {
         ConfidenceFeatures: params.features,

@@ -10,9 +10,8 @@ import pytest
 from roam_core.features import Region
 from roam_core.features.grid import Grid
 from roam_core.geometry import bezier
+from roam_core.params import CONFIDENCE
 from roam_core.propagate.confidence import (
-    SIGNS,
-    SPAN_SIGNS,
     ConfidenceFeatures,
     SpanFeatures,
     expected_overlap,
@@ -47,12 +46,12 @@ def everywhere(field: Field) -> Expectation:
     return Expectation(field.inside.astype(np.float32), field.inside, field.inside, field.inside.astype(np.float32))
 
 
-@pytest.mark.parametrize("weights", [SIGNS, SPAN_SIGNS])
+@pytest.mark.parametrize("weights", [CONFIDENCE.features, CONFIDENCE.span_features])
 def test_no_sign_speaks_for_a_frame(weights: tuple[float, ...]) -> None:
     assert min(weights[1:]) > 0.0
 
 
-@pytest.mark.parametrize("signs", [WELL, HALF_WAY], ids=["carried", "filled"])
+@pytest.mark.parametrize("features", [WELL, HALF_WAY], ids=["carried", "filled"])
 def test_every_sign_costs_confidence(features: ConfidenceFeatures | SpanFeatures) -> None:
     before = expected_overlap(features)
     for field in fields(features):
