@@ -91,9 +91,5 @@ class PartsStep:
         whole = self.step.wholes.get(limb.unit.members)
         if whole is not None:
             return account_of(whole, points, subtracts, self.params)
-        nodes = NodeMap.of(points, self.params, scale_for(self.frame_size))
+        nodes = NodeMap.of(points, self.params, scale_for(self.step.state.frame.size))
         return by_pose(nodes, points, limb.pose)
-
-    @property
-    def frame_size(self) -> tuple[int, int]:
-        return self.step.state.frame.size
