@@ -35,13 +35,14 @@ class Surroundings:
     ----------
     pyramid : the picture. hidden : for each level where nearer parts lie.
     needs : for each level, in [0, 1], what belongs to the object and to no other part; None where that is not known.
-    ties : springs to other parts.
+    ties : springs to other parts. is_complete : no more than `hidden` can lie before the part.
     """
 
     pyramid: Pyramid
     hidden: tuple[UInt8, ...]
     needs: tuple[Float32, ...] | None = None
     ties: Ties | None = None
+    is_complete: bool = True
 
 
 @dataclass(frozen=True, eq=False)
@@ -153,7 +154,7 @@ class Pose:
         velocity[2 + self.template.chain.count :] = 0.0
         since = 0 if cost <= params.lost else self.since + 1
         like = self._likened(look, params)
-        if around.needs is None:  # what hides it is not known, and must not pass for a new look of it
+        if not around.is_complete:  # what hides it is not known, and must not pass for a new look of it
             like = min(like, params.like_grows * self.like) if since == 0 else self.like
         return Pose(self.template, values, velocity, like, cost, since, look)
 

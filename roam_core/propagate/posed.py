@@ -59,7 +59,7 @@ def step(
     if is_narrow(window, params):
         return pose.missed()
     pyramid = Pyramid.of(frame, window, 1.0 / scale, params.pyramid)
-    return pose.step(Surroundings(pyramid, pyramid.outlined(list(covers))), params)
+    return pose.step(Surroundings(pyramid, pyramid.outlined(list(covers)), is_complete=False), params)
 
 
 def is_narrow(window: Region, params: PoseParams) -> bool:
