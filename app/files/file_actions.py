@@ -197,8 +197,13 @@ class FileActions(QObject):
     def _show_found(self, found: FoundClip) -> None:
         from ..dialogs.clip_dialog import ClipDialog
 
+        for shown in self._window.findChildren(ClipDialog):
+            if shown.isVisible() and shown.found.path == found.path:
+                shown.take(found)
+                return
         dialog = ClipDialog(found, self._window)
         dialog.chosen.connect(lambda: self._open_found(dialog))
+        dialog.layer_wanted.connect(lambda layer: self._files.look_at(found.path, layer))
         dialog.open()
 
     def _open_found(self, dialog: ClipDialog) -> None:
@@ -208,8 +213,8 @@ class FileActions(QObject):
         if dialog.asks_no_more.isChecked():
             self._personal.set_preferences(replace(self._personal.preferences, asks_about_clips=False))
         said = dialog.colour_space, dialog.fps, dialog.pixel_aspect
-        path = dialog.found.path
-        self.leave_project(lambda: self._files.open_clip(path, lambda source: declared(source, *said)))
+        path, layer = dialog.found.path, dialog.layer
+        self.leave_project(lambda: self._files.open_clip(path, lambda source: declared(source, *said), layer))
 
     def _open(self, path: Path | None) -> None:
         """Open a project or a clip; a clip takes the place of the plate that the project looks for in vain."""

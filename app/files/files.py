@@ -110,12 +110,12 @@ class Files(QObject):
         else:
             self.open_clip(path)
 
-    def look_at(self, path: Path) -> None:
-        """Find out about a clip without opening it."""
+    def look_at(self, path: Path, layer: str = "") -> None:
+        """Find out about a clip without opening it: about one of its layers, or the one that is found."""
 
         def work(report: Report) -> str:
             report.progress(0.0, f"Looking at {path.name} …")
-            report.partial(looked_at(path))
+            report.partial(looked_at(path, layer))
             return ""
 
         job = self._runner.start("look", work)
@@ -123,14 +123,16 @@ class Files(QObject):
         job.partial.connect(self.looked)
         job.ended.connect(self.finished)
 
-    def open_clip(self, path: Path, declare: Callable[[PlateSource], PlateSource] | None = None) -> None:
+    def open_clip(
+        self, path: Path, declare: Callable[[PlateSource], PlateSource] | None = None, layer: str = ""
+    ) -> None:
         """Begin a project on a folder of images, a pattern, an image of a sequence, or a movie.
 
-        `declare` gives the plate what the artist says of it against its files.
+        `declare` gives the plate what the artist says of it against its files; `layer` is the one that was chosen.
         """
 
         def read() -> Found:
-            project, source = clip_project(path, declare)
+            project, source = clip_project(path, declare, layer)
             sentence = f"Opened {path.name}: {len(source.frames)} frames. {_gaps(source)}".rstrip()
             return Found(project, source, sentence)
 
@@ -308,12 +310,12 @@ class Files(QObject):
 
 
 def clip_project(
-    path: Path, declare: Callable[[PlateSource], PlateSource] | None = None
+    path: Path, declare: Callable[[PlateSource], PlateSource] | None = None, layer: str = ""
 ) -> tuple[Project, PlateSource]:
     """A new project on a clip, and the clip's source. Raises `RoamError` when there is no clip at `path`."""
     from roam_core.media import open_clip
 
-    source = open_clip(path)
+    source = open_clip(path, layer)
     if declare is not None:
         source = declare(source)
     return Project(Clip.of(source)), source
@@ -379,7 +381,7 @@ def plate_of(project: Project) -> tuple[Any, str]:
     if (clip := project.clip) is None:
         return None, ""
     try:
-        source = declared(open_clip(clip.path), clip.colour_space, clip.fps, clip.pixel_aspect)
+        source = declared(open_clip(clip.path, clip.layer), clip.colour_space, clip.fps, clip.pixel_aspect)
     except RoamError as error:
         return None, f"The plate could not be opened; choose it again in the File menu. {error}"
     return source, _differences(project, source)

@@ -29,11 +29,14 @@ class FoundClip:
     trouble: str = ""
 
 
-def looked_at(path: Path) -> FoundClip:
-    """Look at a clip: its headers and its first picture. Raises `RoamError` when there is no clip at `path`."""
+def looked_at(path: Path, layer: str = "") -> FoundClip:
+    """Look at a clip: its headers and its first picture, of one layer of its files or of the one that is found.
+
+    Raises `RoamError` when there is no clip at `path`, or no such layer.
+    """
     from roam_core.media import open_clip
 
-    source = open_clip(path)
+    source = open_clip(path, layer)
     try:
         return FoundClip(path, source, _small(source.read(source.frames[0])))
     except RoamError as error:

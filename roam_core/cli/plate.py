@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import argparse
 import sys
 import threading
 from collections.abc import Iterator
@@ -68,14 +69,22 @@ def loaded(path: Path) -> Project:
     return relinked(file.load(path), path.parent)
 
 
+def add_layer(parser: argparse.ArgumentParser) -> None:
+    """Declare the option that chooses a layer of the plate's files."""
+    parser.add_argument(
+        "--layer", default="", metavar="NAME", help="layer of the EXR files (roam info CLIP names them; default: found)"
+    )
+
+
 @contextmanager
-def opened(path: str, clip: Clip | None = None) -> Iterator[Plate]:
+def opened(path: str, clip: Clip | None = None, layer: str = "") -> Iterator[Plate]:
     """A plate for the length of a `with` block; its reading thread ends with it.
 
-    What the project's `clip` declares of its colours and its speed holds, where that is the plate. A plate of another
-    size than the project's is refused; of one with another content stderr says so.
+    The layer is the one asked for, else that of the project's `clip`, else the one that is found. What the clip
+    declares of its colours and its speed holds, where that is the plate. A plate of another size than the project's is
+    refused; of one with another content stderr says so.
     """
-    source = open_clip(path)
+    source = open_clip(path, layer or (clip.layer if clip else ""))
     if clip is not None:
         _compare(clip, Clip.of(source))
     if clip is not None and clip.path == source.path:

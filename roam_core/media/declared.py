@@ -40,6 +40,14 @@ class DeclaredPlate:
     def depth(self) -> str:
         return self.source.depth
 
+    @property
+    def layer(self) -> str:
+        return self.source.layer
+
+    @property
+    def layers(self) -> tuple[str, ...]:
+        return self.source.layers
+
     def read(self, frame: int) -> Image:
         """The picture `(h, w, 3)` of a frame: the same values; what they mean is what was declared."""
         return self.source.read(frame)

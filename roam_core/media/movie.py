@@ -13,6 +13,7 @@ import numpy as np
 from roam_core.bounded import require_regular
 from roam_core.errors import RoamError
 from roam_core.media.colour import SRGB
+from roam_core.media.layers import PLAIN
 from roam_core.media.measure import plain_name, require_size
 from roam_core.media.source import DamagedFrame, Image, MissingFrame
 
@@ -47,6 +48,7 @@ class Movie:
         self._count = self._verified_count()
         self.frames = tuple(range(1, self._count + 1))
         self.missing: tuple[int, ...] = ()
+        self.layer, self.layers = PLAIN, (PLAIN,)
 
     def file_of(self, frame: int) -> Path:
         """The movie, whichever the frame."""
@@ -65,7 +67,7 @@ class Movie:
         if picture is None:
             raise DamagedFrame(f"Frame {frame} of {self.path} cannot be decoded; the movie is damaged or cut short.")
         if (picture.shape[1], picture.shape[0]) != self.size:
-            raise RoamError(f"Frame {frame} of {self.path} differs in size from the first; a plate needs one size.")
+            raise DamagedFrame(f"Frame {frame} of {self.path} differs in size from the first; a plate needs one size.")
         return np.asarray(cv2.cvtColor(picture, cv2.COLOR_BGR2RGB))
 
     # ---- moving through the file; `_lock` is held, except while opening ----------------------------------------------

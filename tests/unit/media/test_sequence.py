@@ -10,9 +10,9 @@ import OpenImageIO as oiio  # noqa: N813 - the name its own manual uses
 import pytest
 
 from roam_core.errors import RoamError
-from roam_core.media import DamagedFrame, measure, open_clip
-from roam_core.media import sequence as sequence_module
-from roam_core.media.sequence import colour_channels, image_extensions, read_image
+from roam_core.media import DamagedFrame, image_file, measure, open_clip
+from roam_core.media.image_file import image_extensions, read_image
+from roam_core.media.layers import Part, colour_layer, layers_of
 from tests.unit.media.conftest import HEIGHT, WIDTH, picture, write_bytes_png, write_image
 
 
@@ -125,7 +125,7 @@ def test_associated_alpha_is_not_divided_out(tmp_path: Path) -> None:
     ],
 )
 def test_channels_that_show_as_colour(names: tuple[str, ...], channels: tuple[int, int, int]) -> None:
-    assert colour_channels(names) == channels
+    assert colour_layer(layers_of([Part("", "", names)])).channels == channels
 
 
 def test_an_exr_of_many_channels_gives_red_green_blue_by_name(tmp_path: Path) -> None:
@@ -243,7 +243,7 @@ def test_a_frame_of_another_size_is_named(tmp_path: Path) -> None:
 def test_a_header_that_claims_too_much_is_refused_before_it_is_allocated(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    assert oiio.get_int_attribute("limits:imagesize_MB") == sequence_module.LARGEST_IMAGE_MB
+    assert oiio.get_int_attribute("limits:imagesize_MB") == image_file.LARGEST_IMAGE_MB
     window = {"full_width": 4000, "full_height": 1000}
     file = write_image(tmp_path / "p.exr", picture(1), "half", **window)
     assert open_clip(file).size == (4000, 1000)
