@@ -1,8 +1,8 @@
 """Confidence: whether it means the IoU that it says, and whether it finds the bad frames, with each shot left out.
 
-The model of `roam_core.propagate.confidence` is fitted to the frames of all shots but one and rates the frames of that
-one. `worst fifth`: of a shot's frames under IoU 0.9, the share among the fifth that is rated worst; on a shot with more
-such frames than a fifth not even the best rating finds all of them, so the best possible share stands beside it.
+The model of `roam_core.propagate.frame.confidence` is fitted to the frames of all shots but one and rates the frames of
+that one. `worst fifth`: of a shot's frames under IoU 0.9, the share among the fifth that is rated worst; on a shot with
+more such frames than a fifth not even the best rating finds all of them, so the best possible share stands beside it.
 `off` is the mean distance of confidence from IoU, `bias` the same of their means over tenths of the frames.
 """
 

@@ -35,17 +35,17 @@ from roam_core.motion.flow import dense_flow, flow_similarity
 from roam_core.motion.klt import similarity_warp
 from roam_core.params import CONFIGS
 from roam_core.propagate import track, warm_up
-from roam_core.propagate.confidence import edge_support, frame_confidence, node_support
-from roam_core.propagate.contour_fit import enclosed, laid
-from roam_core.propagate.nodes import NodeMap
-from roam_core.propagate.reshaping import reshape
-from roam_core.propagate.rigid import Rigidity
-from roam_core.propagate.step import curve_context
-from roam_core.proposal.components import ring_around, shares
-from roam_core.proposal.contour import follow
-from roam_core.proposal.evidence import gathered
-from roam_core.proposal.label_propagation import label_propagation
-from roam_core.proposal.region import cleaned
+from roam_core.propagate.curves.reshaping import reshape
+from roam_core.propagate.curves.step import curve_context
+from roam_core.propagate.frame.confidence import edge_support, frame_confidence, node_support
+from roam_core.propagate.frame.contour_fit import enclosed, laid
+from roam_core.propagate.frame.nodes import NodeMap
+from roam_core.propagate.whole.rigid import Rigidity
+from roam_core.proposal.cues.evidence import gathered
+from roam_core.proposal.cues.label_propagation import label_propagation
+from roam_core.proposal.outline.contour import follow
+from roam_core.proposal.segment.components import ring_around, shares
+from roam_core.proposal.segment.region import cleaned
 from roam_core.roto import RotoShape
 
 Image = NDArray[np.uint8]
@@ -69,8 +69,8 @@ STAGES: dict[str, Sequence[Callable[..., Any]]] = {
     "confidence and energies": (node_support, frame_confidence, total.energies, edge_support, enclosed),
     "histograms": (bin_counts, looked_up),
 }
-"""What a frame's time is spent on: functions that `propagate.step` or `propagate.region` call. A configuration takes
-one way or the other; stages that it never enters stay out of its table."""
+"""What a frame's time is spent on: functions that `propagate.curves.step` or `propagate.whole.region` call. A
+configuration takes one way or the other; stages that it never enters stay out of its table."""
 
 REST, SUM, MATTE, DECODING, FLOW = "the rest of the step", "tracking, all of it", "matte", "decoding a PNG", "DIS flow"
 SETTLING = 2

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from PySide6.QtCore import QSizeF
 from PySide6.QtGui import QPainter
 
-from roam_core.propagate.edges import Edges
+from roam_core.propagate.parts.edges import Edges
 from roam_core.roto import Project
 
 from ..model.view_state import Selection

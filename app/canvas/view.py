@@ -10,8 +10,8 @@ from PySide6.QtCore import QEvent, QPointF, QRectF, QSizeF, Qt, QTimer, Signal
 from PySide6.QtGui import QKeyEvent, QMouseEvent, QPainter, QPaintEvent, QTabletEvent, QWheelEvent
 from PySide6.QtWidgets import QWidget
 
-from roam_core.propagate.edges import Edges
-from roam_core.propagate.topology_proposals import Proposal
+from roam_core.propagate.frame.topology_proposals import Proposal
+from roam_core.propagate.parts.edges import Edges
 from roam_core.roto import Project
 
 from ..actions.key_names import NUDGES, is_modifier, key_name

@@ -14,9 +14,9 @@ from PySide6.QtCore import QObject, Signal
 from roam_core.geometry import polyline
 from roam_core.geometry.joints import joints
 from roam_core.params import scale_for
-from roam_core.propagate import objects
-from roam_core.propagate.objects import Role, Unit, units
-from roam_core.propagate.provenance import Stamps
+from roam_core.propagate.shapes import objects
+from roam_core.propagate.shapes.objects import Role, Unit, units
+from roam_core.propagate.shapes.provenance import Stamps
 from roam_core.roto import BlendMode, Project, RotoShape
 
 from ..jobs.runner import Report, Runner

@@ -10,10 +10,10 @@ from typing import Any
 from PySide6.QtCore import QObject, QTimer, Signal
 
 from roam_core.params import DEFAULT_CONFIG, DOUBTFUL
+from roam_core.propagate.frame.result import FrameResult, Termination
 from roam_core.propagate.memory import TrackMemory
-from roam_core.propagate.objects import decisive
-from roam_core.propagate.provenance import Stamps, clip_stamp
-from roam_core.propagate.result import FrameResult, Termination
+from roam_core.propagate.shapes.objects import decisive
+from roam_core.propagate.shapes.provenance import Stamps, clip_stamp
 from roam_core.roto import Keyframe, Origin, Project, RotoShape, edit
 
 from ..model.document import Document

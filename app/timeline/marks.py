@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from roam_core.params import DOUBTFUL
-from roam_core.propagate.provenance import Stamps
+from roam_core.propagate.shapes.provenance import Stamps
 from roam_core.roto import Interpolation, Origin, Project, RotoShape
 from roam_core.roto.imported import is_import
 

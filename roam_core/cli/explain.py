@@ -23,9 +23,9 @@ from roam_core.features import PreparedFrame
 from roam_core.interchange.authorship import Kind
 from roam_core.interchange.mattes.files import signed_png
 from roam_core.interchange.targets import Sources, require_free
-from roam_core.propagate.edges import Edge, Edges
 from roam_core.propagate.engines.protocol import REGION
 from roam_core.propagate.explain import Explanation, explain
+from roam_core.propagate.parts.edges import Edge, Edges
 from roam_core.roto import Origin, Project, RotoShape
 from roam_core.roto.file import write_atomically
 

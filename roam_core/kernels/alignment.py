@@ -24,7 +24,8 @@ def prices(nodes: Places, samples: Places, near: float, turn: float, bulge: floa
     """What it costs `(N, M)` to put each node on each sample.
 
     The squared distance in units of `near`, at most `FARTHEST`; `turn` where the normals are opposite, half of it where
-    they are at right angles; `bulge` times the mean squared difference of the surroundings (`proposal.invariants`).
+    they are at right angles; `bulge` times the mean squared difference of the surroundings
+    (`proposal.outline.invariants`).
     """
     ours, theirs = (np.hstack([places[0] / near, *places[1:]]) for places in (nodes, samples))
     cost = np.empty((len(ours), len(theirs)))

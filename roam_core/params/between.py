@@ -10,7 +10,7 @@ from roam_core.params.stamped import later
 
 @dataclass(frozen=True)
 class EndpointConsistencyParams:
-    """Parameters of how far each passage missed the other key (`propagate.endpoint_consistency`).
+    """Parameters of how far each passage missed the other key (`propagate.between.endpoint_consistency`).
 
     Attributes
     ----------
@@ -29,7 +29,7 @@ class EndpointConsistencyParams:
 
 @dataclass(frozen=True)
 class SpanParams:
-    """Parameters of merging two passages (`propagate.merge`).
+    """Parameters of merging two passages (`propagate.between.merge`).
 
     Attributes
     ----------

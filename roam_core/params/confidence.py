@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class ConfidenceParams:
-    """Parameters of the confidence in a frame and in its vertices (`propagate.confidence`).
+    """Parameters of the confidence in a frame and in its vertices (`propagate.frame.confidence`).
 
     Attributes
     ----------

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class CutOutParams:
-    """Parameters of the object in a box, or under a click (`proposal.cut_out`).
+    """Parameters of the object in a box, or under a click (`proposal.assist.cut_out`).
 
     Attributes
     ----------
@@ -50,7 +50,7 @@ class CutOutParams:
 
 @dataclass(frozen=True)
 class GrowingParams:
-    """Parameters of the region of like colour around a place (`proposal.growing`).
+    """Parameters of the region of like colour around a place (`proposal.assist.growing`).
 
     Attributes
     ----------
@@ -67,7 +67,7 @@ class GrowingParams:
 
 @dataclass(frozen=True)
 class LiveWireParams:
-    """Parameters of paths along edges (`proposal.livewire`).
+    """Parameters of paths along edges (`proposal.assist.livewire`).
 
     Attributes
     ----------

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class LabelPropagationParams:
-    """Parameters of what a cell brings along from the key (`proposal.label_propagation`). Lengths are pixels of a
+    """Parameters of what a cell brings along from the key (`proposal.cues.label_propagation`). Lengths are pixels of a
     480-line image, differences of colour the mean over the channels of 8 bits.
 
     Attributes
@@ -32,7 +32,8 @@ class LabelPropagationParams:
 
 @dataclass(frozen=True)
 class ComponentsParams:
-    """Parameters of the pieces of a region and how they hang together (`proposal.components`, `proposal.region`).
+    """Parameters of the pieces of a region and how they hang together (`proposal.segment.components`,
+    `proposal.segment.region`).
 
     Attributes
     ----------
@@ -49,7 +50,7 @@ class ComponentsParams:
 
 @dataclass(frozen=True)
 class KeyColoursParams:
-    """Parameters of what the colours of both keys say of a frame between them (`proposal.key_colours`).
+    """Parameters of what the colours of both keys say of a frame between them (`proposal.cues.key_colours`).
 
     Attributes
     ----------

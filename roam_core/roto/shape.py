@@ -163,7 +163,7 @@ class RotoShape:
     feather : width of the uniform soft edge in pixels, outwards positive, constant or through time.
     spline : what the artist holds of the curve; of a BSPLINE every key's points are those of a uniform B-spline.
     link : the artist's word on what is solved together: shapes of one link are one whole object, and nothing else is;
-        "" leaves it to the outlines (`propagate.objects`).
+        "" leaves it to the outlines (`propagate.shapes.objects`).
     attached : whether it hangs on the parts that it overlaps, where the object is solved in parts.
     depth : pairs (frame, level), in frame order: from that frame on the shape lies before (1) or behind (-1) all that
         are as stacked (0). It tells the engine what hides what; mattes go by the stack.

@@ -10,7 +10,9 @@ from roam_core.geometry.bezier import ANCHOR
 Array = NDArray[np.float64]
 
 SHUT = 0.05
-"""Size, of that as drawn, under which an outline has closed: an engine closes it to less (`propagate.contour_fit`)."""
+"""Size, of that as drawn, under which an outline has closed: an engine closes it to less
+(`propagate.frame.contour_fit`).
+"""
 
 
 def is_shut(points: Array, drawn: Array) -> bool:

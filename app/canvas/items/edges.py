@@ -8,7 +8,7 @@ from PySide6.QtCore import QPointF, Qt
 from PySide6.QtGui import QColor, QPainter, QPainterPath, QPen, QPolygonF
 
 from roam_core.geometry import bezier
-from roam_core.propagate.edges import Edge, Edges
+from roam_core.propagate.parts.edges import Edge, Edges
 from roam_core.roto import Outline, RotoShape
 
 from ...paint import marks

@@ -11,7 +11,7 @@ from PySide6.QtGui import QColor, QPainter, QPainterPath
 
 from roam_core.geometry.bezier import ANCHOR
 from roam_core.params import DOUBTFUL
-from roam_core.propagate.edges import Edges
+from roam_core.propagate.parts.edges import Edges
 from roam_core.roto import Outline, Project, RotoShape, Spline
 from roam_core.roto.edit import is_smooth
 

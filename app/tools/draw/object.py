@@ -131,7 +131,7 @@ class ObjectTool(Tool):
         inside, outside = (tuple(_spot(np.array(s) / scale) for s, i in self._marks if i is on) for on in (True, False))
 
         def cut(report: Report) -> list[RotoShape]:
-            from roam_core.proposal import cut_out
+            from roam_core.proposal.assist import cut_out
 
             told: Any = {
                 "frame": shown.frame,

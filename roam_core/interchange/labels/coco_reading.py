@@ -16,7 +16,7 @@ from roam_core.errors import RoamError
 from roam_core.interchange.labels.polygons import mask_of, polygon_key, runs_of_text
 from roam_core.interchange.reading import Imported, ShapeReader, brief, sensible
 from roam_core.matte.vectorise import shapes_from_mask
-from roam_core.proposal.keys import keys_from_mask
+from roam_core.proposal.mask_keys.keys import keys_from_mask
 from roam_core.roto import Layer, RotoShape
 
 Array = NDArray[np.float64]

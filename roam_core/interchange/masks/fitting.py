@@ -20,7 +20,7 @@ from roam_core.kernels.mask_fit import (
     segment_sums,
     solved_band,
 )
-from roam_core.proposal.refine import from_both_ends
+from roam_core.proposal.outline.refine import from_both_ends
 
 Array = NDArray[np.float64]
 IntArray = NDArray[np.int64]

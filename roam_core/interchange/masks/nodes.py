@@ -8,8 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from roam_core.geometry import bezier, polyline, similarity
-from roam_core.proposal.outline_match import followed
-from roam_core.proposal.pairing import poses
+from roam_core.proposal.mask_keys.outline_match import followed
+from roam_core.proposal.mask_keys.pairing import poses
 
 Array = NDArray[np.float64]
 

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from roam_core.geometry import bezier, polyline, similarity
 from roam_core.kernels.coverage import coverage
-from roam_core.proposal.pairing import paired, poses
+from roam_core.proposal.mask_keys.pairing import paired, poses
 
 Array = NDArray[np.float64]
 

@@ -17,7 +17,7 @@ import OpenImageIO as oiio  # noqa: N813
 
 from roam_core.errors import RoamError
 from roam_core.interchange.authorship import SOFTWARE
-from roam_core.interchange.mattes.style import DataWindow, Depth, MatteFile, MatteStyle
+from roam_core.interchange.matte_style import DataWindow, Depth, MatteFile, MatteStyle
 from roam_core.interchange.mattes.timecode import Moment
 from roam_core.matte import Matte, Patch
 from roam_core.roto.file import write_atomically

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from roam_core.errors import RoamError
 from roam_core.interchange.nuke.text import HEAD
 from roam_core.interchange.nuke.tracks import Track, tracker_node
-from roam_core.propagate.result import FrameResult, Landmarks
+from roam_core.propagate.frame.result import FrameResult, Landmarks
 from roam_core.roto import Clip
 from roam_core.roto.file import write_atomically
 

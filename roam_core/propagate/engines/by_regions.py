@@ -14,13 +14,13 @@ from roam_core.features.grid import Grid
 from roam_core.geometry import polyline
 from roam_core.landmarks.pool import Pool
 from roam_core.params import RegionParams, RoamParams, scale_for
-from roam_core.propagate import posed, region
 from roam_core.propagate.engines.protocol import REGION, Account, Motion, by_pose
-from roam_core.propagate.nodes import NodeMap
-from roam_core.propagate.region import RegionState, RegionStep
-from roam_core.propagate.result import Part, StepResult
-from roam_core.proposal.evidence import cues
-from roam_core.proposal.region import cleaned
+from roam_core.propagate.frame.nodes import NodeMap
+from roam_core.propagate.frame.result import Part, StepResult
+from roam_core.propagate.whole import posed, region
+from roam_core.propagate.whole.region import RegionState, RegionStep
+from roam_core.proposal.cues.evidence import cues
+from roam_core.proposal.segment.region import cleaned
 
 Array = NDArray[np.float64]
 Float32 = NDArray[np.float32]
@@ -31,7 +31,7 @@ BESIDE = 2.0
 
 @dataclass(frozen=True, eq=False)
 class RegionEngine:
-    """All outlines of an object laid along its region (`propagate.region`)."""
+    """All outlines of an object laid along its region (`propagate.whole.region`)."""
 
     state: RegionState
     params: RoamParams

@@ -13,9 +13,9 @@ from roam_core.cancel import CancelToken
 from roam_core.features import PreparedFrame
 from roam_core.landmarks.pool import Pool
 from roam_core.motion.pose import Pose
-from roam_core.propagate.nodes import NodeMap
-from roam_core.propagate.result import Part, StepResult
-from roam_core.proposal.evidence import Field
+from roam_core.propagate.frame.nodes import NodeMap
+from roam_core.propagate.frame.result import Part, StepResult
+from roam_core.proposal.cues.evidence import Field
 
 Array = NDArray[np.float64]
 Terms = Mapping[str, Array]
@@ -35,7 +35,7 @@ class Motion:
     since_key : `(3, 3)` the similarity, image to image, of the object since the key; None where the engine knows of no
         motion of the whole.
     region : the object's region, where the engine works with regions. of_region : which outlines are laid along it.
-    as_one_piece : the outlines are as they are on the key, only moved (`propagate.rigid`).
+    as_one_piece : the outlines are as they are on the key, only moved (`propagate.whole.rigid`).
     pose_costs : for each outline what its pose costs; None where it was not laid by its pose alone.
     by_pose : of a lone shape the outlines by its pose, taken or not, and what that costs (`posed.is_believable`).
     """

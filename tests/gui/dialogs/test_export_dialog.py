@@ -24,8 +24,8 @@ from app.model.view_state import ViewState
 from roam_core.errors import RoamError
 from roam_core.geometry.bezier import polygon_points
 from roam_core.interchange import EXPORTERS, ExportOptions, KeyChoice
+from roam_core.interchange.matte_style import DataWindow, Depth, Gathering, MatteFile, Parts
 from roam_core.interchange.mattes.exporter import MatteExporter
-from roam_core.interchange.mattes.style import DataWindow, Depth, Gathering, MatteFile, Parts
 from roam_core.interchange.plain_json import JsonFormat
 from roam_core.interchange.protocol import STANDARD, settled
 from roam_core.roto import Clip, Keyframe, Origin, Project, edit

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from roam_core.cli.picking import picked, trackable
 from roam_core.errors import RoamError
 from roam_core.media import open_clip
-from roam_core.propagate.provenance import Stamp, Stamps
+from roam_core.propagate.shapes.provenance import Stamp, Stamps
 from roam_core.roto import Clip, Origin, Project, RotoShape, edit, file
 from tests.unit.cli.conftest import SHOT, Outcome, Plate, Roam
 from tests.unit.cli.test_bad_input import require_refusal

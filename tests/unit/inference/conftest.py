@@ -15,7 +15,7 @@ from roam_core.features import PreparedFrame
 from roam_core.geometry import similarity
 from roam_core.matte.vectorise import read_mask, shapes_from_mask
 from roam_core.params import CONFIGS, AppearanceParams, RoamParams, scale_for
-from roam_core.propagate.step import begin, curve_context
+from roam_core.propagate.curves.step import begin, curve_context
 from tests.golden.shots import Shot, blob, pose
 
 Array = NDArray[np.float64]

@@ -17,8 +17,7 @@ from roam_core.cancel import Cancelled, CancelToken
 from roam_core.errors import RoamError
 from roam_core.geometry import bezier
 from roam_core.interchange import EXPORTERS, ExportOptions, KeyChoice, write_mattes
-from roam_core.interchange.mattes.files import encode_png
-from roam_core.interchange.mattes.style import (
+from roam_core.interchange.matte_style import (
     COMPRESSIONS,
     DEPTHS,
     DataWindow,
@@ -28,6 +27,7 @@ from roam_core.interchange.mattes.style import (
     MatteStyle,
     Parts,
 )
+from roam_core.interchange.mattes.files import encode_png
 from roam_core.matte import render_matte, shape_matte
 from roam_core.roto import BlendMode, Clip, Keyframe, Layer, Origin, Project, RotoShape
 

@@ -12,7 +12,7 @@ from roam_core.geometry import bezier, polyline
 from roam_core.kernels.coverage import coverage
 from roam_core.params import CONFIGS
 from roam_core.propagate import Tracker, TrackResult
-from roam_core.proposal.topology import TopologyKind
+from roam_core.proposal.reshaping.topology import TopologyKind
 from roam_core.roto import Keyframe, RotoShape
 from tests.unit.proposal.scenes import SIZE, Array, Bools, drawn, spline
 

@@ -10,11 +10,11 @@ from roam_core.features import PreparedFrame, Region
 from roam_core.features.grid import Grid
 from roam_core.geometry.bezier import ANCHOR
 from roam_core.params import params_for
-from roam_core.propagate.contour_fit import laid
-from roam_core.propagate.region import begin, step
-from roam_core.propagate.result import Part
-from roam_core.proposal.contour import KeyConstraints
-from roam_core.proposal.evidence import Field
+from roam_core.propagate.frame.contour_fit import laid
+from roam_core.propagate.frame.result import Part
+from roam_core.propagate.whole.region import begin, step
+from roam_core.proposal.cues.evidence import Field
+from roam_core.proposal.outline.contour import KeyConstraints
 from tests.golden.shots import blob, gliding
 
 PARAMS = replace(params_for("best").region, rigid=2.0)  # never as one piece

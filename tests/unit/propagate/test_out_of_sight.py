@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 
 from roam_core.matte import shape_matte
 from roam_core.params import params_for
+from roam_core.propagate.frame.result import TrackResult
 from roam_core.propagate.group import GroupTracker
-from roam_core.propagate.result import TrackResult
 from roam_core.roto import Keyframe, RotoShape
 from tests.golden.shots import blob, texture
 

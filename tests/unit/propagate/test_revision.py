@@ -16,7 +16,7 @@ import numpy as np
 import pytest
 
 from roam_core import fill_span, track
-from roam_core.propagate.provenance import REVISION
+from roam_core.propagate.shapes.provenance import REVISION
 from roam_core.roto import Origin, RotoShape
 from tests.golden.shots import Shot, blob, pose
 from tests.unit.propagate.figures import arm_like_its_body, body_behind_a_post, body_with_arms, subtracting

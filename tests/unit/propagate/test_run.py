@@ -17,7 +17,7 @@ from roam_core.errors import RoamError
 from roam_core.media import MissingFrame
 from roam_core.params import CONFIGS, OBJECTS
 from roam_core.propagate import FrameResult, Termination, TrackMemory, track, warm_up
-from roam_core.propagate.objects import objects
+from roam_core.propagate.shapes.objects import objects
 from roam_core.roto import Keyframe, Origin, Project, RotoShape, edit, file
 from tests.conftest import ROOT
 from tests.golden.shots import Shot, blob, gliding, outline_distance

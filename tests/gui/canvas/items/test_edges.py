@@ -16,7 +16,7 @@ from app.model.document import Document
 from app.model.viewing import Viewing
 from app.paint.viewport import Viewport
 from roam_core.geometry import bezier
-from roam_core.propagate.edges import Edge, Edges
+from roam_core.propagate.parts.edges import Edge, Edges
 from roam_core.roto import Project, edit
 
 BOX = [(40.0, 40.0), (160.0, 40.0), (160.0, 110.0), (40.0, 110.0)]

@@ -17,7 +17,7 @@ from app.jobs.picture_work import PictureWork
 from app.jobs.runner import Runner
 from app.model.document import Document
 from app.model.view_state import ViewState
-from roam_core.proposal import cut_out
+from roam_core.proposal.assist import cut_out
 from roam_core.roto import Clip, Project, RotoShape
 from tests.gui.hand import CTRL, SHIFT, Hand
 from tests.gui.tools.conftest import OnlyShape

@@ -1,0 +1,1 @@
+"""A shape's own points laid along an outline, in correspondence."""
