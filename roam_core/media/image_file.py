@@ -121,6 +121,14 @@ def read_alpha(file: Path) -> Image | None:
     return _in_display_window(np.repeat(pixels, 3, axis=2), source)
 
 
+def has_several_images(file: Path) -> bool:
+    """Whether a file holds more than one image; False for what is no image."""
+    source = opened_image(file)
+    several = source is not None and bool(source.seek_subimage(1, 0))
+    _reason(oiio if source is None else source)  # nobody asks why not
+    return several
+
+
 def opened_image(file: Path, config: Any = None) -> Any:
     """OpenImageIO's reader of a regular file whose header tells of no more than can be worked with; None for no image.
 

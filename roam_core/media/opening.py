@@ -97,7 +97,7 @@ def _open_movie_in(folder: Path, layer: str) -> PlateSource:
 
 
 def _open_file(file: Path, layer: str) -> PlateSource:
-    if file.suffix.lower() in MOVIE_EXTENSIONS:
+    if file.suffix.lower() in MOVIE_EXTENSIONS or _is_animation(file):
         return _movie(file, layer)
     found = find_sequences(file.parent, {file.suffix.lower()})
     owner = next((sequence for sequence in found if sequence.holds(file.name)), None)
@@ -125,6 +125,13 @@ def _open_pattern(place: Path, layer: str) -> PlateSource:
         hint = f"the folder holds {_listed(others)}" if others else "the folder holds no image"
         raise RoamError(f"No file in {place.parent} follows the pattern {place.name}; {hint}.")
     return _images(sequence, layer, place)
+
+
+def _is_animation(file: Path) -> bool:
+    """Whether a GIF holds more than one picture: then it is a movie."""
+    from roam_core.media.image_file import has_several_images
+
+    return file.suffix.lower() == ".gif" and has_several_images(file)
 
 
 def _listed(sequences: list[FileSequence]) -> str:
