@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
 
 from ..model.document import PROJECT_SUFFIX
 
-MOVIES = "Movies (*.mov *.mp4 *.avi *.mkv *.m4v *.mxf *.webm);;All files (*)"
+MOVIES = "Movies (*.mov *.mp4 *.avi *.mkv *.m4v *.mxf *.webm *.mpg *.mpeg *.gif);;All files (*)"
 MOST_LOSSES = 6
 """How many sentences a question shows at once."""
 PROJECTS = f"ROAM projects (*{PROJECT_SUFFIX})"
