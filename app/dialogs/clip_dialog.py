@@ -19,7 +19,8 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from roam_core.media.colour import LINEAR, LOG, SRGB, to_display
+from roam_core.media.colour import to_display
+from roam_core.media.curves import LINEAR, LOG, SRGB
 
 from .. import style
 from ..jobs.found_clip import FoundClip
@@ -29,6 +30,7 @@ if TYPE_CHECKING:
     from roam_core.media import PlateSource
 
 COLOUR_WORDS = {SRGB: "sRGB", LINEAR: "Scene linear", LOG: "Cineon log"}
+"""What the spaces are called that are not OpenColorIO's."""
 PICTURE = QSize(400, 225)
 MOST_GAPS = 6
 """Missing frames that are named one by one; of more only the number is told."""
@@ -148,7 +150,8 @@ class ClipDialog(QDialog):
         """The colour spaces to choose from, with `space` chosen."""
         with QSignalBlocker(self.colours):
             self.colours.clear()
-            for each, word in COLOUR_WORDS.items():
+            for each in self.found.spaces:
+                word = COLOUR_WORDS.get(each, each)
                 self.colours.addItem(f"{word} (found)" if each == self.found.source.colour_space else word, each)
             self.colours.setCurrentIndex(self.colours.findData(space))
 

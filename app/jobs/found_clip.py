@@ -20,12 +20,13 @@ class FoundClip:
     """A clip that was looked at and is not open yet.
 
     `picture` is its first frame `(h, w, 3)`, small, with the values of the files; None where that frame cannot be read,
-    and `trouble` says why.
+    and `trouble` says why. `spaces` are the colour spaces that an artist may say it has.
     """
 
     path: Path
     source: PlateSource
     picture: Any
+    spaces: tuple[str, ...]
     trouble: str = ""
 
 
@@ -35,12 +36,13 @@ def looked_at(path: Path, layer: str = "") -> FoundClip:
     Raises `RoamError` when there is no clip at `path`, or no such layer.
     """
     from roam_core.media import open_clip
+    from roam_core.media.colour_spaces import offered_spaces
 
-    source = open_clip(path, layer)
+    source, spaces = open_clip(path, layer), offered_spaces()
     try:
-        return FoundClip(path, source, _small(source.read(source.frames[0])))
+        return FoundClip(path, source, _small(source.read(source.frames[0])), spaces)
     except RoamError as error:
-        return FoundClip(path, source, None, str(error))
+        return FoundClip(path, source, None, spaces, str(error))
 
 
 def _small(picture: Any) -> Any:

@@ -13,7 +13,8 @@ import OpenImageIO as oiio  # noqa: N813 - the name its own manual uses
 
 from roam_core.bounded import require_regular
 from roam_core.errors import RoamError
-from roam_core.media.colour import LINEAR, LOG, SRGB
+from roam_core.media.colour_spaces import space_by_rule, space_called, space_with_primaries
+from roam_core.media.curves import LINEAR, LOG, SRGB
 from roam_core.media.layers import ImageLayer, Part, colour_layer, layers_of
 from roam_core.media.measure import plain_name, require_size, require_told_size
 from roam_core.media.source import DamagedFrame, Image
@@ -69,7 +70,7 @@ def read_header(file: Path, layer: str = "") -> ImageHeader:
         _display_size(source),
         _frame_rate(spec),
         _number(spec.getattribute("PixelAspectRatio"), 0.1, 10.0, 1.0),
-        _colour_space(source),
+        _colour_space(file, source),
         _depth(spec),
         chosen.name,
         tuple(other.name for other in layers),
@@ -294,19 +295,35 @@ _SPACE_OF_WORD: Mapping[str, str] = {
     "g22": SRGB,
     "g24": SRGB,
 }
+_PLAIN_LINEAR = frozenset({"lin_rec709_scene", "lin_rec709", "lin_srgb", "linear", "scene_linear"})
 
 
-def _colour_space(source: Any) -> str:
-    """What the metadata says of the values' curve; else linear for floating point, log for DPX and Cineon, or sRGB."""
+def _colour_space(file: Path, source: Any) -> str:
+    """The space of the values: by the studio's file rules, else by the metadata, else as is usual for the format.
+
+    Usual are linear for floating point, log for DPX and Cineon, else sRGB.
+    """
     spec = source.spec()
-    for name in ("oiio:ColorSpace", "dpx:Transfer"):
-        said = spec.get_string_attribute(name).lower()
-        for word, space in _SPACE_OF_WORD.items():
-            if word in said:
-                return space
+    if space := space_by_rule(file) or _said_space(spec):
+        return space
     if spec.format.basetype in (oiio.HALF, oiio.FLOAT, oiio.DOUBLE):
         return LINEAR
     return LOG if source.format_name() in ("dpx", "cineon") else SRGB
+
+
+def _said_space(spec: Any) -> str | None:
+    """What the metadata says of the values' curve and primaries; None where it says nothing that is understood."""
+    said = spec.get_string_attribute("oiio:ColorSpace").lower()
+    # OpenColorIO is a large library: it is loaded for what the words do not tell.
+    word = next((space for word, space in _SPACE_OF_WORD.items() if word in said), None)
+    if said and word != SRGB and said not in _PLAIN_LINEAR:
+        word = space_called(said) or word
+    if word:
+        return word
+    if chromaticities := spec.getattribute("chromaticities"):
+        return space_with_primaries(chromaticities)
+    transfer = spec.get_string_attribute("dpx:Transfer").lower()
+    return next((space for word, space in _SPACE_OF_WORD.items() if word in transfer), None)
 
 
 def _reason(speaker: Any) -> str:

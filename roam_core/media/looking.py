@@ -11,15 +11,14 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from roam_core.media.colour import (
+from roam_core.media.colour import ByteTable, Image, to_display
+from roam_core.media.curves import (
     DENSITY_PER_CODE,
     LINEAR,
     LOG,
     NEGATIVE_GAMMA,
-    ByteTable,
-    Image,
+    linear_from_srgb,
     srgb_from_linear,
-    to_display,
 )
 
 Pixels = NDArray[np.uint8]
@@ -113,11 +112,6 @@ def seen_plate(values: Image, colour_space: str, look: Look) -> Pixels:
 def has_more_than_shown(values: Image, colour_space: str) -> bool:
     """True for a plate whose values reach beyond what its display picture holds."""
     return values.dtype != np.uint8 and colour_space in (LINEAR, LOG)
-
-
-def linear_from_srgb(values: NDArray[np.float64]) -> NDArray[np.float64]:
-    """The light of sRGB `values` in [0, 1]: the inverse of `roam_core.media.colour.srgb_from_linear`."""
-    return np.where(values <= 0.04045, values / 12.92, ((values + 0.055) / 1.055) ** 2.4)
 
 
 def _exposed(values: Image, colour_space: str, stops: float) -> Image:

@@ -12,7 +12,7 @@ import numpy as np
 
 from roam_core.bounded import require_regular
 from roam_core.errors import RoamError
-from roam_core.media.colour import SRGB
+from roam_core.media.curves import SRGB
 from roam_core.media.interlacing import PROBED, require_progressive, thinned
 from roam_core.media.layers import PLAIN
 from roam_core.media.measure import plain_name, require_size

@@ -17,7 +17,7 @@ from app.jobs.found_clip import looked_at
 from app.model.personal import Personal
 from app.shell.main_window import MainWindow
 from roam_core.errors import RoamError
-from roam_core.media.colour import to_display
+from roam_core.media.colour import to_display, to_engine
 from tests.gui.windows import FIRST, WAIT, opened_window, write_clip
 from tests.unit.media.conftest import write_parts
 
@@ -166,3 +166,18 @@ def test_files_of_one_layer_offer_no_choice(
 ) -> None:
     dialog = asked(qtbot, window, clip, monkeypatch)
     assert "Layer" not in [label.text() for label in dialog.findChildren(QLabel)]
+
+
+def test_a_colour_space_of_open_color_io_is_offered_and_holds(
+    qtbot: QtBot, window: MainWindow, clip: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    dialog = asked(qtbot, window, clip, monkeypatch)
+    before = dialog.picture.pixmap().toImage()
+    dialog.colours.setCurrentIndex(dialog.colours.findData("ARRI LogC4"))
+    assert dialog.picture.pixmap().toImage() != before
+    with qtbot.waitSignal(window.reader.picture, timeout=WAIT) as shown:
+        press(qtbot, dialog, OPEN)
+    plate = looked_at(clip).source.read(FIRST)
+    np.testing.assert_array_equal(shown.args[1], to_display(plate, "ARRI LogC4"))
+    assert window.document.project.require_clip().colour_space == "ARRI LogC4"
+    np.testing.assert_array_equal(window.reader.engine_frame(FIRST), to_engine(plate, "ARRI LogC4"))

@@ -9,7 +9,7 @@ import numpy as np
 import OpenImageIO as oiio  # noqa: N813 - the name its own manual uses
 import pytest
 
-from roam_core.propagate.provenance import Stamps
+from roam_core.propagate.shapes.provenance import Stamps
 from roam_core.roto import Origin, file
 from tests.unit.cli.conftest import SHOT, Plate, Roam
 from tests.unit.cli.test_bad_input import require_refusal
@@ -74,3 +74,24 @@ def test_the_projects_layer_is_tracked_again_unless_another_is_named(
 def test_a_layer_that_is_not_there_is_refused(roam: Roam, parts: Path, plate: Plate) -> None:
     refused = roam("track", parts, "--init", plate.mask, "--layer", "diffuse")
     require_refusal(refused, "has no layer 'diffuse'; it has depth.Z, beauty.")
+
+
+def test_a_colour_space_is_declared_kept_and_part_of_what_keys_depend_on(
+    roam: Roam, parts: Path, plate: Plate, tmp_path: Path
+) -> None:
+    saved = tmp_path / "p.roam"
+    words = ("track", parts, "--end", 1002, *CONFIG, "--save", saved)
+    assert roam(*words, "--init", plate.mask, "--colour", "lin_ap1").status == 0
+    project = file.load(saved)
+    clip = project.require_clip()
+    assert clip.colour_space == "ACEScg"
+    key = next(key for key in project.shapes[0].keys if key.origin is Origin.ENGINE)
+    assert not Stamps.of(project.shapes, clip).is_stale(project.shapes[0], key)
+    assert Stamps.of(project.shapes, replace(clip, colour_space="linear")).is_stale(project.shapes[0], key)
+    assert roam(*words, "--init", saved).status == 0
+    assert file.load(saved).require_clip().colour_space == "ACEScg"
+
+
+def test_a_colour_space_that_is_not_known_is_refused(roam: Roam, parts: Path, plate: Plate) -> None:
+    refused = roam("track", parts, "--init", plate.mask, "--colour", "Kodachrome")
+    require_refusal(refused, "'Kodachrome' is not known; choose one of sRGB, linear, log")

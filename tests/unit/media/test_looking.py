@@ -6,8 +6,9 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from roam_core.media.colour import LINEAR, LOG, SRGB, linear_from_log, srgb_from_linear, to_display
-from roam_core.media.looking import Channel, Look, has_more_than_shown, linear_from_srgb, seen, seen_plate
+from roam_core.media.colour import to_display
+from roam_core.media.curves import LINEAR, LOG, SRGB, linear_from_log, linear_from_srgb, srgb_from_linear
+from roam_core.media.looking import Channel, Look, has_more_than_shown, seen, seen_plate
 
 
 @pytest.fixture
