@@ -42,6 +42,13 @@ def offered_spaces() -> tuple[str, ...]:
         return COLOUR_SPACES
 
 
+def offered_views() -> tuple[tuple[str, str], ...]:
+    """The displays of the configuration, each with each of its views. Raises `RoamError` where it cannot be read."""
+    from roam_core.media.colour_config import views
+
+    return views()
+
+
 def space_called(name: str) -> str | None:
     """The colour space that a file calls so; None where the configuration knows none of that name."""
     from roam_core.media.colour_config import named

@@ -11,7 +11,7 @@ from PySide6.QtCore import QPointF, QRectF, QSizeF
 from PySide6.QtGui import QImage, QPainter
 
 from roam_core.media.colour import Image
-from roam_core.media.looking import Look, Pixels, Plate, has_more_than_shown, seen, seen_plate
+from roam_core.media.looking import Look, Pixels, Plate, is_seen_anew, seen, seen_plate
 
 from ...paint.viewport import Viewport
 
@@ -123,15 +123,15 @@ class Picture:
 
     def _sources(self, look: Look) -> list[Image]:
         """The halvings that the look is taken from: of the plate's values where exposing brings more to light."""
-        return self._plate_levels if self._is_exposed_anew(look) else self._levels
+        return self._plate_levels if self._is_seen_anew(look) else self._levels
 
     def _looked(self, shown: Image, look: Look) -> Pixels:
-        if self._plate and self._is_exposed_anew(look):
+        if self._plate and is_seen_anew(self._plate, look):
             return seen_plate(shown, self._plate.colour_space, look)
         return seen(shown, look)
 
-    def _is_exposed_anew(self, look: Look) -> bool:
-        return look.exposure != 0.0 and self._plate is not None and has_more_than_shown(*self._plate)
+    def _is_seen_anew(self, look: Look) -> bool:
+        return self._plate is not None and is_seen_anew(self._plate, look)
 
     def looked_at(self, x: int, y: int, look: Look) -> tuple[int, ...]:
         """The display values of one pixel as the look shows them: one for a grey picture, else three."""
