@@ -7,6 +7,7 @@ from collections.abc import Mapping
 WORDS: Mapping[str, str] = {
     "file.new": "empty begin",
     "file.open_clip": "import footage plate read sequence images source load",
+    "file.relink_clip": "replace plate version footage path missing moved",
     "file.open_movie": "import footage mov mp4 quicktime read load",
     "file.open_project": "load script scene session",
     "file.open_demo": "example sample tutorial manta",

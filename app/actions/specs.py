@@ -34,6 +34,7 @@ SPECS: tuple[ActionSpec, ...] = (
     ActionSpec("file.open_movie", "Open movie…"),
     ActionSpec("file.open_project", "Open project…"),
     ActionSpec("file.open_demo", "Open the demo", tip="A short shot to try everything on"),
+    ActionSpec("file.relink_clip", "Relink clip…", tip="Another version of the plate below the same shapes"),
     ActionSpec("file.save", "Save"),
     ActionSpec("file.save_as", "Save as…"),
     ActionSpec("file.recover", "Recover work…", tip="What crashes left, and what was thrown away, session by session"),

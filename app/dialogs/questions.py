@@ -122,6 +122,12 @@ def choose_movie(parent: QWidget, start: Path) -> Path | None:
     return _path(QFileDialog.getOpenFileName(parent, "Open movie", str(start), MOVIES)[0])
 
 
+def choose_plate(parent: QWidget, start: Path) -> Path | None:
+    """A frame of another version of the plate, or a movie."""
+    title = "Relink clip: a frame of the plate, or a movie"
+    return _path(QFileDialog.getOpenFileName(parent, title, str(start))[0])
+
+
 def choose_project(parent: QWidget, start: Path) -> Path | None:
     return _path(QFileDialog.getOpenFileName(parent, "Open project", str(start), PROJECTS)[0])
 

@@ -66,6 +66,7 @@ class FileActions(QObject):
             "file.new": self.new,
             "file.open_clip": self.open_clip,
             "file.open_movie": self.open_movie,
+            "file.relink_clip": self.relink_clip,
             "file.open_project": self.open_project,
             "file.save": self.save,
             "file.save_as": self.save_as,
@@ -106,6 +107,14 @@ class FileActions(QObject):
 
     def open_movie(self) -> None:
         self._open_asking(questions.choose_movie(self._window, self._start_folder()))
+
+    def relink_clip(self) -> None:
+        """Ask for another version of the plate, to lie below the same shapes."""
+        if self._lacks_clip():
+            return
+        path = questions.choose_plate(self._window, self._start_folder())
+        if path is not None:
+            self._files.open_plate(path)
 
     def open_project(self) -> None:
         self._open(questions.choose_project(self._window, self._start_folder()))

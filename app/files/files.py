@@ -149,13 +149,19 @@ class Files(QObject):
         return self._reader.source
 
     def open_plate(self, path: Path) -> None:
-        """Give the project its plate, which lies elsewhere now; its shapes stay, and it is to be saved."""
+        """Give the project its plate, which lies elsewhere now, or another version of it.
+
+        Its shapes stay, and so do the layer, where the files have it, and what the artist declared of the plate before.
+        The project is to be saved.
+        """
         project, home, fingerprint = self._document.project, self._document.path, self._document.fingerprint
+        before = self._reader.source
 
         def read() -> Found:
-            found, source = clip_project(path)
-            sentence = _differences(project, source) or f"The plate is {path.name} now; save to keep that."
-            return Found(replace(project, clip=found.clip), source, sentence, home, fingerprint, is_unsaved=True)
+            source = _version_of(project.require_clip(), before, path)
+            sentence = _differences(project, source) or f"The plate is {source.path.name} now; save to keep that."
+            clip = replace(Clip.of(source), extra=project.require_clip().extra)
+            return Found(replace(project, clip=clip), source, sentence, home, fingerprint, is_unsaved=True)
 
         self._open(f"Opening {path.name} …", read)
 
@@ -319,6 +325,19 @@ def clip_project(
     if declare is not None:
         source = declare(source)
     return Project(Clip.of(source)), source
+
+
+def _version_of(clip: Clip, before: PlateSource | None, path: Path) -> PlateSource:
+    """The plate at `path`, read as the project's `clip` is; what was declared of the plate `before` holds."""
+    from roam_core.media import declared, open_clip
+    from roam_core.media.declared import DeclaredPlate
+
+    source = open_clip(path)
+    if clip.layer in source.layers:
+        source = open_clip(path, clip.layer)
+    if isinstance(before, DeclaredPlate):
+        source = declared(source, clip.colour_space, clip.fps, clip.pixel_aspect)
+    return source
 
 
 def _demo_project(report: Report) -> tuple[Project, Any]:

@@ -1,4 +1,4 @@
-"""Looks: view, exposure, gamma and single channels, for judging a picture on the screen; no file holds what they show."""
+"""Looks: view, exposure, gamma and single channels, to judge pictures on the screen; no file holds what they show."""
 
 from __future__ import annotations
 
