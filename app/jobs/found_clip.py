@@ -49,6 +49,10 @@ def _small(picture: Any) -> Any:
     """A picture no larger than is worth showing before a clip is open."""
     import cv2
 
+    from roam_core.media.colour import unit_floats
+
+    if picture.dtype == "float16":  # OpenCV scales no halves
+        picture = unit_floats(picture)
     height, width = picture.shape[:2]
     scale = min(LARGEST[0] / width, LARGEST[1] / height, 1.0)
     size = max(round(width * scale), 1), max(round(height * scale), 1)

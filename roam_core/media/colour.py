@@ -41,10 +41,9 @@ def to_display(image: Image, colour_space: str) -> NDArray[np.uint8]:
     """
     if colour_space not in COLOUR_SPACES:
         return _converted(image, colour_space, _display_table(LINEAR))
-    table = _display_table(colour_space)
-    if image.dtype != np.uint8:
-        return _looked_up(image, table)
-    return image if is_displayed_as_it_is(image, colour_space) else _bytes_looked_up(image, table)
+    if is_displayed_as_it_is(image, colour_space):
+        return image
+    return _looked_up(image, _display_table(colour_space))
 
 
 def is_displayed_as_it_is(image: Image, colour_space: str) -> bool:
@@ -65,17 +64,17 @@ def to_engine(image: Image, colour_space: str) -> Image:
     """
     if colour_space not in COLOUR_SPACES:
         return _converted(image, colour_space, _engine_table(LINEAR))
-    table = _engine_table(colour_space)
-    if image.dtype == np.uint8:
-        return image if colour_space == SRGB else _bytes_looked_up(image, table)
     if colour_space == SRGB:
-        return _clipped(image)
-    return _looked_up(image, table)
+        return image if image.dtype == np.uint8 else _clipped(unit_floats(image))
+    return _looked_up(image, _engine_table(colour_space))
 
 
 def unit_floats(image: Image) -> NDArray[np.float32]:
-    """A copy of a picture's values as float32: 8 bits as [0, 1], floating point as it is."""
-    return image.astype(np.float32) / np.float32(255.0) if image.dtype == np.uint8 else image.astype(np.float32)
+    """A copy of a picture's values as float32: integers as [0, 1], floating point as it is."""
+    values = np.array(image, dtype=np.float32)
+    if np.issubdtype(image.dtype, np.integer):
+        values *= np.float32(1.0 / np.iinfo(image.dtype).max)  # as OpenImageIO does
+    return values
 
 
 @cache
@@ -98,20 +97,45 @@ def _clipped(image: Image) -> NDArray[np.float32]:
     return np.minimum(np.fmax(image.astype(np.float32, copy=False), np.float32(0.0)), np.float32(1.0))
 
 
-def _bytes_looked_up(image: Image, table: NDArray[Any]) -> NDArray[Any]:
-    """`table` at the values of a uint8 `image`."""
-    return np.asarray(cv2.LUT(image, np.ascontiguousarray(table[::BYTE_STEP])))
-
-
 def _looked_up(image: Image, table: NDArray[Any]) -> NDArray[Any]:
-    """`table` at the values of a float `image`, a strip of rows at a time."""
+    """`table`, whose entries stand evenly in [0, 1], at the values of an `image` of any of the four types."""
+    if image.dtype == np.uint8:
+        return np.asarray(cv2.LUT(image, np.ascontiguousarray(table[::BYTE_STEP])))
+    if image.dtype == np.float16:
+        return _taken(image.view(np.uint16), _of_halves(table))
+    if image.dtype == np.uint16:
+        return _taken(image, table)
     result = np.empty(image.shape, table.dtype)
     for top in range(0, len(image), ROWS_AT_ONCE):
-        strip = _clipped(image[top : top + ROWS_AT_ONCE])
-        strip *= np.float32(TABLE_SIZE - 1)
-        strip += np.float32(0.5)
-        table.take(strip.astype(np.uint16), out=result[top : top + ROWS_AT_ONCE], mode="clip")
+        result[top : top + ROWS_AT_ONCE] = table.take(_entries(image[top : top + ROWS_AT_ONCE]), mode="clip")
     return result
+
+
+def _entries(values: Image) -> NDArray[np.uint16]:
+    """Which entry of a table is that of each float."""
+    entries = _clipped(values)
+    entries *= np.float32(TABLE_SIZE - 1)
+    entries += np.float32(0.5)
+    return entries.astype(np.uint16)
+
+
+def _taken(entries: NDArray[np.uint16], table: NDArray[Any]) -> NDArray[Any]:
+    """`table` at its `entries`, a strip of rows at a time."""
+    result = np.empty(entries.shape, table.dtype)
+    for top in range(0, len(entries), ROWS_AT_ONCE):
+        table.take(entries[top : top + ROWS_AT_ONCE], out=result[top : top + ROWS_AT_ONCE], mode="clip")
+    return result
+
+
+def _of_halves(table: NDArray[Any]) -> NDArray[Any]:
+    """The entry of a table for each of the 65536 halves, by its bits."""
+    return table.take(_entries_of_halves(), mode="clip")
+
+
+@cache
+def _entries_of_halves() -> NDArray[np.uint16]:
+    with np.errstate(invalid="ignore"):  # some of them are no numbers
+        return _entries(np.arange(TABLE_SIZE, dtype=np.uint16).view(np.float16).astype(np.float32))
 
 
 def _converted(image: Image, colour_space: str, table: NDArray[Any]) -> NDArray[Any]:

@@ -30,6 +30,7 @@ MOST_PARTS = 256
 MOST_LISTED = 12
 """Layers that a message names."""
 
+_KINDS = {oiio.UINT8: "uint8", oiio.UINT16: "uint16", oiio.HALF: "half"}
 _FORMATS_WITHOUT_FILES = frozenset({"null", "term"})
 _UNLIKELY_EXTENSIONS = frozenset({"z", "int", "inta", "env", "sm", "vsm"})
 """Extensions that a folder of plates uses for other things than images."""
@@ -78,7 +79,7 @@ def read_header(file: Path, layer: str = "") -> ImageHeader:
 
 
 def read_image(file: Path, layer: str = "") -> Image:
-    """Read one image as RGB `(h, w, 3)`, uint8 where the file has 8 bits, else float32.
+    """Read one image as RGB `(h, w, 3)`: uint8, uint16, float16 or float32, whichever holds its values.
 
     Parameters
     ----------
@@ -104,7 +105,7 @@ def read_image(file: Path, layer: str = "") -> Image:
 
 
 def read_alpha(file: Path) -> Image | None:
-    """The alpha of one image, thrice `(h, w, 3)` in its display window, uint8 or float32; None where it has none.
+    """The alpha of one image, thrice `(h, w, 3)` in its display window, as it is stored; None where it has none.
 
     Raises
     ------
@@ -215,8 +216,8 @@ def _damaged(file: Path, source: Any) -> RoamError:
 
 
 def _kind(source: Any) -> str:
-    """The type that the pixels are read as."""
-    return "uint8" if source.spec().format.basetype == oiio.UINT8 else "float"
+    """The type that the pixels are read as: the smallest of four that holds them."""
+    return _KINDS.get(source.spec().format.basetype, "float")
 
 
 def _require_size(file: Path, source: Any) -> None:

@@ -112,7 +112,8 @@ def seen_plate(values: Image, colour_space: str, look: Look) -> Pixels:
     """
     after = replace(look, exposure=0.0, view=None)
     if look.view is None:
-        return seen(to_display(*_exposed(values, colour_space, look.exposure)), after)
+        light = _exposed(values, colour_space, look.exposure) if look.exposure else (values, colour_space)
+        return seen(to_display(*light), after)
     from roam_core.media.colour_config import View, displayed
 
     return seen(displayed(unit_floats(values), colour_space, View(*look.view), look.exposure), after)
@@ -133,12 +134,12 @@ def _exposed(values: Image, colour_space: str, stops: float) -> tuple[Image, str
 
     The negative of a log plate grows denser; what only OpenColorIO knows is made light first.
     """
+    values = unit_floats(values)
     if colour_space == LOG:
         return values + np.float32(stops * np.log10(2.0) * NEGATIVE_GAMMA / DENSITY_PER_CODE / 1023.0), LOG
     if colour_space not in COLOUR_SPACES:
         from roam_core.media.colour_config import to_linear
 
-        values = unit_floats(values)
         to_linear(values, colour_space)
         colour_space = LINEAR
     return values * np.float32(2.0**stops), colour_space

@@ -13,7 +13,7 @@ from roam_core.media.source import DamagedFrame, Image, MissingFrame
 class ImageSequence:
     """Image files as a plate. See `PlateSource` for the attributes.
 
-    8-bit files give uint8. 16-bit integers give float32 in [0, 1]; half and float come as they are, scene-linear, not
+    Files give uint8, uint16, float16 or float32, whichever holds their values: floating point comes as it is, not
     clipped. Where a file has alpha it is left out and colour is neither multiplied nor divided by it. An EXR's picture
     is its display window, zero where the file has no data. A camera's orientation flag is not applied: mattes belong
     to the pixels as they lie in the file. All frames show the layer of one name.
@@ -48,7 +48,7 @@ class ImageSequence:
         return Path(name).stem if name else f"{self.path.stem}.{frame:04d}"
 
     def read(self, frame: int) -> Image:
-        """The picture `(h, w, 3)` of a frame, uint8 or float32."""
+        """The picture `(h, w, 3)` of a frame, uint8, uint16, float16 or float32."""
         name = self._sequence.names.get(frame)
         if name is None:
             raise MissingFrame(

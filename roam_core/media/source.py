@@ -10,7 +10,8 @@ from numpy.typing import NDArray
 from roam_core.errors import RoamError
 
 Image = NDArray[Any]
-"""A picture `(h, w, 3)`, RGB: uint8, or float32 with 1.0 for white (scene-linear values may lie above)."""
+"""A picture `(h, w, 3)`, RGB, as the files hold it: uint8, uint16, float16 or float32. The largest integer is white; of
+floating point 1.0 is, and scene-linear values may lie above. `roam_core.media.colour.unit_floats` gives one scale."""
 
 
 class MissingFrame(RoamError):
@@ -65,7 +66,7 @@ class PlateSource(Protocol):
         """All layers of the files, in their order; a movie has one."""
 
     def read(self, frame: int) -> Image:
-        """The picture `(h, w, 3)` of a frame, RGB, uint8 or float32.
+        """The picture `(h, w, 3)` of a frame, RGB, uint8, uint16, float16 or float32.
 
         Raises
         ------

@@ -10,7 +10,7 @@ import numpy as np
 from PySide6.QtCore import QPointF, QRectF, QSizeF
 from PySide6.QtGui import QImage, QPainter
 
-from roam_core.media.colour import Image
+from roam_core.media.colour import Image, unit_floats
 from roam_core.media.looking import Look, Pixels, Plate, is_seen_anew, seen, seen_plate
 
 from ...paint.viewport import Viewport
@@ -36,7 +36,8 @@ class Picture:
         # A writeable array may change under the picture's feet.
         self._levels: list[Image] = [pixels.copy() if pixels.flags.writeable else pixels]
         self._plate = plate if plate and plate.values.shape[:2] == pixels.shape[:2] else None
-        self._plate_levels: list[Image] = [self._plate.values] if self._plate else []
+        self._plate_levels: list[Image] = []
+        """Halvings of the plate's own values, once a look asks for them."""
 
     @property
     def size(self) -> QSizeF:
@@ -123,7 +124,13 @@ class Picture:
 
     def _sources(self, look: Look) -> list[Image]:
         """The halvings that the look is taken from: of the plate's values where exposing brings more to light."""
-        return self._plate_levels if self._is_seen_anew(look) else self._levels
+        if not self._is_seen_anew(look):
+            return self._levels
+        if not self._plate_levels and self._plate:
+            values = self._plate.values
+            # OpenCV scales no halves.
+            self._plate_levels.append(unit_floats(values) if values.dtype == np.float16 else values)
+        return self._plate_levels
 
     def _looked(self, shown: Image, look: Look) -> Pixels:
         if self._plate and is_seen_anew(self._plate, look):

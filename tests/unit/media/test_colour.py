@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import pytest
 from numpy.typing import NDArray
 
 from roam_core.errors import RoamError
-from roam_core.media.colour import to_display, to_engine
+from roam_core.media.colour import to_display, to_engine, unit_floats
 from roam_core.media.curves import COLOUR_SPACES, LINEAR, LOG, SRGB, linear_from_log
 
 RAMP = np.linspace(0.0, 1.0, 3 * 40 * 50, dtype=np.float32).reshape(40, 50, 3)
@@ -80,3 +82,18 @@ def test_an_unknown_space_is_told() -> None:
     for convert in (to_display, to_engine):
         with pytest.raises(RoamError, match="'Kodachrome' is not known to the OpenColorIO configuration"):
             convert(RAMP, "Kodachrome")
+
+
+HALVES = np.arange(65536, dtype=np.uint16).view(np.float16)
+WORDS = np.arange(65536, dtype=np.uint16)
+
+
+@pytest.mark.parametrize("space", [*COLOUR_SPACES, "ACEScg"])
+@pytest.mark.parametrize("values", [HALVES, WORDS], ids=["half", "16 bits"])
+@pytest.mark.filterwarnings("ignore:invalid value encountered in cast")
+def test_every_half_and_16_bit_value_is_converted_as_the_float_of_it(space: str, values: NDArray[Any]) -> None:
+    """To the last bit, through the tables that they are looked up in."""
+    image = values.reshape(256, 256, 1).repeat(3, axis=2)
+    floats = unit_floats(image)
+    for convert in (to_engine, to_display):
+        np.testing.assert_array_equal(convert(image, space), convert(floats, space))

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from roam_core.media.colour import to_display
+from roam_core.media.colour import to_display, unit_floats
 from roam_core.media.colour_config import View, displayed
 from roam_core.media.curves import LINEAR, LOG, SRGB, linear_from_log, linear_from_srgb, srgb_from_linear
 from roam_core.media.looking import Channel, Look, Plate, has_more_than_shown, is_seen_anew, seen, seen_plate
@@ -111,3 +111,11 @@ def test_exposing_a_plate_of_open_color_ios_brings_back_its_highlights() -> None
     shown = seen_plate(values, "ACEScg", Look(exposure=-3.0))
     np.testing.assert_array_equal(shown, seen_plate(values * 0.125, "ACEScg", Look()))
     assert np.all(shown < 200)
+
+
+@pytest.mark.parametrize("look", [Look(), Look(exposure=-2.0), Look(exposure=1.0, gamma=2.0), Look(view=VIEW)])
+@pytest.mark.parametrize("kind", [np.uint16, np.float16])
+def test_plates_of_16_bits_are_seen_as_their_floats(look: Look, kind: type) -> None:
+    values = np.random.default_rng(4).random((6, 7, 3))
+    plate = (values * 65535).astype(kind) if kind is np.uint16 else (values * 4).astype(kind)
+    np.testing.assert_array_equal(seen_plate(plate, LINEAR, look), seen_plate(unit_floats(plate), LINEAR, look))

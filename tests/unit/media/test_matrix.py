@@ -12,7 +12,7 @@ import pytest
 from numpy.typing import NDArray
 
 from roam_core.media import open_clip
-from roam_core.media.colour import to_engine
+from roam_core.media.colour import to_engine, unit_floats
 from tests.unit.media.conftest import HEIGHT, WIDTH, picture, write_image
 
 INTEGER = {"uint8": 255, "uint10": 1023, "uint12": 4095, "uint16": 65535}
@@ -92,9 +92,12 @@ def test_what_was_written_is_read(
         assert image.dtype == np.uint8
         np.testing.assert_array_equal(image, np.round(expected * 255))
     elif depth in INTEGER:
-        np.testing.assert_allclose(image, expected, atol=1.5 / 65535)
-        np.testing.assert_array_equal(np.round(image * INTEGER[depth]), np.round(expected * INTEGER[depth]))
+        assert image.dtype == np.uint16
+        values = unit_floats(image)
+        np.testing.assert_allclose(values, expected, atol=1.5 / 65535)
+        np.testing.assert_array_equal(np.round(values * INTEGER[depth]), np.round(expected * INTEGER[depth]))
     else:
+        assert image.dtype == {"half": np.float16, "float": np.float32}[depth]
         np.testing.assert_array_equal(image, expected)
     words = {"half": "half float", "float": "float"}
     assert plate.depth == words.get(depth, f"{depth.removeprefix('uint')} bits")
@@ -140,5 +143,5 @@ def test_cineon(tmp_path: Path) -> None:
     plate = open_clip(cineon(tmp_path / "p.0001.cin", codes))
     image = plate.read(1)
     assert (plate.colour_space, plate.size, plate.depth) == ("log", (WIDTH, HEIGHT), "10 bits")
-    np.testing.assert_array_equal(np.round(image * 1023), codes)
+    np.testing.assert_array_equal(np.round(unit_floats(image) * 1023), codes)
     np.testing.assert_allclose(to_engine(image, "log")[0, :2], [[0.0] * 3, [1.0] * 3], atol=1e-3)
