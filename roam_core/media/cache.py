@@ -1,7 +1,8 @@
-"""FrameCache: the decoded frames of a plate in memory, bounded in bytes, filled ahead by one thread."""
+"""FrameCache: the decoded frames of a plate in memory, bounded in bytes, filled ahead by threads."""
 
 from __future__ import annotations
 
+import os
 import threading
 from collections import OrderedDict, deque
 from collections.abc import Callable, Sequence
@@ -11,8 +12,17 @@ from roam_core.media.source import Image, PlateSource
 
 DEFAULT_LIMIT = 1 << 30
 """Bytes: some 40 frames of 4K in 8 bits."""
+SHARE_OF_MEMORY = 0.25
 POLL_SECONDS = 0.05
 """How often a reader that waits for another thread's decoding looks at its token."""
+
+
+def fair_limit() -> int:
+    """The bytes of a quarter of this machine's memory; `DEFAULT_LIMIT` where it does not tell."""
+    try:
+        return round(SHARE_OF_MEMORY * os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES"))
+    except (AttributeError, OSError, ValueError):  # Windows has no sysconf
+        return DEFAULT_LIMIT
 
 
 class FrameCache:
@@ -40,7 +50,7 @@ class FrameCache:
         self._shown: int | None = None  # the frame read last: reading ahead does not push it out
         self._ahead: deque[int] = deque()
         self._wanted_ahead: frozenset[int] = frozenset()
-        self._reader: threading.Thread | None = None
+        self._readers: list[threading.Thread] = []
         self._closed = False
 
     def on_change(self, listener: Callable[[], None]) -> None:
@@ -112,22 +122,27 @@ class FrameCache:
                 return
             self._ahead = deque(frames)
             self._wanted_ahead = frozenset(frames)
-            if self._reader is None and self._ahead:
-                self._reader = threading.Thread(target=self._run_ahead, name="read-ahead", daemon=True)
-                self._reader.start()
-            self._wake.notify()
+            if not self._readers and self._ahead:
+                self._readers = [
+                    threading.Thread(target=self._run_ahead, name="read-ahead", daemon=True)
+                    for _ in range(self.source.readers)
+                ]
+                for reader in self._readers:
+                    reader.start()
+            self._wake.notify_all()
 
     def close(self) -> None:
-        """Stop reading ahead, wait for its thread, and let go of all frames. Later reads decode and hold nothing."""
+        """Stop reading ahead, wait for its threads, and let go of all frames. Later reads decode and hold nothing."""
         with self._lock:
             self._closed = True
             self._ahead.clear()
             self._images.clear()
             self._bytes = 0
-            reader, self._reader = self._reader, None
-            self._wake.notify()
-        if reader and reader is not threading.current_thread():
-            reader.join()
+            readers, self._readers = self._readers, []
+            self._wake.notify_all()
+        for reader in readers:
+            if reader is not threading.current_thread():
+                reader.join()
 
     # ---- decoding ----------------------------------------------------------------------------------------------------
 
@@ -184,7 +199,7 @@ class FrameCache:
         for listener in self._listeners:
             listener()
 
-    # ---- reading ahead: one thread -----------------------------------------------------------------------------------
+    # ---- reading ahead: its threads ----------------------------------------------------------------------------------
 
     def _run_ahead(self) -> None:
         while claimed := self._next_ahead():
@@ -207,7 +222,8 @@ class FrameCache:
                 if frame in self._images or frame in self._decoding:
                     continue
                 kept = self._wanted_ahead | ({self._shown} if self._shown is not None else frozenset())
-                if self._leaving_for(self._frame_bytes, kept) is None:
+                on_their_way = len(self._decoding) + 1
+                if self._leaving_for(on_their_way * self._frame_bytes, kept) is None:
                     self._ahead.clear()
                     continue
                 decoding, _ = self._claim(frame)

@@ -48,6 +48,10 @@ class DeclaredPlate:
     def layers(self) -> tuple[str, ...]:
         return self.source.layers
 
+    @property
+    def readers(self) -> int:
+        return self.source.readers
+
     def read(self, frame: int) -> Image:
         """The picture `(h, w, 3)` of a frame: the same values; what they mean is what was declared."""
         return self.source.read(frame)

@@ -33,6 +33,8 @@ class Movie:
     are uneven, or whose container is wrong about its length, is gone through once when it is opened.
     """
 
+    readers = 1
+
     def __init__(self, path: Path) -> None:
         self.path = path
         self._lock = threading.Lock()

@@ -25,6 +25,8 @@ class ImageSequence:
     layer : which of the files' layers is the plate; the picture itself if "".
     """
 
+    readers = 2
+
     def __init__(self, sequence: FileSequence, path: Path | None = None, layer: str = "") -> None:
         self._sequence = sequence
         self.path = path or sequence.path

@@ -65,6 +65,10 @@ class PlateSource(Protocol):
     def layers(self) -> tuple[str, ...]:
         """All layers of the files, in their order; a movie has one."""
 
+    @property
+    def readers(self) -> int:
+        """How many threads are worth reading it at once: a movie is decoded in one go by one."""
+
     def read(self, frame: int) -> Image:
         """The picture `(h, w, 3)` of a frame, RGB, uint8, uint16, float16 or float32.
 

@@ -20,7 +20,7 @@ class Plate:
     """A source of three grey frames; `gate` holds decoding back."""
 
     path, frames, missing, size = Path("plate"), (1, 2, 3, 4, 6), (5,), (4, 2)
-    fps, pixel_aspect = 24.0, 1.0
+    fps, pixel_aspect, readers = 24.0, 1.0, 1
 
     def __init__(self, colour_space: str = "sRGB") -> None:
         self.colour_space = colour_space
