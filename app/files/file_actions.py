@@ -11,6 +11,7 @@ from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QWidget
 
 from roam_core.errors import RoamError
+from roam_core.interchange.registry import SHAPE_SUFFIXES
 from roam_core.roto.project_lock import Holder
 
 from ..dialogs import questions
