@@ -6,15 +6,11 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array, Float32, Indices
 from roam_core.energy import curve
 from roam_core.energy.colour_fields import ColourFields
 from roam_core.params import RoamParams
-
-Array = NDArray[np.float64]
-Float32 = NDArray[np.float32]
-IntArray = NDArray[np.intp]
 
 NO_MOVE: Array = np.zeros((1, 2))
 
@@ -62,7 +58,7 @@ def tables(nodes: Array, moves: Array, context: CurveContext, params: RoamParams
 
 
 def pairwise_table(
-    nodes: Array, moves: Array, context: CurveContext, params: RoamParams, edges: IntArray | None = None
+    nodes: Array, moves: Array, context: CurveContext, params: RoamParams, edges: Indices | None = None
 ) -> Array:
     """The pairwise energies `(N, D, D)`, or only those `(E, D, D)` of the edges that `edges (E,)` names."""
     here = context.local(nodes)
@@ -150,7 +146,7 @@ def _enclosed(
     context: CurveContext,
     sums: Array,
     term: Callable[..., Array],
-    edges: IntArray | None = None,
+    edges: Indices | None = None,
 ) -> Array:
     """A region term's table for the row sums of a log-ratio on the colours' grid."""
     assert context.colours is not None
@@ -166,7 +162,7 @@ def spacing_in_cells(context: CurveContext) -> float:
 
 
 def _ribbon(
-    nodes: Array, moves: Array, context: CurveContext, params: RoamParams, edges: IntArray | None = None
+    nodes: Array, moves: Array, context: CurveContext, params: RoamParams, edges: Indices | None = None
 ) -> Array:
     assert context.colours is not None
     assert params.appearance is not None

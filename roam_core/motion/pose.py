@@ -13,18 +13,13 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
+from roam_core.arrays import Array, Bools, Float32, UInt8
 from roam_core.features.pyramid import Pyramid
 from roam_core.kernels.posing import Costs, Prior, Samples, Ties, View, energies, refined
 from roam_core.motion.template import Template, contrasts, every_other
 from roam_core.params import PoseParams
-
-Array = NDArray[np.float64]
-Float32 = NDArray[np.float32]
-Bools = NDArray[np.bool_]
-UInt8 = NDArray[np.uint8]
 
 
 @dataclass(frozen=True, eq=False)

@@ -1,4 +1,4 @@
-"""Little shots drawn by formula: a textured body over a textured ground, its true outline known on every frame."""
+"""Little shots drawn by formula: a textured body over a textured background, its true outline known on every frame."""
 
 from __future__ import annotations
 
@@ -7,14 +7,12 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from roam_core.arrays import Array, Bools, Float32, UInt8
 from roam_core.geometry import bezier, similarity
 from roam_core.matte import shape_matte
 from roam_core.roto import Keyframe, RotoShape
-
-Array = NDArray[np.float64]
-Image = NDArray[np.uint8]
 
 
 def texture(seed: int, dark: float, bright: float, waves: int = 16) -> Texture:
@@ -45,7 +43,7 @@ class Texture:
 class Shot:
     """A rigid body `rest (P, 3, 2)`, carried to the picture by one similarity `(2, 3)` a frame.
 
-    `size` is (h, w); the ground's texture glides by `drift` pixels a frame.
+    `size` is (h, w); the background's texture glides by `drift` pixels a frame.
     """
 
     rest: Array
@@ -68,11 +66,11 @@ class Shot:
         frame = self.first if frame is None else frame
         return RotoShape(shape_id, shape_id, (Keyframe(frame, self.truth(frame)),))
 
-    def read(self, frame: int) -> Image:
+    def read(self, frame: int) -> UInt8:
         """The picture `(h, w, 3)`."""
         return self.pictures[frame - self.first]
 
-    def matte(self, frame: int) -> NDArray[np.float32]:
+    def matte(self, frame: int) -> Float32:
         """True coverage `(h, w)`."""
         return shape_matte(self.shape(frame), frame, self.size)
 
@@ -83,17 +81,17 @@ class Shot:
         return turned
 
     @cached_property
-    def pictures(self) -> list[Image]:
+    def pictures(self) -> list[UInt8]:
         return [self._drawn(frame) for frame in self.frames]
 
-    def _drawn(self, frame: int) -> Image:
+    def _drawn(self, frame: int) -> UInt8:
         height, width = self.size
         centres = np.stack(np.meshgrid(np.arange(width) + 0.5, np.arange(height) + 0.5), axis=-1)
         body = texture(self.seed, 0.7, 1.0).at(similarity.apply(inverse(self.poses[frame - self.first]), centres))
         glide = np.asarray(self.drift) * (frame - self.first)
-        ground = texture(self.seed + 1, 0.0, 0.3).at(centres - glide)
+        background = texture(self.seed + 1, 0.0, 0.3).at(centres - glide)
         coverage = self.matte(frame)[..., None]
-        return np.asarray(np.round(255.0 * (coverage * body + (1.0 - coverage) * ground)), dtype=np.uint8)
+        return np.asarray(np.round(255.0 * (coverage * body + (1.0 - coverage) * background)), dtype=np.uint8)
 
 
 def pose(x: float, y: float, degrees: float = 0.0, scale: float = 1.0) -> Array:
@@ -135,7 +133,7 @@ def dense(points: Array, closed: bool = True, count: int = 800) -> Array:
     return bezier.evaluate(points, *bezier.arc_length_pairs(points, count, closed), closed)
 
 
-def overlap(a: NDArray[np.bool_], b: NDArray[np.bool_]) -> float:
+def overlap(a: Bools, b: Bools) -> float:
     """Intersection over union of two masks; 1 for two empty ones."""
     union = int(np.count_nonzero(a | b))
     return int(np.count_nonzero(a & b)) / union if union else 1.0

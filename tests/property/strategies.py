@@ -10,8 +10,8 @@ from typing import Any
 import numpy as np
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array
 from roam_core.roto import (
     Animated,
     BlendMode,
@@ -27,12 +27,11 @@ from roam_core.roto import (
     RotoShape,
     Spline,
     ValueKey,
+    control_points,
     edit,
-    grips,
 )
 from roam_core.roto.animated import Animatable
 
-Array = NDArray[np.float64]
 FOLDER = Path("/shots/project")
 """Where a drawn project's clip lies, and its file would: absolute, as the program keeps them."""
 
@@ -147,7 +146,7 @@ def motion_blurs() -> st.SearchStrategy[MotionBlur]:
 @st.composite
 def bspline_shapes(draw: st.DrawFn, shape_id: str = "shape-1") -> RotoShape:
     """A shape of 1-4 keys, each of them a uniform B-spline."""
-    return grips.with_spline(draw(roto_shapes(shape_id)), Spline.BSPLINE)
+    return control_points.with_spline(draw(roto_shapes(shape_id)), Spline.BSPLINE)
 
 
 @cache

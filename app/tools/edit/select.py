@@ -97,7 +97,7 @@ class SelectTool(GestureTool):
         paint_weights(painter, viewport, view.preview or self.document.project, view.frame, weights)
         if len(view.selection.points) == 1 and weights and not gesture:
             ((shape_id, index),) = view.selection.points
-            x, y = self.document.project.shape(shape_id).at(view.frame).grips[index, ANCHOR].tolist()
+            x, y = self.document.project.shape(shape_id).at(view.frame).control_points[index, ANCHOR].tolist()
             paint_reach(painter, viewport, (x, y), radius)
 
     def _hit(self, pointer: Pointer) -> PointHit | OutlineHit | None:

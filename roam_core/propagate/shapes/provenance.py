@@ -16,9 +16,7 @@ from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
 from pathlib import Path
 
-import numpy as np
-from numpy.typing import NDArray
-
+from roam_core.arrays import Array
 from roam_core.errors import RoamError
 from roam_core.params import RoamParams, params_for
 from roam_core.propagate.shapes.objects import near, objects
@@ -126,7 +124,7 @@ def _there(shape: RotoShape, gap: tuple[int, int]) -> tuple[int, int]:
     return max(first, gap[0]), min(stop, gap[1] + 1)
 
 
-def outline_begun(shape: RotoShape, frame: int, forward: bool) -> NDArray[np.float64]:
+def outline_begun(shape: RotoShape, frame: int, forward: bool) -> Array:
     """The control points with which a run in this direction begins on a frame.
 
     Between keys those of the engine that lie ahead do not count: they may be the run's own. What was closed there,

@@ -6,8 +6,8 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array, Bools
 from roam_core.features import PreparedFrame, Region
 from roam_core.features.pyramid import Pyramid
 from roam_core.geometry import polyline
@@ -17,10 +17,9 @@ from roam_core.motion.template import Template
 from roam_core.params import CONFIGS, PoseParams, PyramidParams
 from tests.golden.shots import texture
 
-Array = NDArray[np.float64]
 SIZE = 120, 160
 WHOLE = Region(0, 0, 160, 120)
-BODY, GROUND = texture(3, 0.45, 1.0, 24), texture(4, 0.0, 0.35, 24)
+BODY, BACKGROUND = texture(3, 0.45, 1.0, 24), texture(4, 0.0, 0.35, 24)
 
 
 def part_params() -> PoseParams:
@@ -52,13 +51,13 @@ def shown(template: Template, pose: Array, line: Array, *, blind: Array | None =
     for _ in range(30):  # fixed point: the place whose image this pixel is
         key = key - (template.chain.carried(pose, key.reshape(-1, 2)).reshape(key.shape) - centres())
     inside = polyline_mask(key, line)[..., None]
-    image = np.where(inside, BODY.at(key), GROUND.at(centres()))
+    image = np.where(inside, BODY.at(key), BACKGROUND.at(centres()))
     if blind is not None:
         image = np.where(polyline_mask(centres(), blind)[..., None], (0.9, 0.1, 0.1), image)
     return PreparedFrame(np.round(255.0 * image).astype(np.uint8))
 
 
-def polyline_mask(places: Array, line: Array) -> NDArray[np.bool_]:
+def polyline_mask(places: Array, line: Array) -> Bools:
     """Which places lie inside an upright box."""
     low, high = line.min(axis=0), line.max(axis=0)
     return np.asarray(((places > low) & (places < high)).all(axis=-1))
@@ -66,7 +65,7 @@ def polyline_mask(places: Array, line: Array) -> NDArray[np.bool_]:
 
 def learned(line: Array, params: PoseParams = PARAMS) -> Template:
     """The template of a part on its key, where it is at rest."""
-    image = np.where(polyline_mask(centres(), line)[..., None], BODY.at(centres()), GROUND.at(centres()))
+    image = np.where(polyline_mask(centres(), line)[..., None], BODY.at(centres()), BACKGROUND.at(centres()))
     frame = PreparedFrame(np.round(255.0 * image).astype(np.uint8))
     template = Template.of(Pyramid.of(frame, WHOLE, 1.0, PyramidParams()), line, params, 1.0)
     assert template is not None

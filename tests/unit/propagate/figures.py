@@ -9,14 +9,13 @@ from pathlib import Path
 
 import cv2
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array, UInt8
 from roam_core.geometry import bezier, similarity
 from roam_core.matte import shape_matte
 from roam_core.roto import BlendMode, Clip, Keyframe, Layer, Project, RotoShape, file
-from tests.golden.shots import Image, Texture, inverse, pose, texture
+from tests.golden.shots import Texture, inverse, pose, texture
 
-Array = NDArray[np.float64]
 SIZE = 120, 160
 
 
@@ -57,14 +56,14 @@ class Figure:
             for part in self.parts
         ]
 
-    def read(self, frame: int) -> Image:
+    def read(self, frame: int) -> UInt8:
         return self.pictures[frame]
 
     @cached_property
-    def pictures(self) -> list[Image]:
+    def pictures(self) -> list[UInt8]:
         return [self._drawn(k) for k in self.frames]
 
-    def _drawn(self, k: int) -> Image:
+    def _drawn(self, k: int) -> UInt8:
         height, width = SIZE
         centres = np.stack(np.meshgrid(np.arange(width) + 0.5, np.arange(height) + 0.5), axis=-1)
         image = texture(90, 0.0, 0.35).at(centres)

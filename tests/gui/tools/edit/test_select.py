@@ -40,7 +40,7 @@ def test_shift_click_adds_a_shape_and_takes_it_away(hand: Hand, document: Docume
     assert view_state.selection.shapes == {square}
 
 
-def test_click_on_empty_ground_selects_nothing(hand: Hand, view_state: ViewState, square: str) -> None:
+def test_click_on_empty_background_selects_nothing(hand: Hand, view_state: ViewState, square: str) -> None:
     hand.click((180.0, 130.0))
     assert view_state.selection == Selection()
 

@@ -97,7 +97,7 @@ def test_each_kind_of_local_colour_says_its_own_and_both_the_mean() -> None:
 
 
 def soft_disc(x: float) -> PreparedFrame:
-    """A disc around (x, 60) that differs little from the ground."""
+    """A disc around (x, 60) that differs little from the background."""
     image = np.full((120, 140, 3), 90.0)
     rows, columns = np.mgrid[:120, :140] + 0.5
     image[(rows - 60.0) ** 2 + (columns - x) ** 2 < 25.0**2] = 125.0
