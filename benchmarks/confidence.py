@@ -13,15 +13,12 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from benchmarks import chart, logistic, processes, rated, report, shots
 from benchmarks.rated import CARRIED, FILLED, Rated
+from roam_core.arrays import Array, Bools
 from roam_core.errors import RoamError
 from roam_core.params import DOUBTFUL
-
-Array = NDArray[np.float64]
-Bools = NDArray[np.bool_]
 
 GOOD, SHARE = 0.9, 0.2
 """IoU under which a frame is bad; the share of frames, rated worst, in which bad ones are looked for."""

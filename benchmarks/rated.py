@@ -30,7 +30,7 @@ LENGTH = 20
 """Frames of a run, and from the start of one to the start of the next: how often an artist sets a key."""
 
 Known = tuple[float, tuple[float, ...]]
-"""The share of the frame's area that an object has, as far as it was found, and its signs."""
+"""The share of the frame's area that an object has, as far as it was found, and its features."""
 
 
 @dataclass(frozen=True)

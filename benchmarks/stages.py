@@ -18,6 +18,7 @@ from benchmarks.stopwatch import Stopwatch
 from benchmarks.yardstick import flow_seconds
 from resources import demo
 from roam_core.appearance.edge_models import EdgeModels
+from roam_core.arrays import UInt8
 from roam_core.energy import joint_total, total
 from roam_core.errors import RoamError
 from roam_core.features import PreparedFrame
@@ -38,7 +39,7 @@ from roam_core.propagate import track, warm_up
 from roam_core.propagate.curves.reshaping import reshape
 from roam_core.propagate.curves.step import curve_context
 from roam_core.propagate.frame.confidence import edge_support, frame_confidence, node_support
-from roam_core.propagate.frame.contour_fit import enclosed, laid
+from roam_core.propagate.frame.contour_fit import enclosed, fitted
 from roam_core.propagate.frame.nodes import NodeMap
 from roam_core.propagate.whole.rigid import Rigidity
 from roam_core.proposal.cues.evidence import gathered
@@ -47,8 +48,6 @@ from roam_core.proposal.outline.contour import follow
 from roam_core.proposal.segment.components import ring_around, shares
 from roam_core.proposal.segment.region import cleaned
 from roam_core.roto import RotoShape
-
-Image = NDArray[np.uint8]
 
 STAGES: dict[str, Sequence[Callable[..., Any]]] = {
     "preparing the picture": (PreparedFrame.__init__, curve_context),
@@ -65,7 +64,7 @@ STAGES: dict[str, Sequence[Callable[..., Any]]] = {
     "smoothing of the evidence": (diffuse,),
     "the other evidence": (gathered,),
     "the region": (cleaned, shares, ring_around),
-    "curves along the region": (laid, follow, simplified),
+    "curves along the region": (fitted, follow, simplified),
     "confidence and energies": (node_support, frame_confidence, total.energies, edge_support, enclosed),
     "histograms": (bin_counts, looked_up),
 }
@@ -121,7 +120,7 @@ def _medians(size: tuple[int, int], config: str, count: int) -> dict[str, float]
     }
 
 
-def _written(pictures: Sequence[Image], folder: Path) -> PlateSource:
+def _written(pictures: Sequence[UInt8], folder: Path) -> PlateSource:
     for frame, picture in enumerate(pictures, start=demo.FIRST):
         cv2.imwrite(str(folder / f"demo.{frame}.png"), cv2.cvtColor(picture, cv2.COLOR_RGB2BGR))
     return open_clip(folder)

@@ -9,7 +9,7 @@ from typing import Any
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
-from roam_core.params import DEFAULT_CONFIG, DOUBTFUL
+from roam_core.params import DEFAULT_CONFIG, is_doubtful
 from roam_core.propagate.frame.result import FrameResult, Termination
 from roam_core.propagate.memory import TrackMemory
 from roam_core.propagate.shapes.objects import decisive
@@ -249,7 +249,7 @@ class _Run:
 
     def note(self, keys: Iterable[Keyframe]) -> None:
         """Remember the frames that the engine doubts."""
-        self._doubtful |= {key.frame for key in keys if key.confidence is not None and key.confidence < DOUBTFUL}
+        self._doubtful |= {key.frame for key in keys if is_doubtful(key.confidence)}
 
     def stopped_sentence(self) -> str:
         word, part = ("Tracking", "a frame") if self.verb == "Track" else ("Filling", "a gap")

@@ -15,11 +15,8 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from roam_core.arrays import Float32, Image, UInt8
 from roam_core.media.curves import COLOUR_SPACES, LINEAR, LOG, SRGB, linear_from_log, srgb_from_linear
-
-Image = NDArray[Any]
-FloatTable = NDArray[np.float32]
-ByteTable = NDArray[np.uint8]
 
 TABLE_SIZE = 65536
 """Entries for [0, 1]: 16-bit values are looked up exactly; a float is off by at most 1e-4 of the result's range."""
@@ -29,7 +26,7 @@ ROWS_AT_ONCE = 32
 """Rows looked up together: the steps in between stay in the processor's cache."""
 
 
-def to_display(image: Image, colour_space: str) -> NDArray[np.uint8]:
+def to_display(image: Image, colour_space: str) -> UInt8:
     """The picture for a screen, `(h, w, 3)` uint8 sRGB.
 
     An 8-bit sRGB `image` comes back itself, not copied. Values outside the display's range are clipped; NaN is black.
@@ -69,7 +66,7 @@ def to_engine(image: Image, colour_space: str) -> Image:
     return _looked_up(image, _engine_table(colour_space))
 
 
-def unit_floats(image: Image) -> NDArray[np.float32]:
+def unit_floats(image: Image) -> Float32:
     """A copy of a picture's values as float32: integers as [0, 1], floating point as it is."""
     values = np.array(image, dtype=np.float32)
     if np.issubdtype(image.dtype, np.integer):
@@ -78,7 +75,7 @@ def unit_floats(image: Image) -> NDArray[np.float32]:
 
 
 @cache
-def _engine_table(colour_space: str) -> FloatTable:
+def _engine_table(colour_space: str) -> Float32:
     values = np.linspace(0.0, 1.0, TABLE_SIZE)
     if colour_space == LOG:
         values = np.clip(linear_from_log(values), 0.0, 1.0)
@@ -88,11 +85,11 @@ def _engine_table(colour_space: str) -> FloatTable:
 
 
 @cache
-def _display_table(colour_space: str) -> ByteTable:
+def _display_table(colour_space: str) -> UInt8:
     return np.asarray(np.rint(_engine_table(colour_space) * 255.0), dtype=np.uint8)
 
 
-def _clipped(image: Image) -> NDArray[np.float32]:
+def _clipped(image: Image) -> Float32:
     """`image` in [0, 1], float32. `fmax` turns NaN into the other number, which is black."""
     return np.minimum(np.fmax(image.astype(np.float32, copy=False), np.float32(0.0)), np.float32(1.0))
 

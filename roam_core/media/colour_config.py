@@ -12,8 +12,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 import PyOpenColorIO as ocio  # noqa: N813 - the name its own manual uses
-from numpy.typing import NDArray
 
+from roam_core.arrays import Float32, UInt8
 from roam_core.errors import RoamError
 from roam_core.media.curves import (
     BLACK_CODE,
@@ -26,7 +26,6 @@ from roam_core.media.curves import (
 )
 
 _ERRORS = (ocio.Exception, ocio.ExceptionMissingFile)
-Floats = NDArray[np.float32]
 
 BUILT_IN = "studio-config-v4.0.0_aces-v2.0_ocio-v2.5"
 """The configuration of ACES, with the cameras' log curves, that is used where `$OCIO` names none: one for all versions
@@ -111,7 +110,7 @@ def with_primaries(chromaticities: object) -> str | None:
     return None
 
 
-def to_linear(values: Floats, space: str) -> None:
+def to_linear(values: Float32, space: str) -> None:
     """Turn values `(..., 3)`, contiguous, into scene-linear ones with the primaries of Rec. 709, in place, unclipped.
 
     Raises
@@ -122,7 +121,7 @@ def to_linear(values: Floats, space: str) -> None:
     _to_linear(_version(), space).applyRGB(values)
 
 
-def displayed(values: Floats, space: str, view: View, exposure: float) -> NDArray[np.uint8]:
+def displayed(values: Float32, space: str, view: View, exposure: float) -> UInt8:
     """What a view shows of a plate's values `(h, w, 3)`, contiguous: display values, 0 to 255.
 
     Parameters

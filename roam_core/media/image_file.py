@@ -11,13 +11,14 @@ from typing import Any
 import numpy as np
 import OpenImageIO as oiio  # noqa: N813 - the name its own manual uses
 
+from roam_core.arrays import Image
 from roam_core.bounded import require_regular
 from roam_core.errors import RoamError
 from roam_core.media.colour_spaces import space_by_rule, space_called, space_with_primaries
 from roam_core.media.curves import LINEAR, LOG, SRGB
 from roam_core.media.layers import ImageLayer, Part, colour_layer, layers_of
 from roam_core.media.measure import plain_name, require_size, require_told_size
-from roam_core.media.source import DamagedFrame, Image
+from roam_core.media.source import DamagedFrame
 
 LARGEST_IMAGE_MB = 2048
 """A header that claims more uncompressed MiB, over all channels of which three are read, is taken for damaged."""

@@ -13,9 +13,9 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from roam_core.arrays import Bools, Image
 from roam_core.errors import RoamError
 from roam_core.media.measure import plain_name
-from roam_core.media.source import Image
 
 PROBED = 9
 """Pictures from the beginning of a movie that are looked at."""
@@ -88,7 +88,7 @@ def _combing(before: NDArray[np.int16], after: NDArray[np.int16]) -> tuple[float
     return near, far
 
 
-def _stands_out(picture: NDArray[np.int16], rows: int) -> NDArray[np.bool_]:
+def _stands_out(picture: NDArray[np.int16], rows: int) -> Bools:
     """Where a pixel, without the two outermost rows, is brighter or darker than both of those so many rows away."""
     inner = picture[2:-2]
     above, below = inner - picture[2 - rows : -2 - rows], inner - picture[2 + rows : len(picture) - 2 + rows]

@@ -9,9 +9,9 @@ from typing import NamedTuple
 
 import cv2
 import numpy as np
-from numpy.typing import NDArray
 
-from roam_core.media.colour import ByteTable, Image, to_display, unit_floats
+from roam_core.arrays import Image, UInt8
+from roam_core.media.colour import to_display, unit_floats
 from roam_core.media.curves import (
     COLOUR_SPACES,
     DENSITY_PER_CODE,
@@ -22,8 +22,6 @@ from roam_core.media.curves import (
     linear_from_srgb,
     srgb_from_linear,
 )
-
-Pixels = NDArray[np.uint8]
 
 LUMINANCE = (0.2126, 0.7152, 0.0722)
 """Weights of red, green and blue in what an eye takes for brightness (Rec. 709)."""
@@ -73,12 +71,12 @@ class Look:
         return self == Look()
 
     @property
-    def table(self) -> ByteTable:
+    def table(self) -> UInt8:
         """The display value `(256,)` uint8 that is shown for each display value, by exposure and gamma."""
         return _table(self.exposure, self.gamma)
 
 
-def seen(pixels: Pixels, look: Look) -> Pixels:
+def seen(pixels: UInt8, look: Look) -> UInt8:
     """Display values as the look shows them.
 
     Parameters
@@ -102,7 +100,7 @@ def seen(pixels: Pixels, look: Look) -> Pixels:
     return np.asarray(cv2.LUT(pixels, look.table), dtype=np.uint8)
 
 
-def seen_plate(values: Image, colour_space: str, look: Look) -> Pixels:
+def seen_plate(values: Image, colour_space: str, look: Look) -> UInt8:
     """A plate `(h, w, 3)` as the look shows it: exposing it less brings back what lies above white.
 
     Raises
@@ -145,7 +143,7 @@ def _exposed(values: Image, colour_space: str, stops: float) -> tuple[Image, str
     return values * np.float32(2.0**stops), colour_space
 
 
-def _channel(pixels: Pixels, channel: Channel) -> Pixels:
+def _channel(pixels: UInt8, channel: Channel) -> UInt8:
     """One channel `(h, w)` of a picture, or the picture itself."""
     if channel is Channel.COLOUR:
         return pixels
@@ -155,7 +153,7 @@ def _channel(pixels: Pixels, channel: Channel) -> Pixels:
 
 
 @lru_cache(maxsize=64)
-def _table(exposure: float, gamma: float) -> ByteTable:
+def _table(exposure: float, gamma: float) -> UInt8:
     light = linear_from_srgb(np.linspace(0.0, 1.0, 256)) * 2.0**exposure
     shown = srgb_from_linear(np.clip(light, 0.0, 1.0)) ** (1.0 / gamma)
     return np.asarray(np.rint(255.0 * shown), dtype=np.uint8)

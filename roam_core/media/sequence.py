@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from roam_core.arrays import Image
 from roam_core.errors import RoamError
 from roam_core.media.image_file import ImageHeader, read_header, read_image
 from roam_core.media.numbering import FileSequence
-from roam_core.media.source import DamagedFrame, Image, MissingFrame
+from roam_core.media.source import DamagedFrame, MissingFrame
 
 
 class ImageSequence:

@@ -3,15 +3,10 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any, Protocol
+from typing import Protocol
 
-from numpy.typing import NDArray
-
+from roam_core.arrays import Image
 from roam_core.errors import RoamError
-
-Image = NDArray[Any]
-"""A picture `(h, w, 3)`, RGB, as the files hold it: uint8, uint16, float16 or float32. The largest integer is white; of
-floating point 1.0 is, and scene-linear values may lie above. `roam_core.media.colour.unit_floats` gives one scale."""
 
 
 class MissingFrame(RoamError):

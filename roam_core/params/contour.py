@@ -1,4 +1,4 @@
-"""Parameters of laying the points of a shape along an outline."""
+"""Parameters of fitting the points of a shape to an outline."""
 
 from __future__ import annotations
 
@@ -70,7 +70,7 @@ class RefineParams:
 
 @dataclass(frozen=True)
 class ContourFitParams:
-    """Parameters of laying a shape's points along an outline (`proposal.outline.contour`).
+    """Parameters of fitting a shape's points to an outline (`proposal.outline.contour`).
 
     Attributes
     ----------

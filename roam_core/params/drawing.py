@@ -12,10 +12,10 @@ class CutOutParams:
     Attributes
     ----------
     most_cells : cells on the longer side of the copy that is cut.
-    margin : how much of the box's size is looked at on each side of it: the ground that the object differs from.
+    margin : how much of the box's size is looked at on each side of it: the background that the object differs from.
     around, nearby : the box around a click's region goes so many of its sizes beyond it, and at least this share of
         the picture's.
-    swell, along : A later mark's region is ground where it is so much larger than those before it and has this
+    swell, along : A later mark's region is background where it is so much larger than those before it and has this
         share of the border.
     mark : cells around a mark that are held on its side.
     growths : times that the box around a click is cut, and made larger where the object runs against its side.

@@ -12,7 +12,7 @@ from roam_core.params.figure import FigureParams
 from roam_core.params.pose import PoseParams
 from roam_core.params.redetection import RedetectionParams
 from roam_core.params.rigid import RigidityParams
-from roam_core.params.stamped import later
+from roam_core.params.stamped import former, later
 
 
 @dataclass(frozen=True)
@@ -34,10 +34,10 @@ class RegionParams:
     global_key_weight, global_weight : histograms of the key frame, and those adapted since.
     adaptation : rate of that adaptation, a frame.
     clip : bound on each cue, nats. bias : nats towards the outside where nothing is known.
-    motion_weight, motion_sigma : ground that moves with the surroundings and not with the object is not taken in; the
-        weight counts in full where the object moves as one. sigma in pixels of a 480-line image.
+    motion_weight, motion_sigma : background that moves with the surroundings and not with the object is not taken in;
+        the weight counts in full where the object moves as one. sigma in pixels of a 480-line image.
     uncovered_weight : the same against what only the flow carries along: where neither the similarity nor the key
-        expects the object, what moves with the surroundings is the ground that it has uncovered.
+        expects the object, what moves with the surroundings is the background that it has uncovered.
     prior_weight : nats a cell of depth inside the region carried from the last frame.
     label_propagation_weight : nats of the side that a cell brings along from the key by sound flow
         (`proposal.cues.label_propagation`); 0: it is not asked. beside_label_propagation : share of the other cues that
@@ -48,8 +48,9 @@ class RegionParams:
         (0).
     longest_bridge : by which components of a region hang together in one outline (`proposal.segment.components`), in
         the square root of a component's area; 0: each outline has one component.
-    held : how far points are expected to have gone back, on each frame, to where the key carried as one piece has them.
-    held_within : pixels of a 480-line image from there at which it is half as far, for limbs swing.
+    key_pull : how far points are expected to have gone back, on each frame, to where the key carried as one piece has
+        them.
+    key_pull_reach : pixels of a 480-line image from there at which it is half as far, for limbs swing.
     blur : Gaussian on the ratio. diffusion, contrast, sweeps : contrast-dependent smoothing (`kernels.diffusion`).
     overlap : share of a detached part that must lie where the object was expected.
     doubted : expected IoU under which the object is looked for as it was on the key (`propagate.frame.redetection`); 0:
@@ -100,8 +101,8 @@ class RegionParams:
     keys_weight: float = 1.0
     longest_bridge: float = 2.0
     kept_shares: float = 0.5
-    held: float = 0.1
-    held_within: float = 50.0
+    key_pull: float = former("held", 0.1)
+    key_pull_reach: float = former("held_within", 50.0)
     blur: float = 0.6
     diffusion: float = 2.0
     contrast: float = 12.0

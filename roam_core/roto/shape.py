@@ -10,13 +10,12 @@ from functools import lru_cache
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from roam_core.arrays import Array
 from roam_core.geometry import bezier, bspline
 from roam_core.roto.animated import Animatable, Interpolation, value_at
 from roam_core.roto.placement import Placement, carried, matrix_at
-
-Array = NDArray[np.float64]
 
 
 class Origin(StrEnum):
@@ -76,7 +75,7 @@ class Outline:
         return self.points[:, bezier.ANCHOR]
 
     @property
-    def grips(self) -> Array:
+    def control_points(self) -> Array:
         """What the artist takes hold of, `(P, 3, 2)`: the points, or a B-spline's control points without handles."""
         if self.spline is Spline.BEZIER:
             return self.points

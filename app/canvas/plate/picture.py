@@ -10,8 +10,9 @@ import numpy as np
 from PySide6.QtCore import QPointF, QRectF, QSizeF
 from PySide6.QtGui import QImage, QPainter
 
-from roam_core.media.colour import Image, unit_floats
-from roam_core.media.looking import Look, Pixels, Plate, is_seen_anew, seen, seen_plate
+from roam_core.arrays import Image, UInt8
+from roam_core.media.colour import unit_floats
+from roam_core.media.looking import Look, Plate, is_seen_anew, seen, seen_plate
 
 from ...paint.viewport import Viewport
 
@@ -32,7 +33,7 @@ class Picture:
     plate : the plate's own values of the same size, where they hold more than the display values show.
     """
 
-    def __init__(self, pixels: Pixels, plate: Plate | None = None) -> None:
+    def __init__(self, pixels: UInt8, plate: Plate | None = None) -> None:
         # A writeable array may change under the picture's feet.
         self._levels: list[Image] = [pixels.copy() if pixels.flags.writeable else pixels]
         self._plate = plate if plate and plate.values.shape[:2] == pixels.shape[:2] else None
@@ -46,7 +47,7 @@ class Picture:
         return QSizeF(width, height)
 
     @property
-    def pixels(self) -> Pixels:
+    def pixels(self) -> UInt8:
         """The display values."""
         return self._levels[0]
 
@@ -132,7 +133,7 @@ class Picture:
             self._plate_levels.append(unit_floats(values) if values.dtype == np.float16 else values)
         return self._plate_levels
 
-    def _looked(self, shown: Image, look: Look) -> Pixels:
+    def _looked(self, shown: Image, look: Look) -> UInt8:
         if self._plate and is_seen_anew(self._plate, look):
             return seen_plate(shown, self._plate.colour_space, look)
         return seen(shown, look)
@@ -182,7 +183,7 @@ def _level(levels: list[Image], zoom: float) -> Image:
     return levels[wanted]
 
 
-def _image(pixels: Pixels) -> QImage:
+def _image(pixels: UInt8) -> QImage:
     """A QImage with pixels of its own."""
     height, width = pixels.shape[:2]
     if pixels.ndim == 2:

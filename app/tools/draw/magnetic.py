@@ -7,10 +7,10 @@ from itertools import count
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 from PySide6.QtCore import QPointF, Qt
 from PySide6.QtGui import QPainter, QPainterPath
 
+from roam_core.arrays import Array
 from roam_core.geometry import fit
 
 from ...features.verbs.finishing import finish_shape, next_colour
@@ -27,7 +27,6 @@ from .drawing import CLOSE_KEYS, LEAVE_KEYS, TAKE_BACK_KEYS
 if TYPE_CHECKING:
     from roam_core.proposal.assist.livewire import LiveWire
 
-Array = NDArray[np.float64]
 Spot = tuple[float, float]
 
 SNAP = 7.0

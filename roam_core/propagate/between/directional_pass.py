@@ -6,8 +6,8 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array
 from roam_core.cancel import CancelToken
 from roam_core.features import PreparedFrame
 from roam_core.geometry import bezier
@@ -19,13 +19,12 @@ from roam_core.propagate.engines.protocol import Motion
 from roam_core.propagate.frame.result import Part
 from roam_core.propagate.shapes.objects import Unit
 
-Array = NDArray[np.float64]
 ReadPicture = Callable[[int], PreparedFrame]
 
 
 @dataclass(frozen=True, eq=False)
 class Stop:
-    """An object on one frame of a passage.
+    """An object on one frame of a pass.
 
     Attributes
     ----------

@@ -1,8 +1,8 @@
-"""The witnesses of a span between two keys, and how far each of them missed the other key.
+"""The estimates of a span between two keys, and how far each of them missed the other key.
 
-Three speak for each frame: the passage from the first key, the one from the last, and the keys themselves carried by
-the object's similarity and blended (planar motion). Where a witness that starts on one key arrives beside the other, no
-truth but the artist's is needed to see it: so much it counts, place by place along the outline.
+Three speak for each frame: the pass from the first key, the one from the last, and the keys themselves carried by
+the object's similarity and blended (planar motion). Where an estimate that starts on one key arrives beside the other,
+no truth but the artist's is needed to see it: so much it counts, place by place along the outline.
 """
 
 from __future__ import annotations
@@ -13,8 +13,8 @@ from functools import cached_property
 
 import cv2
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array, Bools, Float32
 from roam_core.features import Region
 from roam_core.features.grid import Grid
 from roam_core.geometry import bezier, similarity
@@ -24,10 +24,6 @@ from roam_core.propagate.frame.contour_fit import enclosed
 from roam_core.propagate.frame.nodes import smooth_points
 from roam_core.propagate.frame.result import Part
 from roam_core.proposal.outline.contour import KeyConstraints
-
-Array = NDArray[np.float64]
-Float32 = NDArray[np.float32]
-Bools = NDArray[np.bool_]
 
 
 @dataclass(frozen=True, eq=False)
@@ -45,7 +41,7 @@ class Key:
 
 @dataclass(frozen=True, eq=False)
 class Residual:
-    """How far a witness was from a key, in pixels of a 480-line image: on a grid, and at the points of each outline."""
+    """How far an estimate lay from a key, pixels of a 480-line image: on a grid, and at the points of each outline."""
 
     grid: Grid
     around: Float32
@@ -65,13 +61,13 @@ class Residual:
 
 @dataclass(frozen=True, eq=False)
 class Span:
-    """Two keys and the passages from each of them to the other.
+    """Two keys and the passes from each of them to the other.
 
     Attributes
     ----------
-    first, last : the keys. onwards, back : the passages that start on them; None for a key without a part.
+    first, last : the keys. onwards, back : the passes that start on them; None for a key without a part.
     size : (h, w) of the pictures. scale : `params.scale_for(size)`.
-    params : how outlines are laid along regions.
+    params : how outlines are fitted to regions.
     """
 
     first: Key
@@ -105,9 +101,9 @@ class Span:
 
     @cached_property
     def residuals(self) -> tuple[Residual, Residual, Residual, Residual] | None:
-        """Of the passage onwards, of the one back, and of planar motion at the last and the first key.
+        """Of the pass onwards, of the one back, and of planar motion at the last and the first key.
 
-        None where a passage did not arrive.
+        None where a pass did not arrive.
         """
         there, here = stop_at(self.onwards, self.last.frame), stop_at(self.back, self.first.frame)
         if there is None or here is None:
@@ -121,7 +117,7 @@ class Span:
 
     @cached_property
     def is_planar(self) -> bool:
-        """True where each key, carried as one piece, came nearer to the other than the passages did."""
+        """True where each key, carried as one piece, came nearer to the other than the passes did."""
         if self.residuals is None:
             return False
         onwards, back, planar_there, planar_here = self.residuals
@@ -199,7 +195,7 @@ class Span:
 
 
 def stop_at(directional_pass: DirectionalPass | None, frame: int) -> Stop | None:
-    """Where a passage stands on a frame; None without a passage or a picture."""
+    """Where a pass stands on a frame; None without a pass or a picture."""
     return None if directional_pass is None else directional_pass.at(frame)
 
 

@@ -1,4 +1,4 @@
-"""Two passages made one: the outlines of a span on one frame between its keys."""
+"""Two passes made one: the outlines of a span on one frame between its keys."""
 
 from __future__ import annotations
 
@@ -7,8 +7,8 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array, Bools, Float32
 from roam_core.features import PreparedFrame, Region
 from roam_core.features.grid import Grid, signed_distance
 from roam_core.geometry import bezier, similarity
@@ -18,17 +18,13 @@ from roam_core.params import RegionParams
 from roam_core.propagate.between.directional_pass import Stop
 from roam_core.propagate.between.endpoint_consistency import Key, Span, carried, grid_over, stop_at
 from roam_core.propagate.frame.confidence import SpanFeatures, expected_overlap, overlap, vertex_confidence
-from roam_core.propagate.frame.contour_fit import enclosed, laid, spline_coverage
+from roam_core.propagate.frame.contour_fit import enclosed, fitted, spline_coverage
 from roam_core.propagate.frame.covering import covered
 from roam_core.propagate.frame.result import Part
 from roam_core.proposal.cues.evidence import SURE, Field, uncertain_band
 from roam_core.proposal.cues.key_colours import key_colours
 from roam_core.proposal.cues.key_view import KeyView, lab
 from roam_core.proposal.segment import region as proposed
-
-Array = NDArray[np.float64]
-Float32 = NDArray[np.float32]
-Bools = NDArray[np.bool_]
 
 
 @dataclass(frozen=True, eq=False)
@@ -43,7 +39,7 @@ class Colours:
 class Merged:
     """One outline on one frame: its points `(P, 3, 2)`, confidence in [0, 1], and the same for each point `(P,)`.
 
-    `features` is what speaks against the frame; None where a single passage knows of it.
+    `features` is what speaks against the frame; None where a single pass knows of it.
     """
 
     points: Array
@@ -54,9 +50,9 @@ class Merged:
 
 @dataclass(frozen=True, eq=False)
 class _Moment:
-    """A frame of a span: how far along it lies, in (0, 1), where both passages stand, and their points by outline.
+    """A frame of a span: how far along it lies, in (0, 1), where both passes stand, and their points by outline.
 
-    `of_region` are the outlines that a passage laid along the object's region.
+    `of_region` are the outlines that a pass fitted to the object's region.
     """
 
     span: Span
@@ -81,13 +77,13 @@ class _Moment:
         of_region = [np.array(key.members)[list(stop.motion.of_region)] for stop, key in ends if stop is not None]
         return cls(span, u, onwards, back, there, here, costs, frozenset(np.concatenate([[], *of_region]).astype(int)))
 
-    def is_laid_by_pose(self, k: int) -> bool:
-        """True where a passage laid an outline by its pose."""
+    def is_posed(self, k: int) -> bool:
+        """True where a pass carried an outline by its pose."""
         return any(cost is not None for cost in self.costs[k])
 
     @property
     def is_one_piece(self) -> bool:
-        """True where both passages only moved what was drawn, to the same place: laid along a region it would lose."""
+        """True where both passes only moved what was drawn, to the same place: fitted to a region it would lose."""
         motions = [stop.motion for stop in (self.onwards, self.back) if stop is not None and stop.motion.as_one_piece]
         fields = [motion.region for motion in motions if motion.region is not None]
         if len(fields) < 2:
@@ -96,7 +92,7 @@ class _Moment:
         return overlap(fields[0].on(grid) > 0.5, fields[1].on(grid) > 0.5) >= self.span.params.span.agreed
 
     def weights(self, onwards: Any, back: Any, planar_there: Any, planar_here: Any) -> list[Any]:
-        """How much each witness counts where it missed by so many pixels: the passages from both ends, planar motion.
+        """How much each estimate counts where it missed by so many pixels: the passes from both ends, planar motion.
 
         An error is taken to grow evenly on the way from a key to the other; that of planar motion, which meets both
         keys, to be the greatest in the middle. On a key only what starts there counts.
@@ -112,7 +108,7 @@ class _Moment:
 def merged(
     span: Span, frame: int, alive: Collection[int] | None = None, colours: Colours | None = None
 ) -> list[Merged | None]:
-    """Every outline of the span on a frame between the keys; None for one that neither passage brought there.
+    """Every outline of the span on a frame between the keys; None for one that neither pass brought there.
 
     `alive` are those that there are on the frame; None: all. What the others enclosed on a key belongs to the object
     all the same, and goes to these. `colours` make the frame's picture speak; None: what was drawn and carried does.
@@ -125,10 +121,10 @@ def merged(
         return result
     parts = tuple(Part(_expected(moment, k), span.subtracts(k)) for k in known)
     outlines = _along_region(moment, dict(zip(known, parts, strict=True)), colours)
-    together = [k for k in known if not moment.is_laid_by_pose(k)]
-    signs_together = _span_features(moment, together, [outlines[k] for k in together])
+    together = [k for k in known if not moment.is_posed(k)]
+    features_together = _span_features(moment, together, [outlines[k] for k in together])
     for k, part in outlines.items():
-        features = _signs_of_one(moment, k, part.points) if moment.is_laid_by_pose(k) else signs_together
+        features = _features_of_one(moment, k, part.points) if moment.is_posed(k) else features_together
         trust = span.params.confidence
         confidence = _alone(moment) if features is None else expected_overlap(features, params=trust)
         vertices = vertex_confidence(_support(moment, k, len(part.points)), confidence, trust)
@@ -137,7 +133,7 @@ def merged(
 
 
 def _along_region(moment: _Moment, parts: Mapping[int, Part], colours: Colours | None) -> dict[int, Part]:
-    """The outlines, simple; those of the object's region laid along the one that the witnesses agree on."""
+    """The outlines, simple; those of the object's region fitted to the one that the estimates agree on."""
     span, ours = moment.span, [k for k in parts if k in moment.of_region]
     covers = [bezier.flatten(part.points) for k, part in parts.items() if k not in ours]
     region = None
@@ -148,7 +144,7 @@ def _along_region(moment: _Moment, parts: Mapping[int, Part], colours: Colours |
     if region is not None:
         begun |= {k: _where_more_is(moment, k, parts[k], region) for k in ours}
         constraints = [span.constraints(k, moment.u) for k in ours]
-        placed = laid(tuple(begun[k] for k in ours), constraints, region, span.scale, span.params)
+        placed = fitted(tuple(begun[k] for k in ours), constraints, region, span.scale, span.params)
         points |= {k: each for k, (each, _) in zip(ours, placed, strict=True)}
     untying = span.params.contour_fit.untying
     return {
@@ -173,13 +169,13 @@ def _mean(weights: Sequence[Any], values: Sequence[Any]) -> Array:
 
 
 def _expected(moment: _Moment, k: int) -> Array:
-    """The points of an outline by all witnesses, each weighted by how near it came to the other key."""
+    """The points of an outline by all estimates, each weighted by how near it came to the other key."""
     there, here = moment.there.get(k), moment.here.get(k)
     if there is None or here is None or moment.span.residuals is None:
         only = here if there is None else there
         assert only is not None
         return only
-    if moment.is_laid_by_pose(k):
+    if moment.is_posed(k):
         return _by_poses(moment, k)
     planar = _planar(moment, k)
     if moment.span.is_planar:
@@ -191,7 +187,8 @@ def _expected(moment: _Moment, k: int) -> Array:
 
 
 def _by_poses(moment: _Moment, k: int) -> Array:
-    """The points of an outline that was laid by its pose from either end: the mean where they agree, else the better.
+    """The points of an outline that was carried by its pose from either end: the mean where they agree, else the
+    better.
 
     Each counts the more the less its pose costs, the nearer its key is, and the nearer it came to the other one.
     """
@@ -208,7 +205,7 @@ def _by_poses(moment: _Moment, k: int) -> Array:
 
 
 def _where_more_is(moment: _Moment, k: int, part: Part, region: Field) -> Part:
-    """An outline that the passages took to different pieces of an object goes to the greater of them."""
+    """An outline that the passes took to different components of an object goes to the greater of them."""
     places = [points[k] for points in (moment.there, moment.here) if k in points]
     if len(places) < 2 or not _are_apart(places[0], places[1], moment.span.params.span.apart_by):
         return part
@@ -217,14 +214,14 @@ def _where_more_is(moment: _Moment, k: int, part: Part, region: Field) -> Part:
 
 
 def _are_apart(there: Array, here: Array, by: float) -> bool:
-    """True where the passages followed different pieces of an object that is in pieces: between them lies nothing."""
+    """True where the passes followed different components of an object: between them lies nothing."""
     middles = [points[:, bezier.ANCHOR].mean(axis=0) for points in (there, here)]
     size = np.sqrt(min(float(np.prod(np.ptp(points[:, bezier.ANCHOR], axis=0))) for points in (there, here)))
     return bool(np.hypot(*(middles[0] - middles[1])) > by * size)
 
 
 def _region(moment: _Moment, parts: tuple[Part, ...], covers: Sequence[Array], colours: Colours | None) -> Field | None:
-    """The region that the witnesses agree on, and the picture where no `covers` lie before it.
+    """The region that the estimates agree on, and the picture where no `covers` lie before it.
 
     None where the engine works without regions.
     """
@@ -252,8 +249,8 @@ def _region(moment: _Moment, parts: tuple[Part, ...], covers: Sequence[Array], c
     ]
     values = _mean(weights, [*(field.nats_on(grid) for field in fields), _depth(moment, coverages, grid)])
     sides = [field.on(grid) > 0.5 for field in fields]
-    witnessed = sides[0] | sides[1] | (enclosed(parts, grid) > 0.5)
-    found = proposed.cleaned(Field(grid, values.astype(np.float32)), witnessed, 0.0, span.params.components.speck)
+    known_inside = sides[0] | sides[1] | (enclosed(parts, grid) > 0.5)
+    found = proposed.cleaned(Field(grid, values.astype(np.float32)), known_inside, 0.0, span.params.components.speck)
     return found if colours is None else _compared(moment, found, sides, coverages, covers, colours)
 
 
@@ -265,7 +262,7 @@ def _compared(
     covers: Sequence[Array],
     colours: Colours,
 ) -> Field:
-    """The region when the picture has spoken, too: near its border, and wherever the passages disagree."""
+    """The region when the picture has spoken, too: near its border, and wherever the passes disagree."""
     span, grid, params = moment.span, found.grid, colours.params
     picture = grid.of(colours.picture.image)
     views = [
@@ -290,7 +287,7 @@ def _compared(
 
 
 def _coverage(moment: _Moment, key: Key, stop: Stop | None, grid: Grid) -> Float32:
-    """The share of each cell that the region of a key encloses, carried as one piece to where a passage stands."""
+    """The share of each cell that the region of a key encloses, carried as one piece to where a pass stands."""
     assert stop is not None
     there = zip(key.members, carried(key, stop.carried), strict=True)
     ours = [Part(points, moment.span.subtracts(k)) for k, points in there if k in moment.of_region]
@@ -318,7 +315,7 @@ def _common(grids: list[Grid]) -> Grid:
 
 
 def _span_features(moment: _Moment, known: list[int], outlines: list[Part]) -> SpanFeatures | None:
-    """What speaks against the merged outlines; None where a passage did not arrive, and nothing can be compared."""
+    """What speaks against the merged outlines; None where a pass did not arrive, and nothing can be compared."""
     span = moment.span
     if not known or span.residuals is None or moment.onwards is None or moment.back is None:
         return None
@@ -333,8 +330,8 @@ def _span_features(moment: _Moment, known: list[int], outlines: list[Part]) -> S
     return SpanFeatures.of(missed, nearer, moment.u, span.last.frame - span.first.frame, span.params.confidence)
 
 
-def _signs_of_one(moment: _Moment, k: int, points: Array) -> SpanFeatures | None:
-    """What speaks against one outline that was laid by its pose; None where only one passage knows of it."""
+def _features_of_one(moment: _Moment, k: int, points: Array) -> SpanFeatures | None:
+    """What speaks against one outline that was carried by its pose; None where only one pass knows of it."""
     span, sides = moment.span, [side[k] for side in (moment.there, moment.here) if k in side]
     if k not in span.losses or len(sides) < 2:
         return None
@@ -346,13 +343,13 @@ def _signs_of_one(moment: _Moment, k: int, points: Array) -> SpanFeatures | None
 
 
 def _alone(moment: _Moment) -> float:
-    """Where one passage only speaks: what it was trusted there."""
+    """Where one pass only speaks: what it was trusted there."""
     stops = [stop.confidence for stop in (moment.onwards, moment.back) if stop is not None]
     return float(np.mean(np.concatenate(stops))) if stops else 0.0
 
 
 def _support(moment: _Moment, k: int, count: int) -> Array:
-    """For each point of an outline, in [0, 1]: how near the points of the two passages are to each other."""
+    """For each point of an outline, in [0, 1]: how near the points of the two passes are to each other."""
     there, here = moment.there.get(k), moment.here.get(k)
     if there is None or here is None:
         return np.full(count, 0.5)

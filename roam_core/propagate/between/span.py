@@ -1,4 +1,4 @@
-"""Between two keys: an object carried from both ends of a span at once, and the two passages merged on every frame."""
+"""Between two keys: an object carried from both ends of a span at once, and the two passes merged on every frame."""
 
 from __future__ import annotations
 
@@ -111,7 +111,7 @@ class Reader:
 
 
 class _Meter:
-    """Progress over all passages, whichever thread they run on."""
+    """Progress over all passes, whichever thread they run on."""
 
     def __init__(self, total: int, progress: Progress | None) -> None:
         self._total, self._done, self._progress = max(total, 1), 0, progress
@@ -185,7 +185,7 @@ class Filling:
             return None
 
     def passed(self, shapes: Sequence[RotoShape], gap: tuple[int, int], size: tuple[int, int]) -> Span:
-        """Both passages of one object, side by side."""
+        """Both passes of one object, side by side."""
         first, last = (_key(shapes, frame) for frame in gap)
         frames = range(gap[0], gap[1] + 1)
         ways = [(first, frames), (last, frames[::-1])]

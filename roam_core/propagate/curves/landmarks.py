@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array, Bools
 from roam_core.energy.joint import Pairs, completed, paired
 from roam_core.energy.joint_total import LandmarkContext, Placing
 from roam_core.features import PreparedFrame
@@ -16,8 +16,6 @@ from roam_core.landmarks.pool import LastSeen, Pool
 from roam_core.landmarks.star import Star
 from roam_core.motion.klt import Warp
 from roam_core.params import LandmarkParams, scale_for
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)
@@ -71,12 +69,12 @@ def adapted(
     return LandmarkState(pool, completed(pairs, nodes, pool.positions, pool.params.neighbours))
 
 
-def renewed(state: LandmarkState, nodes: Array, fresh: NDArray[np.bool_]) -> LandmarkState:
+def renewed(state: LandmarkState, nodes: Array, fresh: Bools) -> LandmarkState:
     """The landmarks with the `fresh (N,)` ones of `nodes (N, 2)` paired anew, their shifts as they are now."""
     keep = ~fresh[state.pairs.node]
     kept = Pairs(state.pairs.node[keep], state.pairs.leaf[keep], state.pairs.shift[keep])
     return replace(state, pairs=completed(kept, nodes, state.pool.positions, state.pool.params.neighbours))
 
 
-def _covered(nodes: Array, size: tuple[int, int]) -> NDArray[np.bool_]:
+def _covered(nodes: Array, size: tuple[int, int]) -> Bools:
     return np.asarray(coverage(nodes, size) > 0.5)

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array
 from roam_core.errors import RoamError
 from roam_core.features import PreparedFrame
 from roam_core.geometry import bezier, similarity
@@ -14,8 +14,6 @@ from roam_core.motion.klt import Warp, followed_points
 from roam_core.motion.warp import warp
 from roam_core.params import RoamParams, scale_for
 from roam_core.propagate.curves.landmarks import LandmarkState, search
-
-Array = NDArray[np.float64]
 
 BY_LANDMARKS = ("landmarks", "landmarks+klt", "nodes")
 """Pre-warps that need `RoamParams.landmarks`."""

@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array, Bools
 from roam_core.energy import total
 from roam_core.energy.total import CurveContext
 from roam_core.features import PreparedFrame
@@ -20,8 +20,6 @@ from roam_core.proposal.reshaping.reparametrise import Reshaped, energy_of, resh
 from roam_core.proposal.reshaping.topology import TopologyChange, topology_changes
 from roam_core.proposal.segment.segmentation import Segmentation, segmented
 
-Array = NDArray[np.float64]
-
 
 @dataclass(frozen=True, eq=False)
 class Reshaping:
@@ -34,7 +32,7 @@ class Reshaping:
     """
 
     points: Array
-    fresh: NDArray[np.bool_]
+    fresh: Bools
     topology: tuple[TopologyChange, ...] = ()
 
     @property
@@ -56,7 +54,7 @@ def reshape(
     """The solved outline `points (P, 3, 2)` against a segmentation made around the pre-warped `prior (P, 3, 2)`.
 
     The paper's "Allowing topology changes": where the two differ markedly, pieces of the outline are exchanged that
-    lower E^C. The artist's points are then laid along the new outline, the same in number and order; those on
+    lower E^C. The artist's points are then fitted to the new outline, the same in number and order; those on
     stretches that did not change stay where they are. What comes of it is taken if the joint energy - E^C with the
     landmarks' pull `unary` on the nodes - has fallen. It never crosses itself where `points` did not. Proposals
     take nothing away that would leave less than `least_area` square pixels.
@@ -73,19 +71,19 @@ def reshape(
     topology = topology_changes(new.ring, found, context, params)
     if not new.is_new:
         return replace(as_before, topology=topology)
-    laid = _laid(points, new, found, nodes, params.proposals, scale)
-    fresh = np.hypot(*(nodes.nodes(laid) - old).T) > context.spacing / 2.0
+    fitted = _fitted(points, new, found, nodes, params.proposals, scale)
+    fresh = np.hypot(*(nodes.nodes(fitted) - old).T) > context.spacing / 2.0
 
     def joint(candidate: Array) -> float:
         pull = 0.0 if unary is None else float(unary(nodes.nodes(candidate), total.NO_MOVE)[~fresh].sum())
         return energy_of(bezier.flatten(candidate), context, params) + pull
 
-    if not fresh.any() or joint(laid) >= joint(points):
+    if not fresh.any() or joint(fitted) >= joint(points):
         return replace(as_before, topology=topology)
-    return Reshaping(laid, fresh, topology)
+    return Reshaping(fitted, fresh, topology)
 
 
-def _laid(
+def _fitted(
     points: Array, new: Reshaped, found: Segmentation, nodes: NodeMap, params: ProposalParams, scale: float
 ) -> Array:
     """The control points along the new ring; those whose segments did not change are put back where they were."""

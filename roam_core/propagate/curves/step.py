@@ -6,10 +6,10 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from roam_core.appearance.band import Band
 from roam_core.appearance.colour_models import ColourModels
+from roam_core.arrays import Array, Float32
 from roam_core.cancel import CancelToken
 from roam_core.energy import joint_total, total
 from roam_core.energy.colour_fields import ColourFields
@@ -22,7 +22,7 @@ from roam_core.geometry.simple import untied
 from roam_core.inference.alternate import alternate
 from roam_core.inference.contour_dp import Unary, descend
 from roam_core.motion.klt import Warp
-from roam_core.params import DOUBTFUL, AppearanceParams, RoamParams, scale_for
+from roam_core.params import AppearanceParams, RoamParams, is_doubtful, scale_for
 from roam_core.propagate.curves import landmarks
 from roam_core.propagate.curves.landmarks import LandmarkState
 from roam_core.propagate.curves.prewarp import expected
@@ -32,10 +32,6 @@ from roam_core.propagate.frame.nodes import NodeMap
 from roam_core.propagate.frame.redetection import Watch, as_on_key, is_better
 from roam_core.propagate.frame.result import StepResult, Termination
 from roam_core.proposal.cues.nearest_colours import NearestColours
-
-Array = NDArray[np.float64]
-Float32 = NDArray[np.float32]
-
 
 LocalRatio = Callable[[Grid], Float32]
 """Something that gives ln p_f / p_b of each cell of a grid."""
@@ -328,7 +324,7 @@ def _local_densities(
 
 
 def _termination(confidence: float, converged: bool) -> Termination:
-    if confidence < DOUBTFUL:
+    if is_doubtful(confidence):
         return Termination.LOW_CONFIDENCE
     return Termination.CONVERGED if converged else Termination.MAX_ITERATIONS
 

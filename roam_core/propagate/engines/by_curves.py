@@ -5,9 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-import numpy as np
-from numpy.typing import NDArray
-
+from roam_core.arrays import Array
 from roam_core.cancel import CancelToken
 from roam_core.energy.shares import curve_shares, joint_shares
 from roam_core.features import PreparedFrame
@@ -18,8 +16,6 @@ from roam_core.propagate.curves.step import CurveStep, TrackerState
 from roam_core.propagate.engines.protocol import Account, LandmarkPieces, Motion
 from roam_core.propagate.frame.result import Part, StepResult
 from roam_core.threads import each
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)

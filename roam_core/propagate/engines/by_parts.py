@@ -5,9 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-import numpy as np
-from numpy.typing import NDArray
-
+from roam_core.arrays import Array
 from roam_core.cancel import CancelToken
 from roam_core.features import PreparedFrame
 from roam_core.landmarks.pool import Pool
@@ -19,8 +17,6 @@ from roam_core.propagate.frame.result import Part, StepResult
 from roam_core.propagate.parts import figure
 from roam_core.propagate.parts.figure import FigureState, FigureStep
 from roam_core.propagate.shapes.objects import Unit
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)

@@ -1,1 +1,1 @@
-"""What every engine needs of one frame: its result, curves laid along a region, confidence, re-detection."""
+"""What every engine needs of one frame: its result, curves fitted to a region, confidence, re-detection."""

@@ -1,8 +1,8 @@
-"""How far a solved frame can be trusted: the overlap with what the artist wants that its signs let one expect.
+"""How far a solved frame can be trusted: the overlap with what the artist wants that its features let one expect.
 
 Confidence is an expected IoU: of the frames that are given 0.8, the outlines overlap the true ones by 0.8 in the mean.
-It is a logistic model of a few signs, none of which can speak for a frame, with weights fitted to the shared shots and
-tried on each with that shot left out (`benchmarks/confidence.py` does both, and prints the weights).
+It is a logistic model of a few features, none of which can speak for a frame, with weights fitted to the shared shots
+and tried on each with that shot left out (`benchmarks/confidence.py` does both, and prints the weights).
 """
 
 from __future__ import annotations
@@ -12,8 +12,8 @@ from dataclasses import astuple, dataclass
 
 import cv2
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array, Bools, Float32
 from roam_core.energy.total import CurveContext
 from roam_core.geometry import polyline
 from roam_core.motion.klt import Warp
@@ -23,9 +23,6 @@ from roam_core.propagate.frame.contour_fit import enclosed
 from roam_core.propagate.frame.result import Part
 from roam_core.proposal.cues.evidence import SURE, Expectation, Field
 
-Array = NDArray[np.float64]
-Bools = NDArray[np.bool_]
-
 
 @dataclass(frozen=True)
 class ConfidenceFeatures:
@@ -33,7 +30,7 @@ class ConfidenceFeatures:
 
     Attributes
     ----------
-    unenclosed : -ln of the overlap of what the curves enclose with the region that they were laid along.
+    unenclosed : -ln of the overlap of what the curves enclose with the region that they were fitted to.
     flat : how little the log-ratio rises beside the border of the region: 1 where it says nothing, 0 where it is sure.
     undecided : cells under one nat to either side, per cell of the region; at most 3.
     new : the share of the region that lies outside the key's, carried all the way.
@@ -63,11 +60,11 @@ class ConfidenceFeatures:
         parts: Sequence[Part],
         found: Field,
         expected: Expectation,
-        flow_reliability: NDArray[np.float32],
+        flow_reliability: Float32,
         frames: int,
         params: ConfidenceParams = CONFIDENCE,
     ) -> ConfidenceFeatures:
-        """Of the outlines laid along the region `found`, so many frames after the key.
+        """Of the outlines fitted to the region `found`, so many frames after the key.
 
         `flow_reliability (rows, columns)`, on the region's grid, is how sound the flow has been since the key.
         """
@@ -149,7 +146,7 @@ class SpanFeatures:
     def of(
         cls, missed: float, nearer: float, u: float, frames: int, params: ConfidenceParams = CONFIDENCE
     ) -> SpanFeatures:
-        """From the miss at the keys, the overlap with the `nearer` passage, and the place in a span of `frames`."""
+        """From the miss at the keys, the overlap with the `nearer` pass, and the place in a span of `frames`."""
         middle = 2.0 * float(np.sqrt(u * (1.0 - u)))
         return cls(missed, -float(np.log(max(nearer, params.far_apart))), middle, float(np.log(frames)))
 
@@ -218,7 +215,7 @@ def wholeness(line: Array, extent: float) -> float:
     return float(np.clip(abs(polyline.signed_area(line)) / max(0.5 * extent, 1e-9), 0.0, 1.0))
 
 
-def _lookup(field: NDArray[np.float32], positions: Array) -> Array:
+def _lookup(field: Float32, positions: Array) -> Array:
     """Values of `field` under `positions (..., 2)`; zero outside."""
     height, width = field.shape
     column, row = (np.floor(positions[..., k]).astype(np.intp) for k in (0, 1))

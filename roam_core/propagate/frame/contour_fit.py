@@ -1,4 +1,4 @@
-"""The curves of an object laid along its region, points in correspondence; what finds no place of its own closes."""
+"""The curves of an object fitted to its region, points in correspondence; what finds no place of its own closes."""
 
 from __future__ import annotations
 
@@ -6,8 +6,8 @@ from collections.abc import Sequence
 
 import cv2
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array, Bools, Float32
 from roam_core.features.grid import Grid
 from roam_core.geometry import bezier
 from roam_core.geometry.simple import simplified
@@ -17,10 +17,6 @@ from roam_core.propagate.frame.result import Part
 from roam_core.proposal.cues.evidence import Field
 from roam_core.proposal.outline.contour import KeyConstraints, follow
 from roam_core.proposal.segment.components import ring_around, shares
-
-Array = NDArray[np.float64]
-Float32 = NDArray[np.float32]
-Bools = NDArray[np.bool_]
 
 
 def spline_coverage(points: Array, grid: Grid) -> Float32:
@@ -37,7 +33,7 @@ def enclosed(parts: Sequence[Part], grid: Grid) -> Float32:
     return share
 
 
-def laid(
+def fitted(
     parts: Sequence[Part],
     constraints: Sequence[KeyConstraints],
     found: Field,
@@ -50,9 +46,9 @@ def laid(
 
     `parts` lie where they were carried, and do not cross themselves: where no shape finds anything all stay there.
     `expected` tells where along the outline their points should come to lie, if not just there; `constraints` are what
-    they keep of their key. Pieces of the region hang together by threads up to `RegionParams.longest_bridge`, or, at 0,
-    not at all; `likely` is where pieces belong to the object that no shape claims, everywhere if it is None. A shape
-    that finds nothing while others do, and lies mostly outside the region, is out of sight and closes to almost
+    they keep of their key. Components of the region are joined by bridges up to `RegionParams.longest_bridge`, or, at
+    0, not at all; `likely` is where components belong to the object that no shape claims, everywhere if it is None. A
+    shape that finds nothing while others do, and lies mostly outside the region, is out of sight and closes to almost
     nothing, as does a hole that the region fills.
     """
     inside = found.inside

@@ -5,15 +5,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
 from roam_core.appearance.global_model import GlobalModel
+from roam_core.arrays import Array, Bools, UInt8
 from roam_core.features.grid import Grid
 from roam_core.kernels.coverage import coverage
 from roam_core.proposal.cues.evidence import SURE, Expectation, Field
-
-Array = NDArray[np.float64]
-Bools = NDArray[np.bool_]
 
 
 def covered(covers: Sequence[Array], grid: Grid) -> Bools | None:
@@ -41,7 +38,7 @@ def carried_behind(ratio: Field, covers: Sequence[Array], expected: Expectation)
     return Field(ratio.grid, np.where(hidden, carried, ratio.values))
 
 
-def learned_colours(image: NDArray[np.uint8], region: Field, covers: Sequence[Array]) -> GlobalModel:
+def learned_colours(image: UInt8, region: Field, covers: Sequence[Array]) -> GlobalModel:
     """The colours of a picture, in cells, inside and outside a region, without those of what covers it."""
     inside, hidden = region.inside, covered(covers, region.grid)
     if hidden is None or not (inside & ~hidden).any():

@@ -5,16 +5,14 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.sparse import csc_array
 from scipy.sparse.linalg import splu
 
+from roam_core.arrays import Array, Bools, Indices
 from roam_core.geometry import bezier
 from roam_core.geometry.bezier import ANCHOR, IN, OUT
 from roam_core.params import RoamParams
 from roam_core.roto.edit import is_smooth
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)
@@ -29,11 +27,11 @@ class NodeMap:
     smooth : (P,) points whose two handles stay on one line.
     """
 
-    segment: NDArray[np.intp]
+    segment: Indices
     t: Array
     sample: Array
     back: Array
-    smooth: NDArray[np.bool_]
+    smooth: Bools
 
     @classmethod
     def of(cls, points: Array, params: RoamParams, scale: float) -> NodeMap:
@@ -59,7 +57,7 @@ class NodeMap:
         return bezier.aligned(moved.reshape(-1, 3, 2), self.smooth)
 
 
-def _pairs(points: Array, params: RoamParams, scale: float) -> tuple[NDArray[np.intp], Array]:
+def _pairs(points: Array, params: RoamParams, scale: float) -> tuple[Indices, Array]:
     control = bezier.segments(points)
     fine = np.linspace(0.0, 1.0, 17)
     lines = np.einsum("tk,skc->stc", bezier.bernstein(fine), control)
@@ -110,6 +108,6 @@ def _way_back(points: Array, sample: Array, rigidity: float) -> Array:
     return np.asarray(csc_array(tie) @ splu(normal).solve(np.ascontiguousarray(design.T)))
 
 
-def smooth_points(points: Array) -> NDArray[np.bool_]:
+def smooth_points(points: Array) -> Bools:
     """Which points `(P,)` of a spline are to stay smooth: those whose handles are opposite within twelve degrees."""
     return np.array([is_smooth(point, degrees=12.0) for point in points], dtype=bool)

@@ -11,9 +11,9 @@ from functools import cached_property
 
 import cv2
 import numpy as np
-from numpy.typing import NDArray
 
 from roam_core.appearance.global_model import GlobalModel
+from roam_core.arrays import Array, Float32
 from roam_core.features import PreparedFrame, Region
 from roam_core.features.grid import Grid
 from roam_core.geometry import polyline
@@ -21,9 +21,6 @@ from roam_core.kernels.coverage import coverage
 from roam_core.params import RedetectionParams, RegionParams
 from roam_core.proposal.cues.evidence import Field, KeyMemory
 from roam_core.threads import each
-
-Array = NDArray[np.float64]
-Float32 = NDArray[np.float32]
 
 
 @dataclass(frozen=True, eq=False)
@@ -147,7 +144,7 @@ class AppearanceTemplate:
     def found(self, frame: PreparedFrame, last_seen: LastSeen) -> Array | None:
         """The similarity `(3, 3)` from the key that puts the object where it is seen; None where it is not.
 
-        Turn and size are those of the sighting, but for `RedetectionParams.sizes`.
+        Turn and size are those where it was last seen, but for `RedetectionParams.sizes`.
         """
         if self.extent < 1.0:
             return None
@@ -220,7 +217,8 @@ class Watch:
 
     Attributes
     ----------
-    drawn : (P, 3, 2) control points on the key. lookout : what it looked like there. sighting : when it was last seen.
+    drawn : (P, 3, 2) control points on the key. appearance : what it looked like there. last_seen : when it was last
+        seen.
     resemblance : how much it looked so on the last frame, in [0, 1].
     """
 

@@ -7,16 +7,12 @@ from dataclasses import dataclass, field
 from enum import StrEnum
 from functools import cached_property
 
-import numpy as np
-from numpy.typing import NDArray
-
+from roam_core.arrays import Array, Indices
 from roam_core.geometry import bezier
-from roam_core.params import DOUBTFUL
+from roam_core.params import is_doubtful
 from roam_core.propagate.frame.topology_proposals import Proposal
 from roam_core.proposal.reshaping.topology import TopologyChange
 from roam_core.roto import Keyframe, RotoShape
-
-Array = NDArray[np.float64]
 
 
 class Termination(StrEnum):
@@ -33,7 +29,7 @@ class Termination(StrEnum):
     @classmethod
     def of(cls, confidence: float) -> Termination:
         """How a frame ends that was carried or filled without more ado: doubted or not."""
-        return cls.CONVERGED if confidence >= DOUBTFUL else cls.LOW_CONFIDENCE
+        return cls.LOW_CONFIDENCE if is_doubtful(confidence) else cls.CONVERGED
 
 
 @dataclass(frozen=True, eq=False)
@@ -80,7 +76,7 @@ class Landmarks:
         landmark is, in whichever direction and however often a run passed it.
     """
 
-    ids: NDArray[np.intp]
+    ids: Indices
     positions: Array
     learned_on: int
 

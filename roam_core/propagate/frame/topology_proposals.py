@@ -5,9 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 
-import numpy as np
-from numpy.typing import NDArray
-
+from roam_core.arrays import Array
 from roam_core.geometry import fit
 from roam_core.geometry.simple import simplified
 from roam_core.params import ProposalParams
@@ -16,8 +14,6 @@ from roam_core.proposal.outline.contour import KeyConstraints, follow
 from roam_core.proposal.reshaping.topology import TopologyChange, TopologyKind
 from roam_core.roto import Clip, Keyframe, Layer, Origin, Project, RotoShape, Spline
 from roam_core.roto.edit import set_engine_keys, set_key
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)
@@ -31,7 +27,7 @@ class Proposal:
     before : the shape as it was tracked, with its key on the frame.
     rings : outlines `(K, 2)` of the parts that stay, in pixels, the largest first.
     gain : by how much the energy would fall.
-    scale : `scale_for` of the picture. params : how its outlines are laid and fitted.
+    scale : `scale_for` of the picture. params : how its outlines are fitted.
     """
 
     kind: TopologyKind
@@ -58,7 +54,7 @@ class Proposal:
     def after(self) -> tuple[RotoShape, ...]:
         """The shapes as they would be, made when they are first asked for: most offers are never looked at.
 
-        The first is the old shape with its own points laid along the largest part; the others are new and begin on the
+        The first is the old shape with its own points fitted to the largest part; the others are new and begin on the
         frame.
         """
         (shape,) = self.before

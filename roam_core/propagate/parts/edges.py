@@ -12,9 +12,9 @@ from dataclasses import dataclass, replace
 from enum import IntEnum
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.ndimage import median_filter
 
+from roam_core.arrays import Array, Bools, Indices
 from roam_core.features import PreparedFrame, Region
 from roam_core.features.pyramid import Pyramid
 from roam_core.geometry import bezier, polyline
@@ -25,9 +25,6 @@ from roam_core.propagate.shapes.provenance import Stamps, governing_key, source_
 from roam_core.propagate.whole.posed import is_narrow
 from roam_core.roto import BlendMode, RotoShape
 
-Array = NDArray[np.float64]
-Bools = NDArray[np.bool_]
-Ints = NDArray[np.intp]
 ReadPicture = Callable[[int], PreparedFrame]
 
 
@@ -57,11 +54,11 @@ class Edges:
     contrast : (N,) in [0, 1], how much the picture changes across the outline; NaN outside the picture.
     """
 
-    segment: Ints
+    segment: Indices
     t: Array
     places: Array
     lengths: Array
-    kinds: Ints
+    kinds: Indices
     contrast: Array
 
     def share(self, kind: Edge) -> float:
@@ -79,7 +76,7 @@ def edges(
     shapes: Sequence[RotoShape],
     frame: int,
     only: Collection[str] | None = None,
-    samples: Mapping[str, tuple[Ints, Array]] | None = None,
+    samples: Mapping[str, tuple[Indices, Array]] | None = None,
 ) -> dict[str, Edges]:
     """The edges on `frame`, which shows `picture`, of each closed shape that is there, by its id.
 
@@ -128,7 +125,7 @@ def _of_object(
     together: Sequence[RotoShape],
     frame: int,
     only: Collection[str] | None,
-    samples: Mapping[str, tuple[Ints, Array]],
+    samples: Mapping[str, tuple[Indices, Array]],
 ) -> dict[str, Edges]:
     """The edges of the shapes of one object."""
     asked = [k for k, shape in enumerate(together) if only is None or shape.id in only]
@@ -144,7 +141,7 @@ def _of_object(
     return {together[k].id: stack.judged(k, sampled[k]) for k in asked}
 
 
-def _sampled(points: Array, scale: float, given: tuple[Ints, Array] | None) -> Edges:
+def _sampled(points: Array, scale: float, given: tuple[Indices, Array] | None) -> Edges:
     """Samples of an outline of which nothing is known yet, about `FreeEdgesParams.step` apart in each segment."""
     if given is None:
         control = bezier.segments(points)
@@ -157,7 +154,7 @@ def _sampled(points: Array, scale: float, given: tuple[Ints, Array] | None) -> E
     return Edges(segment, t, places, 0.5 * (ahead + polyline.preceding(ahead)), unknown, np.full(len(t), np.nan))
 
 
-def _pairs(counts: Ints) -> tuple[Ints, Array]:
+def _pairs(counts: Indices) -> tuple[Indices, Array]:
     """Pairs (segment, t), so many in each segment, at equal steps of its parameter from its beginning on."""
     segment = np.repeat(np.arange(len(counts)), counts)
     within = np.arange(len(segment)) - np.repeat(np.cumsum(counts) - counts, counts)

@@ -15,8 +15,8 @@ from typing import TypeVar
 
 import cv2
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array, Float32, UInt8
 from roam_core.cancel import CancelToken
 from roam_core.features import PreparedFrame, Region
 from roam_core.features.grid import Grid
@@ -37,9 +37,6 @@ from roam_core.propagate.whole.region import RegionState, RegionStep
 from roam_core.roto import BlendMode
 
 T = TypeVar("T")
-Array = NDArray[np.float64]
-Float32 = NDArray[np.float32]
-UInt8 = NDArray[np.uint8]
 
 
 @dataclass(frozen=True, eq=False)

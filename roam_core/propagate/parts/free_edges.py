@@ -1,7 +1,7 @@
 """Free edges: where a part's outline is the object's own, it is drawn to the border of the object's region.
 
 An outline has two kinds of edge. A seam runs inside the object, between parts that may look alike, or under another
-part: it goes with the part's own motion. A free edge has the ground beside it: there the picture changes, and the
+part: it goes with the part's own motion. A free edge has the background beside it: there the picture changes, and the
 region of the whole object, which is good at that, knows the place better than a stiff pose does.
 """
 
@@ -9,16 +9,12 @@ from __future__ import annotations
 
 import cv2
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array, Float32, Indices, UInt8
 from roam_core.features.grid import Grid, signed_distance
 from roam_core.geometry import bezier, polyline
 from roam_core.params import FreeEdgesParams
 from roam_core.proposal.cues.evidence import Field
-
-Array = NDArray[np.float64]
-Float32 = NDArray[np.float32]
-UInt8 = NDArray[np.uint8]
 
 
 class Border:
@@ -80,7 +76,7 @@ def drawn_to(border: Border, points: Array, others: UInt8) -> Array:
     return moved
 
 
-def _stretch(before: int, here: int, after: int, count: int) -> NDArray[np.intp]:
+def _stretch(before: int, here: int, after: int, count: int) -> Indices:
     """The places from half way to the point before a point to half way to the one after it, on a ring of `count`."""
     back, ahead = ((here - before) % count) // 2, ((after - here) % count) // 2
     if back + ahead >= count:

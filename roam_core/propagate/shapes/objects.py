@@ -9,16 +9,14 @@ from functools import cached_property, lru_cache
 from itertools import combinations
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
+from roam_core.arrays import Array
 from roam_core.geometry import bezier, polyline
 from roam_core.kernels.coverage import coverage
 from roam_core.params import OBJECTS, scale_for
 from roam_core.roto import BlendMode, RotoShape
 from roam_core.roto.shape import Same
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)

@@ -16,9 +16,7 @@ from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
 from pathlib import Path
 
-import numpy as np
-from numpy.typing import NDArray
-
+from roam_core.arrays import Array
 from roam_core.errors import RoamError
 from roam_core.params import RoamParams, params_for
 from roam_core.propagate.shapes.objects import near, objects
@@ -26,7 +24,7 @@ from roam_core.roto import BlendMode, Clip, Keyframe, Origin, RotoShape
 from roam_core.roto.imported import import_stamp, is_import
 from roam_core.roto.sight import is_shut, opened
 
-REVISION = 4
+REVISION = 5
 """Of the engine: another one whenever the same input gives other points (a test tells when that is)."""
 FILL = "fill"
 """The direction of a key that was filled from both sides."""
@@ -127,7 +125,7 @@ def _there(shape: RotoShape, gap: tuple[int, int]) -> tuple[int, int]:
     return max(first, gap[0]), min(stop, gap[1] + 1)
 
 
-def outline_begun(shape: RotoShape, frame: int, forward: bool) -> NDArray[np.float64]:
+def outline_begun(shape: RotoShape, frame: int, forward: bool) -> Array:
     """The control points with which a run in this direction begins on a frame.
 
     Between keys those of the engine that lie ahead do not count: they may be the run's own. What was closed there,

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from roam_core.params import DOUBTFUL
+from roam_core.params import is_doubtful
 from roam_core.roto import Keyframe, Origin, RotoShape
 
 
@@ -14,7 +14,7 @@ def suggest_keyframe(shape: RotoShape) -> int | None:
     gap between two keys where it was filled from both. So it is the beginning of a bad stretch rather than its worst
     frame: what comes after was carried from there. The earlier frame wins a tie.
     """
-    doubtful = [key for key in _engine_keys(shape) if key.confidence is not None and key.confidence < DOUBTFUL]
+    doubtful = [key for key in _engine_keys(shape) if is_doubtful(key.confidence)]
     return max(doubtful, key=lambda key: (_gain(shape, key), -key.frame)).frame if doubtful else None
 
 

@@ -9,8 +9,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array
 from roam_core.features import PreparedFrame, Region
 from roam_core.features.pyramid import Pyramid
 from roam_core.geometry import bezier
@@ -21,8 +21,6 @@ from roam_core.propagate.frame.confidence import overlap, vertex_confidence
 from roam_core.propagate.frame.contour_fit import enclosed
 from roam_core.propagate.frame.result import Part, StepResult, Termination
 from roam_core.proposal.cues.evidence import Field
-
-Array = NDArray[np.float64]
 
 
 def on_key(

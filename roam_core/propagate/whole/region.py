@@ -1,4 +1,4 @@
-"""One frame by regions: evidence around the whole object, the proposed region, every shape's curve laid along it.
+"""One frame by regions: evidence around the whole object, the proposed region, every shape's curve fitted to it.
 
 The paper lets a segmentation propose drastic changes where it and the curve differ markedly. Here it proposes on every
 frame: all shapes that are tracked together are one object; its region is carried, the curves follow its outlines.
@@ -11,9 +11,9 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 
 import numpy as np
-from numpy.typing import NDArray
 
 from roam_core.appearance.global_model import GlobalModel
+from roam_core.arrays import Array, Float32
 from roam_core.cancel import CancelToken
 from roam_core.features import PreparedFrame, Region
 from roam_core.features.grid import Grid
@@ -29,7 +29,7 @@ from roam_core.propagate.frame.confidence import (
     overlap,
     vertex_confidence,
 )
-from roam_core.propagate.frame.contour_fit import enclosed, laid, trusts_of
+from roam_core.propagate.frame.contour_fit import enclosed, fitted, trusts_of
 from roam_core.propagate.frame.covering import carried_behind, learned_colours, visible
 from roam_core.propagate.frame.nodes import smooth_points
 from roam_core.propagate.frame.redetection import AppearanceTemplate, LastSeen, area_of, as_on_key, is_better, middle_of
@@ -41,10 +41,6 @@ from roam_core.proposal.cues.label_propagation import label_propagation
 from roam_core.proposal.cues.motion_cue import motion_on
 from roam_core.proposal.outline.contour import KeyConstraints
 from roam_core.proposal.segment import region as proposed
-
-Array = NDArray[np.float64]
-Float32 = NDArray[np.float32]
-Bools = NDArray[np.bool_]
 
 
 @dataclass(frozen=True, eq=False)
@@ -85,7 +81,7 @@ class RegionState:
 
     @property
     def is_posed(self) -> bool:
-        """Whether the outlines of the last frame were laid by the pose."""
+        """Whether the outlines of the last frame were carried by the pose."""
         return isinstance(self.features, PoseFeatures)
 
     @property
@@ -236,8 +232,8 @@ def _carried(
             return _as_posed(state, frame, observation, state.pose, parts, params)
     parts = tuple(replace(part, points=similarity.apply(observation.moved[:2], part.points)) for part in state.parts)
     shapes = zip(parts, state.drawn, state.constraints, strict=True)
-    held = [_held(*shape, observation.sources.key, params, scale) for shape in shapes]
-    placed = laid(parts, state.constraints, found, scale, params, held, expected.likely)
+    pulled = [_pulled_to_key(*shape, observation.sources.key, params, scale) for shape in shapes]
+    placed = fitted(parts, state.constraints, found, scale, params, pulled, expected.likely)
     colours = _adapted(state, observation, found, params)
     outlines = [replace(part, points=points) for part, (points, _) in zip(parts, placed, strict=True)]
     flow_reliability = _flow_reliability(observation, found)
@@ -257,7 +253,7 @@ def evidence(observation: Observation, params: RegionParams, covers: Sequence[Ar
     return carried_behind(gathered(observation.sources, params), covers, observation.sources.expected)
 
 
-def _held(
+def _pulled_to_key(
     part: Part, drawn: Part, constraints: KeyConstraints, key: KeyMemory, params: RegionParams, scale: float
 ) -> Array:
     """The points `(P, 3, 2)` of a shape that was carried on from the last frame, drawn a little towards the key's.
@@ -265,8 +261,8 @@ def _held(
     What points slide by from frame to frame would add up otherwise.
     """
     way = similarity.apply(key.to_now[:2], drawn.points) - part.points
-    length = np.hypot(*way[:, bezier.ANCHOR].T) / (params.held_within * scale)
-    return bezier.aligned(part.points + (params.held / (1.0 + length**2))[:, None, None] * way, constraints.smooth)
+    length = np.hypot(*way[:, bezier.ANCHOR].T) / (params.key_pull_reach * scale)
+    return bezier.aligned(part.points + (params.key_pull / (1.0 + length**2))[:, None, None] * way, constraints.smooth)
 
 
 def _as_one_piece(

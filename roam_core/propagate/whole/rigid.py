@@ -1,6 +1,6 @@
 """A rigid mode: as long as an object's inside looks as on the artist's key, moved as a plane moves, so do its curves.
 
-Beyond the paper. Curves that are laid along a region anew on every frame lose what is thinner than its cells, and what
+Beyond the paper. Curves that are fitted to a region anew on every frame lose what is thinner than its cells, and what
 is lost does not come back; a motion that is matched to the key itself adds nothing up. It is believed where most of the
 key's corners are found where it says (`RegionParams.rigid`), so each object, on each frame, chooses for itself.
 """
@@ -10,8 +10,8 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array
 from roam_core.features import PreparedFrame
 from roam_core.geometry import bezier, polyline, projective, similarity
 from roam_core.geometry.plane_motion import PlaneMotion, fit
@@ -19,8 +19,6 @@ from roam_core.motion.planar import Match, Reference
 from roam_core.params import RigidityParams, scale_for
 from roam_core.propagate.frame.confidence import ConfidenceFeatures
 from roam_core.propagate.frame.result import Part
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)

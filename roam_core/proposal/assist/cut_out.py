@@ -12,8 +12,8 @@ from dataclasses import dataclass, replace
 
 import cv2
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array, Bools, Float32, UInt8
 from roam_core.cancel import CancelToken, Progress
 from roam_core.errors import RoamError
 from roam_core.matte.vectorise import shapes_from_mask
@@ -21,11 +21,6 @@ from roam_core.params import CUT_OUT
 from roam_core.proposal.assist.growing import grown
 from roam_core.roto import BlendMode, RotoShape
 
-Array = NDArray[np.float64]
-Image = NDArray[np.uint8]
-Mask = NDArray[np.uint8]
-Float32 = NDArray[np.float32]
-Bools = NDArray[np.bool_]
 Spot = tuple[float, float]
 
 
@@ -33,12 +28,12 @@ Spot = tuple[float, float]
 class _Piece:
     """A small copy of a part of the picture: `pixels (rows, columns, 3)`, its corner, its cells' size in pixels."""
 
-    pixels: Image
+    pixels: UInt8
     corner: Array
     cell: Array
 
     @classmethod
-    def of(cls, image: Image, low: Array, high: Array) -> _Piece:
+    def of(cls, image: UInt8, low: Array, high: Array) -> _Piece:
         height, width = image.shape[:2]
         left, top = (max(math.floor(v), 0) for v in low)
         right, bottom = min(math.ceil(high[0]), width), min(math.ceil(high[1]), height)
@@ -68,7 +63,7 @@ UNMARKED = Marks()
 
 
 def cut_box(
-    image: Image,
+    image: UInt8,
     low: Spot,
     high: Spot,
     frame: int,
@@ -87,7 +82,7 @@ def cut_box(
     Raises
     ------
     RoamError
-        when the box is too small, leaves no ground to tell the object from, or nothing in it stands out.
+        when the box is too small, leaves no background to tell the object from, or nothing in it stands out.
     """
     size = np.array(image.shape[1::-1], dtype=np.float64)
     a, b = np.clip(np.array(low), 0.0, size), np.clip(np.array(high), 0.0, size)
@@ -103,7 +98,7 @@ def cut_box(
 
 
 def cut_click(
-    image: Image, frame: int, marks: Marks, token: CancelToken | None = None, progress: Progress | None = None
+    image: UInt8, frame: int, marks: Marks, token: CancelToken | None = None, progress: Progress | None = None
 ) -> list[RotoShape]:
     """The object at `marks.inside` (clicks on it): regions of like colour are grown there, boxed and cut out.
 
@@ -132,8 +127,8 @@ def cut_click(
 def _marked_region(whole: _Piece, marks: Marks) -> Bools:
     """The regions of like colour around the marks inside; the first must have one.
 
-    One around a later mark that is much larger than those before it and runs along the picture's border is the ground,
-    which shows through there.
+    One around a later mark that is much larger than those before it and runs along the picture's border is the
+    background, which shows through there.
     """
     region: Bools | None = None
     for spot in marks.inside:
@@ -160,10 +155,10 @@ def _along_border(region: Bools) -> float:
     return float(border.mean())
 
 
-def _put_marks(labels: Mask, piece: _Piece, marks: Marks) -> None:
+def _put_marks(labels: UInt8, piece: _Piece, marks: Marks) -> None:
     """Hold the cells around each mark in the labels `(rows, columns)` on its side.
 
-    What is of like colour around a mark beside the object is likely ground, too.
+    What is of like colour around a mark beside the object is likely background, too.
     """
     rows, columns = labels.shape
     for spot in marks.outside:
@@ -206,7 +201,7 @@ def _fitted(piece: _Piece, cut: Bools, frame: int) -> list[RotoShape]:
     return [_placed(shape, lambda points: piece.corner + points * piece.cell) for shape in kept]
 
 
-def _covered(pixels: Image, cut: Bools) -> Float32:
+def _covered(pixels: UInt8, cut: Bools) -> Float32:
     """How much of each cell the object covers: near the border of the cut, how far its colour is the object's.
 
     The border's cells mix both sides, and the cut counts most of them as inside. Where the sides differ too little to
@@ -215,15 +210,15 @@ def _covered(pixels: Image, cut: Bools) -> Float32:
     inside, colours = cut.astype(np.uint8), pixels.astype(np.float32)
     kernel = np.ones((5, 5), dtype=np.uint8)
     core, beyond = cv2.erode(inside, kernel), cv2.erode(1 - inside, kernel)
-    object_, ground = _local_mean(colours, core), _local_mean(colours, beyond)
-    across = object_ - ground
+    object_, background = _local_mean(colours, core), _local_mean(colours, beyond)
+    across = object_ - background
     contrast = np.einsum("rcl,rcl->rc", across, across)
-    share = np.einsum("rcl,rcl->rc", colours - ground, across) / np.maximum(contrast, 1.0)
+    share = np.einsum("rcl,rcl->rc", colours - background, across) / np.maximum(contrast, 1.0)
     told = (core == 0) & (beyond == 0) & (contrast > CUT_OUT.least_contrast**2)
     return np.where(told, np.clip(share, 0.0, 1.0), inside).astype(np.float32)
 
 
-def _local_mean(colours: Float32, chosen: Mask) -> Float32:
+def _local_mean(colours: Float32, chosen: UInt8) -> Float32:
     """The mean colour `(rows, columns, 3)` of the chosen cells around each cell."""
     weight = chosen.astype(np.float32)
     total = cv2.boxFilter(colours * weight[:, :, None], -1, (CUT_OUT.local, CUT_OUT.local), normalize=False)
@@ -235,11 +230,11 @@ def _placed(shape: RotoShape, place: Callable[[Array], Array]) -> RotoShape:
     return replace(shape, keys=tuple(replace(key, points=place(key.points)) for key in shape.keys))
 
 
-def _cut(pixels: Image, labels: Mask, told: _Told) -> Bools:
+def _cut(pixels: UInt8, labels: UInt8, told: _Told) -> Bools:
     """GrabCut from the first `labels`, round after round; True inside."""
     colours = cv2.GaussianBlur(pixels, (0, 0), 0.8)
     if not ((labels == cv2.GC_BGD) | (labels == cv2.GC_PR_BGD)).any():
-        raise RoamError("The box leaves no ground around the object; drag one that does not fill the picture.")
+        raise RoamError("The box leaves no background around the object; drag one that does not fill the picture.")
     behind, before, least = np.zeros((1, 65)), np.zeros((1, 65)), CUT_OUT.least_share * _inside(labels).sum()
     cv2.setRNGSeed(0)  # The colours' first guess is drawn at random: the same box gives the same shape.
     for number in range(CUT_OUT.rounds):
@@ -253,7 +248,7 @@ def _cut(pixels: Image, labels: Mask, told: _Told) -> Bools:
     return _inside(labels)
 
 
-def _inside(labels: Mask) -> Bools:
+def _inside(labels: UInt8) -> Bools:
     return np.asarray((labels == cv2.GC_FGD) | (labels == cv2.GC_PR_FGD))
 
 
@@ -269,7 +264,7 @@ def _chosen(inside: Bools, piece: _Piece, marks: Marks) -> Bools:
 
 
 def _box_of(region: Bools, whole: _Piece) -> tuple[Array, Array]:
-    """The box that an object may fill of which a region is known: wide enough that all kinds of ground are in it."""
+    """The box for an object of which a region is known: wide enough that every kind of background is in it."""
     rows, columns = np.nonzero(region)
     low = whole.corner + np.array([columns.min(), rows.min()]) * whole.cell
     high = whole.corner + (np.array([columns.max(), rows.max()]) + 1) * whole.cell
@@ -303,8 +298,8 @@ def _resampled(mask: Bools, source: _Piece, target: _Piece) -> Bools:
     return result
 
 
-def _seeded(piece: _Piece, region: Bools, low: Array, high: Array) -> Mask:
-    """First labels: the region is likely inside, its core surely; outside of the box `low`, `high` is ground."""
+def _seeded(piece: _Piece, region: Bools, low: Array, high: Array) -> UInt8:
+    """First labels: the region is likely inside, its core surely; outside of the box `low`, `high` is background."""
     labels = np.full(region.shape, cv2.GC_BGD, dtype=np.uint8)
     (left, top), (right, bottom) = piece.cells(low), piece.cells(high)
     labels[max(top, 0) : bottom + 1, max(left, 0) : right + 1] = cv2.GC_PR_BGD

@@ -6,15 +6,12 @@ from itertools import pairwise
 
 import cv2
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Bools, UInt8
 from roam_core.params import GROWING
 
-Image = NDArray[np.uint8]
-Bools = NDArray[np.bool_]
 
-
-def grown(pixels: Image, cell: tuple[int, int]) -> Bools | None:
+def grown(pixels: UInt8, cell: tuple[int, int]) -> Bools | None:
     """The region of like colour around a cell `(column, row)`, as large as it gets before it leaks out; or None."""
     colours = cv2.cvtColor(cv2.bilateralFilter(pixels, 5, 30.0, 5.0).astype(np.float32) / 255.0, cv2.COLOR_RGB2Lab)
     column, row = cell

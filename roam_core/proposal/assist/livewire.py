@@ -12,12 +12,10 @@ from typing import Any
 
 import cv2
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array, UInt8
 from roam_core.params import LIVE_WIRE
 
-Array = NDArray[np.float64]
-Image = NDArray[np.uint8]
 Spot = tuple[float, float]
 
 
@@ -38,7 +36,7 @@ class LiveWire:
     _scissors: Any
 
     @classmethod
-    def around(cls, image: Image, seed: Spot, reach: float, step: float = 1.0) -> LiveWire:
+    def around(cls, image: UInt8, seed: Spot, reach: float, step: float = 1.0) -> LiveWire:
         """The wire from `seed` in the piece of `image (h, w, 3)` uint8 that lies within `reach` pixels of it.
 
         `step` (>= 1) is the size of a cell in pixels: edges finer than that are not seen, and the map is the quicker.
@@ -80,7 +78,7 @@ class LiveWire:
         return min(column, columns - 1), min(row, rows - 1)
 
 
-def snapped(image: Image, spot: Spot, reach: float) -> Spot:
+def snapped(image: UInt8, spot: Spot, reach: float) -> Spot:
     """The strongest edge of `image (h, w, 3)` uint8 within `reach` pixels of `spot`, or the spot itself without one."""
     margin = math.ceil(reach) + 3
     left, top = max(math.floor(spot[0]) - margin, 0), max(math.floor(spot[1]) - margin, 0)

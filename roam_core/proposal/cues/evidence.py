@@ -8,9 +8,9 @@ from functools import cached_property
 
 import cv2
 import numpy as np
-from numpy.typing import NDArray
 
 from roam_core.appearance.global_model import GlobalModel
+from roam_core.arrays import Array, Bools, Float32, UInt8
 from roam_core.features import PreparedFrame
 from roam_core.features.grid import Grid, signed_distance
 from roam_core.kernels.diffusion import diffuse
@@ -18,11 +18,6 @@ from roam_core.kernels.local_match import log_ratio, nearest_colours
 from roam_core.params import RegionParams
 from roam_core.proposal.cues.key_view import KeyFlow, KeyView, lab, trimap
 from roam_core.proposal.cues.label_propagation import LabelPropagation
-
-Array = NDArray[np.float64]
-Float32 = NDArray[np.float32]
-UInt8 = NDArray[np.uint8]
-Bools = NDArray[np.bool_]
 
 SURE = 4.0
 """Nats given to pixels too deep inside or too far outside to be in doubt."""
@@ -112,7 +107,7 @@ class Sources:
     backward : (rows, columns, 2) flow from `after` to `before` in cells. motion : (rows, columns) its log-ratio.
     key, colours : the artist's key, and the global colours as they have become since.
     band_reach : cells to both sides of the expected outline in which pixels are in doubt.
-    lineage : what the cells bring along from the frame before; None where that is not asked.
+    label_propagation : what the cells bring along from the frame before; None where that is not asked.
     """
 
     before: UInt8
@@ -201,7 +196,7 @@ def _other_cues(sources: Sources, params: RegionParams) -> Iterator[tuple[str, F
 
 
 def motion_cue(sources: Sources, params: RegionParams) -> Float32:
-    """The weighted motion ratio `(rows, columns)`, nats, as far as it speaks against ground, new or uncovered.
+    """The weighted motion ratio `(rows, columns)`, nats, as far as it speaks against background, new or uncovered.
 
     Limbs move in their own ways: where the similarity or the key expects the object it never speaks against what was
     inside already.
@@ -216,7 +211,7 @@ def motion_cue(sources: Sources, params: RegionParams) -> Float32:
 def gathered(sources: Sources, params: RegionParams) -> Field:
     """The smoothed log-ratio on the sources' grid, all cues added; surely in or out beyond the band.
 
-    What the lineage carries on unbroken is not smoothed: it is as fine as it was drawn.
+    What label propagation carries on reliably is not smoothed: it is as fine as it was drawn.
     """
     each = cues(sources, params)
     _, ratio = next(each)

@@ -10,16 +10,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Bools, Float32, UInt8
 from roam_core.features.grid import Grid
 from roam_core.kernels.local_match import log_ratio
 from roam_core.params import KeyColoursParams
 from roam_core.proposal.cues.key_view import KeyView
-
-Float32 = NDArray[np.float32]
-UInt8 = NDArray[np.uint8]
-Bools = NDArray[np.bool_]
 
 
 def key_colours(

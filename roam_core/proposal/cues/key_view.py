@@ -7,17 +7,13 @@ from typing import Literal
 
 import cv2
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array, Bools, Float32, UInt8
 from roam_core.features import PreparedFrame
 from roam_core.features.grid import Grid
 from roam_core.kernels.local_match import INSIDE, OUTSIDE, UNKNOWN, nearest_colours
 from roam_core.motion.flow import cell_flow
 
-Array = NDArray[np.float64]
-Float32 = NDArray[np.float32]
-UInt8 = NDArray[np.uint8]
-Bools = NDArray[np.bool_]
 KeyFlow = Literal["none", "fast", "exact"]
 """Whether flow is looked for between a carried key and a picture, and how closely (`motion.flow.cell_flow`)."""
 

@@ -1,8 +1,9 @@
-"""Lineage: on which side of the outline each cell lay before, along the flow, and how surely that is the key's word.
+"""Label propagation: on which side of the outline each cell lay before, along the flow, and how surely that is the
+key's word.
 
 Right after a key, and wherever the flow is sound, carrying along what the artist drew is more exact than any colour.
 Further on, and on limbs that swing, it is not. So every cell keeps how sound the flow was on its whole way from the
-key, and is held to its side as far as that: what is passed on unbroken stays; the rest is for colours to say.
+key, and is held to its side as far as that: what is passed on reliably stays; the rest is for colours to say.
 
 Lengths are pixels of a 480-line image, differences of colour the mean over the channels of 8 bits.
 """
@@ -13,15 +14,11 @@ from dataclasses import dataclass
 
 import cv2
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Bools, Float32, UInt8
 from roam_core.features.grid import Grid, signed_distance
 from roam_core.motion.flow import carried_by_flow
 from roam_core.params import LabelPropagationParams
-
-Float32 = NDArray[np.float32]
-UInt8 = NDArray[np.uint8]
-Bools = NDArray[np.bool_]
 
 MEAN = np.full((1, 3), 1.0 / 3.0, dtype=np.float32)
 """What `cv2.transform` takes to add channels up to their mean."""
@@ -49,7 +46,7 @@ class LabelPropagation:
         )
 
     def after(self, inside: Bools) -> Float32:
-        """How unbroken the lines are once `inside (rows, columns)` was decided."""
+        """How reliable the flow is once `inside (rows, columns)` was decided."""
         kept = inside == (self.depth > 0)
         return np.where(kept, self.flow_reliability, np.float32(self.params.contradicted) * self.flow_reliability)
 
@@ -71,7 +68,7 @@ def label_propagation(
     sides : a field over the same region in cells of about a pixel of a 480-line image, carried to the second picture by
         the flow: positive where the object is then.
     flows : (rows, columns, 2) from the first picture to the second and back, in cells of `grid`.
-    unbroken : (rows, columns) how unbroken the lines were that led to the first picture, where they were.
+    flow_reliability : (rows, columns) how sound the flow was on its way to the first picture.
     scale : `params.scale_for(size)`.
     """
     forth, back = flows

@@ -3,12 +3,9 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array, Float32
 from roam_core.features.grid import Grid
-
-Array = NDArray[np.float64]
-Float32 = NDArray[np.float32]
 
 
 def motion_ratio(backward: Float32, inside_back: Array, outside_back: Array, sigma: float, clip: float) -> Float32:

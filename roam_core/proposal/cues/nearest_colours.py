@@ -11,9 +11,9 @@ from dataclasses import dataclass, replace
 
 import cv2
 import numpy as np
-from numpy.typing import NDArray
 
 from roam_core.appearance.global_model import GlobalModel
+from roam_core.arrays import Array, Float32
 from roam_core.features import PreparedFrame, Region
 from roam_core.features.grid import Grid
 from roam_core.kernels.coverage import coverage
@@ -21,9 +21,6 @@ from roam_core.motion.flow import carried_by_flow, dense_flow, flow_similarity, 
 from roam_core.params import RegionParams, scale_for
 from roam_core.proposal.cues.evidence import SURE, Expectation, Field, KeyMemory, Sources, local_cues, motion_cue
 from roam_core.proposal.cues.motion_cue import motion_on
-
-Array = NDArray[np.float64]
-Float32 = NDArray[np.float32]
 
 
 @dataclass(frozen=True, eq=False)

@@ -5,20 +5,17 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array, Bools, Int64
 from roam_core.geometry import bezier, polyline
 from roam_core.kernels.anchoring import anchored
 from roam_core.params import ANCHORS
-
-Array = NDArray[np.float64]
-IntArray = NDArray[np.int64]
 
 CHOICES = np.array([side * step for step in ANCHORS.choices for side in (-1, 1)])
 """Samples by which an anchor may move along the outline in one round."""
 
 
-def spread(points: Array, samples: Array, matched: IntArray, rounds: int, scale: float = 1.0) -> IntArray:
+def spread(points: Array, samples: Array, matched: Int64, rounds: int, scale: float = 1.0) -> Int64:
     """The sample `(P,)` of each anchor, moved from the `matched (P,)` one as far as the curve has to follow the ring.
 
     `points (P, 3, 2)` is the spline that was matched to the ring `samples (M, 2)`, which has equal steps. What only
@@ -34,7 +31,7 @@ def spread(points: Array, samples: Array, matched: IntArray, rounds: int, scale:
     return np.asarray(choices[int(np.argmax(errors <= enough))] % len(samples))
 
 
-def _straight(points: Array) -> NDArray[np.bool_]:
+def _straight(points: Array) -> Bools:
     """Which segments of a spline `(P, 3, 2)` have no handles."""
     control = bezier.segments(points)
     return np.asarray((control[:, 0] == control[:, 1]).all(axis=1) & (control[:, 2] == control[:, 3]).all(axis=1))
@@ -45,10 +42,10 @@ class _Ring:
     """An outline `samples (M, 2)` to be followed by segments of which some are `straight (P,)`."""
 
     samples: Array
-    straight: NDArray[np.bool_]
+    straight: Bools
     scale: float
 
-    def spread(self, home: IntArray, price: float, rounds: int) -> IntArray:
+    def spread(self, home: Int64, price: float, rounds: int) -> Int64:
         """Anchors near `home (P,)`, samples that run on past the last. Each round is exact over all choices of the
         anchors' moves (`kernels.anchoring`) with another anchor held still.
         """
@@ -68,6 +65,6 @@ class _Ring:
                 at[:first] -= total
         return at
 
-    def error(self, at: IntArray) -> float:
+    def error(self, at: Int64) -> float:
         """The integral of the squared distance of the outline to its segments, cubic pixels."""
         return anchored(self.samples, at[:, None], np.zeros((len(at), 1)), self.straight)[1]

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.sparse import csr_array, eye_array, vstack
 from scipy.sparse.linalg import spsolve
 
+from roam_core.arrays import Array, Indices
 from roam_core.geometry import bezier, polyline
 from roam_core.geometry.bezier import ANCHOR, IN, OUT
 from roam_core.geometry.simple import crossing_segments
@@ -15,9 +15,6 @@ from roam_core.proposal.mask_keys.anchors import spread
 from roam_core.proposal.mask_keys.outline_match import matched
 from roam_core.proposal.outline.refine import bounded, places_between, tangents
 from roam_core.roto.edit import is_smooth
-
-Array = NDArray[np.float64]
-IntArray = NDArray[np.int64]
 
 
 def fitted(points: Array, ring: Array, poses: list[Array], scale: float = 1.0) -> Array:
@@ -61,7 +58,7 @@ def _untangled(points: Array, anchors: Array, scale: float) -> Array:
     return result if len(crossing_segments(result, scale)) == 0 else points
 
 
-def _mended(points: Array, other: Array, segments: NDArray[np.intp]) -> Array:
+def _mended(points: Array, other: Array, segments: Indices) -> Array:
     """The spline with the handles of some segments as `other` has them."""
     result, following = points.copy(), (segments + 1) % len(points)
     result[segments, OUT], result[following, IN] = other[segments, OUT], other[following, IN]
@@ -178,7 +175,7 @@ def _foot(a: Array, b: Array, position: Array) -> Array:
     )
 
 
-def _design(count: int, segment: NDArray[np.intp], t: Array) -> csr_array:
+def _design(count: int, segment: Indices, t: Array) -> csr_array:
     following = (segment + 1) % count
     columns = np.stack([3 * segment + ANCHOR, 3 * segment + OUT, 3 * following + IN, 3 * following + ANCHOR], axis=1)
     rows = np.repeat(np.arange(len(segment)), 4)
@@ -194,7 +191,7 @@ def _both(design: csr_array) -> csr_array:
     return csr_array((np.tile(found.data, 2), (rows, columns)), shape=shape)
 
 
-def _rows(count: int, terms: list[tuple[NDArray[np.intp], int, Array]]) -> csr_array:
+def _rows(count: int, terms: list[tuple[Indices, int, Array]]) -> csr_array:
     """One row a point: the sum over `terms` of `vector . control point (index, part)`."""
     values, rows, columns = [], [], []
     for index, part, vector in terms:

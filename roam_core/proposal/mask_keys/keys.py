@@ -6,9 +6,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
-import numpy as np
 from numpy.typing import NDArray
 
+from roam_core.arrays import Array
 from roam_core.errors import RoamError
 from roam_core.geometry import fit
 from roam_core.geometry.simple import simplified
@@ -17,11 +17,9 @@ from roam_core.params import scale_for
 from roam_core.proposal.mask_keys.key_fit import fitted
 from roam_core.proposal.mask_keys.pairing import paired, poses
 from roam_core.roto import BlendMode, Keyframe, RotoShape, edit
-from roam_core.roto.grips import settled
+from roam_core.roto.control_points import settled
 from roam_core.roto.project import PALETTE
 from roam_core.roto.sight import is_shut, opened
-
-Array = NDArray[np.float64]
 
 OPEN = 1_000_000
 """Frame that stands for "always" at an open end of a lifetime."""

@@ -5,16 +5,13 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array, Indices, Int64
 from roam_core.geometry import bezier, polyline, similarity
 from roam_core.kernels.alignment import prices
 from roam_core.params import OUTLINE_MATCH
 from roam_core.proposal.outline.invariants import surroundings
 from roam_core.proposal.outline.monotone import in_order
-
-Array = NDArray[np.float64]
-IntArray = NDArray[np.int64]
 
 
 @dataclass(frozen=True, eq=False)
@@ -32,15 +29,15 @@ class Match:
 
     points: Array
     nodes: Array
-    first: NDArray[np.intp]
+    first: Indices
     share: Array
     samples: Array
     around: tuple[Array, Array]
-    at: IntArray
+    at: Int64
     energy: float
 
     @property
-    def anchors(self) -> IntArray:
+    def anchors(self) -> Int64:
         """The sample of each anchor, `(P,)`."""
         return self.at[self.first]
 
@@ -97,7 +94,7 @@ def followed(nodes: Array, share: Array, ring: Array, poses: list[Array], scale:
     return np.asarray(even / count)
 
 
-def _begun(points: Array, nodes: Array, first: NDArray[np.intp], share: Array, ring: Array, scale: float) -> Match:
+def _begun(points: Array, nodes: Array, first: Indices, share: Array, ring: Array, scale: float) -> Match:
     samples = polyline.resample(ring, max(3 * len(nodes), int(polyline.length(ring) / (OUTLINE_MATCH.step * scale))))
     at = np.zeros(len(nodes), dtype=np.int64)
     return Match(points, nodes, first, share, samples, (surroundings(nodes), surroundings(samples)), at, np.inf)
@@ -118,7 +115,7 @@ def _posed(start: Match, pose: Array, scale: float) -> Match:
     )
 
 
-def _nodes(points: Array, spacing: float) -> tuple[Array, NDArray[np.intp], Array]:
+def _nodes(points: Array, spacing: float) -> tuple[Array, Indices, Array]:
     """Nodes `(N, 2)`, the anchors among them, about evenly along a spline; which are anchors; lengths between them."""
     lengths = bezier.segment_lengths(points)
     spacing = min(spacing, lengths.sum() / 16.0)

@@ -7,16 +7,13 @@ from dataclasses import dataclass
 
 import cv2
 import numpy as np
-from numpy.typing import NDArray
 from scipy.optimize import linear_sum_assignment
 
+from roam_core.arrays import Array, Bools, Float32, Int32
 from roam_core.geometry import bezier, polyline, similarity
 from roam_core.kernels.coverage import coverage
 from roam_core.matte.vectorise import outlines
 from roam_core.params import PAIRING
-
-Array = NDArray[np.float64]
-Bools = NDArray[np.bool_]
 
 
 @dataclass(frozen=True, eq=False)
@@ -95,9 +92,7 @@ def poses(splines: list[Array], rings: list[Array]) -> list[Array]:
     return [similarity.IDENTITY, *carried]
 
 
-def _common_pose(
-    known: list[tuple[Array, Array, float]], rings: list[Array], labels: NDArray[np.int32], wanted: float
-) -> Array:
+def _common_pose(known: list[tuple[Array, Array, float]], rings: list[Array], labels: Int32, wanted: float) -> Array:
     """Of the poses of all shapes together, the one on which they overlap the parts most.
 
     `known` of each shape are its spline, places inside and its area.
@@ -129,7 +124,7 @@ def _spots(points: Array) -> Array:
     return np.asarray(low + (found[:, ::-1] + 0.5) * cell)
 
 
-def _labels(rings: list[Array], size: tuple[int, int]) -> NDArray[np.int32]:
+def _labels(rings: list[Array], size: tuple[int, int]) -> Int32:
     """An image with the number, from 1, of the ring around each pixel's centre."""
     labels = np.zeros(size, dtype=np.int32)
     for number, ring in enumerate(rings, start=1):
@@ -142,7 +137,7 @@ def _labels(rings: list[Array], size: tuple[int, int]) -> NDArray[np.int32]:
     return labels
 
 
-def _looked_up(labels: NDArray[np.int32], positions: Array, count: int) -> Array:
+def _looked_up(labels: Int32, positions: Array, count: int) -> Array:
     """The shares `(count,)` of positions that lie on each part."""
     rows, columns = labels.shape
     x, y = np.floor(positions).astype(np.intp).T
@@ -206,6 +201,6 @@ def _divided(part: Bools, splines: list[Array]) -> list[Array | None]:
     return found
 
 
-def _depth(cover: Bools) -> NDArray[np.float32]:
+def _depth(cover: Bools) -> Float32:
     mask = cover.astype(np.uint8)
     return np.asarray(cv2.distanceTransform(mask, cv2.DIST_L2, 3) - cv2.distanceTransform(1 - mask, cv2.DIST_L2, 3))

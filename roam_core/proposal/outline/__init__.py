@@ -1,1 +1,1 @@
-"""A shape's own points laid along an outline, in correspondence."""
+"""A shape's own points fitted to an outline, in correspondence."""

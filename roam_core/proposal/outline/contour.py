@@ -1,12 +1,12 @@
-"""From a proposed region back to the curve: the shape's own control points laid along the region's outline."""
+"""From a proposed region back to the curve: the shape's own control points fitted to the region's outline."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array, Bools, Indices, Int64
 from roam_core.geometry import bezier, polyline
 from roam_core.geometry.bezier import ANCHOR, IN, OUT
 from roam_core.kernels.alignment import prices
@@ -15,9 +15,6 @@ from roam_core.params import ContourFitParams
 from roam_core.proposal.outline.invariants import surroundings
 from roam_core.proposal.outline.monotone import in_order
 from roam_core.proposal.outline.refine import refined
-
-Array = NDArray[np.float64]
-IntArray = NDArray[np.int64]
 
 
 @dataclass(frozen=True, eq=False)
@@ -35,8 +32,8 @@ class KeyConstraints:
         frame (0).
     """
 
-    smooth: NDArray[np.bool_]
-    counts: NDArray[np.intp]
+    smooth: Bools
+    counts: Indices
     descriptors: Array
     shares: Array
     params: ContourFitParams
@@ -46,7 +43,7 @@ class KeyConstraints:
     def of(
         cls,
         points: Array,
-        smooth: NDArray[np.bool_],
+        smooth: Bools,
         params: ContourFitParams,
         scale: float = 1.0,
         kept: float = 0.0,
@@ -58,8 +55,8 @@ class KeyConstraints:
     def _of(
         cls,
         points: Array,
-        smooth: NDArray[np.bool_],
-        counts: NDArray[np.intp],
+        smooth: Bools,
+        counts: Indices,
         params: ContourFitParams,
         kept: float,
     ) -> KeyConstraints:
@@ -71,7 +68,7 @@ class KeyConstraints:
         cls,
         first: Array,
         last: Array,
-        smooth: NDArray[np.bool_],
+        smooth: Bools,
         params: ContourFitParams,
         scale: float = 1.0,
         kept: float = 0.0,
@@ -89,13 +86,13 @@ class KeyConstraints:
         )
 
     @property
-    def anchors(self) -> NDArray[np.intp]:
+    def anchors(self) -> Indices:
         """Which nodes are anchors, `(P,)`."""
         return np.asarray(np.cumsum(self.counts) - self.counts)
 
 
 def follow(points: Array, ring: Array, constraints: KeyConstraints, scale: float = 1.0) -> Array:
-    """The closed spline `points (P, 3, 2)` laid along the closed polyline `ring (K, 2)`, its points in correspondence.
+    """The closed spline `points (P, 3, 2)` fitted to the closed polyline `ring (K, 2)`, its points in correspondence.
 
     Nodes of the spline, the anchors among them, are matched to the outline in order (`kernels.alignment`): near where
     they are expected, with the outline running the same way, tips on tips, every piece keeping its share of the length,
@@ -114,31 +111,31 @@ def follow(points: Array, ring: Array, constraints: KeyConstraints, scale: float
     samples = polyline.resample(ring, params.finer * places)
     at = params.finer * _matched(nodes, samples[:: params.finer], share, constraints, scale)
     anchors = at[constraints.anchors]
-    laid = _laid(points, samples, anchors, constraints.smooth)
-    laid += (_settled(nodes, samples, at, share, params, scale)[constraints.anchors] - laid[:, ANCHOR])[:, None]
-    return refined(laid, samples, anchors, constraints.smooth, params.rounds, params.refine)
+    fitted = _fitted(points, samples, anchors, constraints.smooth)
+    fitted += (_settled(nodes, samples, at, share, params, scale)[constraints.anchors] - fitted[:, ANCHOR])[:, None]
+    return refined(fitted, samples, anchors, constraints.smooth, params.rounds, params.refine)
 
 
-def _counts(points: Array, scale: float, params: ContourFitParams) -> NDArray[np.intp]:
+def _counts(points: Array, scale: float, params: ContourFitParams) -> Indices:
     """The pieces `(P,)` of each segment, about `ContourFitParams.spacing` long."""
     return np.maximum(1, np.round(bezier.segment_lengths(points) / (params.spacing * scale))).astype(np.intp)
 
 
-def _nodes(points: Array, counts: NDArray[np.intp]) -> Array:
+def _nodes(points: Array, counts: Indices) -> Array:
     """The spline at equal steps of its parameter `(N, 2)`, `counts (P,)` of them in each segment."""
     segment = np.repeat(np.arange(len(points)), counts)
     first = np.cumsum(counts) - counts
     return bezier.evaluate(points, segment, (np.arange(len(segment)) - first[segment]) / counts[segment])
 
 
-def _nodes_and_shares(points: Array, counts: NDArray[np.intp], params: ContourFitParams) -> tuple[Array, Array]:
+def _nodes_and_shares(points: Array, counts: Indices, params: ContourFitParams) -> tuple[Array, Array]:
     """The nodes `(N, 2)` of a spline, and which share of its length lies between each and the next, `(N,)`."""
     fine = _nodes(points, params.chords * counts)
     lengths = np.hypot(*(polyline.following(fine) - fine).T).reshape(-1, params.chords).sum(axis=1)
     return fine[:: params.chords], lengths / max(float(lengths.sum()), 1e-9)
 
 
-def _matched(nodes: Array, samples: Array, share: Array, constraints: KeyConstraints, scale: float) -> IntArray:
+def _matched(nodes: Array, samples: Array, share: Array, constraints: KeyConstraints, scale: float) -> Int64:
     params = constraints.params
     ours = nodes, polyline.outward_normals(nodes), constraints.descriptors
     theirs = samples, polyline.outward_normals(samples), surroundings(samples, params.tips)
@@ -148,7 +145,7 @@ def _matched(nodes: Array, samples: Array, share: Array, constraints: KeyConstra
     return at
 
 
-def _settled(nodes: Array, samples: Array, at: IntArray, share: Array, params: ContourFitParams, scale: float) -> Array:
+def _settled(nodes: Array, samples: Array, at: Int64, share: Array, params: ContourFitParams, scale: float) -> Array:
     """Where `(N, 2)` on the ring the nodes lie best, near the samples that they were matched to.
 
     Matched to whole steps only, points would stray by a step's half on every frame. Of the prices of the matching only
@@ -159,7 +156,7 @@ def _settled(nodes: Array, samples: Array, at: IntArray, share: Array, params: C
     return polyline.at(samples, settled(nodes, samples, at, expected, weights, params.settling, params.loose))
 
 
-def _laid(points: Array, samples: Array, at: IntArray, smooth: NDArray[np.bool_]) -> Array:
+def _fitted(points: Array, samples: Array, at: Int64, smooth: Bools) -> Array:
     """Anchors on `samples[at]`, and the handles of each segment fitted to the samples between its anchors."""
     result = np.empty_like(points)
     result[:, ANCHOR] = samples[at]
@@ -171,7 +168,7 @@ def _laid(points: Array, samples: Array, at: IntArray, smooth: NDArray[np.bool_]
     return bezier.aligned(result, smooth)
 
 
-def _handles(samples: Array, at: IntArray) -> tuple[Array, Array]:
+def _handles(samples: Array, at: Int64) -> tuple[Array, Array]:
     """Out- and in-handles `(P, 2)` of the cubics that best follow the ring from `at[k]` to `at[k + 1]`.
 
     Least squares over the two handles of each segment, by chord length, drawn a little towards a straight line; all

@@ -4,13 +4,11 @@ from __future__ import annotations
 
 import cv2
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array
 from roam_core.geometry import polyline
 from roam_core.kernels.coverage import coverage
 from roam_core.params import INVARIANTS, InvariantsParams
-
-Array = NDArray[np.float64]
 
 
 def surroundings(line: Array, params: InvariantsParams = INVARIANTS) -> Array:

@@ -3,15 +3,12 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array, Int64
 from roam_core.kernels.alignment import align
 
-Array = NDArray[np.float64]
-IntArray = NDArray[np.int64]
 
-
-def in_order(cost: Array, expected: Array, stretch: float, starts: int) -> tuple[IntArray, float]:
+def in_order(cost: Array, expected: Array, stretch: float, starts: int) -> tuple[Int64, float]:
     """The sample of each node, `(N,)`, and what the matching costs: `kernels.alignment.align`, begun where it is clear.
 
     The node with the cheapest place begins; so many samples around that place are tried for it.

@@ -3,21 +3,16 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.linalg import solveh_banded
 
+from roam_core.arrays import Array, Bools, Int64
 from roam_core.geometry import bezier, polyline
 from roam_core.geometry.bezier import ANCHOR, IN, OUT
 from roam_core.kernels.spline_fit import nearest_places, normal_band
 from roam_core.params import RefineParams
 
-Array = NDArray[np.float64]
-IntArray = NDArray[np.int64]
 
-
-def refined(
-    points: Array, samples: Array, at: IntArray, smooth: NDArray[np.bool_], rounds: int, params: RefineParams
-) -> Array:
+def refined(points: Array, samples: Array, at: Int64, smooth: Bools, rounds: int, params: RefineParams) -> Array:
     """The closed spline `points (P, 3, 2)` with all control points fitted to the ring `samples (M, 2)`.
 
     Its anchors lie on `samples[at]`, in order, to begin with; they may leave them as far as the curve gains by it.
@@ -44,7 +39,7 @@ def refined(
     return bezier.aligned(result, smooth)
 
 
-def _owners(points: Array) -> IntArray:
+def _owners(points: Array) -> Int64:
     """Which free position each control point `(3 P,)` is: corners have one for all three."""
     owner = 3 * from_both_ends(len(points))[:, None] + np.arange(3)
     for part in (IN, OUT):
@@ -53,7 +48,7 @@ def _owners(points: Array) -> IntArray:
     return np.asarray(np.unique(owner.ravel(), return_inverse=True)[1], dtype=np.int64)
 
 
-def from_both_ends(count: int) -> IntArray:
+def from_both_ends(count: int) -> Int64:
     """Numbers `(count,)` for what lies on a ring, from both of its ends in turn: neighbours differ by two at most."""
     order = np.arange(count)
     return np.asarray(np.where(order < (count + 1) // 2, 2 * order, 2 * (count - 1 - order) + 1), dtype=np.int64)
@@ -67,7 +62,7 @@ def tangents(points: Array) -> Array:
     return np.asarray(direction / np.maximum(np.hypot(*direction.T), 1e-12)[:, None])
 
 
-def places_between(at: IntArray, samples: Array) -> Array:
+def places_between(at: Int64, samples: Array) -> Array:
     """For each sample its place `segment + t` by length between the anchors' samples."""
     total = len(samples)
     along = np.concatenate([[0.0], np.cumsum(np.hypot(*(polyline.following(samples) - samples).T))])

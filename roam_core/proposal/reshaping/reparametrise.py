@@ -6,8 +6,8 @@ from dataclasses import dataclass
 
 import cv2
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array, Bools, Float32
 from roam_core.energy import total
 from roam_core.energy.total import CurveContext
 from roam_core.features.grid import Grid
@@ -17,10 +17,6 @@ from roam_core.params import ProposalParams, RoamParams
 from roam_core.proposal.cues.evidence import Field
 from roam_core.proposal.segment.region import outlines
 from roam_core.proposal.segment.segmentation import Segmentation
-
-Array = NDArray[np.float64]
-Float32 = NDArray[np.float32]
-Bools = NDArray[np.bool_]
 
 
 @dataclass(frozen=True, eq=False)
@@ -139,7 +135,7 @@ def cells_in(ring: Array, grid: Grid) -> float:
     return abs(polyline.signed_area(ring)) * float(np.prod(grid.factor))
 
 
-def untouched(points: Array, changed: Bools, grid: Grid, samples: int, reach: int = 2) -> NDArray[np.bool_]:
+def untouched(points: Array, changed: Bools, grid: Grid, samples: int, reach: int = 2) -> Bools:
     """Control points `(P,)` of a spline neither of whose segments comes within `reach` cells of what changed.
 
     `samples` places on each segment are looked at."""

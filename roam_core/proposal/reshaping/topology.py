@@ -5,17 +5,13 @@ from __future__ import annotations
 from dataclasses import dataclass
 from enum import StrEnum
 
-import numpy as np
-from numpy.typing import NDArray
-
+from roam_core.arrays import Array
 from roam_core.energy.total import CurveContext
 from roam_core.kernels.coverage import coverage
 from roam_core.params import RoamParams
 from roam_core.proposal.reshaping.reparametrise import Piece, cells_in, energy_of, toggled
 from roam_core.proposal.segment.region import outlines
 from roam_core.proposal.segment.segmentation import Segmentation
-
-Array = NDArray[np.float64]
 
 
 class TopologyKind(StrEnum):

@@ -1,7 +1,7 @@
-"""Pieces of a region: to which shape each belongs, and the one outline around all pieces of a shape.
+"""Components of a region: to which shape each belongs, and the one outline around all those of a shape.
 
-A closed curve cannot come apart. Where what it encloses does, as behind a post, it is pinched: the pieces hang together
-by threads, along the shortest ways between them.
+A closed curve cannot come apart. Where what it encloses does, as behind a post, it is pinched: the components hang
+together by bridges, along the shortest ways between them.
 """
 
 from __future__ import annotations
@@ -10,25 +10,21 @@ from collections.abc import Sequence
 
 import cv2
 import numpy as np
-from numpy.typing import NDArray
 from scipy.spatial import KDTree
 
+from roam_core.arrays import Array, Bools, Float32, Indices
 from roam_core.params import ComponentsParams
 from roam_core.proposal.cues.evidence import Field
 from roam_core.proposal.segment.region import contours
 
-Array = NDArray[np.float64]
-Float32 = NDArray[np.float32]
-Bools = NDArray[np.bool_]
-
 
 def shares(region: Bools, claims: Sequence[Float32], likely: Bools, params: ComponentsParams) -> list[Bools]:
-    """Which pieces `(rows, columns)` of the region belong to each shape.
+    """Which components `(rows, columns)` of the region belong to each shape.
 
-    `claims` are the shapes' expected coverages on the grid. Each shape has the piece that it claims most of; shapes
-    that want the same divide it, each cell to the one whose expected region it lies deepest in. A piece that none of
-    them wants most goes to the one that claims most of it, or to the nearest, if it lies where the object is `likely`
-    to be `(rows, columns)`.
+    `claims` are the shapes' expected coverages on the grid. Each shape has the component that it claims most of; shapes
+    that want the same divide it, each cell to the one whose expected region it lies deepest in. A component that none
+    of them wants most goes to the one that claims most of it, or to the nearest, if it lies where the object is
+    `likely` to be `(rows, columns)`.
     """
     count, labels, stats, _ = cv2.connectedComponentsWithStats(region.astype(np.uint8), connectivity=4)
     claimed = np.zeros((len(claims), count))
@@ -38,40 +34,40 @@ def shares(region: Bools, claims: Sequence[Float32], likely: Bools, params: Comp
     claimed[:, 0] = 0.0
     wanted = claimed.argmax(axis=1)  # 0, the outside: nothing
     owner = np.full(region.shape, -1)
-    for piece in np.unique(wanted[wanted > 0]):
-        rivals = np.flatnonzero(wanted == piece)
-        here = labels == piece
+    for component in np.unique(wanted[wanted > 0]):
+        rivals = np.flatnonzero(wanted == component)
+        here = labels == component
         owner[here] = rivals[0] if len(rivals) == 1 else rivals[_deepest([claims[int(k)] for k in rivals])[here]]
     expected = np.bincount(labels[likely], minlength=count) >= params.likely * stats[:, cv2.CC_STAT_AREA]
     loose = np.setdiff1d(np.flatnonzero(expected), [0, *wanted])
     is_claimed = claimed[:, loose].max(axis=0, initial=0.0) > 0.0
-    for piece in loose[is_claimed]:
-        owner[labels == piece] = claimed[:, piece].argmax()
+    for component in loose[is_claimed]:
+        owner[labels == component] = claimed[:, component].argmax()
     if not is_claimed.all() and any((claim > 0.5).any() for claim in claims):
         far, nearest = _nearest(claims)
-        for piece in loose[~is_claimed]:
-            here = labels == piece
+        for component in loose[~is_claimed]:
+            here = labels == component
             owner[here] = nearest[here][far[here].argmin()]
     return [owner == number for number in range(len(claims))]
 
 
 def ring_around(field: Field, mine: Bools, longest: float, params: ComponentsParams) -> Array | None:
-    """The one outline `(K, 2)`, in pixels, around the pieces `mine` of a region that hang together (`joined`)."""
+    """The one outline `(K, 2)`, in pixels, around the components `mine` of a region that hang together (`joined`)."""
     if not mine.any():
         return None
     window = _window(mine)
-    body, threads = joined(mine[window], longest, params)
+    body, bridges = joined(mine[window], longest, params)
     values = np.where(body, field.values[window], np.float32(-1.0))
-    values[threads] = 1.0
+    values[bridges] = 1.0
     rings = contours(values)
     return field.grid.to_image(rings[0][0] + [window[1].start, window[0].start]) if rings else None
 
 
 def joined(mine: Bools, longest: float, params: ComponentsParams) -> tuple[Bools, Bools]:
-    """The pieces that hang together with the largest, and the threads, a cell wide, by which they do.
+    """The components that hang together with the largest, and the bridges, a cell wide, by which they do.
 
-    A piece hangs on to what is nearest of all that does already, if the thread is no longer than `longest` times the
-    square root of its area; specks do not.
+    A component hangs on to what is nearest of all that does already, if the bridge is no longer than `longest` times
+    the square root of its area; specks do not.
     """
     count, labels, stats, _ = cv2.connectedComponentsWithStats(mine.astype(np.uint8), connectivity=4)
     lines = np.zeros(mine.shape, dtype=np.uint8)
@@ -98,13 +94,15 @@ def joined(mine: Bools, longest: float, params: ComponentsParams) -> tuple[Bools
     return body, (lines > 0) & ~body
 
 
-def _rim(piece: Bools) -> NDArray[np.intp]:
-    """The cells of a piece that have a neighbour outside, as `(C, 2)` columns and rows."""
-    inner = cv2.erode(piece.astype(np.uint8), np.ones((3, 3), np.uint8), borderType=cv2.BORDER_CONSTANT, borderValue=0)
-    return np.argwhere(piece & (inner == 0))[:, ::-1]
+def _rim(component: Bools) -> Indices:
+    """The cells of a component that have a neighbour outside, as `(C, 2)` columns and rows."""
+    inner = cv2.erode(
+        component.astype(np.uint8), np.ones((3, 3), np.uint8), borderType=cv2.BORDER_CONSTANT, borderValue=0
+    )
+    return np.argwhere(component & (inner == 0))[:, ::-1]
 
 
-def _deepest(claims: Sequence[Float32]) -> NDArray[np.intp]:
+def _deepest(claims: Sequence[Float32]) -> Indices:
     """For each cell which claim it lies deepest in, or, outside all, is nearest to; the first of equals."""
     _, result = _nearest(claims)
     depth = np.zeros(result.shape, np.float32)
@@ -119,7 +117,7 @@ def _deepest(claims: Sequence[Float32]) -> NDArray[np.intp]:
     return result
 
 
-def _nearest(claims: Sequence[Float32]) -> tuple[Float32, NDArray[np.intp]]:
+def _nearest(claims: Sequence[Float32]) -> tuple[Float32, Indices]:
     """For each cell `(rows, columns)` how far the nearest claim is, in cells, and whose it is."""
     taken = np.full(claims[0].shape, -1)
     for number, claim in reversed(list(enumerate(claims))):

@@ -17,9 +17,7 @@ from numpy.typing import NDArray
 from scipy.sparse import csr_array
 from scipy.sparse.csgraph import breadth_first_order, maximum_flow
 
-Float32 = NDArray[np.float32]
-Int32 = NDArray[np.int32]
-Bools = NDArray[np.bool_]
+from roam_core.arrays import Bools, Float32, Int32, UInt8
 
 OFFSETS = ((0, 1), (1, 0), (1, 1), (1, -1))
 """(rows, columns) from a cell to the neighbours that it is joined to; the first two alone make 4 neighbours."""
@@ -126,7 +124,7 @@ def _cost(inside: Bools, costs: Int32, links: Int32) -> float:
     return total / PER_NAT
 
 
-def _decided(costs: Int32, links: Int32, free: Bools, held: Bools) -> tuple[Int32, NDArray[np.uint8]]:
+def _decided(costs: Int32, links: Int32, free: Bools, held: Bools) -> tuple[Int32, UInt8]:
     """What pulls each cell inside, decided neighbours included, and the labels so far.
 
     A cell whose pull exceeds all that its undecided neighbours weigh is inside in every minimum; one whose pull does

@@ -8,13 +8,9 @@ from typing import Any
 import cv2
 import numpy as np
 from contourpy import FillType, contour_generator
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array, Bools, Float32
 from roam_core.proposal.cues.evidence import Field
-
-Array = NDArray[np.float64]
-Float32 = NDArray[np.float32]
-Bools = NDArray[np.bool_]
 
 
 def cleaned(field: Field, expected: Bools, overlap: float, speck: int) -> Field:

@@ -6,8 +6,8 @@ from dataclasses import dataclass
 
 import cv2
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array, Bools, Float32
 from roam_core.energy.colour_fields import ColourFields
 from roam_core.features import PreparedFrame
 from roam_core.features.grid import Grid, signed_distance
@@ -18,10 +18,6 @@ from roam_core.proposal.cues.evidence import Field, uncertain_band
 from roam_core.proposal.cues.key_view import lab
 from roam_core.proposal.segment.graph_cut import contrast_weights, minimum_cut
 from roam_core.proposal.segment.region import cleaned
-
-Array = NDArray[np.float64]
-Float32 = NDArray[np.float32]
-Bools = NDArray[np.bool_]
 
 
 @dataclass(frozen=True, eq=False)

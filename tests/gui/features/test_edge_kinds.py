@@ -34,7 +34,7 @@ def reads() -> list[int]:
 
 @pytest.fixture
 def read(reads: list[int]) -> Callable[[int], Any]:
-    """A grey body and a light arm on a dark ground, on every frame but the ninth."""
+    """A grey body and a light arm on a dark background, on every frame but the ninth."""
 
     def picture(frame: int) -> Any:
         reads.append(frame)

@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array, Float32, Image
 from roam_core.errors import RoamError
 from roam_core.media.colour import to_display, to_engine, unit_floats
 from roam_core.media.curves import COLOUR_SPACES, LINEAR, LOG, SRGB, linear_from_log
@@ -28,7 +26,7 @@ def ref_log(value: float) -> float:
     return (10 ** ((1023 * value - 685) * 0.002 / 0.6) - black) / (1 - black)
 
 
-def ref_perceived(image: NDArray[np.float32], space: str) -> NDArray[np.float64]:
+def ref_perceived(image: Float32, space: str) -> Array:
     curve = {SRGB: float, LINEAR: ref_srgb, LOG: lambda value: ref_srgb(ref_log(value))}[space]
     return np.array([curve(float(value)) for value in image.ravel()]).reshape(image.shape)
 
@@ -66,7 +64,7 @@ def test_what_lies_outside_the_range_is_clipped_and_nan_is_black(space: str) -> 
 
 @pytest.mark.parametrize("space", COLOUR_SPACES)
 @pytest.mark.parametrize("image", [RAMP, BYTES], ids=["float", "8-bit"])
-def test_read_only_and_sliced_pictures_are_left_alone(space: str, image: NDArray[np.float32]) -> None:
+def test_read_only_and_sliced_pictures_are_left_alone(space: str, image: Float32) -> None:
     frozen = image.copy()
     frozen.setflags(write=False)
     np.testing.assert_array_equal(to_display(frozen[::2, ::-1], space), to_display(image, space)[::2, ::-1])
@@ -91,7 +89,7 @@ WORDS = np.arange(65536, dtype=np.uint16)
 @pytest.mark.parametrize("space", [*COLOUR_SPACES, "ACEScg"])
 @pytest.mark.parametrize("values", [HALVES, WORDS], ids=["half", "16 bits"])
 @pytest.mark.filterwarnings("ignore:invalid value encountered in cast")
-def test_every_half_and_16_bit_value_is_converted_as_the_float_of_it(space: str, values: NDArray[Any]) -> None:
+def test_every_half_and_16_bit_value_is_converted_as_the_float_of_it(space: str, values: Image) -> None:
     """To the last bit, through the tables that they are looked up in."""
     image = values.reshape(256, 256, 1).repeat(3, axis=2)
     floats = unit_floats(image)

@@ -9,8 +9,8 @@ import numpy as np
 import OpenImageIO as oiio  # noqa: N813 - the name its own manual uses
 import PyOpenColorIO as ocio  # noqa: N813 - the name its own manual uses
 import pytest
-from numpy.typing import NDArray
 
+from roam_core.arrays import Float32
 from roam_core.errors import RoamError
 from roam_core.media import declared, open_clip
 from roam_core.media.colour import to_display, to_engine
@@ -35,7 +35,7 @@ def config() -> ocio.Config:
     return ocio.Config.CreateFromBuiltinConfig(BUILT_IN)
 
 
-def by_ocio(values: NDArray[np.float32], space: str, wanted: str | View) -> NDArray[np.float32]:
+def by_ocio(values: Float32, space: str, wanted: str | View) -> Float32:
     """The values as OpenColorIO alone converts them to a space or a view."""
     if isinstance(wanted, View):
         transform = ocio.DisplayViewTransform(space, wanted.display, wanted.view)
@@ -46,7 +46,7 @@ def by_ocio(values: NDArray[np.float32], space: str, wanted: str | View) -> NDAr
     return converted
 
 
-def scene(stops: float = 14.0) -> NDArray[np.float32]:
+def scene(stops: float = 14.0) -> Float32:
     """Colours as a camera sees them: of every brightness, none wholly saturated."""
     rng = np.random.default_rng(2)
     light = np.exp2(rng.random((60, 70, 1)) * stops - 9.0)
@@ -164,7 +164,7 @@ def test_a_studios_file_rules_go_before_what_files_say(tmp_path: Path, monkeypat
     np.testing.assert_allclose(to_engine(picture(1), "ACEScg"), working_of(picture(1)), atol=2e-4)
 
 
-def working_of(values: NDArray[np.float32]) -> NDArray[np.float32]:
+def working_of(values: Float32) -> Float32:
     return by_ocio(np.clip(by_ocio(values, "ACEScg", REC709), 0.0, 1.0), REC709, "sRGB Encoded Rec.709 (sRGB)")
 
 

@@ -8,18 +8,17 @@ from pathlib import Path
 import cv2
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
+from roam_core.arrays import UInt8
 from roam_core.errors import RoamError
 from roam_core.media import open_clip
 from roam_core.media.interlacing import is_combed
 
-Pixels = NDArray[np.uint8]
 WIDTH, HEIGHT, COUNT = 96, 64, 12
 TEXTURE = cv2.resize(np.random.default_rng(0).integers(30, 120, (8, 12, 3), dtype=np.uint8), (WIDTH, HEIGHT))
 
 
-def moment(time: float) -> Pixels:
+def moment(time: float) -> UInt8:
     """A bright box that glides over a texture."""
     picture = TEXTURE.copy()
     left = int(4 + 4 * time)
@@ -27,18 +26,18 @@ def moment(time: float) -> Pixels:
     return picture
 
 
-def progressive(frame: int) -> Pixels:
+def progressive(frame: int) -> UInt8:
     return moment(frame)
 
 
-def interlaced(frame: int) -> Pixels:
+def interlaced(frame: int) -> UInt8:
     """Rows of two moments, half a frame apart."""
     picture = moment(frame).copy()
     picture[1::2] = moment(frame + 0.5)[1::2]
     return picture
 
 
-def striped(frame: int) -> Pixels:
+def striped(frame: int) -> UInt8:
     """Blinds of two rows each behind a box that glides over them."""
     picture = moment(frame).copy()
     still = picture.copy()
@@ -47,12 +46,12 @@ def striped(frame: int) -> Pixels:
     return picture
 
 
-def still(frame: int) -> Pixels:
+def still(frame: int) -> UInt8:
     """The same picture at every time, combed as a frame of two moments is."""
     return interlaced(3)
 
 
-def write(path: Path, codec: str, drawn: Callable[[int], Pixels]) -> Path:
+def write(path: Path, codec: str, drawn: Callable[[int], UInt8]) -> Path:
     """A movie of 12 frames, or a skipped test where OpenCV's FFmpeg lacks the codec."""
     writer = cv2.VideoWriter(str(path), cv2.CAP_FFMPEG, cv2.VideoWriter.fourcc(*codec), 25.0, (WIDTH, HEIGHT))
     if not writer.isOpened():
@@ -78,7 +77,7 @@ def mark_interlaced(path: Path) -> None:
 
 
 @pytest.mark.parametrize("drawn", [progressive, striped, still])
-def test_pictures_of_one_moment_are_not_combed(drawn: Callable[[int], Pixels]) -> None:
+def test_pictures_of_one_moment_are_not_combed(drawn: Callable[[int], UInt8]) -> None:
     assert not is_combed([drawn(frame) for frame in range(COUNT)])
 
 
@@ -100,7 +99,7 @@ def test_a_combed_movie_is_refused_though_nothing_marks_it(tmp_path: Path) -> No
 
 
 @pytest.mark.parametrize("drawn", [progressive, striped, still])
-def test_a_movie_of_one_moment_a_frame_is_opened(tmp_path: Path, drawn: Callable[[int], Pixels]) -> None:
+def test_a_movie_of_one_moment_a_frame_is_opened(tmp_path: Path, drawn: Callable[[int], UInt8]) -> None:
     plate = open_clip(write(tmp_path / "shot.mkv", "FFV1", drawn))
     assert len(plate.frames) == COUNT
     assert np.abs(plate.read(5)[..., ::-1].astype(int) - drawn(4)).mean() < 3.0

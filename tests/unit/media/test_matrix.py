@@ -9,8 +9,8 @@ from typing import Any
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
+from roam_core.arrays import Image
 from roam_core.media import open_clip
 from roam_core.media.colour import to_engine, unit_floats
 from tests.unit.media.conftest import HEIGHT, WIDTH, picture, write_image
@@ -48,7 +48,7 @@ CASES = [
 ]
 
 
-def stored(depth: str, channels: int) -> NDArray[Any]:
+def stored(depth: str, channels: int) -> Image:
     """Values in [0, 1] that a depth holds exactly; of floating point some lie below 0 and above 1."""
     values = picture(channels, channels)
     if depth in INTEGER:
@@ -57,21 +57,21 @@ def stored(depth: str, channels: int) -> NDArray[Any]:
     return (values * 4.0 - 1.0).astype(np.float16 if depth == "half" else np.float32).astype(np.float64)
 
 
-def written(path: Path, depth: str, values: NDArray[Any], channels: tuple[str, ...], **fields: Any) -> Path:
+def written(path: Path, depth: str, values: Image, channels: tuple[str, ...], **fields: Any) -> Path:
     """A file of these values; depths between 8 and 16 bits are told to the writer as such."""
     kind = depth if depth in ("uint8", "half", "float") else "uint16"
     if depth in ("uint10", "uint12"):
         fields["oiio__BitsPerSample"] = int(depth[4:])
     if "A" in channels:
         fields["oiio__UnassociatedAlpha"] = 1  # the writer is not to divide by it
-    pixels: NDArray[Any] = values.astype(np.float32)
+    pixels: Image = values.astype(np.float32)
     if kind in ("uint8", "uint16"):
         top = INTEGER[kind]
         pixels = np.round(values * top).astype(kind)
     return write_image(path, pixels, kind, channelnames=channels, **fields)
 
 
-def shown(values: NDArray[Any], channels: tuple[str, ...]) -> NDArray[Any]:
+def shown(values: Image, channels: tuple[str, ...]) -> Image:
     """What of the values is the picture."""
     last = [name.rpartition(".")[2] for name in channels]
     wanted = ("R", "G", "B") if "R" in last else ("Y", "Y", "Y")
@@ -120,7 +120,7 @@ def test_every_lossy_exr(tmp_path: Path, compression: str) -> None:
     np.testing.assert_allclose(open_clip(path).read(1), values, atol=0.02)
 
 
-def cineon(path: Path, codes: NDArray[Any]) -> Path:
+def cineon(path: Path, codes: Image) -> Path:
     """A Cineon file, three channels of 10 bits in 32-bit words, by Kodak's format 4.5; big endian."""
     height, width = codes.shape[:2]
     header = bytearray(b"\xff" * 2048)

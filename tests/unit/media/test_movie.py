@@ -11,8 +11,8 @@ import cv2
 import numpy as np
 import OpenImageIO as oiio  # noqa: N813 - the name its own manual uses
 import pytest
-from numpy.typing import NDArray
 
+from roam_core.arrays import Image, UInt8
 from roam_core.errors import RoamError
 from roam_core.media import MissingFrame, open_clip
 from roam_core.media.movie import LONGEST_STEP
@@ -22,7 +22,7 @@ COUNT = 40
 CODECS = [("avi", "MJPG"), ("mp4", "mp4v"), ("avi", "XVID"), ("mkv", "FFV1"), ("webm", "VP80")]
 
 
-def decoded_in_order(path: Path) -> list[NDArray[Any]]:
+def decoded_in_order(path: Path) -> list[Image]:
     """The RGB pictures of a movie, read straight through."""
     movie = RealCapture(str(path), cv2.CAP_FFMPEG)
     pictures = []
@@ -87,7 +87,7 @@ def write_gif(path: Path, rates: list[int]) -> Path:
     return path
 
 
-def gif_picture(index: int) -> NDArray[np.uint8]:
+def gif_picture(index: int) -> UInt8:
     picture = np.zeros((24, 32, 3), np.uint8)
     picture[3 * index : 3 * index + 6] = (255, 0, 0)
     return picture

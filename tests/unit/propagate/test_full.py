@@ -6,8 +6,8 @@ from dataclasses import replace
 
 import numpy as np
 import numpy.testing as npt
-from numpy.typing import NDArray
 
+from roam_core.arrays import UInt8
 from roam_core.geometry import bezier, polyline
 from roam_core.kernels.coverage import coverage
 from roam_core.params import CONFIGS
@@ -20,8 +20,8 @@ BODY = (40, 30, 90, 90)
 FULL = replace(CONFIGS["full"], landmarks=None, warp="klt")
 
 
-def plate(mask: Bools, seed: int) -> NDArray[np.uint8]:
-    """An object of one hue on a ground of another, both of a grain that does not move."""
+def plate(mask: Bools, seed: int) -> UInt8:
+    """An object of one hue on a background of another, both of a grain that does not move."""
     grain = np.random.default_rng(7).normal(0.0, 12.0, (*SIZE, 1)) + np.random.default_rng(seed).normal(
         0, 2, (*SIZE, 1)
     )

@@ -27,7 +27,7 @@ WAIT = 20_000
 
 
 def disc(scale: float = 1.0) -> np.ndarray:
-    """A light disc on grainy ground, for a plate of 200 x 150; a proxy with a smaller `scale`."""
+    """A light disc on grainy background, for a plate of 200 x 150; a proxy with a smaller `scale`."""
     picture = np.random.default_rng(4).normal(60.0, 4.0, (150, 200, 3))
     inside = np.hypot(*(np.mgrid[:150, :200] + 0.5 - np.array(CENTRE[::-1])[:, None, None])) < RADIUS
     picture[inside] += 120.0

@@ -1,4 +1,4 @@
-"""Two passages that do not agree: how far the picture is heard."""
+"""Two passes that do not agree: how far the picture is heard."""
 
 from __future__ import annotations
 
@@ -6,8 +6,8 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
+from roam_core.arrays import Float32
 from roam_core.features import PreparedFrame, Region
 from roam_core.features.grid import Grid
 from roam_core.geometry.bezier import polygon_points
@@ -25,7 +25,7 @@ SIZE = (120, 160)
 GRID = Grid.over(Region(0, 0, SIZE[1], SIZE[0]), 1.0)
 SQUARE = polygon_points([(40, 40), (90, 40), (90, 80), (40, 80)])
 STRIP = (slice(40, 80), slice(90, 94))
-"""Cells on the right of the square: of the object on the frame, and of the ground on both keys."""
+"""Cells on the right of the square: of the object on the frame, and of the background on both keys."""
 RED, GREEN = (200, 60, 40), (60, 140, 60)
 
 
@@ -44,7 +44,7 @@ def region(strip: float) -> Field:
 
 
 def strip_taken(onwards: float, back: float, keys_weight: float) -> float:
-    """The share of the strip in the outline half way between two keys, where the passages say so much of it."""
+    """The share of the strip in the outline half way between two keys, where the passes say so much of it."""
 
     def directional_pass(key: int, strip: float) -> DirectionalPass:
         def seen(frame: int) -> Field:
@@ -61,13 +61,13 @@ def strip_taken(onwards: float, back: float, keys_weight: float) -> float:
     span = Span(*keys, directional_pass(1, onwards), directional_pass(5, back), SIZE, scale_for(SIZE), params)
     [outline] = merged(span, 3, colours=Colours(picture(94), params))
     assert outline is not None
-    matte: NDArray[np.float32] = shape_matte(RotoShape("x", "x", (Keyframe(3, outline.points),)), 3, SIZE)
+    matte: Float32 = shape_matte(RotoShape("x", "x", (Keyframe(3, outline.points),)), 3, SIZE)
     return float(matte[STRIP].mean())
 
 
 @pytest.mark.parametrize("turned", [False, True], ids=["onwards inside", "back inside"])
-def test_where_the_passages_disagree_the_picture_is_heard_over_what_would_stand_where_they_agree(turned: bool) -> None:
-    """Planar motion says outside and weighs as much as both passages: together half of sure, whatever these say.
+def test_where_the_passes_disagree_the_picture_is_heard_over_what_would_stand_where_they_agree(turned: bool) -> None:
+    """Planar motion says outside and weighs as much as both passes: together half of sure, whatever these say.
 
     The picture's three nats for the object are enough against half of that, and not against all of it.
     """

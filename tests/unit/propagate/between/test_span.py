@@ -8,9 +8,9 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
 from roam_core import RoamError, fill_span
+from roam_core.arrays import UInt8
 from roam_core.cancel import Cancelled, CancelToken
 from roam_core.geometry.bezier import polygon_points
 from roam_core.matte.compose import render_matte
@@ -19,7 +19,7 @@ from roam_core.params import CONFIGS
 from roam_core.propagate.between.span import Reader, spans
 from roam_core.propagate.shapes import provenance
 from roam_core.roto import BlendMode, Keyframe, Origin, RotoShape
-from tests.golden.shots import Image, Shot, blob, outline_distance, pose
+from tests.golden.shots import Shot, blob, outline_distance, pose
 from tests.narrow import Narrow
 
 FIRST, LAST = 1001, 1009
@@ -34,7 +34,7 @@ def shot() -> Shot:
     return Shot(blob([26.0, 22.0, 18.0, 24.0, 28.0, 20.0]), poses, drift=(0.4, -0.2))
 
 
-def pictures(shot: Shot) -> dict[int, Image]:
+def pictures(shot: Shot) -> dict[int, UInt8]:
     return {frame: shot.read(frame) for frame in shot.frames}
 
 
@@ -57,10 +57,10 @@ def test_filled_frames_follow_the_picture_and_keys_stay_as_they_were(shot: Shot,
 
 
 def test_the_same_input_gives_the_same_bits_whatever_the_threads_do(shot: Shot) -> None:
-    class Hesitant(dict[int, Image]):
+    class Hesitant(dict[int, UInt8]):
         """Pictures that keep one of the two threads waiting now and then."""
 
-        def __getitem__(self, frame: int) -> Image:
+        def __getitem__(self, frame: int) -> UInt8:
             threading.Event().wait(0.002 * (frame % 3))
             return super().__getitem__(frame)
 
@@ -98,8 +98,8 @@ def test_a_shape_that_ends_is_carried_to_its_end(shot: Shot) -> None:
 
 
 def test_a_missing_picture_is_passed_over(shot: Shot) -> None:
-    class Gappy(dict[int, Image]):
-        def __getitem__(self, frame: int) -> Image:
+    class Gappy(dict[int, UInt8]):
+        def __getitem__(self, frame: int) -> UInt8:
             if frame == FIRST + 3:
                 raise MissingFrame("frame 1004 is missing")
             return super().__getitem__(frame)
@@ -140,8 +140,8 @@ def test_progress_goes_from_little_to_all_and_cancelling_stops(shot: Shot) -> No
 def test_pictures_are_asked_for_by_one_thread_at_a_time(shot: Shot) -> None:
     narrow = Narrow()
 
-    class Plate(dict[int, Image]):
-        def __getitem__(self, frame: int) -> Image:
+    class Plate(dict[int, UInt8]):
+        def __getitem__(self, frame: int) -> UInt8:
             narrow.passed()
             return super().__getitem__(frame)
 
@@ -175,7 +175,7 @@ def test_what_cannot_be_filled_is_refused_with_a_sentence(shot: Shot, change: ob
 
 
 def test_a_picture_that_is_not_there_is_named(shot: Shot) -> None:
-    images: Mapping[int, NDArray[np.uint8]] = {f: p for f, p in pictures(shot).items() if f != FIRST + 2}
+    images: Mapping[int, UInt8] = {f: p for f, p in pictures(shot).items() if f != FIRST + 2}
     with pytest.raises(RoamError, match="1003"):
         fill_span(images, [keyed(shot, FIRST, LAST)], FIRST, LAST)
 
@@ -193,7 +193,7 @@ CARD, POST = (40.0, 30.0, 112.0, 80.0), (70.0, 84.0)
 """Left, top, right, bottom of a card that lies still; left and right side of what comes before it at the end."""
 
 
-def behind_a_post(frame: int) -> Image:
+def behind_a_post(frame: int) -> UInt8:
     rng = np.random.default_rng(7)
     image = rng.integers(50, 90, (110, 160, 3)).astype(np.uint8)
     left, top, right, bottom = (round(side) for side in CARD)

@@ -69,7 +69,7 @@ def test_landmarks_go_with_the_object_and_their_pairs_with_them(frames: list[Pre
     moved = last.pool.positions[np.searchsorted(last.pool.ids, common)]
     was = first.pool.positions[np.searchsorted(first.pool.ids, common)]
     local = [np.linalg.solve(p[:, :2], (at - p[:, 2]).T).T for p, at in ((POSES[0], was), (POSES[-1], moved))]
-    # Their patches reach over the outline, where the ground glides the other way.
+    # Their patches reach over the outline, where the background glides the other way.
     assert np.median(np.hypot(*(local[1] - local[0]).T)) < 2.0
     assert last.pairs.leaf.max() < len(last.pool)
     assert (np.bincount(last.pairs.node) == 2).all()

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import fields, replace
 
 import numpy as np
 
+from roam_core.energy import total
 from roam_core.features import PreparedFrame
 from roam_core.geometry import bezier
 from roam_core.geometry.similarity import IDENTITY
@@ -58,6 +59,19 @@ def test_every_term_has_its_share_of_the_energy() -> None:
     assert result.energies["local"] < 0.0
 
 
+def test_a_step_hands_every_term_what_it_looks_at() -> None:
+    """A field of the context that stays None is a term that no run evaluates."""
+    weights = {each.name: 0.01 for each in fields(RoamParams) if each.name.startswith("lambda_")}
+    params = replace(LEAN, **weights)
+    state = begin(prepared(SHOT, SHOT.first), SHOT.truth(SHOT.first), params)
+    seen = observed(state, prepared(SHOT, SHOT.frames[1]), Warp(IDENTITY, 0, 1.0), state.points, params)
+    assert seen is not None
+    assert [each.name for each in fields(seen.curve) if getattr(seen.curve, each.name) is None] == []
+    energies = total.energies(seen.nodes, seen.curve, params)
+    assert [term for term, energy in energies.items() if energy == 0.0] == []
+    assert len(energies) == len({"mu", *weights}) + 1
+
+
 def test_the_global_term_takes_part_where_it_has_a_weight() -> None:
     both = replace(LEAN, lambda_global=0.01)
     state = begin(prepared(SHOT, SHOT.first), SHOT.truth(SHOT.first), both)
@@ -97,7 +111,7 @@ def test_each_kind_of_local_colour_says_its_own_and_both_the_mean() -> None:
 
 
 def soft_disc(x: float) -> PreparedFrame:
-    """A disc around (x, 60) that differs little from the ground."""
+    """A disc around (x, 60) that differs little from the background."""
     image = np.full((120, 140, 3), 90.0)
     rows, columns = np.mgrid[:120, :140] + 0.5
     image[(rows - 60.0) ** 2 + (columns - x) ** 2 < 25.0**2] = 125.0

@@ -32,7 +32,7 @@ def square(x0: float, y0: float, x1: float, y1: float) -> Part:
     return Part(bezier.polygon_points([(x0, y0), (x1, y0), (x1, y1), (x0, y1)]))
 
 
-UNBROKEN = np.ones(GRID.shape, np.float32)
+RELIABLE = np.ones(GRID.shape, np.float32)
 
 
 def box(nats: float) -> Field:
@@ -69,20 +69,20 @@ def test_the_model_is_logistic() -> None:
 
 def test_signs_of_a_region_that_is_found_as_expected() -> None:
     sure = box(SURE)
-    features = ConfidenceFeatures.of([square(20, 10, 40, 30)], sure, everywhere(sure), UNBROKEN, 1)
+    features = ConfidenceFeatures.of([square(20, 10, 40, 30)], sure, everywhere(sure), RELIABLE, 1)
     np.testing.assert_allclose(astuple(features), astuple(WELL), atol=1e-9)
 
 
 def test_curves_that_enclose_half_the_region() -> None:
     sure = box(SURE)
-    features = ConfidenceFeatures.of([square(20, 10, 30, 30)], sure, everywhere(sure), UNBROKEN, 1)
+    features = ConfidenceFeatures.of([square(20, 10, 30, 30)], sure, everywhere(sure), RELIABLE, 1)
     assert features.unenclosed == pytest.approx(np.log(2.0))
 
 
 def test_faint_evidence_is_flat_and_undecided() -> None:
     faint, features = box(0.5), []
     for field in (faint, box(2.0)):
-        features.append(ConfidenceFeatures.of([square(20, 10, 40, 30)], field, everywhere(field), UNBROKEN, 1))
+        features.append(ConfidenceFeatures.of([square(20, 10, 40, 30)], field, everywhere(field), RELIABLE, 1))
     assert features[0].flat == pytest.approx(1.0 - 0.5 / SURE)
     assert features[1].flat == pytest.approx(0.5)
     assert features[0].undecided == 3.0  # of 2400 cells, for 400 inside, capped
@@ -94,11 +94,11 @@ def test_what_the_key_did_not_have_is_new() -> None:
     known = found.inside.astype(np.float32)
     known[:, 30:] = 0.0
     expected = replace(everywhere(found), remembered=known)
-    assert ConfidenceFeatures.of([square(20, 10, 40, 30)], found, expected, UNBROKEN, 1).new == pytest.approx(0.5)
+    assert ConfidenceFeatures.of([square(20, 10, 40, 30)], found, expected, RELIABLE, 1).new == pytest.approx(0.5)
 
 
 def test_what_the_flow_did_not_bring_from_the_key_is_broken() -> None:
-    found, flow_reliability = box(SURE), UNBROKEN.copy()
+    found, flow_reliability = box(SURE), RELIABLE.copy()
     flow_reliability[:, 30:] = 0.2  # half of the border
     features = ConfidenceFeatures.of([square(20, 10, 40, 30)], found, everywhere(found), flow_reliability, 1)
     assert features.broken == pytest.approx(0.4, abs=0.01)
@@ -106,7 +106,7 @@ def test_what_the_flow_did_not_bring_from_the_key_is_broken() -> None:
 
 def test_nothing_found_leaves_no_confidence() -> None:
     nothing = Field(GRID, np.full(GRID.shape, -SURE, dtype=np.float32))
-    features = ConfidenceFeatures.of([square(20, 10, 40, 30)], nothing, everywhere(nothing), UNBROKEN, 1)
+    features = ConfidenceFeatures.of([square(20, 10, 40, 30)], nothing, everywhere(nothing), RELIABLE, 1)
     assert np.isfinite(astuple(features)).all()
     assert expected_overlap(features) < 0.05
 

@@ -1,4 +1,4 @@
-"""Outlines laid along a region: behind a post, and out of sight."""
+"""Outlines fitted to a region: behind a post, and out of sight."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from roam_core.features import Region
 from roam_core.features.grid import Grid
 from roam_core.geometry import bezier, polyline
 from roam_core.params import ContourFitParams, RegionParams
-from roam_core.propagate.frame.contour_fit import enclosed, laid, trusts_of
+from roam_core.propagate.frame.contour_fit import enclosed, fitted, trusts_of
 from roam_core.propagate.frame.nodes import smooth_points
 from roam_core.propagate.frame.result import Part
 from roam_core.proposal.cues.evidence import Field
@@ -24,7 +24,7 @@ HAND = Part(blob([12.0] * 6) + np.array([200.0, 40.0]))
 def along(parts: list[Part], inside: np.ndarray, longest_bridge: float = 2.0) -> list[tuple[np.ndarray, bool]]:
     constraints = [KeyConstraints.of(part.points, smooth_points(part.points), ContourFitParams()) for part in parts]
     field, params = Field.of_coverage(GRID, inside.astype(np.float32)), RegionParams(longest_bridge=longest_bridge)
-    return laid(parts, constraints, field, 1.0, params)
+    return fitted(parts, constraints, field, 1.0, params)
 
 
 @pytest.mark.parametrize(("longest_bridge", "least", "most"), [(2.0, 0.93, 1.0), (0.0, 0.4, 0.8)])

@@ -4,15 +4,14 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array
 from roam_core.geometry import bezier, similarity
 from roam_core.geometry.bezier import ANCHOR, IN, OUT
 from roam_core.params import RoamParams
 from roam_core.propagate.frame.nodes import NodeMap
 from tests.golden.shots import blob, dense, outline_distance, pose, square
 
-Array = NDArray[np.float64]
 PARAMS = RoamParams()
 BLOB = blob([60.0, 44.0, 52.0, 68.0, 40.0]) + np.array([120.0, 90.0])
 BOX = square(80.0) + np.array([120.0, 90.0])

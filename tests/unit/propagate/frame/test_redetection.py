@@ -7,10 +7,10 @@ from dataclasses import replace
 import cv2
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
 from roam_core import shapes_from_mask, track
 from roam_core.appearance.global_model import GlobalModel
+from roam_core.arrays import Array, Bools, UInt8
 from roam_core.features import PreparedFrame
 from roam_core.features.grid import Grid, Region
 from roam_core.geometry import bezier
@@ -34,15 +34,13 @@ POST = slice(95, 150)
 
 REGION = RegionParams()
 
-UInt8 = NDArray[np.uint8]
-
 
 def meadow() -> UInt8:
     noise = np.random.default_rng(5).normal(0.0, 6.0, (*SIZE, 3))
     return np.clip(np.array([70, 120, 60]) + cv2.GaussianBlur(noise, (0, 0), 1.0), 0, 255).astype(np.uint8)
 
 
-def disc(column: float, row: float = ROW, radius: float = RADIUS) -> NDArray[np.bool_]:
+def disc(column: float, row: float = ROW, radius: float = RADIUS) -> Bools:
     y, x = np.mgrid[: SIZE[0], : SIZE[1]] + 0.5
     return np.asarray(np.hypot(x - column, y - row) < radius)
 
@@ -129,7 +127,7 @@ def test_what_is_found_is_left_where_too_little_is_to_be_expected_of_it() -> Non
     assert not last_seen_at(1.0)
 
 
-def ring_of(column: float, radius: float = RADIUS) -> NDArray[np.float64]:
+def ring_of(column: float, radius: float = RADIUS) -> Array:
     angles = np.linspace(0.0, 2.0 * np.pi, 40, endpoint=False)
     return np.stack([column + radius * np.cos(angles), ROW + radius * np.sin(angles)], axis=1)
 
@@ -145,7 +143,7 @@ def test_what_lies_inside_resembles_the_object_as_far_as_it_is_the_object() -> N
 
 
 @pytest.mark.parametrize("line", [ring_of(9000.0), ring_of(60.0, 0.1)], ids=["beyond the picture", "nothing left"])
-def test_nothing_resembles_nothing(line: NDArray[np.float64]) -> None:
+def test_nothing_resembles_nothing(line: Array) -> None:
     assert appearance()[0].resemblance(PreparedFrame(picture(60.0)), line) == 0.0
 
 
@@ -191,7 +189,7 @@ def test_landmarks_of_what_was_found_again_are_new_ones() -> None:
 
 
 def test_of_what_was_found_again_its_region_has_the_colours_of_the_key() -> None:
-    """Whatever was learned since: here the ground's colours for the object's."""
+    """Whatever was learned since: here the background's colours for the object's."""
     key = PreparedFrame(picture(60.0))
     state = begin(key, (Part(shapes_from_mask(disc(60.0))[0].at(0).points),), REGION)
     misled = GlobalModel(state.colours.outside, state.colours.inside)

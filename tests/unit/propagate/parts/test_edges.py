@@ -7,8 +7,8 @@ from dataclasses import replace
 import numpy as np
 import numpy.testing as npt
 import pytest
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array, Bools
 from roam_core.features import PreparedFrame
 from roam_core.geometry import bezier
 from roam_core.params import FreeEdgesParams
@@ -17,7 +17,6 @@ from roam_core.roto import Keyframe, Origin, RotoShape
 from roam_core.roto.linking import BEHIND
 from tests.unit.propagate.figures import Figure, body_with_arms, subtracting
 
-Array = NDArray[np.float64]
 Box = tuple[float, float, float, float]
 SIZE = 120, 160
 BODY, ARM = (40.0, 30.0, 90.0, 100.0), (70.0, 50.0, 130.0, 64.0)
@@ -31,14 +30,14 @@ def shape(name: str, box: Box, frame: int = 1) -> RotoShape:
 
 
 def picture(*boxes: tuple[Box, int], size: tuple[int, int] = SIZE) -> PreparedFrame:
-    """Boxes of one grey each, bottom first, on a dark ground."""
+    """Boxes of one grey each, bottom first, on a dark background."""
     image = np.full((*size, 3), DARK, dtype=np.uint8)
     for (left, top, right, bottom), level in boxes:
         image[int(top) : int(bottom), int(left) : int(right)] = level
     return PreparedFrame(image)
 
 
-def within(places: Array, box: Box, margin: float) -> NDArray[np.bool_]:
+def within(places: Array, box: Box, margin: float) -> Bools:
     """Which places lie inside a box, deeper than `margin`; farther out where that is negative."""
     left, top, right, bottom = box
     inside = (places >= (left + margin, top + margin)) & (places <= (right - margin, bottom - margin))

@@ -6,8 +6,8 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array
 from roam_core.geometry.bezier import polygon_points
 from roam_core.params import OBJECTS
 from roam_core.propagate.shapes.objects import Role, Unit, near, objects, stacked, units
@@ -16,7 +16,7 @@ from roam_core.roto import BlendMode, Keyframe, Origin, RotoShape, edit
 CORNERS = np.array([(0, 0), (1, 0), (1, 1), (0, 1)])
 
 
-def box(x: float, y: float, width: float, height: float) -> NDArray[np.float64]:
+def box(x: float, y: float, width: float, height: float) -> Array:
     return polygon_points(CORNERS * (width, height) + (x, y))
 
 

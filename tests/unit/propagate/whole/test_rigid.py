@@ -7,9 +7,9 @@ from dataclasses import replace
 import cv2
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
 from roam_core import fill_span, track
+from roam_core.arrays import Array, Float32, UInt8
 from roam_core.cli.explain import text_of
 from roam_core.features import PreparedFrame
 from roam_core.geometry import projective, similarity
@@ -28,11 +28,8 @@ TO_OPENCV = np.array([[1.0, 0.0, -0.5], [0.0, 1.0, -0.5], [0.0, 0.0, 1.0]])
 COUNT = 10
 LEAST = 0.6
 
-Array = NDArray[np.float64]
-Image = NDArray[np.uint8]
 
-
-def noise(seed: int, low: float, high: float) -> NDArray[np.float32]:
+def noise(seed: int, low: float, high: float) -> Float32:
     rough = np.random.default_rng(seed).uniform(0.0, 1.0, (*SIZE, 3)).astype(np.float32)
     soft = cv2.GaussianBlur(rough, (0, 0), 1.5)
     return np.asarray(low + (high - low) * (soft - soft.min()) / (soft.max() - soft.min()), dtype=np.float32)
@@ -52,12 +49,12 @@ def pose(frame: int) -> Array:
     return projective.normalised(np.linalg.inv(middle) @ motion @ middle)
 
 
-def picture(frame: int, post: tuple[int, int] | None = None) -> Image:
+def picture(frame: int, post: tuple[int, int] | None = None) -> UInt8:
     """The ship on the sea, which stands still; `post` are columns that hide what is behind them."""
     return drawn([(pose(frame), HULL)], post)
 
 
-def drawn(components: list[tuple[Array, Array]], post: tuple[int, int] | None = None) -> Image:
+def drawn(components: list[tuple[Array, Array]], post: tuple[int, int] | None = None) -> UInt8:
     image = SEA.copy()
     for motion, points in components:
         moved = cv2.warpPerspective(PAINT, TO_OPENCV @ motion @ np.linalg.inv(TO_OPENCV), SIZE[::-1])
@@ -103,7 +100,7 @@ def test_two_halves_that_go_apart_are_no_piece() -> None:
     left, right = (polygon_points([(x, 60), (x + 50, 60), (x + 50, 140), (x, 140)]) for x in (60, 110))
     whole = polygon_points([(60, 60), (160, 60), (160, 140), (60, 140)])
 
-    def read(frame: int) -> Image:
+    def read(frame: int) -> UInt8:
         apart = np.eye(3)
         apart[1, 2] = 4.0 * frame
         return drawn([(np.eye(3), left), (apart, right)])

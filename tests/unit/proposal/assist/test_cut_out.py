@@ -5,8 +5,8 @@ from __future__ import annotations
 import cv2
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array, Bools, UInt8
 from roam_core.cancel import Cancelled, CancelToken
 from roam_core.errors import RoamError
 from roam_core.kernels.coverage import coverage
@@ -17,24 +17,24 @@ from roam_core.roto import BlendMode, RotoShape
 SIZE = (180, 240)
 
 
-def ground() -> NDArray[np.float64]:
+def background() -> Array:
     noise = np.random.default_rng(8).normal(0.0, 14.0, (*SIZE, 3))
     return 70.0 + cv2.GaussianBlur(noise, (0, 0), 1.0) + np.linspace(0.0, 25.0, SIZE[1])[None, :, None]
 
 
-def bean(hole: bool = False) -> tuple[NDArray[np.uint8], NDArray[np.bool_]]:
-    """A picture of an ellipse with a bite taken out, and the mask of it; with `hole` the ground shows through."""
+def bean(hole: bool = False) -> tuple[UInt8, Bools]:
+    """A picture of an ellipse with a bite taken out, and the mask of it; with `hole` the background shows through."""
     y, x = np.mgrid[: SIZE[0], : SIZE[1]] + 0.5
     mask = ((x - 120.0) / 70.0) ** 2 + ((y - 90.0) / 45.0) ** 2 < 1.0
     mask &= np.hypot(x - 120.0, y - 30.0) > 30.0
     if hole:
         mask &= np.hypot(x - 150.0, y - 95.0) > 16.0
-    picture = ground()
+    picture = background()
     picture[mask] = (190.0, 140.0, 60.0) + picture[mask] * 0.2
     return np.clip(cv2.GaussianBlur(picture, (0, 0), 0.8), 0, 255).astype(np.uint8), mask
 
 
-def covered(shapes: list[RotoShape]) -> NDArray[np.bool_]:
+def covered(shapes: list[RotoShape]) -> Bools:
     inside = np.zeros(SIZE, dtype=bool)
     for shape in shapes:
         part = coverage(shape.at(7).flatten(), SIZE) > 0.5
@@ -42,7 +42,7 @@ def covered(shapes: list[RotoShape]) -> NDArray[np.bool_]:
     return inside
 
 
-def overlap(shapes: list[RotoShape], mask: NDArray[np.bool_]) -> float:
+def overlap(shapes: list[RotoShape], mask: Bools) -> float:
     inside = covered(shapes)
     return float((inside & mask).sum() / (inside | mask).sum())
 
@@ -76,7 +76,7 @@ def test_an_object_that_outgrows_its_first_box_is_found_whole(monkeypatch: pytes
     assert overlap(cut_click(picture, 7, Marks(((90.0, 100.0),))), mask) > 0.95
 
 
-def two_coloured() -> tuple[NDArray[np.uint8], NDArray[np.bool_]]:
+def two_coloured() -> tuple[UInt8, Bools]:
     """The bean, its right half in another colour altogether."""
     picture, mask = bean()
     picture = picture.copy()
@@ -101,8 +101,8 @@ def test_a_mark_beside_the_object_takes_a_part_away() -> None:
     assert overlap(cut_box(picture, *box, 7, marks), left) > 0.9
 
 
-def test_ground_that_shows_through_a_later_mark_is_not_taken_for_the_object() -> None:
-    """The second click is a slip onto the nearer half of the ground, which runs out of the picture."""
+def test_background_that_shows_through_a_later_mark_is_not_taken_for_the_object() -> None:
+    """The second click is a slip onto the nearer half of the background, which runs out of the picture."""
     picture = np.full((*SIZE, 3), 60, dtype=np.uint8)
     picture[:, 90:] = 120
     picture[80:110, 30:60] = 200
@@ -113,7 +113,7 @@ def test_ground_that_shows_through_a_later_mark_is_not_taken_for_the_object() ->
 
 
 def test_marks_on_two_objects_give_a_shape_for_each() -> None:
-    picture = ground()
+    picture = background()
     mask = np.zeros(SIZE, dtype=bool)
     mask[40:140, 30:90] = mask[40:140, 150:210] = True
     picture[mask] = (190.0, 140.0, 60.0)
@@ -123,11 +123,11 @@ def test_marks_on_two_objects_give_a_shape_for_each() -> None:
 
 
 def test_a_cut_that_collapses_is_taken_back(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Colours learned on mostly ground may leave nothing of a thin object: the round before is kept then."""
+    """Colours learned on mostly background may leave nothing of a thin object: the round before is kept then."""
     picture, mask = bean()
     rounds, real = [0], cv2.grabCut
 
-    def collapsing(colours: object, labels: NDArray[np.uint8], *rest: object) -> None:
+    def collapsing(colours: object, labels: UInt8, *rest: object) -> None:
         real(colours, labels, *rest)  # type: ignore[call-overload]
         rounds[0] += 1
         if rounds[0] == 3:
@@ -157,7 +157,7 @@ def test_a_small_copy_of_a_large_picture_is_cut() -> None:
     [
         ((50.0, 50.0), (53.0, 90.0), "box is too small"),
         ((-90.0, -50.0), (-20.0, -10.0), "box is too small"),
-        ((-5.0, -5.0), (245.0, 185.0), "leaves no ground"),
+        ((-5.0, -5.0), (245.0, 185.0), "leaves no background"),
     ],
 )
 def test_boxes_that_cannot_be_cut_are_refused(low: tuple[float, float], high: tuple[float, float], sentence: str):
@@ -170,7 +170,7 @@ def test_a_click_beside_the_picture_is_refused() -> None:
         cut_click(bean()[0], 7, Marks(((300.0, 20.0),)))
 
 
-def test_a_click_on_endless_ground_is_refused() -> None:
+def test_a_click_on_endless_background_is_refused() -> None:
     with pytest.raises(RoamError, match="No object ends around that place"):
         cut_click(np.full((*SIZE, 3), 90, dtype=np.uint8), 7, Marks(((60.0, 60.0),)))
 

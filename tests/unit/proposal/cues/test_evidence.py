@@ -1,16 +1,17 @@
-"""Motion in the evidence: what it says against new ground, against uncovered ground, and where it holds its tongue."""
+"""Motion in the evidence: what it says against new background, against uncovered background, and where it holds its
+tongue.
+"""
 
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Bools
 from roam_core.features import PreparedFrame, Region
 from roam_core.features.grid import Grid
 from roam_core.params import RegionParams
 from roam_core.proposal.cues.evidence import Expectation, Field, KeyMemory, Sources, motion_cue
 
-Bools = NDArray[np.bool_]
 GRID = Grid(Region(0, 0, 8, 1), 1, 8)
 
 
@@ -32,8 +33,8 @@ def sources(rigid: Bools, fluid: Bools, remembered: Bools, motion: list[float]) 
     )  # fmt: skip
 
 
-def test_motion_speaks_against_new_and_uncovered_ground_only() -> None:
-    # By column: new ground, uncovered twice, held by the similarity, by the key, by both.
+def test_motion_speaks_against_new_and_uncovered_background_only() -> None:
+    # By column: new background, uncovered twice, held by the similarity, by the key, by both.
     seen = sources(
         rigid=cells(3, 5), fluid=cells(1, 2, 3, 4, 5), remembered=cells(4, 5), motion=[-2, -2, 1, -2, -2, -2, 2, 0]
     )

@@ -5,8 +5,8 @@ from __future__ import annotations
 import cv2
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
+from roam_core.arrays import Bools, Float32, UInt8
 from roam_core.features import PreparedFrame, Region
 from roam_core.features.grid import Grid
 from roam_core.params import KeyColoursParams
@@ -18,8 +18,6 @@ GRID = Grid.over(Region(0, 0, SIZE[1], SIZE[0]), 0.5)
 CARD = slice(20, 70), slice(30, 100)
 POST = slice(0, 90), slice(60, 76)
 ALL = np.ones(GRID.shape, dtype=bool)
-
-UInt8 = NDArray[np.uint8]
 
 
 def noise(seed: int, colour: tuple[int, int, int]) -> UInt8:
@@ -35,9 +33,7 @@ def picture(post: bool, shift: int = 0) -> PreparedFrame:
     return PreparedFrame(np.roll(image, shift, axis=1))
 
 
-def said_of(
-    frame: PreparedFrame, keys: list[tuple[KeyView, float]], wanted: NDArray[np.bool_] = ALL
-) -> NDArray[np.float32]:
+def said_of(frame: PreparedFrame, keys: list[tuple[KeyView, float]], wanted: Bools = ALL) -> Float32:
     return key_colours(GRID.of(frame.image), GRID, keys, wanted, KeyColoursParams())
 
 

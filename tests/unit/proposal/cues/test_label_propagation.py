@@ -7,8 +7,8 @@ from dataclasses import astuple, replace
 import cv2
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
+from roam_core.arrays import Float32, UInt8
 from roam_core.features import PreparedFrame, Region
 from roam_core.features.grid import Grid
 from roam_core.geometry.bezier import polygon_points
@@ -24,10 +24,8 @@ SIZE = (120, 160)
 WHOLE = Region(0, 0, SIZE[1], SIZE[0])
 FINE, COARSE = Grid.over(WHOLE, 1.0), Grid.over(WHOLE, 0.5)
 
-Float32 = NDArray[np.float32]
 
-
-def noise(seed: int) -> NDArray[np.uint8]:
+def noise(seed: int) -> UInt8:
     rough = np.random.default_rng(seed).integers(0, 256, (*SIZE, 3)).astype(np.uint8)
     soft = cv2.GaussianBlur(rough, (0, 0), 2.5)
     return np.asarray(cv2.normalize(soft, None, 0, 255, cv2.NORM_MINMAX), dtype=np.uint8)  # type: ignore[call-overload]

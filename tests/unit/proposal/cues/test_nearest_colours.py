@@ -6,15 +6,13 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array, Bools
 from roam_core.features import PreparedFrame, Region
 from roam_core.features.grid import Grid
 from roam_core.geometry.similarity import IDENTITY
 from roam_core.params import RegionParams
 from roam_core.proposal.cues.nearest_colours import NearestColours
-
-Array = NDArray[np.float64]
 
 SIZE = (120, 160)
 GRID = Grid.over(Region(20, 10, 140, 110), 1.0)
@@ -29,13 +27,13 @@ def box(x: float, side: float = 40.0) -> Array:
 
 
 def picture(x: int, colour: tuple[int, int, int] = RED) -> PreparedFrame:
-    """The square filled, on a green ground."""
+    """The square filled, on a green background."""
     image = np.full((*SIZE, 3), GREEN, dtype=np.float64)
     image[40:80, x : x + 40] = colour
     return PreparedFrame(np.clip(image + GRAIN, 0, 255).astype(np.uint8))
 
 
-def inside(x: float) -> NDArray[np.bool_]:
+def inside(x: float) -> Bools:
     """The cells of `GRID` that the square covers."""
     rows, columns = np.mgrid[: GRID.rows, : GRID.columns] + 0.5
     place = GRID.to_image(np.stack([columns, rows], axis=-1))

@@ -7,8 +7,8 @@ from dataclasses import replace
 import numpy as np
 import numpy.testing as npt
 import pytest
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array, Int64
 from roam_core.geometry import polyline
 from roam_core.params import ANCHORS
 from roam_core.proposal.mask_keys import anchors
@@ -19,7 +19,7 @@ COUNT = 16
 SAMPLES = 400
 
 
-def ring(waves: float) -> NDArray[np.float64]:
+def ring(waves: float) -> Array:
     """A disc whose lower half is as wavy as is asked, pixels."""
     angle = np.linspace(0.0, 2.0 * np.pi, 4000, endpoint=False)
     radius = 60.0 + waves * np.where(angle > np.pi, np.sin(14.0 * angle), 0.0)
@@ -27,11 +27,11 @@ def ring(waves: float) -> NDArray[np.float64]:
     return polyline.resample(line, SAMPLES)
 
 
-def on_the_upper_half() -> NDArray[np.int64]:
+def on_the_upper_half() -> Int64:
     return np.linspace(0, SAMPLES // 2, COUNT).astype(np.int64)
 
 
-def below(at: NDArray[np.int64]) -> int:
+def below(at: Int64) -> int:
     return int(np.count_nonzero(at % SAMPLES > SAMPLES // 2 + 5))
 
 

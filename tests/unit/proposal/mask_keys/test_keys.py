@@ -7,12 +7,12 @@ from dataclasses import replace
 import numpy as np
 import numpy.testing as npt
 import pytest
-from numpy.typing import NDArray
 
 from roam_core import RoamError, RotoShape, keys_from_mask, render_matte, shapes_from_mask
+from roam_core.arrays import Bools
 from roam_core.geometry import bezier, bspline, polyline
 from roam_core.geometry.bezier import polygon_points
-from roam_core.roto import BlendMode, Keyframe, Origin, Spline, grips
+from roam_core.roto import BlendMode, Keyframe, Origin, Spline, control_points
 from tests.golden.shots import Shot, blob, dense, overlap, pose
 
 RADII = [40.0, 52.0, 38.0, 45.0, 60.0, 43.0, 30.0]
@@ -20,7 +20,7 @@ SIZE = (240, 280)
 STAR = Shot(blob(RADII), (pose(90.0, 90.0), pose(170.0, 130.0, 25.0, 1.2)), size=SIZE)
 
 
-def solid(*boxes: tuple[int, int, int, int]) -> NDArray[np.bool_]:
+def solid(*boxes: tuple[int, int, int, int]) -> Bools:
     """A mask of (left, top, right, bottom) boxes."""
     mask = np.zeros((120, 160), dtype=bool)
     for left, top, right, bottom in boxes:
@@ -28,7 +28,7 @@ def solid(*boxes: tuple[int, int, int, int]) -> NDArray[np.bool_]:
     return mask
 
 
-def require_matte(shapes: list[RotoShape], frame: int, mask: NDArray[np.bool_], least: float = 0.97) -> None:
+def require_matte(shapes: list[RotoShape], frame: int, mask: Bools, least: float = 0.97) -> None:
     assert overlap(render_matte(shapes, frame, mask.shape) > 0.5, mask) > least
 
 
@@ -161,11 +161,11 @@ def test_two_runs_give_the_same_bits() -> None:
 
 
 def test_a_bspline_stays_one() -> None:
-    shape = grips.with_spline(shapes_from_mask(solid((20, 20, 60, 70)), 1)[0], Spline.BSPLINE)
+    shape = control_points.with_spline(shapes_from_mask(solid((20, 20, 60, 70)), 1)[0], Spline.BSPLINE)
     (keyed,) = keys_from_mask([shape], solid((30, 24, 74, 78)), 5)
     assert keyed.frames == (1, 5)
     assert bspline.is_bspline(keyed.at(5).points)
-    npt.assert_allclose(keyed.at(5).grips[:, 0].mean(axis=0), (52.0, 51.0), atol=3.0)
+    npt.assert_allclose(keyed.at(5).control_points[:, 0].mean(axis=0), (52.0, 51.0), atol=3.0)
 
 
 def closed(shape: RotoShape, frame: int) -> RotoShape:

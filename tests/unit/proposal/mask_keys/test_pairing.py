@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-import numpy as np
 import numpy.testing as npt
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array
 from roam_core.geometry import bezier
 from roam_core.geometry.bezier import polygon_points
 from roam_core.proposal.mask_keys.pairing import centre, paired
@@ -14,11 +13,11 @@ from tests.golden.shots import blob
 SIZE = (200, 300)
 
 
-def box(left: float, top: float, right: float, bottom: float) -> NDArray[np.float64]:
+def box(left: float, top: float, right: float, bottom: float) -> Array:
     return polygon_points([(left, top), (right, top), (right, bottom), (left, bottom)])
 
 
-def ring(*corners: float) -> NDArray[np.float64]:
+def ring(*corners: float) -> Array:
     return bezier.flatten(box(*corners))
 
 

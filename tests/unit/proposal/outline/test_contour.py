@@ -1,4 +1,4 @@
-"""A shape's own points, laid along another outline."""
+"""A shape's own points, fitted to another outline."""
 
 from __future__ import annotations
 
@@ -7,16 +7,14 @@ from dataclasses import replace
 import numpy as np
 import numpy.testing as npt
 import pytest
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array
 from roam_core.geometry import bezier
 from roam_core.geometry.bezier import polygon_points
 from roam_core.params import ContourFitParams
 from roam_core.propagate.frame.nodes import smooth_points
 from roam_core.proposal.outline.contour import KeyConstraints, follow
 from tests.golden.shots import blob, outline_distance
-
-Array = NDArray[np.float64]
 
 RADII = [40.0, 52.0, 38.0, 45.0, 55.0, 43.0, 37.0]
 

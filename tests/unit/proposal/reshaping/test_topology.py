@@ -27,7 +27,7 @@ def test_parts_that_both_look_like_the_object_make_two_shapes() -> None:
     assert change.gain > 0
 
 
-def test_a_part_that_looks_like_the_ground_is_to_go() -> None:
+def test_a_part_that_looks_like_the_background_is_to_go() -> None:
     here, line = context(drawn(LEFT)), bezier.flatten(spline(WHOLE))
     (change,) = topology_changes(line, APART, here, PARAMS)
     assert change.kind is TopologyKind.DROP

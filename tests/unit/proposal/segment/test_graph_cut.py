@@ -5,12 +5,12 @@ from __future__ import annotations
 import numpy as np
 import numpy.testing as npt
 import pytest
-from numpy.typing import NDArray
 
+from roam_core.arrays import Bools, Float32
 from roam_core.proposal.segment.graph_cut import PER_NAT, contrast_weights, minimum_cut, segmentation_cost
 from tests.reference.graph_cut import ref_augmenting_paths, ref_cost, ref_every_labelling
 
-Problem = tuple[NDArray[np.float32], NDArray[np.float32], NDArray[np.bool_], NDArray[np.bool_]]
+Problem = tuple[Float32, Float32, Bools, Bools]
 
 
 def problem(seed: int, shape: tuple[int, int], kinds: int, coarse: float = 0.0) -> Problem:

@@ -1,4 +1,7 @@
-"""Files put in place whole or not at all: written beside their place, flushed to the disk, then renamed."""
+"""Files put in place whole or not at all: written beside their place, flushed to the disk, then renamed.
+
+Everything that ROAM writes for an artist goes this way: projects, exports, mattes, settings.
+"""
 
 from __future__ import annotations
 
@@ -25,11 +28,12 @@ _swept: set[Path] = set()
 """Folders that this process looked through already."""
 
 
-def write_atomically(path: Path, content: bytes | Iterable[bytes]) -> None:
+def write_atomically(path: Path, content: bytes | Iterable[bytes], *, flushes: bool = True) -> None:
     """Put `content`, whole or in pieces, at `path`: at every moment the old file is there, or the new one.
 
     A symbolic link stays, and what it points to is replaced. The file keeps its permissions. File and folder are
-    flushed to the disk. The first call for a folder removes what killed processes left there.
+    flushed to the disk, unless it is said that this takes too long (`flushes`). The first call for a folder removes
+    what killed processes left there.
 
     Raises
     ------
@@ -42,11 +46,12 @@ def write_atomically(path: Path, content: bytes | Iterable[bytes]) -> None:
         sweep(target.parent)
     temporary = temporary_beside(target)
     try:
-        _write(temporary, [content] if isinstance(content, bytes) else content)
+        _write(temporary, [content] if isinstance(content, bytes) else content, flushes)
         if target.exists():
             temporary.chmod(stat.S_IMODE(target.stat().st_mode) & 0o777)
         temporary.replace(target)
-        flush_folder(target.parent)
+        if flushes:
+            flush_folder(target.parent)
     except OSError as error:
         _remove(temporary)
         raise RoamError(f"{path} cannot be written: {error.strerror} ({target.parent}).") from None
@@ -131,13 +136,14 @@ def writable_target(path: Path) -> Path:
     return target
 
 
-def _write(temporary: Path, pieces: Iterable[bytes]) -> None:
+def _write(temporary: Path, pieces: Iterable[bytes], flushes: bool) -> None:
     handle = os.open(temporary, os.O_WRONLY | os.O_CREAT | os.O_EXCL | getattr(os, "O_BINARY", 0), 0o666)
     with os.fdopen(handle, "wb") as file:
         for piece in pieces:
             file.write(piece)
         file.flush()
-        os.fsync(file.fileno())
+        if flushes:
+            os.fsync(file.fileno())
 
 
 def _is_stale(entry: os.DirEntry[str], process: int) -> bool:

@@ -9,9 +9,9 @@ from pathlib import Path
 
 import pytest
 
+from roam_core import atomic_write as writing
+from roam_core.atomic_write import STALE_SECONDS, is_alive, sweep, temporary_beside, write_atomically
 from roam_core.errors import RoamError
-from roam_core.roto import writing
-from roam_core.roto.writing import STALE_SECONDS, is_alive, sweep, temporary_beside, write_atomically
 from tests.unit.roto.faults import each_crash, each_fault
 
 posix = pytest.mark.skipif(os.name != "posix", reason="needs links, FIFOs and processes of POSIX")

@@ -1,4 +1,4 @@
-"""Sight: all that the viewer shows of one state, but for where: a value, so that it can be pinned and compared."""
+"""ViewSnapshot: all that the viewer shows of one state, but for where: a value, to be pinned and compared."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from .plate.backdrop import Backdrop, Below
 
 
 @dataclass(frozen=True)
-class Sight:
+class ViewSnapshot:
     """One state of the viewer.
 
     Attributes
@@ -44,8 +44,8 @@ class Sight:
     edges: Mapping[str, Edges] = field(default_factory=dict)
 
 
-class SightPainter:
-    """Paints sights and remembers what lay below the shapes, and the shapes' paths."""
+class SnapshotPainter:
+    """Paints snapshots and remembers what lay below the shapes, and the shapes' paths."""
 
     def __init__(self) -> None:
         self._backdrop, self._shapes = Backdrop(), ShapePainter()
@@ -53,19 +53,21 @@ class SightPainter:
     def paint(
         self,
         painter: QPainter,
-        sight: Sight,
+        snapshot: ViewSnapshot,
         viewport: Viewport,
         ratio: float,
         selection: Selection,
         hover: Hover = None,
     ) -> None:
         """Paint over the whole widget; only inside of the painter's clip."""
-        self._backdrop.paint(painter, sight.below, viewport, sight.image, ratio)
+        self._backdrop.paint(painter, snapshot.below, viewport, snapshot.image, ratio)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        if not sight.shows_shapes:
+        if not snapshot.shows_shapes:
             return
-        if sight.mode is ViewMode.CONFIDENCE:
-            paint_confidence(painter, viewport, sight.project, sight.frame)
-        elif sight.mode is ViewMode.ONION:
-            paint_onion(painter, viewport, sight.project, sight.frame, selection, sight.onion, self._shapes.paths)
-        self._shapes.paint(painter, viewport, sight.project, sight.frame, selection, hover, sight.edges)
+        if snapshot.mode is ViewMode.CONFIDENCE:
+            paint_confidence(painter, viewport, snapshot.project, snapshot.frame)
+        elif snapshot.mode is ViewMode.ONION:
+            paint_onion(
+                painter, viewport, snapshot.project, snapshot.frame, selection, snapshot.onion, self._shapes.paths
+            )
+        self._shapes.paint(painter, viewport, snapshot.project, snapshot.frame, selection, hover, snapshot.edges)

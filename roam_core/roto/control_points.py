@@ -1,7 +1,7 @@
-"""What the artist takes hold of: Bezier points with handles, or a B-spline's control points; and the points they give.
+"""Control points: of a Bezier shape its points with handles, of a B-spline its polygon; and the points they give.
 
-Grips are `(P, 3, 2)` like points; those of a B-spline are its control points with both handles on them, so that tools
-move, nudge and transform either kind alike. `Outline.grips` gives them.
+They are `(P, 3, 2)` like points; those of a B-spline are its control points with both handles on them, so that tools
+move, nudge and transform either kind alike. `Outline.control_points` gives them.
 """
 
 from __future__ import annotations
@@ -10,19 +10,20 @@ from collections.abc import Callable
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from roam_core.arrays import Array
 from roam_core.geometry import bspline
 from roam_core.geometry.bezier import ANCHOR
 from roam_core.roto.shape import Keyframe, RotoShape, Spline
 
-Array = NDArray[np.float64]
 
-
-def points_of(grips: ArrayLike, spline: Spline, closed: bool) -> Array:
-    """The points `(P, 3, 2)` of a curve whose grips are `(P, 3, 2)`; handles of a B-spline's grips mean nothing."""
-    held = np.asarray(grips, dtype=np.float64)
-    return held if spline is Spline.BEZIER else bspline.bezier_points(held[:, ANCHOR], closed)
+def points_of(control_points: ArrayLike, spline: Spline, closed: bool) -> Array:
+    """The points `(P, 3, 2)` of a curve whose control points are `(P, 3, 2)`; handles of a B-spline's control points
+    mean nothing.
+    """
+    controls = np.asarray(control_points, dtype=np.float64)
+    return controls if spline is Spline.BEZIER else bspline.bezier_points(controls[:, ANCHOR], closed)
 
 
 def settled(points: Array, shape: RotoShape) -> Array:

@@ -26,34 +26,36 @@ def is_sound(shape: RotoShape) -> bool:
 
 def test_a_new_shape_holds_the_points_of_its_control_polygon(shape: RotoShape) -> None:
     np.testing.assert_array_equal(shape.at(1).points, bspline.bezier_points(CONTROL, shape.closed))
-    np.testing.assert_allclose(shape.at(1).grips, polygon_points(CONTROL), atol=1e-9)
+    np.testing.assert_allclose(shape.at(1).control_points, polygon_points(CONTROL), atol=1e-9)
 
 
-def test_grips_of_a_bezier_shape_are_its_points() -> None:
+def test_control_points_of_a_bezier_shape_are_its_points() -> None:
     bezier_shape = edit.new_shape(Project(), polygon_points(CONTROL), 1)[1]
-    assert bezier_shape.at(1).grips is bezier_shape.at(1).points
+    assert bezier_shape.at(1).control_points is bezier_shape.at(1).points
 
 
 def test_a_control_point_is_moved_alone(shape: RotoShape) -> None:
-    moved = shape.at(1).grips.copy()
+    moved = shape.at(1).control_points.copy()
     moved[2] += (5.0, -3.0)
-    after = edit.set_grips(shape, 4, moved)
+    after = edit.set_control_points(shape, 4, moved)
     expected = CONTROL.copy()
     expected[2] += (5.0, -3.0)
-    np.testing.assert_allclose(after.at(4).grips[:, ANCHOR], expected, atol=1e-9)
+    np.testing.assert_allclose(after.at(4).control_points[:, ANCHOR], expected, atol=1e-9)
     assert after.frames == (1, 4)
     assert is_sound(after)
 
 
 def test_between_keys_it_is_a_bspline(shape: RotoShape) -> None:
-    after = edit.set_grips(shape, 5, shape.at(1).grips * 1.5)
-    np.testing.assert_allclose(after.at(3).grips, polygon_points(CONTROL * 1.25), atol=1e-9)
+    after = edit.set_control_points(shape, 5, shape.at(1).control_points * 1.5)
+    np.testing.assert_allclose(after.at(3).control_points, polygon_points(CONTROL * 1.25), atol=1e-9)
 
 
 def test_a_tracked_key_becomes_the_nearest_bspline(shape: RotoShape) -> None:
     off = shape.at(1).points + np.random.default_rng(3).normal(0.0, 2.0, (5, 3, 2))
     after = edit.set_engine_keys(shape, [Keyframe(2, off, origin=Origin.ENGINE, confidence=0.5)])
-    np.testing.assert_allclose(after.at(2).grips[:, ANCHOR], bspline.control_polygon(off, shape.closed), atol=1e-9)
+    np.testing.assert_allclose(
+        after.at(2).control_points[:, ANCHOR], bspline.control_polygon(off, shape.closed), atol=1e-9
+    )
     assert is_sound(after)
     key = after.key_at(2)
     assert key is not None
@@ -62,7 +64,9 @@ def test_a_tracked_key_becomes_the_nearest_bspline(shape: RotoShape) -> None:
 
 def test_insertion_and_deletion_keep_it_a_bspline_on_every_key(shape: RotoShape) -> None:
     feather = np.ones((5, 3, 2))
-    two = edit.set_key(edit.set_grips(shape, 5, shape.at(1).grips * 1.5), 1, shape.at(1).points, feather)
+    two = edit.set_key(
+        edit.set_control_points(shape, 5, shape.at(1).control_points * 1.5), 1, shape.at(1).points, feather
+    )
     grown = edit.insert_point(two, 1, 0.4)
     assert [key.points.shape for key in grown.keys] == [(6, 3, 2)] * 2
     assert grown.keys[0].feather is not None
@@ -71,7 +75,7 @@ def test_insertion_and_deletion_keep_it_a_bspline_on_every_key(shape: RotoShape)
     assert is_sound(grown)
     assert is_sound(back)
     assert back.point_count == 5
-    np.testing.assert_allclose(back.at(5).grips, back.at(1).grips * 1.5, atol=1e-9)
+    np.testing.assert_allclose(back.at(5).control_points, back.at(1).control_points * 1.5, atol=1e-9)
 
 
 def test_several_points_are_deleted_one_after_the_other(shape: RotoShape) -> None:
@@ -81,5 +85,5 @@ def test_several_points_are_deleted_one_after_the_other(shape: RotoShape) -> Non
 def test_opening_and_closing_keep_the_control_polygon(shape: RotoShape) -> None:
     turned = edit.toggle_closed(shape)
     assert turned.closed is not shape.closed
-    np.testing.assert_allclose(turned.at(1).grips[:, ANCHOR], CONTROL, atol=1e-9)
+    np.testing.assert_allclose(turned.at(1).control_points[:, ANCHOR], CONTROL, atol=1e-9)
     assert is_sound(turned)

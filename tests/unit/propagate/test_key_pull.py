@@ -10,7 +10,7 @@ from roam_core.features import PreparedFrame, Region
 from roam_core.features.grid import Grid
 from roam_core.geometry.bezier import ANCHOR
 from roam_core.params import params_for
-from roam_core.propagate.frame.contour_fit import laid
+from roam_core.propagate.frame.contour_fit import fitted
 from roam_core.propagate.frame.result import Part
 from roam_core.propagate.whole.region import begin, step
 from roam_core.proposal.cues.evidence import Field
@@ -49,6 +49,6 @@ def test_a_shape_that_finds_no_region_stays_where_it_was_carried() -> None:
     grid = Grid.over(Region(0, 0, SHOT.size[1], SHOT.size[0]), 0.5)
     nothing = Field.of_coverage(grid, np.zeros(grid.shape, dtype=np.float32))
     constraints = KeyConstraints.of(part.points, np.ones(8, dtype=bool), PARAMS.contour_fit)
-    ((points, seen),) = laid([part], [constraints], nothing, 1.0, PARAMS, [part.points + 9.0])
+    ((points, seen),) = fitted([part], [constraints], nothing, 1.0, PARAMS, [part.points + 9.0])
     assert not seen
     np.testing.assert_array_equal(points, part.points)

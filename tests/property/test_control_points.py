@@ -9,7 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from roam_core.geometry import bspline
-from roam_core.roto import RotoShape, Spline, grips
+from roam_core.roto import RotoShape, Spline, control_points
 from tests.property.strategies import bspline_shapes, roto_shapes
 
 FEW = settings(max_examples=25)
@@ -19,22 +19,24 @@ FEW = settings(max_examples=25)
 @FEW
 @given(bspline_shapes())
 def test_to_bezier_changes_no_outline(shape: RotoShape) -> None:
-    after = grips.with_spline(shape, Spline.BEZIER)
+    after = control_points.with_spline(shape, Spline.BEZIER)
     assert after == replace(shape, spline=Spline.BEZIER)
 
 
 @FEW
 @given(roto_shapes())
 def test_to_bspline_and_again_is_once(shape: RotoShape) -> None:
-    once = grips.with_spline(shape, Spline.BSPLINE)
+    once = control_points.with_spline(shape, Spline.BSPLINE)
     assert all(bspline.is_bspline(key.points, once.closed) for key in once.keys)
-    again = grips.with_spline(once, Spline.BSPLINE)
+    again = control_points.with_spline(once, Spline.BSPLINE)
     for key, same in zip(once.keys, again.keys, strict=True):
         np.testing.assert_allclose(same.points, key.points, atol=1e-6)
 
 
 @FEW
 @given(bspline_shapes(), st.floats(-100.0, 2100.0))
-def test_grips_give_back_the_outline_at_any_time(shape: RotoShape, frame: float) -> None:
+def test_control_points_give_back_the_outline_at_any_time(shape: RotoShape, frame: float) -> None:
     outline = shape.at(frame)
-    np.testing.assert_allclose(grips.points_of(outline.grips, shape.spline, shape.closed), outline.points, atol=1e-6)
+    np.testing.assert_allclose(
+        control_points.points_of(outline.control_points, shape.spline, shape.closed), outline.points, atol=1e-6
+    )

@@ -1,4 +1,4 @@
-"""GroundLayer: what a cut-out lies on: a colour, a checkerboard, or a picture read beside the window's thread."""
+"""BackgroundLayer: what a cut-out lies on: a colour, a checkerboard, or a picture read beside the window's thread."""
 
 from __future__ import annotations
 
@@ -8,10 +8,10 @@ from pathlib import Path
 from PySide6.QtCore import QObject, QPointF, QRectF, QSizeF, Qt, Signal
 from PySide6.QtGui import QBrush, QColor, QPainter, QPixmap
 
+from roam_core.arrays import UInt8
 from roam_core.errors import RoamError
-from roam_core.media.looking import Pixels
 
-from ...model.viewing import Ground, GroundKind
+from ...model.viewing import Background, BackgroundKind
 from ...paint.viewport import Viewport
 from .picture import Picture
 
@@ -20,7 +20,7 @@ SQUARE = 12
 CHECKERS = QColor("#4a4a4a"), QColor("#6a6a6a")
 
 
-class GroundLayer(QObject):
+class BackgroundLayer(QObject):
     """Gives what to paint under a cut-out.
 
     Signals
@@ -36,24 +36,24 @@ class GroundLayer(QObject):
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._picture: tuple[str, Picture | None] = ("", None)
-        # One brush for good: another one, though it looks alike, would be another ground to paint.
+        # One brush for good: another one, though it looks alike, would be another background to paint.
         self._checkers = checkerboard()
         self._thread: threading.Thread | None = None
         self._wanted = ""
         self._read.connect(self._take)
 
-    def of(self, ground: Ground) -> Picture | QBrush:
-        """What the ground is painted with; a checkerboard until its picture has been read."""
-        if ground.kind is GroundKind.COLOUR:
-            return QBrush(QColor(ground.colour))
-        if ground.kind is GroundKind.CHECKER:
+    def of(self, background: Background) -> Picture | QBrush:
+        """What the background is painted with; a checkerboard until its picture has been read."""
+        if background.kind is BackgroundKind.COLOUR:
+            return QBrush(QColor(background.colour))
+        if background.kind is BackgroundKind.CHECKER:
             return self._checkers
-        if ground.image != self._wanted:
-            self._wanted = ground.image
+        if background.image != self._wanted:
+            self._wanted = background.image
             if self._thread is None:
                 self._start()
         path, picture = self._picture
-        return picture if picture is not None and path == ground.image else self._checkers
+        return picture if picture is not None and path == background.image else self._checkers
 
     def close(self) -> None:
         """Wait for the picture that is being read."""
@@ -71,7 +71,7 @@ class GroundLayer(QObject):
         except RoamError as error:
             self._read.emit(path, str(error))
 
-    def _take(self, path: str, found: Pixels | str) -> None:
+    def _take(self, path: str, found: UInt8 | str) -> None:
         self._thread = None
         self._picture = path, None if isinstance(found, str) else Picture(found)
         if isinstance(found, str):
@@ -92,22 +92,24 @@ def checkerboard() -> QBrush:
     return QBrush(tile)
 
 
-def paint_ground(painter: QPainter, ground: Picture | QBrush, viewport: Viewport, image: QSizeF, ratio: float) -> None:
-    """Paint a ground over the plate's area; a picture of another form fills it and is cut off at its sides."""
+def paint_background(
+    painter: QPainter, background: Picture | QBrush, viewport: Viewport, image: QSizeF, ratio: float
+) -> None:
+    """Paint a background over the plate's area; a picture of another form fills it and is cut off at its sides."""
     area = viewport.transform.mapRect(QRectF(QPointF(), image))
-    if isinstance(ground, QBrush):
-        painter.fillRect(area, ground)
+    if isinstance(background, QBrush):
+        painter.fillRect(area, background)
         return
-    grow = max(image.width() / ground.size.width(), image.height() / ground.size.height())
-    size = ground.size * grow
+    grow = max(image.width() / background.size.width(), image.height() / background.size.height())
+    size = background.size * grow
     corner = viewport.to_widget((image.width() - size.width()) / 2, (image.height() - size.height()) / 2)
     painter.save()
     painter.setClipRect(area, Qt.ClipOperation.IntersectClip)
-    ground.paint(painter, Viewport(viewport.scale, corner.x(), corner.y(), viewport.pixel_aspect), size, ratio)
+    background.paint(painter, Viewport(viewport.scale, corner.x(), corner.y(), viewport.pixel_aspect), size, ratio)
     painter.restore()
 
 
-def _read(path: Path) -> Pixels:
+def _read(path: Path) -> UInt8:
     from roam_core.media import open_clip
     from roam_core.media.colour import to_display
     from roam_core.media.image_file import read_image
