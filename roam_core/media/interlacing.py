@@ -25,11 +25,11 @@ STEP = 20
 """Levels of 255 by which a row differs from its neighbours, or a pixel from the picture before, to count."""
 MOVING = 0.001
 """Share of a picture that must have moved before its combing says anything."""
-COMBED = (0.05, 0.75)
+COMBED = (0.05, 1.15)
 """Combed share of what moved, and its ratio to what two rows further apart show, above which a picture is interlaced.
 
-Of 2 x 23 shots, as they are and with rows of two frames woven together, the first have ratios up to 0.67 and the others
-from 0.87 on, where they show up to 6 % and from 15 % of combing.
+Of 23 shots the ratio is 0.4 at most, of mere noise 1. Of the same shots with rows of two frames woven together 20 are
+found; water, a car far away and a small ball pass for progressive.
 """
 _PROBE = """
 import sys, cv2

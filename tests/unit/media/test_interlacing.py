@@ -76,7 +76,12 @@ def mark_interlaced(path: Path) -> None:
     path.write_bytes(content)
 
 
-@pytest.mark.parametrize("drawn", [progressive, striped, still])
+def grainy(frame: int) -> UInt8:
+    """Noise that is another one in every picture."""
+    return np.random.default_rng(frame).integers(0, 255, (HEIGHT, WIDTH, 3), dtype=np.uint8)
+
+
+@pytest.mark.parametrize("drawn", [progressive, striped, still, grainy])
 def test_pictures_of_one_moment_are_not_combed(drawn: Callable[[int], UInt8]) -> None:
     assert not is_combed([drawn(frame) for frame in range(COUNT)])
 
