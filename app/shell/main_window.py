@@ -150,7 +150,9 @@ class MainWindow(QMainWindow):
         self.history.setEmptyLabel("As opened")
         self.history.setMinimumHeight(6 * style.ROW_HEIGHT)
         self.transport = Transport(self.navigation, view_state, self.playback, actions)
-        self.timeline = Timeline(document, view_state, self.reader.cached_frames, self._missing_frames, actions)
+        self.timeline = Timeline(
+            document, view_state, self.reader.cached_frames, self.reader.frames_without_picture, actions
+        )
         self.status = StatusBar(view_state, self.under_way)
         self.status.add(Readout(self.canvas))
         self.status.add(ModeBar(view_state, actions))
@@ -333,9 +335,6 @@ class MainWindow(QMainWindow):
         clip = self.document.project.clip
         self.playback.pause()
         self.playback.fps = clip.fps if clip is not None else 24.0
-
-    def _missing_frames(self) -> tuple[int, ...]:
-        return () if self.reader.source is None else self.reader.source.missing
 
     def _pull_running(self) -> None:
         self.actions_by_id["track.stop"].setEnabled(self.under_way.is_any)

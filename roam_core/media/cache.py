@@ -9,7 +9,7 @@ from collections.abc import Callable, Sequence
 
 from roam_core.arrays import Image
 from roam_core.cancel import CancelToken
-from roam_core.media.source import PlateSource
+from roam_core.media.source import DamagedFrame, PlateSource
 
 DEFAULT_LIMIT = 1 << 30
 """Bytes: some 40 frames of 4K in 8 bits."""
@@ -48,6 +48,7 @@ class FrameCache:
         self._bytes = 0
         self._frame_bytes = 0  # of the frame held last: what the next one will need
         self._decoding: dict[int, _Decoding] = {}
+        self._damaged: set[int] = set()
         self._shown: int | None = None  # the frame read last: reading ahead does not push it out
         self._ahead: deque[int] = deque()
         self._wanted_ahead: frozenset[int] = frozenset()
@@ -55,7 +56,7 @@ class FrameCache:
         self._closed = False
 
     def on_change(self, listener: Callable[[], None]) -> None:
-        """Have `listener()` called after the set of cached frames changed.
+        """Have `listener()` called after the set of cached frames, or of damaged ones, changed.
 
         It runs on the thread that changed it (a reader's, or the one that reads ahead) with no lock held; it must not
         block. `close` does not call it.
@@ -112,6 +113,11 @@ class FrameCache:
         with self._lock:
             return frozenset(self._images)
 
+    def damaged_frames(self) -> frozenset[int]:
+        """The frames that were there and could not be used when they were last decoded, in vain."""
+        with self._lock:
+            return frozenset(self._damaged)
+
     def read_ahead(self, frames: Sequence[int]) -> None:
         """Decode these frames in the background, in this order, in place of what an earlier call asked for.
 
@@ -157,16 +163,24 @@ class FrameCache:
 
     def _decode(self, frame: int, decoding: _Decoding, kept: frozenset[int]) -> bool:
         """Decode a claimed frame, and hold it where none of `kept` has to go for it; whether it is held now."""
+        is_damaged = False
         try:
             image = self.source.read(frame)
             image.setflags(write=False)
             decoding.image = image
             # Held before the claim ends: at no moment is the frame neither held nor on its way.
             return self._hold(frame, image, kept)
+        except DamagedFrame:
+            is_damaged = True
+            raise
         finally:
             with self._lock:
                 del self._decoding[frame]
+                is_news = is_damaged != (frame in self._damaged)
+                self._damaged ^= {frame} if is_news else set()
             decoding.done.set()
+            if is_news:
+                self._tell()
 
     def _hold(self, frame: int, image: Image, kept: frozenset[int]) -> bool:
         """Hold a picture in place of those longest unused; False where it is held already, or has no room."""

@@ -13,7 +13,7 @@ import pytest
 
 from roam_core.cancel import Cancelled, CancelToken
 from roam_core.errors import RoamError
-from roam_core.media import FrameCache, MissingFrame
+from roam_core.media import DamagedFrame, FrameCache, MissingFrame
 from roam_core.media.cache import DEFAULT_LIMIT, fair_limit
 from roam_core.media.source import Image
 
@@ -32,6 +32,7 @@ class Plate:
         self.decoded: Counter[int] = Counter()
         self.order: list[int] = []
         self.broken: set[int] = set()
+        self.damaged: set[int] = set()
         self.large: dict[int, int] = {}
         self.started = {frame: threading.Event() for frame in self.frames}
         self.held: dict[int, threading.Event] = {}
@@ -51,6 +52,8 @@ class Plate:
         self.started[frame].set()
         if frame in self.held:
             assert self.held[frame].wait(PATIENCE)
+        if frame in self.damaged:
+            raise DamagedFrame(f"frame {frame} is cut short")
         if frame in self.broken:
             raise RoamError(f"frame {frame} is damaged")
         return np.full((1, self.large.get(frame, 4), 3), frame, np.uint8)
@@ -379,3 +382,17 @@ def test_the_fair_limit_is_a_quarter_of_what_the_machine_has(monkeypatch: pytest
     assert fair_limit() == 2 << 30
     monkeypatch.delattr(os, "sysconf")
     assert fair_limit() == DEFAULT_LIMIT
+
+
+def test_damaged_frames_are_known_and_told_until_they_can_be_read(plate: Plate, cache: FrameCache) -> None:
+    changes = Changes(cache)
+    plate.damaged = {3}
+    for _ in range(2):
+        with pytest.raises(DamagedFrame):
+            cache.read(3)
+    with pytest.raises(MissingFrame):
+        cache.read(100)
+    assert (cache.damaged_frames(), changes.count) == ({3}, 1)
+    plate.damaged = set()
+    cache.read(3)
+    assert cache.damaged_frames() == frozenset()
