@@ -322,7 +322,8 @@ def _said_space(spec: Any) -> str | None:
         word = space_called(said) or word
     if word:
         return word
-    if chromaticities := spec.getattribute("chromaticities"):
+    chromaticities = spec.getattribute("chromaticities")
+    if isinstance(chromaticities, tuple):  # a damaged file has anything there
         return space_with_primaries(chromaticities)
     transfer = spec.get_string_attribute("dpx:Transfer").lower()
     return next((space for word, space in _SPACE_OF_WORD.items() if word in transfer), None)

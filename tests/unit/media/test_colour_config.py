@@ -143,6 +143,18 @@ def test_primaries_tell_the_space_of_an_exr(tmp_path: Path, chromaticities: tupl
     assert open_clip(tmp_path / "p.exr").colour_space == space
 
 
+def test_primaries_of_another_type_say_nothing(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A damaged header made an array of them, which is neither true nor false."""
+    path = write_image(tmp_path / "p.exr", picture(1), "half")
+    asked = oiio.ImageSpec.getattribute
+    monkeypatch.setattr(
+        oiio.ImageSpec,
+        "getattribute",
+        lambda spec, name, *more: np.zeros(32) if name == "chromaticities" else asked(spec, name, *more),
+    )
+    assert open_clip(path).colour_space == "linear"
+
+
 @pytest.mark.parametrize(("said", "space"), [("lin_ap1_scene", "ACEScg"), ("lin_rec709_scene", "linear")])
 def test_metadata_tells_the_space_of_an_exr(tmp_path: Path, said: str, space: str) -> None:
     assert open_clip(write_image(tmp_path / "p.exr", picture(1), "half", oiio__ColorSpace=said)).colour_space == space
