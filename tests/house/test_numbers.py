@@ -35,6 +35,7 @@ NO_CHOICE = {
     # Bookkeeping: a revision, a length without meaning, what an explanation shows.
     "propagate/shapes/provenance.py": {"REVISION", "MIN_POINTS"},
     "proposal/mask_keys/keys.py": {"OPEN"},
+    "propagate/shapes/departed.py": {"NAMED"},
     "propagate/engines/by_regions.py": {"BESIDE"},
 }
 """By module the constants that are no choice, each with its reason above."""
