@@ -71,10 +71,10 @@ from ..widgets.focus import FocusFollowsPointer
 from ..widgets.panel import Panel
 from . import layout, settings
 from .defects import Defects
+from .timeline_height import TimelineHeight
 from .window_services import WindowServices
 
 PANEL_WIDTH = 272
-TIMELINE_HEIGHT = 200
 DRAW_HINT = "Draw a shape: press <tool.bezier>"
 
 
@@ -175,9 +175,9 @@ class MainWindow(QMainWindow):
         picture, lower = layout.row(self.tool_column, self.canvas), layout.column(self.transport, self.timeline)
         upper = layout.split(Qt.Orientation.Horizontal, picture, self.panel_column)
         self._halves = layout.split(Qt.Orientation.Vertical, upper, lower)
-        self.splitters = {"upper": upper, "halves": self._halves}
+        self.splitters = {"upper": upper}
         upper.setSizes([self.width() - PANEL_WIDTH, PANEL_WIDTH])
-        self._halves.setSizes([self.height() - TIMELINE_HEIGHT, TIMELINE_HEIGHT])
+        self.timeline_height = TimelineHeight(self._halves)
         self.setCentralWidget(layout.column(self._halves, self.status))
 
     def _panel_column(self) -> QScrollArea:
@@ -231,7 +231,7 @@ class MainWindow(QMainWindow):
         for name, switch in (
             ("edit.history", self.history_panel.setVisible),
             ("view.panels", self.panel_column.setVisible),
-            ("view.tall_timeline", self._set_tall_timeline),
+            ("view.tall_timeline", self.timeline_height.make_tall),
         ):
             actions[name].toggled.connect(switch)
 
@@ -302,7 +302,12 @@ class MainWindow(QMainWindow):
             switches={name: self.actions_by_id[name] for name in settings.SWITCHES},
             panels=self.panel_column.findChildren(Panel),
             mode=self.tracker.mode,
-            tables={"proposals": self.proposals, "dials": self.tracker, "viewing": self.canvas.viewing},
+            tables={
+                "proposals": self.proposals,
+                "dials": self.tracker,
+                "viewing": self.canvas.viewing,
+                "timeline": self.timeline_height,
+            },
         )
 
     # ---- pulling
@@ -340,11 +345,6 @@ class MainWindow(QMainWindow):
     def _pull_running(self) -> None:
         self.actions_by_id["track.stop"].setEnabled(self.under_way.is_any)
         self.canvas.set_waiting(self.files.is_opening)
-
-    def _set_tall_timeline(self, tall: bool) -> None:
-        height = self._halves.height()
-        lower = height // 2 if tall else TIMELINE_HEIGHT
-        self._halves.setSizes([height - lower, lower])
 
     def _delete_in_list(self) -> None:
         self.shapes.tree.delete_selected()
