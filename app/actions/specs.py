@@ -186,6 +186,7 @@ SPECS: tuple[ActionSpec, ...] = (
     ActionSpec("view.actual_size", "100 %", _VIEWER),
     ActionSpec("view.fit_time", "Fit time", tip="Show the whole clip in the timeline"),
     ActionSpec("view.tall_timeline", "Tall timeline", tip="Give the timeline half of the window", checkable=True),
+    ActionSpec("view.shape_panel", "Shape panel", tip="Show all that the Shape panel has of the selected shapes"),
     ActionSpec("view.panels", "Panels", tip="Show or hide the panels on the right", checkable=True),
     ActionSpec("time.previous", "Previous frame"),
     ActionSpec("time.next", "Next frame"),

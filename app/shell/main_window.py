@@ -187,6 +187,7 @@ class MainWindow(QMainWindow):
         self.history_panel = Panel("History", self.history)
         self.history_panel.setVisible(False)
         shapes, shape = Panel("Shapes", self.shapes, shape_tools), Panel("Shape", self.properties, key_tools)
+        self.shape_panel = shape
         tracks = Panel("Track", self.tracker), Panel("Planar track", self.planar_panel)
         column = layout.column(shapes, *tracks, shape, self.history_panel, self.services.log_panel, growing=shapes)
         column.setObjectName("panelColumn")
@@ -257,6 +258,7 @@ class MainWindow(QMainWindow):
             "shape.delete": self._delete_in_list,
             "track.stop": self.under_way.stop,
             "view.fit_time": self.timeline.axis.fit,
+            "view.shape_panel": self._show_shape_panel,
         }
         for part in (
             self.canvas,
@@ -348,6 +350,11 @@ class MainWindow(QMainWindow):
 
     def _delete_in_list(self) -> None:
         self.shapes.tree.delete_selected()
+
+    def _show_shape_panel(self) -> None:
+        self.actions_by_id["view.panels"].setChecked(True)
+        self.shape_panel.fold(False)
+        QTimer.singleShot(0, self, lambda: self.panel_column.ensureWidgetVisible(self.properties))
 
     # ---- events of the window
 

@@ -1,4 +1,4 @@
-"""How high the timeline is: as the artist dragged it, or a share of the window until then; and for a while half of it."""
+"""How high the timeline is: as the artist dragged it, a share of the window until then, half of it while it is tall."""
 
 from __future__ import annotations
 
