@@ -309,6 +309,7 @@ class MainWindow(QMainWindow):
                 "dials": self.tracker,
                 "viewing": self.canvas.viewing,
                 "timeline": self.timeline_height,
+                "folders": self.file_actions.folders,
             },
         )
 
