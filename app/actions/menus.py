@@ -26,7 +26,7 @@ MENUS: dict[str, tuple[str, ...]] = {
         "points.soft", "points.lasso", SEPARATOR,
         "points.transform", "points.mirror_across", "points.mirror_down", SEPARATOR,
         "points.smooth", "points.cusp", "points.toggle_closed", "shape.to_bezier", "shape.to_bspline",
-        "feather.reset", SEPARATOR,
+        "feather.reset", "feather.all_keys", SEPARATOR,
         "edit.keymap", "edit.settings",
     ),
     "Shape": (

@@ -100,6 +100,7 @@ WORDS: Mapping[str, str] = {
     "tool.rectangle": "square box quad draw roto mask",
     "tool.feather": "soft edge blur falloff",
     "feather.reset": "soft edge remove clear hard",
+    "feather.all_keys": "soft edge blur every frame copy",
     "points.select_all": "vertices",
     "points.next": "vertex cycle",
     "points.previous": "vertex cycle",

@@ -81,6 +81,9 @@ SPECS: tuple[ActionSpec, ...] = (
     ActionSpec(
         "feather.reset", "Reset feather", _VIEWER, tip="Put the feather of the selected points back on the outline"
     ),
+    ActionSpec(
+        "feather.all_keys", "Feather for all keys", _VIEWER, tip="Give the soft edge as it is here to every key"
+    ),
     ActionSpec("points.delete", "Delete", _VIEWER, tip="Delete the selected points or shapes"),
     ActionSpec("points.select_all", "Select all points", _VIEWER),
     ActionSpec("points.next", "Next point", _VIEWER),
