@@ -11,6 +11,7 @@ from typing import Any
 from PySide6.QtCore import QObject, Signal
 
 from roam_core.geometry.plane_motion import PlaneMotion
+from roam_core.params import DOUBTFUL
 from roam_core.roto import BlendMode, Layer, LayerTransform, Project, RotoShape
 from roam_core.roto.following import followed, with_moving_layer
 
@@ -153,21 +154,29 @@ def _following(run: _Run, project: Project, frame: int, matrix: Any) -> Callable
 def _track(report: Report, read: ReadFrame, shapes: Sequence[RotoShape], frames: range, kind: PlaneMotion) -> str:
     """The work, on the worker thread."""
     # OpenCV loads while the window is up already: that must not delay it.
-    from roam_core.motion.planar import track_plane
+    from roam_core.motion.plane_track import track_plane
 
     outlines, holes = outlines_at(shapes, frames[0])
-    began, worst, done = time.perf_counter(), 1.0, 0
+    began, done = time.perf_counter(), 0
+    least = 1.0, frames[0]
     for step in track_plane(read, outlines, holes, frames, kind, report.token):
         report.token.check()
         report.partial((step.frame, step.matrix))
-        done, worst = done + 1, min(worst, step.agreement)
+        done, least = done + 1, min(least, (step.confidence, step.frame))
         pace = f"{1000 * (time.perf_counter() - began) / done:.0f} ms a frame"
         place = f"frame {step.frame} of {frames[-1]}"
-        share = f"{step.agreement:.0%} of {step.corners} corners agree"
-        report.progress(done / max(len(frames) - 1, 1), f"Planar track: {place} · {share} · {pace}")
+        trust = f"confidence {step.confidence:.2f}"
+        report.progress(done / max(len(frames) - 1, 1), f"Planar track: {place} · {trust} · {pace}")
     if done == 0:
         return "There is no frame to track to."
-    return f"Followed the plane to frame {frames[-1]}: {done} frames, at least {worst:.0%} of the corners agreed."
+    return f"Followed the plane to frame {frames[-1]}: {done} frames. {_verdict(*least)}"
+
+
+def _verdict(confidence: float, frame: int) -> str:
+    """What to think of a track whose least confidence is this."""
+    if confidence >= DOUBTFUL:
+        return f"Confidence is {confidence:.2f} at least."
+    return f"Look at frame {frame}: confidence is {confidence:.2f} there."
 
 
 def outlines_at(shapes: Sequence[RotoShape], frame: int) -> tuple[list[Any], list[Any]]:

@@ -25,7 +25,7 @@ from roam_core.geometry.bezier import ANCHOR
 from roam_core.geometry.plane_motion import PlaneMotion
 from roam_core.roto import BlendMode, Clip, Layer, Project, edit
 from tests.gui.hand import Hand
-from tests.unit.motion import test_planar as board
+from tests.unit.motion import test_plane_track as board
 
 WAIT = 20_000
 LAST = 6
