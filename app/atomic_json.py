@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import json
 import os
-import tempfile
 from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any, TypeVar
 
+from roam_core.atomic_write import write_atomically
 from roam_core.bounded import bounded_bytes
 from roam_core.errors import RoamError
 
@@ -61,18 +61,9 @@ def set_aside(path: Path) -> str:
 
 
 def keep_json(path: Path, document: Mapping[str, object]) -> None:
-    """Write a document by way of a temporary file in the same folder.
+    """Write a document, whole or not at all.
 
     Unlike a project it is not flushed to the disk: that may take longer than the window may stand still, and what is
     set here can be set again. Raises `RoamError` when it cannot be written.
     """
-    temporary = ""
-    try:
-        handle, temporary = tempfile.mkstemp(prefix=f".{path.name}.", suffix=".tmp", dir=path.parent)
-        with os.fdopen(handle, "w", encoding="utf-8") as file:
-            json.dump(document, file, indent=1)
-        Path(temporary).replace(path)
-    except OSError as error:
-        if temporary:
-            Path(temporary).unlink(missing_ok=True)
-        raise RoamError(f"{path} cannot be written: {error.strerror or error}.") from None
+    write_atomically(path, json.dumps(document, indent=1).encode(), flushes=False)

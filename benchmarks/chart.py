@@ -8,9 +8,10 @@ from pathlib import Path
 
 import cv2
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-Array = NDArray[np.float64]
+from roam_core.arrays import Array, Int32, UInt8
+
 Colour = tuple[int, int, int]
 
 WIDTH, HEIGHT = 900, 480
@@ -71,7 +72,7 @@ def write(path: Path, axes: Axes, lines: Sequence[Line], band: Band | None = Non
     cv2.imwrite(str(path), drawn(axes, lines, band))
 
 
-def drawn(axes: Axes, lines: Sequence[Line], band: Band | None = None) -> NDArray[np.uint8]:
+def drawn(axes: Axes, lines: Sequence[Line], band: Band | None = None) -> UInt8:
     """The chart `(h, w, 3)`, blue first as OpenCV writes it."""
     picture = np.full((HEIGHT, WIDTH, 3), 255, dtype=np.uint8)
     x = np.concatenate([each.x for each in lines])
@@ -95,7 +96,7 @@ class _Frame:
     across: tuple[float, float]
     up: tuple[float, float]
 
-    def at(self, x: Array, y: Array) -> NDArray[np.int32]:
+    def at(self, x: Array, y: Array) -> Int32:
         """Pixels `(K, 2)`; values beyond the range stay at its border."""
         u = np.clip((x - self.across[0]) / (self.across[1] - self.across[0]), 0.0, 1.0)
         v = np.clip((y - self.up[0]) / (self.up[1] - self.up[0]), 0.0, 1.0)
@@ -118,7 +119,7 @@ def ticks(low: float, high: float, count: int = 6) -> Array:
     return np.asarray(np.arange(np.ceil(low / step - 1e-9), np.floor(high / step + 1e-9) + 1.0) * step + 0.0)
 
 
-def _axes(picture: NDArray[np.uint8], axes: Axes, frame: _Frame) -> None:
+def _axes(picture: UInt8, axes: Axes, frame: _Frame) -> None:
     for value in ticks(*frame.across):
         (column, row), *_ = frame.at(np.array([value]), np.array([frame.up[0]]))
         cv2.line(picture, (column, TOP), (column, row), GRID, 1)
@@ -133,7 +134,7 @@ def _axes(picture: NDArray[np.uint8], axes: Axes, frame: _Frame) -> None:
     _text(picture, axes.up, (8, TOP - 12))
 
 
-def _legend(picture: NDArray[np.uint8], names: Sequence[str], band: Band | None) -> None:
+def _legend(picture: UInt8, names: Sequence[str], band: Band | None) -> None:
     column = WIDTH - RIGHT + 14
     for k, name in enumerate(names):
         row = TOP + 10 + 20 * k
@@ -145,7 +146,7 @@ def _legend(picture: NDArray[np.uint8], names: Sequence[str], band: Band | None)
         _text(picture, band.name, (column + 28, row + 4))
 
 
-def _text(picture: NDArray[np.uint8], text: str, at: tuple[int, int], size: float = 0.42, centred: int = 0) -> None:
+def _text(picture: UInt8, text: str, at: tuple[int, int], size: float = 0.42, centred: int = 0) -> None:
     """Text that begins at a place, or by `centred` has its middle (1) or its end (2) there."""
     (wide, _), _ = cv2.getTextSize(text, FONT, size, 1)
     cv2.putText(picture, text, (int(at[0]) - wide * centred // 2, int(at[1])), FONT, size, INK, 1, cv2.LINE_AA)

@@ -1,8 +1,8 @@
 """Confidence: whether it means the IoU that it says, and whether it finds the bad frames, with each shot left out.
 
-The model of `roam_core.propagate.confidence` is fitted to the frames of all shots but one and rates the frames of that
-one. `worst fifth`: of a shot's frames under IoU 0.9, the share among the fifth that is rated worst; on a shot with more
-such frames than a fifth not even the best rating finds all of them, so the best possible share stands beside it.
+The model of `roam_core.propagate.frame.confidence` is fitted to the frames of all shots but one and rates the frames of
+that one. `worst fifth`: of a shot's frames under IoU 0.9, the share among the fifth that is rated worst; on a shot with
+more such frames than a fifth not even the best rating finds all of them, so the best possible share stands beside it.
 `off` is the mean distance of confidence from IoU, `bias` the same of their means over tenths of the frames.
 """
 
@@ -13,15 +13,12 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from benchmarks import chart, logistic, processes, rated, report, shots
 from benchmarks.rated import CARRIED, FILLED, Rated
+from roam_core.arrays import Array, Bools
 from roam_core.errors import RoamError
 from roam_core.params import DOUBTFUL
-
-Array = NDArray[np.float64]
-Bools = NDArray[np.bool_]
 
 GOOD, SHARE = 0.9, 0.2
 """IoU under which a frame is bad; the share of frames, rated worst, in which bad ones are looked for."""

@@ -7,10 +7,10 @@ from pathlib import Path
 
 import cv2
 import numpy as np
-from numpy.typing import NDArray
 
-Picture = NDArray[np.uint8]
-Drawn = tuple[Sequence[NDArray[np.int32]], tuple[int, int, int]]
+from roam_core.arrays import Int32, UInt8
+
+Drawn = tuple[Sequence[Int32], tuple[int, int, int]]
 """Closed polylines `(K, 2)` in whole pixels, and their colour."""
 
 EVERY, COLUMNS, WIDTH = 10, 4, 427
@@ -34,7 +34,7 @@ def tenths(frames: Sequence[Path] | Sequence[int]) -> list[Path] | list[int]:
     return chosen if chosen and chosen[-1] == frames[-1] else [*chosen, frames[-1]]
 
 
-def write_sheet(tiles: Sequence[Picture], path: Path, columns: int = COLUMNS) -> None:
+def write_sheet(tiles: Sequence[UInt8], path: Path, columns: int = COLUMNS) -> None:
     """Tiles of one size side by side, row by row."""
     filled = [*tiles, *[np.zeros_like(tiles[0])] * (-len(tiles) % columns)]
     rows = [np.hstack(filled[k : k + columns]) for k in range(0, len(filled), columns)]
@@ -42,7 +42,7 @@ def write_sheet(tiles: Sequence[Picture], path: Path, columns: int = COLUMNS) ->
     cv2.imwrite(str(path), np.vstack(rows), quality)
 
 
-def tile(image: Picture, label: str, outlines: Sequence[Drawn]) -> Picture:
+def tile(image: UInt8, label: str, outlines: Sequence[Drawn]) -> UInt8:
     """A picture (h, w, 3) in OpenCV's order of channels, smaller, with closed polylines in their colours."""
     drawn = np.ascontiguousarray(image)
     for lines, colour in outlines:
@@ -52,7 +52,7 @@ def tile(image: Picture, label: str, outlines: Sequence[Drawn]) -> Picture:
     return np.asarray(small, dtype=np.uint8)
 
 
-def _of_files(picture: Path, matte: Path) -> Picture:
+def _of_files(picture: Path, matte: Path) -> UInt8:
     image, mask = cv2.imread(str(picture)), cv2.imread(str(matte), cv2.IMREAD_GRAYSCALE)
     assert image is not None
     assert mask is not None

@@ -6,18 +6,16 @@ from functools import lru_cache
 
 import cv2
 import numpy as np
-from numpy.typing import NDArray
 
 from benchmarks.shots import Shot, matte
 from resources import demo
+from roam_core.arrays import Array, UInt8
 from roam_core.roto import Keyframe, RotoShape
 
 SIZES = {"480p": (854, 480), "1080p": (1920, 1080)}
 """Width and height that the demo is resized to, by name."""
 LONGEST = demo.LAST - demo.FIRST + 1
 """Frames that the demo has."""
-
-Array = NDArray[np.float64]
 
 
 def true_points(frame: int, size: tuple[int, int] = demo.SIZE) -> Array:
@@ -39,11 +37,11 @@ def load(size: tuple[int, int] = demo.SIZE, count: int = LONGEST) -> Shot:
 
 
 @lru_cache(maxsize=LONGEST)
-def _rendered(frame: int) -> NDArray[np.uint8]:
+def _rendered(frame: int) -> UInt8:
     return demo.render_frame(frame)
 
 
-def _resized(picture: NDArray[np.uint8], size: tuple[int, int]) -> NDArray[np.uint8]:
+def _resized(picture: UInt8, size: tuple[int, int]) -> UInt8:
     if size == demo.SIZE:
         return picture
     how = cv2.INTER_AREA if size < demo.SIZE else cv2.INTER_CUBIC

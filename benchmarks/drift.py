@@ -13,18 +13,16 @@ from typing import Any
 
 import cv2
 import numpy as np
-from numpy.typing import NDArray
 
 from benchmarks import demo_shot, processes, report, shots, variants
-from benchmarks.contact_sheet import GREEN, ORANGE, Picture, tenths, tile, write_sheet
+from benchmarks.contact_sheet import GREEN, ORANGE, tenths, tile, write_sheet
 from benchmarks.shots import first_shapes
 from resources import demo
 from roam_core import track
+from roam_core.arrays import Array, Indices, UInt8
 from roam_core.geometry import bezier, polyline
 from roam_core.params import CONFIGS, DEFAULT_CONFIG
 from roam_core.roto import RotoShape
-
-Array = NDArray[np.float64]
 
 AIM_FRAME, AIM_SHOT = 2.0, 6.0
 """Pixels asked for: the mean drift a frame, and the mean offset of the points, on every frame of the shot."""
@@ -110,7 +108,7 @@ def tracked(shot: shots.Shot, given: RotoShape, truth: Callable[[int], Array], c
     return Drift(np.array(rows)), shape
 
 
-def _drawn(shot: shots.Shot, shape: RotoShape, frame: int) -> Picture:
+def _drawn(shot: shots.Shot, shape: RotoShape, frame: int) -> UInt8:
     """A frame of the demo with the true outline, the tracked one over it, and its points."""
     outline = shape.at(frame)
     lines = [np.round(line).astype(np.int32) for line in (bezier.flatten(demo.true_points(frame)), outline.flatten())]
@@ -134,7 +132,7 @@ def offsets(found: Array, true: Array) -> Array:
     return np.asarray((apart + total / 2.0) % total - total / 2.0)
 
 
-def _nearest(places: Array, positions: Array) -> NDArray[np.intp]:
+def _nearest(places: Array, positions: Array) -> Indices:
     apart = (positions[:, :1] - places[:, 0]) ** 2 + (positions[:, 1:] - places[:, 1]) ** 2
     return np.asarray(apart.argmin(axis=1))
 

@@ -15,15 +15,12 @@ from pathlib import Path
 
 import cv2
 import numpy as np
-from numpy.typing import NDArray
 
 from benchmarks import report, shots
-from benchmarks.shots import Mask, Picture
 from resources import walker
+from roam_core.arrays import Array, Bools, Image
 from roam_core.errors import RoamError
 from roam_core.kernels.coverage import coverage
-
-Array = NDArray[np.float64]
 
 PUPPET = shots.SHARED / "bench" / "puppet.py"
 ABSENT = (
@@ -48,11 +45,11 @@ class Figure:
     """
 
     name: str
-    pictures: Sequence[Picture]
+    pictures: Sequence[Image]
     order: tuple[str, ...]
     lines: dict[str, Sequence[Array]]
     motions: dict[str, Sequence[Array]]
-    _masks: dict[tuple[str, int], Mask] = field(default_factory=dict, repr=False)
+    _masks: dict[tuple[str, int], Bools] = field(default_factory=dict, repr=False)
 
     @property
     def frames(self) -> range:
@@ -63,24 +60,24 @@ class Figure:
         """(h, w)."""
         return self.pictures[0].shape[0], self.pictures[0].shape[1]
 
-    def read(self, frame: int) -> Picture:
+    def read(self, frame: int) -> Image:
         """The picture of a frame, as `roam_core.track` asks for it."""
         return self.pictures[frame]
 
-    def whole(self, part: str, frame: int) -> Mask:
+    def whole(self, part: str, frame: int) -> Bools:
         """The pixels of a part, seen or hidden."""
         if (part, frame) not in self._masks:
             self._masks[part, frame] = np.asarray(coverage(self.lines[part][frame], self.size) > 0.5)
         return self._masks[part, frame]
 
-    def union(self, parts: Sequence[str], frame: int) -> Mask:
+    def union(self, parts: Sequence[str], frame: int) -> Bools:
         """The pixels of any of these parts."""
         found = np.zeros(self.size, dtype=bool)
         for part in parts:
             found |= self.whole(part, frame)
         return found
 
-    def hidden(self, part: str, frame: int) -> Mask:
+    def hidden(self, part: str, frame: int) -> Bools:
         """The pixels of a part that a nearer one covers."""
         nearer = self.order[self.order.index(part) + 1 :]
         return self.whole(part, frame) & self.union(nearer, frame)
@@ -137,7 +134,7 @@ def _square(matrix: Array | Sequence[Sequence[float]]) -> Array:
     return np.vstack([matrix, [0.0, 0.0, 1.0]])
 
 
-def _picture(path: Path) -> Picture:
+def _picture(path: Path) -> Image:
     image = cv2.imread(str(path))
     if image is None:
         raise RoamError(f"{path} cannot be read; delete its folder, and it is rendered again.")

@@ -30,7 +30,7 @@ from roam_core.kernels.region_sums import region_sums, row_sums
 from roam_core.kernels.ribbon_means import ribbon_means
 from roam_core.kernels.settling import settled
 from roam_core.kernels.spline_fit import nearest_places, normal_band
-from roam_core.proposal.invariants import surroundings
+from roam_core.proposal.outline.invariants import surroundings
 
 Case = tuple[Callable[..., Any], tuple[Any, ...], dict[str, Any]]
 

@@ -12,15 +12,13 @@ import argparse
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from benchmarks import demo_shot, fewest_keys, report, shots
+from roam_core.arrays import Array
 from roam_core.geometry import bezier
 from roam_core.interchange.keys.reduction import Motion, Reduction, reduced
 from roam_core.interchange.keys.smoothing import smoothed
 from roam_core.roto import RotoShape
-
-Array = NDArray[np.float64]
 
 TOLERANCE = 1.0
 """Pixels."""

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from roam_core.arrays import Array
+
 RIDGE = 4e-3
 """Price of the squared weight of a sign, in units of its standard deviation."""
 ROUNDS, STEPS = 6, 8
-"""Times that signs of negative weight are dropped, and Newton's steps each time: both more than enough."""
+"""Times that features of negative weight are dropped, and Newton's steps each time: both more than enough."""
 
 
 def fitted(features: Array, shares: Array, counts: Array) -> Array:
@@ -17,7 +17,7 @@ def fitted(features: Array, shares: Array, counts: Array) -> Array:
 
     Parameters
     ----------
-    signs : (M, K). shares : (M,) in [0, 1]. counts : (M,) how much each row counts.
+    features : (M, K). shares : (M,) in [0, 1]. counts : (M,) how much each row counts.
     """
     middle, spread = features.mean(axis=0), features.std(axis=0) + 1e-9
     rows = np.column_stack([np.ones(len(features)), -(features - middle) / spread])
@@ -36,7 +36,7 @@ def fitted(features: Array, shares: Array, counts: Array) -> Array:
 
 
 def expected(features: Array, weights: Array) -> Array:
-    """The share `(M,)` that signs `(M, K)` let one expect, as `confidence.expected_overlap` has it."""
+    """The share `(M,)` that features `(M, K)` let one expect, as `confidence.expected_overlap` has it."""
     return np.asarray(1.0 / (1.0 + np.exp(features @ weights[1:] - weights[0])))
 
 

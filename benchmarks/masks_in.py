@@ -18,7 +18,7 @@ import cv2
 import numpy as np
 
 from benchmarks import figures, report, shots
-from benchmarks.shots import Mask
+from roam_core.arrays import Bools
 from roam_core.interchange import ImportOptions, MaskOptions
 from roam_core.interchange.masks.importer import MaskImporter
 from roam_core.interchange.masks.sequence import Fitted
@@ -80,7 +80,7 @@ def measured(name: str, tolerance: float) -> dict[str, Any]:
     }
 
 
-def imported(masks: Sequence[Mask], tolerance: float) -> tuple[list[RotoShape], tuple[Fitted, ...]]:
+def imported(masks: Sequence[Bools], tolerance: float) -> tuple[list[RotoShape], tuple[Fitted, ...]]:
     """Shapes of masks that are numbered from 0 on, and their figures."""
     height, width = masks[0].shape
     with tempfile.TemporaryDirectory() as folder:

@@ -13,8 +13,8 @@ from pathlib import Path
 import numpy as np
 
 from benchmarks import report
+from roam_core.interchange.matte_style import DataWindow, Gathering, MatteFile, MatteStyle, Parts
 from roam_core.interchange.mattes.exporter import write_mattes
-from roam_core.interchange.mattes.style import DataWindow, Gathering, MatteFile, MatteStyle, Parts
 from roam_core.matte import render_matte
 from roam_core.roto import Keyframe, Layer, MotionBlur, RotoShape
 

@@ -26,7 +26,7 @@ from roam_core.inference.landmark_dp import best_star
 from roam_core.kernels.cyclic_viterbi import cyclic_viterbi
 from roam_core.params import CONFIGS
 from roam_core.propagate import warm_up
-from roam_core.propagate.reshaping import reshape
+from roam_core.propagate.curves.reshaping import reshape
 
 STEPS: dict[str, Sequence[Callable[..., Any]]] = {
     "DP contour": (cyclic_viterbi,),

@@ -15,19 +15,18 @@ from typing import Any
 
 import cv2
 import numpy as np
-from numpy.typing import NDArray
 
 from benchmarks import processes, report, shots
-from benchmarks.contact_sheet import WIDTH, Picture, tile, write_sheet
-from benchmarks.shots import Mask, Shot
+from benchmarks.contact_sheet import WIDTH, tile, write_sheet
+from benchmarks.shots import Shot
 from roam_core import track
+from roam_core.arrays import Array, Bools, UInt8
 from roam_core.errors import RoamError
 from roam_core.geometry import bezier
 from roam_core.kernels.coverage import coverage
 from roam_core.params import CONFIGS, DEFAULT_CONFIG, params_for
 from roam_core.roto import BlendMode, Keyframe, RotoShape
 
-Array = NDArray[np.float64]
 Lines = dict[str, list[Array]]
 """The closed polyline `(K, 2)` of each part on every frame from the first one on, bottom first."""
 
@@ -108,7 +107,7 @@ def tracked(shot: Shot, drawn: Mapping[str, Array], config: str) -> Lines:
     return lines
 
 
-def score(parts: Sequence[Mask], hidden: Mask, true: Mask) -> tuple[float, float]:
+def score(parts: Sequence[Bools], hidden: Bools, true: Bools) -> tuple[float, float]:
     """The IoU of the union of the parts with the true mask, and the mean share of a part inside it.
 
     Nothing of a part counts where it is `hidden`; of one that is nowhere seen the share is 0.
@@ -136,7 +135,7 @@ def _folder() -> Path:
 # ---- the sheet
 
 
-def _tiles(shot: Shot, lines: Lines) -> list[Picture]:
+def _tiles(shot: Shot, lines: Lines) -> list[UInt8]:
     """The shown frames around the figure, all cut to one size, and the legend."""
     boxes = [cv2.boundingRect(shot.mask(shot.first + k).astype(np.uint8)) for k in SHOWN]
     side = min(max(max(box[2:]) for box in boxes) + 2 * MARGIN, *shot.size)
@@ -153,7 +152,7 @@ def _tiles(shot: Shot, lines: Lines) -> list[Picture]:
     return [*tiles, _legend(tiles[0].shape, list(lines))]
 
 
-def _legend(shape: tuple[int, ...], parts: Sequence[str]) -> Picture:
+def _legend(shape: tuple[int, ...], parts: Sequence[str]) -> UInt8:
     """The names of the parts in their colours, the top one first."""
     empty = np.zeros(shape, dtype=np.uint8)
     for row, (part, colour) in enumerate(reversed(list(zip(parts, COLOURS, strict=False)))):

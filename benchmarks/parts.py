@@ -16,13 +16,12 @@ from typing import Any
 
 import cv2
 import numpy as np
-from numpy.typing import NDArray
 
 from benchmarks import figures, processes, report, shots
 from benchmarks.figures import Figure
-from benchmarks.shots import Mask
 from benchmarks.yardstick import flow_seconds
 from roam_core import fill_span, keys_from_mask, shapes_from_mask, track
+from roam_core.arrays import Array, Bools, UInt8
 from roam_core.errors import RoamError
 from roam_core.geometry import projective
 from roam_core.geometry.plane_motion import PlaneMotion, ransac
@@ -31,8 +30,6 @@ from roam_core.motion.planar import corners_in, followed
 from roam_core.params import CONFIGS, DEFAULT_CONFIG, params_for
 from roam_core.propagate import warm_up
 from roam_core.roto import RotoShape
-
-Array = NDArray[np.float64]
 
 SEEDS, PUPPETS = "0,1,2,3", "101,102,103,104"
 FRAMES, GAP = 24, 12
@@ -52,7 +49,7 @@ ALONE, TOGETHER, PLANAR = "alone", "together", "planar, similarity"
 FILLED_ALONE, FILLED_TOGETHER, LINEAR = "filled, alone", "filled, together", "linear keys"
 METHODS = (ALONE, TOGETHER, PLANAR, FILLED_ALONE, FILLED_TOGETHER, LINEAR)
 
-Mattes = list[Mask]
+Mattes = list[Bools]
 """Of the frames after the first."""
 
 
@@ -241,7 +238,7 @@ def planar(figure: Figure) -> dict[str, list[Array]]:
     return found
 
 
-def _moved(before: NDArray[np.uint8], after: NDArray[np.uint8], mask: NDArray[np.uint8], line: Array) -> Array:
+def _moved(before: UInt8, after: UInt8, mask: UInt8, line: Array) -> Array:
     """An outline moved as the corners of a mask do; where they are too few, it stands still."""
     source, target = followed(before, after, corners_in(before, mask), WINDOW)
     motion = None

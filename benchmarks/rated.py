@@ -15,12 +15,12 @@ from roam_core import shapes_from_mask
 from roam_core.features import PreparedFrame
 from roam_core.geometry import bezier
 from roam_core.params import CONFIGS, params_for
-from roam_core.propagate.confidence import ConfidenceFeatures, SpanFeatures
+from roam_core.propagate.between.span import Filling, Reader, spans
 from roam_core.propagate.engines.by_regions import RegionEngine
+from roam_core.propagate.frame.confidence import ConfidenceFeatures, SpanFeatures
 from roam_core.propagate.group import GroupTracker
-from roam_core.propagate.objects import near, objects
-from roam_core.propagate.provenance import Stamps
-from roam_core.propagate.span import Filling, Reader, spans
+from roam_core.propagate.shapes.objects import near, objects
+from roam_core.propagate.shapes.provenance import Stamps
 from roam_core.roto import Keyframe, RotoShape
 
 CARRIED = ("whole", "restarts")
@@ -30,7 +30,7 @@ LENGTH = 20
 """Frames of a run, and from the start of one to the start of the next: how often an artist sets a key."""
 
 Known = tuple[float, tuple[float, ...]]
-"""The share of the frame's area that an object has, as far as it was found, and its signs."""
+"""The share of the frame's area that an object has, as far as it was found, and its features."""
 
 
 @dataclass(frozen=True)

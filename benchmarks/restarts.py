@@ -9,8 +9,9 @@ from typing import Any
 import numpy as np
 
 from benchmarks import shots
-from benchmarks.shots import Mask, Shot
+from benchmarks.shots import Shot
 from roam_core import shapes_from_mask, track
+from roam_core.arrays import Bools
 from roam_core.params import RoamParams
 
 LENGTH, GAP = 15, 20
@@ -35,7 +36,7 @@ def runs(frames: range, length: int = LENGTH, gap: int = GAP) -> list[range]:
     return [range(start, min(start + length, frames[-1]) + 1) for start in starts]
 
 
-def predicted(shot: Shot, run: range, config: str | RoamParams) -> Iterator[tuple[Mask, Mask]]:
+def predicted(shot: Shot, run: range, config: str | RoamParams) -> Iterator[tuple[Bools, Bools]]:
     """The matte and the true mask of every predicted frame of a run from the true mask of its first frame."""
     given = shapes_from_mask(shot.mask(run[0]), run[0])
     for result in track(shot.read, given, run, config):

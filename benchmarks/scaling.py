@@ -14,13 +14,13 @@ from typing import Any
 
 import cv2
 import numpy as np
-from numpy.typing import NDArray
 
 from benchmarks import demo_shot, processes, report
 from benchmarks.shots import Shot, matte
 from benchmarks.variants import Variant
 from benchmarks.yardstick import flow_seconds
 from roam_core import track
+from roam_core.arrays import Array, UInt8
 from roam_core.params import DEFAULT_CONFIG, params_for
 from roam_core.propagate import warm_up
 from roam_core.roto import Keyframe, RotoShape
@@ -125,12 +125,13 @@ def _drawn(group: str, value: str, config: str, size: tuple[int, int], radius: f
 
 
 def drawn(size: tuple[int, int], radius: float, count: int) -> tuple[Shot, RotoShape]:
-    """A textured blob of a `radius` that glides over a textured ground, in pictures of `size` (w, h), and its outline.
+    """A textured blob of a `radius` that glides over a textured background, in pictures of `size` (w, h), and its
+    outline.
 
     It moves by a fifteenth of its radius a frame, so that every size has the same picture but for its scale.
     """
     width, height = size
-    ground = _texture(size, radius, 1) // 3
+    background = _texture(size, radius, 1) // 3
     body = _texture((int(2.6 * radius) + 4, int(2.6 * radius) + 4), radius, 2) // 3 * 2 + 60
     pictures, masks = [], []
     start = np.array([0.4 * width, 0.45 * height])
@@ -141,12 +142,12 @@ def drawn(size: tuple[int, int], radius: float, count: int) -> tuple[Shot, RotoS
         mask = matte([shape], 0, (height, width))
         shift = np.array([[1.0, 0.0, centre[0] - body.shape[1] / 2], [0.0, 1.0, centre[1] - body.shape[0] / 2]])
         moved = cv2.warpAffine(body, shift, size, borderMode=cv2.BORDER_REFLECT)
-        pictures.append(np.where(mask[..., None], moved, ground))
+        pictures.append(np.where(mask[..., None], moved, background))
         masks.append(mask)
     return Shot("drawn", 0, pictures, masks), RotoShape("shape-1", "Drawn", (Keyframe(0, rest + start),))
 
 
-def _texture(size: tuple[int, int], radius: float, seed: int) -> NDArray[np.uint8]:
+def _texture(size: tuple[int, int], radius: float, seed: int) -> UInt8:
     """Smooth coloured noise `(h, w, 3)` whose grain is a tenth of the shape's radius."""
     grain = max(radius / 10.0, 1.0)
     coarse = max(int(size[1] / grain), 2), max(int(size[0] / grain), 2), 3
@@ -154,7 +155,7 @@ def _texture(size: tuple[int, int], radius: float, seed: int) -> NDArray[np.uint
     return np.asarray(cv2.resize(noise, size, interpolation=cv2.INTER_CUBIC), dtype=np.uint8)
 
 
-def _blob(radius: float) -> NDArray[np.float64]:
+def _blob(radius: float) -> Array:
     """A wavy closed spline `(POINTS, 3, 2)` around the origin."""
     angle = np.arange(POINTS) * 2.0 * np.pi / POINTS
     around = np.stack([np.cos(angle), np.sin(angle)], axis=1)

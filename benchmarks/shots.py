@@ -5,21 +5,17 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
-from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from benchmarks import report
 from roam_core import render_matte, shapes_from_mask
+from roam_core.arrays import Bools, Image
 from roam_core.errors import RoamError
 from roam_core.matte.vectorise import coverage_of, read_mask
 from roam_core.media import open_clip
 from roam_core.media.colour import to_engine
 from roam_core.roto import RotoShape
-
-Mask = NDArray[np.bool_]
-Picture = NDArray[Any]
 
 SHARED = report.ROOT.parent / "shared"
 FOLDER = SHARED / "data" / "davis2016-train"
@@ -36,8 +32,8 @@ class Shot:
 
     name: str
     first: int
-    pictures: Sequence[Picture]
-    masks: Sequence[Mask]
+    pictures: Sequence[Image]
+    masks: Sequence[Bools]
 
     @property
     def frames(self) -> range:
@@ -53,11 +49,11 @@ class Shot:
         """(h, w)."""
         return self.masks[0].shape[0], self.masks[0].shape[1]
 
-    def read(self, frame: int) -> Picture:
+    def read(self, frame: int) -> Image:
         """The picture of a frame, as `roam_core.track` asks for it."""
         return self.pictures[frame - self.first]
 
-    def mask(self, frame: int) -> Mask:
+    def mask(self, frame: int) -> Bools:
         """The true mask of a frame."""
         return self.masks[frame - self.first]
 
@@ -103,12 +99,12 @@ def first_shapes(shot: Shot) -> list[RotoShape]:
     return shapes_from_mask(shot.mask(shot.first), shot.first)
 
 
-def overlap(ours: Mask, true: Mask) -> float:
+def overlap(ours: Bools, true: Bools) -> float:
     """Intersection over union; 1 for two empty masks."""
     union = int(np.count_nonzero(ours | true))
     return int(np.count_nonzero(ours & true)) / union if union else 1.0
 
 
-def matte(shapes: Sequence[RotoShape], frame: int, size: tuple[int, int]) -> Mask:
+def matte(shapes: Sequence[RotoShape], frame: int, size: tuple[int, int]) -> Bools:
     """The pixels `(h, w)` that the shapes cover by more than half."""
     return np.asarray(render_matte(shapes, frame, size) > 0.5)

@@ -18,6 +18,7 @@ from benchmarks.stopwatch import Stopwatch
 from benchmarks.yardstick import flow_seconds
 from resources import demo
 from roam_core.appearance.edge_models import EdgeModels
+from roam_core.arrays import UInt8
 from roam_core.energy import joint_total, total
 from roam_core.errors import RoamError
 from roam_core.features import PreparedFrame
@@ -35,20 +36,18 @@ from roam_core.motion.flow import dense_flow, flow_similarity
 from roam_core.motion.klt import similarity_warp
 from roam_core.params import CONFIGS
 from roam_core.propagate import track, warm_up
-from roam_core.propagate.confidence import edge_support, frame_confidence, node_support
-from roam_core.propagate.contour_fit import enclosed, laid
-from roam_core.propagate.nodes import NodeMap
-from roam_core.propagate.reshaping import reshape
-from roam_core.propagate.rigid import Rigidity
-from roam_core.propagate.step import curve_context
-from roam_core.proposal.components import ring_around, shares
-from roam_core.proposal.contour import follow
-from roam_core.proposal.evidence import gathered
-from roam_core.proposal.label_propagation import label_propagation
-from roam_core.proposal.region import cleaned
+from roam_core.propagate.curves.reshaping import reshape
+from roam_core.propagate.curves.step import curve_context
+from roam_core.propagate.frame.confidence import edge_support, frame_confidence, node_support
+from roam_core.propagate.frame.contour_fit import enclosed, fitted
+from roam_core.propagate.frame.nodes import NodeMap
+from roam_core.propagate.whole.rigid import Rigidity
+from roam_core.proposal.cues.evidence import gathered
+from roam_core.proposal.cues.label_propagation import label_propagation
+from roam_core.proposal.outline.contour import follow
+from roam_core.proposal.segment.components import ring_around, shares
+from roam_core.proposal.segment.region import cleaned
 from roam_core.roto import RotoShape
-
-Image = NDArray[np.uint8]
 
 STAGES: dict[str, Sequence[Callable[..., Any]]] = {
     "preparing the picture": (PreparedFrame.__init__, curve_context),
@@ -65,12 +64,12 @@ STAGES: dict[str, Sequence[Callable[..., Any]]] = {
     "smoothing of the evidence": (diffuse,),
     "the other evidence": (gathered,),
     "the region": (cleaned, shares, ring_around),
-    "curves along the region": (laid, follow, simplified),
+    "curves along the region": (fitted, follow, simplified),
     "confidence and energies": (node_support, frame_confidence, total.energies, edge_support, enclosed),
     "histograms": (bin_counts, looked_up),
 }
-"""What a frame's time is spent on: functions that `propagate.step` or `propagate.region` call. A configuration takes
-one way or the other; stages that it never enters stay out of its table."""
+"""What a frame's time is spent on: functions that `propagate.curves.step` or `propagate.whole.region` call. A
+configuration takes one way or the other; stages that it never enters stay out of its table."""
 
 REST, SUM, MATTE, DECODING, FLOW = "the rest of the step", "tracking, all of it", "matte", "decoding a PNG", "DIS flow"
 SETTLING = 2
@@ -121,7 +120,7 @@ def _medians(size: tuple[int, int], config: str, count: int) -> dict[str, float]
     }
 
 
-def _written(pictures: Sequence[Image], folder: Path) -> PlateSource:
+def _written(pictures: Sequence[UInt8], folder: Path) -> PlateSource:
     for frame, picture in enumerate(pictures, start=demo.FIRST):
         cv2.imwrite(str(folder / f"demo.{frame}.png"), cv2.cvtColor(picture, cv2.COLOR_RGB2BGR))
     return open_clip(folder)

@@ -14,10 +14,10 @@ from functools import reduce
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from benchmarks import processes, report, restarts, shots
 from benchmarks.variants import field_of, with_field
+from roam_core.arrays import Array
 from roam_core.errors import RoamError
 from roam_core.params import CONFIGS, DEFAULT_CONFIG, RoamParams, params_for
 
@@ -62,7 +62,7 @@ def run(given: argparse.Namespace) -> None:
     report.write(f"tune {given.config}", text, result, publish=given.publish)
 
 
-def leave_one_out(scores: NDArray[np.float64]) -> Held:
+def leave_one_out(scores: Array) -> Held:
     """Choose for each row (a shot) of `scores (S, T)` the trial with the best mean over the other rows.
 
     Of equals the first is chosen: the present parameters, when they come first.
@@ -97,9 +97,7 @@ def _field(params: RoamParams, text: str) -> tuple[str, list[Any]]:
         raise RoamError(f"--field {text}: {name} holds a {type(present).__name__}.") from None
 
 
-def _table(
-    scores: NDArray[np.float64], trials: Sequence[Values], held: Held, chosen: Sequence[str], config: str
-) -> str:
+def _table(scores: Array, trials: Sequence[Values], held: Held, chosen: Sequence[str], config: str) -> str:
     rows = []
     for k in np.argsort(-scores.mean(axis=0), kind="stable"):
         without = [shot for shot, trial in zip(chosen, held.chosen, strict=True) if trial == k]

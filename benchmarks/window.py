@@ -20,10 +20,10 @@ from typing import TYPE_CHECKING, Any
 
 import cv2
 import numpy as np
-from numpy.typing import NDArray
 
 from benchmarks import report
 from benchmarks.mattes import scene
+from roam_core.arrays import UInt8
 from roam_core.errors import RoamError
 from roam_core.roto import Clip, Keyframe, Layer, Project, RotoShape
 
@@ -101,7 +101,7 @@ class DrawnPlate:
         noise = np.random.default_rng(0).integers(0, 256, (height // 8, width // 8, 3), dtype=np.uint8)
         self._picture = cv2.resize(noise, size, interpolation=cv2.INTER_CUBIC)
 
-    def read(self, frame: int) -> NDArray[np.uint8]:
+    def read(self, frame: int) -> UInt8:
         """The picture `(h, w, 3)` of a frame."""
         return np.roll(self._picture, 16 * frame, axis=1)
 

@@ -8,10 +8,10 @@ from itertools import pairwise
 
 import cv2
 
-from benchmarks.shots import Picture
+from roam_core.arrays import Image
 
 
-def flow_seconds(pictures: Sequence[Picture], clock: Callable[[], float] = time.thread_time) -> list[float]:
+def flow_seconds(pictures: Sequence[Image], clock: Callable[[], float] = time.thread_time) -> list[float]:
     """Seconds of DIS flow at its fastest preset from each whole picture to the next (Kroeger et al., ECCV 2016)."""
     flow = cv2.DISOpticalFlow.create(cv2.DISOPTICAL_FLOW_PRESET_ULTRAFAST)
     greys = [cv2.cvtColor(picture, cv2.COLOR_RGB2GRAY) for picture in pictures]

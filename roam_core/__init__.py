@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from roam_core.media.colour import to_engine
     from roam_core.params import RoamParams
     from roam_core.propagate import FrameResult, Termination, Tracker, TrackResult, fill_span, track
-    from roam_core.proposal.keys import keys_from_mask
+    from roam_core.proposal.mask_keys.keys import keys_from_mask
     from roam_core.roto import (
         BlendMode,
         Clip,
@@ -88,7 +88,7 @@ _ROOMS = {
     "roam_core.media.colour": ("to_engine",),
     "roam_core.params": ("RoamParams",),
     "roam_core.propagate": ("FrameResult", "Termination", "TrackResult", "Tracker", "fill_span", "track"),
-    "roam_core.proposal.keys": ("keys_from_mask",),
+    "roam_core.proposal.mask_keys.keys": ("keys_from_mask",),
     "roam_core.roto": (
         "BlendMode",
         "Clip",

@@ -36,7 +36,7 @@ from scripts.camera import (
 
 if TYPE_CHECKING:
     from app.shell.main_window import MainWindow
-    from roam_core.propagate.topology_proposals import Proposal
+    from roam_core.propagate.frame.topology_proposals import Proposal
     from roam_core.roto import Project, RotoShape
 
 TRACKED_TO, LOOKED_AT, STOPPED_AT, DOUBTED_AFTER = 1024, 1012, 1016, 1030
@@ -169,7 +169,7 @@ def photograph_editing(shown: MainWindow) -> None:
 
 def photograph_proposal(shown: MainWindow) -> None:
     """A proposal to part the tail from the body. Posed: the engine has no doubt of this kind about the demo."""
-    from roam_core.propagate.result import FrameResult, Termination, TrackResult
+    from roam_core.propagate.frame.result import FrameResult, Termination, TrackResult
 
     (shape,) = shown.document.project.shapes
     proposal = posed_proposal(shape, shown.document.project)
@@ -187,8 +187,8 @@ def posed_proposal(shape: RotoShape, project: Project) -> Proposal:
     import numpy as np
 
     from roam_core import render_matte
-    from roam_core.propagate.topology_proposals import Proposal
-    from roam_core.proposal.topology import TopologyChange, TopologyKind
+    from roam_core.propagate.frame.topology_proposals import Proposal
+    from roam_core.proposal.reshaping.topology import TopologyChange, TopologyKind
 
     assert project.clip is not None
     width, height = project.clip.size

@@ -22,7 +22,7 @@ MENUS: dict[str, tuple[str, ...]] = {
     "Edit": (
         "edit.undo", "edit.redo", "edit.history", SEPARATOR,
         "edit.copy", "edit.cut", "edit.paste", "edit.copy_nuke", "edit.copy_fusion", SEPARATOR,
-        "points.delete", "points.select_all", "points.next", "points.previous", SEPARATOR,
+        "points.delete", "shape.select_all", "points.select_all", "points.next", "points.previous", SEPARATOR,
         "points.soft", "points.lasso", SEPARATOR,
         "points.transform", "points.mirror_across", "points.mirror_down", SEPARATOR,
         "points.smooth", "points.cusp", "points.toggle_closed", "shape.to_bezier", "shape.to_bspline",

@@ -91,6 +91,7 @@ SPECS: tuple[ActionSpec, ...] = (
     ActionSpec("points.mirror_across", "Mirror horizontally", _VIEWER, tip="Swap left and right of what is selected"),
     ActionSpec("points.mirror_down", "Mirror vertically", _VIEWER, tip="Swap top and bottom of what is selected"),
     ActionSpec("points.toggle_closed", "Open or close", _VIEWER),
+    ActionSpec("shape.select_all", "Select all shapes", _VIEWER, tip="Select the shapes in sight that are not locked"),
     ActionSpec("shape.duplicate", "Duplicate", _VIEWER, "duplicate"),
     ActionSpec("shape.group", "Group into a layer", _VIEWER, "layer-add"),
     ActionSpec(

@@ -5,7 +5,7 @@ from __future__ import annotations
 from PySide6.QtCore import QEvent, QObject, Qt
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QToolButton, QWidget
 
-from roam_core.propagate.topology_proposals import Proposal
+from roam_core.propagate.frame.topology_proposals import Proposal
 
 from .. import style
 from ..actions.actions import Actions

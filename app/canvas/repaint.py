@@ -92,7 +92,7 @@ def _moved(was: Shown, now: Shown, frame: int, viewport: Viewport) -> QRectF | N
     if len(first.points) != len(second.points) or not (_is_plain(first) and _is_plain(second)):
         return None
     different = np.full(len(first.points), _is_doubted(a, frame) is not _is_doubted(b, frame))
-    for name in ("points", "grips"):
+    for name in ("points", "control_points"):
         different |= (getattr(first, name) != getattr(second, name)).any(axis=(1, 2))
     reached = np.flatnonzero(different | np.roll(different, 1) | np.roll(different, -1))
     if not len(reached):
@@ -113,7 +113,7 @@ def _is_plain(outline: Outline) -> bool:
 
 def _box(outline: Outline, indices: np.ndarray, viewport: Viewport) -> QRectF:
     """The box of some points with their handles, widget units."""
-    positions = np.concatenate([outline.points[indices], outline.grips[indices]]).reshape(-1, 2)
+    positions = np.concatenate([outline.points[indices], outline.control_points[indices]]).reshape(-1, 2)
     low, high = positions.min(axis=0).tolist(), positions.max(axis=0).tolist()
     return QRectF(viewport.to_widget(*low), viewport.to_widget(*high))
 

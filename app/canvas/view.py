@@ -4,14 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 
-import numpy as np
-from numpy.typing import NDArray
 from PySide6.QtCore import QEvent, QPointF, QRectF, QSizeF, Qt, QTimer, Signal
 from PySide6.QtGui import QKeyEvent, QMouseEvent, QPainter, QPaintEvent, QTabletEvent, QWheelEvent
 from PySide6.QtWidgets import QWidget
 
-from roam_core.propagate.edges import Edges
-from roam_core.propagate.topology_proposals import Proposal
+from roam_core.arrays import UInt8
+from roam_core.propagate.frame.topology_proposals import Proposal
+from roam_core.propagate.parts.edges import Edges
 from roam_core.roto import Project
 
 from ..actions.key_names import NUDGES, is_modifier, key_name
@@ -32,7 +31,7 @@ from .items.proposal import ProposalPainter, Side
 from .pen import Pen
 from .plate.stage import Stage
 from .repaint import Repaint
-from .sight import Sight, SightPainter
+from .view_snapshot import SnapshotPainter, ViewSnapshot
 from .wipe import Wipe
 from .words import NO_PLATE, OPENING, paint_words
 from .zoomable import ZoomableWidget
@@ -66,9 +65,9 @@ class CanvasView(ZoomableWidget):
         self._tool: Tool = self._tools["select"]
         self.viewing = Viewing(self)
         """Which view, channel and exposure; what lies under a cut-out; which frames the onion skin shows."""
-        self.stage, self.wipe = Stage(self.viewing), Wipe(self._sight, view_state.say, self)
+        self.stage, self.wipe = Stage(self.viewing), Wipe(self._snapshot, view_state.say, self)
         self._repaint = Repaint(self)
-        self._present, self._pinned, self._proposed = SightPainter(), SightPainter(), ProposalPainter()
+        self._present, self._pinned, self._proposed = SnapshotPainter(), SnapshotPainter(), ProposalPainter()
         self.proposed: Callable[[], Proposal | None] = lambda: None
         """Gives what the engine proposes for the present frame."""
         self.bones: Callable[[], Sequence[Bone]] = tuple
@@ -103,12 +102,12 @@ class CanvasView(ZoomableWidget):
         self.wipe.changed.connect(self._announce)
         self.stage.changed.connect(self.update)
         self.stage.matte_ready.connect(self.matte_ready)
-        self.stage.ground.refused.connect(view.say)
+        self.stage.background.refused.connect(view.say)
         self.destroyed.connect(self.stage.close)
 
     # ---- what is shown
 
-    def set_image(self, frame: int, image: NDArray[np.uint8] | None) -> None:
+    def set_image(self, frame: int, image: UInt8 | None) -> None:
         """Show the plate's picture of `frame`: (h, w, 3) uint8 display values, or None where the plate has none.
 
         A proxy with fewer pixels than the clip is stretched to the clip's size.
@@ -244,25 +243,25 @@ class CanvasView(ZoomableWidget):
         self.setCursor(self._tool.cursor)
         self.update()
 
-    def _sight(self) -> Sight:
+    def _snapshot(self) -> ViewSnapshot:
         """What is shown now."""
         project, frame, image, viewing = self._project(), self._view_state.frame, self._image_size(), self.viewing
         below = self.stage.below(project, frame, image)
         edges = self.edges() if viewing.shows_edges and viewing.shows_shapes else {}
-        return Sight(below, image, viewing.mode, viewing.onion, project, frame, viewing.shows_shapes, edges)
+        return ViewSnapshot(below, image, viewing.mode, viewing.onion, project, frame, viewing.shows_shapes, edges)
 
     # ---- painting
 
     def paintEvent(self, event: QPaintEvent) -> None:
         painter, view, size = QPainter(self), self._view_state, QSizeF(self.size())
         painter.setClipRect(event.rect())
-        ratio, viewport, sight = self.devicePixelRatioF(), self._viewport, self._sight()
+        ratio, viewport, snapshot = self.devicePixelRatioF(), self._viewport, self._snapshot()
         if (pinned := self.wipe.pinned) is not None:
             painter.setClipRect(self.wipe.left(size) & QRectF(event.rect()))
             self._pinned.paint(painter, pinned, viewport, ratio, Selection())
             right = QRectF(self.rect()).adjusted(self.wipe.left(size).width(), 0, 0, 0)
             painter.setClipRect(right & QRectF(event.rect()))
-        self._present.paint(painter, sight, viewport, ratio, view.selection, view.hovered)
+        self._present.paint(painter, snapshot, viewport, ratio, view.selection, view.hovered)
         if self.viewing.shows_shapes:
             if (proposal := self.proposed()) is not None:
                 self._proposed.paint(painter, viewport, proposal, self._proposal_side)
@@ -272,9 +271,9 @@ class CanvasView(ZoomableWidget):
             self._tool.paint(painter, viewport)
         painter.setClipping(False)
         if pinned is None:
-            paint_words(painter, size, viewport, sight, self._sentence(), self._hint(sight))
+            paint_words(painter, size, viewport, snapshot, self._sentence(), self._hint(snapshot))
         else:
-            self.wipe.paint(painter, size, sight)
+            self.wipe.paint(painter, size, snapshot)
         painter.end()
 
     def _sentence(self) -> str:
@@ -283,8 +282,8 @@ class CanvasView(ZoomableWidget):
             return OPENING if self._is_waiting else NO_PLATE
         return self.stage.emptiness()
 
-    def _hint(self, sight: Sight) -> str:
-        is_idle = sight.image is not None and not sight.project.shapes and self._view_state.tool == "select"
+    def _hint(self, snapshot: ViewSnapshot) -> str:
+        is_idle = snapshot.image is not None and not snapshot.project.shapes and self._view_state.tool == "select"
         return self.empty_hint if is_idle else ""
 
     # ---- events: the view's own, then the tool's

@@ -9,13 +9,13 @@ from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen, QPolygonF
 
 from ..model.viewing import title_of
 from ..paint import marks
-from .sight import Sight
+from .view_snapshot import ViewSnapshot
 
 REACH = 5.0
 """Half the width of the line's hit area, in widget units."""
 EDGE = 12.0
 """The line stays so far inside of the widget that it can be grabbed again."""
-GRIP = QSizeF(11.0, 7.0)
+HANDLE = QSizeF(11.0, 7.0)
 """Half the size of the mark that says that the line can be dragged."""
 
 
@@ -35,11 +35,11 @@ class Wipe(QObject):
     changed = Signal()
 
     def __init__(
-        self, present: Callable[[], Sight], say: Callable[[str], object], parent: QObject | None = None
+        self, present: Callable[[], ViewSnapshot], say: Callable[[str], object], parent: QObject | None = None
     ) -> None:
         super().__init__(parent)
         self._present, self._say = present, say
-        self.pinned: Sight | None = None
+        self.pinned: ViewSnapshot | None = None
         """What is shown left of the line; None where nothing is compared."""
         self.position = 0.5
         self.is_held = False
@@ -54,11 +54,11 @@ class Wipe(QObject):
 
     def pin(self) -> None:
         """Keep what is shown now as A, left of the line."""
-        sight = self._present()
-        if sight.image is None:
+        snapshot = self._present()
+        if snapshot.image is None:
             self._say(NOTHING)
         else:
-            self.pinned = sight
+            self.pinned = snapshot
         self.changed.emit()
 
     def end(self) -> None:
@@ -83,8 +83,8 @@ class Wipe(QObject):
         """The part of the widget that shows A."""
         return QRectF(0.0, 0.0, round(self.line(widget)), widget.height())
 
-    def paint(self, painter: QPainter, widget: QSizeF, present: Sight) -> None:
-        """Paint the line with its grip, and what stands on either side of it."""
+    def paint(self, painter: QPainter, widget: QSizeF, present: ViewSnapshot) -> None:
+        """Paint the line with its handle, and what stands on either side of it."""
         if self.pinned is None:
             return
         x = float(round(self.line(widget)))
@@ -92,10 +92,10 @@ class Wipe(QObject):
             pen = QPen(colour, thickness)
             painter.setPen(pen)
             painter.drawLine(QPointF(x, 0.0), QPointF(x, widget.height()))
-        self._paint_grip(painter, QPointF(x, widget.height() / 2))
+        self._paint_handle(painter, QPointF(x, widget.height() / 2))
         metrics = QFontMetricsF(painter.font())
-        for letter, sight, is_left in (("A", self.pinned, True), ("B", present, False)):
-            text = f"{letter}   {sight.frame}   {title_of(sight.mode)}"
+        for letter, snapshot, is_left in (("A", self.pinned, True), ("B", present, False)):
+            text = f"{letter}   {snapshot.frame}   {title_of(snapshot.mode)}"
             box = QRectF(0.0, 8.0, metrics.horizontalAdvance(text) + 12.0, metrics.height() + 6.0)
             box.moveLeft(x - 6.0 - box.width() if is_left else x + 6.0)
             painter.setPen(Qt.PenStyle.NoPen)
@@ -104,12 +104,12 @@ class Wipe(QObject):
             painter.setPen(marks.TEXT)
             painter.drawText(box, Qt.AlignmentFlag.AlignCenter, text)
 
-    def _paint_grip(self, painter: QPainter, at: QPointF) -> None:
+    def _paint_handle(self, painter: QPainter, at: QPointF) -> None:
         """Two triangles that point aside."""
         painter.setPen(QPen(marks.EDGE, 1.0))
         painter.setBrush(marks.ACCENT if self.is_held else marks.TEXT)
         for side in (-1.0, 1.0):
-            tip = at + QPointF(side * GRIP.width(), 0.0)
+            tip = at + QPointF(side * HANDLE.width(), 0.0)
             foot = at.x() + side * 3.0
-            ends = QPointF(foot, at.y() - GRIP.height()), QPointF(foot, at.y() + GRIP.height())
+            ends = QPointF(foot, at.y() - HANDLE.height()), QPointF(foot, at.y() + HANDLE.height())
             painter.drawPolygon(QPolygonF([tip, *ends]))

@@ -10,28 +10,30 @@ from ..paint.viewport import Viewport
 from .items import edges
 from .items.confidence import LEGEND
 from .plate.backdrop import paint_label, paint_sentence
-from .sight import Sight
+from .view_snapshot import ViewSnapshot
 
 OPENING, NO_PLATE = "Opening …", "Drop a folder of images or a movie here"
 
 
-def paint_words(painter: QPainter, widget: QSizeF, viewport: Viewport, sight: Sight, sentence: str, hint: str) -> None:
+def paint_words(
+    painter: QPainter, widget: QSizeF, viewport: Viewport, snapshot: ViewSnapshot, sentence: str, hint: str
+) -> None:
     """Paint the `sentence` in the middle of the plate, the view's name at a corner, or the `hint` at the lower edge."""
     area = QRectF(QPointF(), widget)
-    if sight.image is not None:
-        area = viewport.transform.mapRect(QRectF(QPointF(), sight.image))
+    if snapshot.image is not None:
+        area = viewport.transform.mapRect(QRectF(QPointF(), snapshot.image))
     if sentence:
         paint_sentence(painter, area, sentence)
-    if label := label_of(sight):
+    if label := label_of(snapshot):
         paint_label(painter, widget, label, Qt.AlignmentFlag.AlignTop)
     elif hint:
         paint_label(painter, widget, hint, Qt.AlignmentFlag.AlignBottom)
 
 
-def label_of(sight: Sight) -> str:
+def label_of(snapshot: ViewSnapshot) -> str:
     """What is to be known of the view: nothing where it is the usual one."""
-    if not sight.shows_shapes and sight.mode not in WITHOUT_SHAPES:
+    if not snapshot.shows_shapes and snapshot.mode not in WITHOUT_SHAPES:
         return "Shapes hidden"
-    if sight.mode is ViewMode.OVERLAY:
-        return edges.LEGEND if sight.edges else ""
-    return LEGEND if sight.mode is ViewMode.CONFIDENCE else title_of(sight.mode)
+    if snapshot.mode is ViewMode.OVERLAY:
+        return edges.LEGEND if snapshot.edges else ""
+    return LEGEND if snapshot.mode is ViewMode.CONFIDENCE else title_of(snapshot.mode)

@@ -35,7 +35,7 @@ GESTURES = (
     ("Ctrl+drag", "Break a tangent; from an anchor: pull its handles out"),
     ("Shift+drag", "Equalise the handles"),
     ("Ctrl+Alt+drag", "Select points with a lasso"),
-    ("Shift+drag, Ctrl+drag", "On empty ground: add points to the selection, take them away"),
+    ("Shift+drag, Ctrl+drag", "On empty background: add points to the selection, take them away"),
     ("Shift+click, Ctrl+click", "With the object tool: mark more of the object, mark what is not it"),
     ("Ctrl+wheel", "Change the reach of soft selection, of the brush"),
     ("Alt+arrows", "Nudge points by a pixel, with Shift by ten"),

@@ -7,7 +7,7 @@ from enum import StrEnum
 
 from PySide6.QtWidgets import QCheckBox, QComboBox, QWidget
 
-from roam_core.interchange.mattes.style import (
+from roam_core.interchange.matte_style import (
     COMPRESSIONS,
     DEPTHS,
     DataWindow,

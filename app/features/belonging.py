@@ -8,22 +8,20 @@ from enum import StrEnum
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 from PySide6.QtCore import QObject, Signal
 
+from roam_core.arrays import Array
 from roam_core.geometry import polyline
 from roam_core.geometry.joints import joints
 from roam_core.params import scale_for
-from roam_core.propagate import objects
-from roam_core.propagate.objects import Role, Unit, units
-from roam_core.propagate.provenance import Stamps
+from roam_core.propagate.shapes import objects
+from roam_core.propagate.shapes.objects import Role, Unit, units
+from roam_core.propagate.shapes.provenance import Stamps
 from roam_core.roto import BlendMode, Project, RotoShape
 
 from ..jobs.runner import Report, Runner
 from ..model.document import Document
 from ..model.view_state import ViewState, shapes_in_hand
-
-Array = NDArray[np.float64]
 
 
 class Kind(StrEnum):

@@ -9,8 +9,8 @@ from PySide6.QtCore import QObject, Signal
 
 from roam_core.errors import RoamError
 from roam_core.features import PreparedFrame
-from roam_core.propagate import objects
-from roam_core.propagate.edges import Edges, edges
+from roam_core.propagate.parts.edges import Edges, edges
+from roam_core.propagate.shapes import objects
 from roam_core.roto import Project
 
 from ..jobs.runner import Report, Runner

@@ -8,10 +8,10 @@ from enum import StrEnum
 
 from PySide6.QtCore import QObject, Signal
 
-from roam_core.propagate.provenance import is_stale
-from roam_core.propagate.result import FrameResult
-from roam_core.propagate.topology_proposals import Proposal
-from roam_core.proposal.topology import TopologyKind
+from roam_core.propagate.frame.result import FrameResult
+from roam_core.propagate.frame.topology_proposals import Proposal
+from roam_core.propagate.shapes.provenance import is_stale
+from roam_core.proposal.reshaping.topology import TopologyKind
 from roam_core.roto import Keyframe
 
 from ..jobs.propagation import Propagation

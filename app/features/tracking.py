@@ -7,7 +7,7 @@ from enum import StrEnum
 
 from roam_core.dials import name_of
 from roam_core.errors import RoamError
-from roam_core.params import DEFAULT_CONFIG, DOUBTFUL, departed, params_for
+from roam_core.params import DEFAULT_CONFIG, departed, is_doubtful, params_for
 from roam_core.roto import RotoShape
 
 from ..jobs.filling import Gap, gaps_of
@@ -206,7 +206,7 @@ class Tracking:
             (abs(key.frame - here), key.confidence, key.frame, shape)
             for shape in self._shapes()
             for key in shape.keys
-            if key.confidence is not None and key.confidence < DOUBTFUL and (key.frame - here) * step > 0
+            if is_doubtful(key.confidence) and (key.frame - here) * step > 0
         ]
         if doubtful:
             _, _, frame, shape = min(doubtful, key=lambda each: each[:2])
@@ -232,4 +232,4 @@ def doubtful_points(shape: RotoShape, frame: int) -> tuple[int, ...]:
     key = shape.key_at(frame)
     if key is None or key.vertex_confidence is None:
         return ()
-    return tuple(index for index, trust in enumerate(key.vertex_confidence.tolist()) if trust < DOUBTFUL)
+    return tuple(index for index, trust in enumerate(key.vertex_confidence.tolist()) if is_doubtful(trust))

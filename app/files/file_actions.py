@@ -11,6 +11,7 @@ from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QWidget
 
 from roam_core.errors import RoamError
+from roam_core.interchange.registry import SHAPE_SUFFIXES
 from roam_core.roto.project_lock import Holder
 
 from ..dialogs import questions
@@ -18,7 +19,7 @@ from ..dialogs.questions import Contested, Doubted, Unsaved
 from ..folders import cache_folder
 from ..jobs.export import Export
 from ..jobs.found_clip import FoundClip
-from ..jobs.importing import SHAPE_FILES, Import
+from ..jobs.importing import Import
 from ..model.document import PROJECT_SUFFIX, Document
 from ..model.personal import Personal
 from ..model.view_state import ViewState
@@ -119,7 +120,7 @@ class FileActions(QObject):
 
         A clip is shown first, with what was found out about it, unless it is to be opened `at_once`.
         """
-        if path.suffix.lower() in SHAPE_FILES:
+        if path.suffix.lower() in SHAPE_SUFFIXES:
             self._import.start(path)
         elif at_once:
             self._open(path)
@@ -145,7 +146,7 @@ class FileActions(QObject):
         """Ask for a file of shapes, and read it."""
         if self._lacks_clip():
             return
-        path = questions.choose_shapes(self._window, self._start_folder(), SHAPE_FILES)
+        path = questions.choose_shapes(self._window, self._start_folder(), SHAPE_SUFFIXES)
         if path is not None:
             self._import.start(path)
 

@@ -18,7 +18,7 @@ from PySide6.QtWidgets import (
 
 from .. import style
 from ..actions.actions import Actions
-from ..jobs.thumbnails import Sight, Thumbnails, empty_picture
+from ..jobs.thumbnails import RecentEntry, Thumbnails, empty_picture
 from ..model.document import Document
 from ..model.personal import Personal
 from ..widgets.controls import weak_label
@@ -132,11 +132,11 @@ class StartPage(QWidget):
     def _look(self) -> None:
         self._thumbnails.look(self._personal.recent)
 
-    def _show(self, sights: list[Sight]) -> None:
+    def _show(self, entries: list[RecentEntry]) -> None:
         self.recent.clear()
-        for sight in sights:
-            self.recent.addItem(_card(sight))
-        self._place(bool(sights))
+        for entry in entries:
+            self.recent.addItem(_card(entry))
+        self._place(bool(entries))
 
     def _place(self, has_recent: bool) -> None:
         """Offers and recent projects fill the page; offers alone stand in its middle."""
@@ -177,15 +177,15 @@ def _button(actions: Actions, action_id: str) -> QPushButton:
     return button
 
 
-def _card(sight: Sight) -> QListWidgetItem:
+def _card(entry: RecentEntry) -> QListWidgetItem:
     """Picture, name and day; dim where it is gone."""
-    path = sight.recent.path
-    day = time.strftime("%d %b %Y, %H:%M", time.localtime(sight.recent.when))
-    item = QListWidgetItem(_icon(sight.picture), f"{path.name}\n{day if sight.is_there else 'not there any more'}")
+    path = entry.recent.path
+    day = time.strftime("%d %b %Y, %H:%M", time.localtime(entry.recent.when))
+    item = QListWidgetItem(_icon(entry.picture), f"{path.name}\n{day if entry.is_there else 'not there any more'}")
     item.setData(_PATH, path)
     item.setToolTip(str(path))
     item.setTextAlignment(Qt.AlignmentFlag.AlignHCenter)
-    if not sight.is_there:
+    if not entry.is_there:
         item.setForeground(QColor(style.DISABLED))
     return item
 

@@ -9,7 +9,7 @@ from typing import Any
 
 from roam_core.errors import RoamError
 from roam_core.params import RoamParams, params_for
-from roam_core.propagate.provenance import Stamps, takes_part
+from roam_core.propagate.shapes.provenance import Stamps, takes_part
 from roam_core.roto import Keyframe, Origin, RotoShape
 
 from .runner import Report
@@ -58,7 +58,7 @@ def fill(report: Report, request: FillRequest) -> str:
     A gap that cannot be filled, as where the picture of its key is damaged, does not lose the others; `RoamError` is
     raised at the end.
     """
-    from roam_core.propagate.span import fill_span
+    from roam_core.propagate.between.span import fill_span
 
     params, stamps = params_for(request.config), Stamps(request.shapes, request.clip, request.size)
     wanted = [gap for gap in request.gaps if not _is_filled(stamps, request, gap, params)]

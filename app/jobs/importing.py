@@ -18,9 +18,6 @@ from .runner import Ending, Report, Runner
 if TYPE_CHECKING:
     from roam_core.interchange import Imported, ImportOptions, MaskOptions
 
-SHAPE_FILES = (".nk", ".gizmo", ".fxs", ".sfx", ".setting", ".svg", ".json", ".xml")
-"""Suffixes of files that hold shapes and cannot be a clip or a project."""
-
 
 class Import(QObject):
     """Reads shapes in the formats of `roam_core.interchange`.

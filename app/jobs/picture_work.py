@@ -6,9 +6,9 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
-import numpy as np
-from numpy.typing import NDArray
 from PySide6.QtCore import QObject, Signal
+
+from roam_core.arrays import UInt8
 
 from .runner import Ending, Job, Report, Runner
 
@@ -20,7 +20,7 @@ class Shown:
     """The picture of `frame`: `pixels (h, w, 3)` uint8 as on the screen; a proxy has fewer than the plate."""
 
     frame: int
-    pixels: NDArray[np.uint8]
+    pixels: UInt8
 
     def scale(self, size: tuple[int, int]) -> Spot:
         """The size of one of its pixels in those of a plate of `size` (width, height)."""
@@ -47,7 +47,7 @@ class PictureWork(QObject):
         self._jobs: set[Job] = set()
         self.shown: Shown | None = None
 
-    def show(self, frame: int, pixels: NDArray[np.uint8] | None) -> None:
+    def show(self, frame: int, pixels: UInt8 | None) -> None:
         """The picture of `frame` is on the screen; None where the plate has none."""
         self.shown = None if pixels is None else Shown(frame, pixels)
 

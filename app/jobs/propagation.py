@@ -9,11 +9,11 @@ from typing import Any
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
-from roam_core.params import DEFAULT_CONFIG, DOUBTFUL
+from roam_core.params import DEFAULT_CONFIG, is_doubtful
+from roam_core.propagate.frame.result import FrameResult, Termination
 from roam_core.propagate.memory import TrackMemory
-from roam_core.propagate.objects import decisive
-from roam_core.propagate.provenance import Stamps, clip_stamp
-from roam_core.propagate.result import FrameResult, Termination
+from roam_core.propagate.shapes.objects import decisive
+from roam_core.propagate.shapes.provenance import Stamps, clip_stamp
 from roam_core.roto import Keyframe, Origin, Project, RotoShape, edit
 
 from ..model.document import Document
@@ -249,7 +249,7 @@ class _Run:
 
     def note(self, keys: Iterable[Keyframe]) -> None:
         """Remember the frames that the engine doubts."""
-        self._doubtful |= {key.frame for key in keys if key.confidence is not None and key.confidence < DOUBTFUL}
+        self._doubtful |= {key.frame for key in keys if is_doubtful(key.confidence)}
 
     def stopped_sentence(self) -> str:
         word, part = ("Tracking", "a frame") if self.verb == "Track" else ("Filling", "a gap")

@@ -26,7 +26,7 @@ GREY = 56
 
 
 @dataclass(frozen=True)
-class Sight:
+class RecentEntry:
     """What was found out about a recent entry: whether it is still there, and its picture if it has one."""
 
     recent: Recent
@@ -39,7 +39,7 @@ class Thumbnails(QObject):
 
     Signals
     -------
-    seen(sights) : the list of `Sight` that `look` asked for, in its order.
+    seen(entries) : the list of `RecentEntry` that `look` asked for, in its order.
     """
 
     seen = Signal(object)
@@ -74,7 +74,7 @@ class Thumbnails(QObject):
         cache = self._cache
 
         def work(report: Report) -> str:
-            report.partial([_sight(recent, cache) for recent in entries])
+            report.partial([_entry(recent, cache) for recent in entries])
             return ""
 
         self._runner.start("recent", work).partial.connect(self.seen)
@@ -125,11 +125,11 @@ def empty_picture(size: QSize) -> QPixmap:
     return pixmap
 
 
-def _sight(recent: Recent, cache: Path | None) -> Sight:
+def _entry(recent: Recent, cache: Path | None) -> RecentEntry:
     try:
         # A pattern (`plate.%04d.exr`) is no file itself; its folder tells.
         is_there = recent.path.exists() or ("%" in recent.path.name and recent.path.parent.is_dir())
     except OSError:
         is_there = False
     picture = QImage() if cache is None else QImage(str(recent.picture_in(cache)))
-    return Sight(recent, is_there, None if picture.isNull() else picture)
+    return RecentEntry(recent, is_there, None if picture.isNull() else picture)

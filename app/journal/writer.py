@@ -12,6 +12,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import IO
 
+from roam_core.atomic_write import write_atomically
 from roam_core.errors import RoamError
 from roam_core.roto import Project, file
 from roam_core.roto.fingerprint import Fingerprint
@@ -303,7 +304,7 @@ class _Open:
                 if original is not None and copied(target):
                     folder = original.parent
                 else:
-                    file.write_atomically(target, file.dumps(project, ROOT).encode("utf-8", "backslashreplace"))
+                    write_atomically(target, file.dumps(project, ROOT).encode("utf-8", "backslashreplace"))
                     folder = ROOT
                 self._made = Entry({"kind": "base", "name": target.name, "after": after, "folder": str(folder)})
                 self._post(_BaseIsWritten())
@@ -319,7 +320,7 @@ class _Open:
         assert original is not None
         assert held is not None
         try:
-            file.write_atomically(target, original.read_bytes())
+            write_atomically(target, original.read_bytes())
         except OSError:
             return False
         now = Fingerprint.of(target)

@@ -22,7 +22,7 @@ class Modes:
     auto_key : an edit makes a key on its frame; off, it changes the keys that are there.
     ripple : every key in the in/out range takes the same change.
     soft : points near the selected ones follow them, the less the farther.
-    lasso : a drag on empty ground draws a free line in place of a rectangle.
+    lasso : a drag on empty background draws a free line in place of a rectangle.
     soft_radius : how far soft selection reaches, image pixels.
     brush_radius : how far the reshape tool reaches at full pressure, image pixels.
     """

@@ -6,8 +6,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array
 from roam_core.geometry.bezier import ANCHOR
 from roam_core.geometry.extent import extent
 from roam_core.roto import Layer, Project, RotoShape
@@ -31,7 +31,7 @@ def editable_shapes(project: Project, frame: int) -> list[RotoShape]:
     return [shown.shape for shown in shown_shapes(project, frame) if not shown.locked]
 
 
-def bounds(arrays: list[NDArray[np.float64]]) -> tuple[float, float, float, float] | None:
+def bounds(arrays: list[Array]) -> tuple[float, float, float, float] | None:
     """The box `(left, top, right, bottom)` around positions `(..., 2)`, or None where there are none."""
     flat = [array.reshape(-1, 2) for array in arrays if array.size]
     if not flat:
@@ -46,7 +46,7 @@ def selection_bounds(
     """The box around the selected points, or around the selected shapes where no point is."""
     outlines = {s.shape.id: s.shape.at(frame) for s in shown_shapes(project, frame) if s.shape.id in shape_ids}
     if points:
-        return bounds([outlines[i].grips[p, ANCHOR] for i, p in points if i in outlines])
+        return bounds([outlines[i].control_points[p, ANCHOR] for i, p in points if i in outlines])
     return bounds([extent(outline.points, outline.closed) for outline in outlines.values()])
 
 

@@ -68,7 +68,7 @@ class Onion:
     after_colour: str = "#4aa8ff"
 
 
-class GroundKind(StrEnum):
+class BackgroundKind(StrEnum):
     """What a cut-out lies on."""
 
     COLOUR = "colour"
@@ -77,10 +77,10 @@ class GroundKind(StrEnum):
 
 
 @dataclass(frozen=True)
-class Ground:
+class Background:
     """What a cut-out lies on: a `colour` `#rrggbb`, a checkerboard, or the image in the file `image`."""
 
-    kind: GroundKind = GroundKind.CHECKER
+    kind: BackgroundKind = BackgroundKind.CHECKER
     colour: str = "#808080"
     image: str = ""
 
@@ -99,7 +99,7 @@ class Viewing(QObject):
         super().__init__(parent)
         self._mode = self._before_alpha = ViewMode.OVERLAY
         self._are_shapes_hidden = self._shows_joints = self._shows_edges = False
-        self._look, self._onion, self._ground = Look(), Onion(), Ground()
+        self._look, self._onion, self._background = Look(), Onion(), Background()
 
     @property
     def mode(self) -> ViewMode:
@@ -178,12 +178,12 @@ class Viewing(QObject):
         self._set("_onion", replace(onion, before=before, after=after, step=max(onion.step, 1)))
 
     @property
-    def ground(self) -> Ground:
-        return self._ground
+    def background(self) -> Background:
+        return self._background
 
-    def set_ground(self, **changes: Any) -> None:
+    def set_background(self, **changes: Any) -> None:
         """Change what cut-outs lie on."""
-        self._set("_ground", replace(self._ground, **changes))
+        self._set("_background", replace(self._background, **changes))
 
     def handlers(self) -> dict[str, Callable[[], object]]:
         """What the actions of this part call, by id."""
@@ -207,7 +207,7 @@ class Viewing(QObject):
     def remembered(self) -> dict[str, dict[str, Any]]:
         """What comes back when the window is opened again, as plain values: not the look, which would deceive."""
         overlays = {"joints": self._shows_joints, "edges": self._shows_edges}
-        return {"onion": asdict(self._onion), "ground": asdict(self._ground), "overlays": overlays}
+        return {"onion": asdict(self._onion), "ground": asdict(self._background), "overlays": overlays}
 
     def recall(self, remembered: object) -> None:
         """Take back what `remembered` gave; what makes no sense stays as it is."""
@@ -216,11 +216,11 @@ class Viewing(QObject):
         overlays = kept.get("overlays")
         self.show_joints(isinstance(overlays, dict) and overlays.get("joints") is True)
         self.show_edges(isinstance(overlays, dict) and overlays.get("edges") is True)
-        ground = _fitting(kept.get("ground"), Ground())
-        if ground.get("kind", GroundKind.CHECKER) in set(GroundKind):
-            ground["kind"] = GroundKind(ground.get("kind", GroundKind.CHECKER))
-            if Path(ground.get("image", "")).is_file() or ground["kind"] is not GroundKind.IMAGE:
-                self.set_ground(**ground)
+        background = _fitting(kept.get("ground"), Background())
+        if background.get("kind", BackgroundKind.CHECKER) in set(BackgroundKind):
+            background["kind"] = BackgroundKind(background.get("kind", BackgroundKind.CHECKER))
+            if Path(background.get("image", "")).is_file() or background["kind"] is not BackgroundKind.IMAGE:
+                self.set_background(**background)
 
     def _set(self, name: str, value: object) -> None:
         if getattr(self, name) != value:
@@ -228,7 +228,7 @@ class Viewing(QObject):
             self.changed.emit()
 
 
-def _fitting(given: object, default: Onion | Ground) -> dict[str, Any]:
+def _fitting(given: object, default: Onion | Background) -> dict[str, Any]:
     """Those of the given values that a field of their name and type can take."""
     if not isinstance(given, dict):
         return {}

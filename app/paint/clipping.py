@@ -5,14 +5,12 @@ from __future__ import annotations
 from itertools import pairwise
 
 import numpy as np
-from numpy.typing import NDArray
 from PySide6.QtCore import QPointF, QRectF
 from PySide6.QtGui import QPainter, QPainterPath
 
-from .viewport import Viewport
+from roam_core.arrays import Array, Bools
 
-Array = NDArray[np.float64]
-Mask = NDArray[np.bool_]
+from .viewport import Viewport
 
 MARGIN = 16.0
 """Marks reach so far beyond the positions that they stand for, in widget units."""
@@ -25,14 +23,14 @@ def painted_area(painter: QPainter, viewport: Viewport, margin: float = MARGIN) 
     return np.array(viewport.to_image(area.topLeft())), np.array(viewport.to_image(area.bottomRight()))
 
 
-def inside(positions: Array, area: tuple[Array, Array]) -> Mask:
+def inside(positions: Array, area: tuple[Array, Array]) -> Bools:
     """Which of the groups of `positions (N, K, 2)` have a bounding box that meets the area, `(N,)`."""
     low, high = area
-    reached: Mask = ((positions.max(axis=1) >= low) & (positions.min(axis=1) <= high)).all(axis=1)
+    reached: Bools = ((positions.max(axis=1) >= low) & (positions.min(axis=1) <= high)).all(axis=1)
     return reached
 
 
-def clipped_path(control: Array, wanted: Mask, closed: bool) -> QPainterPath:
+def clipped_path(control: Array, wanted: Bools, closed: bool) -> QPainterPath:
     """The pieces of a spline that are `wanted (S,)`, each with a segment more on either side.
 
     So no end of a piece is seen: the neighbours of what is painted lie outside of it.

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 from PySide6.QtCore import QLineF, QPointF, Qt
 from PySide6.QtGui import QColor, QPainter, QPainterPath, QPen, QPolygonF
 
+from roam_core.arrays import Array
 from roam_core.geometry import bezier
 from roam_core.geometry.bezier import ANCHOR, IN, OUT
 from roam_core.roto import Outline, Project, RotoShape
@@ -17,7 +17,6 @@ from ..model.view_state import Selection
 from . import marks
 from .viewport import Viewport
 
-Array = NDArray[np.float64]
 Hover = tuple[str, int, int] | None
 
 TRIANGLE_SIZE = 7.0
@@ -47,9 +46,9 @@ def paint_feather_points(
     anchors = [viewport.to_widget(*position) for position in outline.anchors.tolist()]
     apart = [index for index in range(len(line)) if not np.array_equal(line[index, ANCHOR], outline.anchors[index])]
     marks.arms(painter, [QLineF(anchors[index], spots[index][ANCHOR]) for index in apart], marks.faded(colour, 0.5))
-    grips = feather_grips(shape.id, line, selection)
-    marks.arms(painter, [QLineF(spots[index][ANCHOR], spots[index][part]) for index, part in grips], colour)
-    for index, part in grips:
+    handles = feather_handles(shape.id, line, selection)
+    marks.arms(painter, [QLineF(spots[index][ANCHOR], spots[index][part]) for index, part in handles], colour)
+    for index, part in handles:
         marks.handle(painter, spots[index][part], colour, grown=hover == (shape.id, index, part))
     picked = {index for owner, index in selection.points if owner == shape.id}
     for index, spot in enumerate(spots):
@@ -57,7 +56,7 @@ def paint_feather_points(
         triangle(painter, spot[ANCHOR], colour, filled=index in picked, grown=grown)
 
 
-def feather_grips(shape_id: str, line: Array, selection: Selection) -> list[tuple[int, int]]:
+def feather_handles(shape_id: str, line: Array, selection: Selection) -> list[tuple[int, int]]:
     """The handles of the feather curve `line (P, 3, 2)` that are seen: those of selected points, where drawn out."""
     chosen = sorted(index for owner, index in selection.points if owner == shape_id and index < len(line))
     parts = ((index, part) for index in chosen for part in (IN, OUT))

@@ -96,7 +96,7 @@ def ring(painter: QPainter, at: QPointF, doubt: float) -> None:
 
 
 def marquee(painter: QPainter, box: QRectF) -> None:
-    """The rectangle that a drag on empty ground spans."""
+    """The rectangle that a drag on empty background spans."""
     painter.setBrush(QBrush(QColor(255, 255, 255, 18)))
     painter.setPen(_pen(EDGE, 1.0))
     painter.drawRect(box)

@@ -5,18 +5,16 @@ from __future__ import annotations
 from collections import OrderedDict
 from typing import NamedTuple
 
-import numpy as np
-from numpy.typing import NDArray
 from PySide6.QtCore import QPointF
 from PySide6.QtGui import QPainterPath
 
+from roam_core.arrays import Array
 from roam_core.geometry import bezier
 from roam_core.geometry.bezier import ANCHOR
 from roam_core.roto import RotoShape
 
 from .clipping import clipped_path, inside
 
-Array = NDArray[np.float64]
 REMEMBERED = 2048
 """Paths that are kept: twenty shapes on a hundred frames, so that a loop is flattened once."""
 

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QFormLayout, QHBoxLayout, QLabel, QVBoxLayout, QWidget
 
-from roam_core.params import CONFIGS, DOUBTFUL
+from roam_core.params import CONFIGS, is_doubtful
 
 from .. import style
 from ..actions.actions import Actions
@@ -32,7 +32,7 @@ WORDS = {
     "full": "Edges, colours and landmarks; proposes to split a shape where the object comes apart. Slow.",
     "medium": "Edges and nearby colours, carried along by landmarks: for objects with much texture.",
     "lean": "Edges and the colours on both sides of them: for plain objects that move little.",
-    "baseline": "Edges alone: for clean contours on a plain ground.",
+    "baseline": "Edges alone: for clean contours on a plain background.",
 }
 """What each configuration is good for, in an artist's words."""
 
@@ -131,7 +131,7 @@ class TrackerPanel(QWidget):
             self._confidence.setText("–")
             self._confidence.setToolTip("This frame is not tracked")
         else:
-            doubt = "  doubtful" if min(values) < DOUBTFUL else ""
+            doubt = "  doubtful" if is_doubtful(min(values)) else ""
             self._confidence.setText(f"{min(values):.2f}{doubt}")
             self._confidence.setToolTip("The engine's trust in this frame, 0 to 1")
 

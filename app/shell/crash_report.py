@@ -18,7 +18,7 @@ from pathlib import Path
 from typing import IO
 
 from roam_core import __version__
-from roam_core.roto.writing import is_alive
+from roam_core.atomic_write import is_alive
 
 LIBRARIES = ("PySide6-Essentials", "numpy", "numba", "opencv-python-headless", "OpenImageIO", "scipy")
 MESSAGES = 20

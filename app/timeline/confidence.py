@@ -6,11 +6,11 @@ from collections.abc import Sequence
 
 import numpy as np
 import pyqtgraph as pg
-from numpy.typing import NDArray
 from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QHelpEvent, QMouseEvent, QPainter, QPaintEvent, QResizeEvent, QWheelEvent
 from PySide6.QtWidgets import QHBoxLayout, QSizePolicy, QToolTip, QWidget
 
+from roam_core.arrays import Array
 from roam_core.params import DOUBTFUL
 
 from .. import style
@@ -20,9 +20,6 @@ from ..model.view_state import shapes_in_hand
 from .axis import TimeAxis
 from .marks import MarksOf
 from .scale import LABEL_WIDTH
-
-Pairs = NDArray[np.float64]
-Values = NDArray[np.float64]
 
 LEAST_HEIGHT = 64
 CLICK = 3
@@ -115,7 +112,7 @@ class ConfidenceLines(pg.GraphicsView):  # type: ignore[misc]
             self._pull_curve(shape_id)
         self._pull_least([self._marks(self._document.project.shape(shape_id)).confidence for shape_id in shown])
 
-    def _pull_least(self, shown: list[Pairs]) -> None:
+    def _pull_least(self, shown: list[Array]) -> None:
         """How far the worst of the shapes can be trusted on each frame, and where that is not far enough."""
         least = least_of(shown)
         self._least.setData(*_with_gaps(least if len(shown) > 1 else least[:0]))
@@ -203,7 +200,7 @@ class ConfidenceLines(pg.GraphicsView):  # type: ignore[misc]
         self._axis.wheel(event, event.position().x() + LABEL_WIDTH)
 
 
-def least_of(confidences: Sequence[Pairs]) -> Pairs:
+def least_of(confidences: Sequence[Array]) -> Array:
     """The least of several confidences on each frame, as pairs (frame, confidence) `(K, 2)` in the order of time."""
     pairs = np.concatenate([*confidences, np.empty((0, 2))])
     if not len(pairs):
@@ -213,7 +210,7 @@ def least_of(confidences: Sequence[Pairs]) -> Pairs:
     return np.column_stack([pairs[starts, 0], np.minimum.reduceat(pairs[:, 1], starts)])
 
 
-def _with_gaps(confidence: Pairs) -> tuple[Values, Values]:
+def _with_gaps(confidence: Array) -> tuple[Array, Array]:
     """Frames and values with a hole wherever frames are missing, so that no line spans untracked time."""
     if not len(confidence):
         return confidence[:, 0], confidence[:, 1]

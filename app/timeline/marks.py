@@ -6,16 +6,14 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-from roam_core.params import DOUBTFUL
-from roam_core.propagate.provenance import Stamps
+from roam_core.arrays import Array, Int64
+from roam_core.params import is_doubtful
+from roam_core.propagate.shapes.provenance import Stamps
 from roam_core.roto import Interpolation, Origin, Project, RotoShape
 from roam_core.roto.imported import is_import
 
 from ..model.document import Document
-
-Frames = NDArray[np.int64]
 
 
 @dataclass(frozen=True)
@@ -26,16 +24,16 @@ class KeyMarks:
     pairs (frame, confidence) `(K, 2)` of all engine frames but those of a file that was read, in the order of time.
     """
 
-    artist: Frames
-    engine: Frames
-    doubtful: Frames
-    stale: Frames
-    smooth: Frames
-    held: Frames
-    confidence: NDArray[np.float64]
+    artist: Int64
+    engine: Int64
+    doubtful: Int64
+    stale: Int64
+    smooth: Int64
+    held: Int64
+    confidence: Array
 
     @property
-    def keyed(self) -> Frames:
+    def keyed(self) -> Int64:
         """Every frame that holds a key, in the order of time."""
         return np.sort(np.concatenate([self.artist, self.engine, self.doubtful, self.stale]))
 
@@ -58,7 +56,7 @@ def key_marks(shape: RotoShape, stamps: Stamps) -> KeyMarks:
             confidence.append((key.frame, trust))
         if stamps.is_stale(shape, key):
             stale.append(key.frame)
-        elif trust < DOUBTFUL:
+        elif is_doubtful(key.confidence):
             doubtful.append(key.frame)
         else:
             engine.append(key.frame)
@@ -74,7 +72,7 @@ def key_marks(shape: RotoShape, stamps: Stamps) -> KeyMarks:
     )
 
 
-def _frames(numbers: list[int]) -> Frames:
+def _frames(numbers: list[int]) -> Int64:
     return np.asarray(numbers, dtype=np.int64)
 
 

@@ -56,8 +56,8 @@ class RangeHandles:
         first, stop = self._axis.view_state.play_range
         return f"In: frame {first}. Drag it" if end is End.IN else f"Out: frame {stop - 1}. Drag it"
 
-    def paint_ground(self, painter: QPainter) -> None:
-        """The range lies on a lighter ground."""
+    def paint_background(self, painter: QPainter) -> None:
+        """The range lies on a lighter background."""
         left, right = self._edges()
         painter.fillRect(QRectF(left, 0, right - left, self._bottom + 1), QColor(style.PANEL))
 

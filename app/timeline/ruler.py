@@ -115,7 +115,7 @@ class Ruler(QWidget):
         painter = QPainter(self)
         painter.fillRect(self.rect(), QColor(style.WINDOW))
         if self._axis.has_clip:
-            self._handles.paint_ground(painter)
+            self._handles.paint_background(painter)
             self._paint_missing(painter)
             self._paint_ticks(painter)
             self._paint_cache(painter)

@@ -162,7 +162,9 @@ class PullOut(Turn):
 
 
 class Marquee(Gesture):
-    """A rectangle on empty ground selects the anchors inside. With Shift it adds them, with Ctrl it takes them away."""
+    """A rectangle on empty background selects the anchors inside. With Shift it adds them, with Ctrl it takes them
+    away.
+    """
 
     def __init__(self, document: Document, view_state: ViewState, pressed: Pointer) -> None:
         super().__init__(document, view_state, pressed)

@@ -10,8 +10,8 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array, Bools
 from roam_core.geometry import bezier
 from roam_core.geometry.bezier import ANCHOR, IN, OUT
 from roam_core.roto import Project, RotoShape
@@ -19,7 +19,6 @@ from roam_core.roto import Project, RotoShape
 from ..model.shown import editable_shapes
 from ..model.view_state import Selection
 
-Array = NDArray[np.float64]
 Vector = tuple[float, float]
 
 REACH = 7.0
@@ -71,7 +70,7 @@ def hit_point(project: Project, frame: int, selection: Selection, position: Vect
     """The nearest anchor or handle of the selected shapes within reach, or None."""
     best: PointHit | None = None
     for shape in _selected(project, frame, selection):
-        points = shape.at(frame).grips
+        points = shape.at(frame).control_points
         distances = np.hypot(*np.moveaxis((points - position) / pixel, -1, 0))
         distances[:, [IN, OUT]] += SAME_SPOT
         distances[~_grabbable(points, shape.id, selection)] = np.inf
@@ -97,6 +96,11 @@ def hit_outline(
     return None
 
 
+def outlines_under(project: Project, frame: int, position: Vector, pixel: Vector) -> list[str]:
+    """The ids of all shapes whose outlines lie within reach, the upper before the lower."""
+    return [s.id for s in reversed(editable_shapes(project, frame)) if _on_outline(s, frame, position, pixel)]
+
+
 def points_in_box(shapes: Iterable[RotoShape], frame: int, a: Vector, b: Vector) -> frozenset[tuple[str, int]]:
     """The anchors inside the rectangle with corners `a` and `b`, as (shape id, point index)."""
     low, high = np.minimum(a, b), np.maximum(a, b)
@@ -116,7 +120,7 @@ def points_in_lasso(shapes: Iterable[RotoShape], frame: int, line: Sequence[Vect
     )
 
 
-def _inside(positions: Array, polygon: Array) -> NDArray[np.bool_]:
+def _inside(positions: Array, polygon: Array) -> Bools:
     """Which of `positions (K, 2)` lie inside the polygon `(N, 2)`: a ray to the right crosses it an odd many times."""
     x, y = positions[:, None, 0], positions[:, None, 1]
     (x0, y0), (x1, y1) = polygon.T, np.roll(polygon, -1, axis=0).T
@@ -128,7 +132,7 @@ def _inside(positions: Array, polygon: Array) -> NDArray[np.bool_]:
 
 def _spots(shape: RotoShape, frame: int) -> Array:
     """Where the shape's points are seen, `(P, 2)`: its anchors, or a B-spline's control points."""
-    return shape.at(frame).grips[:, ANCHOR]
+    return shape.at(frame).control_points[:, ANCHOR]
 
 
 def _selected(project: Project, frame: int, selection: Selection) -> Iterator[RotoShape]:
@@ -140,7 +144,7 @@ def _candidates(project: Project, frame: int, selection: Selection, chosen: bool
     return (s for s in reversed(editable_shapes(project, frame)) if (s.id in selection.shapes) is chosen)
 
 
-def _grabbable(points: Array, shape_id: str, selection: Selection) -> NDArray[np.bool_]:
+def _grabbable(points: Array, shape_id: str, selection: Selection) -> Bools:
     """Which of the parts `(P, 3)` can be seen: all anchors, and the drawn-out handles of selected points."""
     parts = np.zeros(points.shape[:2], dtype=bool)
     chosen = [index for owner, index in selection.points if owner == shape_id and index < len(points)]

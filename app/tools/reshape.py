@@ -6,8 +6,8 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array
 from roam_core.geometry import affine
 from roam_core.geometry.bezier import ANCHOR, OUT
 from roam_core.geometry.extent import extent
@@ -19,7 +19,6 @@ from roam_core.roto.transform import falloff, transform_like
 from ..model.shown import editable_shapes
 from ..model.view_state import Selection, ViewState
 
-Array = NDArray[np.float64]
 Vector = tuple[float, float]
 
 
@@ -120,7 +119,7 @@ def grabbed_weights(
     """How far each point follows an edit of the selection, by shape: `(P,)`; `soft_radius` as in `falloff`."""
     weights: dict[str, Array] = {}
     for shape_id, indices in grabbed_indices(project, frame, selection).items():
-        anchors = project.shape(shape_id).at(frame).grips[:, ANCHOR]
+        anchors = project.shape(shape_id).at(frame).control_points[:, ANCHOR]
         if soft_radius is None:
             weights[shape_id] = np.zeros(len(anchors))
             weights[shape_id][indices] = 1.0
@@ -138,7 +137,7 @@ def selection_extent(project: Project, view: ViewState) -> tuple[Vector, Vector]
     for shape_id, indices in grabbed_indices(project, view.frame, view.selection).items():
         outline = project.shape(shape_id).at(view.frame)
         points = view.selection.points
-        found.append(outline.grips[indices, ANCHOR] if points else extent(outline.points, outline.closed))
+        found.append(outline.control_points[indices, ANCHOR] if points else extent(outline.points, outline.closed))
     if not found:
         return None
     (left, top), (right, bottom) = np.concatenate(found).min(axis=0), np.concatenate(found).max(axis=0)

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 import numpy as np
-from numpy.typing import NDArray
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QPainter, QPen
 
+from roam_core.arrays import Array
 from roam_core.geometry.bezier import ANCHOR
 from roam_core.roto import Project
 
@@ -19,12 +19,12 @@ SIZE = marks.ANCHOR_SIZE - 1.0
 
 
 def paint_weights(
-    painter: QPainter, viewport: Viewport, project: Project, frame: int, weights: Mapping[str, NDArray[np.float64]]
+    painter: QPainter, viewport: Viewport, project: Project, frame: int, weights: Mapping[str, Array]
 ) -> None:
     """Anchors that follow partly, the brighter the further; `weights` by shape, `(P,)`."""
     painter.setPen(Qt.PenStyle.NoPen)
     for shape_id, followed in weights.items():
-        anchors = project.shape(shape_id).at(frame).grips[:, ANCHOR]
+        anchors = project.shape(shape_id).at(frame).control_points[:, ANCHOR]
         for index in np.flatnonzero((followed > 0.0) & (followed < 1.0)).tolist():
             at = viewport.to_widget(*anchors[index].tolist())
             painter.setBrush(marks.faded(marks.BRIGHT, float(followed[index])))

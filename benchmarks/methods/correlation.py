@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import cv2
 import numpy as np
-from numpy.typing import NDArray
 
-Grey = NDArray[np.float32]
+from roam_core.arrays import Array, Float32
+
 Box = tuple[float, float, float, float]
 
 CONTEXT = 2.5
@@ -22,7 +22,7 @@ RATE, RIDGE = 0.075, 0.1
 class BoxTracker:
     """Follows a box `(x0, y0, x1, y1)` by its grey levels; its size stays as it is."""
 
-    def __init__(self, grey: Grey, box: Box) -> None:
+    def __init__(self, grey: Float32, box: Box) -> None:
         self.box = box
         wide, high = CONTEXT * (box[2] - box[0]), CONTEXT * (box[3] - box[1])
         self._cell = max(wide, high, float(SIDE)) / SIDE
@@ -34,7 +34,7 @@ class BoxTracker:
         self._wanted = np.fft.rfft2(np.fft.ifftshift(wanted))
         self._learn(grey, 1.0)
 
-    def step(self, grey: Grey) -> tuple[float, float]:
+    def step(self, grey: Float32) -> tuple[float, float]:
         """Move the box to where the filter answers best on the next picture; gives the shift in pixels."""
         response = np.fft.irfft2(np.fft.rfft2(self._patch(grey)) * self._above / self._below, s=self._shape)
         row, column = np.unravel_index(int(np.argmax(response)), self._shape)
@@ -47,7 +47,7 @@ class BoxTracker:
         self._learn(grey, RATE)
         return right, down
 
-    def _learn(self, grey: Grey, rate: float) -> None:
+    def _learn(self, grey: Float32, rate: float) -> None:
         seen = np.fft.rfft2(self._patch(grey))
         power = np.abs(seen) ** 2
         above, below = self._wanted * np.conj(seen), power + RIDGE * power.mean()
@@ -57,7 +57,7 @@ class BoxTracker:
             self._above = (1.0 - rate) * self._above + rate * above
             self._below = (1.0 - rate) * self._below + rate * below
 
-    def _patch(self, grey: Grey) -> NDArray[np.float64]:
+    def _patch(self, grey: Float32) -> Array:
         """The normalised, windowed patch around the box; beyond the picture the border goes on."""
         x0, y0, x1, y1 = self.box
         rows, columns = self._shape

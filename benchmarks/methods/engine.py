@@ -7,7 +7,8 @@ from collections.abc import Iterator
 import roam_core
 from benchmarks import shots
 from benchmarks.methods.method import Shapes, living
-from benchmarks.shots import Mask, Shot
+from benchmarks.shots import Shot
+from roam_core.arrays import Bools
 from roam_core.params import RoamParams, params_for
 
 
@@ -18,7 +19,7 @@ class Engine:
         self.params = params_for(config)
         self.name = f"`{self.params.config}`"
 
-    def carry(self, shot: Shot, shapes: Shapes, frames: range) -> Iterator[Mask]:
+    def carry(self, shot: Shot, shapes: Shapes, frames: range) -> Iterator[Bools]:
         """See `Method.carry`. A shape keeps its earlier keys: the engine may learn from all of them."""
         there = living(shapes, frames[0])
         if not there:
@@ -28,7 +29,7 @@ class Engine:
         for result in roam_core.track(shot.read, there, frames, self.params):
             yield shots.matte([each.shape for each in result.results], result.frame, shot.size)
 
-    def fill(self, shot: Shot, shapes: Shapes, start: int, stop: int) -> list[Mask]:
+    def fill(self, shot: Shot, shapes: Shapes, start: int, stop: int) -> list[Bools]:
         """See `Method.fill`."""
         there = living(shapes, start)
         if not any(shape.key_at(stop) and shape.exists_at(stop) for shape in there):

@@ -6,14 +6,14 @@ from collections.abc import Iterator
 
 import cv2
 import numpy as np
-from numpy.typing import NDArray
 
 from benchmarks.methods.correlation import BoxTracker
 from benchmarks.methods.method import Shapes, living
-from benchmarks.shots import Mask, Shot, matte
+from benchmarks.shots import Shot, matte
+from roam_core.arrays import Bools, Float32, UInt8
 
 MARGIN = 0.1
-"""By how much of its side the box is widened: what lies beyond is surely ground."""
+"""By how much of its side the box is widened: what lies beyond is surely background."""
 ROUNDS = 3
 """Rounds of GrabCut."""
 CORE = 0.2
@@ -25,7 +25,7 @@ class GrabCut:
 
     name = "GrabCut and box tracker"
 
-    def carry(self, shot: Shot, shapes: Shapes, frames: range) -> Iterator[Mask]:
+    def carry(self, shot: Shot, shapes: Shapes, frames: range) -> Iterator[Bools]:
         """See `Method.carry`."""
         key = matte(living(shapes, frames[0]), frames[0], shot.size)
         if not key.any():
@@ -41,7 +41,7 @@ class GrabCut:
             mask = _cut(shot.read(frame), _shifted(mask, shift), tracker.box)
             yield mask
 
-    def fill(self, shot: Shot, shapes: Shapes, start: int, stop: int) -> list[Mask]:
+    def fill(self, shot: Shot, shapes: Shapes, start: int, stop: int) -> list[Bools]:
         """See `Method.fill`: each half from its own key."""
         middle = (start + stop) // 2
         ahead = list(self.carry(shot, shapes, range(start, middle + 1)))
@@ -49,17 +49,17 @@ class GrabCut:
         return ahead + behind[::-1]
 
 
-def _grey(shot: Shot, frame: int) -> NDArray[np.float32]:
+def _grey(shot: Shot, frame: int) -> Float32:
     return np.asarray(cv2.cvtColor(shot.read(frame), cv2.COLOR_RGB2GRAY), dtype=np.float32)
 
 
-def _shifted(mask: Mask, shift: tuple[float, float]) -> Mask:
+def _shifted(mask: Bools, shift: tuple[float, float]) -> Bools:
     height, width = mask.shape
     motion = np.array([[1.0, 0.0, shift[0]], [0.0, 1.0, shift[1]]])
     return np.asarray(cv2.warpAffine(mask.astype(np.uint8), motion, (width, height), flags=cv2.INTER_NEAREST) > 0)
 
 
-def _cut(picture: NDArray[np.uint8], guess: Mask, box: tuple[float, float, float, float]) -> Mask:
+def _cut(picture: UInt8, guess: Bools, box: tuple[float, float, float, float]) -> Bools:
     """GrabCut inside the box; `guess` where the box has left the picture or nothing of the object is expected."""
     height, width = guess.shape
     x0, y0, x1, y1 = box

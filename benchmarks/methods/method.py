@@ -7,14 +7,11 @@ from dataclasses import replace
 from itertools import pairwise
 from typing import Protocol
 
-import numpy as np
-from numpy.typing import NDArray
-
 from benchmarks import shots
-from benchmarks.shots import Mask, Shot
+from benchmarks.shots import Shot
+from roam_core.arrays import Array, Bools
 from roam_core.roto import Keyframe, RotoShape
 
-Array = NDArray[np.float64]
 Shapes = Sequence[RotoShape]
 
 
@@ -26,11 +23,11 @@ class Method(Protocol):
         """As the tables call it."""
         ...
 
-    def carry(self, shot: Shot, shapes: Shapes, frames: range) -> Iterator[Mask]:
+    def carry(self, shot: Shot, shapes: Shapes, frames: range) -> Iterator[Bools]:
         """The mattes of the frames after `frames[0]`, from the shapes as they are there; in either direction."""
         ...
 
-    def fill(self, shot: Shot, shapes: Shapes, start: int, stop: int) -> list[Mask]:
+    def fill(self, shot: Shot, shapes: Shapes, start: int, stop: int) -> list[Bools]:
         """The mattes of the frames between two neighbouring keys, on `start` and on `stop`."""
         ...
 
@@ -42,14 +39,14 @@ class MovingPoints:
         """The closed splines `(P, 3, 2)` of frame `before` on the neighbouring frame `after`."""
         raise NotImplementedError
 
-    def carry(self, shot: Shot, shapes: Shapes, frames: range) -> Iterator[Mask]:
+    def carry(self, shot: Shot, shapes: Shapes, frames: range) -> Iterator[Bools]:
         """See `Method.carry`."""
         there = living(shapes, frames[0])
         for frame, outlines in zip(frames[1:], self._path(shot, there, frames), strict=True):
             now = [placed(shape, frame, points) for shape, points in zip(there, outlines, strict=True)]
             yield shots.matte(now, frame, shot.size)
 
-    def fill(self, shot: Shot, shapes: Shapes, start: int, stop: int) -> list[Mask]:
+    def fill(self, shot: Shot, shapes: Shapes, start: int, stop: int) -> list[Bools]:
         """See `Method.fill`: carried from both keys and blended point by point, each by its nearness.
 
         A shape that has ended before `stop` is carried from `start` alone.

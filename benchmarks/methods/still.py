@@ -6,7 +6,8 @@ from collections.abc import Iterator
 
 from benchmarks import shots
 from benchmarks.methods.method import Shapes, living, placed
-from benchmarks.shots import Mask, Shot
+from benchmarks.shots import Shot
+from roam_core.arrays import Bools
 
 
 class Hold:
@@ -14,13 +15,13 @@ class Hold:
 
     name = "hold"
 
-    def carry(self, shot: Shot, shapes: Shapes, frames: range) -> Iterator[Mask]:
+    def carry(self, shot: Shot, shapes: Shapes, frames: range) -> Iterator[Bools]:
         """See `Method.carry`."""
         here = [placed(shape, frames[0], shape.at(frames[0]).points) for shape in living(shapes, frames[0])]
         for frame in frames[1:]:
             yield shots.matte(here, frame, shot.size)
 
-    def fill(self, shot: Shot, shapes: Shapes, start: int, stop: int) -> list[Mask]:
+    def fill(self, shot: Shot, shapes: Shapes, start: int, stop: int) -> list[Bools]:
         """See `Method.fill`."""
         return list(self.carry(shot, shapes, range(start, stop)))
 
@@ -30,7 +31,7 @@ class Linear(Hold):
 
     name = "linear interpolation"
 
-    def fill(self, shot: Shot, shapes: Shapes, start: int, stop: int) -> list[Mask]:
+    def fill(self, shot: Shot, shapes: Shapes, start: int, stop: int) -> list[Bools]:
         """See `Method.fill`."""
         there = living(shapes, start)
         return [shots.matte(there, frame, shot.size) for frame in range(start + 1, stop)]

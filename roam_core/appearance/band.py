@@ -6,18 +6,12 @@ from dataclasses import dataclass
 
 import cv2
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array, Bools, Float32, Int32, UInt8
 from roam_core.features import PreparedFrame, Region
 from roam_core.features.grid import Grid
 from roam_core.kernels.coverage import coverage
 from roam_core.kernels.nearest_edges import FAR, nearest_edges
-
-Array = NDArray[np.float64]
-Float32 = NDArray[np.float32]
-IntArray = NDArray[np.int32]
-Bools = NDArray[np.bool_]
-UInt8 = NDArray[np.uint8]
 
 
 @dataclass(frozen=True, eq=False)
@@ -35,7 +29,7 @@ class Band:
     grid: Grid
     picture: UInt8
     colours: Float32
-    edge: IntArray
+    edge: Int32
     distance: Float32
     inside: Bools
 

@@ -4,16 +4,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-import numpy as np
-from numpy.typing import NDArray
-
 from roam_core.appearance.edge_models import EdgeModels
 from roam_core.appearance.global_histogram import GlobalHistogram
 from roam_core.appearance.global_mixture import GlobalMixture
+from roam_core.arrays import Array
 from roam_core.features import PreparedFrame
 from roam_core.params import RoamParams
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)

@@ -8,15 +8,12 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from roam_core.appearance.band import Band
 from roam_core.appearance.global_model import GlobalModel
+from roam_core.arrays import Array, Float32
 from roam_core.features import PreparedFrame
 from roam_core.params import AppearanceParams
-
-Array = NDArray[np.float64]
-Float32 = NDArray[np.float32]
 
 
 @dataclass(frozen=True, eq=False)

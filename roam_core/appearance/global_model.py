@@ -5,12 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Bools, Float32, UInt8
 from roam_core.kernels.colour_bins import bin_counts, looked_up
-
-Float32 = NDArray[np.float32]
-UInt8 = NDArray[np.uint8]
 
 
 @dataclass(frozen=True, eq=False)
@@ -21,7 +18,7 @@ class GlobalModel:
     outside: Float32
 
     @classmethod
-    def learned(cls, image: UInt8, inside: NDArray[np.bool_], outside: NDArray[np.bool_]) -> GlobalModel:
+    def learned(cls, image: UInt8, inside: Bools, outside: Bools) -> GlobalModel:
         """From an image `(h, w, 3)` and the pixels that lie inside and outside."""
         return cls(_density(image, inside), _density(image, outside))
 
@@ -37,6 +34,6 @@ class GlobalModel:
         return looked_up(image, np.clip(table, np.float32(-clip), np.float32(clip)))
 
 
-def _density(image: UInt8, wanted: NDArray[np.bool_]) -> Float32:
+def _density(image: UInt8, wanted: Bools) -> Float32:
     counts = bin_counts(image, wanted)
     return np.asarray(counts / max(float(counts.sum()), 1.0), dtype=np.float32)

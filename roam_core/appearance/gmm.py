@@ -7,13 +7,9 @@ from functools import cached_property
 from typing import Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array, Bools, Float32, Int32
 from roam_core.kernels.gmm_density import em_steps, log_densities
-
-Array = NDArray[np.float64]
-Float32 = NDArray[np.float32]
-IntArray = NDArray[np.int32]
 
 Density = Literal["sum", "maximum"]
 """A mixture's density, or its greatest component alone: within ln K of it, and without exponentials."""
@@ -27,10 +23,10 @@ class Samples:
     """Colours `(S, 3)` sorted by the edge they belong to; edge n owns `colours[starts[n]:starts[n + 1]]`."""
 
     colours: Array
-    starts: IntArray
+    starts: Int32
 
     @classmethod
-    def of(cls, colours: Array, index: IntArray, count: int) -> Samples:
+    def of(cls, colours: Array, index: Int32, count: int) -> Samples:
         """From colours `(S, 3)` and the edge `(S,)`, in [0, count), of each."""
         order = np.argsort(index, kind="stable")
         starts = np.searchsorted(index[order], np.arange(count + 1)).astype(np.int32)
@@ -66,7 +62,7 @@ class Mixtures:
         parts = [self.mean, 0.5 / self.variance, constant[:, :, None]]
         return np.ascontiguousarray(np.concatenate(parts, axis=2), dtype=np.float32)
 
-    def log_density(self, colours: Float32, index: IntArray, density: Density = "sum") -> Float32:
+    def log_density(self, colours: Float32, index: Int32, density: Density = "sum") -> Float32:
         """ln p of each colour `(..., 3)` under the mixture that `index (...)` names; `FLOOR` where it is negative."""
         flat = np.ascontiguousarray(colours.reshape(-1, 3), dtype=np.float32)
         values = log_densities(flat, np.ravel(index), self.packed, FLOOR, summed=density == "sum")
@@ -80,7 +76,7 @@ class Mixtures:
             np.concatenate([self.variance, other.variance], axis=1),
         )
 
-    def without(self, unknown: NDArray[np.bool_]) -> Mixtures:
+    def without(self, unknown: Bools) -> Mixtures:
         """The mixtures with those marked `(N,)` knowing nothing."""
         return Mixtures(np.where(unknown[:, None], 0.0, self.weight), self.mean, self.variance)
 

@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
 from roam_core.appearance.gmm import Mixtures, Samples
+from roam_core.arrays import Array
 from roam_core.kernels.gmm_density import matches
 from roam_core.params import AppearanceParams
-
-Array = NDArray[np.float64]
 
 
 def adapted(mixtures: Mixtures, samples: Samples, rate: float, params: AppearanceParams, spread: int = 0) -> Mixtures:

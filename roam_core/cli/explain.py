@@ -9,8 +9,9 @@ from pathlib import Path
 
 import cv2
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import UInt8
+from roam_core.atomic_write import write_atomically
 from roam_core.cli.explain_picture import TOTAL, choices, drawn
 from roam_core.cli.lines import print_json
 from roam_core.cli.overwriting import add_overwrite
@@ -23,11 +24,10 @@ from roam_core.features import PreparedFrame
 from roam_core.interchange.authorship import Kind
 from roam_core.interchange.mattes.files import signed_png
 from roam_core.interchange.targets import Sources, require_free
-from roam_core.propagate.edges import Edge, Edges
 from roam_core.propagate.engines.protocol import REGION
 from roam_core.propagate.explain import Explanation, explain
+from roam_core.propagate.parts.edges import Edge, Edges
 from roam_core.roto import Origin, Project, RotoShape
-from roam_core.roto.file import write_atomically
 
 Row = Mapping[str, object]
 
@@ -102,7 +102,7 @@ def explained(plate: Plate, project: Project, frame: int, wanted: Sequence[RotoS
         )
 
 
-def encoded(picture: NDArray[np.uint8]) -> bytes:
+def encoded(picture: UInt8) -> bytes:
     """An RGB picture as PNG."""
     return signed_png(cv2.imencode(".png", np.ascontiguousarray(picture[..., ::-1]))[1].tobytes())
 

@@ -7,14 +7,12 @@ from dataclasses import dataclass
 
 import cv2
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array, Indices, UInt8
 from roam_core.features import Region
 from roam_core.geometry import bezier
 from roam_core.propagate.explain import Explanation
 
-Array = NDArray[np.float64]
-Image = NDArray[np.uint8]
 Colour = tuple[int, int, int]
 
 TOTAL = "total"
@@ -37,7 +35,7 @@ def choices(explanations: Sequence[Explanation]) -> list[str]:
     return [*names, TOTAL]
 
 
-def drawn(image: Image, explanations: Sequence[Explanation], term: str) -> Image:
+def drawn(image: UInt8, explanations: Sequence[Explanation], term: str) -> UInt8:
     """The frame around the outlines `(h, w, 3)` RGB, enlarged, with a legend below it.
 
     Nodes and the edges between them are coloured by `term`, landmarks (diamonds with their ids) likewise; nodes without
@@ -57,12 +55,12 @@ def drawn(image: Image, explanations: Sequence[Explanation], term: str) -> Image
 class _Canvas:
     """Enlarged, paled pixels of a part of the image whose top-left corner is `origin`."""
 
-    pixels: Image
+    pixels: UInt8
     origin: Array
     factor: float
 
     @classmethod
-    def around(cls, image: Image, nodes: Array) -> _Canvas:
+    def around(cls, image: UInt8, nodes: Array) -> _Canvas:
         height, width = image.shape[:2]
         near = np.clip(nodes, 0.0, (width, height))
         margin = max(24.0, 0.2 * float(np.ptp(near, axis=0).max()))
@@ -76,7 +74,7 @@ class _Canvas:
         pale = cv2.addWeighted(large, 0.35, grey, 0.3, 0.0)
         return cls(np.ascontiguousarray(pale), np.asarray(area.origin, dtype=np.float64), factor)
 
-    def at(self, positions: Array) -> NDArray[np.intp]:
+    def at(self, positions: Array) -> Indices:
         """Positions in the image as OpenCV wants them for drawing: from pixel centres, in fractions of a pixel."""
         here = (positions - self.origin) * self.factor - 0.5
         return np.asarray(np.rint(here * (1 << FRACTION)), dtype=np.intp)
@@ -174,7 +172,7 @@ def _draw_landmarks(canvas: _Canvas, each: Explanation, values: Array | None, sc
         _write(canvas.pixels, str(int(name)), (x + 11, y + 5), 0.5)
 
 
-def _legend(width: int, explanations: Sequence[Explanation], term: str, scales: tuple[_Scale, _Scale]) -> Image:
+def _legend(width: int, explanations: Sequence[Explanation], term: str, scales: tuple[_Scale, _Scale]) -> UInt8:
     """What the colours mean, on a strip of its own."""
     strip = np.full((LEGEND, width, 3), 24, dtype=np.uint8)
     configs = sorted({each.config for each in explanations if each.config}) or ["the artist's key"]
@@ -194,7 +192,7 @@ def _all_values(explanations: Sequence[Explanation], term: str) -> tuple[list[Ar
     return nodes, marks
 
 
-def _draw_bar(strip: Image, left: int, name: str, scale: _Scale) -> int:
+def _draw_bar(strip: UInt8, left: int, name: str, scale: _Scale) -> int:
     """One scale of colours with its ends; gives the place to go on from."""
     unit = " nats (more is better)" if scale.more_is_better else " (less is better)"
     words = [f"{name}: {scale.low:.3g}", f"{scale.high:.3g}{unit}"]
@@ -211,7 +209,7 @@ def _width(text: str, size: float) -> int:
     return int(cv2.getTextSize(text, cv2.FONT_HERSHEY_SIMPLEX, size, 1)[0][0])
 
 
-def _write(pixels: Image, text: str, at: tuple[int, int], size: float) -> None:
+def _write(pixels: UInt8, text: str, at: tuple[int, int], size: float) -> None:
     """White text with a dark rim, readable on anything."""
     for colour, thickness in ((BLACK, 4), (WHITE, 1)):
         cv2.putText(pixels, text, at, cv2.FONT_HERSHEY_SIMPLEX, size, colour, thickness, cv2.LINE_AA)

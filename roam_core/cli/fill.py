@@ -30,9 +30,9 @@ from roam_core.interchange.mattes.exporter import write_matte
 from roam_core.interchange.targets import Sources, require_free
 from roam_core.params import CONFIGS, DEFAULT_CONFIG, RoamParams
 from roam_core.propagate import Termination, warm_up
-from roam_core.propagate.frame_confidence import whole_confidence
-from roam_core.propagate.provenance import Stamps, clip_stamp, takes_part
-from roam_core.propagate.span import fill_span
+from roam_core.propagate.between.span import fill_span
+from roam_core.propagate.shapes.frame_confidence import whole_confidence
+from roam_core.propagate.shapes.provenance import Stamps, clip_stamp, takes_part
 from roam_core.roto import Origin, Project, RotoShape
 
 FAILED = 1

@@ -9,8 +9,8 @@ from pathlib import Path
 from roam_core.interchange.authorship import is_project
 from roam_core.media import open_clip
 from roam_core.media.finding import is_there
-from roam_core.propagate.provenance import Stamps
-from roam_core.propagate.suggest_keyframe import suggest_keyframe
+from roam_core.propagate.shapes.provenance import Stamps
+from roam_core.propagate.shapes.suggest_keyframe import suggest_keyframe
 from roam_core.roto import Origin, RotoShape, file
 from roam_core.roto.imported import is_import
 from roam_core.roto.relinking import relinked

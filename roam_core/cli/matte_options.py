@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import argparse
 
-from roam_core.interchange.mattes.style import COMPRESSIONS, DataWindow, Depth, Gathering, MatteFile, MatteStyle, Parts
+from roam_core.interchange.matte_style import COMPRESSIONS, DataWindow, Depth, Gathering, MatteFile, MatteStyle, Parts
 
 
 def add_matte_arguments(parser: argparse.ArgumentParser) -> None:

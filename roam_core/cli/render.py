@@ -16,8 +16,8 @@ from roam_core.cli.plate import loaded
 from roam_core.cli.track import require_writable
 from roam_core.errors import RoamError
 from roam_core.interchange.authorship import Kind
+from roam_core.interchange.matte_style import SUFFIXES
 from roam_core.interchange.mattes.exporter import planned, style_for, write_mattes
-from roam_core.interchange.mattes.style import SUFFIXES
 from roam_core.interchange.naming import numbering
 from roam_core.interchange.targets import Sources, require_free
 from roam_core.media import open_clip

@@ -12,6 +12,7 @@ from pathlib import Path
 
 from tqdm import tqdm
 
+from roam_core.atomic_write import writable_target
 from roam_core.cli.configuring import configured
 from roam_core.cli.keeping import kept
 from roam_core.cli.lines import print_json
@@ -28,10 +29,9 @@ from roam_core.interchange.targets import Sources, require_free
 from roam_core.matte.vectorise import read_mask, shapes_from_mask
 from roam_core.params import CONFIGS, DEFAULT_CONFIG, params_for
 from roam_core.propagate import FrameResult, Termination, track, warm_up
-from roam_core.propagate.frame_confidence import whole_confidence
-from roam_core.propagate.provenance import clip_stamp
+from roam_core.propagate.shapes.frame_confidence import whole_confidence
+from roam_core.propagate.shapes.provenance import clip_stamp
 from roam_core.roto import Clip, Layer, Project, RotoShape, file
-from roam_core.roto.writing import writable_target
 
 Report = Callable[[FrameResult], None]
 

@@ -6,13 +6,10 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array, Float32
 from roam_core.features.grid import Grid
 from roam_core.kernels.region_sums import row_sums
-
-Array = NDArray[np.float64]
-Float32 = NDArray[np.float32]
 
 
 @dataclass(frozen=True, eq=False)

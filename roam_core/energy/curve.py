@@ -11,18 +11,14 @@ Each term gives `(N, D, D)`, or `(E, D, D)` where `edges (E,)` names the edges n
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array, Float32, Indices
 from roam_core.kernels.edge_sums import edge_means
 from roam_core.kernels.region_sums import region_sums
 from roam_core.kernels.ribbon_means import ribbon_means
 
-Array = NDArray[np.float64]
-Float32 = NDArray[np.float32]
-IntArray = NDArray[np.intp]
 
-
-def pairwise_gradient(nodes: Array, moves: Array, squared_gradient: Float32, edges: IntArray | None = None) -> Array:
+def pairwise_gradient(nodes: Array, moves: Array, squared_gradient: Float32, edges: Indices | None = None) -> Array:
     """-|grad I(p)|^2 averaged over the pixels p of e_n (third term of equation 3).
 
     `nodes (N, 2)` and `moves (D, 2)` in pixels of `squared_gradient (h, w)`, which lies in [0, 1]; result (N, D, D).
@@ -31,7 +27,7 @@ def pairwise_gradient(nodes: Array, moves: Array, squared_gradient: Float32, edg
 
 
 def pairwise_l2(
-    nodes: Array, moves: Array, spacing: float, edges: IntArray | None = None, rest: Array | None = None
+    nodes: Array, moves: Array, spacing: float, edges: Indices | None = None, rest: Array | None = None
 ) -> Array:
     """|x_(n+1) - x_n - r_n|^2 / spacing^2 (second term of equation 3, where r_n = 0), `(N, D, D)`.
 
@@ -55,7 +51,7 @@ def pairwise_ribbon(
     densities: tuple[Float32, Float32],
     orientation: float,
     depth: float,
-    edges: IntArray | None = None,
+    edges: Indices | None = None,
 ) -> Array:
     """-ln p_n^f over R_n^in and -ln p_n^b over R_n^out, each as a mean (first two terms of equation 3), `(N, D, D)`.
 
@@ -69,7 +65,7 @@ def pairwise_ribbon(
 
 
 def pairwise_competition(
-    nodes: Array, moves: Array, sums: Array, orientation: float, spacing: float, edges: IntArray | None = None
+    nodes: Array, moves: Array, sums: Array, orientation: float, spacing: float, edges: Indices | None = None
 ) -> Array:
     """-ln p_n^f / p_n^b summed over the pixels near the curve that it encloses, over the spacing, `(N, D, D)`.
 
@@ -81,7 +77,7 @@ def pairwise_competition(
 
 
 def pairwise_global(
-    nodes: Array, moves: Array, sums: Array, orientation: float, spacing: float, edges: IntArray | None = None
+    nodes: Array, moves: Array, sums: Array, orientation: float, spacing: float, edges: Indices | None = None
 ) -> Array:
     """psi_n^glob: ln p_0^b / p_0^f over R as sums along the edges (equations 4 and 5), over the spacing, `(N, D, D)`.
 

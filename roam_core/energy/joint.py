@@ -5,18 +5,16 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
-IntArray = NDArray[np.intp]
+from roam_core.arrays import Array, Bools, Indices
 
 
 @dataclass(frozen=True, eq=False)
 class Pairs:
     """The pairs n ~ m: `node (Q,)`, `leaf (Q,)`, and `shift (Q, 2)`: mu_nm, from landmark to vertex, in pixels."""
 
-    node: IntArray
-    leaf: IntArray
+    node: Indices
+    leaf: Indices
     shift: Array
 
     def turned(self, transform: Array) -> Pairs:
@@ -36,12 +34,12 @@ class Pairs:
         now = nodes[self.node] - leaves[self.leaf]
         return replace(self, shift=self.shift + rate * (now - self.shift))
 
-    def of(self, wanted: NDArray[np.bool_]) -> Pairs:
+    def of(self, wanted: Bools) -> Pairs:
         """The pairs of the leaves that are `wanted (M,)`; numbers stay as they are."""
         keep = wanted[self.leaf]
         return Pairs(self.node[keep], self.leaf[keep], self.shift[keep])
 
-    def between(self, leaves: IntArray) -> Pairs:
+    def between(self, leaves: Indices) -> Pairs:
         """The pairs of some of the leaves, which are numbered as they stand in `leaves (K,)`; the others fall away."""
         place = np.full(int(max(self.leaf.max(initial=-1), leaves.max(initial=-1))) + 1, -1, dtype=np.intp)
         place[leaves] = np.arange(len(leaves))

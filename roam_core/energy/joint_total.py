@@ -6,17 +6,13 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array, Float32, Indices
 from roam_core.energy import joint, landmark, total
 from roam_core.energy.joint import Pairs
 from roam_core.energy.total import CurveContext
 from roam_core.landmarks.star import Star
 from roam_core.params import LandmarkParams, RoamParams
-
-Array = NDArray[np.float64]
-Float32 = NDArray[np.float32]
-IntArray = NDArray[np.intp]
 
 
 @dataclass(frozen=True, eq=False)
@@ -54,8 +50,8 @@ class LandmarkContext:
 class Placing:
     """Y as places on the lattices: row and column of each leaf `(M, 2)` and of the root `(2,)`."""
 
-    leaves: IntArray
-    root: IntArray
+    leaves: Indices
+    root: Indices
 
     @classmethod
     def expected(cls, context: LandmarkContext) -> Placing:

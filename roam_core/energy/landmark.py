@@ -3,10 +3,8 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
-Float32 = NDArray[np.float32]
+from roam_core.arrays import Array, Float32
 
 
 def unary_landmark(response: Float32) -> Array:

@@ -5,16 +5,14 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array, Float32, Indices
 from roam_core.energy import landmark, total
 from roam_core.energy.joint_total import LandmarkContext, Placing
 from roam_core.energy.total import CurveContext
 from roam_core.kernels.nearest_edges import nearest_edges
 from roam_core.params import LandmarkParams, RoamParams
 
-Array = NDArray[np.float64]
-Float32 = NDArray[np.float32]
 Shares = Mapping[str, Array]
 """Weighted pieces by term."""
 
@@ -75,7 +73,7 @@ def joint_shares(
     return {"joint": _gathered(pairs.node, half, len(nodes))}, at_landmarks
 
 
-def _gathered(owner: NDArray[np.intp], pieces: Array, count: int) -> Array:
+def _gathered(owner: Indices, pieces: Array, count: int) -> Array:
     return np.asarray(np.bincount(owner, pieces, count), dtype=np.float64)
 
 

@@ -6,15 +6,11 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array, Float32, Indices
 from roam_core.energy import curve
 from roam_core.energy.colour_fields import ColourFields
 from roam_core.params import RoamParams
-
-Array = NDArray[np.float64]
-Float32 = NDArray[np.float32]
-IntArray = NDArray[np.intp]
 
 NO_MOVE: Array = np.zeros((1, 2))
 
@@ -62,12 +58,10 @@ def tables(nodes: Array, moves: Array, context: CurveContext, params: RoamParams
 
 
 def pairwise_table(
-    nodes: Array, moves: Array, context: CurveContext, params: RoamParams, edges: IntArray | None = None
+    nodes: Array, moves: Array, context: CurveContext, params: RoamParams, edges: Indices | None = None
 ) -> Array:
     """The pairwise energies `(N, D, D)`, or only those `(E, D, D)` of the edges that `edges (E,)` names."""
-    here = context.local(nodes)
-    pairwise = params.lambda_gradient * curve.pairwise_gradient(here, moves, context.squared_gradient, edges)
-    pairwise += params.mu * curve.pairwise_l2(here, moves, context.spacing, edges, context.rest_edges(params))
+    pairwise = _weighted_sum(_along_edges(nodes, moves, context, params, edges))
     colours = context.colours
     if colours is None:
         return pairwise
@@ -117,11 +111,7 @@ def edge_terms(nodes: Array, context: CurveContext, params: RoamParams) -> Mappi
 
     Of terms over the enclosed region only the sum means anything: `energy.shares` gives pieces of those that do.
     """
-    here = context.local(nodes)
-    terms = {
-        "gradient": (params.lambda_gradient, curve.pairwise_gradient(here, NO_MOVE, context.squared_gradient)),
-        "l2": (params.mu, curve.pairwise_l2(here, NO_MOVE, context.spacing, rest=context.rest_edges(params))),
-    }
+    terms = _along_edges(nodes, NO_MOVE, context, params)
     colours = context.colours
     if colours is not None:
         if is_ribbon(params):
@@ -133,6 +123,24 @@ def edge_terms(nodes: Array, context: CurveContext, params: RoamParams) -> Mappi
             whole = _enclosed(nodes, NO_MOVE, context, colours.global_sums, curve.pairwise_global)
             terms["global"] = (params.lambda_global, whole)
     return terms
+
+
+def _along_edges(
+    nodes: Array, moves: Array, context: CurveContext, params: RoamParams, edges: Indices | None = None
+) -> dict[str, tuple[float, Array]]:
+    """Weight and table of each term that looks along the edges alone: tables and oracle both take them from here."""
+    here = context.local(nodes)
+    return {
+        "gradient": (params.lambda_gradient, curve.pairwise_gradient(here, moves, context.squared_gradient, edges)),
+        "l2": (params.mu, curve.pairwise_l2(here, moves, context.spacing, edges, context.rest_edges(params))),
+    }
+
+
+def _weighted_sum(terms: Mapping[str, tuple[float, Array]]) -> Array:
+    first, *others = (weight * table for weight, table in terms.values())
+    for other in others:
+        first += other
+    return first
 
 
 def is_ribbon(params: RoamParams) -> bool:
@@ -150,7 +158,7 @@ def _enclosed(
     context: CurveContext,
     sums: Array,
     term: Callable[..., Array],
-    edges: IntArray | None = None,
+    edges: Indices | None = None,
 ) -> Array:
     """A region term's table for the row sums of a log-ratio on the colours' grid."""
     assert context.colours is not None
@@ -166,7 +174,7 @@ def spacing_in_cells(context: CurveContext) -> float:
 
 
 def _ribbon(
-    nodes: Array, moves: Array, context: CurveContext, params: RoamParams, edges: IntArray | None = None
+    nodes: Array, moves: Array, context: CurveContext, params: RoamParams, edges: Indices | None = None
 ) -> Array:
     assert context.colours is not None
     assert params.appearance is not None

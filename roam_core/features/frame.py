@@ -10,8 +10,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-Float32 = NDArray[np.float32]
-UInt8 = NDArray[np.uint8]
+from roam_core.arrays import Array, Float32, UInt8
 
 
 @dataclass(frozen=True)
@@ -24,7 +23,7 @@ class Region:
     y1: int
 
     @classmethod
-    def around(cls, positions: NDArray[np.float64], margin: float, size: tuple[int, int]) -> Region:
+    def around(cls, positions: Array, margin: float, size: tuple[int, int]) -> Region:
         """The box around `positions (..., 2)` widened by `margin` and cut to an image of `size` (h, w).
 
         Empty where they lie wholly outside.

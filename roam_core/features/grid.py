@@ -10,11 +10,8 @@ import cv2
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from roam_core.arrays import Array, Bools, Float32
 from roam_core.features.frame import Region
-
-Array = NDArray[np.float64]
-Float32 = NDArray[np.float32]
-Bools = NDArray[np.bool_]
 
 
 @dataclass(frozen=True)

@@ -7,15 +7,11 @@ from functools import cached_property
 
 import cv2
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array, Float32, UInt8
 from roam_core.features.frame import PreparedFrame, Region
 from roam_core.features.grid import Grid
 from roam_core.params import PyramidParams
-
-Array = NDArray[np.float64]
-Float32 = NDArray[np.float32]
-UInt8 = NDArray[np.uint8]
 
 
 @dataclass(frozen=True, eq=False)

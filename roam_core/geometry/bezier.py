@@ -7,10 +7,9 @@ Segment `i` runs from anchor `i` to anchor `i + 1` (cyclic when closed) with con
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-Array = NDArray[np.float64]
-IntArray = NDArray[np.intp]
+from roam_core.arrays import Array, Bools, Indices
 
 ANCHOR, IN, OUT = 0, 1, 2
 
@@ -38,13 +37,13 @@ def bernstein(t: Array) -> Array:
     return np.stack([s * s * s, 3 * s * s * t, 3 * s * t * t, t * t * t], axis=-1)
 
 
-def evaluate(points: Array, segment: IntArray, t: Array, closed: bool = True) -> Array:
+def evaluate(points: Array, segment: Indices, t: Array, closed: bool = True) -> Array:
     """Positions `(N, 2)` on the spline at the pairs `(segment, t)`."""
     control = segments(points, closed)[segment]
     return np.asarray(np.einsum("nk,nkc->nc", bernstein(np.asarray(t, dtype=np.float64)), control))
 
 
-def derivative(points: Array, segment: IntArray, t: Array, closed: bool = True) -> Array:
+def derivative(points: Array, segment: Indices, t: Array, closed: bool = True) -> Array:
     """First derivatives `(N, 2)` with respect to `t` at the pairs `(segment, t)`."""
     control = segments(points, closed)[segment]
     t = np.asarray(t, dtype=np.float64)
@@ -53,7 +52,7 @@ def derivative(points: Array, segment: IntArray, t: Array, closed: bool = True) 
     return np.asarray(np.einsum("nk,nkc->nc", weights, np.diff(control, axis=1)))
 
 
-def design_matrix(point_count: int, segment: IntArray, t: Array, closed: bool = True) -> Array:
+def design_matrix(point_count: int, segment: Indices, t: Array, closed: bool = True) -> Array:
     """The linear map `(N, 3 P)` from the flattened points (anchor, in, out of each) to positions at `(segment, t)`.
 
     `design_matrix(...) @ points.reshape(3 * P, 2)` equals `evaluate(points, ...)`: this is what makes the fit back from
@@ -105,7 +104,7 @@ def area(points: Array) -> float:
     return abs(float(signed_area(flatten(points))))
 
 
-def arc_length_pairs(points: Array, count: int, closed: bool = True) -> tuple[IntArray, Array]:
+def arc_length_pairs(points: Array, count: int, closed: bool = True) -> tuple[Indices, Array]:
     """`count` pairs `(segment, t)` at equal arc length along the spline, the first at its first anchor."""
     fine = 32
     n_segments = segment_count(len(points), closed)
@@ -127,7 +126,7 @@ def segment_lengths(points: Array, closed: bool = True) -> Array:
     return np.asarray(np.hypot(*np.moveaxis(np.diff(lines, axis=1), 2, 0)).sum(axis=1))
 
 
-def aligned(points: Array, smooth: NDArray[np.bool_]) -> Array:
+def aligned(points: Array, smooth: Bools) -> Array:
     """Points with both handles of each `smooth (P,)` point turned onto their common direction; their lengths stay."""
     result = points.copy()
     back, ahead = points[:, IN] - points[:, ANCHOR], points[:, OUT] - points[:, ANCHOR]

@@ -11,14 +11,11 @@ from __future__ import annotations
 from functools import lru_cache
 
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array, Indices
 from roam_core.geometry import bezier
 from roam_core.geometry.bezier import ANCHOR, IN, OUT
 from roam_core.params import CONTROL_POLYGON
-
-Array = NDArray[np.float64]
-IntArray = NDArray[np.intp]
 
 
 def bezier_points(control: Array, closed: bool = True) -> Array:
@@ -93,7 +90,7 @@ def removed(control: Array, index: int, closed: bool = True) -> Array:
     return _fitted(control, guess, near, (old, halves), (place, u), closed)
 
 
-def _places(count: int, closed: bool) -> tuple[IntArray, Array]:
+def _places(count: int, closed: bool) -> tuple[Indices, Array]:
     """The pairs `(segment, t)` of a spline of `count` points at which curves are compared."""
     spans = bezier.segment_count(count, closed)
     t = np.arange(CONTROL_POLYGON.samples) / CONTROL_POLYGON.samples
@@ -115,7 +112,7 @@ def _fitting(count: int, closed: bool) -> Array:
 
 
 def _fitted(
-    control: Array, guess: Array, near: IntArray, old: tuple[IntArray, Array], new: tuple[IntArray, Array], closed: bool
+    control: Array, guess: Array, near: Indices, old: tuple[Indices, Array], new: tuple[Indices, Array], closed: bool
 ) -> Array:
     """`guess` with the points `near` moved so that its curve at `new` meets the old one at `old`."""
     count = len(guess)

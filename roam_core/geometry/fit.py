@@ -6,13 +6,11 @@ import math
 from itertools import pairwise
 
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array, Indices
 from roam_core.geometry import polyline
 from roam_core.geometry.bezier import bernstein
 from roam_core.params import CURVE_FIT
-
-Array = NDArray[np.float64]
 
 
 def fit_closed(
@@ -179,7 +177,7 @@ def _halves(piece: Array) -> tuple[Array, Array]:
     return np.stack([a, ab, abc, middle]), np.stack([middle, bcd, cd, d])
 
 
-def _corners(line: Array, reach: int, angle: float) -> NDArray[np.intp]:
+def _corners(line: Array, reach: int, angle: float) -> Indices:
     """Indices where the outline turns by more than `angle` between the chords of `reach` samples on both sides."""
     back, ahead = line - np.roll(line, reach, axis=0), np.roll(line, -reach, axis=0) - line
     cross = back[:, 0] * ahead[:, 1] - back[:, 1] * ahead[:, 0]
@@ -192,7 +190,7 @@ def _corners(line: Array, reach: int, angle: float) -> NDArray[np.intp]:
     return found[np.diff(np.append(found, found[0] + len(line))) > reach // 2]
 
 
-def _smoothed(line: Array, corners: NDArray[np.intp], sigma: float) -> Array:
+def _smoothed(line: Array, corners: Indices, sigma: float) -> Array:
     """A Gaussian of `sigma` samples along the outline takes the pixel stairs off; near corners it fades out."""
     radius = int(np.ceil(3 * sigma))
     offsets = np.arange(-radius, radius + 1)

@@ -5,15 +5,11 @@ from __future__ import annotations
 from collections.abc import Collection
 
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array, Indices
 from roam_core.geometry import bezier
 from roam_core.geometry.bezier import ANCHOR, IN, OUT
 from roam_core.params import MERGING
-
-Array = NDArray[np.float64]
-IntArray = NDArray[np.intp]
-
 
 STRAIGHT = np.cos(np.radians(MERGING.straight))
 """A point whose handles are opposite within so many degrees is smooth, and stays so."""
@@ -38,7 +34,7 @@ def without_points(points: Array, gone: Collection[int], closed: bool = True) ->
     return result
 
 
-def _handles(points: Array, run: IntArray) -> Array:
+def _handles(points: Array, run: Indices) -> Array:
     """The handles `(K, 2, 2)` of the cubics nearest to the segments that begin at the points `run`."""
     ends = (run + 1) % points.shape[1]
     control = np.stack(

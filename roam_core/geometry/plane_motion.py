@@ -5,12 +5,9 @@ from __future__ import annotations
 from enum import StrEnum
 
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array, Bools
 from roam_core.geometry import projective
-
-Array = NDArray[np.float64]
-Flags = NDArray[np.bool_]
 
 
 class PlaneMotion(StrEnum):
@@ -51,7 +48,7 @@ def fit(kind: PlaneMotion, source: Array, target: Array) -> Array | None:
 
 def ransac(
     kind: PlaneMotion, source: Array, target: Array, threshold: float, trials: int = 256, seed: int = 0
-) -> tuple[Array | None, Flags]:
+) -> tuple[Array | None, Bools]:
     """A motion `(3, 3)` robust to outliers, and which of the pairs `(K, 2)` agree with it.
 
     The fewest pairs that fix a motion are drawn from a seeded generator (the same input gives the same bits); the

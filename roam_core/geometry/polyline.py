@@ -3,11 +3,9 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array, Indices
 from roam_core.kernels.crossing import crossing_edges
-
-Array = NDArray[np.float64]
 
 
 def following(ring: Array) -> Array:
@@ -61,6 +59,6 @@ def is_simple(line: Array, closed: bool = True) -> bool:
     return len(crossings(line, closed)) == 0
 
 
-def crossings(line: Array, closed: bool = True) -> NDArray[np.intp]:
+def crossings(line: Array, closed: bool = True) -> Indices:
     """Pairs `(C, 2)` of indices of edges, not neighbours, that properly cross each other (touching does not count)."""
     return np.asarray(crossing_edges(line, closed), dtype=np.intp)

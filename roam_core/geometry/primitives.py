@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from roam_core.arrays import Array
 from roam_core.geometry import bezier
 from roam_core.geometry.bezier import IN, OUT
-
-Array = NDArray[np.float64]
 
 QUARTER = 4.0 / 3.0 * (np.sqrt(2.0) - 1.0)
 """Length of the handles of a quarter of the unit circle: the cubic strays from it by less than 3e-4."""

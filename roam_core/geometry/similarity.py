@@ -3,11 +3,9 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array, Bools
 from roam_core.kernels.hypotheses import best_hypothesis
-
-Array = NDArray[np.float64]
 
 IDENTITY: Array = np.array([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]])
 IDENTITY.setflags(write=False)
@@ -41,7 +39,7 @@ def apply(transform: Array, positions: Array) -> Array:
 
 def ransac(
     source: Array, target: Array, threshold: float = 2.0, trials: int = 128, seed: int = 0
-) -> tuple[Array, NDArray[np.bool_]]:
+) -> tuple[Array, Bools]:
     """A similarity robust to outliers, and which of the pairs agree with it.
 
     Two-point hypotheses drawn from a seeded generator (the same input gives the same bits), inliers within

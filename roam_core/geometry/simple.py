@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array, Indices
 from roam_core.geometry import bezier, polyline
 from roam_core.geometry.bezier import ANCHOR, IN, OUT
 from roam_core.kernels.flattening import step_counts, vertices
 from roam_core.params import UNTYING, UntyingParams
-
-Array = NDArray[np.float64]
 
 
 def simplified(points: Array, fallback: Array, scale: float = 1.0, params: UntyingParams = UNTYING) -> Array:
@@ -54,7 +52,7 @@ def untied(points: Array, before: Array, scale: float = 1.0, params: UntyingPara
     return before.copy()
 
 
-def crossing_segments(points: Array, scale: float = 1.0, params: UntyingParams = UNTYING) -> NDArray[np.intp]:
+def crossing_segments(points: Array, scale: float = 1.0, params: UntyingParams = UNTYING) -> Indices:
     """The segments of a closed spline that properly cross another one, in order."""
     control = bezier.segments(points)
     counts = step_counts(control, params.tolerance * scale)
@@ -63,7 +61,7 @@ def crossing_segments(points: Array, scale: float = 1.0, params: UntyingParams =
     return np.unique(owner[pairs.ravel()])
 
 
-def _straightened(points: Array, segments: NDArray[np.intp]) -> Array:
+def _straightened(points: Array, segments: Indices) -> Array:
     result = points.copy()
     for start in segments:
         stop = (start + 1) % len(points)

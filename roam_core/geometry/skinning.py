@@ -7,18 +7,14 @@ from functools import cached_property
 
 import cv2
 import numpy as np
-from numpy.typing import NDArray
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import dijkstra
 
+from roam_core.arrays import Array, Bools, Float32, Indices
 from roam_core.geometry import polyline
 from roam_core.kernels.coverage import coverage
 from roam_core.kernels.posing import affines
 from roam_core.params import BONES, BonesParams
-
-Array = NDArray[np.float64]
-Float32 = NDArray[np.float32]
-Bools = NDArray[np.bool_]
 
 
 @dataclass(frozen=True, eq=False)
@@ -32,7 +28,7 @@ class Chain:
     """
 
     bones: Array
-    order: NDArray[np.intp]
+    order: Indices
     along: Float32
     to_cells: Array
     params: BonesParams = BONES
@@ -130,7 +126,7 @@ def _along(inside: Bools) -> tuple[Float32, float]:
     return along, float(there.max())
 
 
-def _neighbours(inside: Bools, number: NDArray[np.intp]) -> coo_array:
+def _neighbours(inside: Bools, number: Indices) -> coo_array:
     """The graph over the cells of a region whose edges join 8-neighbours."""
     starts, stops, lengths = [], [], []
     for down, right in ((0, 1), (1, 0), (1, 1), (1, -1)):
@@ -160,7 +156,7 @@ def _ends(line: Array) -> list[Array]:
     return [middle - axis, middle + axis]
 
 
-def _chained(middles: Array, line: Array) -> tuple[Array, NDArray[np.intp]]:
+def _chained(middles: Array, line: Array) -> tuple[Array, Indices]:
     """Bones from each of `middles (K + 1, 2)` to the next, and where along the shape each lies; the middle one first.
 
     That one turns about its own middle, all others about the end that is nearer to it.

@@ -4,9 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-import numpy as np
-from numpy.typing import NDArray
-
+from roam_core.arrays import Array
 from roam_core.cancel import CancelToken
 from roam_core.energy import joint_total
 from roam_core.energy.joint_total import LandmarkContext, Placing
@@ -15,8 +13,6 @@ from roam_core.geometry import polyline
 from roam_core.inference.contour_dp import best_moves, square_moves, untangled
 from roam_core.inference.landmark_dp import best_star
 from roam_core.params import LandmarkParams, RoamParams
-
-Array = NDArray[np.float64]
 
 ENOUGH = 1e-9
 """Relative fall of the joint energy under which a round counts as none."""

@@ -6,8 +6,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array
 from roam_core.cancel import CancelToken
 from roam_core.energy import total
 from roam_core.energy.total import CurveContext, TableMemory
@@ -15,7 +15,6 @@ from roam_core.geometry import polyline
 from roam_core.kernels.cyclic_viterbi import cyclic_viterbi
 from roam_core.params import RoamParams
 
-Array = NDArray[np.float64]
 Unary = Callable[[Array, Array], Array]
 """Further unary energies `(N, D)` of `nodes (N, 2)` moved by each of `moves (D, 2)`."""
 

@@ -3,15 +3,12 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array, Indices
 from roam_core.kernels.distance_transform import distance_transform
 
-Array = NDArray[np.float64]
-IntArray = NDArray[np.intp]
 
-
-def best_star(unary: Array, spring: float) -> tuple[IntArray, IntArray, float]:
+def best_star(unary: Array, spring: float) -> tuple[Indices, Indices, float]:
     """The places that minimise `sum_m unary[m, d_m] + spring * |d_m - d_0|^2` over d_0 and d_1..M.
 
     Each leaf's displacement d_m from its expected place lies on one lattice, and so does the root's: with the quadratic

@@ -11,8 +11,8 @@ from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array
 from roam_core.geometry.bezier import ANCHOR, IN, OUT
 from roam_core.interchange.flatten import (
     Branch,
@@ -30,8 +30,6 @@ from roam_core.interchange.text_exporter import TextExporter
 from roam_core.interchange.timing import lifetime_steps, moments, straight_keys
 from roam_core.roto import BlendMode, Interpolation, Layer, Project, RotoShape
 from roam_core.roto.animated import Animatable, ValueKey, value_at, values_of
-
-Array = NDArray[np.float64]
 
 OPERATORS = {
     BlendMode.ADD: "eMergeOver",

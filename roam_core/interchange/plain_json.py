@@ -13,8 +13,8 @@ from dataclasses import dataclass, replace
 from typing import Any, TypeVar
 
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array
 from roam_core.errors import RoamError
 from roam_core.geometry import bspline
 from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter, readied
@@ -32,11 +32,10 @@ from roam_core.roto import (
     RotoShape,
     Spline,
     ValueKey,
-    grips,
+    control_points,
 )
 from roam_core.roto.animated import Animatable
 
-Array = NDArray[np.float64]
 Number = Callable[..., float]
 """Reads a number of a field: `_Reader._number` or `_share`."""
 
@@ -346,7 +345,7 @@ def _as_bspline(shape: RotoShape) -> RotoShape:
     most = max(float(np.abs(key.points).max()) for key in shape.keys)
     if all(bspline.is_bspline(key.points, shape.closed, 1e-9 * max(most, 1.0)) for key in shape.keys):
         return replace(shape, spline=Spline.BSPLINE)
-    return grips.with_spline(shape, Spline.BSPLINE)
+    return control_points.with_spline(shape, Spline.BSPLINE)
 
 
 def _numbers(values: list[Any]) -> bool:

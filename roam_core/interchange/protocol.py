@@ -16,7 +16,7 @@ from roam_core.errors import RoamError
 from roam_core.interchange.bake_layers import BY_LAYER, bake_layers
 from roam_core.interchange.keys.reduction import Motion, Slopes, reduced
 from roam_core.interchange.keys.smoothing import smoothed
-from roam_core.interchange.mattes.style import MatteStyle
+from roam_core.interchange.matte_style import MatteStyle
 from roam_core.interchange.timing import value_within
 from roam_core.roto import Clip, Interpolation, Keyframe, Layer, Origin, Project, RotoShape, Spline
 

@@ -76,6 +76,10 @@ IMPORTERS: tuple[Importer, ...] = (
     MaskImporter(),
 )
 """Every format that can be read."""
+SHAPE_SUFFIXES = tuple(
+    suffix for importer in IMPORTERS if not isinstance(importer, MaskImporter) for suffix in importer.suffixes
+)
+"""Of files that hold shapes themselves; a mask's may be that of a clip as well."""
 
 
 def importer_for(path: Path) -> Importer:

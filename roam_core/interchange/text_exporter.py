@@ -6,9 +6,9 @@ from abc import ABC, abstractmethod
 from pathlib import Path
 from typing import ClassVar
 
+from roam_core.atomic_write import write_atomically
 from roam_core.interchange.protocol import STANDARD, ExportOptions
 from roam_core.roto import Project
-from roam_core.roto.file import write_atomically
 
 
 class TextExporter(ABC):

@@ -4,10 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 from numba import njit
-from numpy.typing import NDArray
 
-Float64 = NDArray[np.float64]
-IntArray = NDArray[np.int64]
+from roam_core.arrays import Array, Int64
 
 BEAM = 16.0
 """A matching found within this of the best beginnings bounds the exact search from above."""
@@ -16,15 +14,16 @@ ROUNDING = 1.0 + 1e-9
 FARTHEST = 9.0
 """Most that distance costs: what is lost is lost."""
 
-Places = tuple[Float64, Float64, Float64]
+Places = tuple[Array, Array, Array]
 """What is compared of K places of an outline: positions (K, 2), outward normals (K, 2), surroundings (K, R)."""
 
 
-def prices(nodes: Places, samples: Places, near: float, turn: float, bulge: float) -> Float64:
+def prices(nodes: Places, samples: Places, near: float, turn: float, bulge: float) -> Array:
     """What it costs `(N, M)` to put each node on each sample.
 
     The squared distance in units of `near`, at most `FARTHEST`; `turn` where the normals are opposite, half of it where
-    they are at right angles; `bulge` times the mean squared difference of the surroundings (`proposal.invariants`).
+    they are at right angles; `bulge` times the mean squared difference of the surroundings
+    (`proposal.outline.invariants`).
     """
     ours, theirs = (np.hstack([places[0] / near, *places[1:]]) for places in (nodes, samples))
     cost = np.empty((len(ours), len(theirs)))
@@ -45,7 +44,7 @@ def _prices(nodes, samples, turn, bulge, cost):  # type: ignore[no-untyped-def]
             cost[n, m] = min(away, FARTHEST) + 0.5 * turn * (1.0 - cosine) + bulge * unlike / (columns - 4)
 
 
-def align(cost: Float64, expected: Float64, stretch: float, starts: IntArray) -> tuple[IntArray, float]:
+def align(cost: Array, expected: Array, stretch: float, starts: Int64) -> tuple[Int64, float]:
     """Samples, one a node, that minimise `sum cost[n, j_n] + stretch * ((j_(n+1) - j_n) / expected[n] - 1)^2`.
 
     The samples go once around the outline, each at least one beyond the one before and at most four times the expected

@@ -4,11 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 from numba import njit
-from numpy.typing import NDArray
 
-Float64 = NDArray[np.float64]
-IntArray = NDArray[np.int64]
-Bools = NDArray[np.bool_]
+from roam_core.arrays import Array, Bools, Int64
 
 LOOKED_AT = 12
 """Samples of a piece at which its error is measured, at most."""
@@ -16,7 +13,7 @@ HOLD = 0.02
 """Weight, against one sample, that draws handles to the straight line: a piece of few samples makes no loops."""
 
 
-def anchored(samples: Float64, places: IntArray, price: Float64, straight: Bools) -> tuple[IntArray, float]:
+def anchored(samples: Array, places: Int64, price: Array, straight: Bools) -> tuple[Int64, float]:
     """One of C places for each anchor, in order, that minimise the pieces' errors and the prices of the places.
 
     The error of a piece is the integral, over its length, of the squared distance to the cubic that follows it best by

@@ -4,11 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 from numba import njit
-from numpy.typing import NDArray
 
-Float32 = NDArray[np.float32]
-UInt8 = NDArray[np.uint8]
-Bools = NDArray[np.bool_]
+from roam_core.arrays import Bools, Float32, UInt8
 
 BINS = 32
 """Bins of a channel."""

@@ -6,10 +6,8 @@ import math
 
 import numpy as np
 from numba import njit
-from numpy.typing import NDArray
 
-Float32 = NDArray[np.float32]
-Float64 = NDArray[np.float64]
+from roam_core.arrays import Array, Float32
 
 SWEEP_STEP, MOST_STEPS = 0.125, 1024
 """Pixels from one filled outline of a sweep to the next, and how many of them at most: the mean over a step strays from
@@ -19,7 +17,7 @@ DUST = 1e-9
 """Coverage below this is the rounding error of a sum that is zero."""
 
 
-def coverage(line: Float64, size: tuple[int, int]) -> Float32:
+def coverage(line: Array, size: tuple[int, int]) -> Float32:
     """The fraction of every pixel that a closed polyline covers.
 
     The signed area under each edge is summed pixel by pixel; running totals along the rows turn the sums into the
@@ -51,7 +49,7 @@ def coverage(line: Float64, size: tuple[int, int]) -> Float32:
     return result
 
 
-def swept_coverage(start: Float64, end: Float64, size: tuple[int, int]) -> Float32:
+def swept_coverage(start: Array, end: Array, size: tuple[int, int]) -> Float32:
     """The mean coverage of a closed polyline whose vertices move evenly from `start` to `end`.
 
     The signed areas are averaged over `SWEEP_STEP` and finer steps before they are wound up: the edge of a simple
@@ -85,7 +83,7 @@ def swept_coverage(start: Float64, end: Float64, size: tuple[int, int]) -> Float
     return result
 
 
-def distance(line: Float64, size: tuple[int, int], reach: float) -> Float32:
+def distance(line: Array, size: tuple[int, int], reach: float) -> Float32:
     """The distance of every pixel's centre to a closed polyline, where it is less than `reach`.
 
     Parameters
@@ -111,7 +109,7 @@ def distance(line: Float64, size: tuple[int, int], reach: float) -> Float32:
     return result
 
 
-def _checked(line: Float64) -> Float64:
+def _checked(line: Array) -> Array:
     line = np.ascontiguousarray(line, dtype=np.float64)
     if line.ndim != 2 or line.shape[1] != 2:
         raise ValueError(f"a polyline has shape {line.shape}, not (K, 2)")
@@ -120,7 +118,7 @@ def _checked(line: Float64) -> Float64:
     return line
 
 
-def _box(line: Float64, size: tuple[int, int], margin: float) -> tuple[int, int, int, int] | None:
+def _box(line: Array, size: tuple[int, int], margin: float) -> tuple[int, int, int, int] | None:
     """Rows and columns (top, bottom, left, right; half open) that the polyline reaches inside the image, or None."""
     if len(line) == 0:
         return None

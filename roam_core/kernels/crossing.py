@@ -4,12 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 from numba import njit
-from numpy.typing import NDArray
 
-Float64 = NDArray[np.float64]
+from roam_core.arrays import Array, Int64
 
 
-def crossing_edges(line: Float64, closed: bool) -> NDArray[np.int64]:
+def crossing_edges(line: Array, closed: bool) -> Int64:
     """Pairs `(C, 2)` of indices of edges, not neighbours, that properly cross each other (touching does not count).
 
     `line (K, 2)`; edge k runs from vertex k to the next, the last one of a closed polyline back to the first.

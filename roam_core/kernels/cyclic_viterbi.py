@@ -4,13 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 from numba import njit
-from numpy.typing import NDArray
 
-Float64 = NDArray[np.float64]
-IntArray = NDArray[np.int64]
+from roam_core.arrays import Array, Int64
 
 
-def cyclic_viterbi(unary: Float64, pairwise: Float64) -> tuple[IntArray, float]:
+def cyclic_viterbi(unary: Array, pairwise: Array) -> tuple[Int64, float]:
     """The labels that minimise `sum_n unary[n, l_n] + pairwise[n, l_n, l_(n+1)]` with `l_N = l_0`, and the minimum.
 
     Plain dynamic programming fixes the first node to each of its D states in turn: O(N D^3). Here one Viterbi run,

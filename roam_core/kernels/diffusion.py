@@ -8,11 +8,11 @@ import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
-Float32 = NDArray[np.float32]
+from roam_core.arrays import Bools, Float32
 
 
 def diffuse(
-    field: Float32, colours: NDArray[Any], wanted: NDArray[np.bool_], strength: float, contrast: float, sweeps: int
+    field: Float32, colours: NDArray[Any], wanted: Bools, strength: float, contrast: float, sweeps: int
 ) -> Float32:
     """The field x that lowers `sum (x_p - f_p)^2 + sum w_pq (x_p - x_q)^2` on the wanted pixels, the others held.
 

@@ -4,13 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 from numba import njit
-from numpy.typing import NDArray
 
-Float64 = NDArray[np.float64]
-Int32 = NDArray[np.int32]
+from roam_core.arrays import Array, Int32
 
 
-def distance_transform(values: Float64, weight: float) -> tuple[Float64, Int32]:
+def distance_transform(values: Array, weight: float) -> tuple[Array, Int32]:
     """`min_q values[m, q] + weight * |p - q|^2` for every cell p of every layer m, and the q that attains it.
 
     Felzenszwalb and Huttenlocher, "Distance Transforms of Sampled Functions" (Theory of Computing, 2012): along an axis

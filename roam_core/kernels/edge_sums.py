@@ -4,14 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 from numba import njit
-from numpy.typing import NDArray
 
-Float64 = NDArray[np.float64]
-Float32 = NDArray[np.float32]
-IntArray = NDArray[np.intp]
+from roam_core.arrays import Array, Float32, Indices
 
 
-def edge_means(field: Float32, nodes: Float64, moves: Float64, edges: IntArray | None = None) -> Float64:
+def edge_means(field: Float32, nodes: Array, moves: Array, edges: Indices | None = None) -> Array:
     """Mean of `field` along the edge from `nodes[n] + moves[i]` to `nodes[n + 1] + moves[j]`, for all n, i, j.
 
     Parameters

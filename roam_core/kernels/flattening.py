@@ -4,16 +4,14 @@ from __future__ import annotations
 
 import numpy as np
 from numba import njit
-from numpy.typing import NDArray
 
-Float64 = NDArray[np.float64]
-IntArray = NDArray[np.intp]
+from roam_core.arrays import Array, Indices
 
 MOST = 4096
 """Steps of one segment, however far its handles reach."""
 
 
-def step_counts(control: Float64, tolerance: float) -> IntArray:
+def step_counts(control: Array, tolerance: float) -> Indices:
     """Equal parameter steps `(S,)` that keep each segment of `control (S, 4, 2)` within `tolerance` pixels.
 
     From the bound on the second difference of the control polygon (Wang's formula). A segment whose handles lie on its
@@ -24,7 +22,7 @@ def step_counts(control: Float64, tolerance: float) -> IntArray:
     return counts
 
 
-def vertices(control: Float64, counts: IntArray) -> Float64:
+def vertices(control: Array, counts: Indices) -> Array:
     """The vertices `(sum of counts, 2)` of segments `control (S, 4, 2)` in `counts (S,)` steps; not the last one."""
     line = np.empty((int(counts.sum()), 2))
     _vertices(np.ascontiguousarray(control), counts, line)

@@ -4,14 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 from numba import njit
-from numpy.typing import NDArray
 
-Float64 = NDArray[np.float64]
-Float32 = NDArray[np.float32]
-IntArray = NDArray[np.int32]
+from roam_core.arrays import Array, Float32, Int32
 
 
-def log_densities(colours: Float32, index: IntArray, packed: Float32, floor: float, *, summed: bool) -> Float32:
+def log_densities(colours: Float32, index: Int32, packed: Float32, floor: float, *, summed: bool) -> Float32:
     """ln p(colour) under the mixture that `index` names for it, never below `floor`.
 
     Parameters
@@ -32,10 +29,10 @@ def log_densities(colours: Float32, index: IntArray, packed: Float32, floor: flo
 
 
 def em_steps(
-    colours: Float64,
-    starts: IntArray,
+    colours: Array,
+    starts: Int32,
     spread: int,
-    mixtures: tuple[Float64, Float64, Float64],
+    mixtures: tuple[Array, Array, Array],
     floor: float,
     steps: int,
 ) -> None:
@@ -127,9 +124,7 @@ def _constants(weight, variance):  # type: ignore[no-untyped-def]
     return result
 
 
-def matches(
-    colours: Float64, starts: IntArray, spread: int, mixtures: tuple[Float64, Float64, Float64], bound: float
-) -> Float64:
+def matches(colours: Array, starts: Int32, spread: int, mixtures: tuple[Array, Array, Array], bound: float) -> Array:
     """Which component each colour matches, as sums: (N, K + 1, 7), over its colours, of colour, its square, and 1.
 
     A colour matches the likeliest component within `bound` standard deviations (root mean square over the channels);

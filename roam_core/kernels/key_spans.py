@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 from numba import njit
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from roam_core.arrays import Array
 
 RIDGE = 1e-9
 """Added to the normal equations of the two slopes: a span with one frame inside has a line of equally good answers."""

@@ -8,11 +8,8 @@ import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
+from roam_core.arrays import Bools, Float32, Int32, UInt8
 from roam_core.threads import in_halves
-
-Float32 = NDArray[np.float32]
-UInt8 = NDArray[np.uint8]
-Int32 = NDArray[np.int32]
 
 OUTSIDE, INSIDE, UNKNOWN = 0, 1, 2
 PARTS = 100
@@ -37,7 +34,7 @@ def nearest_colours(
     colours: NDArray[Any],
     memory: NDArray[Any],
     labels: UInt8,
-    wanted: NDArray[np.bool_],
+    wanted: Bools,
     shift: Float32,
     radius: int,
     spread: float,

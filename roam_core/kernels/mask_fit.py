@@ -4,10 +4,6 @@ from __future__ import annotations
 
 import numpy as np
 from numba import njit
-from numpy.typing import NDArray
-
-Float64 = NDArray[np.float64]
-IntArray = NDArray[np.int64]
 
 AROUND = 24
 """Edges that are looked at for the nearest one of a place when one near enough is among them."""

@@ -4,17 +4,14 @@ from __future__ import annotations
 
 import numpy as np
 from numba import njit
-from numpy.typing import NDArray
 
-Float64 = NDArray[np.float64]
-Float32 = NDArray[np.float32]
-IntArray = NDArray[np.int32]
+from roam_core.arrays import Array, Float32, Int32
 
 FAR = -1
 """Index of pixels that lie farther away than the reach."""
 
 
-def nearest_edges(nodes: Float64, shape: tuple[int, int], reach: float) -> tuple[IntArray, Float32]:
+def nearest_edges(nodes: Array, shape: tuple[int, int], reach: float) -> tuple[Int32, Float32]:
     """Index of the nearest edge (`FAR` beyond `reach` pixels) and the distance to it, `(h, w)` each.
 
     `nodes (N, 2)` is a closed polyline in pixel coordinates; distances are taken from pixel centres. Of edges at the

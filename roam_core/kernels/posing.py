@@ -20,11 +20,8 @@ from typing import NamedTuple
 
 import numpy as np
 from numba import njit
-from numpy.typing import NDArray
 
-Float64 = NDArray[np.float64]
-Float32 = NDArray[np.float32]
-UInt8 = NDArray[np.uint8]
+from roam_core.arrays import Array, Float32, UInt8
 
 PIVOT_X, PIVOT_Y, PARENT, ANGLE = 0, 1, 2, 3
 """Columns of the bones `(K, 4)`, parents first: a pivot, the parent's row or -1, the direction of the axis."""
@@ -54,10 +51,10 @@ class Samples(NamedTuple):
     whose colours here are those inside.
     """
 
-    places: Float64
-    colours: Float64
-    weights: Float64
-    skin: Float64
+    places: Array
+    colours: Array
+    weights: Array
+    skin: Array
 
 
 class Costs(NamedTuple):
@@ -79,9 +76,9 @@ class Prior(NamedTuple):
     the same two for the difference between each bone's turn and its parent's.
     """
 
-    expected: Float64
-    firmness: Float64
-    rest: Float64
+    expected: Array
+    firmness: Array
+    rest: Array
     bend: float
     straight: float
 
@@ -92,23 +89,21 @@ class Ties(NamedTuple):
     Each costs its weight `(m,)` times d^2 / (d^2 + reach^2), d the distance in pixels.
     """
 
-    places: Float64
-    skin: Float64
-    targets: Float64
-    weights: Float64
+    places: Array
+    skin: Array
+    targets: Array
+    weights: Array
     reach: float
 
 
-def affines(bones: Float64, pose: Float64) -> Float64:
+def affines(bones: Array, pose: Array) -> Array:
     """The affine map `(K, 2, 3)` of each bone, key to picture."""
     result = np.empty((len(bones), 2, 3))
     _affines(bones, np.ascontiguousarray(pose), result)
     return result
 
 
-def energies(
-    view: View, samples: Samples, bones: Float64, poses: Float64, costs: Costs, prior: Prior, ties: Ties
-) -> Float64:
+def energies(view: View, samples: Samples, bones: Array, poses: Array, costs: Costs, prior: Prior, ties: Ties) -> Array:
     """What each of `poses (m, P)` costs, `(m,)`, prior and ties included."""
     result = np.empty(len(poses))
     _energies(*view, *samples, bones, np.ascontiguousarray(poses), *costs, *prior, *ties, result)
@@ -116,8 +111,8 @@ def energies(
 
 
 def refined(
-    view: View, samples: Samples, bones: Float64, start: Float64, costs: Costs, prior: Prior, ties: Ties, rounds: int
-) -> tuple[Float64, float]:
+    view: View, samples: Samples, bones: Array, start: Array, costs: Costs, prior: Prior, ties: Ties, rounds: int
+) -> tuple[Array, float]:
     """The pose `(P,)` that `rounds` of Levenberg and Marquardt lead to from `start (P,)`, and what it costs."""
     pose, energy = _refined(*view, *samples, bones, np.ascontiguousarray(start), *costs, *prior, *ties, rounds)
     return np.asarray(pose), float(energy)

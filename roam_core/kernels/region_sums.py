@@ -4,21 +4,18 @@ from __future__ import annotations
 
 import numpy as np
 from numba import njit
-from numpy.typing import NDArray
 
-Float64 = NDArray[np.float64]
-Float32 = NDArray[np.float32]
-IntArray = NDArray[np.intp]
+from roam_core.arrays import Array, Float32, Indices
 
 
-def row_sums(field: Float32) -> Float64:
+def row_sums(field: Float32) -> Array:
     """Q of equation 5: `(h, w + 1)`, entry `[r, c]` the sum of the first `c` pixels of row `r` of `field (h, w)`."""
     sums = np.zeros((field.shape[0], field.shape[1] + 1))
     np.cumsum(field, axis=1, dtype=np.float64, out=sums[:, 1:])
     return sums
 
 
-def region_sums(sums: Float64, nodes: Float64, moves: Float64, edges: IntArray | None = None) -> Float64:
+def region_sums(sums: Array, nodes: Array, moves: Array, edges: Indices | None = None) -> Array:
     """Shares of the edges in the sum of a field over the pixels whose centres the moved polygon encloses.
 
     The edge from `nodes[n] + moves[i]` to `nodes[n + 1] + moves[j]` crosses the centre lines of some rows; for each it

@@ -4,19 +4,16 @@ from __future__ import annotations
 
 import numpy as np
 from numba import njit
-from numpy.typing import NDArray
 
-Float64 = NDArray[np.float64]
-Float32 = NDArray[np.float32]
-IntArray = NDArray[np.intp]
+from roam_core.arrays import Array, Float32, Indices
 
 DEPTH_STEP = 2.0
 """Pixels between the lines, parallel to the edge, that are sampled; along them samples lie as far apart."""
 
 
 def ribbon_means(
-    left: Float32, right: Float32, nodes: Float64, moves: Float64, depth: float, edges: IntArray | None = None
-) -> Float64:
+    left: Float32, right: Float32, nodes: Array, moves: Array, depth: float, edges: Indices | None = None
+) -> Array:
     """Mean of `left` on the left of every candidate edge plus mean of `right` on its right, `depth` pixels deep.
 
     Parameters

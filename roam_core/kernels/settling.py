@@ -4,21 +4,19 @@ from __future__ import annotations
 
 import numpy as np
 from numba import njit
-from numpy.typing import NDArray
 
-Float64 = NDArray[np.float64]
-IntArray = NDArray[np.int64]
+from roam_core.arrays import Array, Int64
 
 
 def settled(
-    nodes: Float64,
-    samples: Float64,
-    at: IntArray,
-    expected: Float64,
+    nodes: Array,
+    samples: Array,
+    at: Int64,
+    expected: Array,
     prices: tuple[float, float],
     rounds: int,
     loose: float,
-) -> Float64:
+) -> Array:
     """The places on a ring, near the samples `at`, where distance and stretching together cost least.
 
     The price is near |node - place|^2 for each node, and stretch ((step - expected) / expected)^2 for each step from a

@@ -4,21 +4,19 @@ from __future__ import annotations
 
 import numpy as np
 from numba import njit
-from numpy.typing import NDArray
 
-Float64 = NDArray[np.float64]
-IntArray = NDArray[np.int64]
+from roam_core.arrays import Array, Bools, Int64
 
 
 def normal_band(
-    samples: Float64,
-    places: Float64,
-    prior: Float64,
-    owner: IntArray,
-    tangents: Float64,
-    smooth: NDArray[np.bool_],
+    samples: Array,
+    places: Array,
+    prior: Array,
+    owner: Int64,
+    tangents: Array,
+    smooth: Bools,
     weights: tuple[float, float, float],
-) -> tuple[Float64, Float64]:
+) -> tuple[Array, Array]:
     """The normal equations of a closed spline fitted to samples of an outline, in the lower banded form of SciPy.
 
     Least squares of the samples at their places; of the anchors' moves along their `tangents`, weighted `stay`; of the
@@ -110,8 +108,8 @@ def _add(index, value, count, wanted, weight, band, right):  # type: ignore[no-u
 
 
 def nearest_places(
-    line: Float64, line_normals: Float64, samples: Float64, normals: Float64, places: IntArray, window: int, turn: float
-) -> Float64:
+    line: Array, line_normals: Array, samples: Array, normals: Array, places: Int64, window: int, turn: float
+) -> Array:
     """Where on a closed polyline each sample has its nearest position that faces the same way, in line vertices.
 
     The squared distance, plus `turn` times one less the cosine between the normals, is least over the vertices within

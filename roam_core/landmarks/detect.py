@@ -4,16 +4,13 @@ from __future__ import annotations
 
 import cv2
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array, Bools, Float32, UInt8
 from roam_core.params import LandmarkParams
-
-Array = NDArray[np.float64]
-UInt8 = NDArray[np.uint8]
 
 
 def distinctive_points(
-    grey: UInt8, inside: NDArray[np.bool_], count: int, side: int, taken: Array, params: LandmarkParams
+    grey: UInt8, inside: Bools, count: int, side: int, taken: Array, params: LandmarkParams
 ) -> Array:
     """Up to `count` positions `(K, 2)` inside the object, away from each other and from those `taken (T, 2)`.
 
@@ -41,7 +38,7 @@ def distinctive_points(
     return chosen
 
 
-def _texture(grey: UInt8, inside: NDArray[np.bool_], side: int) -> NDArray[np.float32]:
+def _texture(grey: UInt8, inside: Bools, side: int) -> Float32:
     """The smaller eigenvalue of the gradients' second moments over a patch; gradients outside do not count."""
     dx, dy = (cv2.Sobel(grey, cv2.CV_32F, *order, ksize=3, scale=0.125) * inside for order in ((1, 0), (0, 1)))
     size = (side // 2 | 1,) * 2
@@ -49,7 +46,7 @@ def _texture(grey: UInt8, inside: NDArray[np.bool_], side: int) -> NDArray[np.fl
     return np.asarray(0.5 * (xx + yy) - np.sqrt(0.25 * (xx - yy) ** 2 + xy * xy), dtype=np.float32)
 
 
-def _stable_regions(grey: UInt8, inside: NDArray[np.bool_], area: int, params: LandmarkParams) -> Array:
+def _stable_regions(grey: UInt8, inside: Bools, area: int, params: LandmarkParams) -> Array:
     """Centroids `(K, 2)` of the stable regions that belong to the object; of nested ones at one place, one."""
     largest = int(params.whole * area)
     if largest <= params.least_region or min(grey.shape) < 5:
@@ -79,7 +76,7 @@ def _spread(ranked: Array, count: int, apart: float, taken: Array) -> Array:
     return np.asarray(ranked[chosen])
 
 
-def _corners(texture: NDArray[np.float32], inside: NDArray[np.bool_], taken: Array, count: int, apart: float) -> Array:
+def _corners(texture: Float32, inside: Bools, taken: Array, count: int, apart: float) -> Array:
     """Local maxima of the texture inside, the best first."""
     top = cv2.dilate(texture, np.ones((3, 3), np.uint8))
     rows, columns = np.nonzero(inside & (texture >= top) & (texture > 0))

@@ -16,10 +16,9 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy import fft
 
+from roam_core.arrays import Array, Bools, Float32, Indices, UInt8
 from roam_core.params import FILTERS, FilterParams
 
-Array = NDArray[np.float64]
-Float32 = NDArray[np.float32]
 Complex = NDArray[np.complex64]
 
 
@@ -69,7 +68,7 @@ class CorrelationFilters:
         )
         return mixed._settled(areas)
 
-    def chosen(self, keep: NDArray[np.intp] | NDArray[np.bool_]) -> CorrelationFilters:
+    def chosen(self, keep: Indices | Bools) -> CorrelationFilters:
         """Some of the filters."""
         return replace(self, numerator=self.numerator[keep], power=self.power[keep], offset=self.offset[keep])
 
@@ -148,13 +147,13 @@ def peaks(response: Float32, lobe: int = FILTERS.lobe) -> tuple[Array, Array]:
     return displacement, sharpness(response, row, column, lobe)
 
 
-def between(response: Float32, row: NDArray[np.intp], column: NDArray[np.intp]) -> Array:
+def between(response: Float32, row: Indices, column: Indices) -> Array:
     """How far `(M, 2)`, x and y, within half a cell, each response's top lies from its cell `[row, column]`."""
     which = np.arange(len(response))
     return np.stack([_vertex(response[which, row], column), _vertex(response[which, :, column], row)], axis=1)
 
 
-def sharpness(response: Float32, row: NDArray[np.intp], column: NDArray[np.intp], lobe: int = FILTERS.lobe) -> Array:
+def sharpness(response: Float32, row: Indices, column: Indices, lobe: int = FILTERS.lobe) -> Array:
     """Peak-to-sidelobe ratio `(M,)` of the cells `[row, column]` of each response `(M, n, n)`."""
     count, size = response.shape[0], response.shape[1]
     ticks = np.arange(size)
@@ -168,7 +167,7 @@ def sharpness(response: Float32, row: NDArray[np.intp], column: NDArray[np.intp]
     return np.asarray((response[np.arange(count), row, column] - mean) / spread)
 
 
-def areas_at(grey: NDArray[np.uint8], centres: Array, size: int) -> Float32:
+def areas_at(grey: UInt8, centres: Array, size: int) -> Float32:
     """Squares `(M, size, size)` of a picture around `centres (M, 2)`, between pixels where need be.
 
     The middle is cell `size // 2`, whose own centre lies on the given position (our coordinates). Beyond the picture
@@ -221,7 +220,7 @@ def _moments(areas: Float32, side: int, places: int, least_contrast: float) -> t
     return mean + areas.mean(axis=(1, 2), keepdims=True), contrast
 
 
-def _vertex(lines: Float32, place: NDArray[np.intp]) -> Array:
+def _vertex(lines: Float32, place: Indices) -> Array:
     """Where between -.5 and .5 of `place (M,)` a parabola through three values of each line `(M, n)` has its top."""
     size = lines.shape[1]
     which = np.arange(len(lines))

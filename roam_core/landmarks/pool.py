@@ -5,17 +5,14 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array, Bools, Float32, Indices
 from roam_core.features import PreparedFrame, Region
 from roam_core.features.grid import Grid
 from roam_core.landmarks import filters
 from roam_core.landmarks.detect import distinctive_points
 from roam_core.landmarks.filters import CorrelationFilters
 from roam_core.params import LandmarkParams, scale_for
-
-Array = NDArray[np.float64]
-Mask = NDArray[np.bool_]
 
 
 @dataclass(frozen=True, eq=False)
@@ -29,7 +26,7 @@ class LastSeen:
     sharpness : (M,) peak-to-sidelobe ratios.
     """
 
-    response: NDArray[np.float32]
+    response: Float32
     positions: Array
     sharpness: Array
     cell: float
@@ -48,7 +45,7 @@ class Pool:
     """
 
     params: LandmarkParams
-    ids: NDArray[np.intp]
+    ids: Indices
     positions: Array
     filters: CorrelationFilters
     cell: float
@@ -57,7 +54,7 @@ class Pool:
     waited: int = 0
 
     @classmethod
-    def learned(cls, frame: PreparedFrame, region: Mask, params: LandmarkParams, first_id: int = 0) -> Pool:
+    def learned(cls, frame: PreparedFrame, region: Bools, params: LandmarkParams, first_id: int = 0) -> Pool:
         """The landmarks of the object that covers `region (h, w)` on a frame, numbered from `first_id` on."""
         cell = scale_for(frame.size)
         across = float(np.sqrt(np.count_nonzero(region))) / cell
@@ -80,7 +77,7 @@ class Pool:
         displacement, sharpness = filters.peaks(response, self.params.filters.lobe)
         return LastSeen(response, guess + displacement * self.cell, sharpness, self.cell)
 
-    def adapted(self, frame: PreparedFrame, positions: Array, sharpness: Array, region: Mask, trust: float) -> Pool:
+    def adapted(self, frame: PreparedFrame, positions: Array, sharpness: Array, region: Bools, trust: float) -> Pool:
         """The pool on the next frame, once the object is known to cover `region (h, w)` there.
 
         Landmarks that are ambiguous (a peak-to-sidelobe ratio `sharpness (M,)` below `LandmarkParams.ambiguity`), off
@@ -106,10 +103,10 @@ class Pool:
         """The same landmarks elsewhere, nothing learned: on a frame that cannot be trusted."""
         return replace(self, positions=positions)
 
-    def _own_areas(self, frame: PreparedFrame) -> NDArray[np.float32]:
+    def _own_areas(self, frame: PreparedFrame) -> Float32:
         return _areas(frame, self.positions, self.filters.side + 2 * self.params.filters.margin, self.cell)
 
-    def _renewed(self, frame: PreparedFrame, region: Mask) -> Pool:
+    def _renewed(self, frame: PreparedFrame, region: Bools) -> Pool:
         """With newly detected landmarks; those that are ambiguous on the very frame they stem from are not taken."""
         count = self.params.count - len(self)
         found = _detected(frame, region, count, self)
@@ -131,7 +128,7 @@ class Pool:
         )
 
 
-def _areas(frame: PreparedFrame, centres: Array, size: int, cell: float) -> NDArray[np.float32]:
+def _areas(frame: PreparedFrame, centres: Array, size: int, cell: float) -> Float32:
     """Squares of `size` cells around positions; only the part of the picture around them is ever resampled."""
     if len(centres) == 0:
         return np.empty((0, size, size), np.float32)
@@ -143,7 +140,7 @@ def _areas(frame: PreparedFrame, centres: Array, size: int, cell: float) -> NDAr
     return filters.areas_at(grid.of(frame.grey), grid.to_grid(centres), size)
 
 
-def _detected(frame: PreparedFrame, region: Mask, count: int, pool: Pool) -> Array:
+def _detected(frame: PreparedFrame, region: Bools, count: int, pool: Pool) -> Array:
     """Up to `count` places of the object that covers `region (h, w)`, away from those of the pool."""
     cell, side = pool.cell, pool.filters.side
     rows, columns = np.flatnonzero(region.any(axis=1)), np.flatnonzero(region.any(axis=0))
@@ -156,7 +153,7 @@ def _detected(frame: PreparedFrame, region: Mask, count: int, pool: Pool) -> Arr
     return grid.to_image(distinctive_points(grid.of(frame.grey), inside, count, side, taken, pool.params))
 
 
-def _is_inside(positions: Array, region: Mask) -> Mask:
+def _is_inside(positions: Array, region: Bools) -> Bools:
     height, width = region.shape
     column, row = (np.floor(positions[:, k]).astype(np.intp) for k in (0, 1))
     inside = (column >= 0) & (column < width) & (row >= 0) & (row < height)
@@ -164,7 +161,7 @@ def _is_inside(positions: Array, region: Mask) -> Mask:
     return np.asarray(inside)
 
 
-def _crowded(positions: Array, cell: float) -> Mask:
+def _crowded(positions: Array, cell: float) -> Bools:
     """Which landmarks `(M,)` lie within two cells of an older one: they have come to follow the same thing."""
     distance = np.hypot(*np.moveaxis(positions[:, None] - positions[None], 2, 0))
     return np.asarray((np.tril(distance < 2 * cell, -1)).any(axis=1))

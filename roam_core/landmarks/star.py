@@ -5,11 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array
 from roam_core.geometry import similarity
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)

@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array
 from roam_core.geometry import similarity
 from roam_core.landmarks.pool import LastSeen, Pool
 from roam_core.motion.klt import Warp
-
-Array = NDArray[np.float64]
 
 NO_POINTS: Array = np.empty((0, 2))
 NO_POINTS.setflags(write=False)

@@ -5,12 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Matte
 from roam_core.matte.rasterise import Patch, has_area, shape_patch
 from roam_core.roto import BlendMode, Layer, Project, RotoShape
 
-Matte = NDArray[np.float32]
 Draw = Callable[[RotoShape, float, tuple[int, int]], Patch]
 """Fills one shape at one frame in a picture of `(h, w)`: `shape_patch`, or what remembers its answers."""
 

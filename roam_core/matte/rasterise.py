@@ -6,15 +6,12 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array, Indices, Matte
 from roam_core.geometry import bezier
 from roam_core.kernels.coverage import coverage, distance, swept_coverage
 from roam_core.kernels.flattening import step_counts
 from roam_core.roto import Interpolation, Outline, RotoShape
-
-Array = NDArray[np.float64]
-Matte = NDArray[np.float32]
 
 TOLERANCE = 1.0 / 512.0
 """Pixels by which the polyline that is filled may stray from the spline: that much of a pixel's area at the very most,
@@ -213,7 +210,7 @@ def _lines(outline: Outline) -> tuple[Array, Array | None]:
     return line, feathered
 
 
-def _places(counts: NDArray[np.intp]) -> tuple[NDArray[np.intp], Array]:
+def _places(counts: Indices) -> tuple[Indices, Array]:
     """Segments `(N,)` and weights `(N, 4)` of their control points for `counts (S,)` equal steps along each segment."""
     segment = np.repeat(np.arange(len(counts)), counts)
     first = np.cumsum(counts) - counts

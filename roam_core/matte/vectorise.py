@@ -11,6 +11,7 @@ import OpenImageIO as oiio  # noqa: N813 - the name its own manual uses
 from contourpy import FillType, contour_generator
 from numpy.typing import NDArray
 
+from roam_core.arrays import Array
 from roam_core.errors import RoamError
 from roam_core.geometry import fit, polyline
 from roam_core.geometry.simple import simplified
@@ -18,8 +19,6 @@ from roam_core.media.sequence import opened_image
 from roam_core.params import UNTYING
 from roam_core.roto import BlendMode, Keyframe, RotoShape
 from roam_core.roto.project import PALETTE
-
-Array = NDArray[np.float64]
 
 LEAST_AREA = 12.0
 """Pixels: smaller specks of a mask become no shape, unless there is nothing larger."""
@@ -76,7 +75,7 @@ def outlines(mask: NDArray[Any]) -> list[list[Array]]:
     return large or regions[:1]
 
 
-def coverage_of(mask: NDArray[Any]) -> NDArray[np.float64]:
+def coverage_of(mask: NDArray[Any]) -> Array:
     """A mask as coverage (h, w) in [0, 1]: alpha where there is one, else the brightest channel."""
     if mask.ndim == 3:
         mask = mask[:, :, -1] if mask.shape[2] in (2, 4) else mask.max(axis=2)

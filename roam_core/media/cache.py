@@ -6,8 +6,9 @@ import threading
 from collections import OrderedDict, deque
 from collections.abc import Callable, Sequence
 
+from roam_core.arrays import Image
 from roam_core.cancel import CancelToken
-from roam_core.media.source import Image, PlateSource
+from roam_core.media.source import PlateSource
 
 DEFAULT_LIMIT = 1 << 30
 """Bytes: some 40 frames of 4K in 8 bits."""

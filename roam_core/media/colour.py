@@ -9,11 +9,8 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from roam_core.arrays import Array, Float32, Image, UInt8
 from roam_core.errors import RoamError
-
-Image = NDArray[Any]
-FloatTable = NDArray[np.float32]
-ByteTable = NDArray[np.uint8]
 
 SRGB = "sRGB"
 """Display-referred values with the sRGB transfer curve (8- and 16-bit images, movies)."""
@@ -34,7 +31,7 @@ ROWS_AT_ONCE = 32
 WHITE_CODE, BLACK_CODE, DENSITY_PER_CODE, NEGATIVE_GAMMA = 685.0, 95.0, 0.002, 0.6
 
 
-def to_display(image: Image, colour_space: str) -> NDArray[np.uint8]:
+def to_display(image: Image, colour_space: str) -> UInt8:
     """The picture for a screen, `(h, w, 3)` uint8 sRGB.
 
     An 8-bit sRGB `image` comes back itself, not copied. Values outside the display's range are clipped; NaN is black.
@@ -74,12 +71,12 @@ def to_engine(image: Image, colour_space: str) -> Image:
     return _looked_up(image, table)
 
 
-def srgb_from_linear(values: NDArray[np.float64]) -> NDArray[np.float64]:
+def srgb_from_linear(values: Array) -> Array:
     """The sRGB transfer curve (IEC 61966-2-1) of linear `values` in [0, 1]."""
     return np.where(values <= 0.0031308, 12.92 * values, 1.055 * np.maximum(values, 0.0031308) ** (1 / 2.4) - 0.055)
 
 
-def linear_from_log(values: NDArray[np.float64]) -> NDArray[np.float64]:
+def linear_from_log(values: Array) -> Array:
     """Scene-linear values of Cineon log `values` (code / 1023): code 95 gives 0 and 685 gives 1.
 
     Source: Kodak's Cineon conversion, gain and offset fitted so that black and white land on 0 and 1.
@@ -90,7 +87,7 @@ def linear_from_log(values: NDArray[np.float64]) -> NDArray[np.float64]:
 
 
 @cache
-def _engine_table(colour_space: str) -> FloatTable:
+def _engine_table(colour_space: str) -> Float32:
     values = np.linspace(0.0, 1.0, TABLE_SIZE)
     if colour_space == LOG:
         values = np.clip(linear_from_log(values), 0.0, 1.0)
@@ -100,7 +97,7 @@ def _engine_table(colour_space: str) -> FloatTable:
 
 
 @cache
-def _display_table(colour_space: str) -> ByteTable:
+def _display_table(colour_space: str) -> UInt8:
     return np.asarray(np.rint(_engine_table(colour_space) * 255.0), dtype=np.uint8)
 
 
@@ -110,7 +107,7 @@ def _known(colour_space: str) -> str:
     return colour_space
 
 
-def _clipped(image: Image) -> NDArray[np.float32]:
+def _clipped(image: Image) -> Float32:
     """`image` in [0, 1], float32. `fmax` turns NaN into the other number, which is black."""
     return np.minimum(np.fmax(image.astype(np.float32, copy=False), np.float32(0.0)), np.float32(1.0))
 

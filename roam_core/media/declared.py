@@ -5,7 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from pathlib import Path
 
-from roam_core.media.source import Image, PlateSource
+from roam_core.arrays import Image
+from roam_core.media.source import PlateSource
 
 
 @dataclass(frozen=True)

@@ -9,20 +9,16 @@ from typing import NamedTuple
 
 import cv2
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array, Image, UInt8
 from roam_core.media.colour import (
     DENSITY_PER_CODE,
     LINEAR,
     LOG,
     NEGATIVE_GAMMA,
-    ByteTable,
-    Image,
     srgb_from_linear,
     to_display,
 )
-
-Pixels = NDArray[np.uint8]
 
 LUMINANCE = (0.2126, 0.7152, 0.0722)
 """Weights of red, green and blue in what an eye takes for brightness (Rec. 709)."""
@@ -69,12 +65,12 @@ class Look:
         return self == Look()
 
     @property
-    def table(self) -> ByteTable:
+    def table(self) -> UInt8:
         """The display value `(256,)` uint8 that is shown for each display value, by exposure and gamma."""
         return _table(self.exposure, self.gamma)
 
 
-def seen(pixels: Pixels, look: Look) -> Pixels:
+def seen(pixels: UInt8, look: Look) -> UInt8:
     """Display values as the look shows them.
 
     Parameters
@@ -98,7 +94,7 @@ def seen(pixels: Pixels, look: Look) -> Pixels:
     return np.asarray(cv2.LUT(pixels, look.table), dtype=np.uint8)
 
 
-def seen_plate(values: Image, colour_space: str, look: Look) -> Pixels:
+def seen_plate(values: Image, colour_space: str, look: Look) -> UInt8:
     """A float plate `(h, w, 3)` as the look shows it: exposing it less brings back what lies above white.
 
     Raises
@@ -115,7 +111,7 @@ def has_more_than_shown(values: Image, colour_space: str) -> bool:
     return values.dtype != np.uint8 and colour_space in (LINEAR, LOG)
 
 
-def linear_from_srgb(values: NDArray[np.float64]) -> NDArray[np.float64]:
+def linear_from_srgb(values: Array) -> Array:
     """The light of sRGB `values` in [0, 1]: the inverse of `roam_core.media.colour.srgb_from_linear`."""
     return np.where(values <= 0.04045, values / 12.92, ((values + 0.055) / 1.055) ** 2.4)
 
@@ -127,7 +123,7 @@ def _exposed(values: Image, colour_space: str, stops: float) -> Image:
     return values * np.float32(2.0**stops)
 
 
-def _channel(pixels: Pixels, channel: Channel) -> Pixels:
+def _channel(pixels: UInt8, channel: Channel) -> UInt8:
     """One channel `(h, w)` of a picture, or the picture itself."""
     if channel is Channel.COLOUR:
         return pixels
@@ -137,7 +133,7 @@ def _channel(pixels: Pixels, channel: Channel) -> Pixels:
 
 
 @lru_cache(maxsize=64)
-def _table(exposure: float, gamma: float) -> ByteTable:
+def _table(exposure: float, gamma: float) -> UInt8:
     light = linear_from_srgb(np.linspace(0.0, 1.0, 256)) * 2.0**exposure
     shown = srgb_from_linear(np.clip(light, 0.0, 1.0)) ** (1.0 / gamma)
     return np.asarray(np.rint(255.0 * shown), dtype=np.uint8)

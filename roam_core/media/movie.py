@@ -10,11 +10,12 @@ from pathlib import Path
 import cv2
 import numpy as np
 
+from roam_core.arrays import Image
 from roam_core.bounded import require_regular
 from roam_core.errors import RoamError
 from roam_core.media.colour import SRGB
 from roam_core.media.measure import plain_name, require_size
-from roam_core.media.source import DamagedFrame, Image, MissingFrame
+from roam_core.media.source import DamagedFrame, MissingFrame
 
 LONGEST_STEP = 24
 """Frames that are decoded one by one rather than sought: about the distance between key frames."""

@@ -10,12 +10,13 @@ from typing import Any
 import numpy as np
 import OpenImageIO as oiio  # noqa: N813 - the name its own manual uses
 
+from roam_core.arrays import Image
 from roam_core.bounded import require_regular
 from roam_core.errors import RoamError
 from roam_core.media.colour import LINEAR, LOG, SRGB
 from roam_core.media.measure import plain_name, require_size, require_told_size
 from roam_core.media.numbering import FileSequence
-from roam_core.media.source import DamagedFrame, Image, MissingFrame
+from roam_core.media.source import DamagedFrame, MissingFrame
 
 LARGEST_IMAGE_MB = 2048
 """A header that claims more uncompressed MiB, over all channels of which three are read, is taken for damaged."""

@@ -3,14 +3,10 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any, Protocol
+from typing import Protocol
 
-from numpy.typing import NDArray
-
+from roam_core.arrays import Image
 from roam_core.errors import RoamError
-
-Image = NDArray[Any]
-"""A picture `(h, w, 3)`, RGB: uint8, or float32 with 1.0 for white (scene-linear values may lie above)."""
 
 
 class MissingFrame(RoamError):

@@ -8,13 +8,10 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from roam_core.arrays import Array, Bools, Float32, UInt8
 from roam_core.features import PreparedFrame
 from roam_core.features.grid import Grid
 from roam_core.geometry import similarity
-
-Array = NDArray[np.float64]
-Float32 = NDArray[np.float32]
-UInt8 = NDArray[np.uint8]
 
 LEAST_SIDE = 48
 """Cells to which a narrower region is padded: under 32 OpenCV's DIS reads beyond its pyramid (opencv issue 14554)."""
@@ -52,7 +49,7 @@ def _padded(grey: UInt8) -> UInt8:
     return np.asarray(cv2.copyMakeBorder(grey, 0, below, 0, right, cv2.BORDER_REPLICATE), dtype=np.uint8)
 
 
-def flow_similarity(flow: Float32, inside: NDArray[np.bool_], grid: Grid, samples: int = 400) -> tuple[Array, float]:
+def flow_similarity(flow: Float32, inside: Bools, grid: Grid, samples: int = 400) -> tuple[Array, float]:
     """The similarity `(3, 3)`, image to image, that most of the flow inside agrees with, and the share that does."""
     core = cv2.erode(inside.astype(np.uint8), np.ones((3, 3), np.uint8))
     cells = np.flatnonzero(core.view(np.bool_) if np.count_nonzero(core) >= 20 else inside)

@@ -7,13 +7,11 @@ from typing import Any
 
 import cv2
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array, UInt8
 from roam_core.features import PreparedFrame, Region
 from roam_core.geometry import similarity
 from roam_core.params import RoamParams
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
@@ -62,13 +60,13 @@ def followed_points(
     return source, target, params.motion_threshold * 0.5 / reduce
 
 
-def _reduced(grey: NDArray[np.uint8], factor: float) -> NDArray[np.uint8]:
+def _reduced(grey: UInt8, factor: float) -> UInt8:
     if factor == 1.0:
         return np.ascontiguousarray(grey)
     return np.asarray(cv2.resize(grey, None, fx=factor, fy=factor, interpolation=cv2.INTER_AREA), dtype=np.uint8)
 
 
-def _corners(grey: NDArray[np.uint8], line: Array, count: int) -> Array:
+def _corners(grey: UInt8, line: Array, count: int) -> Array:
     """Up to `count` corners inside the polyline, spread out; a shape of few corners yields weaker ones."""
     mask = np.zeros(grey.shape, dtype=np.uint8)
     cv2.fillPoly(mask, [np.round((line - 0.5) * 16).astype(np.int32)], 255, shift=4)
@@ -80,7 +78,7 @@ def _corners(grey: NDArray[np.uint8], line: Array, count: int) -> Array:
     return np.empty((0, 2)) if found is None else found.reshape(-1, 2).astype(np.float64)
 
 
-def _followed(old: NDArray[np.uint8], new: NDArray[np.uint8], start: Array) -> tuple[Array, Array]:
+def _followed(old: UInt8, new: UInt8, start: Array) -> tuple[Array, Array]:
     criteria = (cv2.TERM_CRITERIA_EPS | cv2.TERM_CRITERIA_COUNT, 20, 0.02)
     options: dict[str, Any] = {"winSize": (15, 15), "maxLevel": 3, "criteria": criteria}
     points = start.astype(np.float32).reshape(-1, 1, 2)

@@ -12,15 +12,12 @@ from typing import Any
 
 import cv2
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array, UInt8
 from roam_core.features import PreparedFrame, Region
 from roam_core.geometry import bezier, projective
 from roam_core.geometry.plane_motion import PlaneMotion, ransac
 from roam_core.params import PLANAR, PlanarParams, scale_for
-
-Array = NDArray[np.float64]
-Grey = NDArray[np.uint8]
 
 
 @dataclass(frozen=True, eq=False)
@@ -51,7 +48,7 @@ class Match:
 class Reference:
     """A picture that later ones are matched to: its grey levels and corners in it, and where it is from the first."""
 
-    grey: Grey
+    grey: UInt8
     corners: Array
     matrix: Array
     params: PlanarParams = PLANAR
@@ -109,7 +106,7 @@ class Reference:
         return Match(matrix, self.corners[seen], source[agree], projective.apply(since, target[agree]), len(source))
 
 
-def corners_in(grey: Grey, mask: Grey, count: int = PLANAR.corners) -> Array:
+def corners_in(grey: UInt8, mask: UInt8, count: int = PLANAR.corners) -> Array:
     """Up to `count` corners `(K, 2)` of `grey (h, w)` where `mask (h, w)` is not zero, spread out, in our pixels."""
     area = int(np.count_nonzero(mask))
     if area == 0:
@@ -125,8 +122,8 @@ def corners_in(grey: Grey, mask: Grey, count: int = PLANAR.corners) -> Array:
 
 
 def followed(
-    old: Grey,
-    new: Grey,
+    old: UInt8,
+    new: UInt8,
     corners: Array,
     window: int = PLANAR.window,
     levels: int = 4,
@@ -149,7 +146,7 @@ def followed(
     return corners[keep], there.reshape(-1, 2)[keep].astype(np.float64) + 0.5
 
 
-def inside(outlines: Sequence[Array], holes: Sequence[Array], size: tuple[int, int]) -> Grey:
+def inside(outlines: Sequence[Array], holes: Sequence[Array], size: tuple[int, int]) -> UInt8:
     """255 where corners may lie, `(h, w)`: inside an odd number of outlines, and in no hole."""
     mask = np.zeros(size, dtype=np.uint8)
     for curves, value in ((outlines, 255), (holes, 0)):
@@ -159,7 +156,7 @@ def inside(outlines: Sequence[Array], holes: Sequence[Array], size: tuple[int, i
     return mask
 
 
-def _matched(old: Grey, new: Grey, corners: Array, since: Array, params: PlanarParams) -> tuple[Array, Array, float]:
+def _matched(old: UInt8, new: UInt8, corners: Array, since: Array, params: PlanarParams) -> tuple[Array, Array, float]:
     """Corners of the reference picture, and where the new one, warped back by `since (3, 3)`, has them."""
     height, width = old.shape
     region = Region.around(corners, 24.0 * scale_for((height, width)), (height, width))
@@ -179,7 +176,7 @@ def _matched(old: Grey, new: Grey, corners: Array, since: Array, params: PlanarP
     return source / shrunk + origin, target / shrunk + origin, shrunk
 
 
-def _alike(picture: Grey, model: Grey) -> Grey:
+def _alike(picture: UInt8, model: UInt8) -> UInt8:
     """`picture` with the mean and contrast of `model`: light that changes is no motion."""
     mean, spread = float(picture.mean()), float(picture.std())
     gain = float(np.clip(model.std() / max(spread, 1.0), 0.5, 2.0))
@@ -187,7 +184,7 @@ def _alike(picture: Grey, model: Grey) -> Grey:
     return np.asarray(cv2.LUT(picture, np.round(levels).astype(np.uint8)), dtype=np.uint8)
 
 
-def _reduced(grey: Grey, factor: float) -> Grey:
+def _reduced(grey: UInt8, factor: float) -> UInt8:
     if factor == 1.0:
         return np.ascontiguousarray(grey)
     return np.asarray(cv2.resize(grey, None, fx=factor, fy=factor, interpolation=cv2.INTER_AREA), dtype=np.uint8)

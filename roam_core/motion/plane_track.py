@@ -17,6 +17,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from roam_core.arrays import Array, UInt8
 from roam_core.cancel import CancelToken
 from roam_core.errors import RoamError
 from roam_core.features import PreparedFrame, Region
@@ -28,9 +29,6 @@ from roam_core.motion.planar import corners_in, followed, inside
 from roam_core.motion.registration import Expected, Fit, Texture, confidence_of
 from roam_core.params import PLANAR, PlanarParams, scale_for
 from roam_core.params.tracks import PLANE_TRACK, PlaneTrackParams
-
-Array = NDArray[np.float64]
-Grey = NDArray[np.uint8]
 
 ReadFrame = Callable[[int], NDArray[Any]]
 Covers = Callable[[int], Sequence[Array]]
@@ -106,7 +104,7 @@ class Look:
     """A picture that is looked at: what covers it, where the plane would be if it went on evenly, whether to stop."""
 
     picture: PreparedFrame
-    hidden: Grey | None
+    hidden: UInt8 | None
     onward: Array
     check: Callable[[], None]
 
@@ -285,7 +283,7 @@ class PlaneTracker:
             raise LostPlane(f"The plane was lost on frame {frame}: it would tip over; try a simpler motion.")
 
 
-def _seen_in(picture: PreparedFrame, match: _Match, first: Grey) -> Grey:
+def _seen_in(picture: PreparedFrame, match: _Match, first: UInt8) -> UInt8:
     """Where the plane, which `first (h, w)` shows on the first picture, is seen in this one: 255, else 0, `(h, w)`."""
     height, width = picture.size
     weights = cv2.warpPerspective(
@@ -300,7 +298,7 @@ def _seen_in(picture: PreparedFrame, match: _Match, first: Grey) -> Grey:
     return np.where((weights > 0.5) & (whole > 0), 255, 0).astype(np.uint8)
 
 
-def _reduced(grey: Grey, factor: float) -> Grey:
+def _reduced(grey: UInt8, factor: float) -> UInt8:
     if factor == 1.0:
         return np.ascontiguousarray(grey)
     return np.asarray(cv2.resize(grey, None, fx=factor, fy=factor, interpolation=cv2.INTER_AREA), dtype=np.uint8)

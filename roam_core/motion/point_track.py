@@ -12,8 +12,8 @@ from dataclasses import dataclass, replace
 
 import cv2
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array, Bools, UInt8
 from roam_core.cancel import CancelToken
 from roam_core.errors import RoamError
 from roam_core.features import PreparedFrame
@@ -24,10 +24,6 @@ from roam_core.geometry.plane_motion import PlaneMotion, fit
 from roam_core.media.source import MissingFrame
 from roam_core.motion.plane_track import Covers, Guess, Look, LostPlane, PlaneTracker, ReadFrame, no_covers
 from roam_core.params.tracks import POINT_TRACK, PointTrackParams
-
-Array = NDArray[np.float64]
-Bools = NDArray[np.bool_]
-Grey = NDArray[np.uint8]
 
 KINDS = {kind.pairs: kind for kind in PlaneMotion}
 """What so many points tell of a motion."""
@@ -115,7 +111,7 @@ class PatternTracker(PlaneTracker):
         away = np.array([x0 + at[0] + half + 0.5, y0 + at[1] + half + 0.5]) - self.at(look.onward)
         return np.array([[1.0, 0.0, away[0]], [0.0, 1.0, away[1]], [0.0, 0.0, 1.0]]) @ look.onward
 
-    def _under(self, motion: Array, half: int) -> Grey:
+    def _under(self, motion: Array, half: int) -> UInt8:
         """The key's pattern as it would be seen under a motion from the key `(2 half + 1, 2 half + 1)`."""
         place = self.at(motion)
         to_picture = np.array([[1.0, 0.0, place[0] - half - 0.5], [0.0, 1.0, place[1] - half - 0.5], [0.0, 0.0, 1.0]])
@@ -131,7 +127,7 @@ def _overlaps(middle: Array, reach: int, size: tuple[int, int]) -> bool:
     return bool((middle + reach > 0).all() and middle[0] - reach < size[1] and middle[1] - reach < size[0])
 
 
-def _cut(grey: Grey, x: int, y: int, side: int) -> Grey | None:
+def _cut(grey: UInt8, x: int, y: int, side: int) -> UInt8 | None:
     """A square of the picture from column x, row y; what lies outside repeats its edge. None wholly outside."""
     height, width = grey.shape
     if x + side <= 0 or y + side <= 0 or x >= width or y >= height:

@@ -13,18 +13,13 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
+from roam_core.arrays import Array, Bools, Float32, UInt8
 from roam_core.features.pyramid import Pyramid
 from roam_core.kernels.posing import Costs, Prior, Samples, Ties, View, energies, refined
 from roam_core.motion.template import Template, contrasts, every_other
 from roam_core.params import PoseParams
-
-Array = NDArray[np.float64]
-Float32 = NDArray[np.float32]
-Bools = NDArray[np.bool_]
-UInt8 = NDArray[np.uint8]
 
 
 @dataclass(frozen=True, eq=False)
@@ -153,9 +148,9 @@ class Pose:
         velocity = values - self.values
         velocity[2 + self.template.chain.count :] = 0.0
         since = 0 if cost <= params.lost else self.since + 1
-        like = self._likened(look, params)
-        if not around.is_complete:  # what hides it is not known, and must not pass for a new look of it
-            like = min(like, params.like_grows * self.like) if since == 0 else self.like
+        # What hides a part unknown must not pass for a new look of it: a pose in doubt teaches nothing there.
+        is_learned = around.is_complete or since == 0
+        like = self._likened(look, params) if is_learned else self.like
         return Pose(self.template, values, velocity, like, cost, since, look)
 
     def missed(self) -> Pose:

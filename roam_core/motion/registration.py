@@ -16,15 +16,12 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from roam_core.arrays import Array, Float32, UInt8
 from roam_core.features import Region
 from roam_core.features.grid import FROM_CENTRES, TO_CENTRES
 from roam_core.geometry import projective
 from roam_core.geometry.plane_motion import PlaneMotion
 from roam_core.params.tracks import RegistrationParams, TrackConfidenceParams
-
-Array = NDArray[np.float64]
-Float32 = NDArray[np.float32]
-Grey = NDArray[np.uint8]
 
 
 @dataclass(frozen=True, eq=False)
@@ -100,7 +97,7 @@ class Texture:
     params: RegistrationParams
 
     @classmethod
-    def of(cls, grey: Grey, mask: Grey, params: RegistrationParams) -> Texture | None:
+    def of(cls, grey: UInt8, mask: UInt8, params: RegistrationParams) -> Texture | None:
         """Of `grey (h, w)` where `mask (h, w)` is not zero; None where that is too little."""
         x, y, wide, high = cv2.boundingRect(mask)
         if wide == 0 or high == 0:
@@ -124,10 +121,10 @@ class Texture:
 
     def matched(
         self,
-        grey: Grey,
+        grey: UInt8,
         guess: Array,
         kind: PlaneMotion,
-        hidden: Grey | None = None,
+        hidden: UInt8 | None = None,
         expected: Expected | None = None,
         check: Callable[[], None] | None = None,
     ) -> Fit | None:
@@ -157,7 +154,7 @@ class Texture:
         return bool(max(sizes) < self.params.resized and min(sizes) * self.params.resized > 1.0)
 
 
-def _level(grey: Grey, mask: Grey, region: Region, factor: float, params: RegistrationParams) -> _Level:
+def _level(grey: UInt8, mask: UInt8, region: Region, factor: float, params: RegistrationParams) -> _Level:
     rows, columns = region.slices
     size = max(round((region.x1 - region.x0) * factor), 1), max(round((region.y1 - region.y0) * factor), 1)
     way = cv2.INTER_AREA if factor < 1.0 else cv2.INTER_LINEAR
@@ -195,11 +192,11 @@ class _Seen:
 class _Picture:
     """A picture, as soft as a level's pixels are large in it, and where nothing covers it: 255."""
 
-    grey: Grey
-    free: Grey
+    grey: UInt8
+    free: UInt8
 
     @classmethod
-    def on(cls, level: _Level, grey: Grey, free: Grey, matrix: Array) -> _Picture:
+    def on(cls, level: _Level, grey: UInt8, free: UInt8, matrix: Array) -> _Picture:
         """Where the level lies in it by `matrix (3, 3)` from the reference."""
         height, width = level.values.shape
         larger = _stretch(matrix @ level.to_full, np.array([width / 2, height / 2]))

@@ -6,16 +6,13 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array, Bools
 from roam_core.features.pyramid import Pyramid
 from roam_core.geometry import polyline
 from roam_core.geometry.skinning import Chain
 from roam_core.kernels.posing import Samples
 from roam_core.params import PoseParams
-
-Array = NDArray[np.float64]
-Bools = NDArray[np.bool_]
 
 
 @dataclass(frozen=True, eq=False)

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array
 from roam_core.errors import RoamError
 from roam_core.features import PreparedFrame, Region
 from roam_core.features.grid import Grid
@@ -13,8 +13,6 @@ from roam_core.kernels.coverage import coverage
 from roam_core.motion.flow import dense_flow, flow_similarity
 from roam_core.motion.klt import Warp, similarity_warp
 from roam_core.params import RoamParams
-
-Array = NDArray[np.float64]
 
 
 def warp(before: PreparedFrame, after: PreparedFrame, line: Array, params: RoamParams, scale: float) -> Warp:

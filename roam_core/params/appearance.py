@@ -16,11 +16,11 @@ class AppearanceParams:
     Attributes
     ----------
     local_kind : what says ln p_n^f / p_n^b. "mixture", the paper's: one model an edge. "nearest", beyond the paper: the
-        nearest colours of the last frame along the flow and of the artist's key (`proposal.nearest_colours`). "both":
-        the mean of the two log-ratios; what one loses the other mostly holds.
+        nearest colours of the last frame along the flow and of the artist's key (`proposal.cues.nearest_colours`).
+        "both": the mean of the two log-ratios; what one loses the other mostly holds.
     cues : of the nearest colours; of them those named local, key and motion, band, bias, blur, clip, margin and
         grid_factor are read, and doubted, better, believed and redetection, on the resemblance to the key
-        (`propagate.redetection.Watch`) in place of an expected IoU.
+        (`propagate.frame.redetection.Watch`) in place of an expected IoU.
     term : how the models enter the energy. "ribbon", the paper's: each edge's colours on both sides, up to the ribbon's
         depth, under its own model. "region": the same log-ratios ln p_n^f / p_n^b summed over all that the curve
         encloses near its old place (region competition, Zhu and Yuille 1996), so that it is drawn from farther away.

@@ -10,7 +10,7 @@ from roam_core.params.stamped import later
 
 @dataclass(frozen=True)
 class EndpointConsistencyParams:
-    """Parameters of how far each passage missed the other key (`propagate.endpoint_consistency`).
+    """Parameters of how far each pass missed the other key (`propagate.between.endpoint_consistency`).
 
     Attributes
     ----------
@@ -29,25 +29,25 @@ class EndpointConsistencyParams:
 
 @dataclass(frozen=True)
 class SpanParams:
-    """Parameters of merging two passages (`propagate.merge`).
+    """Parameters of merging two passes (`propagate.between.merge`).
 
     Attributes
     ----------
-    sure_of : pixels of a 480-line image by which even a witness that met the other key may be wrong between.
-    planar : weight of planar motion in the middle of a span, against one passage.
+    sure_of : pixels of a 480-line image by which even an estimate that met the other key may be wrong between.
+    planar : weight of planar motion in the middle of a span, against one pass.
     slope : nats that planar motion gives a pixel of depth inside its region.
     depth : pixels of a 480-line image beyond which depth counts no more.
-    beside : cells around those on which the passages disagree in which the picture is asked, too.
-    disputed : share of what the witnesses say that counts where the passages disagree.
-    agreed : overlap of two passages that each moved the object as one piece from which they are taken at their
+    beside : cells around those on which the passes disagree in which the picture is asked, too.
+    disputed : share of what the estimates say that counts where the passes disagree.
+    agreed : overlap of two passes that each moved the object as one piece from which they are taken at their
         word.
-    apart_by : distance of the two passages of an outline, in its own size, from which their mean is a place of
+    apart_by : distance of the two passes of an outline, in its own size, from which their mean is a place of
         neither.
     alike : pixels of a 480-line image, in the mean, up to which the poses from both ends are taken for the same
         one.
     sure_cost : what is added to the cost of a pose: even the best may be wrong.
-    unposed : what an outline that was not laid by its pose is taken to cost.
-    apart : pixels of a 480-line image between the witnesses of a point at which half the trust in it is gone.
+    unposed : what an outline that was not carried by its pose is taken to cost.
+    apart : pixels of a 480-line image between the estimates of a point at which half the trust in it is gone.
     endpoint_consistency : of what both passes are believed by. key_colours : of what the colours of both keys say.
     """
 

@@ -7,13 +7,13 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class ConfidenceParams:
-    """Parameters of the confidence in a frame and in its vertices (`propagate.confidence`).
+    """Parameters of the confidence in a frame and in its vertices (`propagate.frame.confidence`).
 
     Attributes
     ----------
     reach : pixels to both sides of the outline that are searched for a stronger edge than the one it lies on.
     least : overlap below which all is lost.
-    far_apart : overlap with both passages below which a filled frame is no worse for being farther from them.
+    far_apart : overlap with both passes below which a filled frame is no worse for being farther from them.
     features : the constant of the logistic model, and the weight of each of the features of a region in their order.
     pose_features : the same of those of a pose; fitted to rendered figures and to real legs, both weighing the same.
     span_features : the same of those of a filled frame.

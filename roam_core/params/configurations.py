@@ -65,6 +65,11 @@ were under 0.8, where an edit pays, and they were four in five of all frames und
 DEFAULT_CONFIG = "best"
 
 
+def is_doubtful(confidence: float | None) -> bool:
+    """True where a frame, or a vertex, is worth fixing: it was rated, and below `DOUBTFUL`."""
+    return confidence is not None and confidence < DOUBTFUL
+
+
 WORD = re.compile(r"\+(?=[^+=]*=)")
 """What parts the words of a name: a plus before the next `name=`, for a value may hold one (`warp=landmarks+klt`)."""
 

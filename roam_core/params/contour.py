@@ -1,4 +1,4 @@
-"""Parameters of laying the points of a shape along an outline."""
+"""Parameters of fitting the points of a shape to an outline."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ UNTYING = UntyingParams()
 
 @dataclass(frozen=True)
 class InvariantsParams:
-    """Parameters of which places of an outline are tips and which are bays (`proposal.invariants`).
+    """Parameters of which places of an outline are tips and which are bays (`proposal.outline.invariants`).
 
     Attributes
     ----------
@@ -47,7 +47,7 @@ INVARIANTS = InvariantsParams()
 
 @dataclass(frozen=True)
 class RefineParams:
-    """Parameters of the least squares that draw a spline closer to an outline (`proposal.refine`).
+    """Parameters of the least squares that draw a spline closer to an outline (`proposal.outline.refine`).
 
     Attributes
     ----------
@@ -70,14 +70,14 @@ class RefineParams:
 
 @dataclass(frozen=True)
 class ContourFitParams:
-    """Parameters of laying a shape's points along an outline (`proposal.contour`).
+    """Parameters of fitting a shape's points to an outline (`proposal.outline.contour`).
 
     Attributes
     ----------
     stretch : price of a piece of outline that grows to twice its share of the whole.
     near : pixels of a 480-line image at which a node that lies so far from where it was expected has a price of 1.
     turn : price of a node whose outline runs the opposite way.
-    bulge : price of a node that was all tip on the key and now is all bay (`proposal.invariants`).
+    bulge : price of a node that was all tip on the key and now is all bay (`proposal.outline.invariants`).
     spacing : pixels of a 480-line image between the nodes that are matched.
     chords : chords by which the length from node to node is told.
     step : pixels of a 480-line image between the places where a node may come to lie.

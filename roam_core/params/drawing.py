@@ -7,15 +7,15 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class CutOutParams:
-    """Parameters of the object in a box, or under a click (`proposal.cut_out`).
+    """Parameters of the object in a box, or under a click (`proposal.assist.cut_out`).
 
     Attributes
     ----------
     most_cells : cells on the longer side of the copy that is cut.
-    margin : how much of the box's size is looked at on each side of it: the ground that the object differs from.
+    margin : how much of the box's size is looked at on each side of it: the background that the object differs from.
     around, nearby : the box around a click's region goes so many of its sizes beyond it, and at least this share of
         the picture's.
-    swell, along : A later mark's region is ground where it is so much larger than those before it and has this
+    swell, along : A later mark's region is background where it is so much larger than those before it and has this
         share of the border.
     mark : cells around a mark that are held on its side.
     growths : times that the box around a click is cut, and made larger where the object runs against its side.
@@ -50,7 +50,7 @@ class CutOutParams:
 
 @dataclass(frozen=True)
 class GrowingParams:
-    """Parameters of the region of like colour around a place (`proposal.growing`).
+    """Parameters of the region of like colour around a place (`proposal.assist.growing`).
 
     Attributes
     ----------
@@ -67,7 +67,7 @@ class GrowingParams:
 
 @dataclass(frozen=True)
 class LiveWireParams:
-    """Parameters of paths along edges (`proposal.livewire`).
+    """Parameters of paths along edges (`proposal.assist.livewire`).
 
     Attributes
     ----------

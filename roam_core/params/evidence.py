@@ -1,4 +1,4 @@
-"""Parameters of what is known of the cells near an object, and of the pieces of its region."""
+"""Parameters of what is known of the cells near an object, and of the components of its region."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class LabelPropagationParams:
-    """Parameters of what a cell brings along from the key (`proposal.label_propagation`). Lengths are pixels of a
+    """Parameters of what a cell brings along from the key (`proposal.cues.label_propagation`). Lengths are pixels of a
     480-line image, differences of colour the mean over the channels of 8 bits.
 
     Attributes
@@ -32,12 +32,13 @@ class LabelPropagationParams:
 
 @dataclass(frozen=True)
 class ComponentsParams:
-    """Parameters of the pieces of a region and how they hang together (`proposal.components`, `proposal.region`).
+    """Parameters of the components of a region and how they hang together (`proposal.segment.components`,
+    `proposal.segment.region`).
 
     Attributes
     ----------
-    least : share of all that a shape has from which a piece hangs on to it.
-    likely : share of a piece that no shape wants most that must lie where the object is likely to be, for a shape
+    least : share of all that a shape has from which a component hangs on to it.
+    likely : share of a component that no shape wants most that must lie where the object is likely to be, for a shape
         to have it.
     speck : cells; smaller parts and holes are noise.
     """
@@ -49,7 +50,7 @@ class ComponentsParams:
 
 @dataclass(frozen=True)
 class KeyColoursParams:
-    """Parameters of what the colours of both keys say of a frame between them (`proposal.key_colours`).
+    """Parameters of what the colours of both keys say of a frame between them (`proposal.cues.key_colours`).
 
     Attributes
     ----------

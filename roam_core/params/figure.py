@@ -10,7 +10,7 @@ from roam_core.params.stamped import later
 
 @dataclass(frozen=True)
 class FreeEdgesParams:
-    """Parameters of free edges that go to the border of the union (`propagate.free_edges`).
+    """Parameters of free edges that go to the border of the union (`propagate.parts.free_edges`).
 
     Attributes
     ----------
@@ -31,7 +31,7 @@ class FreeEdgesParams:
 
 @dataclass(frozen=True)
 class EdgesParams:
-    """Parameters of what an outline is told to be at each place: free, a seam or hidden (`propagate.edges`).
+    """Parameters of what an outline is told to be at each place: free, a seam or hidden (`propagate.parts.edges`).
 
     Attributes
     ----------
@@ -55,7 +55,7 @@ EDGES = EdgesParams()
 
 @dataclass(frozen=True)
 class FigureParams:
-    """Parameters of an object in parts (`propagate.figure`).
+    """Parameters of an object in parts (`propagate.parts.figure`).
 
     Attributes
     ----------

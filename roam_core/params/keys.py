@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class PairingParams:
-    """Parameters of which shape becomes which part of a mask (`proposal.pairing`).
+    """Parameters of which shape becomes which part of a mask (`proposal.mask_keys.pairing`).
 
     Attributes
     ----------
@@ -34,7 +34,7 @@ class PairingParams:
 
 @dataclass(frozen=True)
 class OutlineMatchParams:
-    """Parameters of which place of one outline became which of another (`proposal.outline_match`).
+    """Parameters of which place of one outline became which of another (`proposal.mask_keys.outline_match`).
 
     Attributes
     ----------
@@ -46,7 +46,7 @@ class OutlineMatchParams:
         matching.
     stretch : price of a piece of outline that grows to twice its share of the whole.
     turn : price of a node whose outline runs the opposite way.
-    bulge : price of a node that is all tip on a sample that is all bay (`proposal.invariants`).
+    bulge : price of a node that is all tip on a sample that is all bay (`proposal.outline.invariants`).
     starts : samples tried for the node that is surest of its place.
     doubt : price a node that says nothing for or against a pose.
     turned : A pose that turns by a right angle has to match better by this factor plus one: round shapes do not
@@ -75,7 +75,7 @@ class OutlineMatchParams:
 
 @dataclass(frozen=True)
 class AnchorParams:
-    """Parameters of where on an outline the anchors lie best (`proposal.anchors`).
+    """Parameters of where on an outline the anchors lie best (`proposal.mask_keys.anchors`).
 
     Attributes
     ----------
@@ -98,7 +98,7 @@ class AnchorParams:
 
 @dataclass(frozen=True)
 class KeyFitParams:
-    """Parameters of fitting one shape to one outline (`proposal.key_fit`).
+    """Parameters of fitting one shape to one outline (`proposal.mask_keys.key_fit`).
 
     Attributes
     ----------

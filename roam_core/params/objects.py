@@ -7,8 +7,8 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class ObjectParams:
-    """Parameters of which shapes are solved together (`propagate.objects`). No configuration changes them: a project's
-    shapes are one object whichever engine is asked.
+    """Parameters of which shapes are solved together (`propagate.shapes.objects`). No configuration changes them: a
+    project's shapes are one object whichever engine is asked.
 
     Attributes
     ----------

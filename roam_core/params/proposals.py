@@ -32,7 +32,7 @@ class ProposalParams:
     soft : cells of the Gaussian that takes the stairs off the pieces of outline that a cut proposes.
     samples : places on each segment at which it is asked whether a change touches it.
     tolerance : how far the outline of a new shape that is offered may stray from its part.
-    contour_fit : of laying points along an outline that was accepted.
+    contour_fit : of fitting points to an outline that was accepted.
     """
 
     grid_factor: float = 0.5

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class RedetectionParams:
-    """Parameters of looking for an object as it was on its key (`propagate.redetection`).
+    """Parameters of looking for an object as it was on its key (`propagate.frame.redetection`).
 
     Attributes
     ----------

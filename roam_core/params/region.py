@@ -12,7 +12,7 @@ from roam_core.params.figure import FigureParams
 from roam_core.params.pose import PoseParams
 from roam_core.params.redetection import RedetectionParams
 from roam_core.params.rigid import RigidityParams
-from roam_core.params.stamped import later
+from roam_core.params.stamped import former, later
 
 
 @dataclass(frozen=True)
@@ -34,29 +34,32 @@ class RegionParams:
     global_key_weight, global_weight : histograms of the key frame, and those adapted since.
     adaptation : rate of that adaptation, a frame.
     clip : bound on each cue, nats. bias : nats towards the outside where nothing is known.
-    motion_weight, motion_sigma : ground that moves with the surroundings and not with the object is not taken in; the
-        weight counts in full where the object moves as one. sigma in pixels of a 480-line image.
+    motion_weight, motion_sigma : background that moves with the surroundings and not with the object is not taken in;
+        the weight counts in full where the object moves as one. sigma in pixels of a 480-line image.
     uncovered_weight : the same against what only the flow carries along: where neither the similarity nor the key
-        expects the object, what moves with the surroundings is the ground that it has uncovered.
+        expects the object, what moves with the surroundings is the background that it has uncovered.
     prior_weight : nats a cell of depth inside the region carried from the last frame.
     label_propagation_weight : nats of the side that a cell brings along from the key by sound flow
-        (`proposal.label_propagation`); 0: it is not asked. beside_label_propagation : share of the other cues that is
-        heard where the flow has been sound all the way.
-    keys_weight : between two keys, of what the colours of both say (`proposal.key_colours`); 0: they are not asked.
-    kept_shares : how far each piece's share of an outline's length is to be the key's (1), not the last frame's (0).
-    longest_bridge : by which pieces of a region hang together in one outline (`proposal.components`), in the square
-        root of a piece's area; 0: each outline has one piece.
-    held : how far points are expected to have gone back, on each frame, to where the key carried as one piece has them.
-    held_within : pixels of a 480-line image from there at which it is half as far, for limbs swing.
+        (`proposal.cues.label_propagation`); 0: it is not asked. beside_label_propagation : share of the other cues that
+        is heard where the flow has been sound all the way.
+    keys_weight : between two keys, of what the colours of both say (`proposal.cues.key_colours`); 0: they are not
+        asked.
+    kept_shares : how far each component's share of an outline's length is to be the key's (1), not the last frame's
+        (0).
+    longest_bridge : by which components of a region hang together in one outline (`proposal.segment.components`), in
+        the square root of a component's area; 0: each outline has one component.
+    key_pull : how far points are expected to have gone back, on each frame, to where the key carried as one piece has
+        them.
+    key_pull_reach : pixels of a 480-line image from there at which it is half as far, for limbs swing.
     blur : Gaussian on the ratio. diffusion, contrast, sweeps : contrast-dependent smoothing (`kernels.diffusion`).
     overlap : share of a detached part that must lie where the object was expected.
-    doubted : expected IoU under which the object is looked for as it was on the key (`propagate.redetection`); 0:
+    doubted : expected IoU under which the object is looked for as it was on the key (`propagate.frame.redetection`); 0:
         never.
     better : by how much more must be expected of what is found for it to be believed. believed : how much, at least.
     rigid : share of the key's corners that must be found where the motion of a plane puts them for the object to be
-        carried as one piece (`propagate.rigid`); above 1: never.
-    part : of the poses of an object drawn in parts (`propagate.figure`); None: it is carried as one region.
-    pose : of the pose of a lone shape, one more hypothesis (`propagate.posed`); None: it is not asked.
+        carried as one piece (`propagate.whole.rigid`); above 1: never.
+    part : of the poses of an object drawn in parts (`propagate.parts.figure`); None: it is carried as one region.
+    pose : of the pose of a lone shape, one more hypothesis (`propagate.whole.posed`); None: it is not asked.
     pose_seam : share of the outline on the key beside which nothing changes, from which it is. pose_area : square
         pixels of a 480-line image that the outline encloses at most for it to be. pose_agrees : overlap with the region
         from which it is not needed. pose_unlike : how unlike the key it may be. pose_against : how much may speak
@@ -98,8 +101,8 @@ class RegionParams:
     keys_weight: float = 1.0
     longest_bridge: float = 2.0
     kept_shares: float = 0.5
-    held: float = 0.1
-    held_within: float = 50.0
+    key_pull: float = former("held", 0.1)
+    key_pull_reach: float = former("held_within", 50.0)
     blur: float = 0.6
     diffusion: float = 2.0
     contrast: float = 12.0

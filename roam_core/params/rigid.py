@@ -44,7 +44,7 @@ PLANAR = PlanarParams()
 
 @dataclass(frozen=True)
 class RigidityParams:
-    """Parameters of an object that is carried as one piece (`propagate.rigid`).
+    """Parameters of an object that is carried as one piece (`propagate.whole.rigid`).
 
     Attributes
     ----------

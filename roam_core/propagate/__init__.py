@@ -1,9 +1,9 @@
 """Carrying shapes through a shot: one frame, many frames (`run`), between keys (`span`), the public `Tracker`."""
 
+from roam_core.propagate.between.span import fill_span
+from roam_core.propagate.frame.result import FrameResult, Landmarks, Termination, TrackResult
 from roam_core.propagate.memory import TrackMemory
-from roam_core.propagate.result import FrameResult, Landmarks, Termination, TrackResult
 from roam_core.propagate.run import track
-from roam_core.propagate.span import fill_span
 from roam_core.propagate.tracker import Tracker
 from roam_core.propagate.warm_up import warm_up
 

@@ -11,14 +11,14 @@ from roam_core.cancel import CancelToken
 from roam_core.errors import RoamError
 from roam_core.media.source import MissingFrame
 from roam_core.params import RoamParams
-from roam_core.propagate import provenance
-from roam_core.propagate.edges import Edges, edges, edges_on_key
 from roam_core.propagate.engines.protocol import Account, Step
+from roam_core.propagate.frame.nodes import NodeMap
 from roam_core.propagate.group import GroupTracker
 from roam_core.propagate.memory import ReadPicture, solve_again
-from roam_core.propagate.nodes import NodeMap
-from roam_core.propagate.objects import stacked
-from roam_core.propagate.provenance import Stamp, Stamps
+from roam_core.propagate.parts.edges import Edges, edges, edges_on_key
+from roam_core.propagate.shapes import provenance
+from roam_core.propagate.shapes.objects import stacked
+from roam_core.propagate.shapes.provenance import Stamp, Stamps
 from roam_core.roto import BlendMode, Clip, Keyframe, Origin, RotoShape
 
 

@@ -13,12 +13,12 @@ from roam_core.cancel import CancelToken
 from roam_core.errors import RoamError
 from roam_core.features import PreparedFrame
 from roam_core.params import DEFAULT_CONFIG, RoamParams, params_for, scale_for
-from roam_core.propagate import provenance
 from roam_core.propagate.engines.begin import begin
 from roam_core.propagate.engines.protocol import Engine
-from roam_core.propagate.objects import near, stacked, units
-from roam_core.propagate.result import Landmarks, Part, StepResult, Termination, TrackResult
-from roam_core.propagate.topology_proposals import Proposal
+from roam_core.propagate.frame.result import Landmarks, Part, StepResult, Termination, TrackResult
+from roam_core.propagate.frame.topology_proposals import Proposal
+from roam_core.propagate.shapes import provenance
+from roam_core.propagate.shapes.objects import near, stacked, units
 from roam_core.roto import BlendMode, Keyframe, Origin, RotoShape
 from roam_core.roto.edit import set_engine_keys
 

@@ -1,9 +1,9 @@
 """Taking a run up again where it was left: the engine's state on an ENGINE frame, recalled or worked out anew.
 
-What the engine gives depends on the clip, the parameters and the keys that its stamp covers (`propagate.provenance`),
-not on where a run was stopped, nor on which shapes of an object were asked for. So a run that starts on an engine frame
-goes on with the state that the run to that frame ended with: from the memory of the caller where it is there, else by
-solving again from the artist's keys, silently.
+What the engine gives depends on the clip, the parameters and the keys that its stamp covers
+(`propagate.shapes.provenance`), not on where a run was stopped, nor on which shapes of an object were asked for. So a
+run that starts on an engine frame goes on with the state that the run to that frame ended with: from the memory of the
+caller where it is there, else by solving again from the artist's keys, silently.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from roam_core.cancel import CancelToken
 from roam_core.features import PreparedFrame
 from roam_core.media.source import MissingFrame
 from roam_core.propagate.group import GroupTracker, Standing
-from roam_core.propagate.provenance import Stamp, Stamps, is_known
+from roam_core.propagate.shapes.provenance import Stamp, Stamps, is_known
 from roam_core.roto import Origin, RotoShape
 
 ReadPicture = Callable[[int], PreparedFrame]

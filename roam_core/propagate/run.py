@@ -15,10 +15,10 @@ from roam_core.errors import RoamError
 from roam_core.features import PreparedFrame
 from roam_core.media.source import MissingFrame
 from roam_core.params import DEFAULT_CONFIG, RoamParams, params_for
+from roam_core.propagate.frame.result import FrameResult, TrackResult
 from roam_core.propagate.group import GroupTracker
 from roam_core.propagate.memory import Beginning, TrackMemory, begins, take_up
-from roam_core.propagate.provenance import Stamps
-from roam_core.propagate.result import FrameResult, TrackResult
+from roam_core.propagate.shapes.provenance import Stamps
 from roam_core.roto import RotoShape
 from roam_core.threads import each
 
@@ -40,8 +40,8 @@ def track(
 ) -> Iterator[FrameResult]:
     """Carry `shapes` from `frames[0]`, where they are given, through the other frames, in their order.
 
-    `shapes` come bottom first. Those that belong together (`propagate.objects`) are solved together; all share one
-    preparation of each picture. Results come one frame at a time; a caller that stops early keeps what it has. The
+    `shapes` come bottom first. Those that belong together (`propagate.shapes.objects`) are solved together; all share
+    one preparation of each picture. Results come one frame at a time; a caller that stops early keeps what it has. The
     first frame yields nothing: it is the artist's, or an engine frame from which the run goes on as if it had never
     been stopped (`memory` spares it the way there). `begun` is told of it before the others are solved: the shapes as
     given, and the landmarks to start with.

@@ -9,8 +9,8 @@ from numpy.typing import NDArray
 from roam_core.cancel import CancelToken
 from roam_core.features import PreparedFrame
 from roam_core.params import DEFAULT_CONFIG, RoamParams
+from roam_core.propagate.frame.result import TrackResult
 from roam_core.propagate.group import GroupTracker
-from roam_core.propagate.result import TrackResult
 from roam_core.roto import RotoShape
 
 

@@ -1,1 +1,1 @@
-"""Drastic changes proposed by a segmentation: evidence, the proposed region, and the curve laid along its outline."""
+"""Drastic changes proposed by a segmentation: evidence, the proposed region, and the curve fitted to its outline."""

@@ -8,8 +8,8 @@ import shutil
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
+from roam_core.atomic_write import flush_folder, temporary_beside
 from roam_core.errors import RoamError
-from roam_core.roto.writing import flush_folder, temporary_beside
 
 LONGEST_NAME = 255
 """Bytes that a file name may have."""

@@ -8,17 +8,17 @@ from itertools import count
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from roam_core.arrays import Array
 from roam_core.errors import RoamError
 from roam_core.geometry import bezier, bspline, merging
 from roam_core.geometry.bezier import ANCHOR, IN, OUT
-from roam_core.roto import grips as held
+from roam_core.roto import control_points as controls
 from roam_core.roto.animated import Interpolation
 from roam_core.roto.project import PALETTE, Layer, Project
 from roam_core.roto.shape import Keyframe, Origin, RotoShape, Spline
 
-Array = NDArray[np.float64]
 Part = tuple[int, int]
 """A grabbed part of a shape: (point index, `ANCHOR` | `IN` | `OUT`)."""
 
@@ -39,7 +39,7 @@ def add_shape(project: Project, shape: RotoShape, layer_id: str = "root") -> Pro
 
 def new_shape(
     project: Project,
-    grips: ArrayLike,
+    control_points: ArrayLike,
     frame: int,
     *,
     name: str = "",
@@ -49,12 +49,12 @@ def new_shape(
 ) -> tuple[Project, RotoShape]:
     """Add a shape with one artist key at `frame`; its id, name and colour are the next free ones.
 
-    `grips (P, 3, 2)` are its points, or the control points of a B-spline (`roam_core.roto.grips`).
+    `control_points (P, 3, 2)` are its points, or the control points of a B-spline (`roam_core.roto.control_points`).
     """
     shape = RotoShape(
         id=project.free_id("shape"),
         name=name or project.free_name("Shape"),
-        keys=(Keyframe(frame, held.points_of(grips, spline, closed)),),
+        keys=(Keyframe(frame, controls.points_of(control_points, spline, closed)),),
         closed=closed,
         spline=spline,
         colour=PALETTE[len(project.shapes) % len(PALETTE)],
@@ -129,9 +129,9 @@ def set_key(shape: RotoShape, frame: int, points: ArrayLike, feather: ArrayLike 
     return shape.with_key(key)
 
 
-def set_grips(shape: RotoShape, frame: int, grips: ArrayLike) -> RotoShape:
-    """The shape with an artist key at `frame` whose `grips (P, 3, 2)` (`Outline.grips`) lie there."""
-    return set_key(shape, frame, held.points_of(grips, shape.spline, shape.closed))
+def set_control_points(shape: RotoShape, frame: int, control_points: ArrayLike) -> RotoShape:
+    """The shape with an artist key at `frame` whose `control_points (P, 3, 2)` (`Outline.control_points`) lie there."""
+    return set_key(shape, frame, controls.points_of(control_points, shape.spline, shape.closed))
 
 
 def key_here(shape: RotoShape, frame: int) -> RotoShape:
@@ -149,7 +149,7 @@ def set_engine_keys(shape: RotoShape, keys: Iterable[Keyframe]) -> RotoShape:
     if any(key.origin is not Origin.ENGINE for key in made):
         raise ValueError("set_engine_keys was given a key that the engine did not make")
     if shape.spline is Spline.BSPLINE:
-        made = [replace(key, points=held.settled(key.points, shape)) for key in made]
+        made = [replace(key, points=controls.settled(key.points, shape)) for key in made]
     return shape.with_keys(made)
 
 
@@ -188,7 +188,7 @@ def toggle_closed(shape: RotoShape) -> RotoShape:
     """The open shape closed, or the closed one opened; raises `RoamError` where it has too few points to be closed."""
     if not shape.closed and shape.point_count < MIN_POINTS_CLOSED:
         raise RoamError(f"{shape.name!r} needs at least {MIN_POINTS_CLOSED} points to be closed; add one.")
-    return held.opened_or_closed(shape)
+    return controls.opened_or_closed(shape)
 
 
 # ---- points of a shape -----------------------------------------------------------------------------------------------
@@ -260,7 +260,7 @@ def insert_point(shape: RotoShape, segment: int, t: float) -> RotoShape:
     if not 0.0 < t < 1.0:
         raise ValueError(f"t = {t} lies outside (0, 1)")
     if shape.spline is Spline.BSPLINE:
-        return held.with_control(
+        return controls.with_control(
             shape,
             lambda control: bspline.inserted(control, segment, t, shape.closed),
             lambda feather: bezier.split(feather, segment, t, shape.closed),
@@ -295,7 +295,7 @@ def delete_points(shape: RotoShape, indices: Sequence[int]) -> RotoShape:
     if shape.point_count - len(gone) < least:
         raise RoamError(f"{shape.name!r} needs at least {least} points; delete the shape instead.")
     if shape.spline is Spline.BSPLINE:
-        return held.with_control(
+        return controls.with_control(
             shape, lambda control: _without_control(control, gone, shape.closed), lambda each: np.delete(each, gone, 0)
         )
     points = merging.without_points(np.stack([key.points for key in shape.keys]), gone, shape.closed)

@@ -10,14 +10,14 @@ from collections.abc import Callable, Iterable
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from roam_core.arrays import Array
 from roam_core.geometry.bezier import ANCHOR, IN, OUT
-from roam_core.roto.grips import points_of
+from roam_core.roto.control_points import points_of
 from roam_core.roto.keying import Change
 from roam_core.roto.shape import Outline, RotoShape
 
-Array = NDArray[np.float64]
 Turn = Callable[[Array, int, int, tuple[float, float]], Array]
 """Puts one handle of points `(P, 3, 2)` at a position: `(points, index, part, position) -> points`."""
 

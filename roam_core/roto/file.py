@@ -10,14 +10,14 @@ from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import Any
 
+from roam_core.atomic_write import write_atomically
 from roam_core.errors import RoamError
 from roam_core.roto.from_json import read_project
 from roam_core.roto.migrate import VERSION, migrate
 from roam_core.roto.project import Project
 from roam_core.roto.to_json import pieces
-from roam_core.roto.writing import write_atomically
 
-__all__ = ["MAX_BYTES", "digest", "dumps", "load", "load_versioned", "loads", "save", "write_atomically"]
+__all__ = ["MAX_BYTES", "digest", "dumps", "load", "load_versioned", "loads", "save"]
 
 MAX_BYTES = 448 << 20
 """Larger files are neither read nor written: with what is made of it, it fits into a gigabyte of memory."""

@@ -6,15 +6,13 @@ from collections.abc import Collection, Iterable
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array
 from roam_core.geometry import projective
 from roam_core.roto.layers import grouped
 from roam_core.roto.placement import LayerTransform, matrix_at
 from roam_core.roto.project import Layer, Project
 from roam_core.roto.shape import Origin, RotoShape
-
-Array = NDArray[np.float64]
 
 
 def with_moving_layer(project: Project, shape_ids: Collection[str], frame: int, name: str) -> tuple[Project, str]:

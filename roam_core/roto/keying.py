@@ -6,18 +6,17 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array
 from roam_core.roto import edit
-from roam_core.roto.grips import points_of
+from roam_core.roto.control_points import points_of
 from roam_core.roto.shape import Keyframe, Outline, RotoShape
 
-Array = NDArray[np.float64]
 Change = Callable[[Outline], Outline]
 """A change of an outline, the same for every key that it reaches: a move, a turn, a smoothing.
 
-Its argument and result hold in `points` what the artist takes hold of (`Outline.grips`): of a B-spline the control
-points.
+Its argument and result hold in `points` what the artist takes hold of (`Outline.control_points`): of a B-spline the
+control points.
 """
 
 
@@ -66,19 +65,19 @@ def reshape(
 
 
 def held_at(shape: RotoShape, frame: int) -> Outline:
-    """The shape at `frame` as a `Change` takes it: its grips in place of its points."""
+    """The shape at `frame` as a `Change` takes it: its control points in place of its points."""
     return _held(shape.at(frame))
 
 
 def _held(outline: Outline) -> Outline:
-    return Outline(outline.grips, outline.feather, outline.closed)
+    return Outline(outline.control_points, outline.feather, outline.closed)
 
 
 def _with_key(shape: RotoShape, frame: int, before: Outline, after: Outline) -> RotoShape:
     """The shape with `after` as an artist key at `frame`; without a new key where it equals `before`."""
     if _equal(before.points, after.points) and _equal(before.feather, after.feather):
         return shape
-    keyed = edit.set_grips(shape, frame, after.points)
+    keyed = edit.set_control_points(shape, frame, after.points)
     key = keyed.key_at(frame)
     assert key is not None
     return keyed.with_key(replace(key, feather=after.feather))

@@ -14,12 +14,11 @@ from itertools import chain, groupby, repeat
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array
 from roam_core.roto.animated import Interpolation
 from roam_core.roto.shape import Keyframe, Origin
 
-Array = NDArray[np.float64]
 Document = dict[str, Any]
 
 FEWEST_PACKED = 8

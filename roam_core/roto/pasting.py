@@ -6,7 +6,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
 from roam_core.errors import RoamError
-from roam_core.roto.grips import settled
+from roam_core.roto.control_points import settled
 from roam_core.roto.project import Project
 from roam_core.roto.shape import Keyframe, RotoShape
 

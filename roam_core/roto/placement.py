@@ -12,11 +12,10 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from roam_core.arrays import Array
 from roam_core.geometry import projective
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)

@@ -11,9 +11,9 @@ import uuid
 from dataclasses import asdict, dataclass
 from pathlib import Path
 
+from roam_core.atomic_write import is_alive, write_atomically
 from roam_core.bounded import bounded_bytes
 from roam_core.errors import RoamError
-from roam_core.roto.writing import is_alive, write_atomically
 
 TYPE = "roam.Lock"
 MAX_BYTES = 1 << 16

@@ -10,13 +10,12 @@ from functools import lru_cache
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from roam_core.arrays import Array
 from roam_core.geometry import bezier, bspline
 from roam_core.roto.animated import Animatable, Interpolation, value_at
 from roam_core.roto.placement import Placement, carried, matrix_at
-
-Array = NDArray[np.float64]
 
 
 class Origin(StrEnum):
@@ -76,7 +75,7 @@ class Outline:
         return self.points[:, bezier.ANCHOR]
 
     @property
-    def grips(self) -> Array:
+    def control_points(self) -> Array:
         """What the artist takes hold of, `(P, 3, 2)`: the points, or a B-spline's control points without handles."""
         if self.spline is Spline.BEZIER:
             return self.points
@@ -163,7 +162,7 @@ class RotoShape:
     feather : width of the uniform soft edge in pixels, outwards positive, constant or through time.
     spline : what the artist holds of the curve; of a BSPLINE every key's points are those of a uniform B-spline.
     link : the artist's word on what is solved together: shapes of one link are one whole object, and nothing else is;
-        "" leaves it to the outlines (`propagate.objects`).
+        "" leaves it to the outlines (`propagate.shapes.objects`).
     attached : whether it hangs on the parts that it overlaps, where the object is solved in parts.
     depth : pairs (frame, level), in frame order: from that frame on the shape lies before (1) or behind (-1) all that
         are as stacked (0). It tells the engine what hides what; mattes go by the stack.

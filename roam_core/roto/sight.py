@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array
 from roam_core.geometry.bezier import ANCHOR
 
-Array = NDArray[np.float64]
-
 SHUT = 0.05
-"""Size, of that as drawn, under which an outline has closed: an engine closes it to less (`propagate.contour_fit`)."""
+"""Size, of that as drawn, under which an outline has closed: an engine closes it to less
+(`propagate.frame.contour_fit`).
+"""
 
 
 def is_shut(points: Array, drawn: Array) -> bool:

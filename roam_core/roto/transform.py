@@ -6,13 +6,11 @@ from collections.abc import Iterable
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array
 from roam_core.geometry import affine
 from roam_core.roto.keying import Change
 from roam_core.roto.shape import Outline
-
-Array = NDArray[np.float64]
 
 
 def transformed(outline: Outline, weights: Array, matrix: Array) -> Outline:

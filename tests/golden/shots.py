@@ -1,4 +1,4 @@
-"""Little shots drawn by formula: a textured body over a textured ground, its true outline known on every frame."""
+"""Little shots drawn by formula: a textured body over a textured background, its true outline known on every frame."""
 
 from __future__ import annotations
 
@@ -7,14 +7,13 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
+from scipy.spatial import cKDTree
 
+from roam_core.arrays import Array, Bools, Float32, UInt8
 from roam_core.geometry import bezier, similarity
 from roam_core.matte import shape_matte
 from roam_core.roto import Keyframe, RotoShape
-
-Array = NDArray[np.float64]
-Image = NDArray[np.uint8]
 
 
 def texture(seed: int, dark: float, bright: float, waves: int = 16) -> Texture:
@@ -36,8 +35,9 @@ class Texture:
 
     def at(self, positions: Array) -> Array:
         """Colours `(..., 3)` at `positions (..., 2)`."""
-        total = np.sin((positions @ self.wave.T)[..., None] + self.phase).mean(axis=-2)
-        level = np.clip(0.5 + total * np.sqrt(len(self.wave)) / 2.5, 0.0, 1.0)
+        along = positions @ self.wave.T
+        total = np.sin(along) @ np.cos(self.phase) + np.cos(along) @ np.sin(self.phase)  # the sum of sin(along + phase)
+        level = np.clip(0.5 + total / np.sqrt(len(self.wave)) / 2.5, 0.0, 1.0)
         return np.asarray(self.dark + (self.bright - self.dark) * level)
 
 
@@ -45,7 +45,7 @@ class Texture:
 class Shot:
     """A rigid body `rest (P, 3, 2)`, carried to the picture by one similarity `(2, 3)` a frame.
 
-    `size` is (h, w); the ground's texture glides by `drift` pixels a frame.
+    `size` is (h, w); the background's texture glides by `drift` pixels a frame.
     """
 
     rest: Array
@@ -68,11 +68,11 @@ class Shot:
         frame = self.first if frame is None else frame
         return RotoShape(shape_id, shape_id, (Keyframe(frame, self.truth(frame)),))
 
-    def read(self, frame: int) -> Image:
+    def read(self, frame: int) -> UInt8:
         """The picture `(h, w, 3)`."""
         return self.pictures[frame - self.first]
 
-    def matte(self, frame: int) -> NDArray[np.float32]:
+    def matte(self, frame: int) -> Float32:
         """True coverage `(h, w)`."""
         return shape_matte(self.shape(frame), frame, self.size)
 
@@ -83,17 +83,17 @@ class Shot:
         return turned
 
     @cached_property
-    def pictures(self) -> list[Image]:
+    def pictures(self) -> list[UInt8]:
         return [self._drawn(frame) for frame in self.frames]
 
-    def _drawn(self, frame: int) -> Image:
+    def _drawn(self, frame: int) -> UInt8:
         height, width = self.size
         centres = np.stack(np.meshgrid(np.arange(width) + 0.5, np.arange(height) + 0.5), axis=-1)
         body = texture(self.seed, 0.7, 1.0).at(similarity.apply(inverse(self.poses[frame - self.first]), centres))
         glide = np.asarray(self.drift) * (frame - self.first)
-        ground = texture(self.seed + 1, 0.0, 0.3).at(centres - glide)
+        background = texture(self.seed + 1, 0.0, 0.3).at(centres - glide)
         coverage = self.matte(frame)[..., None]
-        return np.asarray(np.round(255.0 * (coverage * body + (1.0 - coverage) * ground)), dtype=np.uint8)
+        return np.asarray(np.round(255.0 * (coverage * body + (1.0 - coverage) * background)), dtype=np.uint8)
 
 
 def pose(x: float, y: float, degrees: float = 0.0, scale: float = 1.0) -> Array:
@@ -126,8 +126,7 @@ def blob(radii: ArrayLike) -> Array:
 def outline_distance(ours: Array, true: Array, closed: bool = True) -> float:
     """Mean distance in pixels of two outlines `(P, 3, 2)`, the worse of the two directions."""
     a, b = (dense(points, closed) for points in (ours, true))
-    apart = np.hypot(*np.moveaxis(a[:, None] - b[None], 2, 0))
-    return float(max(apart.min(axis=0).mean(), apart.min(axis=1).mean()))
+    return float(max(cKDTree(one).query(other)[0].mean() for one, other in ((a, b), (b, a))))
 
 
 def dense(points: Array, closed: bool = True, count: int = 800) -> Array:
@@ -135,7 +134,7 @@ def dense(points: Array, closed: bool = True, count: int = 800) -> Array:
     return bezier.evaluate(points, *bezier.arc_length_pairs(points, count, closed), closed)
 
 
-def overlap(a: NDArray[np.bool_], b: NDArray[np.bool_]) -> float:
+def overlap(a: Bools, b: Bools) -> float:
     """Intersection over union of two masks; 1 for two empty ones."""
     union = int(np.count_nonzero(a | b))
     return int(np.count_nonzero(a & b)) / union if union else 1.0

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
 from resources import demo
+from roam_core.arrays import UInt8
 from roam_core.matte import render_matte
 from roam_core.params import CONFIGS
 from roam_core.propagate import track
@@ -23,12 +23,12 @@ PASSING = 1028
 
 
 @pytest.fixture(scope="module")
-def pictures() -> dict[int, NDArray[np.uint8]]:
+def pictures() -> dict[int, UInt8]:
     return {frame: demo.render_frame(frame) for frame in FRAMES}
 
 
 @pytest.mark.parametrize("config", list(CONFIGS))
-def test_the_demo_stays_within_its_budget(config: str, pictures: dict[int, NDArray[np.uint8]]) -> None:
+def test_the_demo_stays_within_its_budget(config: str, pictures: dict[int, UInt8]) -> None:
     shape = RotoShape("demo", "Demo", (Keyframe(FRAMES[0], demo.true_points(FRAMES[0])),))
     overlaps = []
     for result in track(pictures.__getitem__, [shape], FRAMES, config):

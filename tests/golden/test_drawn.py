@@ -15,7 +15,7 @@ BLOB = blob([30.0, 24.0, 20.0, 26.0, 32.0, 22.0])
 SHOTS = {
     "still": gliding(BLOB, 10, (80.0, 60.0), (0.0, 0.0)),
     "glide": gliding(BLOB, 10, (55.0, 50.0), (3.3, 1.7)),
-    "against the ground": gliding(BLOB, 10, (60.0, 60.0), (1.5, 0.0), drift=(-1.5, 0.5)),
+    "against the background": gliding(BLOB, 10, (60.0, 60.0), (1.5, 0.0), drift=(-1.5, 0.5)),
     "turn": Shot(BLOB, tuple(pose(80.0, 60.0, 4.0 * k) for k in range(10))),
     "grow": Shot(0.7 * BLOB, tuple(pose(80.0, 60.0, 0.0, 1.03**k) for k in range(10))),
     "fast": gliding(BLOB, 6, (40.0, 50.0), (14.0, 3.0)),

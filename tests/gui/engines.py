@@ -11,7 +11,7 @@ import pytest
 
 from roam_core.cancel import CancelToken
 from roam_core.propagate import run
-from roam_core.propagate.result import FrameResult, Termination, TrackResult
+from roam_core.propagate.frame.result import FrameResult, Termination, TrackResult
 from roam_core.roto import Keyframe, Origin, RotoShape, edit
 
 

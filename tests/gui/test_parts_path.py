@@ -12,8 +12,8 @@ from pytestqt.qtbot import QtBot
 from app.features.tracking import Scope
 from app.shell.main_window import MainWindow
 from roam_core.params import DOUBTFUL
-from roam_core.propagate.edges import Edge
-from roam_core.propagate.provenance import Stamp
+from roam_core.propagate.parts.edges import Edge
+from roam_core.propagate.shapes.provenance import Stamp
 from roam_core.roto import Origin, RotoShape
 from roam_core.roto.linking import BEHIND
 from tests.gui.windows import click, opened_window

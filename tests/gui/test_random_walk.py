@@ -88,7 +88,7 @@ class Walk:
         """Drag a point that is there, or only begin to."""
         shapes = self.document.project.shapes
         if shapes:
-            at = self.random.choice(self.random.choice(shapes).at(self.view.frame).grips[:, 0].tolist())
+            at = self.random.choice(self.random.choice(shapes).at(self.view.frame).control_points[:, 0].tolist())
             self.hand.press((at[0], at[1]), self.random.choice(MODIFIERS))
             self.hand.move(self.spot(), self.random.choice(MODIFIERS))
             if self.random.random() < 0.2:

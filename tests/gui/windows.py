@@ -31,12 +31,12 @@ def centre(frame: int) -> tuple[float, float]:
 
 
 def write_clip(folder: Path, count: int = COUNT) -> Path:
-    """A light disc of radius 24 on a dark, textured ground, as `plate.1001.png` and so on."""
+    """A light disc of radius 24 on a dark, textured background, as `plate.1001.png` and so on."""
     folder.mkdir(parents=True)
     width, height = SIZE
-    ground = cv2.GaussianBlur(np.random.default_rng(7).uniform(20, 90, (height, width, 3)), (0, 0), 2)
+    background = cv2.GaussianBlur(np.random.default_rng(7).uniform(20, 90, (height, width, 3)), (0, 0), 2)
     for frame in range(FIRST, FIRST + count):
-        picture = ground.astype(np.uint8)
+        picture = background.astype(np.uint8)
         x, y = centre(frame)
         cv2.circle(picture, (round(x * 16), round(y * 16)), 24 * 16, (210, 190, 170), -1, cv2.LINE_AA, 4)
         assert cv2.imwrite(str(folder / f"plate.{frame}.png"), picture)

@@ -18,23 +18,23 @@ NO_CHOICE = {
     "inference/alternate.py": {"ENOUGH"},
     # Columns, labels and steps of a lattice.
     "geometry/bezier.py": {"ANCHOR", "IN", "OUT"},
-    "proposal/graph_cut.py": {"OFFSETS", "OUTSIDE", "INSIDE", "UNDECIDED", "PER_NAT", "MOST", "SWEEPS"},
+    "proposal/segment/graph_cut.py": {"OFFSETS", "OUTSIDE", "INSIDE", "UNDECIDED", "PER_NAT", "MOST", "SWEEPS"},
     # Flows are integers of 32 bits (PER_NAT, MOST); rounds that decide cells beforehand (SWEEPS) change the time alone.
     # A law: a circle by cubics, half a pixel between two conventions, a mean, no colour in a picture of all colours.
     "geometry/primitives.py": {"QUARTER"},
     "features/grid.py": {"FROM_CENTRES", "TO_CENTRES"},
-    "proposal/label_propagation.py": {"MEAN"},
+    "proposal/cues/label_propagation.py": {"MEAN"},
     "appearance/gmm.py": {"FLOOR"},
     # Made of parameters.
     "geometry/merging.py": {"STRAIGHT"},
-    "proposal/anchors.py": {"CHOICES"},
+    "proposal/mask_keys/anchors.py": {"CHOICES"},
     # A unit: what a field calls sure; all that reads one clips it there.
-    "proposal/evidence.py": {"SURE"},
+    "proposal/cues/evidence.py": {"SURE"},
     # Another library's defect, that it dies of.
     "motion/flow.py": {"LEAST_SIDE"},
     # Bookkeeping: a revision, a length without meaning, what an explanation shows.
-    "propagate/provenance.py": {"REVISION", "MIN_POINTS"},
-    "proposal/keys.py": {"OPEN"},
+    "propagate/shapes/provenance.py": {"REVISION", "MIN_POINTS"},
+    "proposal/mask_keys/keys.py": {"OPEN"},
     "propagate/engines/by_regions.py": {"BESIDE"},
 }
 """By module the constants that are no choice, each with its reason above."""

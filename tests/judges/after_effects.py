@@ -10,12 +10,10 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array
 from tests.judges.coverage import filled, filled_polygon, polyline, soft, union
 from tests.unit.interchange.node_judge import mask_of, ran
-
-Array = NDArray[np.float64]
 
 BLENDS = {
     "normal": lambda under, above: above,

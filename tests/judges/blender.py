@@ -5,12 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 
-import numpy as np
-from numpy.typing import NDArray
-
+from roam_core.arrays import Float32
 from tests.unit.interchange.blender_judge import command, rendered
-
-Array = NDArray[np.float64]
 
 
 def is_there() -> bool:
@@ -20,6 +16,6 @@ def is_there() -> bool:
 
 def mattes(
     text: str, folder: Path, frames: Sequence[float], size: tuple[int, int], aspect: float = 1.0
-) -> dict[float, NDArray[np.float32]]:
+) -> dict[float, Float32]:
     """The mattes `(h, w)` of a script at the frames; skips the test where there is no Blender."""
     return rendered(text, folder, (size[1], size[0]), aspect, frames).mattes

@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
-Array = NDArray[np.float64]
+from roam_core.arrays import Array
 
 PIECES = 48
 """Straight pieces of a segment."""

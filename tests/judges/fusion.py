@@ -5,12 +5,10 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array
 from tests.judges.coverage import filled, soft, union
 from tests.unit.interchange.lua_judge import evaluated, keys_of, mask_of
-
-Array = NDArray[np.float64]
 
 PAINT_MODES = {
     "Merge": union,

@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array
 from tests.judges.coverage import between, filled, soft, union
 from tests.unit.interchange.judged import JudgedMask
 from tests.unit.interchange.natron_judge import Node, masks_of, nodes_of
-
-Array = NDArray[np.float64]
 
 OPERATIONS = {
     "over": union,

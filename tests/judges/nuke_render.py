@@ -11,12 +11,10 @@ from __future__ import annotations
 import re
 
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array
 from tests.judges.coverage import between, filled, soft
 from tests.judges.nuke_grammar import RENDERABLE, Layer, Node, Shape, nodes
-
-Array = NDArray[np.float64]
 
 OVER, MAX, INSIDE, SUBTRACT, DIFFERENCE = 0, 4, 5, 12, 13
 BLUR_SAMPLES = 24

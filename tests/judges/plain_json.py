@@ -6,12 +6,10 @@ import json
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array
 from tests.judges.coverage import between, filled, soft, union
 from tests.judges.moving import between as moved
-
-Array = NDArray[np.float64]
 
 BLENDS = {
     "add": union,

@@ -9,15 +9,14 @@ from functools import lru_cache
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array, Float32
 from roam_core.roto import Clip
 from tests.judges import after_effects, blender, fusion, natron, nuke_grammar, nuke_render, plain_json, silhouette, svg
 from tests.judges.scenes import BETWEEN, WHOLE
 from tests.judges.table import Judge
 from tests.unit.interchange import lua_judge, natron_judge, node_judge
 
-Array = NDArray[np.float64]
 ZOOM = 4
 """How much larger resvg paints, so that its anti-aliasing hides nothing."""
 
@@ -61,7 +60,7 @@ def _blender(path: Path, clip: Clip, moment: float) -> Array:
 
 
 @lru_cache(maxsize=1)
-def _rendered(text: str, folder: Path, size: tuple[int, int], aspect: float) -> dict[float, NDArray[np.float32]]:
+def _rendered(text: str, folder: Path, size: tuple[int, int], aspect: float) -> dict[float, Float32]:
     """All moments of a scene, which Blender starts once for."""
     return blender.mattes(text, folder, sorted({*WHOLE, *BETWEEN}), size, aspect)
 

@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from roam_core.arrays import Array
 
 LINES = 8
 """Scan lines in a pixel; along each the coverage is exact."""

@@ -6,8 +6,8 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array
 from roam_core.geometry import bezier
 from roam_core.roto import (
     Animated,
@@ -21,10 +21,8 @@ from roam_core.roto import (
     RotoShape,
     Spline,
     ValueKey,
-    grips,
+    control_points,
 )
-
-Array = NDArray[np.float64]
 
 SIZE = (321, 243)
 """Width and height: neither even, nor one a multiple of the other."""
@@ -159,7 +157,7 @@ def _held_life() -> Project:
 
 def _splines() -> Project:
     hull = bezier.polygon_points([(40.0, 40.0), (140.0, 30.0), (150.0, 130.0), (90.0, 200.0), (30.0, 150.0)])
-    round_one = grips.with_spline(_still("B-spline", hull), Spline.BSPLINE)
+    round_one = control_points.with_spline(_still("B-spline", hull), Spline.BSPLINE)
     polygon = bezier.polygon_points([(180.0, 40.0), (300.0, 60.5), (280.25, 200.0), (200.0, 220.0)])
     return _project(round_one, _still("Polygon", polygon), blob("Curve", 170.0, 130.0))
 

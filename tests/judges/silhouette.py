@@ -11,12 +11,10 @@ from xml.etree.ElementTree import Element
 
 import numpy as np
 from defusedxml import ElementTree
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array
 from tests.judges.coverage import filled, union
 from tests.judges.moving import between
-
-Array = NDArray[np.float64]
 
 MODES = {
     "Add": union,

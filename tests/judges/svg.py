@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import cv2
 import numpy as np
-from numpy.typing import NDArray
+
+from roam_core.arrays import Array
 
 
-def matte(text: str, size: tuple[int, int], zoom: int = 8) -> NDArray[np.float64]:
+def matte(text: str, size: tuple[int, int], zoom: int = 8) -> Array:
     """Alpha `(h, w)` in [0, 1] of the drawing of `size` (width, height), as resvg paints it.
 
     It is painted `zoom` times as large and averaged. On a slanted edge the anti-aliasing of resvg, of four lines a

@@ -11,16 +11,14 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array
 from roam_core.interchange import EXPORTERS, ExportOptions
 from roam_core.interchange.protocol import LossyExport
 from roam_core.matte import render_matte
 from roam_core.roto import Clip, Project
 from tests.judges.coverage import overlap
 from tests.judges.scenes import NAMES, SCENES, Scene
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)

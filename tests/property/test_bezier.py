@@ -6,13 +6,11 @@ import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array
 from roam_core.geometry import bezier
 from roam_core.kernels.flattening import step_counts
 from tests.property.strategies import coordinates, point_arrays
-
-Array = NDArray[np.float64]
 
 
 @given(point_arrays(), st.data(), st.floats(0.01, 0.99), st.booleans())

@@ -11,8 +11,8 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array
 from roam_core.energy.colour_fields import ColourFields
 from roam_core.energy.total import CurveContext
 from roam_core.features import Region
@@ -21,8 +21,6 @@ from roam_core.inference.contour_dp import best_moves
 from roam_core.params import AppearanceParams, RoamParams
 from tests.reference.energy import ref_curve_energies
 from tests.unit.kernels.conftest import EXACT
-
-Array = NDArray[np.float64]
 
 WEIGHTS = {
     "gradient and l2": RoamParams(mu=0.4, lambda_gradient=1.3),

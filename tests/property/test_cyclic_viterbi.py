@@ -7,12 +7,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array
 from roam_core.kernels.cyclic_viterbi import cyclic_viterbi
 from tests.reference.cyclic_viterbi import chain_energy, comp_cyclic_viterbi, ref_cyclic_viterbi
 
-Array = NDArray[np.float64]
 Tables = tuple[Array, Array]
 
 VALUES = {

@@ -5,15 +5,13 @@ from __future__ import annotations
 import numpy as np
 from hypothesis import assume, given
 from hypothesis import strategies as st
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array
 from roam_core.geometry import bezier
 from roam_core.roto import Interpolation, Keyframe, Origin, RotoShape, edit
 from roam_core.roto.keying import Keying, held_at, reshape
 from roam_core.roto.transform import transform_like
 from tests.property.strategies import keyframes, point_arrays, roto_shapes
-
-Array = NDArray[np.float64]
 
 
 @given(roto_shapes(interpolation=Interpolation.LINEAR), st.data(), st.floats(0.05, 0.95), st.floats(-60.0, 2010.0))

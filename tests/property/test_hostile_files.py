@@ -26,9 +26,9 @@ from roam_core.roto import (
     Project,
     RotoShape,
     Spline,
+    control_points,
     edit,
     file,
-    grips,
 )
 from roam_core.roto.animated import values_of
 
@@ -54,7 +54,7 @@ def whole(name: str) -> str:
     shapes = (
         RotoShape("a", "Arm", keys(Interpolation.LINEAR, 9.0), feather=3.0, motion_blur=MotionBlur(), lifetime=(3, 9)),
         RotoShape("b", "{b} <&>", keys(Interpolation.SMOOTH), blend=BlendMode.SUBTRACT, invert=True, opacity=0.5),
-        grips.with_spline(RotoShape("c", "Curve", keys(Interpolation.HOLD), closed=False), Spline.BSPLINE),
+        control_points.with_spline(RotoShape("c", "Curve", keys(Interpolation.HOLD), closed=False), Spline.BSPLINE),
     )
     root = Layer("root", "Root", (shapes[0], Layer("l", "Inner", shapes[1:], opacity=0.5, locked=True)))
     with tempfile.TemporaryDirectory() as folder:

@@ -28,7 +28,7 @@ from roam_core.roto import (
     Project,
     RotoShape,
     Spline,
-    grips,
+    control_points,
 )
 from tests.property.strategies import animatables
 
@@ -69,7 +69,7 @@ def shapes(draw: st.DrawFn) -> RotoShape:
         visible=draw(flags),
         locked=draw(flags),
     )
-    return grips.with_spline(shape, draw(st.sampled_from(Spline)))
+    return control_points.with_spline(shape, draw(st.sampled_from(Spline)))
 
 
 @st.composite

@@ -5,12 +5,10 @@ from __future__ import annotations
 import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array
 from roam_core.geometry import similarity
 from tests.golden.shots import inverse, pose
-
-Array = NDArray[np.float64]
 
 
 def transforms() -> st.SearchStrategy[Array]:

@@ -5,13 +5,13 @@ from __future__ import annotations
 from itertools import product
 
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array, Bools, Int64
 from roam_core.geometry.bezier import bernstein
 from roam_core.kernels.anchoring import HOLD, LOOKED_AT
 
 
-def ref_error(samples: NDArray[np.float64], first: int, last: int, straight: bool) -> float:
+def ref_error(samples: Array, first: int, last: int, straight: bool) -> float:
     """Integral of the squared distance of the piece from sample `first` to `last` to the cubic that follows it best."""
     steps = last - first
     count = min(steps - 1, LOOKED_AT)
@@ -32,9 +32,7 @@ def ref_error(samples: NDArray[np.float64], first: int, last: int, straight: boo
     return float((rest**2).sum()) / count * steps * step
 
 
-def ref_anchored(
-    samples: NDArray[np.float64], places: NDArray[np.int64], price: NDArray[np.float64], straight: NDArray[np.bool_]
-) -> tuple[list[int], float]:
+def ref_anchored(samples: Array, places: Int64, price: Array, straight: Bools) -> tuple[list[int], float]:
     """The best of all choices, the first anchor on the first of its places."""
     best, least = [], np.inf
     for choice in product([0], *[range(places.shape[1])] * (len(places) - 1)):

@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from roam_core.arrays import Array, Indices
 
 
 def ref_coverage(line: Array, size: tuple[int, int], samples: int = 16) -> Array:
@@ -17,7 +16,7 @@ def ref_coverage(line: Array, size: tuple[int, int], samples: int = 16) -> Array
     return inside.reshape(height, samples, width, samples).mean(axis=(1, 3))
 
 
-def winding(line: Array, x: Array, y: Array) -> NDArray[np.intp]:
+def winding(line: Array, x: Array, y: Array) -> Indices:
     """How often the closed polyline winds around each point, by crossings of the ray to the left."""
     total = np.zeros(x.shape, dtype=np.intp)
     for (ax, ay), (bx, by) in zip(line, np.roll(line, -1, axis=0), strict=True):

@@ -5,12 +5,11 @@ from __future__ import annotations
 from itertools import product
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from roam_core.arrays import Array, Int64
 
 
-def chain_energy(unary: Array, pairwise: Array, labels: NDArray[np.int64]) -> float:
+def chain_energy(unary: Array, pairwise: Array, labels: Int64) -> float:
     """The energy of one labelling of the closed chain, term by term."""
     count = len(unary)
     return float(
@@ -25,13 +24,13 @@ def comp_cyclic_viterbi(unary: Array, pairwise: Array) -> float:
     return min(chain_energy(unary, pairwise, np.array(labels)) for labels in every)
 
 
-def ref_cyclic_viterbi(unary: Array, pairwise: Array) -> tuple[NDArray[np.int64], float]:
+def ref_cyclic_viterbi(unary: Array, pairwise: Array) -> tuple[Int64, float]:
     """The paper's own way: one plain Viterbi run for each state of the first node, the best of all, O(N D^3)."""
     runs = [_from_first(unary, pairwise, first) for first in range(unary.shape[1])]
     return min(runs, key=lambda run: run[1])
 
 
-def _from_first(unary: Array, pairwise: Array, first: int) -> tuple[NDArray[np.int64], float]:
+def _from_first(unary: Array, pairwise: Array, first: int) -> tuple[Int64, float]:
     count, kinds = unary.shape
     cost = np.full(kinds, np.inf)
     cost[first] = unary[0, first]

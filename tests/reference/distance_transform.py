@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from roam_core.arrays import Array
 
 
 def comp_distance_transform(values: Array, weight: float) -> Array:

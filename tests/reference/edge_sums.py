@@ -5,12 +5,11 @@ from __future__ import annotations
 from math import ceil, floor, hypot
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from roam_core.arrays import Array, Float32
 
 
-def ref_edge_means(field: NDArray[np.float32], nodes: Array, moves: Array) -> Array:
+def ref_edge_means(field: Float32, nodes: Array, moves: Array) -> Array:
     """`(N, D, D)`: every candidate edge on its own, sampled by `ref_edge_mean`."""
     ahead = np.roll(nodes, -1, axis=0)
     return np.array(
@@ -21,7 +20,7 @@ def ref_edge_means(field: NDArray[np.float32], nodes: Array, moves: Array) -> Ar
     )
 
 
-def ref_edge_mean(field: NDArray[np.float32], start: Array, end: Array) -> float:
+def ref_edge_mean(field: Float32, start: Array, end: Array) -> float:
     """Mean of the pixels under equal steps, no longer than a pixel, from `start` to just before `end`; 0 outside."""
     height, width = field.shape
     steps = max(1, ceil(hypot(*(end - start))))

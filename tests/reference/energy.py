@@ -11,17 +11,14 @@ from collections.abc import Iterator, Mapping
 from math import hypot
 
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array, Float32
 from roam_core.energy.joint_total import LandmarkContext, Placing
 from roam_core.energy.total import CurveContext
 from roam_core.params import LandmarkParams, RoamParams
 from tests.reference.edge_sums import ref_edge_mean
 from tests.reference.region_sums import ref_region_sum
 from tests.reference.ribbon_means import ref_ribbon_mean
-
-Array = NDArray[np.float64]
-Float32 = NDArray[np.float32]
 
 
 def ref_curve_energies(nodes: Array, context: CurveContext, params: RoamParams) -> Mapping[str, float]:

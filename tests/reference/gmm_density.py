@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from roam_core.arrays import Array
+
 Mixture = tuple[Array, Array, Array]
 """Weight (K,), mean (K, 3), variance (K, 3)."""
 

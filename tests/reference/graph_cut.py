@@ -9,6 +9,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from roam_core.arrays import Bools
+
 NEIGHBOURS = ((0, 1), (1, 0), (1, 1), (1, -1))
 
 
@@ -31,10 +33,10 @@ def ref_cost(inside: NDArray[Any], ratio: NDArray[Any], weights: NDArray[Any]) -
 
 def ref_every_labelling(
     ratio: NDArray[Any], weights: NDArray[Any], free: NDArray[Any], held: NDArray[Any]
-) -> tuple[NDArray[np.bool_], int]:
+) -> tuple[Bools, int]:
     """The least cost over all labellings, and the smallest region that has it."""
     cells = list(zip(*np.nonzero(free), strict=True))
-    best: tuple[int, int, NDArray[np.bool_]] | None = None
+    best: tuple[int, int, Bools] | None = None
     for labels in product((False, True), repeat=len(cells)):
         inside = np.array(held, dtype=bool)
         for cell, label in zip(cells, labels, strict=True):
@@ -46,9 +48,7 @@ def ref_every_labelling(
     return best[2], best[0]
 
 
-def ref_augmenting_paths(
-    ratio: NDArray[Any], weights: NDArray[Any], free: NDArray[Any], held: NDArray[Any]
-) -> NDArray[np.bool_]:
+def ref_augmenting_paths(ratio: NDArray[Any], weights: NDArray[Any], free: NDArray[Any], held: NDArray[Any]) -> Bools:
     """The source's side of the minimal minimum cut of the whole grid: breadth first, one path at a time."""
     room: dict[Any, dict[Any, int]] = defaultdict(lambda: defaultdict(int))
     for p, q, weight in links(weights):

@@ -3,11 +3,9 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array
 from roam_core.kernels.key_spans import REACH
-
-Array = NDArray[np.float64]
 
 
 def ref_span_error(samples: Array, closed: bool, start: int, stop: int, *, cubic: bool) -> float:

@@ -5,12 +5,11 @@ from __future__ import annotations
 from itertools import product
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from roam_core.arrays import Array, Indices
 
 
-def star_energy(unary: Array, spring: float, leaves: NDArray[np.intp], root: NDArray[np.intp]) -> float:
+def star_energy(unary: Array, spring: float, leaves: Indices, root: Indices) -> float:
     """The energy of one configuration, leaf by leaf."""
     return float(
         sum(table[tuple(leaf)] + spring * ((leaf - root) ** 2).sum() for table, leaf in zip(unary, leaves, strict=True))

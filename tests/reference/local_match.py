@@ -8,11 +8,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from roam_core.arrays import Array
+
 
 def ref_local_match(
     colours: NDArray[Any], memory: NDArray[Any], labels: NDArray[Any], shift: NDArray[Any], radius: int, sigma: float,
     spread: float, clip: float,
-) -> NDArray[np.float64]:  # fmt: skip
+) -> Array:  # fmt: skip
     """The log-ratio of every pixel, by looking through the window with no trick."""
     rows, columns = labels.shape
     ratio = np.zeros((rows, columns))

@@ -3,12 +3,10 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.linalg import expm
 
+from roam_core.arrays import Array, Float32
 from roam_core.kernels.posing import ANGLE, PARENT, PIVOT_X, Costs, Prior, Samples, Ties, View
-
-Array = NDArray[np.float64]
 
 
 def ref_affines(bones: Array, pose: Array) -> Array:
@@ -81,7 +79,7 @@ def _turn(angle: float) -> Array:
     return np.array([[c, -s], [s, c]])
 
 
-def _bilinear(image: NDArray[np.float32], x: float, y: float) -> Array:
+def _bilinear(image: Float32, x: float, y: float) -> Array:
     column, row = int(x), int(y)
     u, v = x - column, y - row
     patch = image[row : row + 2, column : column + 2].astype(np.float64)

@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from roam_core.arrays import Array, Float32
 
 
-def ref_region_sum(field: NDArray[np.float32], line: Array) -> float:
+def ref_region_sum(field: Float32, line: Array) -> float:
     """Sum of `field (h, w)` over pixels, each as often as the closed polyline winds around its centre.
 
     Winding clockwise on screen counts as 1. A centre on an edge belongs to what lies on the right of it on screen.

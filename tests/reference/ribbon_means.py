@@ -5,10 +5,8 @@ from __future__ import annotations
 from math import ceil, floor
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
-Float32 = NDArray[np.float32]
+from roam_core.arrays import Array, Float32
 
 
 def ref_ribbon_mean(left: Float32, right: Float32, start: Array, end: Array, depth: float) -> float:

@@ -3,15 +3,13 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array, Int64
 from roam_core.geometry import polyline
-
-Array = NDArray[np.float64]
 
 
 def ref_settled(
-    nodes: Array, samples: Array, at: NDArray[np.int64], expected: Array, prices: tuple[float, float], rounds: int
+    nodes: Array, samples: Array, at: Int64, expected: Array, prices: tuple[float, float], rounds: int
 ) -> Array:
     """`kernels.settling.settled` without a bound on how far places may move."""
     near, stretch = prices

@@ -3,11 +3,9 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array, Bools
 from roam_core.geometry import bezier
-
-Array = NDArray[np.float64]
 
 
 def ref_fitted(
@@ -15,7 +13,7 @@ def ref_fitted(
     places: Array,
     prior: Array,
     tangents: Array,
-    smooth: NDArray[np.bool_],
+    smooth: Bools,
     weights: tuple[float, float, float],
 ) -> Array:
     """Control points `(P, 3, 2)`, none tied, by dense least squares with one row for each residual."""

@@ -10,7 +10,7 @@ from roam_core.dials import DIALS, dials_of, name_of
 from roam_core.errors import RoamError
 from roam_core.geometry.bezier import polygon_points
 from roam_core.params import CONFIGS, departed, params_for
-from roam_core.propagate.provenance import clip_stamp, is_stale, stamp
+from roam_core.propagate.shapes.provenance import clip_stamp, is_stale, stamp
 from roam_core.roto import Clip, Keyframe, Origin, RotoShape, edit
 
 SQUARE = polygon_points([(0, 0), (10, 0), (10, 10), (0, 10)])

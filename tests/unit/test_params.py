@@ -18,7 +18,7 @@ from roam_core.errors import RoamError
 from roam_core.params import CONFIGS, RegionParams, RoamParams, params_for
 from roam_core.params.paths import leaves, meaning, meanings
 from roam_core.params.stamped import later, values
-from roam_core.propagate.provenance import clip_stamp, is_stale, stamp
+from roam_core.propagate.shapes.provenance import clip_stamp, is_stale, stamp
 from roam_core.roto import Clip, Keyframe, Origin, RotoShape
 from tests.golden.shots import Shot, blob, pose
 from tests.unit.propagate.figures import body_with_arms

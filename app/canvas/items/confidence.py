@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 from PySide6.QtCore import QPointF, Qt
 from PySide6.QtGui import QColor, QPainter, QPainterPath, QPen
 
+from roam_core.arrays import Array
 from roam_core.geometry import bezier
 from roam_core.params import DOUBTFUL
 from roam_core.roto import Project, RotoShape
@@ -33,7 +33,7 @@ def paint_confidence(painter: QPainter, viewport: Viewport, project: Project, fr
 
 def _paint_glow(painter: QPainter, viewport: Viewport, shape: RotoShape, frame: int) -> None:
     key, points = shape.key_at(frame), shape.at(frame).points
-    known: NDArray[np.float64] | None = None if key is None else key.vertex_confidence
+    known: Array | None = None if key is None else key.vertex_confidence
     painter.setBrush(Qt.BrushStyle.NoBrush)
     for index, (start, leave, arrive, end) in enumerate(bezier.segments(points, shape.closed).tolist()):
         path = QPainterPath(QPointF(*start))

@@ -3,18 +3,16 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 from PySide6.QtCore import QPointF, Qt
 from PySide6.QtGui import QColor, QPainter, QPainterPath, QPen, QPolygonF
 
+from roam_core.arrays import Array, Bools
 from roam_core.geometry import bezier
-from roam_core.propagate.edges import Edge, Edges
+from roam_core.propagate.parts.edges import Edge, Edges
 from roam_core.roto import Outline, RotoShape
 
 from ...paint import marks
 from ...paint.viewport import Viewport
-
-Array = NDArray[np.float64]
 
 LEGEND = "Edges: solid is free, dashed a seam, dotted is hidden"
 DASHES = {Edge.SEAM: (9.0, 5.0), Edge.HIDDEN: (2.0, 4.0)}
@@ -50,7 +48,7 @@ def paint_edges(
             marks.stroke(painter, path, marks.faded(colour, UNKNOWN_OPACITY if kind is Edge.UNKNOWN else 1.0), width)
 
 
-def path_of(places: Array, wanted: NDArray[np.bool_]) -> QPainterPath:
+def path_of(places: Array, wanted: Bools) -> QPainterPath:
     """The stretches of a ring of places `(N, 2)` around those that are `wanted (N,)`, up to half way to the others."""
     path = QPainterPath()
     if wanted.all():

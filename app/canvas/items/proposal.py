@@ -7,7 +7,7 @@ from enum import StrEnum
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QBrush, QColor, QPainter, QPainterPath, QPen
 
-from roam_core.propagate.topology_proposals import Proposal
+from roam_core.propagate.frame.topology_proposals import Proposal
 
 from ...paint import marks
 from ...paint.outline_paths import outline_path

@@ -5,13 +5,12 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 import numpy as np
-from numpy.typing import NDArray
 from PySide6.QtCore import QLineF
 from PySide6.QtGui import QColor, QPainter, QPainterPath
 
 from roam_core.geometry.bezier import ANCHOR
 from roam_core.params import DOUBTFUL
-from roam_core.propagate.edges import Edges
+from roam_core.propagate.parts.edges import Edges
 from roam_core.roto import Outline, Project, RotoShape, Spline
 from roam_core.roto.edit import is_smooth
 
@@ -24,7 +23,6 @@ from ...paint.outline_paths import OutlinePaths
 from ...paint.viewport import Viewport
 from .edges import fits, paint_edges
 
-Array = NDArray[np.float64]
 Hover = tuple[str, int, int] | None
 
 LOCKED_OPACITY = 0.45
@@ -83,16 +81,16 @@ def _paint_points(
     painter: QPainter, viewport: Viewport, shape: RotoShape, outline: Outline, selection: Selection, hover: Hover
 ) -> None:
     """Anchors of a selected shape, and the handles of its selected points."""
-    colour, points = shape_colour(shape), outline.grips
+    colour, points = shape_colour(shape), outline.control_points
     near = np.flatnonzero(inside(points, painted_area(painter, viewport))).tolist()
     chosen = sorted(index for owner, index in selection.points if owner == shape.id and index < len(points))
-    grips = [(index, part) for index in set(chosen) & set(near) for part in visible_handles(points, index)]
+    handles = [(index, part) for index in set(chosen) & set(near) for part in visible_handles(points, index)]
     sides = control_sides(len(points), shape.closed) if shape.spline is Spline.BSPLINE else []
     placed = range(len(points)) if sides else near
     spot = {i: [viewport.to_widget(*position) for position in points[i].tolist()] for i in placed}
-    lines = [QLineF(spot[i][ANCHOR], spot[i][part]) for i, part in grips]
+    lines = [QLineF(spot[i][ANCHOR], spot[i][part]) for i, part in handles]
     marks.arms(painter, [*lines, *(QLineF(spot[a][ANCHOR], spot[b][ANCHOR]) for a, b in sides)], colour)
-    for i, part in grips:
+    for i, part in handles:
         marks.handle(painter, spot[i][part], colour, grown=hover == (shape.id, i, part))
     picked = set(chosen)
     for i in near:

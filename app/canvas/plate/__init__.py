@@ -1,1 +1,1 @@
-"""What lies below the shapes: the picture, the matte, the ground of a cut-out."""
+"""What lies below the shapes: the picture, the matte, the background of a cut-out."""

@@ -11,7 +11,7 @@ from roam_core.media.looking import Look
 
 from ...paint import marks
 from ...paint.viewport import Viewport
-from .ground import paint_ground
+from .background import paint_background
 from .picture import NEUTRAL, Picture
 from .pixel_marks import paint_pixel_marks
 
@@ -25,12 +25,12 @@ class Below(NamedTuple):
     ----------
     picture : what to show, or the colour of an empty plate.
     look : how the picture is looked at.
-    ground : what a picture with opacity lies on.
+    background : what a picture with opacity lies on.
     """
 
     picture: Picture | QColor
     look: Look = NEUTRAL
-    ground: Picture | QBrush | None = None
+    background: Picture | QBrush | None = None
 
 
 class Backdrop:
@@ -68,8 +68,8 @@ class Backdrop:
             return
         painter = QPainter(self._pixmap)
         painter.setClipRect(QRectF(QPointF(), QSizeF(widget)))  # a painter's window counts the pixels of dense screens
-        if below.ground is not None:
-            paint_ground(painter, below.ground, viewport, image, ratio)
+        if below.background is not None:
+            paint_background(painter, below.background, viewport, image, ratio)
         if isinstance(below.picture, Picture):
             below.picture.paint(painter, viewport, image, ratio, below.look)
             paint_pixel_marks(painter, viewport, below.picture, image, below.look)
@@ -85,7 +85,7 @@ def paint_sentence(painter: QPainter, area: QRectF, sentence: str) -> None:
 
 
 def paint_label(painter: QPainter, widget: QSizeF, text: str, edge: Qt.AlignmentFlag) -> None:
-    """A short label on a dark ground, at the top-left corner or (`AlignBottom`) in the middle of the lower edge."""
+    """A short label on a dark background, at the top-left corner or (`AlignBottom`) in the middle of the lower edge."""
     metrics = QFontMetricsF(painter.font())
     box = QRectF(0.0, 0.0, metrics.horizontalAdvance(text) + 2 * PADDING, metrics.height() + PADDING)
     if edge == Qt.AlignmentFlag.AlignBottom:

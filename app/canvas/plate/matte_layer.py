@@ -8,13 +8,12 @@ from typing import NamedTuple
 
 import cv2
 import numpy as np
-from numpy.typing import NDArray
 from PySide6.QtCore import QObject, Signal
 
+from roam_core.arrays import Float32, UInt8
 from roam_core.roto import Project
 
-Pixels = NDArray[np.uint8]
-Render = Callable[[Project, int, tuple[int, int]], NDArray[np.float32]]
+Render = Callable[[Project, int, tuple[int, int]], Float32]
 
 
 class MatteRequest(NamedTuple):
@@ -23,7 +22,7 @@ class MatteRequest(NamedTuple):
     project: Project
     frame: int
     size: tuple[int, int]
-    plate: Pixels | None = None
+    plate: UInt8 | None = None
 
     def is_same(self, other: MatteRequest | None) -> bool:
         """Projects are immutable: the same object has the same matte."""
@@ -52,10 +51,10 @@ class MatteLayer(QObject):
         self._waiting: MatteRequest | None = None
         self._thread: threading.Thread | None = None
         self._rendered.connect(self._take)
-        self.pixels: Pixels | None = None
+        self.pixels: UInt8 | None = None
         """The last matte that was rendered, (h, w), or the plate cut out by it, (h, w, 4); read-only."""
 
-    def request(self, project: Project, frame: int, size: tuple[int, int], plate: Pixels | None = None) -> None:
+    def request(self, project: Project, frame: int, size: tuple[int, int], plate: UInt8 | None = None) -> None:
         """Ask for a matte, or with the plate's picture for a cut-out; `ready` tells when `pixels` holds it."""
         request = MatteRequest(project, frame, size, plate)
         if self._running:
@@ -83,7 +82,7 @@ class MatteLayer(QObject):
         pixels.setflags(write=False)
         self._rendered.emit(request, pixels)
 
-    def _take(self, request: MatteRequest, pixels: Pixels) -> None:
+    def _take(self, request: MatteRequest, pixels: UInt8) -> None:
         self.pixels, self._shown, self._running = pixels, request, None
         waiting, self._waiting = self._waiting, None
         if waiting:
@@ -91,14 +90,14 @@ class MatteLayer(QObject):
         self.ready.emit()
 
 
-def cut_out(plate: Pixels, matte: Pixels) -> Pixels:
+def cut_out(plate: UInt8, matte: UInt8) -> UInt8:
     """The plate's picture `(h, w, 3)` with the matte, brought to its size, as opacity: `(h, w, 4)`."""
     if matte.shape != plate.shape[:2]:
         matte = np.asarray(cv2.resize(matte, plate.shape[1::-1], interpolation=cv2.INTER_AREA))
     return np.asarray(cv2.merge([*cv2.split(plate), matte]))
 
 
-def _render(project: Project, frame: int, size: tuple[int, int]) -> NDArray[np.float32]:
+def _render(project: Project, frame: int, size: tuple[int, int]) -> Float32:
     # Imported late: the rasteriser's kernels are compiled or loaded on first use, off the window's thread.
     from roam_core.matte import render_matte
 

@@ -10,8 +10,8 @@ import numpy as np
 from PySide6.QtCore import QPointF, QRectF, QSizeF
 from PySide6.QtGui import QImage, QPainter
 
-from roam_core.media.colour import Image
-from roam_core.media.looking import Look, Pixels, Plate, has_more_than_shown, seen, seen_plate
+from roam_core.arrays import Image, UInt8
+from roam_core.media.looking import Look, Plate, has_more_than_shown, seen, seen_plate
 
 from ...paint.viewport import Viewport
 
@@ -32,7 +32,7 @@ class Picture:
     plate : the plate's own values of the same size, where they hold more than the display values show.
     """
 
-    def __init__(self, pixels: Pixels, plate: Plate | None = None) -> None:
+    def __init__(self, pixels: UInt8, plate: Plate | None = None) -> None:
         # A writeable array may change under the picture's feet.
         self._levels: list[Image] = [pixels.copy() if pixels.flags.writeable else pixels]
         self._plate = plate if plate and plate.values.shape[:2] == pixels.shape[:2] else None
@@ -45,7 +45,7 @@ class Picture:
         return QSizeF(width, height)
 
     @property
-    def pixels(self) -> Pixels:
+    def pixels(self) -> UInt8:
         """The display values."""
         return self._levels[0]
 
@@ -125,7 +125,7 @@ class Picture:
         """The halvings that the look is taken from: of the plate's values where exposing brings more to light."""
         return self._plate_levels if self._is_exposed_anew(look) else self._levels
 
-    def _looked(self, shown: Image, look: Look) -> Pixels:
+    def _looked(self, shown: Image, look: Look) -> UInt8:
         if self._plate and self._is_exposed_anew(look):
             return seen_plate(shown, self._plate.colour_space, look)
         return seen(shown, look)
@@ -175,7 +175,7 @@ def _level(levels: list[Image], zoom: float) -> Image:
     return levels[wanted]
 
 
-def _image(pixels: Pixels) -> QImage:
+def _image(pixels: UInt8) -> QImage:
     """A QImage with pixels of its own."""
     height, width = pixels.shape[:2]
     if pixels.ndim == 2:

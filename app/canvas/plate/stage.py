@@ -6,19 +6,20 @@ from collections.abc import Callable
 
 from PySide6.QtCore import QObject, QSizeF, Signal
 
-from roam_core.media.looking import Pixels, Plate
+from roam_core.arrays import UInt8
+from roam_core.media.looking import Plate
 from roam_core.roto import Project
 
 from ...model.viewing import OF_MATTE, Viewing, ViewMode
 from ...paint import marks
 from .backdrop import Below
-from .ground import GroundLayer
+from .background import BackgroundLayer
 from .matte_layer import MatteLayer
 from .picture import NEUTRAL, Picture
 
 
 class Stage(QObject):
-    """Holds the pictures of the present frame. Mattes and grounds are made beside the window's thread.
+    """Holds the pictures of the present frame. Mattes and backgrounds are made beside the window's thread.
 
     Signals
     -------
@@ -32,7 +33,7 @@ class Stage(QObject):
     def __init__(self, viewing: Viewing, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._viewing = viewing
-        self.matte, self.ground = MatteLayer(), GroundLayer(self)
+        self.matte, self.background = MatteLayer(), BackgroundLayer(self)
         self.plate_of: Callable[[int], Plate | None] = lambda frame: None
         """Gives the plate's own values of a frame, where they are at hand."""
         self.picture: Picture | None = None
@@ -42,9 +43,9 @@ class Stage(QObject):
         self._mattes: dict[bool, Picture] = {}
         """The newest matte and cut-out, the latter under True."""
         self.matte.ready.connect(self._take_matte)
-        self.ground.ready.connect(self.changed)
+        self.background.ready.connect(self.changed)
 
-    def set_image(self, frame: int, image: Pixels | None) -> None:
+    def set_image(self, frame: int, image: UInt8 | None) -> None:
         """The plate's picture of `frame`: (h, w, 3) uint8 display values, or None where the plate has none."""
         self.picture = None if image is None else Picture(image, self.plate_of(frame))
         self.frame, self.missing = frame, (frame if image is None else None)
@@ -57,7 +58,7 @@ class Stage(QObject):
     def close(self) -> None:
         """Wait for what is being made."""
         self.matte.close()
-        self.ground.close()
+        self.background.close()
 
     def below(self, project: Project, frame: int, size: QSizeF | None) -> Below:
         """What lies below the shapes; a matte that is not there yet is asked for.
@@ -71,11 +72,11 @@ class Stage(QObject):
         cuts_out = mode is ViewMode.CUTOUT
         if cuts_out and self.missing is not None:
             return Below(marks.EMPTY_PLATE)
-        ground = self.ground.of(self._viewing.ground) if cuts_out else None
+        background = self.background.of(self._viewing.background) if cuts_out else None
         if size is not None:
             self._ask(project, frame, (round(size.height()), round(size.width())), cuts_out)
         nothing = marks.EMPTY_PLATE if cuts_out else marks.EMPTY_MATTE
-        return Below(self._mattes.get(cuts_out, nothing), self._viewing.look, ground)
+        return Below(self._mattes.get(cuts_out, nothing), self._viewing.look, background)
 
     def shown_picture(self) -> Picture | None:
         """The picture whose pixels the view shows, or None while there is none."""

@@ -4,18 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-import numpy as np
-from numpy.typing import NDArray
 from PySide6.QtGui import QColor
 
+from roam_core.arrays import Array
 from roam_core.roto import Project, RotoShape, Spline, edit
 from roam_core.roto.found import add_found
 from roam_core.roto.project import PALETTE
 
 from ...model.document import Document
 from ...model.view_state import ViewState
-
-Array = NDArray[np.float64]
 
 
 def next_colour(project: Project) -> QColor:
@@ -27,17 +24,17 @@ def finish_shape(
     document: Document,
     view_state: ViewState,
     tool: str,
-    grips: Array,
+    control_points: Array,
     frame: int,
     *,
     closed: bool = True,
     spline: Spline = Spline.BEZIER,
 ) -> None:
-    """Make `grips (P, 3, 2)` a new shape with an artist key at `frame`, as one undo step.
+    """Make `control_points (P, 3, 2)` a new shape with an artist key at `frame`, as one undo step.
 
     Where `tool`, which drew it, is still in the hand, the select tool takes its place to adjust the shape.
     """
-    project, shape = edit.new_shape(document.project, grips, frame, closed=closed, spline=spline)
+    project, shape = edit.new_shape(document.project, control_points, frame, closed=closed, spline=spline)
     document.apply("Draw shape", project)
     hand_over(view_state, tool, frozenset({shape.id}))
     follow = "] tracks it forward" if closed else "it is open, C closes it"

@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from roam_core.roto import RotoShape, Spline, grips
+from roam_core.roto import RotoShape, Spline, control_points
 
 from ...model.document import Document
 from ...model.shown import editable_shapes
@@ -47,7 +47,7 @@ class SplineVerbs:
             return
         sentences = []
         for shape in turning:
-            after = grips.with_spline(shape, spline)
+            after = control_points.with_spline(shape, spline)
             project = project.with_shape(after)
             sentences.append(f"{shape.name}: {told(shape, after)}.")
         self._document.apply(text, project)

@@ -16,7 +16,7 @@ from ...model.document import Document
 from ...model.viewing import ViewMode
 from ...widgets.controls import tool_button
 from .look_controls import ChannelButton, exposure_slider, gamma_slider
-from .view_options import GroundForm, OnionForm, options_button
+from .view_options import BackgroundForm, OnionForm, options_button
 
 
 class ViewBar(QWidget):
@@ -28,7 +28,7 @@ class ViewBar(QWidget):
         self._plate = PlateLabel()
         self.channel = ChannelButton(canvas.viewing, actions)
         self.exposure, self.gamma = exposure_slider(canvas.viewing), gamma_slider(canvas.viewing)
-        self.ground, self.onion = GroundForm(canvas.viewing), OnionForm(canvas.viewing)
+        self.background, self.onion = BackgroundForm(canvas.viewing), OnionForm(canvas.viewing)
         self._lay_out()
         canvas.view_changed.connect(self._pull_view)
         self._pull_view()
@@ -47,7 +47,7 @@ class ViewBar(QWidget):
         row.addWidget(tool_button(self._actions, "view.wipe"))
         row.addSpacing(style.MARGIN)
         options = {
-            ViewMode.CUTOUT: options_button(self.ground, "What the cut-out lies on"),
+            ViewMode.CUTOUT: options_button(self.background, "What the cut-out lies on"),
             ViewMode.ONION: options_button(self.onion, "Which frames the onion skin shows"),
         }
         self._group = QActionGroup(self)

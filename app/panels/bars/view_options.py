@@ -1,4 +1,4 @@
-"""What the views can be told: the ground of the cut-out and the frames of the onion skin, in small popups."""
+"""What the views can be told: the background of the cut-out and the frames of the onion skin, in small popups."""
 
 from __future__ import annotations
 
@@ -21,11 +21,11 @@ from PySide6.QtWidgets import (
 )
 
 from ... import style
-from ...model.viewing import MOST_GHOSTS, GroundKind, Viewing
+from ...model.viewing import MOST_GHOSTS, BackgroundKind, Viewing
 from ...widgets.controls import dense_form, form_label
 from ...widgets.fields import NumberField, SwitchBox
 
-GROUNDS = {GroundKind.CHECKER: "Checkerboard", GroundKind.COLOUR: "Colour", GroundKind.IMAGE: "Picture"}
+BACKGROUNDS = {BackgroundKind.CHECKER: "Checkerboard", BackgroundKind.COLOUR: "Colour", BackgroundKind.IMAGE: "Picture"}
 IMAGES = "Pictures (*.exr *.dpx *.png *.jpg *.jpeg *.tif *.tiff);;All files (*)"
 COUNT_WIDTH = 52
 
@@ -58,20 +58,20 @@ class Swatch(QToolButton):
         dialog.show()
 
 
-class GroundForm(QWidget):
+class BackgroundForm(QWidget):
     """What a cut-out lies on."""
 
     def __init__(self, viewing: Viewing) -> None:
         super().__init__()
         self._viewing = viewing
         self.kind = QComboBox()
-        for kind, word in GROUNDS.items():
+        for kind, word in BACKGROUNDS.items():
             self.kind.addItem(word, kind)
-        self.colour = Swatch("Colour under the cut-out", lambda name: viewing.set_ground(colour=name))
+        self.colour = Swatch("Colour under the cut-out", lambda name: viewing.set_background(colour=name))
         self.image = QPushButton()
         self.image.setMaximumWidth(180)
         form = _form(self)
-        form.addRow(form_label("Ground"), self.kind)
+        form.addRow(form_label("Background"), self.kind)
         form.addRow(form_label("Colour"), self.colour)
         form.addRow(form_label("Picture"), self.image)
         self.kind.activated.connect(lambda _: self._push_kind())
@@ -80,26 +80,26 @@ class GroundForm(QWidget):
         self._pull()
 
     def _push_kind(self) -> None:
-        kind = GroundKind(self.kind.currentData())
-        if kind is GroundKind.IMAGE and not self._viewing.ground.image:
+        kind = BackgroundKind(self.kind.currentData())
+        if kind is BackgroundKind.IMAGE and not self._viewing.background.image:
             self._choose_image()
             self._pull()
         else:
-            self._viewing.set_ground(kind=kind)
+            self._viewing.set_background(kind=kind)
 
     def _choose_image(self) -> None:
-        start = str(Path(self._viewing.ground.image).parent) if self._viewing.ground.image else ""
+        start = str(Path(self._viewing.background.image).parent) if self._viewing.background.image else ""
         path, _ = QFileDialog.getOpenFileName(self, "Picture under the cut-out", start, IMAGES)
         if path:
-            self._viewing.set_ground(kind=GroundKind.IMAGE, image=path)
+            self._viewing.set_background(kind=BackgroundKind.IMAGE, image=path)
 
     def _pull(self) -> None:
-        ground = self._viewing.ground
-        self.kind.setCurrentIndex(self.kind.findData(ground.kind))
-        self.colour.show_colour(ground.colour)
-        self.colour.setEnabled(ground.kind is GroundKind.COLOUR)
-        self.image.setText(Path(ground.image).name if ground.image else "Choose…")
-        self.image.setToolTip(ground.image)
+        background = self._viewing.background
+        self.kind.setCurrentIndex(self.kind.findData(background.kind))
+        self.colour.show_colour(background.colour)
+        self.colour.setEnabled(background.kind is BackgroundKind.COLOUR)
+        self.image.setText(Path(background.image).name if background.image else "Choose…")
+        self.image.setToolTip(background.image)
 
 
 class OnionForm(QWidget):

@@ -7,10 +7,11 @@ from PySide6.QtCore import QLineF, QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QBrush, QColor, QPainter, QPen, QPixmap, QPolygonF
 from PySide6.QtWidgets import QWidget
 
+from roam_core.arrays import Int64
 from roam_core.roto import RotoShape
 
 from ... import style
-from ..marks import Frames, KeyMarks, MarksOf
+from ..marks import KeyMarks, MarksOf
 from ..scale import LABEL_WIDTH, TimeScale
 from .depth_marks import paint_depth
 
@@ -20,7 +21,7 @@ DIAMOND, DISC, SQUARE = 5.5, 4.5, 4.0
 """Half the height of an artist's key: linear, smooth, held."""
 TICK = 4.0
 """Half the height of a tick."""
-SELECTED, GROUND = "#3a3a3a", "#707070"
+SELECTED, BACKGROUND = "#3a3a3a", "#707070"
 DOUBT, STALE = "#ff8c1a", "#a8a8a8"
 """The canvas's colour of doubt; a grey for what is of the past. Form tells them apart as well."""
 
@@ -69,7 +70,7 @@ class RowPainter:
         paint_depth(painter, shape, scale)
 
 
-def columns(frames: Frames, scale: TimeScale) -> list[float]:
+def columns(frames: Int64, scale: TimeScale) -> list[float]:
     """Where to draw the visible ones of `frames`: whole pixels, each once, however many frames share it."""
     visible = frames[(frames >= scale.first - 1) & (frames <= scale.last + 1)]
     x = np.floor(scale.left + (visible - scale.first + 0.5) * scale.pixels)
@@ -87,7 +88,7 @@ def _paint_marks(
     painter: QPainter, shape: RotoShape, marks: KeyMarks, chosen: frozenset[int], scale: TimeScale
 ) -> None:
     colour, thickness = QColor.fromRgbF(*shape.colour), 2 if scale.pixels >= 9 else 1
-    _paint_ground(painter, marks, scale)
+    _paint_background(painter, marks, scale)
     doubtful = columns(marks.doubtful, scale)
     for at, ink in ((columns(marks.engine, scale), colour), (doubtful, QColor(DOUBT))):
         painter.setPen(QPen(QBrush(ink), thickness, Qt.PenStyle.SolidLine, Qt.PenCapStyle.FlatCap))
@@ -99,13 +100,13 @@ def _paint_marks(
     _paint_keys(painter, marks, chosen, scale, colour)
 
 
-def _paint_ground(painter: QPainter, marks: KeyMarks, scale: TimeScale) -> None:
+def _paint_background(painter: QPainter, marks: KeyMarks, scale: TimeScale) -> None:
     """A line under stretches with a key on every frame; dots over gaps, where the shape is only interpolated."""
     keyed = marks.keyed
     begins = np.append(True, np.diff(keyed) > 1)
     firsts, lasts = keyed[begins], keyed[np.append(begins[1:], True)]
-    solid = QPen(QColor(GROUND), 1)
-    dotted = QPen(QColor(GROUND), 1, Qt.PenStyle.DotLine)
+    solid = QPen(QColor(BACKGROUND), 1)
+    dotted = QPen(QColor(BACKGROUND), 1, Qt.PenStyle.DotLine)
     for pen, starts, stops in ((solid, firsts, lasts), (dotted, lasts[:-1], firsts[1:])):
         visible = (stops >= scale.first - 1) & (starts <= scale.last + 1) & (starts < stops)
         painter.setPen(pen)

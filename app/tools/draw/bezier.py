@@ -2,16 +2,12 @@
 
 from __future__ import annotations
 
-import numpy as np
-from numpy.typing import NDArray
-
+from roam_core.arrays import Array
 from roam_core.geometry.bezier import IN, OUT
 from roam_core.roto import edit
 
 from ..tool import Modifier, Pointer
 from .drawing import DrawingTool
-
-Array = NDArray[np.float64]
 
 
 class BezierTool(DrawingTool):

@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 
-import numpy as np
-from numpy.typing import NDArray
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QPainter
 
+from roam_core.arrays import Array
 from roam_core.geometry import primitives
 
 from ...features.verbs.finishing import finish_shape, next_colour
@@ -20,8 +19,6 @@ from ...paint.viewport import Viewport
 from ..gesture_tool import DROP_KEYS
 from ..gestures import DRAG_DISTANCE
 from ..tool import Modifier, Pointer, Tool
-
-Array = NDArray[np.float64]
 
 
 class BoxTool(Tool, ABC):

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 from PySide6.QtCore import QLineF
 from PySide6.QtGui import QColor, QPainter
 
+from roam_core.arrays import Array
 from roam_core.geometry import bezier, bspline
 from roam_core.geometry.bezier import ANCHOR
 from roam_core.roto import Spline
@@ -17,8 +17,6 @@ from ...paint.outline_paths import outline_path
 from ...paint.viewport import Viewport
 from ..tool import Pointer
 from .drawing import DrawingTool
-
-Array = NDArray[np.float64]
 
 
 class BSplineTool(DrawingTool):

@@ -6,10 +6,10 @@ from abc import ABC, abstractmethod
 from typing import ClassVar
 
 import numpy as np
-from numpy.typing import NDArray
 from PySide6.QtCore import QLineF, Qt
 from PySide6.QtGui import QColor, QPainter, QPainterPath
 
+from roam_core.arrays import Array
 from roam_core.geometry import bezier
 from roam_core.geometry.bezier import ANCHOR
 from roam_core.roto import Spline, edit
@@ -25,8 +25,6 @@ from ...paint.viewport import Viewport
 from ..gestures import DRAG_DISTANCE
 from ..hit_test import REACH
 from ..tool import Pointer, Tool
-
-Array = NDArray[np.float64]
 
 CLOSE_KEYS = frozenset({"Return", "Enter"})
 TAKE_BACK_KEYS = frozenset({"Backspace", "Del", "Ctrl+Z"})
@@ -152,9 +150,9 @@ class DrawingTool(Tool, ABC):
         closes = self._is_closing or (self._hover is not None and self._closes(self._hover))
         held = 0 if self._is_closing else len(self._points) - 1
         spots = [[viewport.to_widget(*position) for position in point] for point in self._points.tolist()]
-        grips = visible_handles(self._points, held)
-        marks.arms(painter, [QLineF(spots[held][ANCHOR], spots[held][part]) for part in grips], colour)
-        for part in grips:
+        handles = visible_handles(self._points, held)
+        marks.arms(painter, [QLineF(spots[held][ANCHOR], spots[held][part]) for part in handles], colour)
+        for part in handles:
             marks.handle(painter, spots[held][part], colour)
         for index, spot in enumerate(spots):
             smooth = self.spline is Spline.BSPLINE or is_smooth(self._points[index])

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 from PySide6.QtCore import QPointF, Qt
 from PySide6.QtGui import QPainter, QPainterPath
 
+from roam_core.arrays import Array
 from roam_core.geometry import fit, polyline
 
 from ...features.verbs.finishing import finish_shape, next_colour
@@ -15,8 +15,6 @@ from ...model.view_state import ViewState
 from ...paint import marks
 from ...paint.viewport import Viewport
 from ..tool import Pointer, Tool
-
-Array = NDArray[np.float64]
 
 TOLERANCE = 1.5
 """Screen pixels by which the fitted spline may stray from the stroke: the closer the view, the finer the fit."""

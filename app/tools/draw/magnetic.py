@@ -7,10 +7,10 @@ from itertools import count
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 from PySide6.QtCore import QPointF, Qt
 from PySide6.QtGui import QPainter, QPainterPath
 
+from roam_core.arrays import Array
 from roam_core.geometry import fit
 
 from ...features.verbs.finishing import finish_shape, next_colour
@@ -25,9 +25,8 @@ from ..tool import Modifier, Pointer, Tool
 from .drawing import CLOSE_KEYS, LEAVE_KEYS, TAKE_BACK_KEYS
 
 if TYPE_CHECKING:
-    from roam_core.proposal.livewire import LiveWire
+    from roam_core.proposal.assist.livewire import LiveWire
 
-Array = NDArray[np.float64]
 Spot = tuple[float, float]
 
 SNAP = 7.0
@@ -169,7 +168,7 @@ class MagneticTool(Tool):
         pixel = float((self._pixel / self._scale).max())
 
         def look(_: Report) -> LiveWire:
-            from roam_core.proposal.livewire import LiveWire
+            from roam_core.proposal.assist.livewire import LiveWire
 
             return LiveWire.around(pixels, tuple(seed.tolist()), max(SIGHT * pixel, LEAST_SIGHT), max(pixel, 1.0))
 
@@ -243,7 +242,7 @@ class MagneticTool(Tool):
 
     def _snapped(self, pointer: Pointer) -> Spot:
         """The strongest edge near the pointer; with Ctrl the pointer's own place."""
-        from roam_core.proposal.livewire import snapped
+        from roam_core.proposal.assist.livewire import snapped
 
         if self._shown is None or pointer.holds(Modifier.ControlModifier):
             return pointer.position

@@ -6,10 +6,10 @@ from collections.abc import Callable
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QPainter, QPainterPath
 
+from roam_core.arrays import Array
 from roam_core.roto import RotoShape
 
 from ...features.verbs.finishing import put_in
@@ -131,7 +131,7 @@ class ObjectTool(Tool):
         inside, outside = (tuple(_spot(np.array(s) / scale) for s, i in self._marks if i is on) for on in (True, False))
 
         def cut(report: Report) -> list[RotoShape]:
-            from roam_core.proposal import cut_out
+            from roam_core.proposal.assist import cut_out
 
             told: Any = {
                 "frame": shown.frame,
@@ -172,6 +172,6 @@ def _sign(at: QPointF, *, plus: bool) -> QPainterPath:
     return path
 
 
-def _spot(position: NDArray[np.float64]) -> Spot:
+def _spot(position: Array) -> Spot:
     x, y = position.tolist()
     return x, y

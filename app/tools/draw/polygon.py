@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import numpy as np
-from numpy.typing import NDArray
-
+from roam_core.arrays import Array
 from roam_core.geometry import bezier
 
 from ..tool import Pointer
@@ -18,6 +16,6 @@ class PolygonTool(DrawingTool):
     title = "Polygon"
     hint = "Click for each corner. Return or the first point closes, Esc leaves it open."
 
-    def place(self, point: NDArray[np.float64], pointer: Pointer) -> NDArray[np.float64]:
-        placed: NDArray[np.float64] = bezier.polygon_points([pointer.position])[0]
+    def place(self, point: Array, pointer: Pointer) -> Array:
+        placed: Array = bezier.polygon_points([pointer.position])[0]
         return placed

@@ -6,10 +6,10 @@ from collections.abc import Mapping
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QPainter
 
+from roam_core.arrays import Array
 from roam_core.geometry.bezier import ANCHOR
 from roam_core.roto import Outline, Project
 from roam_core.roto.transform import bell
@@ -23,8 +23,6 @@ from ..gestures import Edit, Gesture
 from ..reshape import Grab
 from ..soft_marks import paint_reach, paint_weights
 from ..tool import Modifier, Pointer
-
-Array = NDArray[np.float64]
 
 LIGHTEST = 0.1
 """The part of the radius that the lightest touch of a pen has."""

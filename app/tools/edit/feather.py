@@ -5,25 +5,23 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 
 import numpy as np
-from numpy.typing import NDArray
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QPainter
 
+from roam_core.arrays import Array
 from roam_core.geometry.bezier import ANCHOR
 from roam_core.roto import Project, RotoShape, edit, feather
 
 from ...model.document import Document
 from ...model.shown import editable_shapes
 from ...model.view_state import Selection, ViewState
-from ...paint.feather import feather_grips, paint_feather_points
+from ...paint.feather import feather_handles, paint_feather_points
 from ...paint.viewport import Viewport
 from ..gesture_tool import GestureTool
 from ..gestures import Edit, Gesture, Marquee
 from ..hit_test import REACH, SAME_SPOT, OutlineHit, PointHit, hit_outline
 from ..reshape import Grab, break_tangent, selected_indices
 from ..tool import Modifier, Pointer
-
-Array = NDArray[np.float64]
 
 NOTHING_SELECTED = "Select a shape or some of its points first."
 
@@ -208,8 +206,8 @@ def hit_feather(shape: RotoShape, frame: int, selection: Selection, pointer: Poi
     distances[:, ANCHOR] -= SAME_SPOT
     seen = np.zeros(distances.shape, dtype=bool)
     seen[:, ANCHOR] = True
-    for grip in feather_grips(shape.id, line, selection):
-        seen[grip] = True
+    for handle in feather_handles(shape.id, line, selection):
+        seen[handle] = True
     distances[~seen] = np.inf
     index, part = np.unravel_index(int(np.argmin(distances)), distances.shape)
     distance = float(distances[index, part])

@@ -4,17 +4,14 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-import numpy as np
-from numpy.typing import NDArray
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QDialog, QDialogButtonBox, QDoubleSpinBox, QGridLayout, QVBoxLayout, QWidget
 
+from roam_core.arrays import Array
 from roam_core.geometry import affine
 
 from ... import style
 from ...widgets.controls import form_label, weak_label
-
-Array = NDArray[np.float64]
 
 FURTHEST = 100_000.0
 

@@ -5,9 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from dataclasses import replace
 
-import numpy as np
-from numpy.typing import NDArray
-
+from roam_core.arrays import Array
 from roam_core.errors import RoamError
 from roam_core.roto import Project, RotoShape, Spline, edit
 from roam_core.roto.keying import Change, reshape
@@ -16,8 +14,6 @@ from ...model.document import Document
 from ...model.shown import editable_shapes
 from ...model.view_state import ViewState, selected_shapes
 from ..reshape import grab_selection, grabbed_indices, selected_indices
-
-Array = NDArray[np.float64]
 
 
 class PointActions:

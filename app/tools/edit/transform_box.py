@@ -6,13 +6,12 @@ from dataclasses import dataclass, replace
 from enum import Enum
 
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array
 from roam_core.geometry import affine
 
 from ..tool import Modifier, Pointer
 
-Array = NDArray[np.float64]
 Vector = tuple[float, float]
 
 REACH = 7.0
@@ -105,11 +104,11 @@ class Box:
             x, y = position.tolist()
             return pointer.screen_distance((x, y))
 
-        grips = [Part(Act.SCALE, place) for place in HANDLES] + [Part(Act.PIVOT, self.pivot)]
-        gaps = [gap(self.at(grip.place)) for grip in grips]
+        handles = [Part(Act.SCALE, place) for place in HANDLES] + [Part(Act.PIVOT, self.pivot)]
+        gaps = [gap(self.at(handle.place)) for handle in handles]
         nearest = int(np.argmin(gaps))
         if gaps[nearest] <= REACH:
-            return grips[nearest]
+            return handles[nearest]
         if gap(self.stalk(pointer.pixel)) <= REACH:
             return Part(Act.TURN)
         sides = [(gap(self._nearest_on_side(index, pointer)), HANDLES[index + 1]) for index in (0, 2, 4, 6)]

@@ -15,8 +15,8 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array
 from roam_core.geometry.bezier import ANCHOR, IN, OUT
 from roam_core.interchange.after_effects.program import PROGRAM
 from roam_core.interchange.flatten import (
@@ -35,8 +35,6 @@ from roam_core.interchange.text_exporter import TextExporter
 from roam_core.interchange.timing import opacity_keys, straight_keys
 from roam_core.roto import BlendMode, Interpolation, Keyframe, Project, RotoShape
 from roam_core.roto.animated import Animatable, ValueKey, mapped, value_at, values_of
-
-Array = NDArray[np.float64]
 
 MODES = {
     BlendMode.ADD: "ADD",

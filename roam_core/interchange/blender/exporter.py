@@ -13,8 +13,8 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array
 from roam_core.geometry.bezier import ANCHOR, IN, OUT
 from roam_core.interchange.after_effects.exporter import feather_radii
 from roam_core.interchange.blender.inset import inset
@@ -35,8 +35,6 @@ from roam_core.interchange.text_exporter import TextExporter
 from roam_core.interchange.timing import opacity_keys, straight_keys, without_holds
 from roam_core.roto import BlendMode, Clip, Interpolation, Keyframe, Project, RotoShape
 from roam_core.roto.animated import Animatable, ValueKey, value_at
-
-Array = NDArray[np.float64]
 
 BLENDS = {
     BlendMode.ADD: "MERGE_ADD",

@@ -3,11 +3,9 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array
 from roam_core.geometry.bezier import ANCHOR, IN, OUT
-
-Array = NDArray[np.float64]
 
 LONGEST = 8.0
 """Distances that a point moves at most, where its outline turns sharply."""

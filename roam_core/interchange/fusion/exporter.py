@@ -13,7 +13,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from roam_core.geometry.bezier import ANCHOR, IN, OUT
 from roam_core.interchange.flatten import (
@@ -30,8 +29,6 @@ from roam_core.interchange.text_exporter import TextExporter
 from roam_core.interchange.timing import moments, opacity_keys, straight_keys, value_moments
 from roam_core.roto import BlendMode, Keyframe, Project, RotoShape
 from roam_core.roto.animated import Animatable, ValueKey, mapped, value_at, values_of
-
-Array = NDArray[np.float64]
 
 PAINT_MODES = {
     BlendMode.ADD: "Merge",

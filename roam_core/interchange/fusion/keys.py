@@ -8,15 +8,14 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array
 from roam_core.interchange.fusion.text import Table
 from roam_core.interchange.keys.keying import STEP
 from roam_core.interchange.reading import ShapeReader, brief
 from roam_core.roto import Animated, Interpolation, ValueKey
 from roam_core.roto.animated import Animatable, mapped, values_of
 
-Array = NDArray[np.float64]
 Tools = Mapping[str, Table]
 
 PARTS = ("X", "Y", "LX", "LY", "RX", "RY")

@@ -12,8 +12,8 @@ from itertools import accumulate
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array
 from roam_core.errors import RoamError
 from roam_core.geometry import bspline
 from roam_core.interchange.fusion.exporter import PAINT_MODES
@@ -22,8 +22,6 @@ from roam_core.interchange.fusion.text import Table, parsed
 from roam_core.interchange.reading import PLAIN, Imported, ImportOptions, ShapeReader, brief, quietly, sensible
 from roam_core.roto import BlendMode, Clip, Keyframe, Layer, MotionBlur, RotoShape, Spline
 from roam_core.roto.project import PALETTE
-
-Array = NDArray[np.float64]
 
 LARGEST = 24 << 20
 """Bytes of a setting."""

@@ -8,11 +8,9 @@ from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array
 from roam_core.roto import Animated, Interpolation, ValueKey
-
-Array = NDArray[np.float64]
 
 CLOSE = 0.005
 """Pixels (and whatever else is keyed) by which our interpolation may differ from the other program's."""

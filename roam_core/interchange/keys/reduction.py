@@ -15,15 +15,13 @@ from enum import StrEnum
 from itertools import pairwise
 
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array
 from roam_core.cancel import CancelToken
 from roam_core.errors import RoamError
 from roam_core.geometry import bezier
 from roam_core.kernels.key_spans import PARTS, RIDGE, cubic_span_errors, linear_span_errors, outline_distances
 from roam_core.roto import Interpolation, Keyframe, Origin, RotoShape
-
-Array = NDArray[np.float64]
 
 PLACES = 8
 """Places on each segment of the outline at which it is compared; between two of them it is taken to be straight."""

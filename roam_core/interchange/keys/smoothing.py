@@ -10,9 +10,9 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.linalg import solveh_banded
 
+from roam_core.arrays import Array, Bools
 from roam_core.cancel import CancelToken
 from roam_core.errors import RoamError
 from roam_core.geometry import bspline
@@ -20,8 +20,6 @@ from roam_core.geometry.bezier import ANCHOR, IN, OUT
 from roam_core.interchange.keys.reduction import PLACES, places
 from roam_core.kernels.key_spans import outline_distances
 from roam_core.roto import Interpolation, Origin, RotoShape, Spline
-
-Array = NDArray[np.float64]
 
 STIFFNESS = 10.0
 """Weight of a squared acceleration (pixels a frame a frame) against a squared pixel of distance: of a shiver from frame
@@ -113,7 +111,7 @@ def _evened(
     shape: RotoShape,
     tracked: Array,
     stiffness: Array,
-    movable: NDArray[np.bool_],
+    movable: Bools,
     reach: float,
     token: CancelToken | None,
 ) -> tuple[Array, Array]:

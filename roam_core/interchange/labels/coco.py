@@ -15,17 +15,15 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.atomic_write import write_atomically
 from roam_core.interchange.flatten import is_feathered
 from roam_core.interchange.labels.polygons import BELONG, Flattener, area, clipped, runs_of
 from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter, readied, settled
 from roam_core.matte import render_matte
 from roam_core.roto import BlendMode, Layer, Project, RotoShape
 from roam_core.roto.animated import is_always
-from roam_core.roto.file import write_atomically
 
-Array = NDArray[np.float64]
 Item = Layer | RotoShape
 
 JOINING = {BlendMode.ADD, BlendMode.PLUS, BlendMode.MAX}

@@ -10,16 +10,14 @@ from typing import Any
 
 import cv2
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array, Bools
 from roam_core.errors import RoamError
 from roam_core.interchange.labels.polygons import mask_of, polygon_key, runs_of_text
 from roam_core.interchange.reading import Imported, ShapeReader, brief, sensible
 from roam_core.matte.vectorise import shapes_from_mask
-from roam_core.proposal.keys import keys_from_mask
+from roam_core.proposal.mask_keys.keys import keys_from_mask
 from roam_core.roto import Layer, RotoShape
-
-Array = NDArray[np.float64]
 
 MAX_RUNS, MAX_RUNS_OF_ONE = 40_000, 12_000
 """Of all masks of a file, and of one: noise has more, and shapes are not fitted to it in any time."""
@@ -199,7 +197,7 @@ class CocoReader(ShapeReader):
             )
         return [shape for shape in made if shape.lifetime is None or shape.lifetime[0] < shape.lifetime[1]]
 
-    def _mask(self, values: dict[str, Any]) -> NDArray[np.bool_]:
+    def _mask(self, values: dict[str, Any]) -> Bools:
         size, runs = values.get("size"), values.get("counts")
         if not isinstance(size, list) or len(size) != 2 or not all(type(n) is int and 0 < n < 1 << 16 for n in size):
             raise ValueError("its size must be a height and a width")

@@ -10,9 +10,6 @@ from __future__ import annotations
 import xml.etree.ElementTree as ET
 from dataclasses import dataclass, field
 
-import numpy as np
-from numpy.typing import NDArray
-
 from roam_core.interchange.authorship import MARK
 from roam_core.interchange.flatten import is_feathered
 from roam_core.interchange.labels.polygons import BELONG, Flattener
@@ -22,8 +19,6 @@ from roam_core.interchange.timing import without_holds
 from roam_core.interchange.xml import xml_text
 from roam_core.roto import BlendMode, Layer, Project, RotoShape
 from roam_core.roto.animated import is_always
-
-Array = NDArray[np.float64]
 
 JOINING = {BlendMode.ADD, BlendMode.PLUS, BlendMode.MAX}
 """Modes that leave hard shapes side by side, as labels are."""

@@ -11,8 +11,8 @@ from pathlib import Path
 from xml.etree.ElementTree import Element
 
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array
 from roam_core.errors import RoamError
 from roam_core.interchange.labels.cvat import NAME
 from roam_core.interchange.labels.polygons import polygon_key
@@ -20,8 +20,6 @@ from roam_core.interchange.reading import PLAIN, Imported, ImportOptions, ShapeR
 from roam_core.interchange.svg.path import Spline, ellipse
 from roam_core.interchange.xml import local_name, parsed
 from roam_core.roto import Clip, Interpolation, Keyframe, Layer, RotoShape
-
-Array = NDArray[np.float64]
 
 MAX_XML = 24 << 20
 """Bytes of a file that is read."""

@@ -5,13 +5,11 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array, Bools
 from roam_core.geometry import bezier
 from roam_core.kernels.flattening import step_counts
 from roam_core.roto import Keyframe, RotoShape
-
-Array = NDArray[np.float64]
 
 TOLERANCE = 0.1
 """Pixels by which a polygon's side may stray from the curve."""
@@ -79,7 +77,7 @@ def area(places: Array) -> float:
     return abs(0.5 * float((places[:, 0] * ahead[:, 1] - ahead[:, 0] * places[:, 1]).sum()))
 
 
-def runs_of(mask: NDArray[np.bool_]) -> list[int]:
+def runs_of(mask: Bools) -> list[int]:
     """Run lengths of a mask `(h, w)`, column after column as COCO counts, the first of zeros."""
     flat = mask.ravel(order="F")
     edges = np.flatnonzero(np.diff(flat)) + 1
@@ -87,7 +85,7 @@ def runs_of(mask: NDArray[np.bool_]) -> list[int]:
     return [0, *runs] if flat.size and flat[0] else runs
 
 
-def mask_of(runs: list[int], height: int, width: int) -> NDArray[np.bool_]:
+def mask_of(runs: list[int], height: int, width: int) -> Bools:
     """The mask `(h, w)` of COCO's run lengths; a `ValueError` where they do not fill it."""
     counts = np.array(runs, dtype=np.int64)
     if (counts < 0).any() or int(counts.sum()) != height * width:

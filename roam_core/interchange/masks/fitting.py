@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array, Bools, Int64
 from roam_core.geometry import bezier, polyline
 from roam_core.kernels.mask_fit import (
     FINE,
@@ -20,10 +20,7 @@ from roam_core.kernels.mask_fit import (
     segment_sums,
     solved_band,
 )
-from roam_core.proposal.refine import from_both_ends
-
-Array = NDArray[np.float64]
-IntArray = NDArray[np.int64]
+from roam_core.proposal.outline.refine import from_both_ends
 
 STEP = 2.0
 """Pixels between the samples of an outline that a curve is fitted to."""
@@ -72,7 +69,7 @@ class Outlines:
     times: list[int]
     rings: list[Array]
     spots: Array
-    smooth: NDArray[np.bool_]
+    smooth: Bools
     free: float
     scrap: float
     samples: list[Array] = field(default_factory=list)
@@ -102,7 +99,7 @@ class Outlines:
         return len(self.smooth)
 
 
-def _between(nearest: IntArray, total: int) -> Array:
+def _between(nearest: Int64, total: int) -> Array:
     """For each of `total` samples the place on the curve, in vertices, by steps between the anchors' samples."""
     at = np.maximum.accumulate(nearest[0] + (nearest - nearest[0]) % total)
     order = nearest[0] + np.arange(total)
@@ -186,7 +183,7 @@ def fitted(
 
 
 def _reweigh(
-    weights: list[Array], strays: list[Array], gone: list[NDArray[np.bool_]], errors: Array, goal: float, free: float
+    weights: list[Array], strays: list[Array], gone: list[Bools], errors: Array, goal: float, free: float
 ) -> None:
     """Weights for the next solution: where all must hold, what strays weighs more; else frames that stray do, and
     within each the samples count by their distance, not its square, so that what trembles pulls little."""

@@ -7,8 +7,8 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array
 from roam_core.errors import RoamError
 from roam_core.interchange.masks.sequence import Fitted, Wanted, as_shapes, in_order, part_as_keys
 from roam_core.interchange.masks.tracks import Track, Tracker
@@ -91,7 +91,7 @@ def _followed(source: PlateSource, reader: ShapeReader, wanted: Wanted) -> Track
     return tracker
 
 
-def _coverage(source: PlateSource, number: int) -> NDArray[np.float64]:
+def _coverage(source: PlateSource, number: int) -> Array:
     """A mask as coverage: its alpha where it has one that is not white all over, else its brightest channel."""
     alpha: Any = read_alpha(source.file_of(number)) if isinstance(source, ImageSequence) else None
     if alpha is not None:

@@ -5,11 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array
 from roam_core.interchange.masks.fitting import Fit, Outlines, fitted
-
-Array = NDArray[np.float64]
 
 NEIGHBOURS = 2
 """Keys to both sides that move when one is taken out."""

@@ -5,13 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array
 from roam_core.geometry import bezier, polyline, similarity
-from roam_core.proposal.outline_match import followed
-from roam_core.proposal.pairing import poses
-
-Array = NDArray[np.float64]
+from roam_core.proposal.mask_keys.outline_match import followed
+from roam_core.proposal.mask_keys.pairing import poses
 
 SPACING = 5.0
 """Pixels of a 480-line image between nodes on the ring that they are laid on first."""

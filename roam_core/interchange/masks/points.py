@@ -5,13 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array, Bools, Int64
 from roam_core.geometry import polyline
 from roam_core.kernels.mask_fit import best_cubic, runs_beyond
-
-Array = NDArray[np.float64]
-IntArray = NDArray[np.int64]
 
 FINE = 3
 """Samples of a ring for each of its nodes."""
@@ -38,9 +35,7 @@ def dense(rings: list[Array], places: list[Array]) -> Array:
     return np.stack(found)
 
 
-def chosen(
-    samples: Array, tolerance: float, share: float, checked: Callable[[], None]
-) -> tuple[IntArray, NDArray[np.bool_]]:
+def chosen(samples: Array, tolerance: float, share: float, checked: Callable[[], None]) -> tuple[Int64, Bools]:
     """The samples `(P,)`, rising, at which points stand, and which of them are smooth.
 
     Each segment between two of them is within `tolerance` of a cubic on all frames but a `share` of them.
@@ -62,7 +57,7 @@ def chosen(
     return at.astype(np.int64), ~np.isin(at, corners)
 
 
-def curves(samples: Array, at: IntArray) -> Array:
+def curves(samples: Array, at: Int64) -> Array:
     """Splines `(F, P, 3, 2)` through the samples at `at (P,)`, each segment fitted by itself."""
     frames, total = samples.shape[:2]
     points = np.empty((frames, len(at), 3, 2))
@@ -76,7 +71,7 @@ def curves(samples: Array, at: IntArray) -> Array:
     return points
 
 
-def _corners(samples: Array) -> IntArray:
+def _corners(samples: Array) -> Int64:
     back, ahead = samples - np.roll(samples, REACH, axis=1), np.roll(samples, -REACH, axis=1) - samples
     cross = back[..., 0] * ahead[..., 1] - back[..., 1] * ahead[..., 0]
     turn = np.abs(np.arctan2(cross, (back * ahead).sum(axis=2)))

@@ -6,8 +6,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array
 from roam_core.geometry import bezier, polyline
 from roam_core.interchange.masks.fitting import Outlines
 from roam_core.interchange.masks.keys import SLACK, Keys
@@ -18,8 +18,6 @@ from roam_core.kernels.coverage import coverage
 from roam_core.kernels.mask_fit import distances
 from roam_core.roto import BlendMode, Keyframe, RotoShape
 from roam_core.roto.project import PALETTE
-
-Array = NDArray[np.float64]
 
 TREMBLES = 0.01
 """A part is drawn frame by frame when so much of its outline, over all frames, lies farther than the tolerance from

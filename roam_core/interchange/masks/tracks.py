@@ -8,13 +8,11 @@ from typing import Any
 
 import numpy as np
 from contourpy import FillType, contour_generator
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array
 from roam_core.geometry import bezier, polyline, similarity
 from roam_core.kernels.coverage import coverage
-from roam_core.proposal.pairing import paired, poses
-
-Array = NDArray[np.float64]
+from roam_core.proposal.mask_keys.pairing import paired, poses
 
 ALIKE = 0.5
 """IoU of two outlines, one moved onto the other, below which they are not the same part: it merged, or fell apart."""

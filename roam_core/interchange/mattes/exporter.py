@@ -6,16 +6,16 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+from roam_core.atomic_write import write_atomically
 from roam_core.cancel import CancelToken, Progress
 from roam_core.errors import RoamError
+from roam_core.interchange.matte_style import SUFFIXES, Gathering, MatteFile, MatteStyle, Parts
 from roam_core.interchange.mattes.files import JOINT, encode_png, write_picture
-from roam_core.interchange.mattes.style import SUFFIXES, Gathering, MatteFile, MatteStyle, Parts
 from roam_core.interchange.mattes.timecode import Moment
 from roam_core.interchange.naming import file_words, numbering
 from roam_core.interchange.protocol import STANDARD, ExportOptions, with_chosen_keys
 from roam_core.matte import Patch, render_matte, shape_patch
 from roam_core.roto import Layer, Project, RotoShape
-from roam_core.roto.file import write_atomically
 
 Shapes = Project | Layer | Sequence[RotoShape]
 NAME = "{name}"

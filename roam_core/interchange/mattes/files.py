@@ -15,12 +15,12 @@ import cv2
 import numpy as np
 import OpenImageIO as oiio  # noqa: N813
 
+from roam_core.atomic_write import write_atomically
 from roam_core.errors import RoamError
 from roam_core.interchange.authorship import SOFTWARE
-from roam_core.interchange.mattes.style import DataWindow, Depth, MatteFile, MatteStyle
+from roam_core.interchange.matte_style import DataWindow, Depth, MatteFile, MatteStyle
 from roam_core.interchange.mattes.timecode import Moment
 from roam_core.matte import Matte, Patch
-from roam_core.roto.file import write_atomically
 
 LEVELS: dict[int, type[np.unsignedinteger[Any]]] = {8: np.uint8, 16: np.uint16}
 KINDS = {Depth.BITS_8: oiio.UINT8, Depth.BITS_16: oiio.UINT16, Depth.HALF: oiio.HALF, Depth.FLOAT: oiio.FLOAT}

@@ -14,6 +14,7 @@ from typing import Any
 
 import numpy as np
 
+from roam_core.atomic_write import write_atomically
 from roam_core.geometry.bezier import ANCHOR, IN, OUT
 from roam_core.interchange.flatten import has_feather_curve
 from roam_core.interchange.labels.polygons import length_of_number
@@ -22,7 +23,6 @@ from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter,
 from roam_core.interchange.timing import without_holds
 from roam_core.roto import BlendMode, Layer, Project, RotoShape
 from roam_core.roto.animated import is_always, values_of
-from roam_core.roto.file import write_atomically
 
 OPERATIONS = {
     BlendMode.ADD: "add",

@@ -6,13 +6,11 @@ import math
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array
 from roam_core.errors import RoamError
 from roam_core.interchange.reading import Imported, ShapeReader, brief, sensible
 from roam_core.roto import Keyframe, RotoShape
-
-Array = NDArray[np.float64]
 
 
 class MltReader(ShapeReader):

@@ -7,8 +7,8 @@ from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array
 from roam_core.interchange.keys.keying import animated_of
 from roam_core.interchange.nuke.curves import Curve, FollowsExpressionError, constant, curve
 from roam_core.interchange.nuke.script import Nested, decoded
@@ -17,8 +17,6 @@ from roam_core.interchange.timing import right_before
 from roam_core.roto import BlendMode, Clip, MotionBlur, RotoShape
 from roam_core.roto.animated import Animatable, mapped
 from roam_core.roto.project import PALETTE
-
-Array = NDArray[np.float64]
 
 BLEND_MODES = {
     BlendMode.ADD: 0,

@@ -6,12 +6,10 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array, Indices
 from roam_core.interchange.nuke.script import Nested, decoded
 from roam_core.interchange.reading import MAX_NUMBER
-
-Array = NDArray[np.float64]
 
 STEP, STRAIGHT, CUBIC = range(3)
 """Interpolation numbers of a key; all that are not the first two are cubics."""
@@ -43,7 +41,7 @@ class Curve:
     values: Array
     left: Array
     right: Array
-    kinds: NDArray[np.intp]
+    kinds: Indices
 
     def at(self, moments: Array) -> Array:
         """Values `(T,)`; before the first and after the last key it stands still."""

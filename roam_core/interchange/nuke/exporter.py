@@ -11,7 +11,6 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 
 import numpy as np
-from numpy.typing import NDArray
 
 from roam_core.geometry.bezier import ANCHOR
 from roam_core.interchange.keys.reduction import Motion
@@ -42,8 +41,6 @@ from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter,
 from roam_core.interchange.text_exporter import TextExporter
 from roam_core.roto import BlendMode, Layer, Project, RotoShape
 from roam_core.roto.animated import Animatable
-
-Array = NDArray[np.float64]
 
 XPOS = 110
 """How far apart nodes stand in the graph."""

@@ -11,7 +11,6 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from roam_core.interchange.keys.keying import animated_of
 from roam_core.interchange.nuke.graph import OPERATIONS
@@ -22,7 +21,6 @@ from roam_core.interchange.reading import ShapeReader
 from roam_core.roto import BlendMode, Layer
 from roam_core.roto.animated import Animatable, mapped
 
-Array = NDArray[np.float64]
 Knobs = dict[str, Word]
 
 

@@ -7,15 +7,13 @@ from dataclasses import dataclass
 from itertools import zip_longest
 
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array
 from roam_core.errors import RoamError
 from roam_core.geometry.bezier import ANCHOR, IN, OUT
 from roam_core.interchange.keys.reduction import Slopes
 from roam_core.interchange.timing import right_before
 from roam_core.roto import Animated, Interpolation, Keyframe, RotoShape
-
-Array = NDArray[np.float64]
 
 UP = np.array([1.0, -1.0])
 """Turns a difference of our positions, y down, into one of Nuke's."""

@@ -8,16 +8,14 @@ from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array
+from roam_core.atomic_write import write_atomically
 from roam_core.errors import RoamError
 from roam_core.interchange.nuke.text import HEAD
 from roam_core.interchange.nuke.tracks import Track, tracker_node
-from roam_core.propagate.result import FrameResult, Landmarks
+from roam_core.propagate.frame.result import FrameResult, Landmarks
 from roam_core.roto import Clip
-from roam_core.roto.file import write_atomically
-
-Array = NDArray[np.float64]
 
 LEAST_FRAMES = 5
 """Frames on which a landmark must be found to become a track; all of them in a shorter run.

@@ -7,8 +7,8 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array
 from roam_core.errors import RoamError
 from roam_core.interchange.keys.keying import Key, keys_of
 from roam_core.interchange.nuke.attributes import Attributes
@@ -39,8 +39,6 @@ from roam_core.interchange.reading import (
     sensible,
 )
 from roam_core.roto import Clip, Keyframe, Layer, RotoShape
-
-Array = NDArray[np.float64]
 
 PER_CURVE = 2
 """Parts that the curve of one coordinate counts for."""

@@ -6,14 +6,12 @@ import re
 from collections.abc import Iterable
 
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array
 from roam_core.interchange.authorship import MARK
 from roam_core.interchange.nuke.keys import value_curve
 from roam_core.interchange.timing import straight_keys, value_moments
 from roam_core.roto.animated import Animatable, Animated
-
-Array = NDArray[np.float64]
 
 HEAD = f"# {MARK}\nversion 9.0 v1\n"
 """How a script begins."""

@@ -13,8 +13,9 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array
+from roam_core.atomic_write import write_atomically
 from roam_core.errors import RoamError
 from roam_core.geometry import projective, similarity
 from roam_core.interchange.bake_layers import bake_layers
@@ -22,10 +23,7 @@ from roam_core.interchange.nuke.keys import LAST_EXACT_FRAME
 from roam_core.interchange.nuke.text import HEAD, tcl_word
 from roam_core.interchange.protocol import FARTHEST, STANDARD, ExportOptions, ShapeWriter, exported_keys
 from roam_core.roto import Clip, Layer, Project, RotoShape
-from roam_core.roto.file import write_atomically
 from roam_core.roto.placement import matrix_at
-
-Array = NDArray[np.float64]
 
 BOTTOM_LEFT, BOTTOM_RIGHT, TOP_RIGHT, TOP_LEFT = range(4)
 """Order of a corner pin's corners."""

@@ -12,8 +12,8 @@ import xml.etree.ElementTree as ET
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array
 from roam_core.geometry import bspline
 from roam_core.geometry.bezier import ANCHOR, IN, OUT
 from roam_core.interchange.authorship import MARK
@@ -35,8 +35,6 @@ from roam_core.roto import (
     Spline,
 )
 from roam_core.roto.animated import Animatable, is_always, product
-
-Array = NDArray[np.float64]
 
 MODES = {
     BlendMode.ADD: "Add",

@@ -8,8 +8,8 @@ from pathlib import Path
 from xml.etree.ElementTree import Element
 
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array
 from roam_core.errors import RoamError
 from roam_core.interchange.keys.keying import Key, animated_of, keys_of
 from roam_core.interchange.reading import (
@@ -36,11 +36,19 @@ from roam_core.interchange.silhouette.values import (
     words_of,
 )
 from roam_core.interchange.xml import local_name, parsed
-from roam_core.roto import BlendMode, Clip, Interpolation, Keyframe, Layer, MotionBlur, RotoShape, Spline, grips
+from roam_core.roto import (
+    BlendMode,
+    Clip,
+    Interpolation,
+    Keyframe,
+    Layer,
+    MotionBlur,
+    RotoShape,
+    Spline,
+    control_points,
+)
 from roam_core.roto.animated import Animatable
 from roam_core.roto.project import PALETTE
-
-Array = NDArray[np.float64]
 
 UNKNOWN_PROPERTIES: dict[str, tuple[str, tuple[float, ...]]] = {
     "transform.pin_ul": ("its corner pin", (0.0, 0.0)),
@@ -233,7 +241,7 @@ class _SessionReader:
         found += [(path, inner) for inner in path if local_name(inner) == "Path"]
         closed = not any(inner.get("closed", "True").lower().startswith("f") for _, inner in found[-1:])
         spline = _kind([inner for _, inner in found])
-        rows = [self._grips(inner, label, spline) for _, inner in found]
+        rows = [self._control_points(inner, label, spline) for _, inner in found]
         if not rows or len({len(row) for row in rows}) != 1:
             raise ValueError("its keys have no path, or differ in their number of points")
         order = np.argsort([number(key.get("frame", "0")) for key, _ in found], kind="stable")
@@ -249,7 +257,7 @@ class _SessionReader:
         keys = tuple(
             Keyframe(
                 self._frame(key.frame),
-                grips.points_of(self.session.pixels(key.value), spline, closed),
+                control_points.points_of(self.session.pixels(key.value), spline, closed),
                 interpolation=key.interpolation,
                 **origin_of(key),
             )
@@ -280,7 +288,7 @@ class _SessionReader:
         keys = keys_of(values, times, lambda made: self.reader.check_points(made * count, label, made))
         return [key._replace(value=key.value / scale) for key in keys]
 
-    def _grips(self, path: Element, label: str, spline: Spline) -> Array:
+    def _control_points(self, path: Element, label: str, spline: Spline) -> Array:
         """What the artist holds of one path, `(P, 3, 2)`, in the file's units: that is what layers move."""
         texts = [point.text or "" for point in path if local_name(point) == "Point"]
         self.reader.check_points(len(texts), label)

@@ -14,10 +14,9 @@ from xml.etree.ElementTree import Element
 import numpy as np
 from numpy.typing import NDArray
 
+from roam_core.arrays import Array
 from roam_core.interchange.reading import MAX_NUMBER
 from roam_core.interchange.xml import local_name
-
-Array = NDArray[np.float64]
 
 LINEAR, HOLD, CATMULL_ROM = "linear", "hold", "catmullrom"
 """How values move from a key to the next one; what else a file says is taken for the first."""

@@ -12,6 +12,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+from roam_core.atomic_write import write_atomically
 from roam_core.interchange.bake_layers import bake_layers
 from roam_core.interchange.naming import file_words, is_numbered, numbering
 from roam_core.interchange.protocol import STANDARD, ExportOptions, with_chosen_keys
@@ -20,7 +21,6 @@ from roam_core.interchange.svg.painting import Painter
 from roam_core.interchange.svg.reading import SvgReader
 from roam_core.interchange.svg.words import INKSCAPE, SODIPODI, SVG, XLINK, svg_tag
 from roam_core.roto import Clip, Project
-from roam_core.roto.file import write_atomically
 
 PAGE = "#404040"
 """The page's colour in Inkscape, before which white shapes are seen."""

@@ -8,12 +8,11 @@ from collections.abc import Callable
 from xml.etree.ElementTree import Element
 
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array
 from roam_core.interchange.svg.path import Spline, ellipse, parsed_path, polygon, rectangle
 from roam_core.interchange.svg.words import length, numbers
 
-Array = NDArray[np.float64]
 Box = tuple[float, float]
 
 DRAWN = {"path", "rect", "circle", "ellipse", "line", "polyline", "polygon"}

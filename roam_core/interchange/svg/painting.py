@@ -13,8 +13,8 @@ import xml.etree.ElementTree as ET
 from dataclasses import dataclass, field
 
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array
 from roam_core.geometry.bezier import IN, OUT
 from roam_core.interchange.protocol import ShapeWriter
 from roam_core.interchange.svg.path import path_data
@@ -40,7 +40,6 @@ ALIKE = {BlendMode.PLUS, BlendMode.MAX}
 UPON_NOTHING = {BlendMode.ADD, BlendMode.PLUS, BlendMode.MAX, BlendMode.DIFFERENCE}
 """Modes that give the shape itself where nothing lies under it."""
 
-Array = NDArray[np.float64]
 EVERYWHERE: Array = np.array([-np.inf, -np.inf, np.inf, np.inf])
 
 MIXED = {BlendMode.DIFFERENCE: "difference", BlendMode.MAX: "lighten"}

@@ -9,12 +9,11 @@ from dataclasses import dataclass, field
 from itertools import pairwise
 
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array
 from roam_core.geometry.bezier import ANCHOR, IN, OUT
 from roam_core.interchange.svg.words import NUMBER, decimal, number
 
-Array = NDArray[np.float64]
 Place = tuple[float, float]
 
 CIRCLE = 4.0 / 3.0 * math.tan(math.pi / 8.0)

@@ -8,8 +8,8 @@ from dataclasses import dataclass, field, replace
 from xml.etree.ElementTree import Element
 
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array
 from roam_core.errors import RoamError
 from roam_core.geometry import bspline
 from roam_core.geometry.bezier import ANCHOR, IN, OUT
@@ -31,10 +31,9 @@ from roam_core.interchange.svg.words import (
     xlink_href,
 )
 from roam_core.interchange.xml import local_name, parsed
-from roam_core.roto import BlendMode, Keyframe, Layer, RotoShape, grips
+from roam_core.roto import BlendMode, Keyframe, Layer, RotoShape, control_points
 from roam_core.roto import Spline as SplineKind
 
-Array = NDArray[np.float64]
 Item = Layer | RotoShape
 
 GROUPS = {"g", "a", "switch", "svg"}
@@ -339,7 +338,7 @@ class SvgReader(ShapeReader):
             locked=is_locked(element),
         )
         if element.get("data-roam-spline") == SplineKind.BSPLINE.value and _still_b_spline(key.points, spline.closed):
-            return grips.with_spline(shape, SplineKind.BSPLINE)
+            return control_points.with_spline(shape, SplineKind.BSPLINE)
         return shape
 
     # ---- clip paths and masks ----------------------------------------------------------------------------------------

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array
 from roam_core.roto import Outline
 
 MOST_BANDS = 96
@@ -29,7 +29,7 @@ def uniform_bands(feather: float) -> Iterator[tuple[float, float]]:
         yield 2.0 * reach * band / count, 1.0 - share if feather > 0.0 else share
 
 
-def curve_levels(outline: Outline) -> Iterator[NDArray[np.float64]]:
+def curve_levels(outline: Outline) -> Iterator[Array]:
     """Points `(P, 3, 2)` of outlines evenly between an outline and its feather curve, about one for a pixel of gap."""
     if outline.feather is None:
         return

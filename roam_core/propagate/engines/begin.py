@@ -10,8 +10,8 @@ from roam_core.propagate.engines.by_curves import CurveEngine
 from roam_core.propagate.engines.by_parts import PartsEngine
 from roam_core.propagate.engines.by_regions import RegionEngine
 from roam_core.propagate.engines.protocol import Engine
-from roam_core.propagate.objects import Role, Unit
-from roam_core.propagate.result import Part
+from roam_core.propagate.frame.result import Part
+from roam_core.propagate.shapes.objects import Role, Unit
 
 
 def begin(

@@ -5,26 +5,22 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-import numpy as np
-from numpy.typing import NDArray
-
+from roam_core.arrays import Array
 from roam_core.cancel import CancelToken
 from roam_core.energy.shares import curve_shares, joint_shares
 from roam_core.features import PreparedFrame
 from roam_core.landmarks.pool import Pool
 from roam_core.params import RoamParams
-from roam_core.propagate import step as curve
+from roam_core.propagate.curves import step as curve
+from roam_core.propagate.curves.step import CurveStep, TrackerState
 from roam_core.propagate.engines.protocol import Account, LandmarkPieces, Motion
-from roam_core.propagate.result import Part, StepResult
-from roam_core.propagate.step import CurveStep, TrackerState
+from roam_core.propagate.frame.result import Part, StepResult
 from roam_core.threads import each
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)
 class CurveEngine:
-    """Outlines carried one by one (`propagate.step`)."""
+    """Outlines carried one by one (`propagate.curves.step`)."""
 
     states: tuple[TrackerState, ...]
     params: RoamParams

@@ -5,27 +5,23 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-import numpy as np
-from numpy.typing import NDArray
-
+from roam_core.arrays import Array
 from roam_core.cancel import CancelToken
 from roam_core.features import PreparedFrame
 from roam_core.landmarks.pool import Pool
 from roam_core.params import RoamParams, scale_for
-from roam_core.propagate import figure
 from roam_core.propagate.engines.by_regions import account_of, region_params
 from roam_core.propagate.engines.protocol import Account, Motion, by_pose
-from roam_core.propagate.figure import FigureState, FigureStep
-from roam_core.propagate.nodes import NodeMap
-from roam_core.propagate.objects import Unit
-from roam_core.propagate.result import Part, StepResult
-
-Array = NDArray[np.float64]
+from roam_core.propagate.frame.nodes import NodeMap
+from roam_core.propagate.frame.result import Part, StepResult
+from roam_core.propagate.parts import figure
+from roam_core.propagate.parts.figure import FigureState, FigureStep
+from roam_core.propagate.shapes.objects import Unit
 
 
 @dataclass(frozen=True, eq=False)
 class PartsEngine:
-    """An object in parts (`propagate.figure`)."""
+    """An object in parts (`propagate.parts.figure`)."""
 
     state: FigureState
     params: RoamParams

@@ -1,4 +1,4 @@
-"""A whole object: all its outlines are laid along one region."""
+"""A whole object: all its outlines are fitted to one region."""
 
 from __future__ import annotations
 
@@ -6,24 +6,21 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array, Float32
 from roam_core.cancel import CancelToken
 from roam_core.features import PreparedFrame
 from roam_core.features.grid import Grid
 from roam_core.geometry import polyline
 from roam_core.landmarks.pool import Pool
 from roam_core.params import RegionParams, RoamParams, scale_for
-from roam_core.propagate import posed, region
 from roam_core.propagate.engines.protocol import REGION, Account, Motion, by_pose
-from roam_core.propagate.nodes import NodeMap
-from roam_core.propagate.region import RegionState, RegionStep
-from roam_core.propagate.result import Part, StepResult
-from roam_core.proposal.evidence import cues
-from roam_core.proposal.region import cleaned
-
-Array = NDArray[np.float64]
-Float32 = NDArray[np.float32]
+from roam_core.propagate.frame.nodes import NodeMap
+from roam_core.propagate.frame.result import Part, StepResult
+from roam_core.propagate.whole import posed, region
+from roam_core.propagate.whole.region import RegionState, RegionStep
+from roam_core.proposal.cues.evidence import cues
+from roam_core.proposal.segment.region import cleaned
 
 BESIDE = 2.0
 """Cells from the outline to the places inside and outside of it where the cues are asked."""
@@ -31,7 +28,7 @@ BESIDE = 2.0
 
 @dataclass(frozen=True, eq=False)
 class RegionEngine:
-    """All outlines of an object laid along its region (`propagate.region`)."""
+    """All outlines of an object fitted to its region (`propagate.whole.region`)."""
 
     state: RegionState
     params: RoamParams
@@ -102,7 +99,7 @@ def region_params(params: RoamParams) -> RegionParams:
 
 
 def account_of(step: RegionStep, points: Array, subtracts: bool, params: RoamParams) -> Account:
-    """Why an outline of the object lies at `points`: by its pose where that laid it, else by the cues at its sides."""
+    """Why an outline of the object lies at `points`: by its pose, or by the cues at its sides."""
     nodes = NodeMap.of(points, params, scale_for(step.state.frame.size))
     if step.state.is_posed:
         return by_pose(nodes, points, step.state.pose)

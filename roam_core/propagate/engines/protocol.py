@@ -7,21 +7,20 @@ from dataclasses import dataclass, field, replace
 from typing import Protocol
 
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array, Indices
 from roam_core.cancel import CancelToken
 from roam_core.features import PreparedFrame
 from roam_core.landmarks.pool import Pool
 from roam_core.motion.pose import Pose
-from roam_core.propagate.nodes import NodeMap
-from roam_core.propagate.result import Part, StepResult
-from roam_core.proposal.evidence import Field
+from roam_core.propagate.frame.nodes import NodeMap
+from roam_core.propagate.frame.result import Part, StepResult
+from roam_core.proposal.cues.evidence import Field
 
-Array = NDArray[np.float64]
 Terms = Mapping[str, Array]
 
 REGION = "region"
-"""The cues together, smoothed and cleaned: what the curves of `best` were laid along. No cue, and not in any sum."""
+"""The cues together, smoothed and cleaned: what the curves of `best` were fitted to. No cue, and not in any sum."""
 POSE = "pose"
 """How unlike its key a part looks around a node, in [0, 1]."""
 
@@ -34,9 +33,9 @@ class Motion:
     ----------
     since_key : `(3, 3)` the similarity, image to image, of the object since the key; None where the engine knows of no
         motion of the whole.
-    region : the object's region, where the engine works with regions. of_region : which outlines are laid along it.
-    as_one_piece : the outlines are as they are on the key, only moved (`propagate.rigid`).
-    pose_costs : for each outline what its pose costs; None where it was not laid by its pose alone.
+    region : the object's region, where the engine works with regions. of_region : which outlines are fitted to it.
+    as_one_piece : the outlines are as they are on the key, only moved (`propagate.whole.rigid`).
+    pose_costs : for each outline what its pose costs; None where it was not carried by its pose alone.
     by_pose : of a lone shape the outlines by its pose, taken or not, and what that costs (`posed.is_believable`).
     """
 
@@ -52,7 +51,7 @@ class Motion:
 class LandmarkPieces:
     """What landmarks have of the energy: `ids (M,)`, `positions (M, 2)` in pixels, weighted `terms` of `(M,)` each."""
 
-    ids: NDArray[np.intp]
+    ids: Indices
     positions: Array
     terms: Terms
 
@@ -74,7 +73,7 @@ class Account:
     """
 
     nodes: Array
-    segment: NDArray[np.intp]
+    segment: Indices
     t: Array
     terms: Terms = field(default_factory=dict)
     sides: Mapping[str, tuple[Array, Array]] = field(default_factory=dict)

@@ -8,7 +8,6 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 from PySide6.QtCore import QEvent, QPointF, Qt
 from PySide6.QtGui import QColor, QImage, QKeyEvent
 from PySide6.QtWidgets import QApplication
@@ -19,6 +18,7 @@ from app.model.document import Document
 from app.model.view_state import Selection, ViewState
 from app.model.viewing import ViewMode
 from app.paint import marks
+from roam_core.arrays import Float32
 from roam_core.geometry.bezier import polygon_points
 from roam_core.roto import Clip, Keyframe, Project, edit
 from tests.gui.hand import ALT, CTRL, MIDDLE, SHIFT, Hand
@@ -291,7 +291,7 @@ def test_until_the_first_matte_is_rendered_the_plate_is_black_and_says_so(
 ) -> None:
     gate = threading.Event()
 
-    def late(project: Project, frame: int, size: tuple[int, int]) -> NDArray[np.float32]:
+    def late(project: Project, frame: int, size: tuple[int, int]) -> Float32:
         gate.wait(60)
         return np.ones(size, dtype=np.float32)
 

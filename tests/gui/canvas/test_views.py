@@ -1,4 +1,4 @@
-"""The views: cut-out on its grounds, onion skin, alpha alone, channels and exposure, single pixels from near."""
+"""The views: cut-out on its backgrounds, onion skin, alpha alone, channels and exposure, single pixels from near."""
 
 from __future__ import annotations
 
@@ -14,11 +14,11 @@ from pytestqt.qtbot import QtBot
 
 from app.canvas.items.onion import ghosts
 from app.canvas.plate.backdrop import Backdrop
-from app.canvas.plate.ground import CHECKERS
+from app.canvas.plate.background import CHECKERS
 from app.canvas.view import CanvasView
 from app.model.document import Document
 from app.model.view_state import ViewState
-from app.model.viewing import GroundKind, Onion, Viewing, ViewMode
+from app.model.viewing import BackgroundKind, Onion, Viewing, ViewMode
 from app.paint.viewport import LARGEST, Viewport
 from roam_core.geometry.bezier import polygon_points
 from roam_core.media.looking import Channel, Look, Plate
@@ -57,14 +57,14 @@ def reach(canvas: CanvasView, key: str, hand: Hand, qtbot: QtBot) -> None:
 # ---- cut-out
 
 
-def test_the_cut_out_shows_the_plate_inside_and_the_ground_outside(
+def test_the_cut_out_shows_the_plate_inside_and_the_background_outside(
     canvas: CanvasView, hand: Hand, shape_id: str, qtbot: QtBot
 ) -> None:
     reach(canvas, "4", hand, qtbot)
     assert canvas.mode is ViewMode.CUTOUT
     assert colour_at(canvas, 80.0, 70.0) == GREY
     assert colour_at(canvas, 10.0, 130.0) in CHECKERS
-    canvas.viewing.set_ground(kind=GroundKind.COLOUR, colour="#104020")
+    canvas.viewing.set_background(kind=BackgroundKind.COLOUR, colour="#104020")
     assert colour_at(canvas, 10.0, 130.0) == QColor("#104020")
     assert colour_at(canvas, 80.0, 70.0) == GREY
 
@@ -92,21 +92,21 @@ def test_the_cut_out_lies_on_a_picture(
     path = tmp_path / "street.png"
     assert cv2.imwrite(str(path), np.full((30, 40, 3), (10, 20, 200), dtype=np.uint8))  # OpenCV writes blue first
     reach(canvas, "4", hand, qtbot)
-    canvas.viewing.set_ground(kind=GroundKind.IMAGE, image=str(path))
-    with qtbot.waitSignal(canvas.stage.ground.ready, timeout=WAIT):
+    canvas.viewing.set_background(kind=BackgroundKind.IMAGE, image=str(path))
+    with qtbot.waitSignal(canvas.stage.background.ready, timeout=WAIT):
         canvas.repaint()
     assert colour_at(canvas, 10.0, 130.0) == QColor(200, 20, 10)
     assert colour_at(canvas, 80.0, 70.0) == GREY
 
 
-def test_a_ground_that_is_no_picture_is_refused_in_a_sentence(
+def test_a_background_that_is_no_picture_is_refused_in_a_sentence(
     canvas: CanvasView, hand: Hand, shape_id: str, qtbot: QtBot, tmp_path: Path, view_state: ViewState
 ) -> None:
     path = tmp_path / "street.png"
     path.write_text("no picture")
     reach(canvas, "4", hand, qtbot)
-    canvas.viewing.set_ground(kind=GroundKind.IMAGE, image=str(path))
-    with qtbot.waitSignal(canvas.stage.ground.refused, timeout=WAIT):
+    canvas.viewing.set_background(kind=BackgroundKind.IMAGE, image=str(path))
+    with qtbot.waitSignal(canvas.stage.background.refused, timeout=WAIT):
         canvas.repaint()
     assert "street.png" in view_state.message
     assert colour_at(canvas, 10.0, 130.0) in CHECKERS
@@ -244,13 +244,13 @@ def test_float_plates_show_what_lies_above_white(canvas: CanvasView) -> None:
 # ---- what comes back
 
 
-def test_ground_and_onion_come_back_and_the_look_does_not() -> None:
+def test_background_and_onion_come_back_and_the_look_does_not() -> None:
     viewing, again = Viewing(), Viewing()
-    viewing.set_ground(kind=GroundKind.COLOUR, colour="#112233")
+    viewing.set_background(kind=BackgroundKind.COLOUR, colour="#112233")
     viewing.set_onion(before=5, only_keys=True, after_colour="#445566")
     viewing.set_look(exposure=2.0)
     again.recall(viewing.remembered())
-    assert (again.ground, again.onion) == (viewing.ground, viewing.onion)
+    assert (again.background, again.onion) == (viewing.background, viewing.onion)
     assert again.look.is_neutral
 
 
@@ -262,7 +262,7 @@ def test_ground_and_onion_come_back_and_the_look_does_not() -> None:
 def test_what_makes_no_sense_is_not_taken_back(nonsense: object) -> None:
     viewing = Viewing()
     viewing.recall(nonsense)
-    assert (viewing.ground, viewing.onion) == (Viewing().ground, Viewing().onion)
+    assert (viewing.background, viewing.onion) == (Viewing().background, Viewing().onion)
 
 
 # ---- single pixels

@@ -10,7 +10,6 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 from PySide6.QtCore import QRect, Qt
 from PySide6.QtWidgets import QApplication, QComboBox, QMessageBox, QWidget
 from pytestqt.qtbot import QtBot
@@ -21,11 +20,12 @@ from app.jobs.export import Export
 from app.jobs.runner import Runner
 from app.model.document import Document
 from app.model.view_state import ViewState
+from roam_core.arrays import Array
 from roam_core.errors import RoamError
 from roam_core.geometry.bezier import polygon_points
 from roam_core.interchange import EXPORTERS, ExportOptions, KeyChoice
+from roam_core.interchange.matte_style import DataWindow, Depth, Gathering, MatteFile, Parts
 from roam_core.interchange.mattes.exporter import MatteExporter
-from roam_core.interchange.mattes.style import DataWindow, Depth, Gathering, MatteFile, Parts
 from roam_core.interchange.plain_json import JsonFormat
 from roam_core.interchange.protocol import STANDARD, settled
 from roam_core.roto import Clip, Keyframe, Origin, Project, edit
@@ -391,7 +391,7 @@ def frames_in(path: Path) -> list[int]:
     return [key["frame"] for key in shape["keys"]]
 
 
-def corners_in(path: Path) -> NDArray[np.float64]:
+def corners_in(path: Path) -> Array:
     """The anchors of the only shape on each of its keys, `(K, P, 2)`."""
     (shape,) = json.loads(path.read_text())["items"]
     return np.array([key["points"] for key in shape["keys"]], dtype=np.float64)

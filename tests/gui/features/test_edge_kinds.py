@@ -17,7 +17,7 @@ from app.model.document import Document
 from app.model.view_state import ViewState
 from roam_core.errors import RoamError
 from roam_core.geometry.bezier import polygon_points
-from roam_core.propagate.edges import Edge
+from roam_core.propagate.parts.edges import Edge
 from roam_core.roto import Clip, Origin, Project, edit
 from tests.gui.windows import FIRST, opened_window, write_clip
 
@@ -34,7 +34,7 @@ def reads() -> list[int]:
 
 @pytest.fixture
 def read(reads: list[int]) -> Callable[[int], Any]:
-    """A grey body and a light arm on a dark ground, on every frame but the ninth."""
+    """A grey body and a light arm on a dark background, on every frame but the ninth."""
 
     def picture(frame: int) -> Any:
         reads.append(frame)

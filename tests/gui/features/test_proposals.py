@@ -16,10 +16,10 @@ from app.shell.main_window import MainWindow
 from roam_core.geometry import bezier
 from roam_core.geometry.bezier import polygon_points
 from roam_core.params import CONFIGS
-from roam_core.propagate.provenance import Stamps, governing_key
-from roam_core.propagate.result import FrameResult, Termination, TrackResult
-from roam_core.propagate.topology_proposals import Proposal
-from roam_core.proposal.topology import TopologyChange, TopologyKind
+from roam_core.propagate.frame.result import FrameResult, Termination, TrackResult
+from roam_core.propagate.frame.topology_proposals import Proposal
+from roam_core.propagate.shapes.provenance import Stamps, governing_key
+from roam_core.proposal.reshaping.topology import TopologyChange, TopologyKind
 from roam_core.roto import Keyframe, Origin, RotoShape, edit
 from tests.gui.engines import Asked, StandIn, put_in
 from tests.gui.windows import COUNT, FIRST, WAIT, opened_window, write_clip

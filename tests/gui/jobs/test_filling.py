@@ -18,8 +18,8 @@ from app.model.view_state import ViewState
 from roam_core.cancel import CancelToken
 from roam_core.geometry.bezier import polygon_points
 from roam_core.media import DamagedFrame
-from roam_core.propagate import span
-from roam_core.propagate.provenance import Stamps
+from roam_core.propagate.between import span
+from roam_core.propagate.shapes.provenance import Stamps
 from roam_core.roto import Clip, Keyframe, Origin, Project, RotoShape, edit
 
 WAIT = 5000

@@ -7,11 +7,10 @@ from pathlib import Path
 import pytest
 from pytestqt.qtbot import QtBot
 
-from app.jobs.importing import SHAPE_FILES, Import
+from app.jobs.importing import Import
 from app.jobs.runner import Ending, Runner
 from app.model.document import Document
 from roam_core.geometry.bezier import polygon_points
-from roam_core.interchange import IMPORTERS
 from roam_core.interchange.nuke.exporter import roto_script
 from roam_core.roto import Clip, Project, edit
 
@@ -60,8 +59,3 @@ def test_a_project_that_is_replaced_gets_nothing_of_it(
     assert finished.args[0] is Ending.CANCELLED
     qtbot.waitUntil(lambda: runner.is_idle, timeout=WAIT)
     assert document.project.shapes == ()
-
-
-def test_the_suffixes_are_those_that_can_be_read() -> None:
-    known = {suffix for importer in IMPORTERS for suffix in importer.suffixes if importer.name != "masks"}
-    assert set(SHAPE_FILES) == known

@@ -6,25 +6,25 @@ from collections.abc import Callable
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 from PySide6.QtCore import QPointF
 from PySide6.QtGui import QColor, QImage, QPainter, QPainterPath
 
 from app.paint import marks
+from roam_core.arrays import Int64
 
-COLOUR, GROUND = QColor("#e0a030"), 128
+COLOUR, BACKGROUND = QColor("#e0a030"), 128
 
 
-def drawn(draw: Callable[[QPainter], None], ratio: float = 1.0) -> NDArray[np.int64]:
-    """What a grey ground of 80 x 80 looks like after drawing, (80, 80, 3)."""
-    ground = QImage(80, 80, QImage.Format.Format_RGB32)
-    ground.setDevicePixelRatio(ratio)
-    ground.fill(QColor(GROUND, GROUND, GROUND))
-    painter = QPainter(ground)
+def drawn(draw: Callable[[QPainter], None], ratio: float = 1.0) -> Int64:
+    """What a grey background of 80 x 80 looks like after drawing, (80, 80, 3)."""
+    background = QImage(80, 80, QImage.Format.Format_RGB32)
+    background.setDevicePixelRatio(ratio)
+    background.fill(QColor(BACKGROUND, BACKGROUND, BACKGROUND))
+    painter = QPainter(background)
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
     draw(painter)
     painter.end()
-    return np.frombuffer(ground.constBits(), dtype=np.uint8).reshape(80, 80, 4)[..., :3].astype(np.int64)
+    return np.frombuffer(background.constBits(), dtype=np.uint8).reshape(80, 80, 4)[..., :3].astype(np.int64)
 
 
 def line(degrees: float) -> QPainterPath:
@@ -40,8 +40,10 @@ def test_thin_outlines_are_as_wide_and_bright_as_plain_ones(degrees: float) -> N
     path = line(degrees)
     plain = drawn(lambda painter: marks.stroke(painter, path, COLOUR, marks.OUTLINE_WIDTH))
     quick = drawn(lambda painter: marks.thin_stroke(painter, path, COLOUR))
-    for way in (1, -1):  # what is brighter than the ground, and what is darker
-        ink, expected = (float(np.clip(way * (picture[..., 2] - GROUND), 0, None).sum()) for picture in (quick, plain))
+    for way in (1, -1):  # what is brighter than the background, and what is darker
+        ink, expected = (
+            float(np.clip(way * (picture[..., 2] - BACKGROUND), 0, None).sum()) for picture in (quick, plain)
+        )
         assert ink == pytest.approx(expected, rel=0.4)
     assert np.abs(plain - quick).mean() < 1.0
 

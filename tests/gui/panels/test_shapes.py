@@ -133,7 +133,7 @@ def test_a_tracked_frame_rebuilds_no_row(panel: ShapesPanel, document: Document)
 
 
 def drop(panel: ShapesPanel, target: str | None, where: QAbstractItemView.DropIndicatorPosition) -> None:
-    """Let the selected rows go over a row, or over the empty ground below all rows."""
+    """Let the selected rows go over a row, or over the empty background below all rows."""
     tree = panel.tree
     middle = tree.visualItemRect(tree.item(target)).center() if target else QPoint(40, tree.viewport().height() - 4)
     tree.dropIndicatorPosition = lambda: where

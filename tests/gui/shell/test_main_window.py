@@ -15,7 +15,7 @@ from app.dialogs import questions
 from app.dialogs.clip_dialog import ClipDialog
 from app.dialogs.mask_dialog import MaskDialog
 from app.dialogs.questions import Unsaved
-from app.model.viewing import GroundKind
+from app.model.viewing import BackgroundKind
 from app.shell.main_window import MainWindow
 from app.widgets.panel import Panel
 from roam_core.geometry.bezier import polygon_points
@@ -339,13 +339,13 @@ def test_the_last_used_settings_come_back(qtbot: QtBot, window: MainWindow, tmp_
     window.actions_by_id["edit.history"].trigger()
     window.history_panel.toggle()
     window.canvas.viewing.set_onion(before=7)
-    window.canvas.viewing.set_ground(kind=GroundKind.COLOUR, colour="#203040")
+    window.canvas.viewing.set_background(kind=BackgroundKind.COLOUR, colour="#203040")
     window.keep_settings(tmp_path / "window.ini")
     with opened_window(qtbot, None, tmp_path / "other") as other:
         other.restore_settings(tmp_path / "window.ini")
         assert not other.playback.is_looping
         assert other.canvas.viewing.onion == window.canvas.viewing.onion
-        assert other.canvas.viewing.ground == window.canvas.viewing.ground
+        assert other.canvas.viewing.background == window.canvas.viewing.background
         assert other.size() == window.size()
         assert not other.history_panel.isHidden()
         folded = [panel.title for panel in other.panel_column.findChildren(Panel) if panel.is_folded]

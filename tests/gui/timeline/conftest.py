@@ -15,7 +15,7 @@ from app.model.document import Document
 from app.model.view_state import ViewState
 from app.timeline.timeline import Timeline
 from roam_core.params import CONFIGS, DEFAULT_CONFIG
-from roam_core.propagate.provenance import clip_stamp, stamp
+from roam_core.propagate.shapes.provenance import clip_stamp, stamp
 from roam_core.roto import Keyframe, Origin, Project, edit
 from tests.gui.timeline.places import CLIP, SQUARE
 

@@ -11,7 +11,7 @@ from app.model.document import Document
 from app.timeline.marks import MarksOf, key_marks
 from roam_core.geometry.bezier import polygon_points
 from roam_core.params import CONFIGS, DEFAULT_CONFIG
-from roam_core.propagate.provenance import Stamps, clip_stamp, fill_stamp, is_stale, stamp
+from roam_core.propagate.shapes.provenance import Stamps, clip_stamp, fill_stamp, is_stale, stamp
 from roam_core.roto import Clip, Keyframe, Origin, Project, RotoShape, edit
 from roam_core.roto.imported import import_stamp
 

@@ -70,7 +70,7 @@ def test_frames_that_are_missing_are_hatched(timeline: Timeline) -> None:
         columns = range(edge(timeline, frame) + 2, edge(timeline, frame + 1) - 2)
         return {picture.pixelColor(x, y).name() for x in columns for y in range(22, 29)}
 
-    assert len(colours(1033) - colours(1036)) >= 2  # the ground of the gap, and lines across it
+    assert len(colours(1033) - colours(1036)) >= 2  # the background of the gap, and lines across it
 
 
 @pytest.mark.parametrize(

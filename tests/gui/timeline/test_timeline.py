@@ -113,7 +113,7 @@ def test_every_kind_of_mark_is_painted(timeline: Timeline, document: Document) -
 
 @pytest.mark.parametrize("zoom", [1.0, 1.6, 1.75, 1.9, 2.05])
 def test_no_label_touches_the_tab_of_the_playhead(timeline: Timeline, view_state: ViewState, zoom: float) -> None:
-    ruler, axis, grounds = timeline.ruler, timeline.axis, {style.WINDOW, style.PANEL}
+    ruler, axis, backgrounds = timeline.ruler, timeline.axis, {style.WINDOW, style.PANEL}
     axis.set_scale(axis.scale.zoomed(zoom, x_of(timeline, 1020)))
 
     def colours(columns: Iterable[int]) -> set[str]:
@@ -123,9 +123,9 @@ def test_no_label_touches_the_tab_of_the_playhead(timeline: Timeline, view_state
     for frame in range(1014, 1026):
         view_state.set_frame(frame)
         left, right = int(ruler._tab().left()), int(ruler._tab().right()) + 2
-        assert colours([*range(left - 3, left), *range(right, right + 2)]) <= grounds, frame
+        assert colours([*range(left - 3, left), *range(right, right + 2)]) <= backgrounds, frame
     label = range(x_of(timeline, 1020) - 12, x_of(timeline, 1020) + 12)
-    assert not colours(label) <= grounds  # far from the tab the label is there
+    assert not colours(label) <= backgrounds  # far from the tab the label is there
 
 
 def test_the_plot_takes_the_height_that_the_rows_leave(qtbot: QtBot, timeline: Timeline, document: Document) -> None:

@@ -28,7 +28,7 @@ def chosen(*shapes: str, points: set[tuple[str, int]] | None = None) -> Selectio
     return Selection(frozenset(shapes), frozenset(points or ()))
 
 
-def test_nothing_is_hit_on_empty_ground() -> None:
+def test_nothing_is_hit_on_empty_background() -> None:
     assert hit(project_with(SQUARE), 1, chosen("shape-1"), (60.0, 60.0), ONE) is None
 
 

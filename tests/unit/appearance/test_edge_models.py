@@ -6,31 +6,29 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
 from roam_core.appearance.band import Band
 from roam_core.appearance.edge_models import EdgeModels, ribbon_samples
 from roam_core.appearance.gmm import FLOOR
+from roam_core.arrays import Array, UInt8
 from roam_core.features import PreparedFrame
 from roam_core.geometry import polyline
 from roam_core.params import AppearanceParams
-
-Array = NDArray[np.float64]
 
 PARAMS = AppearanceParams(key_share=0.3, clip=6.0)
 NODES = polyline.resample(np.array([(20.0, 20.0), (60.0, 20.0), (60.0, 60.0), (20.0, 60.0)]), 20)
 """A square, clockwise on screen, of edges eight pixels long."""
 
 
-def picture(above: int = 60, left: int = 200, right: int = 120, seed: int = 0) -> NDArray[np.uint8]:
-    """A square whose halves have different greys, on a ground of a third, with grain."""
+def picture(above: int = 60, left: int = 200, right: int = 120, seed: int = 0) -> UInt8:
+    """A square whose halves have different greys, on a background of a third, with grain."""
     image = np.full((80, 80, 3), above, dtype=np.float64)
     image[20:60, 20:40], image[20:60, 40:60] = left, right
     image += np.random.default_rng(seed).normal(0.0, 3.0, image.shape)
     return np.clip(image, 0, 255).astype(np.uint8)
 
 
-def ratio(models: EdgeModels, image: NDArray[np.uint8], params: AppearanceParams = PARAMS) -> Array:
+def ratio(models: EdgeModels, image: UInt8, params: AppearanceParams = PARAMS) -> Array:
     frame = PreparedFrame(image)
     band = Band.around(frame, NODES, 10.0, 1.0)
     inside, outside = models.log_densities(band, params)

@@ -6,12 +6,12 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
 from roam_core.appearance.band import Band
 from roam_core.appearance.colour_models import ColourModels
 from roam_core.appearance.global_histogram import GlobalHistogram
 from roam_core.appearance.global_mixture import GlobalMixture
+from roam_core.arrays import UInt8
 from roam_core.features import PreparedFrame
 from roam_core.geometry import polyline
 from roam_core.params import CONFIGS, AppearanceParams, RoamParams
@@ -22,14 +22,14 @@ PARAMS = AppearanceParams(clip=6.0)
 NODES = polyline.resample(np.array([(30.0, 30.0), (70.0, 30.0), (70.0, 70.0), (30.0, 70.0)]), 20)
 
 
-def picture(inside: int, outside: int = 60) -> NDArray[np.uint8]:
+def picture(inside: int, outside: int = 60) -> UInt8:
     image = np.full((100, 100, 3), outside, dtype=np.float64)
     image[30:70, 30:70] = inside
     image += np.random.default_rng(inside).normal(0.0, 3.0, image.shape)
     return np.clip(image, 0, 255).astype(np.uint8)
 
 
-def agreement(model: GlobalMixture | GlobalHistogram, image: NDArray[np.uint8]) -> float:
+def agreement(model: GlobalMixture | GlobalHistogram, image: UInt8) -> float:
     """Mean of the log-ratio inside less its mean outside, over the band."""
     band = Band.around(PreparedFrame(image), NODES, 12.0, 1.0)
     ratio = model.log_ratio(band, PARAMS)

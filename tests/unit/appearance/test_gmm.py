@@ -6,18 +6,17 @@ import warnings
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 from sklearn.exceptions import ConvergenceWarning
 from sklearn.mixture import GaussianMixture
 
 from roam_core.appearance import gmm
 from roam_core.appearance.gmm import FLOOR, Mixtures, Samples
 from roam_core.appearance.update import adapted
+from roam_core.arrays import Array
 from roam_core.kernels.gmm_density import em_steps, matches
 from roam_core.params import AppearanceParams
 from tests.reference.gmm_density import ref_components, ref_match
 
-Array = NDArray[np.float64]
 FLOORLESS = AppearanceParams(variance_floor=0.0)
 
 

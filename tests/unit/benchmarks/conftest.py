@@ -25,7 +25,7 @@ def sliding() -> Shot:
 
 @pytest.fixture(scope="session")
 def gliding() -> Shot:
-    """A textured blob that glides over a textured ground for 8 frames."""
+    """A textured blob that glides over a textured background for 8 frames."""
     blob = drawn.blob([30.0, 24.0, 20.0, 26.0, 32.0, 22.0])
     shot = drawn.gliding(blob, 8, (55.0, 50.0), (3.3, 1.7))
     return Shot("gliding", shot.first, shot.pictures, [shot.matte(frame) > 0.5 for frame in shot.frames])

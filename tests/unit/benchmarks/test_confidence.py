@@ -10,7 +10,7 @@ import pytest
 from benchmarks import confidence, logistic, rated
 from benchmarks.rated import Rated
 from benchmarks.shots import Shot
-from roam_core.propagate.confidence import ConfidenceFeatures, SpanFeatures, expected_overlap
+from roam_core.propagate.frame.confidence import ConfidenceFeatures, SpanFeatures, expected_overlap
 
 
 def made(weights: np.ndarray, seed: int, count: int = 60) -> list[Rated]:

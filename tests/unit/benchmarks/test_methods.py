@@ -35,7 +35,7 @@ def overlaps(method: Method, shot: Shot, frames: range) -> list[float]:
 
 @pytest.mark.parametrize("method", MOVING, ids=name_of)
 def test_a_pure_translation_is_followed_both_ways(method: Method, gliding: Shot) -> None:
-    # Flow on the very border is half the ground's: points fall behind, and blending both ways makes up for it.
+    # Flow on the very border is half the background's: points fall behind, and blending both ways makes up for it.
     least = 0.75 if isinstance(method, ContourFlow) else 0.9
     for frames in (gliding.frames, gliding.frames[::-1]):
         assert min(overlaps(method, gliding, frames)) > least
@@ -78,9 +78,9 @@ def test_methods_are_known_by_their_short_names() -> None:
 
 def test_the_box_tracker_finds_a_shift() -> None:
     rng = np.random.default_rng(3)
-    ground = 3.0 * cv2.GaussianBlur(rng.uniform(0.0, 40.0, (90, 120)).astype(np.float32), (0, 0), 2.0)
+    background = 3.0 * cv2.GaussianBlur(rng.uniform(0.0, 40.0, (90, 120)).astype(np.float32), (0, 0), 2.0)
     thing = 3.0 * cv2.GaussianBlur(rng.uniform(40.0, 80.0, (24, 30)).astype(np.float32), (0, 0), 2.0)
-    before, after = ground.copy(), ground.copy()
+    before, after = background.copy(), background.copy()
     before[30:54, 40:70], after[34:58, 46:76] = thing, thing
     tracker = BoxTracker(before, (40.0, 30.0, 70.0, 54.0))
     assert np.allclose(tracker.step(after), (6.0, 4.0), atol=1.0)

@@ -9,10 +9,11 @@ import numpy as np
 import pytest
 
 from benchmarks import contact_sheet, part_sheets, report, shots
-from benchmarks.shots import Mask, Shot
+from benchmarks.shots import Shot
+from roam_core.arrays import Bools
 
 
-def box(left: int, right: int) -> Mask:
+def box(left: int, right: int) -> Bools:
     mask = np.zeros((10, 40), dtype=bool)
     mask[:, left:right] = True
     return mask

@@ -31,8 +31,8 @@ def pair() -> Figure:
     steps, rest = {"far": (2.0, 0.0), "near": (0.0, 0.0)}, {"far": SQUARE, "near": SQUARE + np.array([30.0, 0.0])}
     motions = {part: [moved(step, frame) for frame in range(COUNT)] for part, step in steps.items()}
     lines = {part: [rest[part] + motion[:2, 2] for motion in motions[part]] for part in steps}
-    ground = np.random.default_rng(3).integers(0, 255, (100, 140, 3)).astype(np.uint8)
-    return Figure("pair", [cv2.GaussianBlur(ground, (0, 0), 1.0)] * COUNT, ("far", "near"), lines, motions)
+    background = np.random.default_rng(3).integers(0, 255, (100, 140, 3)).astype(np.uint8)
+    return Figure("pair", [cv2.GaussianBlur(background, (0, 0), 1.0)] * COUNT, ("far", "near"), lines, motions)
 
 
 def test_what_is_hidden_may_lie_anywhere_and_what_leaks_counts(pair: Figure) -> None:

@@ -10,8 +10,8 @@ from typing import Any
 import cv2
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
+from roam_core.arrays import UInt8
 from roam_core.cli import main
 from roam_core.propagate import FrameResult, track
 from tests.golden.shots import Shot, blob, gliding
@@ -86,12 +86,12 @@ def plate(tmp_path: Path) -> Plate:
     return Plate(folder, *masks)
 
 
-def write_picture(path: Path, image: NDArray[np.uint8]) -> None:
+def write_picture(path: Path, image: UInt8) -> None:
     """Write an RGB picture."""
     cv2.imwrite(str(path), np.ascontiguousarray(image[..., ::-1]))
 
 
-def read_matte(path: Path) -> NDArray[np.uint8]:
+def read_matte(path: Path) -> UInt8:
     """A written matte: 8 bits, one channel."""
     matte = cv2.imread(str(path), cv2.IMREAD_UNCHANGED)
     assert matte.dtype == np.uint8

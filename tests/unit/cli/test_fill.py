@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 from roam_core.media import open_clip
-from roam_core.propagate.span import fill_span
+from roam_core.propagate.between.span import fill_span
 from roam_core.roto import Clip, Origin, Project, file
 from roam_core.roto import edit as verbs
 from tests.golden.shots import overlap

@@ -20,7 +20,7 @@ from roam_core.cli.keeping import PAUSE, SHARE, Keeper, kept
 from roam_core.cli.stopping import STOPPING, Stopped, cancelling
 from roam_core.errors import RoamError
 from roam_core.propagate import FrameResult, track
-from roam_core.propagate.span import fill_span
+from roam_core.propagate.between.span import fill_span
 from roam_core.roto import Mark, Project, file
 from tests.unit.cli.conftest import SHOT, Plate, Roam, write_picture
 from tests.unit.cli.test_fill import CONFIG

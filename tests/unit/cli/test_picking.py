@@ -6,12 +6,12 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array
 from roam_core.cli.picking import picked, trackable
 from roam_core.errors import RoamError
 from roam_core.media import open_clip
-from roam_core.propagate.provenance import Stamp, Stamps
+from roam_core.propagate.shapes.provenance import Stamp, Stamps
 from roam_core.roto import Clip, Origin, Project, RotoShape, edit, file
 from tests.unit.cli.conftest import SHOT, Outcome, Plate, Roam
 from tests.unit.cli.test_bad_input import require_refusal
@@ -32,7 +32,7 @@ def two(plate: Plate) -> Path:
     return path
 
 
-def _scaled(frame: int, size: float) -> NDArray[np.float64]:
+def _scaled(frame: int, size: float) -> Array:
     points = SHOT.truth(frame)
     middle = points[:, 0].mean(axis=0)
     return np.asarray(middle + size * (points - middle))

@@ -37,7 +37,7 @@ def test_landmarks_become_tracks_that_go_with_the_object(roam: Roam, plate: Plat
         frames = list(row.places)
         on_body = similarity.apply(inverse(SHOT.poses[frames[0] - 1001]), np.array([row.places[frames[0]]]))
         true = np.vstack([similarity.apply(SHOT.poses[frame - 1001], on_body) for frame in frames])
-        # A body of 22 pixels: every patch of 32 sees the ground glide the other way, too.
+        # A body of 22 pixels: every patch of 32 sees the background glide the other way, too.
         assert np.hypot(*(np.array(list(row.places.values())) - true).T).max() < 1.5
 
 

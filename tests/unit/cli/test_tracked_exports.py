@@ -6,17 +6,15 @@ import xml.etree.ElementTree as ET
 from collections.abc import Callable
 from pathlib import Path
 
-import numpy as np
 import pytest
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array
 from roam_core.interchange import read_shapes
 from roam_core.roto import RotoShape, file
 from tests.unit.cli.conftest import Plate, Roam
 from tests.unit.interchange import lua_judge, natron_judge, node_judge, nuke_judge, silhouette_judge, tcl
 from tests.unit.interchange.judged import JudgedMask, farthest, overlap
 
-Array = NDArray[np.float64]
 Points = Callable[[int], Array]
 SIZE = (110, 130)
 

@@ -4,13 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array
 from roam_core.geometry import bezier, polyline
 from roam_core.geometry.bezier import ANCHOR, IN, OUT
 from tests.golden.shots import blob, dense
-
-Array = NDArray[np.float64]
 
 BLOB = blob([30.0, 22.0, 26.0, 34.0, 20.0])
 ARCH = np.array([[(0, 0), (0, 0), (0, 30)], [(40, 0), (40, 30), (40, 0)], [(70, 10), (60, -20), (80, 40)]], dtype=float)

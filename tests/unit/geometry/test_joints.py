@@ -4,12 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array
 from roam_core.geometry import polyline
 from roam_core.geometry.joints import Joint, joints
-
-Array = NDArray[np.float64]
 
 
 def box(x: float, y: float, width: float, height: float) -> Array:

@@ -4,13 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array
 from roam_core.geometry import bezier, polyline
 from roam_core.geometry.skinning import Chain
 from roam_core.kernels.posing import PARENT
 
-Array = NDArray[np.float64]
 TURN = 2
 """Where the turns begin in a pose."""
 

@@ -8,17 +8,15 @@ from pathlib import Path
 import cv2
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array, UInt8
 from roam_core.energy.total import CurveContext
 from roam_core.features import PreparedFrame
 from roam_core.geometry import similarity
 from roam_core.matte.vectorise import read_mask, shapes_from_mask
 from roam_core.params import CONFIGS, AppearanceParams, RoamParams, scale_for
-from roam_core.propagate.step import begin, curve_context
+from roam_core.propagate.curves.step import begin, curve_context
 from tests.golden.shots import Shot, blob, pose
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
@@ -31,7 +29,7 @@ class Problem:
     scale: float
 
 
-def problem(image: NDArray[np.uint8], points: Array, params: RoamParams) -> Problem:
+def problem(image: UInt8, points: Array, params: RoamParams) -> Problem:
     """What the engine would solve if a pre-warp had left `points` a few pixels beside their object."""
     frame = PreparedFrame(image)
     scale = scale_for(frame.size)

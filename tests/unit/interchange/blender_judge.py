@@ -18,10 +18,10 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-import numpy as np
 import OpenImageIO as oiio  # noqa: N813
 import pytest
-from numpy.typing import NDArray
+
+from roam_core.arrays import Float32
 
 RENDER = Path(__file__).with_name("blender_render.py")
 
@@ -30,7 +30,7 @@ RENDER = Path(__file__).with_name("blender_render.py")
 class Rendered:
     """Mattes `(h, w)` by frame, and what Blender holds of each mask layer."""
 
-    mattes: dict[float, NDArray[np.float32]]
+    mattes: dict[float, Float32]
     layers: list[dict[str, Any]]
 
 

@@ -6,14 +6,14 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array
 from roam_core.roto import BlendMode, Clip, Interpolation, Keyframe, Layer, MotionBlur, Origin, Project, RotoShape
 
 CLIP = Clip(Path("/plates/shot.%04d.exr"), 1001, 1040, (1920, 1080), pixel_aspect=1.0)
 
 
-def points(seed: int, count: int = 5) -> NDArray[np.float64]:
+def points(seed: int, count: int = 5) -> Array:
     """Random spline points `(count, 3, 2)` around the image, handles up to 80 pixels long."""
     rng = np.random.default_rng(seed)
     anchors = rng.uniform([-100.0, -100.0], [2000.0, 1200.0], (count, 2))

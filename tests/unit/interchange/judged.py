@@ -7,13 +7,11 @@ from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array, Bools
 from roam_core.matte import shape_matte
 from roam_core.roto import RotoShape
 from tests.golden.shots import dense
-
-Array = NDArray[np.float64]
 
 
 @dataclass
@@ -41,7 +39,7 @@ class JudgedMask:
         return (1.0 - u) * self.keys[before] + u * self.keys[after]
 
 
-def filled(points: Array, size: tuple[int, int]) -> NDArray[np.bool_]:
+def filled(points: Array, size: tuple[int, int]) -> Bools:
     """Pixels `(h, w)` whose centres lie inside of a closed spline: de Casteljau's construction, then row by row."""
     line: list[Array] = []
     for start, end in zip(points, np.roll(points, -1, axis=0), strict=True):

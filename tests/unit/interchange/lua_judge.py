@@ -7,8 +7,8 @@ from typing import Any
 
 import lupa
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array
 from tests.unit.interchange.judged import JudgedMask
 
 CONSTRUCTORS = ("Input", "Polyline", "FuID", "PolylineMask", "BezierSpline", "OperatorInfo")
@@ -72,7 +72,7 @@ def keys_of(name: str, tool: dict[str, Any], tools: dict[str, Any]) -> dict[floa
     return {frame: key[1] for frame, key in keys.items()}
 
 
-def _points(rows: dict[int, dict[str, float]], size: tuple[int, int]) -> NDArray[np.float64]:
+def _points(rows: dict[int, dict[str, float]], size: tuple[int, int]) -> Array:
     width, height = size
     points = []
     for index in range(1, len(rows) + 1):

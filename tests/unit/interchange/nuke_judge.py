@@ -6,11 +6,9 @@ import struct
 from dataclasses import dataclass, field
 
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array
 from tests.unit.interchange import tcl
-
-Array = NDArray[np.float64]
 
 
 @dataclass

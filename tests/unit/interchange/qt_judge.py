@@ -5,13 +5,14 @@ from __future__ import annotations
 import re
 
 import numpy as np
-from numpy.typing import NDArray
 from PySide6.QtCore import QByteArray, QRectF, Qt
 from PySide6.QtGui import QImage, QPainter
 from PySide6.QtSvg import QSvgRenderer
 
+from roam_core.arrays import Array
 
-def painted(text: str, size: tuple[int, int]) -> NDArray[np.float64]:
+
+def painted(text: str, size: tuple[int, int]) -> Array:
     """Coverage `(h, w)` of everything that the drawing fills, at `size` (width, height); lines are not painted."""
     plain = re.sub(r'(fill-opacity|stroke)="[^"]*"', "", text)
     renderer = QSvgRenderer(QByteArray(plain.encode("utf-8")))

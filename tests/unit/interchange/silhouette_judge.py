@@ -7,9 +7,8 @@ from xml.etree.ElementTree import Element
 
 import numpy as np
 from defusedxml import ElementTree
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from roam_core.arrays import Array
 
 
 @dataclass

@@ -117,7 +117,7 @@ def test_b_splines_are_read_by_their_control_points(tmp_path: Path) -> None:
                Closed = true, Points = {{ {points} }}, Order = 4, Type = "Tensioned" }} }} }} }}"""
     shape = only(read(text, tmp_path))
     assert (shape.spline, shape.point_count, shape.frames) == (Spline.BSPLINE, 4, (1,))
-    np.testing.assert_allclose(shape.at(1).grips[0, 0], (768, 432), atol=1e-6)
+    np.testing.assert_allclose(shape.at(1).control_points[0, 0], (768, 432), atol=1e-6)
 
 
 def test_what_is_not_read_is_named(tmp_path: Path) -> None:

@@ -9,8 +9,8 @@ import cv2
 import numpy as np
 import OpenImageIO as oiio  # noqa: N813 - the name its own manual uses
 import pytest
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array, UInt8
 from roam_core.cancel import Cancelled, CancelToken
 from roam_core.errors import RoamError
 from roam_core.geometry import polyline
@@ -19,7 +19,6 @@ from roam_core.interchange.masks.sequence import Fitted
 from roam_core.matte import render_matte
 from roam_core.roto import BlendMode, Clip, Origin, RotoShape
 
-Array = NDArray[np.float64]
 SIZE = (200, 240)
 FINE = 8
 """Samples across a pixel with which masks are drawn."""
@@ -35,7 +34,7 @@ def pear(frame: float, turn: float = 2.0, grow: float = 0.01, move: tuple[float,
     return np.asarray(turned + np.array([80.0, 80.0]) + np.array(move) * frame)
 
 
-def drawn(*lines: Array, holes: tuple[Array, ...] = (), soft: bool = True) -> NDArray[np.uint8]:
+def drawn(*lines: Array, holes: tuple[Array, ...] = (), soft: bool = True) -> UInt8:
     """A mask of closed lines in pixel coordinates (a pixel's centre is at a half), grey along its edges if `soft`."""
     fine = np.zeros((SIZE[0] * FINE, SIZE[1] * FINE), np.uint8)
     for line, value in (*((each, 255) for each in lines), *((each, 0) for each in holes)):
@@ -49,7 +48,7 @@ def disc(x: float, y: float, radius: float) -> Array:
     return np.stack([x + radius * np.cos(t), y + radius * np.sin(t)], axis=1)
 
 
-def write(folder: Path, masks: list[NDArray[np.uint8]]) -> Path:
+def write(folder: Path, masks: list[UInt8]) -> Path:
     folder.mkdir()
     for number, mask in enumerate(masks, start=1001):
         cv2.imwrite(str(folder / f"mask.{number}.png"), mask)
@@ -71,7 +70,7 @@ def away(places: Array, line: Array) -> float:
     return float(np.hypot(*np.moveaxis(places[:, None] - foot, 2, 0)).min(axis=1).max())
 
 
-def overlap(shapes: list[RotoShape], frame: int, mask: NDArray[np.uint8]) -> float:
+def overlap(shapes: list[RotoShape], frame: int, mask: UInt8) -> float:
     matte = render_matte(shapes, frame, SIZE) > 0.5
     return np.count_nonzero(matte & (mask > 127)) / max(np.count_nonzero(matte | (mask > 127)), 1)
 
@@ -164,7 +163,7 @@ def test_every_key_when_it_is_asked_for(tmp_path: Path) -> None:
 
 
 def test_a_hole_that_opens_is_a_shape_of_its_own_above_its_part(tmp_path: Path) -> None:
-    def mask(f: int) -> NDArray[np.uint8]:
+    def mask(f: int) -> UInt8:
         holes = (disc(80.0 + 2.0 * f, 80.0 + f, 4.0 + 1.0 * f),) if f >= 4 else ()
         return drawn(pear(f, turn=0.0), holes=holes)
 

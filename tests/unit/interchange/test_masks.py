@@ -7,8 +7,8 @@ from pathlib import Path
 import cv2
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
+from roam_core.arrays import Bools, UInt8
 from roam_core.errors import RoamError
 from roam_core.interchange import ImportOptions, read_shapes
 from roam_core.matte import render_matte
@@ -17,21 +17,21 @@ from roam_core.roto import Clip
 CLIP = Clip(Path("plate"), 1001, 1003, (160, 120))
 
 
-def discs(*centres: tuple[int, int]) -> NDArray[np.uint8]:
+def discs(*centres: tuple[int, int]) -> UInt8:
     mask = np.zeros((120, 160), dtype=np.uint8)
     for centre in centres:
         cv2.circle(mask, centre, 22, 255, -1, cv2.LINE_AA)
     return mask
 
 
-def write(folder: Path, *masks: NDArray[np.uint8], first: int = 1001) -> Path:
+def write(folder: Path, *masks: UInt8, first: int = 1001) -> Path:
     folder.mkdir()
     for number, mask in enumerate(masks, start=first):
         cv2.imwrite(str(folder / f"mask.{number:04d}.png"), mask)
     return folder
 
 
-def overlap(a: NDArray[np.bool_], b: NDArray[np.bool_]) -> float:
+def overlap(a: Bools, b: Bools) -> float:
     return np.count_nonzero(a & b) / np.count_nonzero(a | b)
 
 

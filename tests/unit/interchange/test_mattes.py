@@ -11,14 +11,13 @@ import cv2
 import numpy as np
 import OpenImageIO as oiio  # noqa: N813
 import pytest
-from numpy.typing import NDArray
 
+from roam_core.arrays import Float32
 from roam_core.cancel import Cancelled, CancelToken
 from roam_core.errors import RoamError
 from roam_core.geometry import bezier
 from roam_core.interchange import EXPORTERS, ExportOptions, KeyChoice, write_mattes
-from roam_core.interchange.mattes.files import encode_png
-from roam_core.interchange.mattes.style import (
+from roam_core.interchange.matte_style import (
     COMPRESSIONS,
     DEPTHS,
     DataWindow,
@@ -28,10 +27,9 @@ from roam_core.interchange.mattes.style import (
     MatteStyle,
     Parts,
 )
+from roam_core.interchange.mattes.files import encode_png
 from roam_core.matte import render_matte, shape_matte
 from roam_core.roto import BlendMode, Clip, Keyframe, Layer, Origin, Project, RotoShape
-
-Array = NDArray[np.float32]
 
 SIZE = (24, 32)
 
@@ -129,7 +127,7 @@ STYLES = [
 ]
 
 
-def read(path: Path) -> tuple[dict[str, Array], oiio.ImageSpec]:
+def read(path: Path) -> tuple[dict[str, Float32], oiio.ImageSpec]:
     """The channels of a file by OpenImageIO, as floating point over the display window."""
     picture = oiio.ImageBuf(str(path))
     assert not picture.has_error, picture.geterror()

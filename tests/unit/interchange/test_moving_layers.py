@@ -10,8 +10,8 @@ import pytest
 from roam_core.geometry import bezier
 from roam_core.interchange.bake_layers import BY_LAYER, bake_layers
 from roam_core.interchange.keys.reduction import reduced
+from roam_core.interchange.matte_style import Parts
 from roam_core.interchange.mattes.exporter import parts_of
-from roam_core.interchange.mattes.style import Parts
 from roam_core.interchange.protocol import ExportOptions, KeyChoice, exported_keys
 from roam_core.interchange.registry import EXPORTERS
 from roam_core.matte import render_matte

@@ -9,8 +9,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array
 from roam_core.errors import RoamError
 from roam_core.geometry import bezier, similarity
 from roam_core.interchange.nuke.landmarks import LEAST_FRAMES, MOST_TRACKS, LandmarkPaths, write_landmarks
@@ -235,8 +235,6 @@ def test_a_place_that_is_none_is_refused_and_nothing_written(tmp_path: Path) -> 
 
 # ---- a run against what is true --------------------------------------------------------------------------------------
 
-Array = NDArray[np.float64]
-
 
 def tracked(shot: Shot, config: str, path: Path) -> Node:
     """The node of the landmarks of a shot that is really tracked, as Tcl reads it."""
@@ -266,7 +264,7 @@ def depth(row: Row, shot: Shot) -> float:
 
 @pytest.mark.parametrize("config", ["medium", "full"])
 def test_tracks_within_a_body_go_with_it(config: str, tmp_path: Path) -> None:
-    """Those whose patch of 32 pixels lies on the body; one that reaches over the outline sees the ground glide too."""
+    """Whose patch of 32 pixels lies on the body; one that reaches over the outline sees the background glide too."""
     poses = tuple(pose(130.0 + 2.2 * k, 120.0 - 0.6 * k, 1.0 * k) for k in range(8))
     shot = Shot(blob([60.0, 48.0, 40.0, 52.0, 64.0, 44.0]), poses, size=(240, 320), drift=(-0.5, 0.3))
     within = [row for row in tracked(shot, config, tmp_path / "a.nk").rows if depth(row, shot) >= 16.0]

@@ -7,8 +7,8 @@ from pathlib import Path
 import cv2
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array
 from roam_core.errors import RoamError
 from roam_core.geometry.bezier import polygon_points
 from roam_core.interchange import EXPORTERS, ExportOptions
@@ -20,7 +20,7 @@ from tests.unit.interchange.conftest import CLIP
 BOX = np.array([[100.0, 200.0], [300.0, 200.0], [300.0, 500.0], [100.0, 500.0]])
 
 
-def moved(frame: int) -> NDArray[np.float64]:
+def moved(frame: int) -> Array:
     """The box turned by 2 degrees a frame about (10, 20), grown by 1 % a frame, and moved."""
     angle, scale = np.radians(2.0 * frame), 1.01**frame
     turn = scale * np.array([[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]])

@@ -6,8 +6,8 @@ from itertools import combinations, pairwise
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array
 from roam_core.cancel import Cancelled, CancelToken
 from roam_core.errors import RoamError
 from roam_core.interchange import ExportOptions, KeyChoice
@@ -38,7 +38,7 @@ def tracked(frames: int, shiver: float = 0.0, artist: tuple[int, ...] = (1001,),
     return RotoShape("shape-1", "Tracked", tuple(keys))
 
 
-def brute_force(samples: NDArray[np.float64], tolerance: float, *, cubic: bool) -> tuple[int, float]:
+def brute_force(samples: Array, tolerance: float, *, cubic: bool) -> tuple[int, float]:
     """The fewest keys, and of those choices the smallest largest error, over every subset of frames."""
     last = len(samples) - 1
     for inner in range(last):

@@ -11,7 +11,8 @@ import pytest
 from roam_core.cancel import Cancelled, CancelToken
 from roam_core.errors import RoamError
 from roam_core.interchange import EXPORTERS, ExportOptions, KeyChoice, exporter_for
-from roam_core.roto import Project, Spline, grips
+from roam_core.interchange.registry import SHAPE_SUFFIXES
+from roam_core.roto import Project, Spline, control_points
 
 
 def test_every_format_is_known_by_its_own_name() -> None:
@@ -70,8 +71,13 @@ def test_every_choice_of_keys_can_be_written(project: Project, tmp_path: Path, n
 @pytest.mark.parametrize("name", [name for name in EXPORTERS if name not in ("mattes", "nuke-tracks")])
 def test_a_b_spline_stays_one_or_becomes_the_bezier_that_it_is(project: Project, tmp_path: Path, name: str) -> None:
     arm = next(shape for shape in project.shapes if shape.name == "Arm")
-    spline = grips.with_spline(arm, Spline.BSPLINE)
+    spline = control_points.with_spline(arm, Spline.BSPLINE)
     path = tmp_path / f"p{EXPORTERS[name].suffix}"
     notes = EXPORTERS[name].export(project.with_shape(spline), path, ExportOptions(lossy=True))
     told = "The B-spline 'Arm' was written as Bezier: the same curve, with other handles." in notes
     assert told is (name not in ("silhouette", "json", "svg"))
+
+
+def test_shapes_are_read_from_every_file_that_is_no_picture() -> None:
+    assert {".nk", ".fxs", ".setting", ".svg", ".json", ".xml"} <= set(SHAPE_SUFFIXES)
+    assert not {".png", ".exr", ""} & set(SHAPE_SUFFIXES)

@@ -26,7 +26,7 @@ from roam_core.roto import (
     RotoShape,
     Spline,
     ValueKey,
-    grips,
+    control_points,
 )
 from tests.judges.scenes import SCENES
 from tests.judges.silhouette import matte
@@ -264,7 +264,7 @@ def test_no_clip_is_told_in_a_sentence(tmp_path: Path) -> None:
 @pytest.mark.parametrize("closed", [True, False])
 def test_a_b_spline_is_written_by_its_control_points(closed: bool) -> None:
     """Their uniform cubic spline, evaluated by SciPy, is the shape's outline on every frame."""
-    shape = grips.with_spline(replace(animated("A"), closed=closed), Spline.BSPLINE)
+    shape = control_points.with_spline(replace(animated("A"), closed=closed), Spline.BSPLINE)
     text, notes = silhouette_document(only(shape))
     assert notes == ()
     (written,) = judge(text)[1].shapes()

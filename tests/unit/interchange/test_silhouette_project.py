@@ -55,7 +55,7 @@ def test_the_shapes_of_a_tracked_layer(tmp_path: Path, pack: type[bytes]) -> Non
     imported = read(tmp_path, pack(project_xml(node(layer), node("", kind="OutputNode"))))
     (arm,) = imported.layer.shapes()
     assert (arm.name, arm.spline, arm.frames) == ("Arm", Spline.BSPLINE, (1001, 1011))
-    np.testing.assert_allclose(arm.at(1006).grips[:, 0], CONTROLS * 100 + [105, 50], atol=1e-6)
+    np.testing.assert_allclose(arm.at(1006).control_points[:, 0], CONTROLS * 100 + [105, 50], atol=1e-6)
     assert imported.notes == ()
 
 

@@ -121,7 +121,7 @@ def test_a_b_spline_stays_one_and_is_the_same_curve(read: Read, closed: bool) ->
     shape = only(read(shape_xml(spline_key(0, CONTROLS, closed=closed))))
     assert (shape.spline, shape.closed) == (Spline.BSPLINE, closed)
     pixels = CONTROLS * 100 + [100, 50]
-    np.testing.assert_allclose(shape.at(1001).grips[:, 0], pixels, atol=1e-9)
+    np.testing.assert_allclose(shape.at(1001).control_points[:, 0], pixels, atol=1e-9)
     if closed:
         pixels = np.vstack([pixels[-1:], pixels, pixels[:2]])
     else:
@@ -246,9 +246,9 @@ def test_a_tracked_matrix_with_perspective_moves_the_control_points(read: Read) 
     shape = only(read(layer_xml(shape_xml(spline_key(0, CONTROLS)), properties)))
     assert {1001, 1011} <= set(shape.frames)
     expected = (CONTROLS + np.array([0.2, 0.0])) / (1.0 + 0.5 * CONTROLS[:, :1])
-    np.testing.assert_allclose(shape.at(1011).grips[:, 0], expected * 100 + [100, 50], atol=1e-6)
+    np.testing.assert_allclose(shape.at(1011).control_points[:, 0], expected * 100 + [100, 50], atol=1e-6)
     half = (CONTROLS + np.array([0.1, 0.0])) / (1.0 + 0.25 * CONTROLS[:, :1])
-    np.testing.assert_allclose(shape.at(1006).grips[:, 0], half * 100 + [100, 50], atol=0.06)
+    np.testing.assert_allclose(shape.at(1006).control_points[:, 0], half * 100 + [100, 50], atol=0.06)
 
 
 @pytest.mark.parametrize(

@@ -8,8 +8,8 @@ from pathlib import Path
 import cv2
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array
 from roam_core.cancel import Cancelled, CancelToken
 from roam_core.errors import RoamError
 from roam_core.geometry import bspline
@@ -19,8 +19,6 @@ from roam_core.interchange.keys.smoothing import SLIDE, STIFFNESS, smoothed
 from roam_core.roto import Clip, Interpolation, Keyframe, Layer, Origin, Project, RotoShape, Spline
 from tests.golden.shots import blob, outline_distance
 from tests.unit.interchange.judged import farthest
-
-Array = NDArray[np.float64]
 
 ROUND = blob([30.0, 22.0, 26.0, 34.0, 20.0])
 COUNT = 40

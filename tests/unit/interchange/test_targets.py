@@ -11,7 +11,7 @@ import pytest
 
 from roam_core.interchange import EXPORTERS, ExportOptions, write_mattes
 from roam_core.interchange.authorship import Kind, written_by_us
-from roam_core.interchange.mattes.style import DEPTHS, Depth, MatteFile, MatteStyle
+from roam_core.interchange.matte_style import DEPTHS, Depth, MatteFile, MatteStyle
 from roam_core.interchange.targets import BACKUPS, Obstacles, Sources, exported, kept_aside, obstacles
 from roam_core.roto import Clip, Layer, Mark, Project, file
 from tests.unit.interchange.test_mattes import SIZE, name_for

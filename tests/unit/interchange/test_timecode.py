@@ -11,7 +11,7 @@ import OpenImageIO as oiio  # noqa: N813
 import pytest
 
 from roam_core.interchange import EXPORTERS, ExportOptions, write_mattes
-from roam_core.interchange.mattes.style import MatteFile, MatteStyle
+from roam_core.interchange.matte_style import MatteFile, MatteStyle
 from roam_core.interchange.mattes.timecode import Moment, rational
 from roam_core.roto import Clip, Keyframe, Layer, Project, RotoShape
 from tests.judges.exr_header import header, rate, time_code

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array
 from roam_core.kernels.coverage import coverage, distance, swept_coverage
 from tests.reference.coverage import (
     comp_coverage,
@@ -14,8 +14,6 @@ from tests.reference.coverage import (
     ref_distance,
     ref_swept_coverage,
 )
-
-Array = NDArray[np.float64]
 
 
 def star(seed: int, count: int = 9, centre: tuple[float, float] = (16.0, 12.0), reach: float = 14.0) -> Array:

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array
 from roam_core.kernels.key_spans import cubic_span_errors, linear_span_errors, outline_distances
 from tests.reference.key_spans import ref_distances, ref_span_error
 from tests.unit.kernels.conftest import COMPILED
 
 
-def moving(frames: int, curves: int = 1, seed: int = 0) -> NDArray[np.float64]:
+def moving(frames: int, curves: int = 1, seed: int = 0) -> Array:
     """Rings of 12 places that wander and shiver."""
     rng = np.random.default_rng(seed)
     angle = np.linspace(0, 2 * np.pi, 12, endpoint=False)

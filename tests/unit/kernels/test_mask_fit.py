@@ -7,11 +7,9 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array
 from roam_core.kernels import mask_fit
-
-Array = NDArray[np.float64]
 
 P = 4
 """Points of the splines."""

@@ -4,13 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array
 from roam_core.kernels.posing import RIM, Costs, Prior, Samples, Ties, View, affines, energies, refined
 from tests.reference.posing import ref_affines, ref_carried, ref_energy
 from tests.unit.kernels.conftest import EXACT
-
-Array = NDArray[np.float64]
 
 ONE = np.array([[30.0, 25.0, -1.0, 0.4]])
 TWO = np.array([[24.0, 25.0, -1.0, 0.1], [32.0, 26.0, 0.0, 0.2]])

@@ -16,7 +16,7 @@ OBJECT = cv2.GaussianBlur(np.random.default_rng(9).normal(size=(80, 80)), (0, 0)
 
 
 def picture(x: int, y: int, factor: int = 1) -> PreparedFrame:
-    """A textured square of 80 pixels with its corner at (x, y), before a textured ground."""
+    """A textured square of 80 pixels with its corner at (x, y), before a textured background."""
     grey = 120 + 30 * BACK / BACK.std()
     grey[y : y + 80, x : x + 80] = 120 + 45 * OBJECT / OBJECT.std()
     image = np.clip(grey, 0, 255).astype(np.uint8)

@@ -6,8 +6,8 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array
 from roam_core.geometry import bezier
 from roam_core.matte import Patch, render_matte, shape_matte, shape_patch
 from roam_core.roto import Interpolation, Keyframe, MotionBlur, RotoShape
@@ -17,7 +17,7 @@ from tests.unit.matte.conftest import rectangle
 SIZE = (20, 24)
 
 
-def circle(centre: tuple[float, float], radius: float, count: int = 8) -> NDArray[np.float64]:
+def circle(centre: tuple[float, float], radius: float, count: int = 8) -> Array:
     """Spline points `(count, 3, 2)` of a circle, to about 1e-5 of its radius."""
     angle = np.arange(count) * 2.0 * np.pi / count
     radial = np.stack([np.cos(angle), np.sin(angle)], axis=1)

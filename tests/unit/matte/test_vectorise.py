@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
+from roam_core.arrays import Array, UInt8
 from roam_core.errors import RoamError
 from roam_core.geometry import polyline
 from roam_core.matte import render_matte, shapes_from_mask
@@ -20,7 +21,7 @@ from tests.golden.shots import dense, overlap
 SIZE = (90, 120)
 
 
-def disc(x: float, y: float, radius: float, size: tuple[int, int] = SIZE, samples: int = 16) -> NDArray[np.float64]:
+def disc(x: float, y: float, radius: float, size: tuple[int, int] = SIZE, samples: int = 16) -> Array:
     """Antialiased coverage of a disc, by counting."""
     height, width = size
     grid = [(np.arange(n * samples) + 0.5) / samples for n in size]
@@ -28,7 +29,7 @@ def disc(x: float, y: float, radius: float, size: tuple[int, int] = SIZE, sample
     return inside.reshape(height, samples, width, samples).mean(axis=(1, 3))
 
 
-def box(*boxes: tuple[int, int, int, int], size: tuple[int, int] = SIZE) -> NDArray[np.uint8]:
+def box(*boxes: tuple[int, int, int, int], size: tuple[int, int] = SIZE) -> UInt8:
     """A mask with boxes (left, top, right, bottom) of 255."""
     mask = np.zeros(size, dtype=np.uint8)
     for left, top, right, bottom in boxes:

@@ -12,10 +12,12 @@ import OpenImageIO as oiio  # noqa: N813 - the name its own manual uses
 import pytest
 from numpy.typing import NDArray
 
+from roam_core.arrays import Float32, UInt8
+
 WIDTH, HEIGHT = 16, 12
 
 
-def picture(seed: int, channels: int = 3) -> NDArray[np.float32]:
+def picture(seed: int, channels: int = 3) -> Float32:
     """A picture in [0, 1] that differs in every pixel."""
     return np.random.default_rng(seed).random((HEIGHT, WIDTH, channels), dtype=np.float32)
 
@@ -56,7 +58,7 @@ def write_frames(tmp_path: Path) -> WriteFrames:
     return write
 
 
-def movie_pictures(count: int) -> list[NDArray[np.uint8]]:
+def movie_pictures(count: int) -> list[UInt8]:
     """BGR pictures with a moving block: inter-frame codecs have to predict."""
     pictures = []
     for index in range(count):

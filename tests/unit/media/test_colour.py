@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array, Float32
 from roam_core.errors import RoamError
 from roam_core.media.colour import COLOUR_SPACES, LINEAR, LOG, SRGB, linear_from_log, to_display, to_engine
 
@@ -25,7 +25,7 @@ def ref_log(value: float) -> float:
     return (10 ** ((1023 * value - 685) * 0.002 / 0.6) - black) / (1 - black)
 
 
-def ref_perceived(image: NDArray[np.float32], space: str) -> NDArray[np.float64]:
+def ref_perceived(image: Float32, space: str) -> Array:
     curve = {SRGB: float, LINEAR: ref_srgb, LOG: lambda value: ref_srgb(ref_log(value))}[space]
     return np.array([curve(float(value)) for value in image.ravel()]).reshape(image.shape)
 
@@ -63,7 +63,7 @@ def test_what_lies_outside_the_range_is_clipped_and_nan_is_black(space: str) -> 
 
 @pytest.mark.parametrize("space", COLOUR_SPACES)
 @pytest.mark.parametrize("image", [RAMP, BYTES], ids=["float", "8-bit"])
-def test_read_only_and_sliced_pictures_are_left_alone(space: str, image: NDArray[np.float32]) -> None:
+def test_read_only_and_sliced_pictures_are_left_alone(space: str, image: Float32) -> None:
     frozen = image.copy()
     frozen.setflags(write=False)
     np.testing.assert_array_equal(to_display(frozen[::2, ::-1], space), to_display(image, space)[::2, ::-1])

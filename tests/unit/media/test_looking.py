@@ -4,18 +4,18 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
+from roam_core.arrays import UInt8
 from roam_core.media.colour import LINEAR, LOG, SRGB, linear_from_log, srgb_from_linear, to_display
 from roam_core.media.looking import Channel, Look, has_more_than_shown, linear_from_srgb, seen, seen_plate
 
 
 @pytest.fixture
-def picture() -> NDArray[np.uint8]:
+def picture() -> UInt8:
     return np.random.default_rng(3).integers(0, 256, (5, 7, 3), dtype=np.uint8)
 
 
-def test_a_neutral_look_shows_the_picture_itself(picture: NDArray[np.uint8]) -> None:
+def test_a_neutral_look_shows_the_picture_itself(picture: UInt8) -> None:
     assert Look().is_neutral
     assert seen(picture, Look()) is picture
     np.testing.assert_array_equal(Look().table, np.arange(256))
@@ -40,7 +40,7 @@ def test_gamma_opens_the_shadows_and_keeps_black_and_white() -> None:
     assert table[64] == round(255.0 * (64 / 255.0) ** 0.5)
 
 
-def test_single_channels_are_grey(picture: NDArray[np.uint8]) -> None:
+def test_single_channels_are_grey(picture: UInt8) -> None:
     for index, channel in enumerate((Channel.RED, Channel.GREEN, Channel.BLUE)):
         np.testing.assert_array_equal(seen(picture, Look(channel=channel)), picture[:, :, index])
     brightness = seen(picture, Look(channel=Channel.LUMINANCE))
@@ -48,7 +48,7 @@ def test_single_channels_are_grey(picture: NDArray[np.uint8]) -> None:
 
 
 @pytest.mark.parametrize("look", [Look(exposure=1.0), Look(channel=Channel.BLUE), Look(0.5, 1.3, Channel.RED)])
-def test_opacity_is_left_alone(picture: NDArray[np.uint8], look: Look) -> None:
+def test_opacity_is_left_alone(picture: UInt8, look: Look) -> None:
     cut = np.dstack([picture, picture[:, :, 0]])
     shown = seen(cut, look)
     np.testing.assert_array_equal(shown[:, :, 3], picture[:, :, 0])
@@ -58,7 +58,7 @@ def test_opacity_is_left_alone(picture: NDArray[np.uint8], look: Look) -> None:
     )
 
 
-def test_a_matte_has_no_channels(picture: NDArray[np.uint8]) -> None:
+def test_a_matte_has_no_channels(picture: UInt8) -> None:
     grey = picture[:, :, 0].copy()
     np.testing.assert_array_equal(seen(grey, Look(channel=Channel.RED)), grey)
     np.testing.assert_array_equal(seen(grey, Look(gamma=2.0)), Look(gamma=2.0).table[grey])

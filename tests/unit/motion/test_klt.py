@@ -52,8 +52,8 @@ def test_an_outline_outside_the_picture_stands_still() -> None:
     )
 
 
-def test_the_ground_beside_the_object_has_no_say() -> None:
-    """Only points inside the outline are followed: a ground that moves otherwise does not drag the object along."""
+def test_the_background_beside_the_object_has_no_say() -> None:
+    """Only points inside the outline are followed: a background that moves otherwise does not drag the object along."""
     still, gliding = (Shot(REST, (pose(80, 70), pose(83, 71)), (140, 180), drift=d) for d in ((0.0, 0.0), (-4.0, 3.0)))
     transforms = []
     for shot in (still, gliding):

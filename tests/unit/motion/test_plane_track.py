@@ -26,7 +26,7 @@ def noise(seed: int, low: float, high: float) -> np.ndarray:
     return low + (high - low) * (soft - soft.min()) / (soft.max() - soft.min())
 
 
-GROUND, TEXTURE = noise(1, 20.0, 140.0), noise(2, 60.0, 250.0)
+BACKGROUND, TEXTURE = noise(1, 20.0, 140.0), noise(2, 60.0, 250.0)
 
 
 def true_motion(kind: PlaneMotion, frame: int) -> np.ndarray:
@@ -45,13 +45,13 @@ def true_motion(kind: PlaneMotion, frame: int) -> np.ndarray:
 
 
 def picture(kind: PlaneMotion, frame: int) -> np.ndarray:
-    """The board on a ground that stands still."""
+    """The board on a background that stands still."""
     motion = TO_OPENCV @ true_motion(kind, frame) @ np.linalg.inv(TO_OPENCV)
     moved = cv2.warpPerspective(TEXTURE, motion, (WIDTH, HEIGHT))
     mask = np.zeros((HEIGHT, WIDTH), np.uint8)
     corners = projective.apply(true_motion(kind, frame), BOARD[:, 0])
     cv2.fillPoly(mask, [np.round((corners - 0.5) * 16).astype(np.int32)], 255, shift=4)
-    return np.where(mask[..., None] > 0, moved, GROUND).astype(np.uint8)
+    return np.where(mask[..., None] > 0, moved, BACKGROUND).astype(np.uint8)
 
 
 def misses(kind: PlaneMotion, steps: list[PlaneStep]) -> list[float]:
@@ -105,7 +105,7 @@ def test_of_two_surfaces_the_greater_is_followed() -> None:
 
     def read(frame: int) -> np.ndarray:
         image = picture(kind, frame)
-        image[still] = GROUND[still].astype(np.uint8)
+        image[still] = BACKGROUND[still].astype(np.uint8)
         return image
 
     steps = list(track_plane(read, [BOARD], [], range(6), kind))

@@ -15,6 +15,6 @@ def box_shot() -> Shot:
 
 @pytest.fixture(scope="session")
 def blob_shot() -> Shot:
-    """A smooth shape that glides, turns and grows over a ground that glides otherwise, six frames from 1001 on."""
+    """A smooth shape that glides, turns and grows over a background that glides otherwise, six frames from 1001 on."""
     poses = tuple(pose(70.0 + 2.2 * k, 60.0 - 0.6 * k, 3.0 * k, 1.0 + 0.01 * k) for k in range(6))
     return Shot(blob([30.0, 24.0, 20.0, 26.0, 32.0, 22.0]), poses, drift=(-0.5, 0.3))

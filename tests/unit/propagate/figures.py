@@ -4,19 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property
+from functools import cache, cached_property
 from pathlib import Path
 
 import cv2
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array, UInt8
 from roam_core.geometry import bezier, similarity
 from roam_core.matte import shape_matte
 from roam_core.roto import BlendMode, Clip, Keyframe, Layer, Project, RotoShape, file
-from tests.golden.shots import Image, Texture, inverse, pose, texture
+from tests.golden.shots import Texture, inverse, pose, texture
 
-Array = NDArray[np.float64]
 SIZE = 120, 160
 
 
@@ -57,24 +56,35 @@ class Figure:
             for part in self.parts
         ]
 
-    def read(self, frame: int) -> Image:
+    def read(self, frame: int) -> UInt8:
         return self.pictures[frame]
 
     @cached_property
-    def pictures(self) -> list[Image]:
+    def pictures(self) -> list[UInt8]:
         return [self._drawn(k) for k in self.frames]
 
-    def _drawn(self, k: int) -> Image:
-        height, width = SIZE
-        centres = np.stack(np.meshgrid(np.arange(width) + 0.5, np.arange(height) + 0.5), axis=-1)
-        image = texture(90, 0.0, 0.35).at(centres)
+    def _drawn(self, k: int) -> UInt8:
+        image = background().copy()
         for part in self.parts:
             shape = RotoShape(part.name, part.name, (Keyframe(k, part.truth(k)),))
-            cover = shape_matte(shape, k, SIZE)[..., None]
-            grey = np.full((*SIZE, 3), 0.6)
-            look = grey if part.look is None else part.look.at(similarity.apply(inverse(part.where(k)), centres))
-            image = cover * look + (1.0 - cover) * image
+            matte = shape_matte(shape, k, SIZE)
+            covered = np.nonzero(matte)
+            places = similarity.apply(inverse(part.where(k)), centres()[covered])
+            cover, look = matte[covered][:, None], 0.6 if part.look is None else part.look.at(places)
+            image[covered] = cover * look + (1.0 - cover) * image[covered]
         return np.asarray(np.round(255.0 * image), dtype=np.uint8)
+
+
+def centres() -> Array:
+    """The centre of each pixel `(h, w, 2)`."""
+    height, width = SIZE
+    return np.stack(np.meshgrid(np.arange(width) + 0.5, np.arange(height) + 0.5), axis=-1)
+
+
+@cache
+def background() -> Array:
+    """What lies behind all parts `(h, w, 3)`."""
+    return texture(90, 0.0, 0.35).at(centres())
 
 
 def box(width: float, height: float) -> Array:

@@ -11,9 +11,9 @@ import pytest
 from roam_core.errors import RoamError
 from roam_core.features import PreparedFrame
 from roam_core.propagate import FrameResult, track
+from roam_core.propagate.between.span import fill_span
 from roam_core.propagate.engines.protocol import REGION
 from roam_core.propagate.explain import Explanation, explain
-from roam_core.propagate.span import fill_span
 from roam_core.roto import BlendMode, Keyframe, Origin, RotoShape
 from tests.golden.shots import Shot
 

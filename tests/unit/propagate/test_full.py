@@ -6,13 +6,13 @@ from dataclasses import replace
 
 import numpy as np
 import numpy.testing as npt
-from numpy.typing import NDArray
 
+from roam_core.arrays import UInt8
 from roam_core.geometry import bezier, polyline
 from roam_core.kernels.coverage import coverage
 from roam_core.params import CONFIGS
 from roam_core.propagate import Tracker, TrackResult
-from roam_core.proposal.topology import TopologyKind
+from roam_core.proposal.reshaping.topology import TopologyKind
 from roam_core.roto import Keyframe, RotoShape
 from tests.unit.proposal.scenes import SIZE, Array, Bools, drawn, spline
 
@@ -20,8 +20,8 @@ BODY = (40, 30, 90, 90)
 FULL = replace(CONFIGS["full"], landmarks=None, warp="klt")
 
 
-def plate(mask: Bools, seed: int) -> NDArray[np.uint8]:
-    """An object of one hue on a ground of another, both of a grain that does not move."""
+def plate(mask: Bools, seed: int) -> UInt8:
+    """An object of one hue on a background of another, both of a grain that does not move."""
     grain = np.random.default_rng(7).normal(0.0, 12.0, (*SIZE, 1)) + np.random.default_rng(seed).normal(
         0, 2, (*SIZE, 1)
     )

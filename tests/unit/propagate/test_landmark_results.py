@@ -8,11 +8,12 @@ import numpy as np
 import numpy.testing as npt
 import pytest
 
+from roam_core.arrays import UInt8
 from roam_core.media.source import MissingFrame
 from roam_core.params import CONFIGS
 from roam_core.propagate import FrameResult, Landmarks, Termination, Tracker, TrackMemory, track
 from roam_core.roto import Keyframe, RotoShape, edit
-from tests.golden.shots import Image, Shot, blob, pose
+from tests.golden.shots import Shot, blob, pose
 
 MEDIUM = CONFIGS["medium"]
 
@@ -66,7 +67,7 @@ def test_a_tracker_tells_what_it_starts_with(blob_shot: Shot) -> None:
 
 
 def test_what_is_missing_or_has_left_has_no_landmarks(blob_shot: Shot) -> None:
-    def read(frame: int) -> Image:
+    def read(frame: int) -> UInt8:
         if frame == 1003:
             raise MissingFrame(frame)
         return blob_shot.read(frame)

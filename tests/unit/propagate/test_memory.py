@@ -7,7 +7,7 @@ import pytest
 from roam_core.geometry.bezier import polygon_points
 from roam_core.params import DEFAULT_CONFIG
 from roam_core.propagate.memory import Beginning, begins
-from roam_core.propagate.provenance import Stamps
+from roam_core.propagate.shapes.provenance import Stamps
 from roam_core.roto import Keyframe, RotoShape
 
 SQUARE = polygon_points([(0, 0), (40, 0), (40, 40), (0, 40)])

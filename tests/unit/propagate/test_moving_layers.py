@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from roam_core.propagate import track
-from roam_core.propagate.provenance import is_stale
+from roam_core.propagate.shapes.provenance import is_stale
 from roam_core.roto import LayerTransform, Project, edit
 from tests.golden.shots import Shot
 

@@ -7,16 +7,14 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array, UInt8
 from roam_core.matte import shape_matte
 from roam_core.params import params_for
+from roam_core.propagate.frame.result import TrackResult
 from roam_core.propagate.group import GroupTracker
-from roam_core.propagate.result import TrackResult
 from roam_core.roto import Keyframe, RotoShape
 from tests.golden.shots import blob, texture
-
-Array = NDArray[np.float64]
 
 BEST = params_for("best")
 PARAMS = replace(BEST, region=replace(BEST.region, rigid=1.1))  # never as one piece
@@ -25,7 +23,7 @@ BODY, HAND = blob([45.0, 38.0] * 5) + np.array([90.0, 80.0]), blob([16.0] * 6) +
 HIDDEN = range(4, 8)
 LAST = 11
 CELLS = np.stack(np.meshgrid(np.arange(SIZE[1]) + 0.5, np.arange(SIZE[0]) + 0.5), axis=-1)
-SKIN, SLEEVE, GROUND = (texture(*each) for each in ((7, 0.7, 1.0), (9, 0.6, 1.0), (8, 0.0, 0.3)))
+SKIN, SLEEVE, BACKGROUND = (texture(*each) for each in ((7, 0.7, 1.0), (9, 0.6, 1.0), (8, 0.0, 0.3)))
 
 
 def moved(frame: int) -> Array:
@@ -36,8 +34,8 @@ def cover(points: Array) -> Array:
     return np.asarray(shape_matte(RotoShape("x", "x", (Keyframe(1, points),)), 1, SIZE)[..., None])
 
 
-def picture(frame: int) -> NDArray[np.uint8]:
-    image = GROUND.at(CELLS)
+def picture(frame: int) -> UInt8:
+    image = BACKGROUND.at(CELLS)
     for points, surface in ((BODY, SKIN), (HAND, SLEEVE)):
         if points is BODY or frame not in HIDDEN:
             share = cover(points + moved(frame))

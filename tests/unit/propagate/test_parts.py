@@ -14,9 +14,9 @@ from roam_core.params import OBJECTS
 from roam_core.propagate import TrackMemory
 from roam_core.propagate.engines.protocol import POSE, REGION
 from roam_core.propagate.explain import explain
-from roam_core.propagate.objects import Role, objects, units
-from roam_core.propagate.provenance import Stamp, Stamps
-from roam_core.propagate.result import Termination
+from roam_core.propagate.frame.result import Termination
+from roam_core.propagate.shapes.objects import Role, objects, units
+from roam_core.propagate.shapes.provenance import Stamp, Stamps
 from roam_core.roto import Keyframe, Origin, RotoShape, edit
 from tests.golden.shots import outline_distance, texture
 from tests.unit.propagate.figures import (

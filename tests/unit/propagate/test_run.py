@@ -10,14 +10,14 @@ from functools import cache
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
+from roam_core.arrays import UInt8
 from roam_core.cancel import Cancelled, CancelToken
 from roam_core.errors import RoamError
 from roam_core.media import MissingFrame
 from roam_core.params import CONFIGS, OBJECTS
 from roam_core.propagate import FrameResult, Termination, TrackMemory, track, warm_up
-from roam_core.propagate.objects import objects
+from roam_core.propagate.shapes.objects import objects
 from roam_core.roto import Keyframe, Origin, Project, RotoShape, edit, file
 from tests.conftest import ROOT
 from tests.golden.shots import Shot, blob, gliding, outline_distance
@@ -84,7 +84,7 @@ def test_a_run_stopped_on_an_engine_frame_goes_on_as_if_it_had_not_been(
 
 
 def test_a_gap_in_the_plate_is_passed_over(config: str, blob_shot: Shot) -> None:
-    def read(frame: int) -> NDArray[np.uint8]:
+    def read(frame: int) -> UInt8:
         if frame == 1003:
             raise MissingFrame("Frame 1003 is missing.")
         return blob_shot.read(frame)
@@ -97,7 +97,7 @@ def test_a_gap_in_the_plate_is_passed_over(config: str, blob_shot: Shot) -> None
 
 
 def test_a_missing_first_frame_is_an_error(config: str, blob_shot: Shot) -> None:
-    def read(frame: int) -> NDArray[np.uint8]:
+    def read(frame: int) -> UInt8:
         raise MissingFrame(f"Frame {frame} is missing.")
 
     with pytest.raises(MissingFrame, match="1001"):
@@ -105,7 +105,7 @@ def test_a_missing_first_frame_is_an_error(config: str, blob_shot: Shot) -> None
 
 
 def test_an_unreadable_frame_ends_the_run_with_what_is_finished(config: str, blob_shot: Shot) -> None:
-    def read(frame: int) -> NDArray[np.uint8]:
+    def read(frame: int) -> UInt8:
         if frame == 1004:
             raise RoamError("Frame 1004 cannot be decoded.")
         return blob_shot.read(frame)
@@ -132,7 +132,7 @@ def test_cancelling_keeps_the_finished_frames(config: str, blob_shot: Shot) -> N
 def test_a_cancelled_token_reads_no_further_frame(config: str, blob_shot: Shot) -> None:
     token, asked = CancelToken(), []
 
-    def read(frame: int) -> NDArray[np.uint8]:
+    def read(frame: int) -> UInt8:
         asked.append(frame)
         return blob_shot.read(frame)
 

@@ -6,7 +6,7 @@ import numpy as np
 
 from roam_core.features import Region
 from roam_core.features.grid import Grid
-from roam_core.proposal.evidence import Field
+from roam_core.proposal.cues.evidence import Field
 
 
 def field_of(inside: np.ndarray) -> Field:

@@ -6,17 +6,14 @@ from dataclasses import replace
 
 import cv2
 import numpy as np
-from numpy.typing import NDArray
 
+from roam_core.arrays import Array, Bools, Float32
 from roam_core.energy.colour_fields import ColourFields
 from roam_core.energy.total import CurveContext
 from roam_core.features import PreparedFrame, Region
 from roam_core.features.grid import Grid
 from roam_core.matte.vectorise import shapes_from_mask
 from roam_core.params import AppearanceParams, ProposalParams, RoamParams
-
-Array = NDArray[np.float64]
-Bools = NDArray[np.bool_]
 
 SIZE = (120, 160)
 PARAMS = RoamParams(
@@ -39,11 +36,11 @@ def spline(mask: Bools) -> Array:
 
 
 def picture(mask: Bools) -> PreparedFrame:
-    """A grey object on a darker ground."""
+    """A grey object on a darker background."""
     return PreparedFrame(np.where(mask[..., None], np.uint8(190), np.uint8(60)).repeat(3, axis=2))
 
 
-def context(truth: Bools, ratio: NDArray[np.float32] | None = None) -> CurveContext:
+def context(truth: Bools, ratio: Float32 | None = None) -> CurveContext:
     """What colours sure of `truth` say - or of `ratio (h, w)`, nats - at a spacing of 8 pixels."""
     local = np.where(truth, np.float32(2.0), np.float32(-2.0)) if ratio is None else ratio
     whole = Region(0, 0, SIZE[1], SIZE[0])

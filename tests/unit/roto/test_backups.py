@@ -7,9 +7,9 @@ from pathlib import Path
 
 import pytest
 
+from roam_core.atomic_write import write_atomically
 from roam_core.errors import RoamError
 from roam_core.roto.backups import backup_path, rotate
-from roam_core.roto.writing import write_atomically
 from tests.unit.roto.faults import each_crash, each_fault
 
 posix = pytest.mark.skipif(os.name != "posix", reason="needs links and processes of POSIX")

@@ -10,7 +10,7 @@ import pytest
 
 from roam_core.geometry import projective
 from roam_core.interchange import read_shapes
-from roam_core.propagate.provenance import is_stale
+from roam_core.propagate.shapes.provenance import is_stale
 from roam_core.roto import Clip, Keyframe, Layer, LayerTransform, Origin, Project, RotoShape
 from roam_core.roto.imported import IMPORT, is_import, stamped
 

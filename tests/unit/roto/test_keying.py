@@ -135,7 +135,7 @@ def test_feather_can_be_changed_and_taken_away() -> None:
 
 def test_a_b_spline_is_changed_by_its_control_points() -> None:
     _, drawn = edit.new_shape(Project(), SQUARE, 1, spline=Spline.BSPLINE)
-    drawn = edit.set_grips(drawn, 9, SQUARE + 5.0)
+    drawn = edit.set_control_points(drawn, 9, SQUARE + 5.0)
 
     def pulled(outline: Outline) -> Outline:
         points = outline.points.copy()
@@ -144,6 +144,6 @@ def test_a_b_spline_is_changed_by_its_control_points() -> None:
 
     after = reshape(drawn, 1, pulled, Keying(ripple=range(1, 10)))
     for frame in (1, 9):
-        controls = drawn.at(frame).grips[:, ANCHOR].copy()
+        controls = drawn.at(frame).control_points[:, ANCHOR].copy()
         controls[1] += STEP
-        np.testing.assert_allclose(after.at(frame).grips[:, ANCHOR], controls, atol=1e-9)
+        np.testing.assert_allclose(after.at(frame).control_points[:, ANCHOR], controls, atol=1e-9)

@@ -87,7 +87,7 @@ def test_a_range_of_one_frame_and_one_of_none() -> None:
 def test_a_key_pasted_to_a_b_spline_is_one() -> None:
     _, drawn = edit.new_shape(Project(), SQUARE, 1, spline=Spline.BSPLINE)
     pasted = paste_key(drawn, Keyframe(1, SQUARE), [2])
-    again = edit.set_grips(pasted, 2, pasted.at(2).grips)
+    again = edit.set_control_points(pasted, 2, pasted.at(2).control_points)
     np.testing.assert_allclose(again.at(2).points, pasted.at(2).points, atol=1e-9)
 
 

@@ -10,7 +10,7 @@ import pytest
 from roam_core.errors import RoamError
 from roam_core.geometry import bezier
 from roam_core.params import CONFIGS, DEFAULT_CONFIG
-from roam_core.propagate.provenance import clip_stamp, is_stale, stamp
+from roam_core.propagate.shapes.provenance import clip_stamp, is_stale, stamp
 from roam_core.roto import Clip, Interpolation, Keyframe, Mark, Origin, Project, RotoShape, edit, file, timing
 
 SQUARE = bezier.polygon_points([(0.0, 0.0), (10.0, 0.0), (10.0, 10.0), (0.0, 10.0)])

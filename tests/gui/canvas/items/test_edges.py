@@ -6,7 +6,6 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 from PySide6.QtGui import QColor, QImage, QPainter
 
 from app.canvas.items.edges import LEGEND, fits, paint_edges, path_of
@@ -15,8 +14,9 @@ from app.canvas.words import label_of
 from app.model.document import Document
 from app.model.viewing import Viewing
 from app.paint.viewport import Viewport
+from roam_core.arrays import Int64
 from roam_core.geometry import bezier
-from roam_core.propagate.edges import Edge, Edges
+from roam_core.propagate.parts.edges import Edge, Edges
 from roam_core.roto import Project, edit
 
 BOX = [(40.0, 40.0), (160.0, 40.0), (160.0, 110.0), (40.0, 110.0)]
@@ -39,7 +39,7 @@ def box(document: Document, canvas: CanvasView) -> str:
     return shape.id
 
 
-def looks(canvas: CanvasView) -> NDArray[np.int64]:
+def looks(canvas: CanvasView) -> Int64:
     image = canvas.grab().toImage().convertToFormat(QImage.Format.Format_RGB32)
     shape = image.height(), image.width(), 4
     return np.frombuffer(image.constBits(), dtype=np.uint8).reshape(shape)[:, :, 2::-1].astype(np.int64)
@@ -71,13 +71,13 @@ def test_form_tells_what_an_edge_is(canvas: CanvasView, box: str) -> None:
 def test_edges_are_off_until_they_are_asked_for_and_named_then(canvas: CanvasView, box: str) -> None:
     canvas.edges = lambda: pytest.fail("asked for edges that are not shown")
     before = looks(canvas)
-    assert label_of(canvas._sight()) == ""
+    assert label_of(canvas._snapshot()) == ""
     canvas.edges = dict
     canvas.viewing.show_edges(True)
     assert (looks(canvas) == before).all()  # nothing is known: all is as usual
     canvas.edges = lambda: {box: edges_of(*[Edge.SEAM] * 4)}
     assert (looks(canvas) != before).any()
-    assert label_of(canvas._sight()) == LEGEND
+    assert label_of(canvas._snapshot()) == LEGEND
 
 
 def test_kinds_go_along_with_the_curve(canvas: CanvasView, box: str, document: Document) -> None:

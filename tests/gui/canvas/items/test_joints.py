@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 from PySide6.QtGui import QImage, QPainter
 
 from app.canvas.items.joints import RING, paint_joints
@@ -13,6 +12,7 @@ from app.features.belonging import Bone
 from app.model.document import Document
 from app.model.viewing import Viewing
 from app.paint.viewport import Viewport
+from roam_core.arrays import Bools, Int64
 from roam_core.geometry.bezier import polygon_points
 from roam_core.roto import Project, edit
 
@@ -30,13 +30,13 @@ def shapes(document: Document, canvas: CanvasView) -> None:
     canvas.bones = lambda: (BONE,)
 
 
-def looks(canvas: CanvasView) -> NDArray[np.int64]:
+def looks(canvas: CanvasView) -> Int64:
     image = canvas.grab().toImage().convertToFormat(QImage.Format.Format_RGB32)
     shape = image.height(), image.width(), 4
     return np.frombuffer(image.constBits(), dtype=np.uint8).reshape(shape)[:, :, 2::-1].astype(np.int64)
 
 
-def changed(before: NDArray[np.int64], after: NDArray[np.int64]) -> NDArray[np.bool_]:
+def changed(before: Int64, after: Int64) -> Bools:
     return (before != after).any(axis=2)
 
 

@@ -6,7 +6,6 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 from PySide6.QtCore import QPointF
 from PySide6.QtGui import QColor, QImage, QPainter
 
@@ -15,6 +14,7 @@ from app.model.view_state import Selection
 from app.paint import marks
 from app.paint.outline_paths import OutlinePaths, outline_path
 from app.paint.viewport import Viewport
+from roam_core.arrays import Bools, Int64
 from roam_core.geometry.bezier import IN, OUT, polygon_points
 from roam_core.params import DOUBTFUL
 from roam_core.roto import Keyframe, Origin, Project, RotoShape
@@ -32,30 +32,30 @@ def painted(
     *,
     hover: tuple[str, int, int] | None = None,
     scale: float = 1.0,
-) -> NDArray[np.int64]:
+) -> Int64:
     """The shape on mid grey, (h, w, 3)."""
     side = round(100 * scale)
-    ground = QImage(side, side, QImage.Format.Format_RGB32)
-    ground.fill(QColor(128, 128, 128))
-    painter = QPainter(ground)
+    background = QImage(side, side, QImage.Format.Format_RGB32)
+    background.fill(QColor(128, 128, 128))
+    painter = QPainter(background)
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
     project = Project(root=replace(Project().root, children=(shape,)))
     ShapePainter().paint(painter, Viewport(scale), project, 1, selection, hover)
     painter.end()
-    pixels = np.frombuffer(ground.constBits(), dtype=np.uint8).reshape(side, side, 4)
+    pixels = np.frombuffer(background.constBits(), dtype=np.uint8).reshape(side, side, 4)
     return pixels[:, :, 2::-1].astype(np.int64)
 
 
-def marked(pixels: NDArray[np.int64]) -> NDArray[np.bool_]:
+def marked(pixels: Int64) -> Bools:
     return (pixels != 128).any(axis=2)
 
 
-def orange(pixels: NDArray[np.int64]) -> NDArray[np.bool_]:
+def orange(pixels: Int64) -> Bools:
     return pixels[:, :, 0] - pixels[:, :, 2] > 60
 
 
-def ink(pixels: NDArray[np.int64]) -> int:
-    """How much the marks differ from the ground."""
+def ink(pixels: Int64) -> int:
+    """How much the marks differ from the background."""
     return int(np.abs(pixels - 128).sum())
 
 

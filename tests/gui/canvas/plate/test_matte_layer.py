@@ -5,10 +5,10 @@ from __future__ import annotations
 import threading
 
 import numpy as np
-from numpy.typing import NDArray
 from pytestqt.qtbot import QtBot
 
 from app.canvas.plate.matte_layer import MatteLayer
+from roam_core.arrays import Float32
 from roam_core.geometry.bezier import polygon_points
 from roam_core.roto import Project, edit
 
@@ -23,7 +23,7 @@ class SlowRenderer:
         self.threads: set[int] = set()
         self.gate = threading.Semaphore(0)
 
-    def __call__(self, project: Project, frame: int, size: tuple[int, int]) -> NDArray[np.float32]:
+    def __call__(self, project: Project, frame: int, size: tuple[int, int]) -> Float32:
         self.gate.acquire()
         self.frames.append(frame)
         self.threads.add(threading.get_ident())

@@ -5,32 +5,30 @@ from __future__ import annotations
 import cv2
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 from PySide6.QtCore import QSizeF
 from PySide6.QtGui import QImage, QPainter
 
 from app.canvas.plate.backdrop import Backdrop, Below
 from app.canvas.plate.picture import Picture
 from app.paint.viewport import Viewport
+from roam_core.arrays import Array, UInt8
 from roam_core.media.colour import LINEAR, to_display
 from roam_core.media.looking import Channel, Look, Plate
 
 
-def painted(
-    pixels: NDArray[np.uint8], viewport: Viewport, width: int, height: int, size: QSizeF | None = None
-) -> NDArray[np.uint8]:
-    """What a black ground of width x height looks like with the picture on it, (h, w, 3)."""
-    ground = QImage(width, height, QImage.Format.Format_RGB32)
-    ground.fill(0)
+def painted(pixels: UInt8, viewport: Viewport, width: int, height: int, size: QSizeF | None = None) -> UInt8:
+    """What a black background of width x height looks like with the picture on it, (h, w, 3)."""
+    background = QImage(width, height, QImage.Format.Format_RGB32)
+    background.fill(0)
     picture = Picture(pixels)
-    painter = QPainter(ground)
+    painter = QPainter(background)
     picture.paint(painter, viewport, size or picture.size, 1.0)
     painter.end()
-    shown = np.frombuffer(ground.constBits(), dtype=np.uint8).reshape(height, width, 4)
+    shown = np.frombuffer(background.constBits(), dtype=np.uint8).reshape(height, width, 4)
     return shown[:, :, 2::-1].copy()
 
 
-def noise(height: int, width: int) -> NDArray[np.uint8]:
+def noise(height: int, width: int) -> UInt8:
     return np.random.default_rng(0).integers(0, 256, (height, width, 3), dtype=np.uint8)
 
 
@@ -99,7 +97,7 @@ def test_no_more_is_resampled_than_the_screen_has_pixels(monkeypatch: pytest.Mon
     sizes: list[tuple[int, int]] = []
     warp = cv2.warpAffine
 
-    def counted(pixels: NDArray[np.uint8], matrix: NDArray[np.float64], size: tuple[int, int], **how: int) -> object:
+    def counted(pixels: UInt8, matrix: Array, size: tuple[int, int], **how: int) -> object:
         sizes.append(size)
         return warp(pixels, matrix, size, **how)
 
@@ -120,12 +118,12 @@ def test_no_more_is_resampled_than_the_screen_has_pixels(monkeypatch: pytest.Mon
 def test_a_look_changes_what_is_painted_and_not_the_picture(scale: float) -> None:
     pixels = noise(8, 8)
     picture, before = Picture(pixels), pixels.copy()
-    ground = QImage(32, 32, QImage.Format.Format_RGB32)
-    ground.fill(0)
-    painter = QPainter(ground)
+    background = QImage(32, 32, QImage.Format.Format_RGB32)
+    background.fill(0)
+    painter = QPainter(background)
     picture.paint(painter, Viewport(scale), picture.size, 1.0, Look(channel=Channel.GREEN))
     painter.end()
-    shown = np.frombuffer(ground.constBits(), dtype=np.uint8).reshape(32, 32, 4)
+    shown = np.frombuffer(background.constBits(), dtype=np.uint8).reshape(32, 32, 4)
     assert (shown[..., 0] == shown[..., 1]).all()
     assert (shown[..., 1] == shown[..., 2]).all()
     assert shown.any()
@@ -146,11 +144,11 @@ def test_the_array_may_change_after_it_was_taken() -> None:
     before = pixels.copy()
     picture = Picture(pixels)
     pixels[:] = 0
-    ground = QImage(3, 3, QImage.Format.Format_RGB32)
-    painter = QPainter(ground)
+    background = QImage(3, 3, QImage.Format.Format_RGB32)
+    painter = QPainter(background)
     picture.paint(painter, Viewport(), picture.size, 1.0)
     painter.end()
-    assert ground.pixelColor(1, 1).getRgb()[:3] == tuple(before[1, 1].tolist())
+    assert background.pixelColor(1, 1).getRgb()[:3] == tuple(before[1, 1].tolist())
 
 
 def test_an_array_that_is_not_contiguous() -> None:

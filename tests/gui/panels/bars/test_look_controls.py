@@ -14,7 +14,7 @@ from pytestqt.qtbot import QtBot
 from app.actions.actions import Actions
 from app.canvas.view import CanvasView
 from app.model.document import Document
-from app.model.viewing import GroundKind
+from app.model.viewing import BackgroundKind
 from app.panels.bars.look_controls import STEPS, LookSlider
 from app.panels.bars.readout import Readout
 from app.panels.bars.view_bar import ViewBar
@@ -95,38 +95,38 @@ def test_the_plates_name_gives_way_in_a_narrow_window(bar: ViewBar) -> None:
 # ---- what lies under a cut-out
 
 
-def test_the_ground_is_chosen_in_its_popup(
+def test_the_background_is_chosen_in_its_popup(
     bar: ViewBar, canvas: CanvasView, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
-    form, viewing = bar.ground, canvas.viewing
+    form, viewing = bar.background, canvas.viewing
     assert not form.colour.isEnabled()
-    form.kind.setCurrentIndex(form.kind.findData(GroundKind.COLOUR))
+    form.kind.setCurrentIndex(form.kind.findData(BackgroundKind.COLOUR))
     form.kind.activated.emit(form.kind.currentIndex())
-    assert viewing.ground.kind is GroundKind.COLOUR
+    assert viewing.background.kind is BackgroundKind.COLOUR
     assert form.colour.isEnabled()
     path = str(tmp_path / "street.exr")
     monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_: (path, ""))
-    form.kind.setCurrentIndex(form.kind.findData(GroundKind.IMAGE))
+    form.kind.setCurrentIndex(form.kind.findData(BackgroundKind.IMAGE))
     form.kind.activated.emit(form.kind.currentIndex())
-    assert (viewing.ground.kind, viewing.ground.image) == (GroundKind.IMAGE, path)
+    assert (viewing.background.kind, viewing.background.image) == (BackgroundKind.IMAGE, path)
     assert form.image.text() == "street.exr"
 
 
 def test_no_picture_chosen_changes_nothing(bar: ViewBar, canvas: CanvasView, monkeypatch: pytest.MonkeyPatch) -> None:
-    form = bar.ground
+    form = bar.background
     monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_: ("", ""))
-    form.kind.setCurrentIndex(form.kind.findData(GroundKind.IMAGE))
+    form.kind.setCurrentIndex(form.kind.findData(BackgroundKind.IMAGE))
     form.kind.activated.emit(form.kind.currentIndex())
-    assert canvas.viewing.ground.kind is GroundKind.CHECKER
-    assert form.kind.currentData() == GroundKind.CHECKER
+    assert canvas.viewing.background.kind is BackgroundKind.CHECKER
+    assert form.kind.currentData() == BackgroundKind.CHECKER
 
 
 def test_a_colour_is_seen_while_it_is_being_chosen(bar: ViewBar, canvas: CanvasView, qtbot: QtBot) -> None:
-    canvas.viewing.set_ground(kind=GroundKind.COLOUR)
-    bar.ground.colour.click()
-    (dialog,) = bar.ground.colour.findChildren(QColorDialog) or bar.findChildren(QColorDialog)
+    canvas.viewing.set_background(kind=BackgroundKind.COLOUR)
+    bar.background.colour.click()
+    (dialog,) = bar.background.colour.findChildren(QColorDialog) or bar.findChildren(QColorDialog)
     dialog.setCurrentColor(QColor("#224466"))
-    assert canvas.viewing.ground.colour == "#224466"
+    assert canvas.viewing.background.colour == "#224466"
     dialog.accept()
 
 

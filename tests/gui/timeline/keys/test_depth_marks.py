@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 from PySide6.QtCore import QPointF
 from PySide6.QtGui import QImage
 
@@ -13,6 +12,7 @@ from app.model.document import Document
 from app.model.view_state import ViewState
 from app.timeline.keys.depth_marks import HALF, HEIGHT, TOP, depth_sentence
 from app.timeline.timeline import Timeline
+from roam_core.arrays import Int64
 from roam_core.roto import Project
 from roam_core.roto.linking import AS_STACKED, BEHIND, IN_FRONT, set_depth
 from tests.gui.timeline.places import place, row_middle, x_of
@@ -27,7 +27,7 @@ def with_depth(project: Project, *pairs: tuple[int, int]) -> Project:
     return project
 
 
-def band(timeline: Timeline, row: int = ROW_OF_IT) -> NDArray[np.int64]:
+def band(timeline: Timeline, row: int = ROW_OF_IT) -> Int64:
     """The red of the strip of a row in which the marks lie, above its keys."""
     image = timeline.rows.viewport().grab().toImage().convertToFormat(QImage.Format.Format_RGB32)
     shape = image.height(), image.width(), 4
@@ -36,7 +36,7 @@ def band(timeline: Timeline, row: int = ROW_OF_IT) -> NDArray[np.int64]:
     return red[top + int(TOP) : top + int(TOP + HEIGHT)]
 
 
-def widths(strip: NDArray[np.int64], before: NDArray[np.int64], x: int) -> list[int]:
+def widths(strip: Int64, before: Int64, x: int) -> list[int]:
     """How wide what is new about a column is, line by line."""
     near = slice(x - 6, x + 7)
     return (np.abs(strip[:, near] - before[:, near]) > 60).sum(axis=1).tolist()

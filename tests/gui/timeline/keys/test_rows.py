@@ -14,7 +14,7 @@ from app.model.document import Document
 from app.model.view_state import ViewState
 from app.timeline.timeline import Timeline
 from roam_core.params import CONFIGS, DEFAULT_CONFIG
-from roam_core.propagate.provenance import Stamps
+from roam_core.propagate.shapes.provenance import Stamps
 from roam_core.roto import Interpolation, Keyframe, Origin, edit
 from tests.gui.timeline.places import CLIP, SQUARE, place, row_middle, x_of
 

@@ -52,16 +52,16 @@ def test_a_dragged_control_point_moves_alone(hand: Hand, drawn: OnlyShape, docum
     hand.drag(CONTROL[2], (150.0, 120.0))
     expected = np.array(CONTROL)
     expected[2] = (150.0, 120.0)
-    np.testing.assert_allclose(drawn().at(1).grips[:, ANCHOR], expected, atol=1e-9)
+    np.testing.assert_allclose(drawn().at(1).control_points[:, ANCHOR], expected, atol=1e-9)
     assert bspline.is_bspline(drawn().at(1).points)
     assert document.undo_stack.count() == 2
 
 
-def test_an_anchor_of_the_curve_is_no_grip(hand: Hand, drawn: OnlyShape, view_state: ViewState) -> None:
+def test_an_anchor_of_the_curve_is_no_control_point(hand: Hand, drawn: OnlyShape, view_state: ViewState) -> None:
     """The curve itself drags the whole shape: its Bezier points are not the artist's."""
     x, y = drawn().at(1).anchors[0].tolist()
     hand.drag((x, y), (x + 10.0, y + 5.0))
-    np.testing.assert_allclose(drawn().at(1).grips[:, ANCHOR], np.add(CONTROL, (10.0, 5.0)), atol=1e-9)
+    np.testing.assert_allclose(drawn().at(1).control_points[:, ANCHOR], np.add(CONTROL, (10.0, 5.0)), atol=1e-9)
 
 
 def test_a_marquee_catches_control_points(hand: Hand, drawn: OnlyShape, view_state: ViewState) -> None:

@@ -30,7 +30,7 @@ def on_circle(degrees: float, radius: float = RADIUS) -> Spot:
 
 @pytest.fixture
 def pictures(canvas: CanvasView, view_state: ViewState, runner: Runner) -> PictureWork:
-    """A light disc on grainy ground on the screen, and the magnetic lasso in the hand."""
+    """A light disc on grainy background on the screen, and the magnetic lasso in the hand."""
     picture = np.random.default_rng(4).normal(60.0, 4.0, (150, 200, 3))
     inside = np.hypot(*(np.mgrid[:150, :200] + 0.5 - np.array(CENTRE[::-1])[:, None, None])) < RADIUS
     picture[inside] += 120.0

@@ -17,7 +17,7 @@ from app.jobs.picture_work import PictureWork
 from app.jobs.runner import Runner
 from app.model.document import Document
 from app.model.view_state import ViewState
-from roam_core.proposal import cut_out
+from roam_core.proposal.assist import cut_out
 from roam_core.roto import Clip, Project, RotoShape
 from tests.gui.hand import CTRL, SHIFT, Hand
 from tests.gui.tools.conftest import OnlyShape
@@ -27,7 +27,7 @@ WAIT = 20_000
 
 
 def disc(scale: float = 1.0) -> np.ndarray:
-    """A light disc on grainy ground, for a plate of 200 x 150; a proxy with a smaller `scale`."""
+    """A light disc on grainy background, for a plate of 200 x 150; a proxy with a smaller `scale`."""
     picture = np.random.default_rng(4).normal(60.0, 4.0, (150, 200, 3))
     inside = np.hypot(*(np.mgrid[:150, :200] + 0.5 - np.array(CENTRE[::-1])[:, None, None])) < RADIUS
     picture[inside] += 120.0

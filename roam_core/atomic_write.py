@@ -1,0 +1,160 @@
+"""Files put in place whole or not at all: written beside their place, flushed to the disk, then renamed.
+
+Everything that ROAM writes for an artist goes this way: projects, exports, mattes, settings.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import errno
+import os
+import re
+import secrets
+import stat
+import sys
+import time
+from collections.abc import Iterable
+from pathlib import Path
+
+from roam_core.errors import RoamError
+
+STALE_SECONDS = 3600.0
+"""A temporary file that was not touched for so long, and whose process is gone, was left by a killed process."""
+
+_TEMPORARY = re.compile(r"\.roam-(?P<process>[0-9]+)-[0-9a-f]{16}\.tmp")
+_UNSUPPORTED = frozenset({errno.EINVAL, errno.ENOTSUP, errno.EBADF, errno.EACCES, errno.EPERM, errno.EISDIR})
+"""How file systems say that a folder cannot be flushed."""
+_swept: set[Path] = set()
+"""Folders that this process looked through already."""
+
+
+def write_atomically(path: Path, content: bytes | Iterable[bytes], *, flushes: bool = True) -> None:
+    """Put `content`, whole or in pieces, at `path`: at every moment the old file is there, or the new one.
+
+    A symbolic link stays, and what it points to is replaced. The file keeps its permissions. File and folder are
+    flushed to the disk, unless it is said that this takes too long (`flushes`). The first call for a folder removes
+    what killed processes left there.
+
+    Raises
+    ------
+    RoamError
+        when it cannot be written; also for a read-only file, and for what is no regular file. The old file stays.
+    """
+    target = writable_target(path)
+    if target.parent not in _swept:
+        _swept.add(target.parent)
+        sweep(target.parent)
+    temporary = temporary_beside(target)
+    try:
+        _write(temporary, [content] if isinstance(content, bytes) else content, flushes)
+        if target.exists():
+            temporary.chmod(stat.S_IMODE(target.stat().st_mode) & 0o777)
+        temporary.replace(target)
+        if flushes:
+            flush_folder(target.parent)
+    except OSError as error:
+        _remove(temporary)
+        raise RoamError(f"{path} cannot be written: {error.strerror} ({target.parent}).") from None
+    except BaseException:
+        _remove(temporary)
+        raise
+
+
+def temporary_beside(target: Path) -> Path:
+    """A new name in the folder of `target` that tells whose it is, and is short however long the target's name is."""
+    return target.with_name(f".roam-{os.getpid()}-{secrets.token_hex(8)}.tmp")
+
+
+def sweep(folder: Path) -> None:
+    """Remove the temporary files of ours in `folder` that killed processes left; others are never touched."""
+    with contextlib.suppress(OSError), os.scandir(folder) as entries:
+        for entry in entries:
+            match = _TEMPORARY.fullmatch(entry.name)
+            if match and _is_stale(entry, int(match["process"])):
+                _remove(Path(entry.path))
+
+
+def flush_folder(folder: Path) -> None:
+    """Flush the names in a folder to the disk, where the system can.
+
+    Raises
+    ------
+    OSError
+        when the disk fails.
+    """
+    if not hasattr(os, "O_DIRECTORY"):  # Windows
+        return
+    handle = -1
+    try:
+        handle = os.open(folder, os.O_RDONLY | os.O_DIRECTORY)
+        os.fsync(handle)
+    except OSError as error:
+        if error.errno not in _UNSUPPORTED:
+            raise
+    finally:
+        if handle >= 0:
+            os.close(handle)
+
+
+def is_alive(process: int, *, unknown: bool = True) -> bool:
+    """Whether a process of this machine runs; `unknown` on Windows, where asking by a signal would end it."""
+    if process <= 0:
+        return False
+    if sys.platform == "win32":
+        return unknown
+    try:
+        os.kill(process, 0)
+    except (ProcessLookupError, OverflowError):
+        return False
+    except OSError:
+        return True
+    return True
+
+
+def writable_target(path: Path) -> Path:
+    """The file that is to be replaced: `path`, or what it links to.
+
+    Raises
+    ------
+    RoamError
+        when it may not be: it is read-only, or no regular file.
+    """
+    try:
+        target = Path(os.path.realpath(path))
+        mode = target.stat().st_mode
+    except FileNotFoundError:
+        return target
+    except (OSError, ValueError) as error:
+        reason = getattr(error, "strerror", None) or str(error)
+        raise RoamError(f"{path} cannot be written: {reason}.") from None
+    if stat.S_ISDIR(mode):
+        raise RoamError(f"{path} cannot be written: it is a folder.")
+    if not stat.S_ISREG(mode):
+        raise RoamError(f"{path} cannot be written: it is no regular file.")
+    if not mode & 0o222 or not os.access(target, os.W_OK):
+        raise RoamError(f"{path} cannot be written: it is read-only; change its permissions, or save elsewhere.")
+    return target
+
+
+def _write(temporary: Path, pieces: Iterable[bytes], flushes: bool) -> None:
+    handle = os.open(temporary, os.O_WRONLY | os.O_CREAT | os.O_EXCL | getattr(os, "O_BINARY", 0), 0o666)
+    with os.fdopen(handle, "wb") as file:
+        for piece in pieces:
+            file.write(piece)
+        file.flush()
+        if flushes:
+            os.fsync(file.fileno())
+
+
+def _is_stale(entry: os.DirEntry[str], process: int) -> bool:
+    try:
+        found = entry.stat(follow_symlinks=False)
+    except OSError:
+        return False
+    old = time.time() - found.st_mtime > STALE_SECONDS
+    return old and stat.S_ISREG(found.st_mode) and not is_alive(process, unknown=False)
+
+
+def _remove(temporary: Path) -> None:
+    with contextlib.suppress(OSError):
+        temporary.unlink()

@@ -1,0 +1,123 @@
+"""One direction of a span: an object carried from one artist's key through all frames, on to the other key."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from roam_core.arrays import Array
+from roam_core.cancel import CancelToken
+from roam_core.features import PreparedFrame
+from roam_core.geometry import bezier
+from roam_core.media.source import MissingFrame
+from roam_core.motion.klt import similarity_warp
+from roam_core.params import RoamParams, scale_for
+from roam_core.propagate.engines.begin import begin
+from roam_core.propagate.engines.protocol import Motion
+from roam_core.propagate.frame.result import Part
+from roam_core.propagate.shapes.objects import Unit
+
+ReadPicture = Callable[[int], PreparedFrame]
+
+
+@dataclass(frozen=True, eq=False)
+class Stop:
+    """An object on one frame of a pass.
+
+    Attributes
+    ----------
+    points : for each outline its control points `(P, 3, 2)`.
+    confidence : for each outline, in [0, 1].
+    carried : `(3, 3)` the similarity, image to image, of the object since the key.
+    motion : how it lies otherwise.
+    """
+
+    points: tuple[Array, ...]
+    confidence: tuple[float, ...]
+    carried: Array
+    motion: Motion
+
+    @property
+    def posed(self) -> Stop | None:
+        """The same, if the pose is believed all the way."""
+        if self.motion.by_pose is None:
+            return None
+        points, cost = self.motion.by_pose
+        count = len(points)
+        motion = replace(self.motion, region=None, of_region=(False,) * count, pose_costs=(cost,) * count)
+        return replace(self, points=points, motion=motion)
+
+
+@dataclass(frozen=True, eq=False)
+class DirectionalPass:
+    """All stops of one direction: `stops[frame]`, the key's own among them; frames without a picture are left out.
+
+    `picture` is the key's.
+    """
+
+    stops: dict[int, Stop]
+    picture: PreparedFrame
+
+    @property
+    def posed(self) -> DirectionalPass | None:
+        """The same, if the pose of the lone shape is believed all the way; None where it has none."""
+        stops = {frame: stop.posed for frame, stop in self.stops.items()}
+        known = {frame: stop for frame, stop in stops.items() if stop is not None}
+        return DirectionalPass(known, self.picture) if len(known) == len(stops) else None
+
+    def at(self, frame: int) -> Stop | None:
+        """The stop on a frame, or None where the picture is missing."""
+        return self.stops.get(frame)
+
+
+def directional_pass(
+    read: ReadPicture,
+    parts: Sequence[Part],
+    made: Sequence[Unit],
+    orders: Callable[[int], Sequence[int]],
+    frames: Sequence[int],
+    params: RoamParams,
+    token: CancelToken | None = None,
+    passed: Callable[[], None] | None = None,
+) -> DirectionalPass:
+    """Carry `parts` from `frames[0]`, where they are given, through the other frames in their order.
+
+    `made` tells what they are in their object, `orders` how they are stacked on a frame (`propagate.shapes.objects`).
+    `passed` is called after each frame.
+    """
+    key = picture = read(frames[0])
+    engine = begin(picture, tuple(parts), params, made, orders(frames[0]))
+    carried = np.eye(3)
+    points, sure = tuple(part.points for part in parts), (1.0,) * len(parts)
+    stops = {frames[0]: Stop(points, sure, carried, engine.motion)}
+    for frame in frames[1:]:
+        if token is not None:
+            token.check()
+        try:
+            following = read(frame)
+        except MissingFrame:
+            continue
+        before, standing = picture, points
+        step = engine.step(following, orders(frame), token)
+        engine, motion = step.after, step.after.motion
+        if motion.since_key is None:
+            carried = _moved(before, following, standing, params) @ carried
+        else:
+            carried = motion.since_key
+        picture = following
+        points = tuple(result.points for result in step.results)
+        confidence = tuple(result.confidence for result in step.results)
+        stops[frame] = Stop(points, confidence, carried, motion)
+        if passed is not None:
+            passed()
+    return DirectionalPass(stops, key)
+
+
+def _moved(before: PreparedFrame, after: PreparedFrame, points: tuple[Array, ...], params: RoamParams) -> Array:
+    """The similarity `(3, 3)` of the largest outline from one frame to the next."""
+    lines = [bezier.flatten(each) for each in points]
+    largest = max(lines, key=lambda line: float(np.prod(np.ptp(line, axis=0))))
+    warp = similarity_warp(before, after, largest, params, scale_for(before.size))
+    return np.vstack([warp.transform, [0.0, 0.0, 1.0]])

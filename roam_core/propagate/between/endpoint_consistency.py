@@ -1,0 +1,227 @@
+"""The estimates of a span between two keys, and how far each of them missed the other key.
+
+Three speak for each frame: the pass from the first key, the one from the last, and the keys themselves carried by
+the object's similarity and blended (planar motion). Where an estimate that starts on one key arrives beside the other,
+no truth but the artist's is needed to see it: so much it counts, place by place along the outline.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import cv2
+import numpy as np
+
+from roam_core.arrays import Array, Bools, Float32
+from roam_core.features import Region
+from roam_core.features.grid import Grid
+from roam_core.geometry import bezier, similarity
+from roam_core.params import RegionParams
+from roam_core.propagate.between.directional_pass import DirectionalPass, Stop
+from roam_core.propagate.frame.contour_fit import enclosed
+from roam_core.propagate.frame.nodes import smooth_points
+from roam_core.propagate.frame.result import Part
+from roam_core.proposal.outline.contour import KeyConstraints
+
+
+@dataclass(frozen=True, eq=False)
+class Key:
+    """An artist's key at one end of a span: its frame and, for each outline, its part or None where it has none."""
+
+    frame: int
+    parts: tuple[Part | None, ...]
+
+    @property
+    def members(self) -> list[int]:
+        """Which outlines have a part."""
+        return [k for k, part in enumerate(self.parts) if part is not None]
+
+
+@dataclass(frozen=True, eq=False)
+class Residual:
+    """How far an estimate lay from a key, pixels of a 480-line image: on a grid, and at the points of each outline."""
+
+    grid: Grid
+    around: Float32
+    points: tuple[Array | None, ...]
+    loss: float
+
+    def of(self, k: int) -> Array:
+        """The misses `(P,)` at the points of an outline that is on both keys."""
+        values = self.points[k]
+        assert values is not None
+        return values
+
+    def on(self, grid: Grid, transform: Array) -> Float32:
+        """The misses on another grid, carried by a similarity `(3, 3)`."""
+        return np.asarray(grid.warped(self.around, transform @ self.grid.map_to_image))
+
+
+@dataclass(frozen=True, eq=False)
+class Span:
+    """Two keys and the passes from each of them to the other.
+
+    Attributes
+    ----------
+    first, last : the keys. onwards, back : the passes that start on them; None for a key without a part.
+    size : (h, w) of the pictures. scale : `params.scale_for(size)`.
+    params : how outlines are fitted to regions.
+    """
+
+    first: Key
+    last: Key
+    onwards: DirectionalPass | None
+    back: DirectionalPass | None
+    size: tuple[int, int]
+    scale: float
+    params: RegionParams
+
+    @property
+    def better(self) -> Span:
+        """This span, or the same by the poses of its lone shape where these came nearer to the other keys."""
+        onwards = None if self.onwards is None else self.onwards.posed
+        back = None if self.back is None else self.back.posed
+        if onwards is None or back is None:
+            return self
+        costs = [
+            cost
+            for directional_pass in (onwards, back)
+            for stop in directional_pass.stops.values()
+            for cost in stop.motion.pose_costs
+        ]
+        if float(np.mean([cost for cost in costs if cost is not None])) > self.params.span.endpoint_consistency.dear:
+            return self
+        posed = replace(self, onwards=onwards, back=back)
+        ours, theirs = (
+            sum(residual.loss for residual in span.residuals[:2]) if span.residuals else 0.0 for span in (self, posed)
+        )
+        return posed if theirs < self.params.span.endpoint_consistency.lenient * ours else self
+
+    @cached_property
+    def residuals(self) -> tuple[Residual, Residual, Residual, Residual] | None:
+        """Of the pass onwards, of the one back, and of planar motion at the last and the first key.
+
+        None where a pass did not arrive.
+        """
+        there, here = stop_at(self.onwards, self.last.frame), stop_at(self.back, self.first.frame)
+        if there is None or here is None:
+            return None
+        return (
+            self._missed(self.last, self.first, there.points),
+            self._missed(self.first, self.last, here.points),
+            self._missed(self.last, self.first, carried(self.first, there.carried)),
+            self._missed(self.first, self.last, carried(self.last, here.carried)),
+        )
+
+    @cached_property
+    def is_planar(self) -> bool:
+        """True where each key, carried as one piece, came nearer to the other than the passes did."""
+        if self.residuals is None:
+            return False
+        onwards, back, planar_there, planar_here = self.residuals
+        return planar_there.loss + planar_here.loss < onwards.loss + back.loss
+
+    @cached_property
+    def losses(self) -> dict[int, float]:
+        """For each outline that is on both keys, the mean share in which it missed the other key, from either."""
+        there, here = stop_at(self.onwards, self.last.frame), stop_at(self.back, self.first.frame)
+        if there is None or here is None:
+            return {}
+        found: dict[int, float] = {}
+        came = dict(zip(self.first.members, there.points, strict=True))
+        back = dict(zip(self.last.members, here.points, strict=True))
+        for k in came.keys() & back.keys():
+            first, last = self.first.parts[k], self.last.parts[k]
+            assert first is not None
+            assert last is not None
+            found[k] = 0.5 * (self._loss(came[k], last.points) + self._loss(back[k], first.points))
+        return found
+
+    def _loss(self, found: Array, true: Array) -> float:
+        """The share in which two outlines differ."""
+        grid = grid_over([found, true], self.size, self.params.span.endpoint_consistency.look, self.scale)
+        a, b = (enclosed([Part(points)], grid) > 0.5 for points in (found, true))
+        union = int(np.count_nonzero(a | b))
+        return int(np.count_nonzero(a ^ b)) / union if union else 0.0
+
+    def constraints(self, k: int, u: float) -> KeyConstraints:
+        """What an outline keeps of both keys, or of the one that has it, `u` of the way between them."""
+        first, last = self._constraints[k]
+        return first.towards(last, u)
+
+    @cached_property
+    def _constraints(self) -> list[tuple[KeyConstraints, KeyConstraints]]:
+        made = []
+        for k in range(len(self.first.parts)):
+            first, last = (key.parts[k] or self._part(k) for key in (self.first, self.last))
+            smooth = smooth_points(first.points) & smooth_points(last.points)
+            params = self.params
+            made.append(
+                KeyConstraints.of_keys(
+                    first.points, last.points, smooth, params.contour_fit, self.scale, params.kept_shares
+                )
+            )
+        return made
+
+    def subtracts(self, k: int) -> bool:
+        """Whether an outline cuts a hole."""
+        return self._part(k).subtracts
+
+    def _part(self, k: int) -> Part:
+        part = self.first.parts[k] or self.last.parts[k]
+        assert part is not None
+        return part
+
+    def _missed(self, key: Key, source: Key, arrived: Sequence[Array]) -> Residual:
+        """What arrived from the parts of `source`, against the parts of `key`."""
+        came = dict(zip(source.members, arrived, strict=True))
+        true = [part for part in key.parts if part is not None]
+        found = [Part(came[k], part.subtracts) for k, part in enumerate(source.parts) if part is not None]
+        endpoint_consistency = self.params.span.endpoint_consistency
+        grid = grid_over([part.points for part in (*true, *found)], self.size, endpoint_consistency.look, self.scale)
+        a, b = enclosed(found, grid) > 0.5, enclosed(true, grid) > 0.5
+        around = _displacement(a, b, grid, endpoint_consistency.reach, self.scale)
+        union = int(np.count_nonzero(a | b))
+        loss = int(np.count_nonzero(a ^ b)) / union if union else 0.0
+        points = tuple(
+            _averaged(np.hypot(*(came[k] - part.points)[:, bezier.ANCHOR].T) / self.scale)
+            if part is not None and k in came
+            else None
+            for k, part in enumerate(key.parts)
+        )
+        return Residual(grid, around, points, loss)
+
+
+def stop_at(directional_pass: DirectionalPass | None, frame: int) -> Stop | None:
+    """Where a pass stands on a frame; None without a pass or a picture."""
+    return None if directional_pass is None else directional_pass.at(frame)
+
+
+def carried(key: Key, transform: Array) -> list[Array]:
+    """The outlines of a key, moved as one piece by a similarity `(3, 3)`."""
+    return [similarity.apply(transform[:2], part.points) for part in key.parts if part is not None]
+
+
+def grid_over(splines: Sequence[Array], size: tuple[int, int], look: float, scale: float) -> Grid:
+    """A grid `look` pixels of a 480-line image around closed splines `(P, 3, 2)`, its cells about such a pixel."""
+    spots = np.vstack([points.reshape(-1, 2) for points in splines])
+    area = Region.around(spots, look * scale, size)
+    if area.is_empty:
+        area = Region(0, 0, 1, 1)
+    return Grid.over(area, 1.0 / scale)
+
+
+def _displacement(found: Bools, true: Bools, grid: Grid, reach: float, scale: float) -> Float32:
+    """The error between two regions per length of outline, averaged over `reach`: pixels of a 480-line image."""
+    sigma = reach * scale * float(grid.factor.mean())
+    error = cv2.GaussianBlur((found ^ true).astype(np.float32), (0, 0), sigma)
+    rim = cv2.morphologyEx(true.astype(np.uint8), cv2.MORPH_GRADIENT, np.ones((3, 3), np.uint8))
+    length = cv2.GaussianBlur(0.5 * rim.astype(np.float32), (0, 0), sigma)
+    return np.asarray(error / (length + np.float32(1e-4)) / np.float32(grid.factor.mean() * scale), dtype=np.float32)
+
+
+def _averaged(values: Array) -> Array:
+    """Each value with its two neighbours around the outline."""
+    return np.asarray(0.5 * values + 0.25 * (np.roll(values, 1) + np.roll(values, -1)))

@@ -1,0 +1,237 @@
+"""Between two keys: an object carried from both ends of a span at once, and the two passes merged on every frame."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property, partial
+from itertools import pairwise
+from typing import Any
+
+from numpy.typing import NDArray
+
+from roam_core.cancel import CancelToken, Progress
+from roam_core.errors import RoamError
+from roam_core.features import PreparedFrame
+from roam_core.media.source import MissingFrame
+from roam_core.params import RegionParams, RoamParams, params_for, scale_for
+from roam_core.propagate.between.directional_pass import DirectionalPass, directional_pass
+from roam_core.propagate.between.endpoint_consistency import Key, Span
+from roam_core.propagate.between.merge import Colours, Merged, merged
+from roam_core.propagate.frame.result import Part
+from roam_core.propagate.shapes import provenance
+from roam_core.propagate.shapes.objects import near, stacked, units
+from roam_core.propagate.shapes.provenance import Stamps
+from roam_core.roto import BlendMode, Keyframe, Origin, RotoShape
+from roam_core.roto.edit import set_engine_keys
+from roam_core.threads import each
+
+
+def fill_span(
+    images: Mapping[int, NDArray[Any]],
+    shapes: Sequence[RotoShape],
+    start: int,
+    stop: int,
+    config: str | RoamParams = "best",
+    token: CancelToken | None = None,
+    progress: Progress | None = None,
+    clip: str = "",
+    only: Collection[str] | None = None,
+    alone: bool = False,
+) -> list[RotoShape]:
+    """The shapes with ENGINE keys on the frames between their artist keys, from `start` to `stop`.
+
+    Each gap between two neighbouring artist keys is one span: the object is carried forward from the first and
+    backward from the second, each on a thread of its own, and both are merged with the motion of the object as one
+    piece, each believed as far as it met the other key (`propagate.between.endpoint_consistency`), and with what the
+    colours of both keys say (`proposal.cues.key_colours`). Shapes of one object with the same keys are filled together.
+    A shape that ends between two keys of its object is carried on from its last key; one that begins or ends on a key
+    gets no keys, but tells how much of the object the others do not show there.
+
+    Parameters
+    ----------
+    images : gives the picture of a frame, (h, w, 3) RGB, uint8 or float32 in [0, 1]; each is asked for three times,
+        in no particular order, by one thread at a time. A `MissingFrame` is passed over.
+    only : the ids of the shapes that get keys; None: all. The others take part all the same.
+    alone : each shape is filled as if there were no others.
+    start, stop : the first and the last frame, both of which hold artist keys. Artist keys come back as they were.
+
+    Raises
+    ------
+    RoamError
+        when no shape has artist keys on two frames of the range, or a shape to be filled is open.
+    Cancelled
+        at a safe point after `token` was cancelled.
+    """
+    asked = [only is None or shape.id in only for shape in shapes]
+    gaps = [gap for gap in spans(shapes, start, stop) if any(asked[k] for k in gap[2])]
+    if not gaps:
+        raise RoamError(
+            f"There is nothing to fill from frame {start} to {stop}: no shape has artist keys on two frames of that "
+            "range. Set a key at both ends first."
+        )
+    meter = _Meter(sum(2 * (last - first) for first, last, _ in gaps), progress)
+    filling = Filling(Reader(images), params_for(config), clip, meter, token, alone)
+    result = list(shapes)
+    for first, last, members in gaps:
+        for k, keys in filling.filled(shapes, (first, last), [k for k in members if asked[k]]).items():
+            result[k] = set_engine_keys(result[k], keys)
+    return result
+
+
+def spans(shapes: Sequence[RotoShape], start: int, stop: int) -> list[tuple[int, int, list[int]]]:
+    """`(first, last, which shapes)` for every gap between neighbouring artist keys in the range.
+
+    With the shapes that have keys on both ends go those that end, or begin, there.
+    """
+    gaps = {
+        pair
+        for shape in shapes
+        for pair in pairwise(frame for frame in shape.artist_frames if start <= frame <= stop)
+        if pair[1] - pair[0] > 1 and provenance.takes_part(shape, pair)
+    }
+    return [(*gap, [k for k, shape in enumerate(shapes) if provenance.takes_part(shape, gap)]) for gap in sorted(gaps)]
+
+
+class Reader:
+    """Pictures made ready, asked for by one thread at a time; none is kept, for a span may be long and its plate 4K."""
+
+    def __init__(self, images: Mapping[int, NDArray[Any]]) -> None:
+        self._images = images
+        self._lock = threading.Lock()
+
+    def __call__(self, frame: int) -> PreparedFrame:
+        with self._lock:
+            try:
+                image = self._images[frame]
+            except KeyError:
+                raise RoamError(f"There is no image of frame {frame}; every frame of a span is looked at.") from None
+        return PreparedFrame(image)
+
+
+class _Meter:
+    """Progress over all passes, whichever thread they run on."""
+
+    def __init__(self, total: int, progress: Progress | None) -> None:
+        self._total, self._done, self._progress = max(total, 1), 0, progress
+        self._lock = threading.Lock()
+
+    def passed(self) -> None:
+        with self._lock:
+            self._done += 1
+            if self._progress is not None:
+                self._progress(self._done / self._total, "Filling between keys")
+
+
+@dataclass(frozen=True, eq=False)
+class Filling:
+    """What all spans of one call share."""
+
+    read: Reader
+    params: RoamParams
+    clip: str = ""
+    meter: _Meter | None = None
+    token: CancelToken | None = None
+    alone: bool = False
+
+    def filled(
+        self, shapes: Sequence[RotoShape], gap: tuple[int, int], asked: Sequence[int]
+    ) -> dict[int, list[Keyframe]]:
+        """The ENGINE keys in one gap of the shapes that are asked for, solved object by object."""
+        size = self.read(gap[0]).size
+        stamps = Stamps(shapes, self.clip, size)
+        made: dict[int, list[Keyframe]] = {}
+        for members in sorted({stamps.filled_with(k, gap, self.alone) for k in asked}):
+            ours, between = [shapes[k] for k in members], range(gap[0] + 1, gap[1])
+            for shape in ours:
+                _require_closed(shape)
+            if not any(shape.exists_at(frame) for shape in ours for frame in between):
+                continue
+            span = self.passed(ours, gap, size)
+            wanted = [(place, k) for place, k in enumerate(members) if k in asked]
+            made |= {k: [] for _, k in wanted}
+            for frame, solved in zip(between, each(partial(self.solved, span, ours), between), strict=True):
+                for place, k in wanted:
+                    found = solved[place]
+                    if found is not None:
+                        inputs = stamps.filled(k, gap, self.params, self.alone)
+                        made[k].append(_engine_key(shapes[k], frame, found, inputs))
+        return made
+
+    @cached_property
+    def finer(self) -> RoamParams:
+        """The parameters for cells as they are between keys."""
+        region = self.params.region
+        if region is None:
+            return self.params
+        return replace(self.params, region=replace(region, grid_factor=region.fill_factor))
+
+    def solved(self, span: Span, shapes: Sequence[RotoShape], frame: int) -> list[Merged | None]:
+        """The outlines of an object's shapes on a frame between its keys; None for those that are not there."""
+        if self.token is not None:
+            self.token.check()
+        alive = [k for k, shape in enumerate(shapes) if shape.exists_at(frame)]
+        return merged(span, frame, alive, self._colours(frame) if alive else None)
+
+    def _colours(self, frame: int) -> Colours | None:
+        """The picture of a frame as something to go by; None where it is missing, or not asked."""
+        params = self.finer.region
+        if params is None or params.keys_weight == 0:
+            return None
+        try:
+            return Colours(self.read(frame), params)
+        except MissingFrame:
+            return None
+
+    def passed(self, shapes: Sequence[RotoShape], gap: tuple[int, int], size: tuple[int, int]) -> Span:
+        """Both passes of one object, side by side."""
+        first, last = (_key(shapes, frame) for frame in gap)
+        frames = range(gap[0], gap[1] + 1)
+        ways = [(first, frames), (last, frames[::-1])]
+        ahead, behind = each(lambda way: self._directional_pass(shapes, *way, size), ways)
+        return Span(first, last, ahead, behind, size, scale_for(size), self.params.region or RegionParams()).better
+
+    def _directional_pass(
+        self, shapes: Sequence[RotoShape], key: Key, frames: range, size: tuple[int, int]
+    ) -> DirectionalPass | None:
+        parts = [part for part in key.parts if part is not None]
+        if not parts:
+            return None
+        there = [shapes[k] for k in key.members]
+        passed = None if self.meter is None else self.meter.passed
+        made = units(there, near(size))
+        return directional_pass(self.read, parts, made, partial(stacked, there), frames, self.finer, self.token, passed)
+
+
+def _require_closed(shape: RotoShape) -> None:
+    if not shape.closed:
+        raise RoamError(f"{shape.name!r} is open; close it (C) before it can be filled.")
+
+
+def _key(shapes: Sequence[RotoShape], frame: int) -> Key:
+    """What the artist drew on a frame."""
+    keys = [shape.key_at(frame) for shape in shapes]
+    return Key(
+        frame,
+        tuple(
+            None
+            if key is None or key.origin is not Origin.ARTIST
+            else Part(key.points, shape.blend is BlendMode.SUBTRACT, shape.attached)
+            for shape, key in zip(shapes, keys, strict=True)
+        ),
+    )
+
+
+def _engine_key(shape: RotoShape, frame: int, merged: Merged, inputs: str) -> Keyframe:
+    """The key for a merged outline; feather goes over from the one artist key to the other."""
+    artist = RotoShape(shape.id, shape.name, shape.artist_keys)
+    return Keyframe(
+        frame,
+        merged.points,
+        feather=artist.at(frame).feather,
+        origin=Origin.ENGINE,
+        confidence=merged.confidence,
+        vertex_confidence=merged.vertex_confidence,
+        inputs=inputs,
+    )

@@ -1,0 +1,281 @@
+"""Re-detection: an object that was lost is looked for by the colours and the outline that it had on the artist's key.
+
+Beyond the paper, whose landmarks go when their response is ambiguous and are made anew on the object: of what is wholly
+hidden, or left behind by a region that leaked, nothing remains to make them on.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import cv2
+import numpy as np
+
+from roam_core.appearance.global_model import GlobalModel
+from roam_core.arrays import Array, Float32
+from roam_core.features import PreparedFrame, Region
+from roam_core.features.grid import Grid
+from roam_core.geometry import polyline
+from roam_core.kernels.coverage import coverage
+from roam_core.params import RedetectionParams, RegionParams
+from roam_core.proposal.cues.evidence import Field, KeyMemory
+from roam_core.threads import each
+
+
+@dataclass(frozen=True, eq=False)
+class LastSeen:
+    """When an object was last seen for sure.
+
+    Attributes
+    ----------
+    carried : (3, 3) similarity from the key when the object was last whole. area : its area then, square pixels.
+    middle : (2,) centroid of what was last seen of it. params : where it is looked for. since : frames since then.
+    """
+
+    carried: Array
+    area: float
+    middle: Array
+    params: RedetectionParams
+    since: int = 0
+
+    @property
+    def reach(self) -> float:
+        """Pixels around `middle` in which the object may be."""
+        return float(np.sqrt(self.area) * (self.params.near + self.params.pace * self.since))
+
+    @property
+    def is_worth_a_look(self) -> bool:
+        """Whether to look for it on this frame: what has long been gone is looked for on some frames only."""
+        return self.since <= self.params.long_gone or self.since % self.params.sometimes == 0
+
+    def is_lost(self, region: Field) -> bool:
+        """True when too little is left of the object to carry it on."""
+        return area_of(region) <= self.params.lost * self.area
+
+    def missed(self) -> LastSeen:
+        """After one more frame on which the object was not seen."""
+        return replace(self, since=self.since + 1)
+
+    def after(self, key: KeyMemory, region: Field, resemblance: float = 1.0) -> LastSeen:
+        """After a frame on which the object was seen, as `region`; `key` knows the way from the key to there.
+
+        Its size and turn are taken over where they are sure: from `RedetectionParams.whole` of its area and
+        `almost` full `resemblance` (`AppearanceTemplate.resemblance`) on.
+        """
+        area = area_of(key.region) * abs(float(np.linalg.det(key.to_now[:2, :2])))
+        if resemblance >= self.params.almost and area_of(region) >= self.params.whole * area:
+            return LastSeen(key.to_now, area, middle_of(region), self.params)
+        return replace(self, middle=middle_of(region), since=0)
+
+
+@dataclass(frozen=True, eq=False)
+class Likeness:
+    """How much each place of a picture looks like the object: `scores (rows, columns)` on a grid."""
+
+    scores: Float32
+    grid: Grid
+
+    def best(self, near: Array, reach: float, beyond: tuple[Array, float] | None = None) -> tuple[float, Array]:
+        """The highest score within `reach` pixels of `near (2,)`, and its place `(2,)` in the image.
+
+        `beyond`, a place and a distance, leaves out what lies around that place.
+        """
+        allowed = self._away(near) <= reach
+        if beyond is not None:
+            allowed &= self._away(beyond[0]) > beyond[1]
+        scores = np.where(allowed, self.scores, -np.inf)
+        row, column = np.unravel_index(int(np.argmax(scores)), scores.shape)
+        return float(scores[row, column]), self.grid.to_image(np.array([column + 0.5, row + 0.5]))
+
+    def _away(self, near: Array) -> Array:
+        """The distance `(rows, columns)` of each cell's centre from a place `(2,)`, in pixels."""
+        rows, columns = self.scores.shape
+        corner, cell = np.asarray(self.grid.region.origin), 1.0 / self.grid.factor
+        x = corner[0] + cell[0] * (np.arange(columns) + 0.5) - near[0]
+        y = corner[1] + cell[1] * (np.arange(rows) + 0.5) - near[1]
+        return np.asarray(np.hypot(x, y[:, None]))
+
+
+@dataclass(frozen=True, eq=False)
+class AppearanceTemplate:
+    """What an object looked like on the artist's key: its picture and region, and what follows from them.
+
+    `unseen` is the density of a colour that the histograms never saw.
+    """
+
+    frame: PreparedFrame
+    region: Field
+    params: RedetectionParams
+    unseen: float
+
+    @cached_property
+    def middle(self) -> Array:
+        """The centroid `(2,)` on the key."""
+        return middle_of(self.region)
+
+    @cached_property
+    def rim(self) -> Array:
+        """The places `(K, 2)` on the key between which all others of the object lie."""
+        inside = self.region.inside
+        rows = np.flatnonzero(inside.any(axis=1))
+        ends = [inside[rows].argmax(axis=1), inside.shape[1] - 1 - inside[rows, ::-1].argmax(axis=1)]
+        return self.region.grid.to_image(np.vstack([np.stack([end, rows], axis=1) for end in ends]) + 0.5)
+
+    @cached_property
+    def extent(self) -> float:
+        """The root of its area on the key, in pixels."""
+        return float(np.sqrt(area_of(self.region)))
+
+    @cached_property
+    def colours(self) -> GlobalModel:
+        """Its colours against those of all the rest of the key's picture, not of its surroundings alone."""
+        grid = Grid.over(_whole(self.frame), float(self.region.grid.factor.mean()))
+        inside = self.region.on(grid) > 0.5
+        return GlobalModel.learned(grid.of(self.frame.image), inside, ~inside)
+
+    @cached_property
+    def own_score(self) -> float:
+        """How much the object looks like itself: the score of its place on the key."""
+        cell = self.extent / self.params.across
+        likeness = self._likeness(self.frame, np.eye(2), self.middle, 2.0 * cell)
+        return likeness.best(self.middle, 2.0 * cell)[0]
+
+    def found(self, frame: PreparedFrame, last_seen: LastSeen) -> Array | None:
+        """The similarity `(3, 3)` from the key that puts the object where it is seen; None where it is not.
+
+        Turn and size are those where it was last seen, but for `RedetectionParams.sizes`.
+        """
+        if self.extent < 1.0:
+            return None
+        near, reach = last_seen.middle, last_seen.reach
+        turns = [size * last_seen.carried[:2, :2] for size in self.params.sizes]
+        tried = each(lambda turn: self._likeness(frame, turn, near, reach), turns)
+        seen = [likeness.best(near, reach) for likeness in tried]
+        chosen = int(np.argmax([score for score, _ in seen]))
+        score, place = seen[chosen]
+        if not score >= max(self.params.alike * self.own_score, 0.0):
+            return None
+        rival, _ = tried[chosen].best(near, reach, beyond=(place, float(np.sqrt(last_seen.area))))
+        if rival > self.params.alone * score:
+            return None
+        placed = np.eye(3)
+        placed[:2, :2] = turns[chosen]
+        placed[:2, 2] = place - turns[chosen] @ self.middle
+        return placed
+
+    def resemblance(self, frame: PreparedFrame, line: Array) -> float:
+        """How much like the object what the closed polyline `(N, 2)` encloses looks: 1 as on the key, 0 not at all.
+
+        The mean log-ratio inside less that of the surroundings, as everywhere here, in relation to the key's own.
+        """
+        extent = float(np.sqrt(abs(polyline.signed_area(line))))
+        area = Region.around(line, (self.params.ring + 2.0 / self.params.across) * extent, frame.size)
+        if extent < 1.0 or area.is_empty:
+            return 0.0
+        grid = Grid.over(area, min(self.params.across / extent, 1.0))
+        inner, outer = _shares(
+            coverage(grid.to_grid(line), grid.shape), self.params.ring * extent * float(grid.factor.mean())
+        )
+        score = float((self._ratio(frame, grid) * (inner - outer)).sum())
+        return float(np.clip(score / max(self.own_score, 1e-6), 0.0, 1.0))
+
+    def _ratio(self, frame: PreparedFrame, grid: Grid) -> Float32:
+        return self.colours.log_ratio(grid.of(frame.image), self.params.clip, self.unseen)
+
+    def _likeness(self, frame: PreparedFrame, turn: Array, near: Array, reach: float) -> Likeness:
+        """Mean log-ratio inside the outline, under `turn (2, 2)` and put everywhere, less that of its surroundings."""
+        extent = self.extent * float(np.sqrt(abs(np.linalg.det(turn))))
+        corners = (self.rim - self.middle) @ turn.T
+        room = np.abs(corners).max(axis=0) + (self.params.ring + 2.0 / self.params.across) * extent
+        spots = np.stack([near - reach - room, near + reach + room])
+        area = Region.around(spots, 0.0, frame.size)
+        if area.is_empty:
+            return Likeness(np.full((1, 1), -np.inf, dtype=np.float32), Grid(Region(0, 0, 1, 1), 1, 1))
+        grid = Grid.over(area, min(self.params.across / extent, 1.0))
+        ratio = self._ratio(frame, grid)
+        inside = self._template(turn, room, grid)
+        inner, outer = (
+            cv2.filter2D(ratio, cv2.CV_32F, share, borderType=cv2.BORDER_CONSTANT)
+            for share in _shares(inside, self.params.ring * extent * float(grid.factor.mean()))
+        )
+        return Likeness(np.asarray(inner - outer, dtype=np.float32), grid)
+
+    def _template(self, turn: Array, room: Array, grid: Grid) -> Float32:
+        """The object's coverage in cells of `grid` under `turn (2, 2)`, its middle in the middle."""
+        columns, rows = (2 * int(np.ceil(value)) + 1 for value in room * grid.factor)
+        placed = np.eye(3)
+        placed[:2, :2] = np.diag(grid.factor) @ turn
+        placed[:2, 2] = np.array([columns, rows]) / 2.0 - placed[:2, :2] @ self.middle
+        canvas = Grid(Region(0, 0, columns, rows), rows, columns)
+        return self.region.on(canvas, placed)
+
+
+@dataclass(frozen=True, eq=False)
+class Watch:
+    """What is kept of an outline's key so that its inside is known again, and how it has looked since.
+
+    Attributes
+    ----------
+    drawn : (P, 3, 2) control points on the key. appearance : what it looked like there. last_seen : when it was last
+        seen.
+    resemblance : how much it looked so on the last frame, in [0, 1].
+    """
+
+    drawn: Array
+    appearance: AppearanceTemplate
+    last_seen: LastSeen
+    resemblance: float = 1.0
+
+    @classmethod
+    def begun(cls, drawn: Array, frame: PreparedFrame, region: Field, params: RegionParams) -> Watch | None:
+        """On the key, where the outline encloses `region`; None of what could not be told from its surroundings."""
+        appearance = AppearanceTemplate(frame, region, params.redetection, params.unseen)
+        if appearance.extent < params.redetection.least or appearance.own_score < params.redetection.distinct:
+            return None
+        return cls(drawn, appearance, LastSeen(np.eye(3), area_of(region), middle_of(region), params.redetection))
+
+    def after(self, frame: PreparedFrame, line: Array, key: KeyMemory, region: Field, params: RegionParams) -> Watch:
+        """After a frame with the outline `line (N, 2)`, which encloses `region` there."""
+        alike = self.appearance.resemblance(frame, line)
+        seen = self.last_seen.after(key, region, alike) if alike >= params.believed else self.last_seen.missed()
+        return replace(self, last_seen=seen, resemblance=alike)
+
+    def missed(self) -> Watch:
+        """After a frame on which the outline lay outside the picture."""
+        return replace(self, last_seen=self.last_seen.missed(), resemblance=0.0)
+
+
+def is_better(again: float, promise: float, params: RegionParams) -> bool:
+    """Whether what was found elsewhere promises enough more than what was carried on to be taken in its place."""
+    return again > max(promise + params.better, params.believed)
+
+
+def as_on_key(key: PreparedFrame, to_now: Array) -> PreparedFrame:
+    """The key's picture as if the object had been where the similarity `to_now (3, 3)` puts it."""
+    return PreparedFrame(Grid.over(_whole(key), 1.0).warped(key.image, to_now))
+
+
+def area_of(region: Field) -> float:
+    """Square pixels inside."""
+    return np.count_nonzero(region.inside) / float(np.prod(region.grid.factor))
+
+
+def middle_of(region: Field) -> Array:
+    """The centroid `(2,)` of the inside, in the image; the middle of the grid where nothing is inside."""
+    counts = [np.count_nonzero(region.inside, axis=axis) for axis in (0, 1)]
+    if not counts[0].any():
+        return region.grid.to_image(np.array([region.grid.columns, region.grid.rows]) / 2.0)
+    return region.grid.to_image(np.array([np.average(np.arange(len(count)), weights=count) for count in counts]) + 0.5)
+
+
+def _shares(inside: Float32, ring: float) -> tuple[Float32, Float32]:
+    """The share of each cell in what lies inside, and in its surroundings, `ring` cells wide."""
+    width = 2 * max(round(ring), 1) + 1
+    around = cv2.dilate(inside, cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (width, width))) - inside
+    inner, outer = (np.asarray(part / max(float(part.sum()), 1e-6)) for part in (inside, around))
+    return inner, outer
+
+
+def _whole(frame: PreparedFrame) -> Region:
+    return Region(0, 0, frame.size[1], frame.size[0])

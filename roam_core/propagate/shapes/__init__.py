@@ -1,0 +1,1 @@
+"""What shapes say without a picture: what is solved together, what their keys were computed from, how sure they are."""

@@ -1,0 +1,229 @@
+"""Which shapes are solved together, and what each of them is in its object: a part, a hole, the whole, an occluder."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from enum import Enum
+from functools import cached_property, lru_cache
+from itertools import combinations
+
+import numpy as np
+from scipy.spatial import cKDTree
+
+from roam_core.arrays import Array
+from roam_core.geometry import bezier, polyline
+from roam_core.kernels.coverage import coverage
+from roam_core.params import OBJECTS, scale_for
+from roam_core.roto import BlendMode, RotoShape
+from roam_core.roto.shape import Same
+
+
+@dataclass(frozen=True, eq=False)
+class Drawn:
+    """A shape as far as it decides what it belongs to: its outline is that of the frame on which it met another one."""
+
+    points: Array
+    subtracts: bool
+    link: str
+
+    @cached_property
+    def line(self) -> Array:
+        """A closed polyline `(K, 2)`."""
+        return bezier.flatten(self.points)
+
+    @cached_property
+    def evenly(self) -> Array:
+        """128 places `(128, 2)` along it."""
+        return polyline.resample(self.line, 128)
+
+    @cached_property
+    def tree(self) -> cKDTree:
+        return cKDTree(self.evenly)
+
+    @cached_property
+    def area(self) -> float:
+        """What it encloses, square pixels."""
+        return abs(float(polyline.signed_area(self.line)))
+
+    @classmethod
+    def of(cls, shape: RotoShape, frame: int) -> Drawn:
+        """A shape by the keys that no run changes."""
+        return _drawn(Same(shape), frame)
+
+
+@lru_cache(maxsize=1024)
+def _drawn(same: Same, frame: int) -> Drawn:
+    shape = replace(same.shape, keys=same.shape.drawn_keys)
+    return Drawn(shape.at(frame).points, shape.blend is BlendMode.SUBTRACT, shape.link)
+
+
+def decisive(shape: RotoShape) -> tuple[object, ...]:
+    """All of a shape that a run over its object goes by; what a run makes changes none of it."""
+    drawn = (shape.drawn_keys, shape.closed, shape.blend, shape.placement, shape.lifetime)
+    return (*drawn, shape.link, shape.attached, shape.depth)
+
+
+def _met(a: RotoShape, b: RotoShape) -> tuple[Drawn, Drawn]:
+    """Two shapes on the first frame on which both have keys of the artist's, else on the later of their first ones."""
+    frames_a, frames_b = ([key.frame for key in shape.drawn_keys] for shape in (a, b))
+    both = set(frames_a) & set(frames_b)
+    frame = min(both) if both else max(frames_a[0], frames_b[0])
+    return Drawn.of(a, frame), Drawn.of(b, frame)
+
+
+def objects(shapes: Sequence[RotoShape], gap: float) -> list[list[int]]:
+    """The indices of `shapes`, grouped by the objects that they belong to; groups and members in the order given.
+
+    Two outlines belong together when they come within `gap` pixels of each other on the first frame on which the artist
+    keyed both, or when one subtracts and, by all its keys, may come to cut the other. Those that the artist linked
+    belong to each other only. Unrelated shapes keep to themselves: each object moves as it will.
+    """
+    return [list(group) for group in _grouped(_Question(shapes, gap))]
+
+
+class _Question:
+    """Shapes and the gap between them, as a key of a cache: the same while the same decides."""
+
+    def __init__(self, shapes: Sequence[RotoShape], gap: float) -> None:
+        self.shapes, self.gap = shapes, gap
+        self._decisive = (gap, *(decisive(shape) for shape in shapes))
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, _Question) and other._decisive == self._decisive
+
+    def __hash__(self) -> int:
+        return hash(self._decisive)
+
+
+@lru_cache(maxsize=8)
+def _grouped(question: _Question) -> list[list[int]]:
+    shapes, gap = question.shapes, question.gap
+    groups = [[i] for i in range(len(shapes))]
+    group_of = list(range(len(shapes)))
+    for i, j in combinations(range(len(shapes)), 2):
+        ours, theirs = group_of[i], group_of[j]
+        if ours != theirs and _belong(shapes[i], shapes[j], gap):  # what is joined already need not be asked again
+            groups[ours] += groups[theirs]
+            for k in groups[theirs]:
+                group_of[k] = ours
+            groups[theirs] = []
+    return sorted(sorted(group) for group in groups if group)
+
+
+def near(size: tuple[int, int] | None) -> float:
+    """Pixels between outlines that still belong to one object, on pictures of `size` (h, w)."""
+    return OBJECTS.near * (1.0 if size is None else scale_for(size))
+
+
+def _belong(a: RotoShape, b: RotoShape, gap: float) -> bool:
+    if a.link or b.link:
+        return a.link == b.link
+    if (a.blend is BlendMode.SUBTRACT) != (b.blend is BlendMode.SUBTRACT):
+        return _near_boxes(_swept(Same(a)), _swept(Same(b)), gap)
+    ours, theirs = _met(a, b)
+    if not _near_boxes(_box(ours.line), _box(theirs.line), gap):
+        return False
+    return bool(ours.tree.query(theirs.evenly)[0].min() <= gap)
+
+
+def _box(places: Array) -> Array:
+    """The lowest and the highest coordinates `(2, 2)`."""
+    return np.array([places.min(axis=0), places.max(axis=0)])
+
+
+def _near_boxes(a: Array, b: Array, gap: float) -> bool:
+    return not ((b[1] < a[0] - gap).any() or (b[0] > a[1] + gap).any())
+
+
+@lru_cache(maxsize=1024)
+def _swept(same: Same) -> Array:
+    """The box around a shape on all keys that no run changes."""
+    return _box(np.vstack([bezier.flatten(key.points) for key in same.shape.drawn_keys]))
+
+
+class Role(Enum):
+    """What one or more shapes are in their object.
+
+    PART: moves by itself and overlaps others. WHOLE: one or more outlines that do not overlap, carried as one region.
+    OCCLUDER: subtracts, and crosses an outline: it has a life of its own and hides what lies below it.
+    """
+
+    PART = "part"
+    WHOLE = "whole"
+    OCCLUDER = "occluder"
+
+
+@dataclass(frozen=True)
+class Unit:
+    """Shapes of an object that move as one: their indices, in their order, and what they are."""
+
+    role: Role
+    members: tuple[int, ...]
+
+
+def units(shapes: Sequence[RotoShape], gap: float) -> list[Unit]:
+    """What the shapes of one object are, bottom first.
+
+    Solid shapes that overlap are parts; when none do they are one whole object. A shape that subtracts and lies within
+    one outline is its hole, and moves with it; one that crosses an outline is an occluder: what it alone holds together
+    (`objects`, with the same `gap`) is apart behind it. What the artist linked is one whole object in any case. It is
+    decided where the shapes met.
+    """
+    everything = tuple(range(len(shapes)))
+    subtracts = [shape.blend is BlendMode.SUBTRACT for shape in shapes]
+    solid = [k for k in everything if not subtracts[k]]
+    if not solid or any(shape.link for shape in shapes):
+        return [Unit(Role.WHOLE, everything)]
+    hosts = {k: _host(k, solid, shapes) for k in everything if subtracts[k]}
+    occluders = [k for k, host in hosts.items() if host is None]
+
+    def overlap(i: int, j: int) -> bool:
+        """Whether two shapes share more than their borders, but for what lies in a hole of either."""
+        a, b = _met(shapes[i], shapes[j])
+        shared = _shared(a, b)
+        for hole, host in hosts.items():
+            if host in (i, j):
+                shared -= _shared(*_met(shapes[hole], shapes[j if host == i else i]))
+        smaller = min(a.area, b.area)
+        return bool(shared > max(OBJECTS.overlap * smaller, OBJECTS.touch * gap / OBJECTS.near * np.sqrt(smaller)))
+
+    made = [Unit(Role.OCCLUDER, (k,)) for k in occluders]
+    behind = [k for k in everything if k not in occluders]
+    for group in objects([shapes[k] for k in behind], gap):
+        members = tuple(behind[place] for place in group)
+        ours = [k for k in members if k in solid]
+        if any(overlap(i, j) for place, i in enumerate(ours) for j in ours[:place]):
+            made += [Unit(Role.PART, (k, *(hole for hole, host in hosts.items() if host == k))) for k in ours]
+        else:
+            made.append(Unit(Role.WHOLE, members))
+    return sorted(made, key=lambda unit: unit.members[0])
+
+
+def stacked(shapes: Sequence[RotoShape], frame: int) -> list[int]:
+    """The indices of shapes that come bottom first as they lie on a frame, the farthest first."""
+    return sorted(range(len(shapes)), key=lambda k: shapes[k].depth_at(frame))
+
+
+def _host(k: int, solid: Sequence[int], shapes: Sequence[RotoShape]) -> int | None:
+    """The solid shape whose hole a subtracting one is: the nearest of those below it, else of those above; or None."""
+
+    def surrounds(j: int) -> bool:
+        hole, outer = _met(shapes[k], shapes[j])
+        return _shared(hole, outer) >= OBJECTS.enclosed * hole.area
+
+    around = [j for j in solid if surrounds(j)]
+    below = [j for j in around if j < k]
+    return below[-1] if below else around[0] if around else None
+
+
+def _shared(a: Drawn, b: Drawn) -> float:
+    """The area that both enclose, square pixels."""
+    low, high = np.maximum(a.line.min(axis=0), b.line.min(axis=0)), np.minimum(a.line.max(axis=0), b.line.max(axis=0))
+    if (high <= low).any():
+        return 0.0
+    smaller = min(float(np.ptp(each.line, axis=0).max()) for each in (a, b))
+    cell = max(smaller / OBJECTS.cells, float((high - low).max()) / (4 * OBJECTS.cells))
+    columns, rows = (max(1, int(np.ceil(extent / cell))) for extent in high - low)
+    cover_a, cover_b = (coverage((each.line - low) / cell, (rows, columns)) for each in (a, b))
+    return float((cover_a * cover_b).sum()) * cell * cell

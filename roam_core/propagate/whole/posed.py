@@ -1,0 +1,103 @@
+"""One more hypothesis for an object drawn as one shape: it lies there as on its key, only moved, turned and bent.
+
+Where the region and the pose (`motion.pose`) differ, the picture is asked at the disputed places. A limb, whose outline
+runs where nothing changes, is so held together by its pose; an object that changes what it looks like by its region.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from roam_core.arrays import Array
+from roam_core.features import PreparedFrame, Region
+from roam_core.features.pyramid import Pyramid
+from roam_core.geometry import bezier
+from roam_core.motion.pose import Pose, Surroundings
+from roam_core.motion.template import Template
+from roam_core.params import ConfidenceParams, PoseParams, RegionParams, scale_for
+from roam_core.propagate.frame.confidence import overlap, vertex_confidence
+from roam_core.propagate.frame.contour_fit import enclosed
+from roam_core.propagate.frame.result import Part, StepResult, Termination
+from roam_core.proposal.cues.evidence import Field
+
+
+def on_key(
+    frame: PreparedFrame, parts: Sequence[Part], params: RegionParams, covers: Sequence[Array] = ()
+) -> Pose | None:
+    """The pose of an object's one solid shape on its key; None where there are more, or too little of it is seen.
+
+    `covers` are closed polylines `(K, 2)` of what lies before it.
+    """
+    solid = [part for part in parts if not part.subtracts]
+    if params.pose is None or len(solid) != 1:
+        return None
+    holes = [bezier.flatten(part.points) for part in parts if part.subtracts]
+    return learned(frame, bezier.flatten(solid[0].points), params.pose, [*holes, *covers])
+
+
+def learned(frame: PreparedFrame, line: Array, params: PoseParams, covers: Sequence[Array]) -> Pose | None:
+    """The pose, on its key, of what a closed polyline `line (K, 2)` encloses and nothing covers."""
+    scale = scale_for(frame.size)
+    window = Region.around(line, params.margin * scale, frame.size)
+    if is_narrow(window, params):
+        return None
+    template = Template.of(Pyramid.of(frame, window, 1.0 / scale, params.pyramid), line, params, scale, covers)
+    return None if template is None else Pose.on_key(template, params)
+
+
+def step(
+    pose: Pose, drawn: Sequence[Part], frame: PreparedFrame, params: PoseParams, covers: Sequence[Array] = ()
+) -> Pose:
+    """The pose on the next frame of the object that was `drawn` on the key."""
+    scale = scale_for(frame.size)
+    spots = np.vstack([pose.carried(bezier.flatten(part.points)) for part in drawn])
+    window = Region.around(spots, (params.margin + params.search_move * pose.reach(params)) * scale, frame.size)
+    if is_narrow(window, params):
+        return pose.missed()
+    pyramid = Pyramid.of(frame, window, 1.0 / scale, params.pyramid)
+    return pose.step(Surroundings(pyramid, pyramid.outlined(list(covers)), is_complete=False), params)
+
+
+def is_narrow(window: Region, params: PoseParams) -> bool:
+    """Whether a part of a picture is too narrow to see anything in it."""
+    return min(window.x1 - window.x0, window.y1 - window.y0) < params.narrow
+
+
+def carried(pose: Pose, drawn: Sequence[Part]) -> tuple[Part, ...]:
+    """The parts of the key under a pose."""
+    return tuple(Part(pose.spline(part.points), part.subtracts) for part in drawn)
+
+
+def is_believable(pose: Pose, params: RegionParams) -> bool:
+    """Whether a lone shape may be a part: a large one is a whole object, and so is one with an edge all around."""
+    template = pose.template
+    return template.seam >= params.pose_seam and template.area <= params.pose_area * template.scale**2
+
+
+def is_believed(pose: Pose, parts: Sequence[Part], found: Field, params: RegionParams) -> bool:
+    """Whether the pose, which puts the shapes at `parts`, is taken where the region that was `found` disputes it.
+
+    It is where the object may be a part, still looks as on its key, and what is seen at the disputed places does not
+    speak against it.
+    """
+    if pose.look is None or not is_believable(pose, params) or pose.unlike >= params.pose_unlike:
+        return False
+    if overlap(enclosed(parts, found.grid) > 0.5, found.inside) >= params.pose_agrees:
+        return False
+    rows, columns = found.grid.shape
+    x, y = np.floor(found.grid.to_grid(pose.look.places)).astype(np.intp).T
+    inside = found.inside[np.clip(y, 0, rows - 1), np.clip(x, 0, columns - 1)]
+    return pose.look.against(inside) < params.pose_against
+
+
+def result(points: Array, pose: Pose, confidence: float, params: ConfidenceParams) -> StepResult:
+    """What a pose gives for one outline, trusted as far as `confidence`."""
+    return StepResult(
+        points=points,
+        confidence=confidence,
+        vertex_confidence=vertex_confidence(pose.support(points[:, bezier.ANCHOR]), confidence, params),
+        energies={"pose": pose.cost, "total": pose.cost},
+        termination=Termination.of(confidence),
+    )

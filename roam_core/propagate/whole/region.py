@@ -1,0 +1,446 @@
+"""One frame by regions: evidence around the whole object, the proposed region, every shape's curve fitted to it.
+
+The paper lets a segmentation propose drastic changes where it and the curve differ markedly. Here it proposes on every
+frame: all shapes that are tracked together are one object; its region is carried, the curves follow its outlines.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from fractions import Fraction
+
+import numpy as np
+
+from roam_core.appearance.global_model import GlobalModel
+from roam_core.arrays import Array, Float32
+from roam_core.cancel import CancelToken
+from roam_core.features import PreparedFrame, Region
+from roam_core.features.grid import Grid
+from roam_core.geometry import bezier, similarity
+from roam_core.motion import pose as motion_pose
+from roam_core.motion.flow import carried_by_flow, dense_flow, flow_similarity, on_grid
+from roam_core.params import RegionParams, scale_for
+from roam_core.propagate.frame.confidence import (
+    ConfidenceFeatures,
+    PoseFeatures,
+    edge_support,
+    expected_overlap,
+    overlap,
+    vertex_confidence,
+)
+from roam_core.propagate.frame.contour_fit import enclosed, fitted, trusts_of
+from roam_core.propagate.frame.covering import carried_behind, learned_colours, visible
+from roam_core.propagate.frame.nodes import smooth_points
+from roam_core.propagate.frame.redetection import AppearanceTemplate, LastSeen, area_of, as_on_key, is_better, middle_of
+from roam_core.propagate.frame.result import Part, StepResult, Termination
+from roam_core.propagate.whole import posed
+from roam_core.propagate.whole.rigid import Pose, Rigidity
+from roam_core.proposal.cues.evidence import SURE, Expectation, Field, KeyMemory, Sources, gathered
+from roam_core.proposal.cues.label_propagation import label_propagation
+from roam_core.proposal.cues.motion_cue import motion_on
+from roam_core.proposal.outline.contour import KeyConstraints
+from roam_core.proposal.segment import region as proposed
+
+
+@dataclass(frozen=True, eq=False)
+class RegionState:
+    """After a frame: its picture, the region, each shape where it was last seen, and what is known of the object.
+
+    `drawn` are the shapes on the key and `constraints` what they keep of it, `appearance` what the object looked like
+    there, `last_seen` tells when it was last whole, `rigidity` whether it may still move as one piece;
+    `flow_reliability`, on the region's grid, how far each cell's side still is the key's word
+    (`proposal.cues.label_propagation`); `steps` counts the frames since the key; `features` tell how well the last of
+    them went. `pose` is that of an object drawn as one shape; `covers` are closed polylines `(K, 2)` of what lies
+    before the object; `params` those that it began with.
+    """
+
+    frame: PreparedFrame
+    region: Field
+    parts: tuple[Part, ...]
+    constraints: tuple[KeyConstraints, ...]
+    key: KeyMemory
+    colours: GlobalModel
+    drawn: tuple[Part, ...]
+    appearance: AppearanceTemplate
+    last_seen: LastSeen
+    rigidity: Rigidity
+    flow_reliability: Float32
+    params: RegionParams
+    steps: int = 0
+    features: ConfidenceFeatures | PoseFeatures | None = None
+    pose: motion_pose.Pose | None = None
+    covers: tuple[Array, ...] = ()
+
+    @property
+    def trust(self) -> float:
+        """The IoU to be expected of the last frame; 0 where the object was lost on it."""
+        if self.features is None or self.last_seen.since > 0:
+            return 0.0
+        return expected_overlap(self.features, params=self.params.confidence)
+
+    @property
+    def is_posed(self) -> bool:
+        """Whether the outlines of the last frame were carried by the pose."""
+        return isinstance(self.features, PoseFeatures)
+
+    @property
+    def agreement_as_one_piece(self) -> float | None:
+        """The share of the key's corners that agreed, where the last frame was carried as one piece; else None."""
+        return (
+            1.0 - self.features.disagreeing
+            if isinstance(self.features, ConfidenceFeatures) and self.rigidity.held
+            else None
+        )
+
+
+def begin(
+    frame: PreparedFrame, parts: tuple[Part, ...], params: RegionParams, covers: Sequence[Array] = ()
+) -> RegionState:
+    """The state on a frame whose outlines are given: they enclose the region, and the models are learned from it.
+
+    From what `covers` it, closed polylines `(K, 2)`, nothing is learned.
+    """
+    scale = scale_for(frame.size)
+    grid = grid_around(np.vstack([part.points.reshape(-1, 2) for part in parts]), frame.size, params, scale)
+    region = Field.of_coverage(grid, enclosed(parts, grid))
+    colours = learned_colours(grid.of(frame.image), region, covers)
+    key = KeyMemory(frame, region, colours, np.eye(3))
+    fit, kept = params.contour_fit, params.kept_shares
+    constraints = tuple(KeyConstraints.of(part.points, smooth_points(part.points), fit, scale, kept) for part in parts)
+    seen = LastSeen(key.to_now, area_of(region), middle_of(region), params.redetection)
+    rigidity = Rigidity.learned(frame, parts, params.rigidity)
+    appearance, flow_reliability = (
+        AppearanceTemplate(frame, region, params.redetection, params.unseen),
+        np.ones(grid.shape, np.float32),
+    )
+    return RegionState(
+        frame, region, parts, constraints, key, colours, parts, appearance, seen, rigidity, flow_reliability, params,
+        pose=posed.on_key(frame, parts, params, covers), covers=tuple(covers),
+    )  # fmt: skip
+
+
+@dataclass(frozen=True, eq=False)
+class Observation:
+    """What is seen on a frame before anything is decided on it.
+
+    Attributes
+    ----------
+    sources : what the cues are drawn from; they know the key, carried on to the frame.
+    moved : (3, 3) similarity by which the object went as a whole. agreement : how much of it did, in [0, 1].
+    rigidity : whether it may still move as one piece. pose : where it lies as one piece, if that is to be seen.
+    """
+
+    sources: Sources
+    moved: Array
+    agreement: float
+    rigidity: Rigidity
+    pose: Pose | None
+
+
+@dataclass(frozen=True, eq=False)
+class RegionStep:
+    """One step.
+
+    Attributes
+    ----------
+    begun : the state that it set out from; where the object is `redetected`, it lies there as on its key. state,
+        results : what came of it. observation : what was seen before; None where the object has left the picture.
+    """
+
+    begun: RegionState
+    state: RegionState
+    results: tuple[StepResult, ...]
+    observation: Observation | None
+    redetected: bool = False
+
+
+def step(
+    state: RegionState,
+    frame: PreparedFrame,
+    params: RegionParams,
+    token: CancelToken | None = None,
+    covers: Sequence[Array] = (),
+) -> RegionStep:
+    """Carry all shapes from the state's frame to `frame`, on which `covers`, closed polylines, lie before them.
+
+    Where that leaves the object lost or in doubt it is looked for around its last place, as it was on the key, and
+    taken from there if that promises more.
+    """
+    if state.pose is not None and params.pose is not None:
+        state = replace(state, pose=posed.step(state.pose, state.drawn, frame, params.pose, covers))
+    carried = _carried(state, frame, params, token, tuple(covers))
+    if carried.state.trust >= params.doubted:
+        return carried
+    found = _as_last_seen(state, carried.state.last_seen, frame, params)
+    if found is None:
+        return carried
+    again = replace(_carried(found, frame, params, token, tuple(covers)), redetected=True)
+    return again if is_better(again.state.trust, carried.state.trust, params) else carried
+
+
+def _as_last_seen(
+    state: RegionState, last_seen: LastSeen, frame: PreparedFrame, params: RegionParams
+) -> RegionState | None:
+    """As if, the frame before, the object had lain as on the key where it is seen on `frame`."""
+    to_now = state.appearance.found(frame, last_seen) if last_seen.is_worth_a_look else None
+    if to_now is None:
+        return None
+    picture = as_on_key(state.key.frame, to_now)
+    parts = tuple(replace(part, points=similarity.apply(to_now[:2], part.points)) for part in state.drawn)
+    spots = np.vstack([part.points.reshape(-1, 2) for part in parts])
+    grid = grid_around(spots, frame.size, params, scale_for(frame.size))
+    region = Field.of_coverage(grid, state.key.region.on(grid, to_now))
+    key = replace(state.key, to_now=to_now)
+    rigidity = state.rigidity.at(to_now)
+    return replace(
+        state,
+        frame=picture,
+        region=region,
+        parts=parts,
+        key=key,
+        colours=key.colours,
+        rigidity=rigidity,
+        flow_reliability=np.zeros(grid.shape, np.float32),  # it lies there roughly
+    )
+
+
+def _carried(
+    state: RegionState, frame: PreparedFrame, params: RegionParams, token: CancelToken | None, covers: tuple[Array, ...]
+) -> RegionStep:
+    """All shapes carried on from where the state has them: as one piece where that is to be seen, else by regions.
+
+    The pose is that of `frame` already.
+    """
+    observation = observed(state, frame, params, token)
+    if observation is None:
+        return _left(state, frame)
+    if token is not None:
+        token.check()
+    state = replace(state, covers=covers)
+    if observation.pose is not None:
+        return _as_one_piece(state, frame, observation, observation.pose, params)
+    expected = observation.sources.expected
+    ratio = evidence(observation, params, covers)
+    if token is not None:
+        token.check()
+    found = proposed.cleaned(ratio, expected.possible, params.overlap, params.components.speck)
+    scale = scale_for(frame.size)
+    if state.pose is not None:
+        parts = posed.carried(state.pose, state.drawn)
+        if posed.is_believed(state.pose, parts, found, params):
+            return _as_posed(state, frame, observation, state.pose, parts, params)
+    parts = tuple(replace(part, points=similarity.apply(observation.moved[:2], part.points)) for part in state.parts)
+    shapes = zip(parts, state.drawn, state.constraints, strict=True)
+    pulled = [_pulled_to_key(*shape, observation.sources.key, params, scale) for shape in shapes]
+    placed = fitted(parts, state.constraints, found, scale, params, pulled, expected.likely)
+    colours = _adapted(state, observation, found, params)
+    outlines = [replace(part, points=points) for part, (points, _) in zip(parts, placed, strict=True)]
+    flow_reliability = _flow_reliability(observation, found)
+    features = ConfidenceFeatures.of(outlines, found, expected, flow_reliability, state.steps + 1, params.confidence)
+    confidence = expected_overlap(features, params=params.confidence)
+    seen = [seen for _, seen in placed]
+    trusts = trusts_of(state.drawn, seen, confidence)
+    results = tuple(_result(*each, found, params) for each in zip(outlines, seen, trusts, strict=True))
+    parts = tuple(
+        replace(part, points=points) if seen else part for part, (points, seen) in zip(parts, placed, strict=True)
+    )
+    return _after(state, frame, observation, found, flow_reliability, parts, colours, features, results)
+
+
+def evidence(observation: Observation, params: RegionParams, covers: Sequence[Array]) -> Field:
+    """What all cues say together, behind what covers the object that it stays as it is."""
+    return carried_behind(gathered(observation.sources, params), covers, observation.sources.expected)
+
+
+def _pulled_to_key(
+    part: Part, drawn: Part, constraints: KeyConstraints, key: KeyMemory, params: RegionParams, scale: float
+) -> Array:
+    """The points `(P, 3, 2)` of a shape that was carried on from the last frame, drawn a little towards the key's.
+
+    What points slide by from frame to frame would add up otherwise.
+    """
+    way = similarity.apply(key.to_now[:2], drawn.points) - part.points
+    length = np.hypot(*way[:, bezier.ANCHOR].T) / (params.key_pull_reach * scale)
+    return bezier.aligned(part.points + (params.key_pull / (1.0 + length**2))[:, None, None] * way, constraints.smooth)
+
+
+def _as_one_piece(
+    state: RegionState, frame: PreparedFrame, observation: Observation, pose: Pose, params: RegionParams
+) -> RegionStep:
+    """The shapes as drawn on the key, carried by the motion of a plane."""
+    grid, parts = observation.sources.grid, pose.carried(state.drawn)
+    found = Field.of_coverage(grid, enclosed(parts, grid))
+    features = pose.features(state.steps + 1)
+    confidence = expected_overlap(features, params=params.confidence)
+    energy = {"rigid": features.disagreeing, "total": features.disagreeing}
+    results = tuple(
+        StepResult(
+            points=part.points,
+            confidence=confidence,
+            vertex_confidence=vertex_confidence(pose.support(drawn), confidence, params.confidence),
+            energies=energy,
+            termination=Termination.of(confidence),
+        )
+        for part, drawn in zip(parts, state.drawn, strict=True)
+    )
+    colours = _adapted(state, observation, found, params)
+    flow_reliability = _flow_reliability(observation, found)
+    return _after(state, frame, observation, found, flow_reliability, parts, colours, features, results)
+
+
+def _as_posed(
+    state: RegionState,
+    frame: PreparedFrame,
+    observation: Observation,
+    pose: motion_pose.Pose,
+    parts: tuple[Part, ...],
+    params: RegionParams,
+) -> RegionStep:
+    """The shapes as drawn on the key, under their pose."""
+    found = Field.of_coverage(observation.sources.grid, enclosed(parts, observation.sources.grid))
+    features = PoseFeatures.of(pose)
+    confidence = expected_overlap(features, params=params.confidence)
+    results = tuple(posed.result(part.points, pose, confidence, params.confidence) for part in parts)
+    colours = _adapted(state, observation, found, params)
+    flow_reliability = _flow_reliability(observation, found)
+    return _after(state, frame, observation, found, flow_reliability, parts, colours, features, results)
+
+
+def _adapted(state: RegionState, observation: Observation, found: Field, params: RegionParams) -> GlobalModel:
+    """The global colours after a frame on which `found` is the object's region."""
+    steadiness = overlap(observation.sources.expected.rigid, found.inside) * (0.5 + 0.5 * observation.agreement)
+    if steadiness <= params.trusted or not found.inside.any():
+        return state.colours
+    seen = learned_colours(observation.sources.after, found, state.covers)
+    return state.colours.adapted(seen, params.adaptation)
+
+
+def _after(
+    state: RegionState,
+    frame: PreparedFrame,
+    observation: Observation,
+    found: Field,
+    flow_reliability: Float32,
+    parts: tuple[Part, ...],
+    colours: GlobalModel,
+    features: ConfidenceFeatures | PoseFeatures,
+    results: tuple[StepResult, ...],
+) -> RegionStep:
+    """The step to a frame on which `found` is the object's region and `parts` are its shapes."""
+    key = observation.sources.key
+    if observation.pose is not None:
+        key = replace(key, to_now=observation.pose.similarity)
+    after = replace(
+        state,
+        frame=frame,
+        region=found,
+        parts=parts,
+        key=key,
+        colours=colours,
+        last_seen=_seen(state, key, found),
+        rigidity=observation.rigidity,
+        flow_reliability=flow_reliability,
+        steps=state.steps + 1,
+        features=features,
+    )
+    return RegionStep(state, after, results, observation)
+
+
+def _seen(state: RegionState, key: KeyMemory, found: Field) -> LastSeen:
+    """What the frame on which `found` is the region says about where the object is."""
+    before = state.last_seen
+    return before.missed() if before.is_lost(found) else before.after(key, found)
+
+
+def observed(
+    state: RegionState, frame: PreparedFrame, params: RegionParams, token: CancelToken | None = None
+) -> Observation | None:
+    """Where the object should be on `frame`, and what may be asked about it; None where it has left the picture."""
+    scale = scale_for(frame.size)
+    spots = np.vstack([_corners(state.region), *(part.points[:, bezier.ANCHOR] for part in state.parts)])
+    grid = grid_around(spots, frame.size, params, scale)
+    if min(grid.shape) < 4:
+        return None
+    fine = Grid.over(grid.region, 1.0 / scale)
+    flows = dense_flow(state.frame, frame, fine, is_exact=params.label_propagation_weight > 0)
+    forth, back = (on_grid(flow, fine, grid) for flow in flows)
+    everywhere = state.region.on(fine) > 0.5
+    inside = visible(everywhere, state.covers, fine, params.least_seen)
+    moved, agreement = flow_similarity(flows[0], inside, fine)
+    pictures = grid.of(state.frame.image), grid.of(frame.image)
+    if token is not None:
+        token.check()
+    surroundings, _ = flow_similarity(flows[0], ~everywhere, fine)
+    motion = motion_on(grid, back, moved, surroundings, agreement, params.motion_sigma * scale, params.clip)
+    rigidity, pose = state.rigidity.step(frame, moved, params.rigid)
+    lines = None
+    if params.label_propagation_weight > 0:
+        sides = carried_by_flow(state.region.nats_on(fine), flows[1])
+        flow_reliability = grid.warped(state.flow_reliability, state.region.grid.map_to_image)
+        lines = label_propagation(
+            pictures, sides, (forth, back), flow_reliability, grid, scale, params.label_propagation
+        )
+    key = replace(state.key, to_now=moved @ state.key.to_now)
+    last = state.region.on(grid)
+    expected = Expectation(
+        last, state.region.on(grid, moved) > 0.5, carried_by_flow(last, back) > 0.5, key.region.on(grid, key.to_now)
+    )
+    sources = Sources(*pictures, grid, expected, back, key, state.colours, motion, params.band, lines)
+    return Observation(sources, moved, agreement, rigidity, pose)
+
+
+def _corners(region: Field) -> Array:
+    """The first and the last cell `(2, 2)` of a region along x and y, in pixels of the image; `(0, 2)` of none."""
+    inside = region.inside
+    rows, columns = (np.flatnonzero(inside.any(axis=axis)) for axis in (1, 0))
+    if len(rows) == 0:
+        return np.zeros((0, 2))
+    return region.grid.to_image(np.array([[columns[0], rows[0]], [columns[-1], rows[-1]]]) + 0.5)
+
+
+def _flow_reliability(observation: Observation, found: Field) -> Float32:
+    """How far each cell's side still is the key's word, once `found` was decided."""
+    lines = observation.sources.label_propagation
+    return np.ones(found.grid.shape, np.float32) if lines is None else lines.after(found.inside)
+
+
+def grid_around(positions: Array, size: tuple[int, int], params: RegionParams, scale: float) -> Grid:
+    """The region of interest, with finer cells for a small object.
+
+    Cells lie where they lay on other frames: what is carried from grid to grid is not blurred by it.
+    """
+    area = Region.around(positions, params.margin * scale, size)
+    if area.is_empty:  # wholly outside: the nearest pixel stands for a picture without the object
+        x, y = min(area.x0, size[1] - 1), min(area.y0, size[0] - 1)
+        return Grid(Region(x, y, x + 1, y + 1), 1, 1)
+    extent = np.ptp(positions, axis=0)
+    side = max(float(np.sqrt(extent[0] * extent[1])), 1.0)
+    factor = float(np.clip(params.least_cells / side, params.grid_factor / scale, 1.0 / scale))
+    cell = Fraction(1.0 / factor).limit_denominator(params.whole_cells)
+    return Grid.over(area.aligned(cell.numerator, size), float(1 / cell))
+
+
+def _result(part: Part, seen: bool, trust: float, found: Field, params: RegionParams) -> StepResult:
+    anchors = part.points[:, bezier.ANCHOR]
+    vertices = np.zeros(len(anchors))
+    if seen:
+        vertices = vertex_confidence(edge_support(anchors, found), trust, params.confidence)
+    energy = -float(np.abs(np.clip(found.values, -SURE, SURE)).mean())
+    return StepResult(
+        points=part.points,
+        confidence=trust,
+        vertex_confidence=vertices,
+        energies={"region": energy, "total": energy},
+        termination=Termination.of(trust),
+    )
+
+
+def _left(state: RegionState, frame: PreparedFrame) -> RegionStep:
+    """Nothing of the object is in the picture: the shapes rest where they left it, and say so."""
+    results = tuple(
+        StepResult(part.points, 0.0, np.zeros(len(part.points)), {}, Termination.LEFT_FRAME) for part in state.parts
+    )
+    missed = state.last_seen.missed()
+    after = replace(state, frame=frame, last_seen=missed, steps=state.steps + 1, features=None)
+    return RegionStep(state, after, results, None)

@@ -1,0 +1,1 @@
+"""What the picture, the last frame and the keys say of every pixel near the object."""

@@ -1,0 +1,227 @@
+"""The log-likelihood ratio of every pixel near the object: local and global colour, the key frame, the last region."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+
+import cv2
+import numpy as np
+
+from roam_core.appearance.global_model import GlobalModel
+from roam_core.arrays import Array, Bools, Float32, UInt8
+from roam_core.features import PreparedFrame
+from roam_core.features.grid import Grid, signed_distance
+from roam_core.kernels.diffusion import diffuse
+from roam_core.kernels.local_match import log_ratio, nearest_colours
+from roam_core.params import RegionParams
+from roam_core.proposal.cues.key_view import KeyFlow, KeyView, lab, trimap
+from roam_core.proposal.cues.label_propagation import LabelPropagation
+
+SURE = 4.0
+"""Nats given to pixels too deep inside or too far outside to be in doubt."""
+
+
+@dataclass(frozen=True, eq=False)
+class Field:
+    """A signed field on a grid, positive inside: the region is where it is above zero."""
+
+    grid: Grid
+    values: Float32
+
+    @classmethod
+    def of_coverage(cls, grid: Grid, coverage: Float32) -> Field:
+        """The region that covers these shares `(rows, columns)` of the cells: sure where they are whole or none."""
+        return cls(grid, (2.0 * SURE * (coverage - 0.5)).astype(np.float32))
+
+    @property
+    def inside(self) -> Bools:
+        return np.asarray(self.values > 0)
+
+    def on(self, grid: Grid, transform: Array | None = None) -> Float32:
+        """Coverage `(rows, columns)` in [0, 1] of the region on another grid, carried by `transform (3, 3)` first."""
+        carry = np.eye(3) if transform is None else transform
+        return np.asarray(grid.warped(self.inside.astype(np.float32), carry @ self.grid.map_to_image))
+
+    def nats_on(self, grid: Grid) -> Float32:
+        """The field itself `(rows, columns)` on another grid, clipped to +-SURE; surely outside beyond its own."""
+        clipped = np.clip(self.values, -SURE, SURE) + np.float32(SURE)
+        return np.asarray(grid.warped(clipped, self.grid.map_to_image) - np.float32(SURE), dtype=np.float32)
+
+
+@dataclass(frozen=True, eq=False)
+class KeyMemory:
+    """The artist's key, never forgotten: its picture, its region, its colours, and the way from it to the present."""
+
+    frame: PreparedFrame
+    region: Field
+    colours: GlobalModel
+    to_now: Array
+
+
+@dataclass(frozen=True, eq=False)
+class Expectation:
+    """Where the object should be on the new frame's grid, `(rows, columns)` each.
+
+    `last` is its coverage on the frame before, where it was; `rigid` and `fluid` the region carried by the similarity
+    and by the flow; `remembered` the coverage of the key's region, carried all the way.
+    """
+
+    last: Float32
+    rigid: Bools
+    fluid: Bools
+    remembered: Float32
+
+    @property
+    def possible(self) -> Bools:
+        """Where any of the three puts the object."""
+        return np.asarray(self.rigid | self.fluid | (self.remembered > 0.5))
+
+    @property
+    def likely(self) -> Bools:
+        """Where either the last frame or the key puts it as a whole."""
+        return np.asarray(self.rigid | (self.remembered > 0.5))
+
+    @property
+    def certain(self) -> Bools:
+        """Where all three do."""
+        return np.asarray(self.rigid & self.fluid & (self.remembered > 0.5))
+
+
+def uncertain_band(certain: Bools, possible: Bools, reach: int) -> Bools:
+    """Pixels within `reach` cells of the border of a region known only to lie between two bounds."""
+    disc = cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (2 * reach + 1, 2 * reach + 1))
+    outer = cv2.dilate(possible.astype(np.uint8), disc)
+    inner = cv2.erode(certain.astype(np.uint8), disc, borderType=cv2.BORDER_CONSTANT, borderValue=1)
+    return np.asarray((outer > 0) & (inner == 0))
+
+
+@dataclass(frozen=True, eq=False)
+class Sources:
+    """What the cues of one frame are drawn from.
+
+    Attributes
+    ----------
+    before, after : (rows, columns, 3) RGB of the last and of the new frame, in the cells of `grid`.
+    backward : (rows, columns, 2) flow from `after` to `before` in cells. motion : (rows, columns) its log-ratio.
+    key, colours : the artist's key, and the global colours as they have become since.
+    band_reach : cells to both sides of the expected outline in which pixels are in doubt.
+    label_propagation : what the cells bring along from the frame before; None where that is not asked.
+    """
+
+    before: UInt8
+    after: UInt8
+    grid: Grid
+    expected: Expectation
+    backward: Float32
+    key: KeyMemory
+    colours: GlobalModel
+    motion: Float32
+    band_reach: int
+    label_propagation: LabelPropagation | None = None
+
+    @cached_property
+    def lab(self) -> UInt8:
+        """The new frame in CIE Lab."""
+        return lab(self.after)
+
+    @cached_property
+    def carried(self) -> Bools:
+        """Where the similarity or the flow takes the last region."""
+        return np.asarray(self.expected.rigid | self.expected.fluid)
+
+    @cached_property
+    def band(self) -> Bools:
+        """The cells in doubt; all others are taken as expected."""
+        return uncertain_band(self.expected.certain, self.expected.possible, self.band_reach)
+
+
+def local_cues(sources: Sources, params: RegionParams) -> Iterator[tuple[str, Float32]]:
+    """The cues by nearest colours, by name with their weighted log-ratios `(rows, columns)`, nats.
+
+    "local": nearest colours of the last frame along the flow and of the key together, where the key's, which is older,
+    must be the nearer ones by `key_aged`; "key": those of the key alone, carried by the similarity and, where the two
+    are taken together, along the flow that is left.
+    """
+    expected, band, sigma = sources.expected, sources.band, params.local_sigma
+    inside, outside = nearest_colours(
+        sources.lab, lab(sources.before), trimap(expected.last), band, sources.backward,
+        params.local_radius, params.local_spread,
+    )  # fmt: skip
+    is_key_asked = params.key_weight > 0 or params.key_aged > 0
+    if is_key_asked:
+        view = KeyView(sources.key.frame, sources.key.to_now, expected.remembered)
+        flow: KeyFlow = "fast" if params.key_aged > 0 else "none"
+        there = view.nearest(sources.after, sources.grid, band, params.key_radius, params.key_spread, flow)
+    if params.key_aged > 0:
+        aged = np.float32(params.key_aged)
+        inside, outside = np.minimum(inside, aged * there[0]), np.minimum(outside, aged * there[1])
+    yield "local", params.local_weight * log_ratio(inside, outside, sigma, params.clip)
+    if is_key_asked:
+        yield "key", params.key_weight * log_ratio(*there, 1.5 * sigma, params.clip)
+
+
+def cues(sources: Sources, params: RegionParams) -> Iterator[tuple[str, Float32]]:
+    """Each cue by name with its weighted log-ratio `(rows, columns)`, nats, one after the other.
+
+    "local" and "key": nearest colours of the last and of the key frame; "global key" and "global": the histograms;
+    "motion", "prior" and "bias"; "lineage", the more the less the others are heard. Only their sum in the band means
+    anything to the region.
+    """
+    label_propagation = sources.label_propagation
+    if label_propagation is None:
+        yield from _own_cues(sources, params)
+        return
+    heard = np.float32(1.0) - np.float32(1.0 - params.beside_label_propagation) * label_propagation.flow_reliability
+    for name, cue in _own_cues(sources, params):
+        yield name, heard * cue
+    yield "lineage", np.float32(params.label_propagation_weight) * label_propagation.log_ratio
+
+
+def _own_cues(sources: Sources, params: RegionParams) -> Iterator[tuple[str, Float32]]:
+    """The cues that this frame gives by itself."""
+    yield from local_cues(sources, params)
+    yield from _other_cues(sources, params)
+
+
+def _other_cues(sources: Sources, params: RegionParams) -> Iterator[tuple[str, Float32]]:
+    """Those that look at no neighbours: histograms, motion, the last region."""
+    known = params.clip, params.unseen
+    yield "global key", params.global_key_weight * sources.key.colours.log_ratio(sources.after, *known)
+    yield "global", params.global_weight * sources.colours.log_ratio(sources.after, *known)
+    yield "motion", motion_cue(sources, params)
+    yield "prior", params.prior_weight * signed_distance(sources.carried, 20.0)
+    yield "bias", np.full(sources.grid.shape, params.bias, dtype=np.float32)
+
+
+def motion_cue(sources: Sources, params: RegionParams) -> Float32:
+    """The weighted motion ratio `(rows, columns)`, nats, as far as it speaks against background, new or uncovered.
+
+    Limbs move in their own ways: where the similarity or the key expects the object it never speaks against what was
+    inside already.
+    """
+    expected = sources.expected
+    uncovered = expected.fluid & ~expected.rigid & ~(expected.remembered > 0.5)
+    weight = np.where(sources.carried, np.float32(0.0), np.float32(params.motion_weight))
+    weight[uncovered] = params.uncovered_weight
+    return np.asarray(weight * np.minimum(sources.motion, np.float32(0.0)))
+
+
+def gathered(sources: Sources, params: RegionParams) -> Field:
+    """The smoothed log-ratio on the sources' grid, all cues added; surely in or out beyond the band.
+
+    What label propagation carries on reliably is not smoothed: it is as fine as it was drawn.
+    """
+    each = cues(sources, params)
+    _, ratio = next(each)
+    for _, cue in each:
+        ratio += cue
+    expected, band = sources.expected, sources.band
+    sure = np.where(expected.rigid & expected.fluid, np.float32(SURE), np.float32(-SURE))
+    blurred = np.where(band, cv2.GaussianBlur(ratio, (0, 0), params.blur), sure).astype(np.float32)
+    smoothed = diffuse(blurred, sources.lab, band, params.diffusion, params.contrast, params.sweeps)
+    if sources.label_propagation is not None:
+        held = np.where(band, sources.label_propagation.flow_reliability, np.float32(0.0))
+        smoothed += held * (ratio - smoothed)
+    return Field(sources.grid, smoothed)

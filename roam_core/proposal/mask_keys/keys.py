@@ -1,0 +1,171 @@
+"""Artist keys fitted to a mask: `keys_from_mask`, the door for a painted or rendered matte of one frame."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+from numpy.typing import NDArray
+
+from roam_core.arrays import Array
+from roam_core.errors import RoamError
+from roam_core.geometry import fit
+from roam_core.geometry.simple import simplified
+from roam_core.matte.vectorise import outlines
+from roam_core.params import scale_for
+from roam_core.proposal.mask_keys.key_fit import fitted
+from roam_core.proposal.mask_keys.pairing import paired, poses
+from roam_core.roto import BlendMode, Keyframe, RotoShape, edit
+from roam_core.roto.control_points import settled
+from roam_core.roto.project import PALETTE
+from roam_core.roto.sight import is_shut, opened
+
+OPEN = 1_000_000
+"""Frame that stands for "always" at an open end of a lifetime."""
+
+
+def keys_from_mask(shapes: Sequence[RotoShape], mask: NDArray[Any], frame: int) -> list[RotoShape]:
+    """Each shape with an artist key on `frame`, fitted to a mask: the same points, in correspondence with its keys.
+
+    Every shape is expected where `RotoShape.at` puts it: between its keys, or on the nearest one, or on an ENGINE key
+    of that frame. One that an engine closed there, as it was out of sight, is expected as on the artist's nearest key,
+    and takes a part of its own or ends. Outer contours of the mask are paired with shapes that add, holes with shapes
+    that subtract (`proposal.mask_keys.pairing`); shapes that overlapped, or that are of like size, divide a part into
+    which they have grown together. A part without a partner begins on `frame` as a new shape, above the others (a hole
+    just above the shape that it is cut out of). A shape without one ends before `frame`; one with keys after `frame`
+    too goes on behind it as a twin with those keys. No key of the artist's on another frame is changed or deleted.
+
+    Shapes that are open or invisible, do not exist on `frame`, or join by INTERSECT or DIFFERENCE take no part. Locked
+    ones keep their part of the mask and stay as they are.
+
+    Parameters
+    ----------
+    shapes : in the order of compositing.
+    mask : (h, w) or (h, w, c); bool, integer or float; white inside. A grey antialiased edge is met at half intensity.
+    frame : the plate's frame number. A key that is there is replaced.
+
+    Returns
+    -------
+    All shapes, in their order, with those that begin. The ids of new shapes are free among `shapes`.
+
+    Raises
+    ------
+    RoamError
+        when the mask has no pixels or is no image.
+    """
+    if mask.ndim not in (2, 3) or 0 in mask.shape:
+        raise RoamError(f"A mask of shape {mask.shape} is no image; give one of (height, width) pixels.")
+    result = list(shapes)
+    parts = _parts(mask)
+    pose = None
+    for holes in (False, True):
+        members = [shape for shape in shapes if _takes_part(shape, frame) and _subtracts(shape) == holes]
+        wanted = [part for part in parts if part.is_hole == holes]
+        pose = _keyed(result, members, wanted, mask.shape[:2], frame, pose)
+        for new in (part for part in wanted if part.owner == ""):
+            _begin(result, new, frame)
+    return result
+
+
+@dataclass(eq=False)
+class _Part:
+    """An outer contour of the mask, or a hole of `parent`; `owner` is the id of the shape that it became."""
+
+    ring: Array
+    parent: _Part | None = None
+    owner: str = ""
+
+    @property
+    def is_hole(self) -> bool:
+        return self.parent is not None
+
+
+def _parts(mask: NDArray[Any]) -> list[_Part]:
+    parts = []
+    for outer, *holes in outlines(mask):
+        parent = _Part(outer)
+        parts.extend([parent, *(_Part(hole, parent) for hole in holes)])
+    return parts
+
+
+def _subtracts(shape: RotoShape) -> bool:
+    return shape.blend is BlendMode.SUBTRACT
+
+
+def _takes_part(shape: RotoShape, frame: int) -> bool:
+    joins = shape.blend in (BlendMode.ADD, BlendMode.MAX, BlendMode.SUBTRACT)
+    return joins and shape.closed and shape.point_count >= 2 and shape.visible and shape.exists_at(frame)
+
+
+def _keyed(
+    result: list[RotoShape],
+    members: list[RotoShape],
+    parts: list[_Part],
+    size: tuple[int, int],
+    frame: int,
+    common: Array | None,
+) -> Array | None:
+    """Key or end `members` in `result`; by which similarity all of them moved, None where there was none to see."""
+    expected, hidden = [shape.at(frame).points for shape in members], set[int]()
+    for number, shape in enumerate(members):
+        drawn = _drawn(shape, frame)
+        if drawn is not None and is_shut(expected[number], drawn):
+            expected[number] = opened(expected[number], drawn)
+            hidden.add(number)
+    pairing = paired(expected, [part.ring for part in parts], size, common, hidden)
+    for number, owner in pairing.owners.items():
+        parts[number].owner = members[owner].id
+    for shape, points, ring in zip(members, expected, pairing.rings, strict=True):
+        if shape.locked:
+            continue
+        place = _place(result, shape.id)
+        if ring is None:
+            result[place : place + 1] = _ended(shape, frame, {each.id for each in result})
+        else:
+            fresh = fitted(points, ring, [pairing.pose, *poses([points], [ring])], scale_for(size))
+            result[place] = edit.set_key(shape, frame, settled(fresh, shape))
+    return pairing.pose if pairing.owners else None
+
+
+def _drawn(shape: RotoShape, frame: int) -> Array | None:
+    """The artist's key `(P, 3, 2)` that is nearest to a frame; None of a shape without any."""
+    keys = shape.artist_keys
+    return min(keys, key=lambda key: abs(key.frame - frame)).points if keys else None
+
+
+def _place(shapes: list[RotoShape], shape_id: str) -> int:
+    return next(k for k, shape in enumerate(shapes) if shape.id == shape_id)
+
+
+def _ended(shape: RotoShape, frame: int, taken: set[str]) -> list[RotoShape]:
+    """The shape without `frame` in its lifetime: it ends before, begins after, or is two, one for each side."""
+    start, stop = shape.lifetime or (-OPEN, OPEN)
+    after = tuple(key for key in shape.keys if key.frame > frame)
+    if not after:
+        return [replace(shape, lifetime=(start, frame))]
+    if len(after) == len(shape.keys):
+        return [replace(shape, lifetime=(frame + 1, stop))]
+    twin = replace(shape, id=_free_id(taken), keys=after, lifetime=(frame + 1, stop))
+    return [replace(shape, lifetime=(start, frame)), twin]
+
+
+def _begin(result: list[RotoShape], part: _Part, frame: int) -> None:
+    """Add a shape for a part of the mask that has none."""
+    points = fit.fit_closed(part.ring)
+    part.owner = _free_id({shape.id for shape in result})
+    number = part.owner.rpartition("-")[2]
+    shape = RotoShape(
+        id=part.owner,
+        name=f"Shape {number} hole" if part.is_hole else f"Shape {number}",
+        keys=(Keyframe(frame, simplified(points, points)),),
+        colour=PALETTE[len(result) % len(PALETTE)],
+        blend=BlendMode.SUBTRACT if part.is_hole else BlendMode.ADD,
+        lifetime=(frame, OPEN),
+    )
+    owner = part.parent.owner if part.parent is not None else ""
+    result.insert(_place(result, owner) + 1 if owner else len(result), shape)
+
+
+def _free_id(taken: set[str]) -> str:
+    return next(name for n in range(len(taken) + 1, 2 * len(taken) + 2) if (name := f"shape-{n}") not in taken)

@@ -1,0 +1,1 @@
+"""A shape's own points fitted to an outline, in correspondence."""

@@ -1,0 +1,1 @@
+"""Where a segmentation and a curve differ markedly: nodes displaced, inserted, removed; a shape made two."""

@@ -1,0 +1,276 @@
+"""An object that was lost is found where it comes into sight again, and nowhere else."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import cv2
+import numpy as np
+import pytest
+
+from roam_core import shapes_from_mask, track
+from roam_core.appearance.global_model import GlobalModel
+from roam_core.arrays import Array, Bools, UInt8
+from roam_core.features import PreparedFrame
+from roam_core.features.grid import Grid, Region
+from roam_core.geometry import bezier
+from roam_core.matte.compose import render_matte
+from roam_core.params import CONFIGS, RedetectionParams, RegionParams
+from roam_core.propagate.curves import step as outline
+from roam_core.propagate.explain import explain
+from roam_core.propagate.frame.redetection import AppearanceTemplate, LastSeen, Watch, middle_of
+from roam_core.propagate.frame.result import Part
+from roam_core.propagate.whole.region import begin, step
+from roam_core.proposal.cues.evidence import Field, KeyMemory
+
+PARAMS = RedetectionParams()
+SIZE = (140, 260)
+RADIUS = 15
+ROW = 70
+FIRST, STEP = 40, 7
+"""Column of the ball on frame 0, and columns a frame."""
+POST = slice(95, 150)
+"""Columns that hide what is behind them."""
+
+REGION = RegionParams()
+
+
+def meadow() -> UInt8:
+    noise = np.random.default_rng(5).normal(0.0, 6.0, (*SIZE, 3))
+    return np.clip(np.array([70, 120, 60]) + cv2.GaussianBlur(noise, (0, 0), 1.0), 0, 255).astype(np.uint8)
+
+
+def disc(column: float, row: float = ROW, radius: float = RADIUS) -> Bools:
+    y, x = np.mgrid[: SIZE[0], : SIZE[1]] + 0.5
+    return np.asarray(np.hypot(x - column, y - row) < radius)
+
+
+def picture(*columns: float, post: bool = False, radius: float = RADIUS) -> UInt8:
+    image = meadow()
+    for column in columns:
+        image[disc(column, radius=radius)] = (225, 120, 40)
+    if post:
+        image[:, POST] = (110, 100, 105)
+    return image
+
+
+def appearance(column: float = 60.0) -> tuple[AppearanceTemplate, LastSeen]:
+    whole = Grid.over(Region(0, 0, SIZE[1], SIZE[0]), 0.5)
+    cover = whole.of(disc(column).astype(np.float32))
+    region = Field(whole, (8.0 * (cover - 0.5)).astype(np.float32))
+    area = np.pi * RADIUS**2
+    last_seen = LastSeen(np.eye(3), area, np.array([column, ROW]), PARAMS, since=12)
+    return AppearanceTemplate(PreparedFrame(picture(column)), region, PARAMS, 2e-5), last_seen
+
+
+@pytest.mark.parametrize("column", [30.0, 61.0, 148.5, 220.0])
+def test_it_is_seen_where_it_is(column: float) -> None:
+    eye, last_seen = appearance()
+    placed = eye.found(PreparedFrame(picture(column)), last_seen)
+    assert placed is not None
+    middle = placed[:2, :2] @ (60.0, ROW) + placed[:2, 2]
+    assert np.hypot(*(middle - (column, ROW))) < 3.0
+
+
+def test_it_is_seen_though_it_has_grown() -> None:
+    eye, last_seen = appearance()
+    placed = eye.found(PreparedFrame(picture(150.0, radius=1.25 * RADIUS)), last_seen)
+    assert placed is not None
+    assert np.sqrt(np.linalg.det(placed[:2, :2])) == pytest.approx(1.25)
+
+
+def test_nothing_is_seen_where_nothing_is() -> None:
+    eye, last_seen = appearance()
+    assert eye.found(PreparedFrame(picture()), last_seen) is None
+
+
+def test_of_two_alike_none_is_taken() -> None:
+    eye, last_seen = appearance()
+    assert eye.found(PreparedFrame(picture(40.0, 160.0)), last_seen) is None
+
+
+def test_it_is_not_looked_for_farther_than_it_can_have_gone() -> None:
+    eye, last_seen = appearance()
+    frame = PreparedFrame(picture(230.0))
+    assert eye.found(frame, last_seen) is not None
+    assert eye.found(frame, replace(last_seen, since=0)) is None
+
+
+def test_a_place_beyond_the_picture_shows_nothing() -> None:
+    eye, last_seen = appearance()
+    beyond = replace(last_seen, middle=np.array([9000.0, 9000.0]))
+    assert eye.found(PreparedFrame(picture(60.0)), beyond) is None
+
+
+def test_what_is_long_gone_is_looked_for_now_and_then() -> None:
+    _, last_seen = appearance()
+    looks = [frames for frames in range(25) if replace(last_seen, since=frames).is_worth_a_look]
+    assert looks == [*range(PARAMS.long_gone + 1), 12, 16, 20, 24]
+
+
+def test_what_is_found_is_left_where_too_little_is_to_be_expected_of_it() -> None:
+    columns = [FIRST + STEP * k for k in range(24)]
+    frames = [PreparedFrame(picture(column, post=True)) for column in columns]
+    parts = tuple(Part(shape.at(0).points) for shape in shapes_from_mask(disc(columns[0])))
+
+    def last_seen_at(believed: float) -> list[int]:
+        params = RegionParams(believed=believed)
+        state, found = begin(frames[0], parts, params), []
+        for number, frame in enumerate(frames[1:], 1):
+            stepped = step(state, frame, params)
+            if stepped.redetected:
+                found.append(number)
+            state = stepped.state
+        return found
+
+    assert last_seen_at(0.5)
+    assert not last_seen_at(1.0)
+
+
+def ring_of(column: float, radius: float = RADIUS) -> Array:
+    angles = np.linspace(0.0, 2.0 * np.pi, 40, endpoint=False)
+    return np.stack([column + radius * np.cos(angles), ROW + radius * np.sin(angles)], axis=1)
+
+
+def test_what_lies_inside_resembles_the_object_as_far_as_it_is_the_object() -> None:
+    eye, _ = appearance()
+    frame = PreparedFrame(picture(150.0))
+    alike = [eye.resemblance(frame, ring_of(150.0 + off)) for off in (0.0, 8.0, 16.0, 60.0)]
+    assert alike[0] > 0.95
+    assert alike == sorted(alike, reverse=True)
+    assert alike[2] < 0.5
+    assert alike[3] == pytest.approx(0.0, abs=1e-3)
+
+
+@pytest.mark.parametrize("line", [ring_of(9000.0), ring_of(60.0, 0.1)], ids=["beyond the picture", "nothing left"])
+def test_nothing_resembles_nothing(line: Array) -> None:
+    assert appearance()[0].resemblance(PreparedFrame(picture(60.0)), line) == 0.0
+
+
+def test_only_what_can_be_told_from_its_surroundings_is_watched() -> None:
+    eye, _ = appearance()
+    drawn = np.zeros((4, 3, 2))
+    assert Watch.begun(drawn, eye.frame, eye.region, RegionParams()) is not None
+    assert Watch.begun(drawn, PreparedFrame(meadow()), eye.region, RegionParams()) is None
+
+
+def test_size_and_turn_are_taken_over_from_where_they_are_sure() -> None:
+    eye, last_seen = appearance()
+    grown = np.diag([1.5, 1.5, 1.0])
+    key = KeyMemory(eye.frame, eye.region, eye.colours, grown)
+    region = Field(eye.region.grid, eye.region.on(eye.region.grid, grown) - np.float32(0.5))
+    sure, doubtful = last_seen.after(key, region), last_seen.after(key, region, resemblance=0.7)
+    assert sure.since == doubtful.since == 0
+    np.testing.assert_array_equal(sure.middle, doubtful.middle)
+    np.testing.assert_array_equal(sure.carried, grown)
+    np.testing.assert_array_equal(doubtful.carried, last_seen.carried)
+    assert last_seen.missed().since == last_seen.since + 1
+
+
+def test_landmarks_of_what_was_found_again_are_new_ones() -> None:
+    params = CONFIGS["full"]
+    key = PreparedFrame(picture(60.0))
+    points = shapes_from_mask(disc(60.0))[0].at(0).points
+    state = outline.begin(key, points, params)
+    assert state.watch is not None
+    assert state.landmarks is not None
+    frame = PreparedFrame(picture(220.0))
+    last_seen = replace(state.watch.last_seen, since=PARAMS.long_gone - 1)
+    away = replace(state, watch=replace(state.watch, last_seen=last_seen))
+    stepped = outline.step(away, frame, params)
+    found = stepped.begun
+    assert found is not away
+    assert found.landmarks is not None
+    assert len(found.landmarks.pool.ids) > 0
+    assert not set(found.landmarks.pool.ids) & set(state.landmarks.pool.ids)
+    after, result = stepped.state, stepped.result
+    assert after.promise > 0.9
+    assert np.hypot(*(result.points[:, bezier.ANCHOR].mean(axis=0) - (220.0, ROW))) < 3.0
+
+
+def test_of_what_was_found_again_its_region_has_the_colours_of_the_key() -> None:
+    """Whatever was learned since: here the background's colours for the object's."""
+    key = PreparedFrame(picture(60.0))
+    state = begin(key, (Part(shapes_from_mask(disc(60.0))[0].at(0).points),), REGION)
+    misled = GlobalModel(state.colours.outside, state.colours.inside)
+    away = replace(state, colours=misled, last_seen=replace(state.last_seen, since=PARAMS.long_gone - 1))
+    stepped = step(away, PreparedFrame(picture(200.0)), REGION)
+    found, after = stepped.begun, stepped.state
+    assert stepped.redetected
+    np.testing.assert_array_equal(found.colours.inside, state.key.colours.inside)
+    np.testing.assert_array_equal(found.colours.outside, state.key.colours.outside)
+    assert np.hypot(*(middle_of(after.region) - (200.0, ROW))) < 3.0
+
+
+def test_of_what_was_found_again_the_edges_learn_anew_from_the_key() -> None:
+    params = CONFIGS["full"]
+    key = PreparedFrame(picture(60.0))
+    state = outline.begin(key, shapes_from_mask(disc(60.0))[0].at(0).points, params)
+    assert state.watch is not None
+    assert state.models is not None
+    edges = state.models.edges
+    misled = replace(state.models, edges=replace(edges, inside=edges.outside, outside=edges.inside))
+    watch = replace(state.watch, last_seen=replace(state.watch.last_seen, since=PARAMS.long_gone - 1))
+    away = replace(state, models=misled, watch=watch)
+    found = outline.step(away, PreparedFrame(picture(200.0)), params).begun
+    assert found is not away
+    assert found.models is not None
+    learned = found.models.edges
+    np.testing.assert_array_equal(learned.inside.mean, learned.key_inside.mean)
+    np.testing.assert_allclose(learned.inside.mean.mean(axis=(0, 1)), edges.key_inside.mean.mean(axis=(0, 1)), atol=5.0)
+
+
+def test_a_frame_on_which_little_is_left_of_the_object_teaches_its_region_no_colours() -> None:
+    """The post hides most of the ball within one frame: what is left is not taken for the object as it looks now."""
+
+    def learned(before: float, now: float) -> bool:
+        shown = disc(before)
+        shown[:, POST] = False
+        state = begin(
+            PreparedFrame(picture(before, post=True)), (Part(shapes_from_mask(shown)[0].at(0).points),), REGION
+        )
+        after = step(state, PreparedFrame(picture(now, post=True)), REGION).state
+        assert after.region.inside.any()
+        return not np.array_equal(after.colours.inside, state.colours.inside)
+
+    assert learned(60.0, 62.0)
+    assert not learned(90.0, 106.0)
+
+
+def test_a_hole_is_not_looked_for() -> None:
+    points = shapes_from_mask(disc(60.0))[0].at(0).points
+    state = outline.begin(PreparedFrame(picture(60.0)), points, CONFIGS["full"], is_hole=True)
+    assert state.watch is None
+    assert state.promise == 1.0
+
+
+@pytest.mark.parametrize("config", ["full", "best"])
+def test_a_ball_that_went_behind_a_post_is_carried_on_behind_it(config: str) -> None:
+    columns = [FIRST + STEP * k for k in range(24)]
+    frames = [picture(column, post=True) for column in columns]
+    hidden = [not (disc(column)[:, : POST.start].any() or disc(column)[:, POST.stop :].any()) for column in columns]
+    assert sum(hidden) >= 3
+    shapes = shapes_from_mask(disc(columns[0]))
+    results = list(track(lambda frame: frames[frame], shapes, range(len(frames)), config))
+    for result in results[-4:]:
+        matte = render_matte([each.shape for each in result.results], result.frame, SIZE) > 0.5
+        true = disc(columns[result.frame])
+        assert (matte & true).sum() / (matte | true).sum() > 0.8
+    lost = [each for each in results if hidden[each.frame]]
+    assert all(each.results[0].confidence < 0.5 for each in lost[1:])
+
+
+def test_a_frame_on_which_it_was_found_again_is_explained_from_there() -> None:
+    columns = [FIRST + STEP * k for k in range(24)]
+    frames = [picture(column, post=True) for column in columns]
+    shapes = shapes_from_mask(disc(columns[0]))
+    results = [each.results[0] for each in track(lambda frame: frames[frame], shapes, range(len(frames)), "full")]
+    middles = [each.shape.at(each.frame).points.mean(axis=(0, 1))[0] for each in results]
+    leap = int(np.argmax(np.diff(middles))) + 1
+    assert middles[leap] - middles[leap - 1] > RADIUS
+    result = results[leap]
+    (told,) = explain(lambda frame: PreparedFrame(frames[frame]), [result.shape], result.frame, None)
+    assert told.apart == 0.0
+    assert told.account.total.sum() + told.account.landmark_total.sum() == pytest.approx(
+        result.energies["total"], abs=1e-6
+    )

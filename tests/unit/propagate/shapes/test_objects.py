@@ -1,0 +1,156 @@
+"""Which shapes are one object, and what each of them is in it."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from roam_core.arrays import Array
+from roam_core.geometry.bezier import polygon_points
+from roam_core.params import OBJECTS
+from roam_core.propagate.shapes.objects import Role, Unit, near, objects, stacked, units
+from roam_core.roto import BlendMode, Keyframe, Origin, RotoShape, edit
+
+CORNERS = np.array([(0, 0), (1, 0), (1, 1), (0, 1)])
+
+
+def box(x: float, y: float, width: float, height: float) -> Array:
+    return polygon_points(CORNERS * (width, height) + (x, y))
+
+
+def square(x: float, y: float, side: float, *, hole: bool = False, frame: int = 1, link: str = "") -> RotoShape:
+    blend = BlendMode.SUBTRACT if hole else BlendMode.ADD
+    return RotoShape("s", "S", (Keyframe(frame, box(x, y, side, side)),), blend=blend, link=link)
+
+
+def whole(*members: int) -> Unit:
+    return Unit(Role.WHOLE, members)
+
+
+def part(*members: int) -> Unit:
+    return Unit(Role.PART, members)
+
+
+def occluder(*members: int) -> Unit:
+    return Unit(Role.OCCLUDER, members)
+
+
+def test_near_shapes_are_one_object_and_far_ones_their_own() -> None:
+    shapes = [square(0, 0, 40), square(300, 0, 40), square(50, 0, 40), square(85, 30, 40)]
+    assert objects(shapes, 20.0) == [[0, 2, 3], [1]]
+
+
+def test_a_hole_in_the_middle_of_a_large_shape_belongs_to_it() -> None:
+    shapes = [square(0, 0, 400), square(180, 180, 20, hole=True), square(900, 0, 10, hole=True)]
+    assert objects(shapes, 20.0) == [[0, 1], [2]]
+
+
+def test_one_shape_is_one_object() -> None:
+    assert objects([square(0, 0, 10)], 20.0) == [[0]]
+    assert objects([], 20.0) == []
+
+
+def test_links_say_what_belongs_together_whatever_the_outlines_do() -> None:
+    shapes = [square(0, 0, 40, link="a"), square(20, 0, 40), square(500, 0, 40, link="a"), square(30, 0, 40, link="b")]
+    assert objects(shapes, 20.0) == [[0, 2], [1], [3]]
+
+
+def test_shapes_belong_together_where_the_artist_first_keyed_both() -> None:
+    a = square(0, 0, 40).with_key(Keyframe(5, box(200, 0, 40, 40)))
+    b = square(200, 0, 40, frame=5)
+    assert objects([a, b], 20.0) == [[0, 1]]
+    assert objects([a, b.with_key(Keyframe(1, box(200, 0, 40, 40)))], 20.0) == [[0], [1]]
+
+
+def test_what_subtracts_belongs_to_all_that_it_may_come_to_cut() -> None:
+    post = square(300, 0, 10, hole=True)
+    assert objects([square(0, 0, 40), post], 20.0) == [[0], [1]]
+    passing = post.with_key(Keyframe(9, box(-50, 0, 10, 10)))
+    assert objects([square(0, 0, 40), passing], 20.0) == [[0, 1]]
+    led = edit.set_engine_keys(post, [Keyframe(9, box(-50, 0, 10, 10), origin=Origin.ENGINE)])
+    assert objects([square(0, 0, 40), led], 20.0) == [[0], [1]]
+
+
+def test_what_only_an_occluder_holds_together_is_apart_behind_it() -> None:
+    shapes = [square(0, 0, 40), square(200, 0, 40), square(30, 10, 190, hole=True)]
+    assert objects(shapes, 20.0) == [[0, 1, 2]]
+    assert units(shapes, 20.0) == [whole(0), whole(1), occluder(2)]
+    assert units([*shapes, square(215, 0, 40)], 20.0) == [whole(0), part(1), occluder(2), part(3)]
+
+
+def test_no_key_of_the_engines_changes_what_belongs_together() -> None:
+    a, b = square(0, 0, 40), square(100, 0, 40, frame=5)
+    assert objects([a, b], 20.0) == [[0], [1]]
+    led = edit.set_engine_keys(a, [Keyframe(k, box(25.0 * k, 0, 40, 40), origin=Origin.ENGINE) for k in range(2, 7)])
+    assert objects([led, b], 20.0) == [[0], [1]]
+
+
+def test_near_goes_with_the_size_of_the_pictures() -> None:
+    assert near(None) == near((480, 854)) == OBJECTS.near
+    assert near((960, 1708)) == pytest.approx(2.0 * OBJECTS.near)
+
+
+@pytest.mark.parametrize(
+    ("shapes", "expected"),
+    [
+        ([square(0, 0, 40)], [whole(0)]),
+        ([square(0, 0, 40), square(20, 0, 40)], [part(0), part(1)]),
+        ([square(0, 0, 40), square(60, 0, 40)], [whole(0, 1)]),
+        ([square(0, 0, 40), square(40, 0, 40)], [whole(0, 1)]),
+        ([square(0, 0, 40), square(20, 0, 40), square(70, 0, 40)], [part(0), part(1), part(2)]),
+        ([square(0, 0, 40), square(10, 10, 20)], [part(0), part(1)]),
+        ([square(0, 0, 40), square(10, 10, 20, hole=True)], [whole(0, 1)]),
+        ([square(0, 0, 40), square(30, 10, 20, hole=True)], [whole(0), occluder(1)]),
+        ([square(0, 0, 40), square(60, 0, 20, hole=True)], [whole(0), occluder(1)]),
+        ([square(0, 0, 40), square(20, 0, 40), square(2, 2, 10, hole=True)], [part(0, 2), part(1)]),
+        ([square(0, 0, 40), square(20, 0, 40), square(50, 0, 40, hole=True)], [part(0), part(1), occluder(2)]),
+        ([square(0, 0, 90), square(20, 20, 40, hole=True), square(30, 30, 10)], [whole(0, 1, 2)]),
+        ([square(0, 0, 90), square(20, 20, 40, hole=True), square(10, 30, 20)], [part(0, 1), part(2)]),
+        ([square(0, 0, 9, hole=True), square(2, 2, 9, hole=True)], [whole(0, 1)]),
+        ([square(0, 0, 40, link="a"), square(20, 0, 40, link="a")], [whole(0, 1)]),
+        ([square(0, 0, 40, link="a"), square(30, 0, 40, hole=True, link="a")], [whole(0, 1)]),
+    ],
+    ids=[
+        "one", "overlap", "disjoint", "touching", "two overlap, the third is near", "inside another", "hole",
+        "crossing", "subtracts beside", "hole in a part", "crosses a part", "island in a hole",
+        "reaches out of a hole", "only holes", "linked", "linked and crossing",
+    ],
+)  # fmt: skip
+def test_what_the_shapes_of_an_object_are(shapes: list[RotoShape], expected: list[Unit]) -> None:
+    assert units(shapes, 20.0) == expected
+
+
+def test_outlines_that_were_fitted_to_one_mask_touch_and_do_not_overlap() -> None:
+    shapes = [square(0, 0, 160), square(159.4, 40, 12)]
+    assert units(shapes, 20.0) == [whole(0, 1)]
+    assert units([shapes[0], square(157.0, 40, 12)], 20.0) == [part(0), part(1)]
+    assert units([square(0, 0, 160), square(157.0, 40, 12)], 80.0) == [whole(0, 1)]  # four times as fine a picture
+
+
+def test_a_hole_belongs_to_the_nearest_shape_below_it() -> None:
+    hole = square(22, 10, 10, hole=True)
+    assert units([square(0, 0, 40), square(20, 0, 40), hole], 20.0) == [part(0), part(1, 2)]
+    assert units([square(0, 0, 40), hole, square(20, 0, 40)], 20.0) == [part(0, 1), part(2)]
+    assert units([hole, square(0, 0, 40), square(20, 0, 40)], 20.0) == [part(1, 0), part(2)]
+
+
+def test_shapes_without_an_area_belong_somewhere_all_the_same() -> None:
+    flat = RotoShape("f", "F", (Keyframe(1, box(5, 5, 30, 0)),))
+    dot = RotoShape("d", "D", (Keyframe(1, box(5, 5, 0, 0)),))
+    shapes = [square(0, 0, 40), flat, dot, replace(dot, blend=BlendMode.SUBTRACT)]
+    assert objects(shapes, 20.0) == [[0, 1, 2, 3]]
+    found = units(shapes, 20.0)
+    assert sorted(k for unit in found for k in unit.members) == [0, 1, 2, 3]
+
+
+def test_depth_comes_before_the_stack() -> None:
+    shapes = [square(k, 0, 40) for k in range(3)]
+    assert stacked(shapes, 1) == [0, 1, 2]
+    front = replace(shapes[0], depth=((10, 1), (20, 0)))
+    behind = replace(shapes[2], depth=((15, -1),))
+    shapes = [front, shapes[1], behind]
+    assert [stacked(shapes, frame) for frame in (9, 10, 15, 19, 20)] == [
+        [0, 1, 2], [1, 2, 0], [2, 1, 0], [2, 1, 0], [2, 0, 1]
+    ]  # fmt: skip

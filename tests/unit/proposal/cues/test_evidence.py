@@ -1,0 +1,42 @@
+"""Motion in the evidence: what it says against new background, against uncovered background, and where it holds its
+tongue.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from roam_core.arrays import Bools
+from roam_core.features import PreparedFrame, Region
+from roam_core.features.grid import Grid
+from roam_core.params import RegionParams
+from roam_core.proposal.cues.evidence import Expectation, Field, KeyMemory, Sources, motion_cue
+
+GRID = Grid(Region(0, 0, 8, 1), 1, 8)
+
+
+def cells(*columns: int) -> Bools:
+    inside = np.zeros((1, 8), dtype=bool)
+    inside[0, list(columns)] = True
+    return inside
+
+
+def sources(rigid: Bools, fluid: Bools, remembered: Bools, motion: list[float]) -> Sources:
+    """Eight cells in a row, with what is expected and how they move; nothing else is asked for."""
+    picture = PreparedFrame(np.zeros((1, 8, 3), np.uint8))
+    nothing = np.zeros((1, 8), dtype=np.float32)
+    key = KeyMemory(picture, Field(GRID, nothing), None, np.eye(3))  # type: ignore[arg-type]
+    expected = Expectation(nothing, rigid, fluid, remembered.astype(np.float32))
+    flow = np.zeros((1, 8, 2), dtype=np.float32)
+    return Sources(
+        picture.image, picture.image, GRID, expected, flow, key, None, np.array([motion], np.float32), 3  # type: ignore[arg-type]
+    )  # fmt: skip
+
+
+def test_motion_speaks_against_new_and_uncovered_background_only() -> None:
+    # By column: new background, uncovered twice, held by the similarity, by the key, by both.
+    seen = sources(
+        rigid=cells(3, 5), fluid=cells(1, 2, 3, 4, 5), remembered=cells(4, 5), motion=[-2, -2, 1, -2, -2, -2, 2, 0]
+    )
+    cue = motion_cue(seen, RegionParams(motion_weight=0.5, uncovered_weight=3.0))
+    np.testing.assert_allclose(cue, [[-1, -6, 0, 0, 0, 0, 0, 0]])

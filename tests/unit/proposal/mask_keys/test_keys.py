@@ -1,0 +1,198 @@
+"""Artist keys fitted to a mask: same points, in correspondence, parts that begin, end, divide and go on."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import numpy.testing as npt
+import pytest
+
+from roam_core import RoamError, RotoShape, keys_from_mask, render_matte, shapes_from_mask
+from roam_core.arrays import Bools
+from roam_core.geometry import bezier, bspline, polyline
+from roam_core.geometry.bezier import polygon_points
+from roam_core.roto import BlendMode, Keyframe, Origin, Spline, control_points
+from tests.golden.shots import Shot, blob, dense, overlap, pose
+
+RADII = [40.0, 52.0, 38.0, 45.0, 60.0, 43.0, 30.0]
+SIZE = (240, 280)
+STAR = Shot(blob(RADII), (pose(90.0, 90.0), pose(170.0, 130.0, 25.0, 1.2)), size=SIZE)
+
+
+def solid(*boxes: tuple[int, int, int, int]) -> Bools:
+    """A mask of (left, top, right, bottom) boxes."""
+    mask = np.zeros((120, 160), dtype=bool)
+    for left, top, right, bottom in boxes:
+        mask[top:bottom, left:right] = True
+    return mask
+
+
+def require_matte(shapes: list[RotoShape], frame: int, mask: Bools, least: float = 0.97) -> None:
+    assert overlap(render_matte(shapes, frame, mask.shape) > 0.5, mask) > least
+
+
+@pytest.mark.parametrize(
+    ("x", "y", "degrees", "scale"),
+    [(92.0, 91.0, 0.0, 1.0), (170.0, 130.0, 25.0, 1.2), (150.0, 110.0, -70.0, 0.8), (90.0, 90.0, 4.0, 1.0)],
+)
+def test_a_key_anywhere_has_the_same_points_in_their_places(x: float, y: float, degrees: float, scale: float) -> None:
+    shot = Shot(STAR.rest, (STAR.poses[0], pose(x, y, degrees, scale)), size=SIZE)
+    start = shot.shape()
+    (shape,) = keys_from_mask([start], shot.matte(1002), 1002)
+    key = shape.key_at(1002)
+    assert key is not None
+    assert key.origin is Origin.ARTIST
+    assert shape.key_at(1001) == start.key_at(1001)
+    require_matte([shape], 1002, shot.matte(1002) > 0.5, 0.985)
+    assert np.hypot(*(key.points - shot.truth(1002))[:, 0].T).mean() < 2.5
+
+
+@pytest.mark.parametrize("scale", [0.15, 8.0])
+def test_small_and_large_shapes_are_fitted_alike(scale: float) -> None:
+    size = (int(240 * scale), int(280 * scale))
+    shot = Shot(STAR.rest, tuple(pose(scale * x, scale * 100, 0.0, scale) for x in (90.0, 130.0)), size=size)
+    (shape,) = keys_from_mask([shot.shape()], shot.matte(1002), 1002)
+    require_matte([shape], 1002, shot.matte(1002) > 0.5, 0.96 if scale < 1 else 0.985)
+    assert np.hypot(*(shape.at(1002).points - shot.truth(1002))[:, 0].T).mean() < max(2.5 * scale, 1.0)
+
+
+def test_an_engine_key_is_the_expectation_and_gives_way() -> None:
+    shape = STAR.shape().with_key(Keyframe(1002, STAR.truth(1002) + 2.0, origin=Origin.ENGINE, inputs="x"))
+    (fitted,) = keys_from_mask([shape], STAR.matte(1002), 1002)
+    key = fitted.key_at(1002)
+    assert key is not None
+    assert (key.origin, key.inputs) == (Origin.ARTIST, "")
+    assert np.hypot(*(key.points - STAR.truth(1002))[:, 0].T).mean() < 2.0
+
+
+def test_a_polygon_stays_a_polygon_and_no_key_crosses_itself() -> None:
+    square = RotoShape("shape-1", "Box", (Keyframe(1, polygon_points([(20, 20), (60, 20), (60, 60), (20, 60)])),))
+    (shape,) = keys_from_mask([square], solid((50, 40, 92, 84)), 5)
+    points = shape.at(5).points
+    npt.assert_array_equal(points[:, 1], points[:, 0])
+    npt.assert_array_equal(points[:, 2], points[:, 0])
+    npt.assert_allclose(points[:, 0], [(50, 40), (92, 40), (92, 84), (50, 84)], atol=1.5)
+    rng = np.random.default_rng(1)
+    for _ in range(4):
+        wild = Shot(blob(rng.uniform(12.0, 60.0, 11)), (pose(120.0, 110.0),), size=SIZE)
+        (wild_shape,) = keys_from_mask([STAR.shape()], wild.matte(1001), 1010)
+        assert polyline.is_simple(bezier.flatten(wild_shape.at(1010).points))
+
+
+def test_parts_begin_and_end_with_their_holes() -> None:
+    first, second = solid((20, 20, 70, 60), (110, 80, 140, 100)), solid((23, 22, 73, 62), (100, 10, 150, 50))
+    first[30:45, 35:50] = False
+    second[20:35, 110:130] = False
+    second[25:30, 115:125] = True
+    shapes = keys_from_mask(shapes_from_mask(first, 1), second, 11)
+    assert [shape.exists_at(1) for shape in shapes] == [True, True, True, False, False, False]
+    assert [shape.exists_at(11) for shape in shapes] == [True, False, False, True, True, True]
+    assert [shape.blend for shape in shapes[3:]] == [BlendMode.ADD, BlendMode.SUBTRACT, BlendMode.ADD]
+    assert len({shape.id for shape in shapes}) == len(shapes)
+    require_matte(shapes, 1, first)
+    require_matte(shapes, 11, second)
+
+
+def test_a_hole_and_two_parts_keep_their_shapes() -> None:
+    first, second = solid((10, 20, 70, 60), (80, 30, 130, 80)), solid((30, 32, 90, 72), (103, 44, 153, 94))
+    first[30:50, 20:40] = False
+    second[42:62, 40:60] = False
+    shapes = shapes_from_mask(first, 1)
+    moved = keys_from_mask(shapes, second, 2)
+    assert [shape.id for shape in moved] == [shape.id for shape in shapes]
+    assert all(shape.frames == (1, 2) for shape in moved)
+    require_matte(moved, 2, second)
+    for shape in moved:
+        step = (shape.at(2).points - shape.at(1).points)[:, 0].mean(axis=0)
+        npt.assert_allclose(step, (21.0, 13.0), atol=4.0)
+
+
+def test_a_shape_with_later_keys_goes_on_behind_a_mask_without_it() -> None:
+    shape = STAR.shape().with_key(Keyframe(1020, STAR.truth(1002)))
+    before, after = keys_from_mask([shape], np.zeros(SIZE, dtype=np.uint8), 1010)
+    assert before.keys == shape.keys
+    assert [before.exists_at(frame) for frame in (0, 1009, 1010, 1020)] == [True, True, False, False]
+    assert [after.exists_at(frame) for frame in (1010, 1011, 1020)] == [False, True, True]
+    assert after.key_at(1020) == shape.key_at(1020)
+    assert after.id != before.id
+    (earlier,) = keys_from_mask([STAR.shape()], np.zeros(SIZE, dtype=np.uint8), 1000)
+    assert [earlier.exists_at(frame) for frame in (1000, 1001)] == [False, True]
+
+
+def test_shapes_that_overlap_divide_the_part_they_make() -> None:
+    first = solid((20, 40, 80, 80))
+    body, arm = (shapes_from_mask(solid(box), 1)[0] for box in ((20, 40, 80, 80), (70, 50, 120, 60)))
+    arm = replace(arm, id="shape-2")
+    second = solid((25, 43, 85, 83), (75, 53, 125, 63))
+    moved = keys_from_mask([body, arm], second, 2)
+    assert [shape.frames for shape in moved] == [(1, 2), (1, 2)]
+    require_matte(moved, 2, second)
+    only = render_matte([moved[1]], 2, second.shape) > 0.5
+    assert overlap(only, solid((75, 53, 125, 63))) > 0.8
+    assert first.any()
+
+
+def test_shapes_that_take_no_part_stay_as_they_are() -> None:
+    mask = STAR.matte(1002)
+    hidden, opened = replace(STAR.shape(), visible=False), replace(STAR.shape(), closed=False)
+    clipping = replace(STAR.shape(), blend=BlendMode.INTERSECT)
+    for shape in (hidden, opened, clipping):
+        kept, new = keys_from_mask([shape], mask, 1002)
+        assert kept == shape
+        assert new.frames == (1002,)
+    locked = replace(STAR.shape(), locked=True)
+    assert keys_from_mask([locked], mask, 1002) == [locked]
+
+
+def test_no_shape_and_no_mask() -> None:
+    (new,) = keys_from_mask([], STAR.matte(1001), 1001)
+    assert new.lifetime is not None
+    assert new.lifetime[0] == 1001
+    assert keys_from_mask([], np.zeros((8, 8)), 1) == []
+    with pytest.raises(RoamError, match="no image"):
+        keys_from_mask([], np.zeros((0, 8)), 1)
+
+
+def test_two_runs_give_the_same_bits() -> None:
+    a, b = (keys_from_mask([STAR.shape()], STAR.matte(1002), 1002) for _ in range(2))
+    assert a == b
+    assert len(dense(a[0].at(1002).points)) == 800
+
+
+def test_a_bspline_stays_one() -> None:
+    shape = control_points.with_spline(shapes_from_mask(solid((20, 20, 60, 70)), 1)[0], Spline.BSPLINE)
+    (keyed,) = keys_from_mask([shape], solid((30, 24, 74, 78)), 5)
+    assert keyed.frames == (1, 5)
+    assert bspline.is_bspline(keyed.at(5).points)
+    npt.assert_allclose(keyed.at(5).control_points[:, 0].mean(axis=0), (52.0, 51.0), atol=3.0)
+
+
+def closed(shape: RotoShape, frame: int) -> RotoShape:
+    """The shape as an engine leaves it on a frame on which it is out of sight."""
+    points = shape.keys[0].points
+    middle = points[:, 0].mean(axis=0)
+    return shape.with_key(Keyframe(frame, middle + 0.02 * (points - middle), origin=Origin.ENGINE, inputs="x"))
+
+
+def test_a_shape_that_was_out_of_sight_takes_its_part_again() -> None:
+    body, hand = (20, 20, 80, 100), (100, 40, 130, 80)
+    shapes = shapes_from_mask(solid(body, hand), 1)
+    assert len(shapes) == 2
+    shapes = [shapes[0].with_key(replace(shapes[0].keys[0], frame=9)), closed(shapes[1], 9)]
+    moved = solid(body, (104, 42, 134, 82))
+    keyed = keys_from_mask(shapes, moved, 9)
+    assert [shape.id for shape in keyed] == [shape.id for shape in shapes]
+    assert keyed[1].exists_at(9)
+    assert np.hypot(*(keyed[1].at(9).points - shapes[1].at(1).points - (4.0, 2.0))[:, 0].T).max() < 1.5
+    require_matte(keyed, 9, moved)
+
+
+def test_a_shape_that_stays_out_of_sight_takes_nothing_from_another() -> None:
+    body, hand = (20, 20, 80, 100), (40, 40, 70, 80)
+    whole, part = (shapes_from_mask(solid(box), 1)[0] for box in (body, hand))
+    shapes = [whole, closed(replace(part, id="hand"), 9)]
+    keyed = keys_from_mask(shapes, solid(body), 9)
+    assert not keyed[1].exists_at(9)
+    assert np.hypot(*(keyed[0].at(9).points - whole.at(1).points)[:, 0].T).max() < 1.0
+    require_matte(keyed, 9, solid(body))

@@ -1,0 +1,60 @@
+"""Which shape becomes which part of a mask."""
+
+from __future__ import annotations
+
+import numpy.testing as npt
+
+from roam_core.arrays import Array
+from roam_core.geometry import bezier
+from roam_core.geometry.bezier import polygon_points
+from roam_core.proposal.mask_keys.pairing import centre, paired
+from tests.golden.shots import blob
+
+SIZE = (200, 300)
+
+
+def box(left: float, top: float, right: float, bottom: float) -> Array:
+    return polygon_points([(left, top), (right, top), (right, bottom), (left, bottom)])
+
+
+def ring(*corners: float) -> Array:
+    return bezier.flatten(box(*corners))
+
+
+def test_all_that_moved_together_is_paired_where_the_nearest_would_be_wrong() -> None:
+    row = [box(20 + 40 * k, 50, 45 + 40 * k, 90) for k in range(4)]
+    moved = [ring(52 + 40 * k, 53, 77 + 40 * k, 93) for k in (2, 0, 3, 1)]
+    pairing = paired(row, moved, SIZE)
+    assert [next(j for j, each in enumerate(moved) if each is found) for found in pairing.rings] == [1, 3, 0, 2]
+    npt.assert_allclose(pairing.pose[:, 2], (32.0, 3.0), atol=0.5)
+
+
+def test_what_has_no_partner_has_no_ring() -> None:
+    pairing = paired(
+        [box(20, 20, 60, 60), box(200, 20, 204, 24)], [ring(24, 20, 64, 60), ring(150, 150, 190, 190)], SIZE
+    )
+    assert pairing.rings[1] is None
+    assert pairing.owners == {0: 0}
+    assert paired([], [ring(1, 1, 5, 5)], SIZE).owners == {}
+    assert paired([box(1, 1, 5, 5)], [], SIZE).rings == [None]
+
+
+def test_neighbours_of_like_size_that_grew_together_divide_the_part() -> None:
+    first, second = box(20, 20, 70, 60), box(74, 20, 120, 60)
+    pairing = paired([first, second], [ring(20, 20, 120, 60)], SIZE)
+    left, right = pairing.rings
+    assert left is not None
+    assert right is not None
+    assert abs(left[:, 0].max() - 72.0) < 2.0
+    assert abs(right[:, 0].min() - 72.0) < 2.0
+
+
+def test_a_crumb_inside_another_part_ends() -> None:
+    assert paired([box(20, 20, 120, 60), box(124, 30, 130, 36)], [ring(20, 20, 134, 60)], SIZE).rings[1] is None
+
+
+def test_the_centre_is_that_of_the_area() -> None:
+    there, area = centre([ring(0, 0, 10, 10), ring(20, 0, 30, 20)[::-1]])
+    npt.assert_allclose(there, (55.0 / 3.0, 25.0 / 3.0))
+    assert area == 300.0
+    assert centre([bezier.flatten(blob([5.0] * 6)) * 0.0 + 3.0])[0].tolist() == [3.0, 3.0]

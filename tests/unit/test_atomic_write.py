@@ -1,0 +1,173 @@
+"""Writing files: whole or not at all whatever fails, links followed, read-only files refused, leftovers swept."""
+
+from __future__ import annotations
+
+import os
+import time
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from roam_core import atomic_write as writing
+from roam_core.atomic_write import STALE_SECONDS, is_alive, sweep, temporary_beside, write_atomically
+from roam_core.errors import RoamError
+from tests.unit.roto.faults import each_crash, each_fault
+
+posix = pytest.mark.skipif(os.name != "posix", reason="needs links, FIFOs and processes of POSIX")
+OLD, NEW = b"the old project", b"the new project" * 5000
+
+
+@pytest.fixture(autouse=True)
+def _not_swept_yet() -> Iterator[None]:
+    writing._swept.clear()
+    yield
+    writing._swept.clear()
+
+
+def names(folder: Path) -> list[str]:
+    return sorted(entry.name for entry in folder.iterdir())
+
+
+def test_content_may_come_in_pieces(tmp_path: Path) -> None:
+    write_atomically(tmp_path / "a", (bytes([k]) for k in range(5)))
+    assert (tmp_path / "a").read_bytes() == bytes(range(5))
+
+
+def test_pieces_that_break_off_leave_the_old_file(tmp_path: Path) -> None:
+    def pieces() -> Iterator[bytes]:
+        yield b"half"
+        raise RoamError("no more.")
+
+    (tmp_path / "a").write_bytes(OLD)
+    with pytest.raises(RoamError, match="no more"):
+        write_atomically(tmp_path / "a", pieces())
+    assert (tmp_path / "a").read_bytes() == OLD
+    assert names(tmp_path) == ["a"]
+
+
+def test_whatever_call_fails_the_file_is_whole_and_nothing_else_is_left(tmp_path: Path) -> None:
+    path, seen = tmp_path / "a.roam", []
+
+    def prepare() -> None:
+        writing._swept.clear()
+        path.write_bytes(OLD)
+
+    for name, work in each_fault(lambda: write_atomically(path, NEW), prepare, OSError(5, "Input/output error")):
+        seen.append(name)
+        if name == "scandir":  # what cannot be swept stands in nobody's way
+            work()
+            continue
+        with pytest.raises(RoamError, match=r"a\.roam cannot be written: .*\.$"):
+            work()
+        assert path.read_bytes() in (OLD, NEW)
+        assert path.read_bytes() == OLD or seen.count("replace") == 1
+        assert names(tmp_path) == ["a.roam"]
+    assert {"open", "write", "flush", "fsync", "replace", "stat"} <= set(seen)
+    assert seen.count("fsync") == 2  # the file, and the folder
+
+
+@posix
+def test_wherever_the_process_dies_the_file_is_whole_and_the_rest_is_swept(tmp_path: Path) -> None:
+    path = tmp_path / "a.roam"
+
+    def prepare() -> None:
+        writing._swept.clear()
+        path.write_bytes(OLD)
+
+    for _ in each_crash(lambda: write_atomically(path, NEW), prepare):
+        assert path.read_bytes() in (OLD, NEW)
+        for left in tmp_path.glob(".roam-*"):
+            os.utime(left, (0, 0))
+        sweep(tmp_path)
+        assert names(tmp_path) == ["a.roam"]
+
+
+@posix
+def test_a_link_stays_and_what_it_points_to_is_replaced(tmp_path: Path) -> None:
+    (tmp_path / "disk").mkdir()
+    target, link = tmp_path / "disk" / "real.roam", tmp_path / "a.roam"
+    target.write_bytes(OLD)
+    link.symlink_to(Path("disk") / "real.roam")
+    write_atomically(link, NEW)
+    assert link.is_symlink()
+    assert target.read_bytes() == NEW
+    assert names(tmp_path / "disk") == ["real.roam"]
+
+
+@posix
+def test_a_link_to_nothing_makes_its_target_and_one_to_itself_is_refused(tmp_path: Path) -> None:
+    (tmp_path / "a").symlink_to("b")
+    write_atomically(tmp_path / "a", NEW)
+    assert (tmp_path / "b").read_bytes() == NEW
+    (tmp_path / "c").symlink_to("c")
+    with pytest.raises(RoamError, match=r"cannot be written: .*\.$"):
+        write_atomically(tmp_path / "c", NEW)
+
+
+def test_a_read_only_file_is_refused_and_stays(tmp_path: Path) -> None:
+    path = tmp_path / "a.roam"
+    path.write_bytes(OLD)
+    path.chmod(0o444)
+    with pytest.raises(RoamError, match="read-only; change its permissions, or save elsewhere"):
+        write_atomically(path, NEW)
+    assert path.read_bytes() == OLD
+
+
+@posix
+def test_what_is_no_regular_file_is_refused(tmp_path: Path) -> None:
+    os.mkfifo(tmp_path / "pipe")
+    (tmp_path / "null").symlink_to(os.devnull)
+    for name in ("pipe", "null"):
+        with pytest.raises(RoamError, match="no regular file"):
+            write_atomically(tmp_path / name, NEW)
+    assert not Path(os.devnull).is_file()
+
+
+@pytest.mark.parametrize("name", ["a" * 250 + ".roam", "ä" * 125 + ".roam"])
+def test_the_longest_names_are_written(tmp_path: Path, name: str) -> None:
+    assert len(os.fsencode(name)) == 255
+    write_atomically(tmp_path / name, NEW)
+    assert names(tmp_path) == [name]
+
+
+@posix
+def test_a_new_file_has_the_permissions_of_the_user_s_mask(tmp_path: Path) -> None:
+    before = os.umask(0o027)
+    try:
+        write_atomically(tmp_path / "a", NEW)
+    finally:
+        os.umask(before)
+    assert (tmp_path / "a").stat().st_mode & 0o777 == 0o640
+
+
+@posix
+def test_only_old_temporary_files_of_dead_processes_are_swept(tmp_path: Path) -> None:
+    dead = os.fork()
+    if dead == 0:
+        os._exit(0)
+    os.waitpid(dead, 0)
+    mine = temporary_beside(tmp_path / "a").name
+    theirs = mine.replace(f"-{os.getpid()}-", f"-{dead}-")
+    others = [".roam-notes.tmp", "a.roam", ".a.roam.tmp", f".roam-{dead}-1234.tmp"]
+    old = time.time() - STALE_SECONDS - 60.0
+    for name in (mine, theirs, *others):
+        (tmp_path / name).write_bytes(b"")
+        os.utime(tmp_path / name, (old, old))
+    young = f"{theirs[:-5]}0.tmp" if theirs[-5] != "0" else f"{theirs[:-5]}1.tmp"
+    (tmp_path / young).write_bytes(b"")
+    write_atomically(tmp_path / "new", NEW)
+    assert names(tmp_path) == sorted([mine, young, "new", *others])
+
+
+@posix
+def test_a_folder_is_named_as_what_it_is(tmp_path: Path) -> None:
+    with pytest.raises(RoamError, match="it is a folder"):
+        write_atomically(tmp_path, NEW)
+
+
+@posix
+def test_a_process_is_alive_or_not_and_a_group_of_them_is_none() -> None:
+    assert is_alive(os.getpid())
+    assert not is_alive(0)
+    assert not is_alive(-os.getpgid(0))
