@@ -23,13 +23,20 @@ def with_moving_layer(project: Project, shape_ids: Collection[str], frame: int, 
     A layer that moves already is taken up again where it holds exactly these shapes; so a track can be gone on with, in
     either direction. Otherwise a new one named `name 1`, `name 2`, ... stands still on `frame`.
     """
+    if (there := moving_layer(project, shape_ids)) is not None:
+        return project, there.id
+    project, layer = grouped(project, set(shape_ids), project.free_name(name))
+    begun = replace(LayerTransform.of({frame: projective.IDENTITY}), adjusted=(frame,))
+    return _with_transform(project, layer.id, begun), layer.id
+
+
+def moving_layer(project: Project, shape_ids: Collection[str]) -> Layer | None:
+    """The layer that moves and holds just these shapes."""
     chosen = set(shape_ids)
     for item in project.root.items():
         if isinstance(item, Layer) and item.transform is not None and {s.id for s in item.shapes()} == chosen:
-            return project, item.id
-    project, layer = grouped(project, chosen, project.free_name(name))
-    begun = replace(LayerTransform.of({frame: projective.IDENTITY}), adjusted=(frame,))
-    return _with_transform(project, layer.id, begun), layer.id
+            return item
+    return None
 
 
 def followed(
@@ -44,11 +51,11 @@ def followed(
     """
     layer = _layer(project, layer_id)
     own = layer.transform or LayerTransform.of({start: projective.IDENTITY})
-    outside = np.linalg.inv(_above(project, layer_id, frame)) @ motion @ _above(project, layer_id, start)
+    outside = _inverse(_above(project, layer_id, frame)) @ motion @ _above(project, layer_id, start)
     told = {} if confidence is None else {frame: confidence}
     after = own.with_matrices({frame: outside @ own.at(start)}, told)
     if frame in own.adjusted and frame != start:
-        there = projective.apply(_back(after, frame) @ own.at(frame), surface_of(layer))
+        there = projective.apply(_inverse(after.at(frame)) @ own.at(frame), surface_of(layer))
         after = _spread(after, surface_of(layer), there, frame, (min(start, frame), max(start, frame)))
     return _with_transform(project, layer_id, after, frame)
 
@@ -76,7 +83,7 @@ def pinned(project: Project, layer_id: str, frame: int, corners: Array) -> Proje
     """The project with an adjust key: on `frame` the surface's corners lie at `corners (4, 2)`, as the artist says.
 
     What that changes is spread evenly to the adjust keys before and after it, where it ends; beyond the last one it
-    holds. No key of the artist's shapes moves.
+    holds. The frame's confidence goes, for the artist's word is there. No key of the artist's shapes moves.
 
     Raises
     ------
@@ -89,13 +96,18 @@ def pinned(project: Project, layer_id: str, frame: int, corners: Array) -> Proje
         raise RoamError("The four corners must stay corners of one surface: none of them may cross its sides.")
     surface = surface_of(layer)
     own = own.with_matrices({frame: own.at(frame)}, dict(own.confidence)) if frame not in own.frames else own
-    there = projective.apply(np.linalg.inv(_above(project, layer_id, frame) @ own.at(frame)), corners)
+    there = projective.apply(_inverse(_above(project, layer_id, frame) @ own.at(frame)), corners)
     before = [key for key in own.anchors if key < frame]
     later = [key for key in own.anchors if key > frame]
     span = max(before, default=own.frames[0] - 1), min(later, default=own.frames[-1] + 1)
     after = _spread(own, surface, there, frame, span, bool(before), bool(later))
     keys = {*own.anchors, frame}
-    kept = replace(after, adjusted=tuple(keys), surface=tuple((float(x), float(y)) for x, y in surface))
+    kept = replace(
+        after,
+        confidence=tuple(pair for pair in after.confidence if pair[0] != frame),
+        adjusted=tuple(keys),
+        surface=tuple((float(x), float(y)) for x, y in surface),
+    )
     return _with_transform(project, layer_id, kept)
 
 
@@ -145,8 +157,8 @@ def _is_convex(corners: Array) -> bool:
     return bool(abs(turns.sum()) == len(corners))
 
 
-def _back(own: LayerTransform, frame: int) -> Array:
-    return np.asarray(np.linalg.inv(own.at(frame)), dtype=np.float64)
+def _inverse(matrix: Array) -> Array:
+    return np.asarray(np.linalg.inv(matrix), dtype=np.float64)
 
 
 def _above(project: Project, layer_id: str, frame: int) -> Array:

@@ -137,7 +137,7 @@ def test_an_adjust_key_spreads_the_drift_to_its_neighbours(tracked: tuple[Projec
     again = pinned(fixed, layer_id, 11, surface_at(fixed, layer_id, 11) - drift)
     np.testing.assert_allclose(shown(again, layer_id, 6), shown(fixed, layer_id, 6), atol=1e-9)
     np.testing.assert_allclose(shown(again, layer_id, 11), shown(project, layer_id, 11), atol=1e-9)
-    assert transform_of(again, layer_id).confidence == transform_of(project, layer_id).confidence
+    assert [frame for frame, _ in transform_of(again, layer_id).confidence] == [2, 3, 4, 5, 7, 8, 9, 10]
 
 
 def test_one_corner_alone_bends_the_surface(tracked: tuple[Project, str]) -> None:
