@@ -106,7 +106,7 @@ def third_project(folder: Path) -> Project:
 
 
 def present_project(folder: Path) -> Project:
-    """What a file of this program may hold beyond the stored one of version 3: the plate's layer, what a track tells."""
+    """What a file of this program may hold beyond the stored one of version 3: the plate's layer, a track's figures."""
     third = third_project(folder)
     inner = third.root.children[0]
     assert isinstance(inner, Layer)
