@@ -41,7 +41,8 @@ def followed_points(
     """Corners inside the closed polyline `line (K, 2)` and where they went, `(C, 2)` each, pixels.
 
     They are followed on a reduced copy of the region, forwards and back again; those that do not return
-    (`KltParams.returned`) are dropped. The third value is the error in pixels that an agreeing point may have for that reason.
+    (`KltParams.returned`) are dropped. The third value is the error in pixels that an agreeing point may have for that
+    reason.
     """
     none = np.empty((0, 2))
     region = Region.around(line, params.motion_travel * scale, before.size)

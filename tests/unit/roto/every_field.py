@@ -102,3 +102,11 @@ def third_project(folder: Path) -> Project:
     shape = replace(shape, opacity=fades, feather=soft)
     inner = replace(inner, children=(shape, *others, faded), opacity=fades, blend=BlendMode.SUBTRACT)
     return replace(second, root=replace(second.root, children=(inner,)))
+
+
+def whole_project(folder: Path) -> Project:
+    """All that this program knows: the newest version's project, and the fields that came to it afterwards.
+
+    A field that older files of the version do without stands here, not in the project that is stored.
+    """
+    return third_project(folder)
