@@ -78,8 +78,12 @@ SPECS: tuple[ActionSpec, ...] = (
     ActionSpec(
         "tool.feather", "Feather", _VIEWER, "tool-feather", "Soften the edge: pull the feather out of points", True
     ),
+    ActionSpec("tool.adjust", "Adjust track", _VIEWER, "tool-adjust", "Pin the corners of a tracked surface", True),
     ActionSpec(
         "feather.reset", "Reset feather", _VIEWER, tip="Put the feather of the selected points back on the outline"
+    ),
+    ActionSpec(
+        "feather.all_keys", "Feather for all keys", _VIEWER, tip="Give the soft edge as it is here to every key"
     ),
     ActionSpec("points.delete", "Delete", _VIEWER, tip="Delete the selected points or shapes"),
     ActionSpec("points.select_all", "Select all points", _VIEWER),
@@ -91,6 +95,7 @@ SPECS: tuple[ActionSpec, ...] = (
     ActionSpec("points.mirror_across", "Mirror horizontally", _VIEWER, tip="Swap left and right of what is selected"),
     ActionSpec("points.mirror_down", "Mirror vertically", _VIEWER, tip="Swap top and bottom of what is selected"),
     ActionSpec("points.toggle_closed", "Open or close", _VIEWER),
+    ActionSpec("shape.select_all", "Select all shapes", _VIEWER, tip="Select the shapes in sight that are not locked"),
     ActionSpec("shape.duplicate", "Duplicate", _VIEWER, "duplicate"),
     ActionSpec("shape.group", "Group into a layer", _VIEWER, "layer-add"),
     ActionSpec(
@@ -185,6 +190,7 @@ SPECS: tuple[ActionSpec, ...] = (
     ActionSpec("view.actual_size", "100 %", _VIEWER),
     ActionSpec("view.fit_time", "Fit time", tip="Show the whole clip in the timeline"),
     ActionSpec("view.tall_timeline", "Tall timeline", tip="Give the timeline half of the window", checkable=True),
+    ActionSpec("view.shape_panel", "Shape panel", tip="Show all that the Shape panel has of the selected shapes"),
     ActionSpec("view.panels", "Panels", tip="Show or hide the panels on the right", checkable=True),
     ActionSpec("time.previous", "Previous frame"),
     ActionSpec("time.next", "Next frame"),

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from enum import StrEnum
 
 from roam_core.dials import name_of
 from roam_core.params import DEFAULT_CONFIG, departed, is_doubtful
 from roam_core.propagate.shapes.provenance import known_params
-from roam_core.roto import RotoShape
+from roam_core.roto import Layer, Project, RotoShape
 
 from ..jobs.filling import Gap, gaps_of
 from ..jobs.propagation import Propagation
@@ -202,18 +202,35 @@ class Tracking:
 
     def _go_to_doubtful(self, step: int) -> None:
         here = self._view.frame
+        shapes = self._shapes()
         doubtful = [
-            (abs(key.frame - here), key.confidence, key.frame, shape)
-            for shape in self._shapes()
+            (abs(key.frame - here), key.confidence, key.frame, doubt_sentence(shape, key.frame))
+            for shape in shapes
             for key in shape.keys
             if is_doubtful(key.confidence) and (key.frame - here) * step > 0
         ]
+        doubtful += [
+            (abs(frame - here), trust, frame, f"Frame {frame}: the confidence of the track {name} is {trust:.2f}.")
+            for name, frame, trust in tracks_of(self._document.project, shapes)
+            if is_doubtful(trust) and (frame - here) * step > 0
+        ]
         if doubtful:
-            _, _, frame, shape = min(doubtful, key=lambda each: each[:2])
+            _, _, frame, sentence = min(doubtful, key=lambda each: each[:2])
             self._view.set_frame(frame)
-            self._view.say(doubt_sentence(shape, frame))
+            self._view.say(sentence)
         else:
             self._view.say(f"No doubtful frame {'after' if step > 0 else 'before'} frame {here}.")
+
+
+def tracks_of(project: Project, shapes: Sequence[RotoShape]) -> list[tuple[str, int, float]]:
+    """The tracks of the layers that these shapes lie in: name of the layer, frame, confidence."""
+    ids = {shape.id for shape in shapes}
+    return [
+        (item.name, frame, trust)
+        for item in project.root.items()
+        if isinstance(item, Layer) and item.transform is not None and ids & {shape.id for shape in item.shapes()}
+        for frame, trust in item.transform.confidence
+    ]
 
 
 def doubt_sentence(shape: RotoShape, frame: int) -> str:

@@ -42,7 +42,7 @@ class ViewState(QObject):
         self._tool = "select"
         self._preview: Project | None = None
         self._range = (1, 2)
-        self._message = ""
+        self._message = self._hint = ""
         self._keymap = load_keymap()
         self.editing = EditingModes(self)
         """How edits reach points and keys."""
@@ -131,6 +131,14 @@ class ViewState(QObject):
         """Tell the artist something; `<tool.bezier>` in it stands for the key that this action has at present."""
         self._message = told(sentence, self._keymap)
         self.message_changed.emit()
+
+    def say_hint(self, hint: str) -> None:
+        """Tell what the tool in the hand expects, in place of the last tool's hint, which goes also where `hint` is
+        empty; any other message then stays.
+        """
+        if hint or (self._hint and self._message == self._hint):
+            self.say(hint)
+        self._hint = told(hint, self._keymap)
 
 
 def selected_shapes(project: Project, selection: Selection) -> list[RotoShape]:

@@ -96,6 +96,11 @@ def hit_outline(
     return None
 
 
+def outlines_under(project: Project, frame: int, position: Vector, pixel: Vector) -> list[str]:
+    """The ids of all shapes whose outlines lie within reach, the upper before the lower."""
+    return [s.id for s in reversed(editable_shapes(project, frame)) if _on_outline(s, frame, position, pixel)]
+
+
 def points_in_box(shapes: Iterable[RotoShape], frame: int, a: Vector, b: Vector) -> frozenset[tuple[str, int]]:
     """The anchors inside the rectangle with corners `a` and `b`, as (shape id, point index)."""
     low, high = np.minimum(a, b), np.maximum(a, b)

@@ -52,7 +52,7 @@ class Tool:
     name: ClassVar[str] = ""
     title: ClassVar[str] = ""
     hint: ClassVar[str] = ""
-    """What to do with the tool, for the status bar."""
+    """What to do with the tool, for the status bar; it goes with the tool."""
 
     def __init__(self, document: Document, view_state: ViewState) -> None:
         self.document = document
@@ -67,8 +67,7 @@ class Tool:
 
     def activate(self) -> None:
         """The tool comes into the hand."""
-        if self.hint:
-            self.view_state.say(self.hint)
+        self.view_state.say_hint(self.hint)
 
     def deactivate(self) -> None:
         """The tool is laid down; nothing may be left half done."""

@@ -148,9 +148,9 @@ class Pose:
         velocity = values - self.values
         velocity[2 + self.template.chain.count :] = 0.0
         since = 0 if cost <= params.lost else self.since + 1
-        like = self._likened(look, params)
-        if not around.is_complete:  # what hides it is not known, and must not pass for a new look of it
-            like = min(like, params.like_grows * self.like) if since == 0 else self.like
+        # What hides a part unknown must not pass for a new look of it: a pose in doubt teaches nothing there.
+        is_learned = around.is_complete or since == 0
+        like = self._likened(look, params) if is_learned else self.like
         return Pose(self.template, values, velocity, like, cost, since, look)
 
     def missed(self) -> Pose:

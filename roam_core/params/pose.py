@@ -78,8 +78,8 @@ class PoseParams:
     samples : places of a part that are compared with its key.
     joints : places at which a long part may bend.
     like : difference of colour at which a sample is half unlike the key, the least and the most. like_times : it
-        follows so many times the median of what was seen. like_grows : of a lone shape it grows by no more than this
-        factor a frame, and not while its pose is in doubt. like_roughly : the least in the search from afar.
+        follows so many times the median of what was seen; not that of a lone shape while its pose is in doubt.
+        like_roughly : the least in the search from afar.
     beside, beside_at, beside_like : weight of the places beside the outline that may not look like the inside, how far
         from it they lie, and the difference of colour up to which they do.
     unseen : what a sample costs that is hidden or lies outside the picture.
@@ -109,7 +109,6 @@ class PoseParams:
     joints: int = 1
     like: tuple[float, float] = (5.0, 15.0)
     like_times: float = 3.0
-    like_grows: float = 1.1
     like_roughly: float = 10.0
     beside: float = 0.4
     beside_at: float = 4.0

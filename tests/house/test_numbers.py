@@ -11,8 +11,8 @@ import pytest
 from tests.conftest import ROOT
 
 ROOMS = (
-    "appearance", "energy", "features", "geometry", "inference", "kernels", "landmarks", "motion", "proposal",
-    "propagate",
+    "appearance", "energy", "features", "geometry", "inference", "kernels", "landmarks", "motion",
+    "proposal", "propagate",
 )  # fmt: skip
 
 NO_CHOICE = {

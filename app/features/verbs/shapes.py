@@ -9,6 +9,7 @@ from roam_core.errors import RoamError
 from roam_core.roto import Layer, Project, RotoShape, edit, linking
 
 from ...model.document import Document
+from ...model.shown import editable_shapes
 from ...model.view_state import ViewState, selected_shapes
 
 NOTHING_SELECTED = "Select a shape first: click it in the viewer or in the list."
@@ -23,6 +24,7 @@ class ShapeVerbs:
     def handlers(self) -> dict[str, Callable[[], object]]:
         """What the actions of this part call, by id."""
         return {
+            "shape.select_all": self.select_all,
             "shape.duplicate": self.duplicate,
             "shape.lock": self.toggle_lock,
             "shape.hide": self.hide,
@@ -31,6 +33,13 @@ class ShapeVerbs:
             "key.delete": self.delete_key,
             "track.delete_engine_keys": self.delete_engine_keys,
         }
+
+    def select_all(self) -> None:
+        """Select the shapes in sight on this frame that are not locked."""
+        shapes = editable_shapes(self._document.project, self._view.frame)
+        if not shapes:
+            self._view.say("No shape is in sight here that could be selected; show or unlock some.")
+        self._view.select(frozenset(shape.id for shape in shapes))
 
     def set_key(self) -> None:
         """Make the selected shapes, as they are on this frame, artist keys."""

@@ -13,7 +13,7 @@ from ...model.view_state import Selection, ViewState
 from ...paint.viewport import Viewport
 from ..gesture_tool import GROWTH, GestureTool
 from ..gestures import Edit, Gesture, Lasso, Marquee, Move, PullOut, Turn
-from ..hit_test import OutlineHit, PointHit, hit, hit_outline
+from ..hit_test import OutlineHit, PointHit, hit, hit_outline, outlines_under
 from ..reshape import grab_point, grab_selection, grabbed_weights, with_point_inserted
 from ..soft_marks import paint_reach, paint_weights
 from ..tool import Modifier, Pointer
@@ -22,7 +22,10 @@ INSERT = Modifier.ControlModifier | Modifier.AltModifier
 
 
 class SelectTool(GestureTool):
-    """Click selects, drag moves. A press on a shape that is not selected selects it and moves nothing."""
+    """Click selects, drag moves. A press on a shape that is not selected selects it and moves nothing.
+
+    A click on the only selected shape selects the next one below whose outline lies there, and so on, round and round.
+    """
 
     name = "select"
     title = "Select"
@@ -30,6 +33,7 @@ class SelectTool(GestureTool):
     def __init__(self, document: Document, view_state: ViewState) -> None:
         super().__init__(document, view_state)
         self._cursor = Qt.CursorShape.ArrowCursor
+        self._pressed = ""  # the shape whose outline the last press met
 
     @property
     def cursor(self) -> Qt.CursorShape:
@@ -48,13 +52,15 @@ class SelectTool(GestureTool):
             self._gesture = (Lasso if draws_line else Marquee)(self.document, self.view_state, pointer)
 
     def double_press(self, pointer: Pointer) -> None:
-        """On an outline: select all points of its shape."""
+        """On an outline: select all points of its shape, the one that the first press met."""
         found = self._hit(pointer)
         if not isinstance(found, OutlineHit):
             self.press(pointer)
             return
-        count = self.document.project.shape(found.shape_id).point_count
-        self.view_state.select(frozenset(), frozenset((found.shape_id, index) for index in range(count)))
+        project = self.document.project
+        shape_id = self._pressed if project.has(self._pressed) else found.shape_id
+        count = project.shape(shape_id).point_count
+        self.view_state.select(frozenset(), frozenset((shape_id, index) for index in range(count)))
 
     def hover(self, pointer: Pointer) -> None:
         found = self._hit_insertion(pointer) if pointer.holds(INSERT) else self._hit(pointer)
@@ -134,15 +140,23 @@ class SelectTool(GestureTool):
     def _press_outline(self, pointer: Pointer, found: OutlineHit) -> Gesture:
         """Select the shape; one that is selected can be dragged as a whole, with the others that are."""
         view, shape_id = self.view_state, found.shape_id
+        self._pressed = shape_id
         shapes = view.selection.shapes
         adds = pointer.holds(Modifier.ShiftModifier)
         if shape_id not in shapes:
             added = Selection(shapes | {shape_id}, view.selection.points) if adds else Selection(frozenset({shape_id}))
             view.select(added.shapes, added.points)
             return Gesture(self.document, view, pointer)
-        after_click = Selection(shapes - {shape_id}) if adds else Selection(frozenset({shape_id}))
+        is_alone = view.selection == Selection(frozenset({shape_id}))
+        clicked = self._next_below(pointer, shape_id) if is_alone else shape_id
+        after_click = Selection(shapes - {shape_id}) if adds else Selection(frozenset({clicked}))
         text = "Move shape" if len(shapes) == 1 else f"Move {len(shapes)} shapes"
         return self._move(pointer, text, Selection(shapes), after_click)
+
+    def _next_below(self, pointer: Pointer, shape_id: str) -> str:
+        """The shape below this one whose outline lies under the pointer, after the lowest the uppermost."""
+        here = outlines_under(self.document.project, self.view_state.frame, pointer.position, pointer.pixel)
+        return here[(here.index(shape_id) + 1) % len(here)]
 
     def _move(self, pointer: Pointer, text: str, moving: Selection, after_click: Selection) -> Gesture:
         view = self.view_state

@@ -51,7 +51,7 @@ class TransformTool(SelectTool):
         super().activate()
         self._box = self._seen = self._hovered = None
         if not self.view_state.selection.shapes:
-            self.view_state.say("Select a shape or points to transform: click an outline or drag a marquee.")
+            self.view_state.say_hint("Select a shape or points to transform: click an outline or drag a marquee.")
 
     @property
     def claimed_keys(self) -> frozenset[str]:

@@ -34,7 +34,7 @@ from roam_core.roto import (
 )
 from roam_core.roto.migrate import STEPS, VERSION
 from roam_core.roto.shape import Outline
-from tests.unit.roto.every_field import first_project, second_project, third_project, whole_project
+from tests.unit.roto.every_field import first_project, present_project, second_project, third_project
 
 FOLDER = Path("/shots/show")
 STORED = Path(__file__).with_name("projects")
@@ -91,7 +91,7 @@ def default_of(field: dataclasses.Field[Any]) -> Any:
 @pytest.fixture(scope="module")
 def pairs() -> list[tuple[Any, Any]]:
     """Every object of the fullest project, beside what came of it from a file."""
-    given = whole_project(FOLDER)
+    given = present_project(FOLDER)
     again = file.loads(file.dumps(given, FOLDER), FOLDER)
     return list(zip(objects_in(given), objects_in(again), strict=True))
 
@@ -108,9 +108,9 @@ def test_a_field_survives_its_file(pairs: list[tuple[Any, Any]], kind: type, fie
 @pytest.mark.parametrize("field", [field for kind, field in FIELDS if kind is Keyframe], ids=lambda field: field.name)
 def test_both_forms_of_a_key_hold_every_field(field: Any) -> None:
     """A key that is told by itself, and one in a run: each form alone carries the field."""
-    tracked = whole_project(FOLDER).find("shape-3")
+    tracked = present_project(FOLDER).find("shape-3")
     assert isinstance(tracked, RotoShape)
-    document = json.loads(file.dumps(whole_project(FOLDER), FOLDER))
+    document = json.loads(file.dumps(present_project(FOLDER), FOLDER))
     forms = [key["type"] for key in document["root"]["children"][0]["children"][2]["keys"]]
     assert forms == ["Keyframes", "Keyframe"]
     for key in (tracked.keys[0], tracked.keys[-1]):
@@ -118,7 +118,7 @@ def test_both_forms_of_a_key_hold_every_field(field: Any) -> None:
 
 
 def test_every_object_in_a_file_says_its_type() -> None:
-    document = json.loads(file.dumps(whole_project(FOLDER), FOLDER))
+    document = json.loads(file.dumps(present_project(FOLDER), FOLDER))
     found: set[str] = set()
     waiting: list[Any] = [document]
     while waiting:

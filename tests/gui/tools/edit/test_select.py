@@ -69,6 +69,57 @@ def test_double_click_on_an_outline_selects_all_its_points(hand: Hand, view_stat
     assert view_state.selection.points == {(square, index) for index in range(4)}
 
 
+def stacked(document: Document) -> list[str]:
+    """Two copies on top of the square, their outlines the same; gives all three ids, the uppermost first."""
+    project = document.project
+    for _ in range(2):
+        project, _shape = edit.new_shape(project, polygon_points(SQUARE), 1)
+    document.open(project, None)
+    return [shape.id for shape in reversed(project.shapes)]
+
+
+def test_repeated_clicks_go_from_shape_to_shape_below(
+    hand: Hand, document: Document, view_state: ViewState, square: str
+) -> None:
+    upper, middle, lowest = stacked(document)
+    view_state.select(frozenset())
+    for expected in (upper, middle, lowest, upper):
+        hand.click((80.0, 40.0))
+        assert view_state.selection == Selection(frozenset({expected}))
+    assert document.undo_stack.count() == 0
+
+
+def test_a_click_drops_points_before_it_goes_below(
+    hand: Hand, document: Document, view_state: ViewState, square: str
+) -> None:
+    upper, middle, _ = stacked(document)
+    view_state.select(frozenset(), frozenset({(upper, 2)}))
+    hand.click((80.0, 40.0))
+    assert view_state.selection == Selection(frozenset({upper}))
+    hand.click((80.0, 40.0))
+    assert view_state.selection == Selection(frozenset({middle}))
+
+
+def test_a_drag_of_the_selected_shape_goes_to_no_other(
+    hand: Hand, document: Document, view_state: ViewState, square: str
+) -> None:
+    upper, middle, lowest = stacked(document)
+    view_state.select(frozenset({middle}))
+    hand.drag((80.0, 40.0), (90.0, 45.0))
+    assert view_state.selection == Selection(frozenset({middle}))
+    moved = {i: document.project.shape(i).at(1).anchors[0].tolist() for i in (upper, middle, lowest)}
+    assert moved == {upper: [40.0, 40.0], middle: [50.0, 45.0], lowest: [40.0, 40.0]}
+
+
+def test_a_double_click_means_the_shape_of_its_first_press(
+    hand: Hand, document: Document, view_state: ViewState, square: str
+) -> None:
+    _, middle, _ = stacked(document)
+    view_state.select(frozenset({middle}))
+    hand.double_click((80.0, 40.0))
+    assert view_state.selection.points == {(middle, index) for index in range(4)}
+
+
 def test_clicks_are_no_undo_steps(hand: Hand, document: Document, square: str) -> None:
     for at in ((80.0, 40.0), (120.0, 40.0), (180.0, 130.0)):
         hand.click(at)

@@ -1,0 +1,39 @@
+"""The verbs on whole shapes: which of them "all" are."""
+
+from __future__ import annotations
+
+from app.features.verbs.shapes import ShapeVerbs
+from app.model.document import Document
+from app.model.view_state import Selection, ViewState
+from roam_core.geometry.bezier import polygon_points
+from roam_core.roto import Project, edit
+
+SQUARE = polygon_points([(0, 0), (10, 0), (10, 10), (0, 10)])
+
+
+def opened(document: Document, count: int) -> list[str]:
+    """A project of so many shapes; gives their ids, bottom first."""
+    project = Project()
+    for _ in range(count):
+        project, _shape = edit.new_shape(project, SQUARE, 1)
+    document.open(project, None)
+    return [shape.id for shape in project.shapes]
+
+
+def test_all_shapes_are_those_in_sight_that_are_not_locked(document: Document, view_state: ViewState) -> None:
+    plain, locked, hidden, gone, below = opened(document, 5)
+    project = edit.set_properties(document.project, locked, locked=True)
+    project = edit.set_properties(project, hidden, visible=False)
+    project = edit.set_properties(project, gone, lifetime=(5, 9))
+    document.open(project, None)
+    view_state.select(frozenset({locked}), frozenset({(plain, 1)}))
+    ShapeVerbs(document, view_state).select_all()
+    assert view_state.selection == Selection(frozenset({plain, below}))
+
+
+def test_where_none_can_be_selected_it_is_said(document: Document, view_state: ViewState) -> None:
+    (only,) = opened(document, 1)
+    document.open(edit.set_properties(document.project, only, locked=True), None)
+    ShapeVerbs(document, view_state).select_all()
+    assert view_state.selection == Selection()
+    assert "No shape is in sight" in view_state.message
