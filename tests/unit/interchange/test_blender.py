@@ -15,7 +15,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from roam_core.geometry import bezier
-from roam_core.interchange.blender.exporter import blender_script, mask_space, with_feather_keys
+from roam_core.interchange.blender.exporter import blender_script, holds, mask_space, with_feather_keys
 from roam_core.interchange.blender.steps import MOST_STEPS, stepped
 from roam_core.interchange.flatten import Branch
 from roam_core.interchange.literals import whole
@@ -84,6 +84,19 @@ def test_any_names_come_back_from_the_script(names: list[str]) -> None:
     assert [layer["name"] for layer in data(text)] == [whole(name) for name in names]
     assert text.isascii()
     assert len(re.findall(r"^PARTS = ", text, flags=re.MULTILINE)) == 1
+
+
+@pytest.mark.parametrize(
+    ("values", "held"),
+    [
+        ({"opacity": 0.5, "lifetime": (1001, 1005)}, True),
+        ({"invert": True}, True),
+        ({"invert": True, "opacity": 0.5}, False),
+        ({"invert": True, "lifetime": (1001, 1005)}, False),
+    ],
+)
+def test_what_is_inverted_and_shows_only_in_part_is_not_held_by_a_mask_layer(values: Any, held: bool) -> None:
+    assert holds(replace(animated("x"), **values)) is held
 
 
 def test_keys_of_the_feather_become_keys_of_the_outline() -> None:
