@@ -187,7 +187,9 @@ class Files(QObject):
 
         def read() -> Found:
             found = _read_project(path)
-            return Found(found.project, found.source, f"A copy of {path.name}; save to keep it.", is_unsaved=True)
+            first = f"A copy of {path.name}; save to keep it."
+            sentence = " ".join(filter(None, (first, departed_settings(found.project.shapes))))
+            return Found(found.project, found.source, sentence, is_unsaved=True)
 
         self._open(f"Opening {path.name} …", read)
 
@@ -207,7 +209,8 @@ class Files(QObject):
         def read() -> Found:
             project, loss = recovery.load(found)
             source, problem = plate_of(project)
-            sentence = " ".join(filter(None, (loss, problem))) or "Recovered; save to keep it."
+            first = " ".join(filter(None, (loss, problem))) or "Recovered; save to keep it."
+            sentence = " ".join(filter(None, (first, departed_settings(project.shapes))))
             return Found(
                 project, source, sentence, found.original, found.fingerprint, is_unsaved=True, follows=found.journal
             )

@@ -106,7 +106,10 @@ def third_project(folder: Path) -> Project:
 
 
 def present_project(folder: Path) -> Project:
-    """What a file of this program may hold beyond the stored one of version 3: the plate's layer, a track's figures."""
+    """What a file of this program may hold beyond the stored one of version 3: the plate's layer, a track's figures.
+
+    A field that older files of the version do without stands here, not in the project that is stored.
+    """
     third = third_project(folder)
     inner = third.root.children[0]
     assert isinstance(inner, Layer)
