@@ -16,6 +16,7 @@ WORDS: Mapping[str, str] = {
     "file.import_shapes": "nuke silhouette fusion svg roto load",
     "file.import_masks": "mattes alpha segmentation load",
     "file.export": "nuke silhouette fusion blender mocha after effects svg render write output",
+    "file.export_selected": "only some shapes write output",
     "file.export_mattes": "render alpha png exr tiff masks write output",
     "file.quit": "exit close leave",
     "edit.undo": "revert back",
