@@ -202,7 +202,10 @@ def posed_proposal(shape: RotoShape, project: Project) -> Proposal:
 
 
 def photograph_planar(shown: MainWindow) -> None:
-    """A layer that moves as the surface in the shape does: the planar track of some frames, the layer selected."""
+    """A layer that moves as the surface in the shape does: its corners with an adjust key, its row in the timeline."""
+    from PySide6.QtCore import Qt
+    from PySide6.QtTest import QTest
+
     from resources import demo
 
     show_frame(shown, demo.FIRST)
@@ -211,8 +214,12 @@ def photograph_planar(shown: MainWindow) -> None:
     until(lambda: shown.planar.is_running, "the planar track to begin")
     until(lambda: not shown.planar.is_running, "the planar track to end")
     shown.view_state.set_play_range(demo.FIRST, demo.LAST + 1)
+    shown.view_state.set_tool("adjust")
+    QTest.keyClick(shown.canvas, Qt.Key.Key_Return)
     photograph(shown, "planar.jpg")
-    shown.actions_by_id["edit.undo"].trigger()
+    shown.view_state.set_tool("select")
+    for _ in range(2):
+        shown.actions_by_id["edit.undo"].trigger()
     show_frame(shown, LOOKED_AT)
 
 

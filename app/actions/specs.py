@@ -79,6 +79,7 @@ SPECS: tuple[ActionSpec, ...] = (
     ActionSpec(
         "tool.feather", "Feather", _VIEWER, "tool-feather", "Soften the edge: pull the feather out of points", True
     ),
+    ActionSpec("tool.adjust", "Adjust track", _VIEWER, "tool-adjust", "Pin the corners of a tracked surface", True),
     ActionSpec(
         "feather.reset", "Reset feather", _VIEWER, tip="Put the feather of the selected points back on the outline"
     ),

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from enum import StrEnum
 
 from roam_core.geometry.plane_motion import PlaneMotion
-from roam_core.roto import RotoShape
+from roam_core.roto import Project, RotoShape
 
 from ..jobs.planar import PlanarTrack
 from ..model.document import Document
@@ -14,12 +15,23 @@ from .navigation import clip_frames
 from .tracking import NO_CLIP, NO_SHAPE
 
 
+class LeaveOut(StrEnum):
+    """What of the picture a planar track does not look at."""
+
+    NOTHING = "nothing"
+    ABOVE = "above"
+    OTHERS = "others"
+
+
 class PlanarTracking:
-    """Starts planar tracks from the playhead. `kind` is what the plane may do."""
+    """Starts planar tracks from the playhead.
+
+    `kind` is what the plane may do; `leave_out` says which other shapes lie before it. Hidden shapes do not.
+    """
 
     def __init__(self, document: Document, view_state: ViewState, track: PlanarTrack) -> None:
         self._document, self._view, self._track = document, view_state, track
-        self.kind = PlaneMotion.SIMILARITY
+        self.kind, self.leave_out = PlaneMotion.SIMILARITY, LeaveOut.ABOVE
 
     def handlers(self) -> dict[str, Callable[[], object]]:
         """What the actions of this part call, by id."""
@@ -44,7 +56,9 @@ class PlanarTracking:
         elif len(frames) < 2:
             self._view.say(f"The clip {'ends' if frames.step > 0 else 'begins'} here: there is no frame to track to.")
         elif shapes := self._trackable():
-            self._track.start([shape.id for shape in shapes], frames, self.kind)
+            ids = [shape.id for shape in shapes]
+            covers = covering(self._document.project, ids, self._view.frame, self.leave_out)
+            self._track.start(ids, frames, self.kind, [shape.id for shape in covers])
 
     def _trackable(self) -> list[RotoShape]:
         """The shapes in hand that the track may move; says why when there is none."""
@@ -59,3 +73,17 @@ class PlanarTracking:
             self._view.say(f"{name} is open; close it (<points.toggle_closed> in the viewer) to track its plane.")
             return []
         return able
+
+
+def covering(project: Project, shape_ids: Sequence[str], frame: int, which: LeaveOut) -> list[RotoShape]:
+    """The closed, visible shapes that lie before those of a planar track: above all of them, or all others.
+
+    What is brought before or behind all counts as such on the frame on which the track begins.
+    """
+    chosen, shapes = set(shape_ids), project.shapes
+    places = {shape.id: (shape.depth_at(frame), index) for index, shape in enumerate(shapes)}
+    top = max((places[shape_id] for shape_id in chosen), default=(0, 0))
+    others = [shape for shape in shapes if shape.id not in chosen and shape.closed and shape.visible]
+    if which is LeaveOut.NOTHING:
+        return []
+    return [shape for shape in others if which is LeaveOut.OTHERS or places[shape.id] > top]

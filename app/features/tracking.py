@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from enum import StrEnum
 
 from roam_core.dials import name_of
-from roam_core.errors import RoamError
-from roam_core.params import DEFAULT_CONFIG, departed, is_doubtful, params_for
-from roam_core.roto import RotoShape
+from roam_core.params import DEFAULT_CONFIG, departed, is_doubtful
+from roam_core.propagate.shapes.provenance import known_params
+from roam_core.roto import Layer, Project, RotoShape
 
 from ..jobs.filling import Gap, gaps_of
 from ..jobs.propagation import Propagation
@@ -66,18 +66,18 @@ class Tracking:
     def recall(self, kept: Mapping[str, Mapping[str, str]]) -> None:
         """Turn the dials as `remembered` told; what makes no sense any more is left out.
 
-        So is a dial that is offered no more, which is said: nothing would show that it is turned.
+        So is a dial that is offered no more: nothing would show that it is turned. Both are said, in one sentence.
         """
+        gone: list[str] = []
         for config, own in kept.items():
             for dial, word in own.items():
-                try:
-                    params_for(f"{config}+{dial}={word}")
-                except RoamError:
-                    continue
-                if departed(f"{config}+{dial}={word}"):
-                    self._view.say(f"The dial {dial!r} is not offered for {config!r} any more; it is left at 100 %.")
-                    continue
-                self.factors.setdefault(config, {})[dial] = float(word)
+                name = f"{config}+{dial}={word}"
+                if known_params(name) is None or departed(name):
+                    gone.append(name)
+                else:
+                    self.factors.setdefault(config, {})[dial] = float(word)
+        if gone:
+            self._view.say(f"Dials that were turned and are not offered (any more) stay at 100 %: {', '.join(gone)}.")
 
     def handlers(self) -> dict[str, Callable[[], object]]:
         """What the actions of this part call, by id."""
@@ -202,18 +202,35 @@ class Tracking:
 
     def _go_to_doubtful(self, step: int) -> None:
         here = self._view.frame
+        shapes = self._shapes()
         doubtful = [
-            (abs(key.frame - here), key.confidence, key.frame, shape)
-            for shape in self._shapes()
+            (abs(key.frame - here), key.confidence, key.frame, doubt_sentence(shape, key.frame))
+            for shape in shapes
             for key in shape.keys
             if is_doubtful(key.confidence) and (key.frame - here) * step > 0
         ]
+        doubtful += [
+            (abs(frame - here), trust, frame, f"Frame {frame}: the confidence of the track {name} is {trust:.2f}.")
+            for name, frame, trust in tracks_of(self._document.project, shapes)
+            if is_doubtful(trust) and (frame - here) * step > 0
+        ]
         if doubtful:
-            _, _, frame, shape = min(doubtful, key=lambda each: each[:2])
+            _, _, frame, sentence = min(doubtful, key=lambda each: each[:2])
             self._view.set_frame(frame)
-            self._view.say(doubt_sentence(shape, frame))
+            self._view.say(sentence)
         else:
             self._view.say(f"No doubtful frame {'after' if step > 0 else 'before'} frame {here}.")
+
+
+def tracks_of(project: Project, shapes: Sequence[RotoShape]) -> list[tuple[str, int, float]]:
+    """The tracks of the layers that these shapes lie in: name of the layer, frame, confidence."""
+    ids = {shape.id for shape in shapes}
+    return [
+        (item.name, frame, trust)
+        for item in project.root.items()
+        if isinstance(item, Layer) and item.transform is not None and ids & {shape.id for shape in item.shapes()}
+        for frame, trust in item.transform.confidence
+    ]
 
 
 def doubt_sentence(shape: RotoShape, frame: int) -> str:

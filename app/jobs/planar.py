@@ -4,15 +4,18 @@ from __future__ import annotations
 
 import itertools
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass
+from functools import partial
+from itertools import pairwise
 from typing import Any
 
 from PySide6.QtCore import QObject, Signal
 
 from roam_core.geometry.plane_motion import PlaneMotion
+from roam_core.params import is_doubtful
 from roam_core.roto import BlendMode, Layer, LayerTransform, Project, RotoShape
-from roam_core.roto.following import followed, with_moving_layer
+from roam_core.roto.following import followed, moving_layer, with_moving_layer
 
 from ..model.document import Document
 from ..model.view_state import ViewState
@@ -34,6 +37,7 @@ class _Run:
     merge_key: str
     layer_id: str = ""
     expected: LayerTransform | None = None
+    warned: bool = False
     reached: int | None = None
 
 
@@ -48,11 +52,13 @@ class PlanarTrack(QObject):
     running_changed() : a run began or ended.
     progress(fraction, text) : how far, how fast.
     finished(ending, sentence) : the run's last word.
+    doubted(sentence) : the first frame of a run that is worth a look, while it goes on.
     """
 
     running_changed = Signal()
     progress = Signal(float, str)
     finished = Signal(object, str)
+    doubted = Signal(str)
 
     def __init__(
         self, document: Document, view_state: ViewState, runner: Runner, read: ReadFrame, parent: QObject | None = None
@@ -67,15 +73,17 @@ class PlanarTrack(QObject):
     def is_running(self) -> bool:
         return self._run is not None
 
-    def start(self, shape_ids: Sequence[str], frames: range, kind: PlaneMotion) -> None:
+    def start(self, shape_ids: Sequence[str], frames: range, kind: PlaneMotion, cover_ids: Sequence[str] = ()) -> None:
         """Follow the plane under shapes along `frames`: the first is where they are, the step +1 or -1 the direction.
 
-        Shapes that subtract are holes in the plane.
+        Shapes that subtract are holes in the plane; what lies inside the shapes `cover_ids` is left out, frame by
+        frame. A run goes from adjust key to adjust key: on each the plane is looked at anew.
         """
         self.drop()
-        shapes = tuple(self._document.project.shape(shape_id) for shape_id in shape_ids)
-        read = self._read
-        job = self._runner.start("track", lambda report: _track(report, read, shapes, frames, kind))
+        project, read = self._document.project, self._read
+        shapes, covers = ([project.shape(each) for each in ids] for ids in (shape_ids, cover_ids))
+        work = Work(tuple(shapes), tuple(covers), legs_of(frames, _adjusted(project, shape_ids)), PlaneMotion(kind))
+        job = self._runner.start("track", lambda report: _track(report, read, work))
         job.partial.connect(self._apply)
         job.progress.connect(self.progress)
         job.ended.connect(self._end)
@@ -96,12 +104,12 @@ class PlanarTrack(QObject):
 
     # ---- the rest is private
 
-    def _apply(self, found: tuple[int, Any]) -> None:
-        """The plane has been found on a frame: `(frame, matrix)`."""
-        run, (frame, matrix) = self._run, found
+    def _apply(self, found: Found) -> None:
+        """The plane has been found on a frame."""
+        run, frame = self._run, found.frame
         if run is None:
             return
-        change = _following(run, self._document.project, frame, matrix)
+        change = _following(run, self._document.project, found)
         layer = change(self._document.project).find(run.layer_id)
         assert isinstance(layer, Layer)
         run.expected, run.reached = layer.transform, frame
@@ -109,6 +117,9 @@ class PlanarTrack(QObject):
         if self._view.frame == run.shown_frame and self._view.preview is None:
             run.shown_frame = frame
             self._view.set_frame(frame)
+        if is_doubtful(found.confidence) and not run.warned:
+            run.warned = True
+            self.doubted.emit(f"Look at frame {frame}: the planar track's confidence is {found.confidence:.2f} there.")
 
     def _guard(self, _ids: frozenset[str]) -> None:
         """An edit or undo that takes the layer or a shape away, or the motion back, ends the run."""
@@ -133,7 +144,39 @@ class PlanarTrack(QObject):
         self.finished.emit(ending, sentence)
 
 
-def _following(run: _Run, project: Project, frame: int, matrix: Any) -> Callable[[Project], Project]:
+@dataclass(frozen=True)
+class Work:
+    """What the worker is to do: shapes on the plane, shapes before it, frames in legs, and what the plane may do."""
+
+    shapes: tuple[RotoShape, ...]
+    covers: tuple[RotoShape, ...]
+    legs: tuple[range, ...]
+    kind: PlaneMotion
+
+
+@dataclass(frozen=True, eq=False)
+class Found:
+    """The plane on a frame: its motion `matrix (3, 3)` since frame `start`, and how far it can be trusted."""
+
+    start: int
+    frame: int
+    matrix: Any
+    confidence: float
+
+
+def legs_of(frames: range, adjusted: Collection[int]) -> tuple[range, ...]:
+    """The frames in pieces that begin and end on adjust keys, one where there are none."""
+    inner = [frame for frame in frames[1:-1] if frame in set(adjusted)]
+    ends = [frames[0], *inner, frames[-1]]
+    return tuple(range(a, b + frames.step, frames.step) for a, b in pairwise(ends))
+
+
+def _adjusted(project: Project, shape_ids: Sequence[str]) -> tuple[int, ...]:
+    layer = moving_layer(project, shape_ids)
+    return () if layer is None or layer.transform is None else layer.transform.adjusted
+
+
+def _following(run: _Run, project: Project, found: Found) -> Callable[[Project], Project]:
     """The change that a frame makes: to the project, and to those between the steps done since the run began.
 
     The layer is made with the first frame.
@@ -145,29 +188,40 @@ def _following(run: _Run, project: Project, frame: int, matrix: Any) -> Callable
     def change(before: Project) -> Project:
         if first:
             before, _ = with_moving_layer(before, run.shape_ids, run.start, LAYER_NAME)
-        return followed(before, run.layer_id, run.start, frame, matrix) if before.has(run.layer_id) else before
+        if not before.has(run.layer_id):
+            return before
+        return followed(before, run.layer_id, found.start, found.frame, found.matrix, found.confidence)
 
     return change
 
 
-def _track(report: Report, read: ReadFrame, shapes: Sequence[RotoShape], frames: range, kind: PlaneMotion) -> str:
+def _track(report: Report, read: ReadFrame, work: Work) -> str:
     """The work, on the worker thread."""
     # OpenCV loads while the window is up already: that must not delay it.
-    from roam_core.motion.planar import track_plane
+    from roam_core.motion.plane_track import track_plane
 
-    outlines, holes = outlines_at(shapes, frames[0])
-    began, worst, done = time.perf_counter(), 1.0, 0
-    for step in track_plane(read, outlines, holes, frames, kind, report.token):
-        report.token.check()
-        report.partial((step.frame, step.matrix))
-        done, worst = done + 1, min(worst, step.agreement)
-        pace = f"{1000 * (time.perf_counter() - began) / done:.0f} ms a frame"
-        place = f"frame {step.frame} of {frames[-1]}"
-        share = f"{step.agreement:.0%} of {step.corners} corners agree"
-        report.progress(done / max(len(frames) - 1, 1), f"Planar track: {place} · {share} · {pace}")
+    began, done, total = time.perf_counter(), 0, sum(len(leg) - 1 for leg in work.legs)
+    last = work.legs[-1][-1]
+    least = 1.0, last
+    for leg in work.legs:
+        outlines, holes = outlines_at(work.shapes, leg[0])
+        for step in track_plane(read, outlines, holes, leg, work.kind, report.token, partial(covers_at, work.covers)):
+            report.token.check()
+            report.partial(Found(leg[0], step.frame, step.matrix, step.confidence))
+            done, least = done + 1, min(least, (step.confidence, step.frame))
+            pace = f"{1000 * (time.perf_counter() - began) / done:.0f} ms a frame"
+            told = f"frame {step.frame} of {last} · confidence {step.confidence:.2f} · {step.seen:.0%} seen"
+            report.progress(done / max(total, 1), f"Planar track: {told} · {pace}")
     if done == 0:
         return "There is no frame to track to."
-    return f"Followed the plane to frame {frames[-1]}: {done} frames, at least {worst:.0%} of the corners agreed."
+    return f"Followed the plane to frame {last}: {done} frames. {_verdict(*least)}"
+
+
+def _verdict(confidence: float, frame: int) -> str:
+    """What to think of a track whose least confidence is this."""
+    if not is_doubtful(confidence):
+        return f"Confidence is {confidence:.2f} at least."
+    return f"Look at frame {frame}: confidence is {confidence:.2f} there."
 
 
 def outlines_at(shapes: Sequence[RotoShape], frame: int) -> tuple[list[Any], list[Any]]:
@@ -175,3 +229,8 @@ def outlines_at(shapes: Sequence[RotoShape], frame: int) -> tuple[list[Any], lis
     there = [shape for shape in shapes if shape.closed and shape.exists_at(frame)]
     outlines = [shape.at(frame).points for shape in there if shape.blend is not BlendMode.SUBTRACT]
     return outlines, [shape.at(frame).points for shape in there if shape.blend is BlendMode.SUBTRACT]
+
+
+def covers_at(shapes: Sequence[RotoShape], frame: int) -> list[Any]:
+    """The outlines `(P, 3, 2)` of those of these shapes that are there on a frame."""
+    return [shape.at(frame).points for shape in shapes if shape.closed and shape.exists_at(frame)]

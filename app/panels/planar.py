@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QHBoxLayout, QToolButton, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QToolButton, QVBoxLayout, QWidget
 
 from roam_core.geometry.plane_motion import PlaneMotion
 
 from .. import style
 from ..actions.actions import Actions
-from ..features.planar_tracking import PlanarTracking
+from ..features.planar_tracking import LeaveOut, PlanarTracking
 from ..widgets.controls import ChoiceBox, tool_button
 
 WORDS = {
@@ -18,6 +18,12 @@ WORDS = {
     PlaneMotion.AFFINE: ("… and shear", "The plane also tilts a little"),
     PlaneMotion.HOMOGRAPHY: ("Perspective", "The plane tilts as screens and walls near the camera do"),
 }
+LEAVE_OUT_WORDS = {
+    LeaveOut.NOTHING: ("Leave out nothing", "Other shapes say nothing about what lies before the surface"),
+    LeaveOut.ABOVE: ("Leave out shapes above", "Visible shapes above the tracked ones lie before the surface"),
+    LeaveOut.OTHERS: ("Leave out all others", "All other visible shapes lie before the surface"),
+}
+LEAVE_OUT_TIP = "Which other shapes cover the surface: what lies inside them is not looked at, frame by frame"
 TIP = "What the surface inside the shapes may do; choose the simplest that fits"
 
 
@@ -33,12 +39,25 @@ class PlanarPanel(QWidget):
             self.kind.setItemData(self.kind.count() - 1, tip, Qt.ItemDataRole.ToolTipRole)
         self.kind.setCurrentIndex(self.kind.findData(tracking.kind))
         self.kind.currentIndexChanged.connect(self._push_kind)
-        row = QHBoxLayout(self)
-        row.setContentsMargins(style.MARGIN, style.MARGIN, style.MARGIN, style.MARGIN)
+        self.leave_out = ChoiceBox(LEAVE_OUT_TIP)
+        for choice, (title, tip) in LEAVE_OUT_WORDS.items():
+            self.leave_out.addItem(title, choice)
+            self.leave_out.setItemData(self.leave_out.count() - 1, tip, Qt.ItemDataRole.ToolTipRole)
+        self.leave_out.setCurrentIndex(self.leave_out.findData(tracking.leave_out))
+        self.leave_out.currentIndexChanged.connect(self._push_leave_out)
+        row = QHBoxLayout()
         row.setSpacing(4)
         row.addWidget(_raised(actions, "planar.backward"))
         row.addWidget(self.kind, 1)
         row.addWidget(_raised(actions, "planar.forward"))
+        column = QVBoxLayout(self)
+        column.setContentsMargins(style.MARGIN, style.MARGIN, style.MARGIN, style.MARGIN)
+        column.setSpacing(4)
+        column.addLayout(row)
+        column.addWidget(self.leave_out)
+
+    def _push_leave_out(self) -> None:
+        self._tracking.leave_out = LeaveOut(self.leave_out.currentData())
 
     def _push_kind(self) -> None:
         self._tracking.kind = PlaneMotion(self.kind.currentData())

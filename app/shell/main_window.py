@@ -217,6 +217,7 @@ class MainWindow(QMainWindow):
         reader.cache_changed.connect(lambda: status.show_memory(*reader.memory()))
         self.propagation.finished.connect(lambda _, sentence: view.say(self.proposals.told(sentence)))
         self.under_way.changed.connect(self._pull_running)
+        self.planar.doubted.connect(view.say)
         self.document.replaced.connect(self._pull_clip)
         self.document.path_changed.connect(self._pull_title)
         self.document.forgot.connect(lambda: self.history.setEmptyLabel("Earlier steps were dropped"))

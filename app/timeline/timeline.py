@@ -1,4 +1,4 @@
-"""Timeline: ruler, key rows and confidence plot over each other, on one time axis."""
+"""Timeline: ruler, tracks, key rows and confidence plot over each other, on one time axis."""
 
 from __future__ import annotations
 
@@ -19,6 +19,7 @@ from .mark_verbs import MarkVerbs
 from .marks import MarksOf
 from .panning import PanHand, TimeBar
 from .ruler import Ruler
+from .tracks import TrackBand
 
 KEY_MENU = ("key.linear", "key.smooth", "key.hold"), ("edit.copy", "edit.cut", "edit.paste"), ("points.delete",)
 """What a right click on the key rows offers, in groups."""
@@ -52,14 +53,15 @@ class Timeline(QWidget):
         self.rows = KeyRows(document, self.axis, marks, self.keys)
         self.verbs = KeyVerbs(document, view_state, self.keys, self.rows.hasFocus)
         self.rows.nudged.connect(self.verbs.nudge)
+        self.tracks = TrackBand(document, self.axis)
         self.confidence = ConfidencePlot(document, self.axis, marks)
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(0)
         self.bar = TimeBar(self.axis)
-        for part in (self.ruler, self.marks, self.rows, self.confidence, self.bar):
+        for part in (self.ruler, self.marks, self.tracks, self.rows, self.confidence, self.bar):
             column.addWidget(part)
-        PanHand(self.axis, self.ruler, self.marks, self.rows.viewport(), self.confidence.lines.viewport())
+        PanHand(self.axis, self.ruler, self.marks, self.tracks, self.rows.viewport(), self.confidence.lines.viewport())
         column.setStretchFactor(self.rows, 1)  # the rows come first; the plot takes what they do not need
         self._offer(actions)
         self._document = document

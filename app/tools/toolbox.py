@@ -9,6 +9,7 @@ from .draw.freehand import FreehandTool
 from .draw.magnetic import MagneticTool
 from .draw.object import ObjectTool
 from .draw.polygon import PolygonTool
+from .edit.adjust import AdjustTool
 from .edit.brush import ReshapeTool
 from .edit.feather import FeatherTool
 from .edit.select import SelectTool
@@ -28,6 +29,7 @@ _ORDER: tuple[type[Tool], ...] = (
     RectangleTool,
     ObjectTool,
     FeatherTool,
+    AdjustTool,
 )
 TOOLS: Mapping[str, type[Tool]] = {tool.name: tool for tool in _ORDER}
 """Every tool by the name that `ViewState.tool` holds. A new tool is a file and a line here."""

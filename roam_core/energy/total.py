@@ -61,9 +61,7 @@ def pairwise_table(
     nodes: Array, moves: Array, context: CurveContext, params: RoamParams, edges: Indices | None = None
 ) -> Array:
     """The pairwise energies `(N, D, D)`, or only those `(E, D, D)` of the edges that `edges (E,)` names."""
-    here = context.local(nodes)
-    pairwise = params.lambda_gradient * curve.pairwise_gradient(here, moves, context.squared_gradient, edges)
-    pairwise += params.mu * curve.pairwise_l2(here, moves, context.spacing, edges, context.rest_edges(params))
+    pairwise = _weighted_sum(_along_edges(nodes, moves, context, params, edges))
     colours = context.colours
     if colours is None:
         return pairwise
@@ -113,11 +111,7 @@ def edge_terms(nodes: Array, context: CurveContext, params: RoamParams) -> Mappi
 
     Of terms over the enclosed region only the sum means anything: `energy.shares` gives pieces of those that do.
     """
-    here = context.local(nodes)
-    terms = {
-        "gradient": (params.lambda_gradient, curve.pairwise_gradient(here, NO_MOVE, context.squared_gradient)),
-        "l2": (params.mu, curve.pairwise_l2(here, NO_MOVE, context.spacing, rest=context.rest_edges(params))),
-    }
+    terms = _along_edges(nodes, NO_MOVE, context, params)
     colours = context.colours
     if colours is not None:
         if is_ribbon(params):
@@ -129,6 +123,24 @@ def edge_terms(nodes: Array, context: CurveContext, params: RoamParams) -> Mappi
             whole = _enclosed(nodes, NO_MOVE, context, colours.global_sums, curve.pairwise_global)
             terms["global"] = (params.lambda_global, whole)
     return terms
+
+
+def _along_edges(
+    nodes: Array, moves: Array, context: CurveContext, params: RoamParams, edges: Indices | None = None
+) -> dict[str, tuple[float, Array]]:
+    """Weight and table of each term that looks along the edges alone: tables and oracle both take them from here."""
+    here = context.local(nodes)
+    return {
+        "gradient": (params.lambda_gradient, curve.pairwise_gradient(here, moves, context.squared_gradient, edges)),
+        "l2": (params.mu, curve.pairwise_l2(here, moves, context.spacing, edges, context.rest_edges(params))),
+    }
+
+
+def _weighted_sum(terms: Mapping[str, tuple[float, Array]]) -> Array:
+    first, *others = (weight * table for weight, table in terms.values())
+    for other in others:
+        first += other
+    return first
 
 
 def is_ribbon(params: RoamParams) -> bool:
@@ -174,5 +186,6 @@ def _ribbon(
         (colours.foreground, colours.background),
         context.orientation,
         params.appearance.ribbon_depth,
+        params.appearance.ribbon_step,
         edges,
     )

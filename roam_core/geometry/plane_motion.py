@@ -32,7 +32,7 @@ def fit(kind: PlaneMotion, source: Array, target: Array) -> Array | None:
     """
     if len(source) < kind.pairs:
         return None
-    before, after = _centring(source), _centring(target)
+    before, after = _centrings(kind, source, target)
     s, t = projective.apply(before, source), projective.apply(after, target)
     weights = np.ones(len(s))
     for _ in range(3 if kind is PlaneMotion.HOMOGRAPHY and len(s) > 4 else 1):
@@ -58,7 +58,7 @@ def ransac(
     n, none = len(source), np.zeros(len(source), dtype=bool)
     if n < kind.pairs:
         return None, none
-    before, after = _centring(source), _centring(target)
+    before, after = _centrings(kind, source, target)
     s, t = projective.apply(before, source), projective.apply(after, target)
     drawn = np.random.default_rng(seed).random((trials, n)).argpartition(kind.pairs - 1, axis=1)[:, : kind.pairs]
     guesses = _solved(kind, s[drawn], t[drawn])
@@ -82,6 +82,14 @@ def _centring(points: Array) -> Array:
     middle = points.mean(axis=0)
     spread = max(float(np.hypot(*(points - middle).T).mean()), 1e-9)
     return np.array([[1.0 / spread, 0.0, -middle[0] / spread], [0.0, 1.0 / spread, -middle[1] / spread], [0, 0, 1.0]])
+
+
+def _centrings(kind: PlaneMotion, source: Array, target: Array) -> tuple[Array, Array]:
+    """The maps of `_centring` for both; a translation keeps its size, so one scale serves both."""
+    before, after = _centring(source), _centring(target)
+    if kind is PlaneMotion.TRANSLATION:
+        after = np.diag([before[0, 0] / after[0, 0]] * 2 + [1.0]) @ after
+    return before, after
 
 
 def _equations(kind: PlaneMotion, source: Array, target: Array) -> tuple[Array, Array]:

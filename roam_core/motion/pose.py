@@ -148,9 +148,9 @@ class Pose:
         velocity = values - self.values
         velocity[2 + self.template.chain.count :] = 0.0
         since = 0 if cost <= params.lost else self.since + 1
-        like = self._likened(look, params)
-        if not around.is_complete:  # what hides it is not known, and must not pass for a new look of it
-            like = min(like, params.like_grows * self.like) if since == 0 else self.like
+        # What hides a part unknown must not pass for a new look of it: a pose in doubt teaches nothing there.
+        is_learned = around.is_complete or since == 0
+        like = self._likened(look, params) if is_learned else self.like
         return Pose(self.template, values, velocity, like, cost, since, look)
 
     def missed(self) -> Pose:
@@ -273,7 +273,10 @@ class Search:
     def _is_apart(self, a: Array, b: Array) -> bool:
         step = self.params.search_step * self.template.scale
         turn = 0.5 * self.params.search_turn / max(self.params.search_turns // 2, 1)
-        return bool(np.hypot(*(a[:2] - b[:2])) > 1.25 * step or abs(a[2] - b[2]) > turn * 1.8)
+        return bool(
+            np.hypot(*(a[:2] - b[:2])) > self.params.apart_step * step
+            or abs(a[2] - b[2]) > turn * self.params.apart_turn
+        )
 
     def _refined(self, start: Array, level: int, template: Template | None = None) -> tuple[Array, float]:
         template = self.template if template is None else template

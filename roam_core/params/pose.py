@@ -78,8 +78,8 @@ class PoseParams:
     samples : places of a part that are compared with its key.
     joints : places at which a long part may bend.
     like : difference of colour at which a sample is half unlike the key, the least and the most. like_times : it
-        follows so many times the median of what was seen. like_grows : of a lone shape it grows by no more than this
-        factor a frame, and not while its pose is in doubt. like_roughly : the least in the search from afar.
+        follows so many times the median of what was seen; not that of a lone shape while its pose is in doubt.
+        like_roughly : the least in the search from afar.
     beside, beside_at, beside_like : weight of the places beside the outline that may not look like the inside, how far
         from it they lie, and the difference of colour up to which they do.
     unseen : what a sample costs that is hidden or lies outside the picture.
@@ -95,6 +95,7 @@ class PoseParams:
         key (along the part, across, shear). prior : weight of all that, in units of a sample's cost.
     bend, straight : standard deviations of how a joint's angle changes in a frame, and of the angle itself.
     lost : cost from which a pose is in doubt. widened : times that the search grows by further such frames, at most.
+    apart_step, apart_turn : steps of the search, and turns of it, from which two poses are two candidates.
     least_samples : sample places that a part must have to be matched at all.
     around : sample places around a point by which it is judged.
     taps : moments at which the template is looked at while the shutter is open. shutter : share of a frame for which it
@@ -108,7 +109,6 @@ class PoseParams:
     joints: int = 1
     like: tuple[float, float] = (5.0, 15.0)
     like_times: float = 3.0
-    like_grows: float = 1.1
     like_roughly: float = 10.0
     beside: float = 0.4
     beside_at: float = 4.0
@@ -137,6 +137,8 @@ class PoseParams:
     straight: float = 1.0
     lost: float = 0.4
     widened: float = 2.5
+    apart_step: float = later(1.25)
+    apart_turn: float = later(1.8)
     least_samples: int = later(30)
     around: int = later(24)
     taps: int = later(5)

@@ -1,4 +1,4 @@
-"""Parameters of the motion of a plane: the planar tracker, and objects that are carried as one piece."""
+"""Parameters of the motion of a plane: a plane by its corners, and objects that are carried as one piece."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from roam_core.params.stamped import later
 
 @dataclass(frozen=True)
 class PlanarParams:
-    """Parameters of the planar tracker (`motion.planar`).
+    """Parameters of a plane by its corners (`motion.planar`).
 
     Attributes
     ----------
@@ -23,7 +23,6 @@ class PlanarParams:
         last picture, and with the one from the reference. Two surfaces that go apart by twice as much are told
         apart; grain moves a corner by far less.
     enough : times as many corners must agree as fix the motion.
-    least_agreement : share of the corners that must agree with the motion from the reference for it to be believed.
     far : sizes of the picture beyond which no outline is carried: a homography can throw points over the horizon.
     travel : pixels of a 480-line image by which the plane may move between two frames and still be found.
     """
@@ -36,7 +35,6 @@ class PlanarParams:
     agree: float = 1.0
     agree_closely: float = 0.6
     enough: int = 3
-    least_agreement: float = 0.7
     far: float = 3.0
     travel: float = 48.0
 

@@ -8,7 +8,9 @@ from dataclasses import replace
 import numpy as np
 
 from roam_core.arrays import Array
+from roam_core.errors import RoamError
 from roam_core.geometry import projective
+from roam_core.geometry.plane_motion import PlaneMotion, fit
 from roam_core.roto.layers import grouped
 from roam_core.roto.placement import LayerTransform, matrix_at
 from roam_core.roto.project import Layer, Project
@@ -21,31 +23,148 @@ def with_moving_layer(project: Project, shape_ids: Collection[str], frame: int, 
     A layer that moves already is taken up again where it holds exactly these shapes; so a track can be gone on with, in
     either direction. Otherwise a new one named `name 1`, `name 2`, ... stands still on `frame`.
     """
+    if (there := moving_layer(project, shape_ids)) is not None:
+        return project, there.id
+    project, layer = grouped(project, set(shape_ids), project.free_name(name))
+    begun = replace(LayerTransform.of({frame: projective.IDENTITY}), adjusted=(frame,))
+    return _with_transform(project, layer.id, begun), layer.id
+
+
+def moving_layer(project: Project, shape_ids: Collection[str]) -> Layer | None:
+    """The layer that moves and holds just these shapes."""
     chosen = set(shape_ids)
     for item in project.root.items():
         if isinstance(item, Layer) and item.transform is not None and {s.id for s in item.shapes()} == chosen:
-            return project, item.id
-    project, layer = grouped(project, chosen, project.free_name(name))
-    return _with_transform(project, layer.id, LayerTransform.of({frame: projective.IDENTITY})), layer.id
+            return item
+    return None
 
 
-def followed(project: Project, layer_id: str, start: int, frame: int, motion: Array) -> Project:
+def followed(
+    project: Project, layer_id: str, start: int, frame: int, motion: Array, confidence: float | None = None
+) -> Project:
     """The project with a layer on `frame` where `motion (3, 3)` carries the picture that it has on frame `start`.
 
     No key of the artist moves, on no frame: what a key says in the layer's own space is changed so that it is seen
     where it was (exact but for rounding). Engine keys on `frame` give way to the track, unless it is a shape's only
-    key; those on other frames stay where they are seen.
+    key; those on other frames stay where they are seen. An adjust key on `frame` stays as the artist pinned it: by what
+    the track misses it, the frames since `start` are drawn to it, the more the nearer they are.
     """
     layer = _layer(project, layer_id)
-    above = tuple(each.transform for each in project.layers_above(layer_id) if each.transform is not None)
     own = layer.transform or LayerTransform.of({start: projective.IDENTITY})
-    outside = np.linalg.inv(matrix_at(above, frame)) @ motion @ matrix_at(above, start)
-    return _with_transform(project, layer_id, own.with_matrices({frame: outside @ own.at(start)}), frame)
+    outside = _inverse(_above(project, layer_id, frame)) @ motion @ _above(project, layer_id, start)
+    told = {} if confidence is None else {frame: confidence}
+    after = own.with_matrices({frame: outside @ own.at(start)}, told)
+    if frame in own.adjusted and frame != start:
+        there = projective.apply(_inverse(after.at(frame)) @ own.at(frame), surface_of(layer))
+        after = _spread(after, surface_of(layer), there, frame, (min(start, frame), max(start, frame)))
+    return _with_transform(project, layer_id, after, frame)
+
+
+def surface_at(project: Project, layer_id: str, frame: int) -> Array:
+    """The four corners `(4, 2)` by which a moving layer's surface is pinned, as they are seen on a frame."""
+    layer = _layer(project, layer_id)
+    assert layer.transform is not None
+    return projective.apply(_above(project, layer_id, frame) @ layer.transform.at(frame), surface_of(layer))
+
+
+def surface_of(layer: Layer) -> Array:
+    """The same corners in layer space: those that are kept, else the box around its shapes where its motion began."""
+    assert layer.transform is not None
+    if layer.transform.surface:
+        return np.array(layer.transform.surface)
+    frame = (*layer.transform.anchors, layer.transform.frames[0])[0]
+    shapes = replace(layer, transform=None).in_plate_space().shapes()
+    places = np.concatenate([shape.at(frame).points.reshape(-1, 2) for shape in shapes])
+    (left, top), (right, bottom) = places.min(axis=0), places.max(axis=0)
+    return np.array([(left, top), (right, top), (right, bottom), (left, bottom)])
+
+
+def pinned(project: Project, layer_id: str, frame: int, corners: Array) -> Project:
+    """The project with an adjust key: on `frame` the surface's corners lie at `corners (4, 2)`, as the artist says.
+
+    What that changes is spread evenly to the adjust keys before and after it, where it ends; beyond the last one it
+    holds. The frame's confidence goes, for the artist's word is there. No key of the artist's shapes moves.
+
+    Raises
+    ------
+    RoamError
+        where the corners do not go around in one direction: they would fold the surface.
+    """
+    layer = _layer(project, layer_id)
+    own = layer.transform
+    if own is None or not _is_convex(np.asarray(corners)):
+        raise RoamError("The four corners must stay corners of one surface: none of them may cross its sides.")
+    surface = surface_of(layer)
+    own = own.with_matrices({frame: own.at(frame)}, dict(own.confidence)) if frame not in own.frames else own
+    there = projective.apply(_inverse(_above(project, layer_id, frame) @ own.at(frame)), corners)
+    before = [key for key in own.anchors if key < frame]
+    later = [key for key in own.anchors if key > frame]
+    span = max(before, default=own.frames[0] - 1), min(later, default=own.frames[-1] + 1)
+    after = _spread(own, surface, there, frame, span, bool(before), bool(later))
+    keys = {*own.anchors, frame}
+    kept = replace(
+        after,
+        confidence=tuple(pair for pair in after.confidence if pair[0] != frame),
+        adjusted=tuple(keys),
+        surface=tuple((float(x), float(y)) for x, y in surface),
+    )
+    return _with_transform(project, layer_id, kept)
+
+
+def unpinned(project: Project, layer_id: str, frame: int) -> Project:
+    """The project without an adjust key; the motion stays as it is until it is tracked anew."""
+    own = _layer(project, layer_id).transform
+    if own is None:
+        return project
+    return _with_transform(project, layer_id, replace(own, adjusted=tuple(k for k in own.adjusted if k != frame)))
 
 
 def still(project: Project, layer_id: str) -> Project:
     """The project with a layer that moves no more; every key stays where it is seen, on its own frame."""
     return _with_transform(project, layer_id, None)
+
+
+def _spread(
+    own: LayerTransform,
+    surface: Array,
+    there: Array,
+    frame: int,
+    span: tuple[int, int],
+    fades_before: bool = True,
+    fades_after: bool = True,
+) -> LayerTransform:
+    """The motion changed so that on `frame` the corners `surface (4, 2)` go where `there (4, 2)` went.
+
+    The change fades to nothing at both ends of `span`, or holds up to them.
+    """
+    matrices: dict[int, Array] = {}
+    for each in own.frames:
+        if each != frame and not span[0] < each < span[1]:
+            continue
+        end, fades = (span[0], fades_before) if each < frame else (span[1], fades_after)
+        weight = (each - end) / (frame - end) if fades and each != frame else 1.0
+        change = fit(PlaneMotion.HOMOGRAPHY, surface, surface + weight * (there - surface))
+        if change is not None:
+            matrices[each] = own.at(each) @ change
+    return own.with_matrices(matrices, dict(own.confidence))
+
+
+def _is_convex(corners: Array) -> bool:
+    """Whether four corners go around in one direction."""
+    sides = np.roll(corners, -1, axis=0) - corners
+    after = np.roll(sides, -1, axis=0)
+    turns = np.sign(sides[:, 0] * after[:, 1] - sides[:, 1] * after[:, 0])
+    return bool(abs(turns.sum()) == len(corners))
+
+
+def _inverse(matrix: Array) -> Array:
+    return np.asarray(np.linalg.inv(matrix), dtype=np.float64)
+
+
+def _above(project: Project, layer_id: str, frame: int) -> Array:
+    """From the space around a layer to the plate on a frame."""
+    layers = project.layers_above(layer_id)
+    return matrix_at(tuple(each.transform for each in layers if each.transform is not None), frame)
 
 
 def _with_transform(

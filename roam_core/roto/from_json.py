@@ -117,8 +117,21 @@ def _read_transform(document: Document) -> LayerTransform:
     return LayerTransform(
         frames=tuple(whole(frame, "a frame of a transform") for frame in document["frames"]),
         matrices=unpacked_numbers(document["matrices"]),
-        extra=_rest(document, "type", "frames", "matrices"),
+        confidence=tuple(_read_confidence(pair) for pair in document.get("confidence", ())),
+        adjusted=tuple(whole(frame, "an adjust key") for frame in document.get("adjusted", ())),
+        surface=tuple(_read_place(corner) for corner in document.get("surface", ())),
+        extra=_rest(document, "type", "frames", "matrices", "confidence", "adjusted", "surface"),
     )
+
+
+def _read_confidence(pair: Any) -> tuple[int, float]:
+    frame, value = pair
+    return whole(frame, "a frame of a track"), number(value, "the confidence of a track", 0.0, 1.0)
+
+
+def _read_place(pair: Any) -> tuple[float, float]:
+    x, y = pair
+    return number(x, "a corner of a surface"), number(y, "a corner of a surface")
 
 
 def _read_shape(document: Document, count: Count) -> RotoShape:

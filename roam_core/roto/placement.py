@@ -24,10 +24,18 @@ class LayerTransform:
 
     Frames increase strictly, the plate's own numbers; every matrix has 1 in its last corner and an inverse. Between two
     frames the matrix is the linear blend of theirs; before the first and after the last it holds still.
+
+
+    Of a track it also holds, as pairs `(frame, value)` in the order of frames, the `confidence` in [0, 1] where one is
+    known; the frames of its adjust keys, on which the artist says that it is right (`adjusted`); and four corners in
+    layer space by which the surface is pinned there (`surface`), none where no one has asked for them.
     """
 
     frames: tuple[int, ...]
     matrices: Array
+    confidence: tuple[tuple[int, float], ...] = ()
+    adjusted: tuple[int, ...] = ()
+    surface: tuple[tuple[float, float], ...] = ()
     extra: Mapping[str, Any] = field(default_factory=dict)
     _digest: int = field(init=False, repr=False)
 
@@ -39,7 +47,13 @@ class LayerTransform:
             raise ValueError("the frames of a transform must increase")
         matrices.setflags(write=False)
         object.__setattr__(self, "matrices", matrices)
-        object.__setattr__(self, "_digest", hash((self.frames, matrices.tobytes())))
+        if self.surface and np.array(self.surface).shape != (4, 2):
+            raise ValueError("a surface has four corners")
+        here = set(self.frames)
+        object.__setattr__(self, "confidence", tuple(sorted(pair for pair in self.confidence if pair[0] in here)))
+        object.__setattr__(self, "adjusted", tuple(sorted(set(self.adjusted) & here)))
+        told = self.confidence, self.adjusted, self.surface
+        object.__setattr__(self, "_digest", hash((self.frames, matrices.tobytes(), told)))
 
     @classmethod
     def of(cls, matrices: Mapping[int, ArrayLike]) -> LayerTransform:
@@ -53,6 +67,8 @@ class LayerTransform:
         if not isinstance(other, LayerTransform) or self._digest != other._digest:
             return False
         same = self.frames == other.frames and np.array_equal(self.matrices, other.matrices)
+        told = self.confidence, self.adjusted, self.surface
+        same = same and told == (other.confidence, other.adjusted, other.surface)
         return same and dict(self.extra) == dict(other.extra)
 
     def __hash__(self) -> int:
@@ -63,15 +79,33 @@ class LayerTransform:
         """The matrices by frame."""
         return dict(zip(self.frames, self.matrices, strict=True))
 
-    def with_matrices(self, matrices: Mapping[int, ArrayLike]) -> LayerTransform:
-        """The transform with these matrices on their frames, in place of those that were there."""
-        return replace(LayerTransform.of({**self.by_frame, **matrices}), extra=self.extra)
+    @property
+    def anchors(self) -> tuple[int, ...]:
+        """The frames on which it is right by the artist's word: its adjust keys, or where it begins from rest."""
+        if self.adjusted:
+            return self.adjusted
+        rest = [np.array_equal(matrix, projective.IDENTITY) for matrix in self.matrices]
+        return tuple(frame for frame, still in zip(self.frames, rest, strict=True) if still)[:1]
+
+    def with_matrices(
+        self, matrices: Mapping[int, ArrayLike], confidence: Mapping[int, float] | None = None
+    ) -> LayerTransform:
+        """The transform with these matrices on their frames, in place of those that were there.
+
+        What was known of their confidence goes; `confidence` tells it anew.
+        """
+        known = {frame: value for frame, value in self.confidence if frame not in matrices} | dict(confidence or {})
+        moved = LayerTransform.of({**self.by_frame, **matrices})
+        return replace(self, frames=moved.frames, matrices=moved.matrices, confidence=tuple(known.items()))
 
     def without(self, frames: Iterable[int]) -> LayerTransform | None:
         """The transform without its matrices on these frames; None where nothing is left."""
         gone = set(frames)
         left = {frame: matrix for frame, matrix in self.by_frame.items() if frame not in gone}
-        return replace(LayerTransform.of(left), extra=self.extra) if left else None
+        if not left:
+            return None
+        rest = LayerTransform.of(left)
+        return replace(self, frames=rest.frames, matrices=rest.matrices)
 
     def at(self, frame: float) -> Array:
         """The matrix `(3, 3)` at `frame` (fractions are for motion blur)."""

@@ -95,6 +95,9 @@ def _transform(transform: LayerTransform) -> dict[str, Any]:
         "type": "LayerTransform",
         "frames": list(transform.frames),
         "matrices": packed_numbers(transform.matrices),
+        **({"confidence": [list(pair) for pair in transform.confidence]} if transform.confidence else {}),
+        **({"adjusted": list(transform.adjusted)} if transform.adjusted else {}),
+        **({"surface": [list(corner) for corner in transform.surface]} if transform.surface else {}),
         **transform.extra,
     }
 

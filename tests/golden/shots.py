@@ -8,6 +8,7 @@ from functools import cached_property
 
 import numpy as np
 from numpy.typing import ArrayLike
+from scipy.spatial import cKDTree
 
 from roam_core.arrays import Array, Bools, Float32, UInt8
 from roam_core.geometry import bezier, similarity
@@ -34,8 +35,9 @@ class Texture:
 
     def at(self, positions: Array) -> Array:
         """Colours `(..., 3)` at `positions (..., 2)`."""
-        total = np.sin((positions @ self.wave.T)[..., None] + self.phase).mean(axis=-2)
-        level = np.clip(0.5 + total * np.sqrt(len(self.wave)) / 2.5, 0.0, 1.0)
+        along = positions @ self.wave.T
+        total = np.sin(along) @ np.cos(self.phase) + np.cos(along) @ np.sin(self.phase)  # the sum of sin(along + phase)
+        level = np.clip(0.5 + total / np.sqrt(len(self.wave)) / 2.5, 0.0, 1.0)
         return np.asarray(self.dark + (self.bright - self.dark) * level)
 
 
@@ -124,8 +126,7 @@ def blob(radii: ArrayLike) -> Array:
 def outline_distance(ours: Array, true: Array, closed: bool = True) -> float:
     """Mean distance in pixels of two outlines `(P, 3, 2)`, the worse of the two directions."""
     a, b = (dense(points, closed) for points in (ours, true))
-    apart = np.hypot(*np.moveaxis(a[:, None] - b[None], 2, 0))
-    return float(max(apart.min(axis=0).mean(), apart.min(axis=1).mean()))
+    return float(max(cKDTree(one).query(other)[0].mean() for one, other in ((a, b), (b, a))))
 
 
 def dense(points: Array, closed: bool = True, count: int = 800) -> Array:

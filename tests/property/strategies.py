@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -35,25 +36,30 @@ FOLDER = Path("/shots/project")
 """Where a drawn project's clip lies, and its file would: absolute, as the program keeps them."""
 
 
+@cache
 def coordinates(limit: float = 2000.0) -> st.SearchStrategy[float]:
     """Pixels, also far outside of any picture."""
     return st.floats(-limit, limit, allow_subnormal=False)
 
 
+@cache
 def point_arrays(least: int = 2, most: int = 7) -> st.SearchStrategy[Array]:
     """Spline points `(P, 3, 2)`."""
     return st.integers(least, most).flatmap(points_of)
 
 
+@cache
 def points_of(count: int) -> st.SearchStrategy[Array]:
     """Spline points `(count, 3, 2)`."""
     return arrays(np.float64, (count, 3, 2), elements=coordinates())
 
 
+@cache
 def shares() -> st.SearchStrategy[float]:
     return st.floats(0.0, 1.0)
 
 
+@cache
 @st.composite
 def animatables(draw: st.DrawFn, values: st.SearchStrategy[float], *, extra: bool = True) -> Animatable:
     """A value that stays, or one with keys, which may hold fields of a later program."""
@@ -65,6 +71,7 @@ def animatables(draw: st.DrawFn, values: st.SearchStrategy[float], *, extra: boo
     return Animated(tuple(ValueKey(frame, draw(values), draw(modes), draw(later)) for frame in frames))
 
 
+@cache
 def unknown_fields() -> st.SearchStrategy[dict[str, Any]]:
     """Fields that a later version of the program might write."""
     plain = st.none() | st.booleans() | st.integers(-(2**40), 2**40) | st.floats(allow_nan=False, allow_infinity=False)
@@ -76,6 +83,7 @@ def unknown_fields() -> st.SearchStrategy[dict[str, Any]]:
     return st.dictionaries(st.text(max_size=6).map(lambda name: f"later.{name}"), values, max_size=2)
 
 
+@cache
 @st.composite
 def keyframes(draw: st.DrawFn, frame: int, count: int, origin: Origin | None = None) -> Keyframe:
     """A key of `count` points at `frame`."""
@@ -98,6 +106,7 @@ def keyframes(draw: st.DrawFn, frame: int, count: int, origin: Origin | None = N
     )
 
 
+@cache
 @st.composite
 def roto_shapes(draw: st.DrawFn, shape_id: str = "shape-1", interpolation: Interpolation | None = None) -> RotoShape:
     """A Bezier shape of 1-4 keys, closed or open."""
@@ -127,22 +136,26 @@ def roto_shapes(draw: st.DrawFn, shape_id: str = "shape-1", interpolation: Inter
     return shape if interpolation is None else edit.set_interpolation(shape, shape.frames, interpolation)
 
 
+@cache
 def motion_blurs() -> st.SearchStrategy[MotionBlur]:
     """Motion blur of any kind."""
     return st.builds(MotionBlur, shares(), st.floats(-1.0, 1.0), st.integers(2, 64), unknown_fields())
 
 
+@cache
 @st.composite
 def bspline_shapes(draw: st.DrawFn, shape_id: str = "shape-1") -> RotoShape:
     """A shape of 1-4 keys, each of them a uniform B-spline."""
     return control_points.with_spline(draw(roto_shapes(shape_id)), Spline.BSPLINE)
 
 
+@cache
 def any_shapes(shape_id: str) -> st.SearchStrategy[RotoShape]:
     """A shape of either kind."""
     return roto_shapes(shape_id) | bspline_shapes(shape_id)
 
 
+@cache
 @st.composite
 def transforms(draw: st.DrawFn) -> LayerTransform:
     """A motion of a layer: 1-3 matrices that turn, scale, shear, move and tilt a little."""
@@ -158,6 +171,7 @@ def transforms(draw: st.DrawFn) -> LayerTransform:
     return replace(moves, extra=draw(unknown_fields()))
 
 
+@cache
 @st.composite
 def projects(draw: st.DrawFn) -> Project:
     """A clip or none, and layers nested up to three deep with shapes between them."""
@@ -186,6 +200,7 @@ def projects(draw: st.DrawFn) -> Project:
     )
 
 
+@cache
 def marks() -> st.SearchStrategy[tuple[Mark, ...]]:
     """Marks of the timeline, at most one a frame, in order."""
     told = st.tuples(st.text(max_size=8), unknown_fields())
@@ -193,6 +208,7 @@ def marks() -> st.SearchStrategy[tuple[Mark, ...]]:
     return found.map(lambda marks: tuple(Mark(frame, *marks[frame]) for frame in sorted(marks)))
 
 
+@cache
 @st.composite
 def clips(draw: st.DrawFn) -> Clip:
     """A reference to a plate beside, above or below the project."""

@@ -13,9 +13,10 @@ from pytestqt.qtbot import QtBot
 from app.actions.actions import Actions
 from app.actions.keymaps import load_keymap
 from app.canvas.view import CanvasView
-from app.features.planar_tracking import PlanarTracking
-from app.features.tracking import NO_CLIP
-from app.jobs.planar import PlanarTrack
+from app.features.planar_tracking import LeaveOut, PlanarTracking, covering
+from app.features.tracking import NO_CLIP, Tracking
+from app.jobs.planar import PlanarTrack, legs_of
+from app.jobs.propagation import Propagation
 from app.jobs.runner import Ending, Runner
 from app.model.document import Document
 from app.model.view_state import ViewState
@@ -23,9 +24,11 @@ from app.panels.planar import PlanarPanel
 from roam_core.geometry import projective
 from roam_core.geometry.bezier import ANCHOR
 from roam_core.geometry.plane_motion import PlaneMotion
+from roam_core.params import DOUBTFUL
 from roam_core.roto import BlendMode, Clip, Layer, Project, edit
+from roam_core.roto.following import pinned, surface_at
 from tests.gui.hand import Hand
-from tests.unit.motion import test_planar as board
+from tests.unit.motion import test_plane_track as board
 
 WAIT = 20_000
 LAST = 6
@@ -208,6 +211,72 @@ def test_what_cannot_be_tracked_says_why(
     assert not track.is_running
 
 
+def test_confidence_is_kept_and_told(
+    qtbot: QtBot, document: Document, track: PlanarTrack, verbs: PlanarTracking
+) -> None:
+    _, sentence = finish(qtbot, track, verbs.forward)
+    told = dict(layer(document).transform.confidence)
+    assert sorted(told) == list(range(2, LAST + 1))
+    assert min(told.values()) > DOUBTFUL
+    assert f"Confidence is {min(told.values()):.2f} at least." in sentence
+
+
+def test_it_warns_once_while_it_runs_and_n_goes_there(
+    qtbot: QtBot, document: Document, runner: Runner, view_state: ViewState, track: PlanarTrack
+) -> None:
+    """A motion that is too simple: the board turns and grows."""
+    track = PlanarTrack(document, view_state, runner, lambda frame: board.picture(KIND, frame - 1))
+    said: list[str] = []
+    track.doubted.connect(said.append)
+    finish(qtbot, track, lambda: track.start(["shape-1"], range(1, LAST + 1), PlaneMotion.TRANSLATION))
+    told = dict(layer(document).transform.confidence)
+    first = min(frame for frame, trust in told.items() if trust < DOUBTFUL)
+    assert said == [f"Look at frame {first}: the planar track's confidence is {told[first]:.2f} there."]
+    view_state.set_frame(1)
+    tracking = Tracking(document, view_state, Propagation(document, view_state, runner, lambda frame: None))
+    tracking.next_doubtful()
+    assert view_state.frame == first
+    assert view_state.message == f"Frame {first}: the confidence of the track Planar 1 is {told[first]:.2f}."
+
+
+def test_a_run_over_an_adjust_key_is_drawn_to_it_and_begins_anew_there(
+    qtbot: QtBot, document: Document, view_state: ViewState, track: PlanarTrack, verbs: PlanarTracking
+) -> None:
+    finish(qtbot, track, verbs.forward)
+    drawn = surface_at(document.project, "layer-1", 4) + 1.5
+    document.apply("Adjust", pinned(document.project, "layer-1", 4, drawn))
+    view_state.set_frame(1)
+    finish(qtbot, track, verbs.forward)
+    np.testing.assert_allclose(surface_at(document.project, "layer-1", 4), drawn, atol=1e-6)
+    assert layer(document).transform.adjusted == (1, 4)
+    off = [miss(document, frame) for frame in range(1, LAST + 1)]
+    assert off[0] < 0.1
+    assert off[1] < off[2] < off[3]  # the artist's word weighs the more the nearer
+    assert min(off[4:]) > 1.0  # from there the track goes on from what the artist said
+
+
+def test_what_lies_above_is_left_out(document: Document, track: PlanarTrack) -> None:
+    project, above = edit.new_shape(document.project, board.BOARD * 0.5, 1)
+    project, hidden = edit.new_shape(project, board.BOARD * 0.5, 1)
+    project = edit.set_properties(project, hidden.id, visible=False)
+
+    def left_out(chosen: str, which: LeaveOut) -> list[str]:
+        return [shape.id for shape in covering(project, [chosen], 1, which)]
+
+    assert left_out("shape-1", LeaveOut.ABOVE) == [above.id]
+    assert left_out(above.id, LeaveOut.ABOVE) == []
+    assert left_out(above.id, LeaveOut.OTHERS) == ["shape-1"]
+    assert left_out("shape-1", LeaveOut.NOTHING) == []
+    project = edit.set_properties(project, "shape-1", depth=((1, 1),))
+    assert left_out("shape-1", LeaveOut.ABOVE) == []  # brought before all
+
+
+def test_legs_end_on_adjust_keys() -> None:
+    assert legs_of(range(1, 8), (1, 4, 7, 20)) == (range(1, 5), range(4, 8))
+    assert legs_of(range(7, 0, -1), (4,)) == (range(7, 3, -1), range(4, 0, -1))
+    assert legs_of(range(1, 4), ()) == (range(1, 4),)
+
+
 def test_holes_and_shapes_that_are_gone_are_told_apart(document: Document, track: PlanarTrack) -> None:
     from app.jobs.planar import outlines_at
 
@@ -234,4 +303,6 @@ def test_the_panel_chooses_the_motion_and_the_keys_start_it(
     actions["planar.forward"].trigger()
     actions["planar.backward"].trigger()
     assert calls == ["planar.forward", "planar.backward"]
+    panel.leave_out.setCurrentIndex(panel.leave_out.findData(LeaveOut.OTHERS))
+    assert verbs.leave_out is LeaveOut.OTHERS
     assert panel.kind.focusPolicy() is Qt.FocusPolicy.NoFocus

@@ -60,3 +60,10 @@ def test_too_few_points_or_points_on_a_line_fix_nothing() -> None:
     assert fit(PlaneMotion.SIMILARITY, line[:1], line[:1]) is None
     assert ransac(PlaneMotion.HOMOGRAPHY, line[:3], line[:3], 1.0)[0] is None
     assert ransac(PlaneMotion.AFFINE, line, line, 1.0)[0] is None
+
+
+def test_a_translation_keeps_its_size_where_the_points_do_not() -> None:
+    source = np.array([(0.0, 0.0), (40.0, 0.0), (40.0, 30.0), (0.0, 30.0)])
+    matrix, _ = ransac(PlaneMotion.TRANSLATION, source, 1.01 * source + 5.0, 2.0)
+    np.testing.assert_array_equal(matrix[:2, :2], np.eye(2))
+    np.testing.assert_allclose(matrix[:2, 2], (1.01 * source + 5.0 - source).mean(axis=0))

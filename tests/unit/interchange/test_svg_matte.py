@@ -42,7 +42,7 @@ def compared(project: Project, frame: int = 1, zoom: int = 8) -> tuple[float, fl
 def test_every_mode_hard_soft_dimmed_and_inverted(mode: BlendMode) -> None:
     for feather, (opacity, invert) in product((0.0, 12.0, -12.0), ((1.0, False), (0.7, True))):
         over = disc("Over", 290.0, blend=mode, feather=feather, opacity=opacity, invert=invert)
-        overlap, error = compared(Project(CLIP, Layer("root", "Root", (disc("Under", 190.0), over))), zoom=2)
+        overlap, error = compared(Project(CLIP, Layer("root", "Root", (disc("Under", 190.0), over))), zoom=1)
         assert overlap > 0.997, (feather, opacity, invert)
         assert error < 0.0025  # less than a level of 8 bits
 
@@ -50,14 +50,14 @@ def test_every_mode_hard_soft_dimmed_and_inverted(mode: BlendMode) -> None:
 @pytest.mark.parametrize("name", ["modes", "layers", "inverted", "soft edges", "in time"])
 def test_the_scenes_that_ask_one_thing_each(name: str) -> None:
     scene = SCENES[name]
-    overlap, error = compared(scene.project, 1007, zoom=3)
+    overlap, error = compared(scene.project, 1007, zoom=2)
     assert overlap > 0.998  # painted eight times as large .999, in seconds each
     assert error < 0.002
 
 
 def test_feather_curves_on_either_side_of_the_outline_are_painted() -> None:
     for curve in (0.3, -0.3):
-        overlap, error = compared(Project(CLIP, Layer("root", "Root", (disc("Soft", 240.0, curve),))), zoom=3)
+        overlap, error = compared(Project(CLIP, Layer("root", "Root", (disc("Soft", 240.0, curve),))), zoom=1)
         assert overlap > 0.997
         assert error < 0.0005
 

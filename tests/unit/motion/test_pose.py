@@ -145,19 +145,16 @@ def test_a_half_that_is_hidden_does_not_disturb(told: bool) -> None:
 
 
 def test_what_hides_a_part_unknown_does_not_pass_for_a_new_look_of_it() -> None:
-    """In doubt it learns nothing; else, where more may lie before it, it may differ by little more on each frame."""
+    """In doubt it learns nothing where more may lie before it than is known."""
     template, planted = learned(PATCH), np.array([2.0, -1.5, 0.06, 0.0, 0.0, 0.0])
-    covers = {"a half": box(78, 20, 60, 80), "nearly all": box(40, 10, 98, 98)}
+    pyramid = Pyramid.of(shown(template, planted, PATCH, blind=box(40, 10, 98, 98)), WHOLE, 1.0, PyramidParams())
     likes = {}
-    for name, cover in covers.items():
-        pyramid = Pyramid.of(shown(template, planted, PATCH, blind=cover), WHOLE, 1.0, PyramidParams())
-        for is_complete in (True, False):
-            around = Surroundings(pyramid, pyramid.nothing, is_complete=is_complete)
-            found = Pose.on_key(template, PARAMS).step(around, PARAMS)
-            likes[name, is_complete] = found.like / PARAMS.like[0], found.since
-    assert likes["nearly all", False] == (1.0, 1)
-    assert likes["nearly all", True][0] > 1.3
-    assert likes["a half", False][0] <= PARAMS.like_grows
+    for is_complete in (True, False):
+        around = Surroundings(pyramid, pyramid.nothing, is_complete=is_complete)
+        found = Pose.on_key(template, PARAMS).step(around, PARAMS)
+        likes[is_complete] = found.like / PARAMS.like[0], found.since
+    assert likes[False] == (1.0, 1)
+    assert likes[True][0] > 1.3
 
 
 def test_where_another_picture_is_the_part_is_in_doubt_and_looked_for_farther() -> None:

@@ -6,6 +6,7 @@ meant, and with a new `provenance.REVISION`: `python -m tests.unit.propagate.tes
 
 from __future__ import annotations
 
+import hashlib
 import json
 import sys
 from collections.abc import Callable, Sequence
@@ -16,6 +17,7 @@ import numpy as np
 import pytest
 
 from roam_core import fill_span, track
+from roam_core.params import CONFIGS
 from roam_core.propagate.shapes.provenance import REVISION
 from roam_core.roto import Origin, RotoShape
 from tests.golden.shots import Shot, blob, pose
@@ -102,11 +104,25 @@ def test_other_points_have_another_revision(name: str) -> None:
     assert apart <= NEAR
 
 
+@pytest.mark.parametrize("config", list(CONFIGS))
+def test_what_a_stamp_tells_of_a_configuration_stays_as_long_as_the_revision(config: str) -> None:
+    """A number that comes into the parameters and is not marked `later` would make every tracked key stale."""
+    stored = json.loads(STORED.read_text(encoding="utf-8"))
+    assert stored["revision"] != REVISION or told(config) == stored["stamped"][config]
+
+
+def told(config: str) -> str:
+    """A digest of what a stamp tells of a configuration."""
+    return hashlib.sha256(json.dumps(CONFIGS[config].values(), sort_keys=True).encode()).hexdigest()[:16]
+
+
 def write() -> None:
-    """Store the points of the engine as it is."""
+    """Store the points of the engine as it is, and what stamps tell of its configurations."""
+    stamped = {config: told(config) for config in CONFIGS}
     points = {name: run() for name, run in RUNS.items()}
-    text = json.dumps({"revision": REVISION, "points": points}, separators=(",", ":"))
-    STORED.write_text(text.replace('"points"', '\n"points"').replace('},"', '},\n"') + "\n", encoding="utf-8")
+    text = json.dumps({"revision": REVISION, "stamped": stamped, "points": points}, separators=(",", ":"))
+    text = text.replace('"points"', '\n"points"').replace('"stamped"', '\n"stamped"').replace('},"', '},\n"')
+    STORED.write_text(text + "\n", encoding="utf-8")
 
 
 if __name__ == "__main__":

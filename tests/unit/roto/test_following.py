@@ -5,10 +5,11 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from roam_core.errors import RoamError
 from roam_core.geometry import projective
 from roam_core.geometry.bezier import ANCHOR, polygon_points
 from roam_core.roto import Keyframe, Layer, LayerTransform, Origin, Project, edit
-from roam_core.roto.following import followed, still, with_moving_layer
+from roam_core.roto.following import followed, pinned, still, surface_at, unpinned, with_moving_layer
 
 SQUARE = polygon_points([(10.0, 10.0), (30.0, 10.0), (30.0, 26.0), (10.0, 26.0)])
 
@@ -91,3 +92,84 @@ def test_motion_can_be_taken_away(project: Project) -> None:
     bake_layers = still(followed(after, layer_id, 1, 5, moved(6.0)), layer_id)
     assert bake_layers.find(layer_id).transform is None
     np.testing.assert_allclose(bake_layers.shape("shape-1").at(9).points, project.shape("shape-1").at(9).points)
+
+
+def shown(project: Project, layer_id: str, frame: int) -> np.ndarray:
+    """The anchors of the first shape, as they are seen."""
+    return project.shape("shape-1").at(frame).points[:, ANCHOR]
+
+
+@pytest.fixture
+def tracked() -> tuple[Project, str]:
+    """A square that a track carries 3 pixels a frame, from frame 1 to 11, sure of it."""
+    project, _ = edit.new_shape(Project(), SQUARE, 1)
+    project, layer_id = with_moving_layer(project, ["shape-1"], 1, "Planar")
+    for frame in range(2, 12):
+        project = followed(project, layer_id, 1, frame, moved(3.0 * (frame - 1)), confidence=0.9)
+    return project, layer_id
+
+
+def transform_of(project: Project, layer_id: str) -> LayerTransform:
+    layer = project.find(layer_id)
+    assert isinstance(layer, Layer)
+    assert layer.transform is not None
+    return layer.transform
+
+
+def test_a_track_keeps_its_confidence_and_where_it_began(tracked: tuple[Project, str]) -> None:
+    own = transform_of(*tracked)
+    assert own.adjusted == (1,)
+    assert own.confidence == tuple((frame, 0.9) for frame in range(2, 12))
+    assert own.with_matrices({5: np.eye(3)}).confidence == tuple((f, 0.9) for f in range(2, 12) if f != 5)
+    assert own.without(range(4, 12)).confidence == ((2, 0.9), (3, 0.9))
+
+
+def test_an_adjust_key_spreads_the_drift_to_its_neighbours(tracked: tuple[Project, str]) -> None:
+    project, layer_id = tracked
+    drift = np.array([0.0, 4.0])
+    fixed = pinned(project, layer_id, 6, surface_at(project, layer_id, 6) + drift)
+    assert transform_of(fixed, layer_id).adjusted == (1, 6)
+    for frame in range(1, 12):
+        share = min((frame - 1) / 5.0, 1.0)  # nothing where it began, all of it from the key on
+        np.testing.assert_allclose(
+            shown(fixed, layer_id, frame), shown(project, layer_id, frame) + share * drift, atol=1e-9
+        )
+    again = pinned(fixed, layer_id, 11, surface_at(fixed, layer_id, 11) - drift)
+    np.testing.assert_allclose(shown(again, layer_id, 6), shown(fixed, layer_id, 6), atol=1e-9)
+    np.testing.assert_allclose(shown(again, layer_id, 11), shown(project, layer_id, 11), atol=1e-9)
+    assert [frame for frame, _ in transform_of(again, layer_id).confidence] == [2, 3, 4, 5, 7, 8, 9, 10]
+
+
+def test_one_corner_alone_bends_the_surface(tracked: tuple[Project, str]) -> None:
+    project, layer_id = tracked
+    corners = surface_at(project, layer_id, 11)
+    corners[2] += (3.0, 2.0)
+    fixed = pinned(project, layer_id, 11, corners)
+    np.testing.assert_allclose(surface_at(fixed, layer_id, 11), corners, atol=1e-9)
+    np.testing.assert_allclose(shown(fixed, layer_id, 1), SQUARE[:, ANCHOR], atol=1e-9)
+
+
+def test_a_track_over_an_adjust_key_is_drawn_to_it(tracked: tuple[Project, str]) -> None:
+    project, layer_id = tracked
+    fixed = pinned(project, layer_id, 6, surface_at(project, layer_id, 6) + np.array([0.0, 4.0]))
+    wanted = shown(fixed, layer_id, 6)
+    for frame in range(2, 7):
+        fixed = followed(fixed, layer_id, 1, frame, moved(3.0 * (frame - 1), 1.0 * (frame - 1)), 0.5)
+    np.testing.assert_allclose(shown(fixed, layer_id, 6), wanted, atol=1e-9)  # 5 by the track, 4 by the artist
+    np.testing.assert_allclose(shown(fixed, layer_id, 3), SQUARE[:, ANCHOR] + [6.0, 2.0 - 0.4], atol=1e-9)
+    assert dict(transform_of(fixed, layer_id).confidence)[3] == 0.5
+
+
+def test_an_adjust_key_is_taken_away_without_a_jump(tracked: tuple[Project, str]) -> None:
+    project, layer_id = tracked
+    fixed = pinned(project, layer_id, 6, surface_at(project, layer_id, 6) + np.array([0.0, 4.0]))
+    free = unpinned(fixed, layer_id, 6)
+    assert transform_of(free, layer_id).adjusted == (1,)
+    np.testing.assert_array_equal(shown(free, layer_id, 6), shown(fixed, layer_id, 6))
+
+
+def test_corners_that_fold_the_surface_are_refused(tracked: tuple[Project, str]) -> None:
+    project, layer_id = tracked
+    corners = surface_at(project, layer_id, 6)[[0, 2, 1, 3]]
+    with pytest.raises(RoamError, match="corners of one surface"):
+        pinned(project, layer_id, 6, corners)

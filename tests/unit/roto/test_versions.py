@@ -31,7 +31,7 @@ from roam_core.roto import (
 )
 from roam_core.roto.migrate import STEPS, VERSION
 from roam_core.roto.shape import Outline
-from tests.unit.roto.every_field import first_project, second_project, third_project
+from tests.unit.roto.every_field import first_project, present_project, second_project, third_project
 
 FOLDER = Path("/shots/show")
 STORED = Path(__file__).with_name("projects")
@@ -88,7 +88,7 @@ def default_of(field: dataclasses.Field[Any]) -> Any:
 @pytest.fixture(scope="module")
 def pairs() -> list[tuple[Any, Any]]:
     """Every object of the fullest project, beside what came of it from a file."""
-    given = third_project(FOLDER)
+    given = present_project(FOLDER)
     again = file.loads(file.dumps(given, FOLDER), FOLDER)
     return list(zip(objects_in(given), objects_in(again), strict=True))
 

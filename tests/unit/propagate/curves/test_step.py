@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import fields, replace
 
 import numpy as np
 
+from roam_core.energy import total
 from roam_core.features import PreparedFrame
 from roam_core.geometry import bezier
 from roam_core.geometry.similarity import IDENTITY
@@ -56,6 +57,19 @@ def test_every_term_has_its_share_of_the_energy() -> None:
     result = step(state, prepared(SHOT, SHOT.frames[1]), LEAN).result
     assert set(result.energies) >= {"gradient", "l2", "local", "total"}
     assert result.energies["local"] < 0.0
+
+
+def test_a_step_hands_every_term_what_it_looks_at() -> None:
+    """A field of the context that stays None is a term that no run evaluates."""
+    weights = {each.name: 0.01 for each in fields(RoamParams) if each.name.startswith("lambda_")}
+    params = replace(LEAN, **weights)
+    state = begin(prepared(SHOT, SHOT.first), SHOT.truth(SHOT.first), params)
+    seen = observed(state, prepared(SHOT, SHOT.frames[1]), Warp(IDENTITY, 0, 1.0), state.points, params)
+    assert seen is not None
+    assert [each.name for each in fields(seen.curve) if getattr(seen.curve, each.name) is None] == []
+    energies = total.energies(seen.nodes, seen.curve, params)
+    assert [term for term, energy in energies.items() if energy == 0.0] == []
+    assert len(energies) == len({"mu", *weights}) + 1
 
 
 def test_the_global_term_takes_part_where_it_has_a_weight() -> None:

@@ -12,7 +12,8 @@ from roam_core.geometry import projective
 from roam_core.geometry.bezier import polygon_points
 from roam_core.geometry.plane_motion import PlaneMotion
 from roam_core.media.source import MissingFrame
-from roam_core.motion.planar import LostPlane, PlaneStep, corners_in, inside, track_plane
+from roam_core.motion.planar import corners_in, inside
+from roam_core.motion.plane_track import LostPlane, PlaneStep, track_plane
 
 WIDTH, HEIGHT, COUNT = 320, 240, 12
 BOARD = polygon_points([(90.0, 70.0), (210.0, 70.0), (210.0, 170.0), (90.0, 170.0)])
@@ -68,7 +69,7 @@ def test_a_board_is_followed_without_drift(kind: PlaneMotion) -> None:
     assert [step.frame for step in steps] == list(range(1, COUNT))
     assert max(misses(kind, steps)) < 0.5
     assert misses(kind, steps)[-1] < 0.4  # what adds up from frame to frame is taken out
-    assert min(step.agreement for step in steps) > 0.6
+    assert min(step.confidence for step in steps) > 0.9
 
 
 def test_it_goes_backward_alike() -> None:
@@ -109,7 +110,7 @@ def test_of_two_surfaces_the_greater_is_followed() -> None:
 
     steps = list(track_plane(read, [BOARD], [], range(6), kind))
     assert max(misses(kind, steps)) < 0.3
-    assert max(step.agreement for step in steps) < 0.95
+    assert max(step.seen for step in steps) < 0.9
 
 
 def test_a_gap_is_passed_over() -> None:

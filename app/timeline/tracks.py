@@ -1,0 +1,182 @@
+"""The rows of planar tracks: how far each can be trusted, frame by frame, and its adjust keys.
+
+There while there are tracks. A row is a layer that one moves; its line is the confidence, from none at the bottom to
+full at the top, and what lies under the line of doubt is filled. A frame is a click away.
+"""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+from PySide6.QtCore import QEvent, QLineF, QPointF, QRectF, QSize, Qt
+from PySide6.QtGui import QColor, QHelpEvent, QMouseEvent, QPainter, QPaintEvent, QPen, QPolygonF, QWheelEvent
+from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
+
+from roam_core.params import DOUBTFUL, is_doubtful
+from roam_core.roto import Layer, LayerTransform
+from roam_core.roto.following import unpinned
+
+from .. import style
+from ..model.document import Document
+from .axis import TimeAxis, paint_playhead
+from .keys.row_painter import BACKGROUND, DIAMOND, DOUBT, ROW
+from .scale import LABEL_WIDTH
+
+GRAB = 6
+MOST = 3
+"""Rows that are shown at once."""
+MARGIN = 3.0
+"""Pixels between a row's edges and no or full confidence."""
+
+
+class TrackBand(QWidget):
+    """Click a frame to go there, an adjust key too; right-click an adjust key to remove it; click a name to select."""
+
+    def __init__(self, document: Document, axis: TimeAxis, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._document, self._axis = document, axis
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+        for signal in (document.changed, document.replaced, axis.view_state.selection_changed):
+            signal.connect(self._pull)
+        for signal in (axis.changed, axis.view_state.frame_changed):
+            signal.connect(self.update)
+        self._pull()
+
+    def sizeHint(self) -> QSize:
+        return QSize(600, ROW)
+
+    def layers(self) -> list[Layer]:
+        """The tracks that are shown: those of the selected shapes, or else all; no more than have room."""
+        moving = [
+            item
+            for item in self._document.project.root.items()
+            if isinstance(item, Layer) and item.transform is not None and len(item.transform.frames) > 1
+        ]
+        chosen = self._axis.view_state.selection.shapes
+        meant = [layer for layer in moving if any(shape.id in chosen for shape in layer.shapes())]
+        return (meant or moving)[:MOST]
+
+    def layer_at(self, y: float) -> Layer | None:
+        """The track whose row lies at `y` pixels."""
+        layers, index = self.layers(), int(y) // ROW
+        return layers[index] if 0 <= index < len(layers) else None
+
+    def adjust_key_at(self, at: QPointF) -> tuple[Layer, int] | None:
+        """The adjust key near a place, with its layer."""
+        layer = self.layer_at(at.y())
+        if layer is None or at.x() < LABEL_WIDTH:
+            return None
+        near = [(abs(self._axis.scale.x(frame) - at.x()), frame) for frame in _of(layer).adjusted]
+        distance, frame = min(near, default=(GRAB + 1.0, 0))
+        return (layer, frame) if distance <= GRAB else None
+
+    # ---- events
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        at, key = event.position(), self.adjust_key_at(event.position())
+        if event.button() == Qt.MouseButton.RightButton and key is not None:
+            after = unpinned(self._document.project, key[0].id, key[1])
+            self._document.apply("Remove adjust key", after)
+        elif event.button() == Qt.MouseButton.LeftButton and at.x() < LABEL_WIDTH:
+            layer = self.layer_at(at.y())
+            if layer is not None:
+                self._axis.view_state.select(frozenset(shape.id for shape in layer.shapes()))
+        elif event.button() == Qt.MouseButton.LeftButton and key is not None:
+            self._axis.view_state.set_frame(key[1])
+        elif event.button() == Qt.MouseButton.LeftButton:
+            self._axis.scrub(at.x())
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        if event.buttons() & Qt.MouseButton.LeftButton and event.position().x() >= LABEL_WIDTH:
+            self._axis.scrub(event.position().x())
+
+    def wheelEvent(self, event: QWheelEvent) -> None:
+        self._axis.wheel(event, event.position().x())
+
+    def event(self, event: QEvent) -> bool:
+        if isinstance(event, QHelpEvent) and event.type() == QEvent.Type.ToolTip:
+            QToolTip.showText(event.globalPos(), self.tip_at(QPointF(event.pos())), self)
+            return True
+        return super().event(event)
+
+    def tip_at(self, at: QPointF) -> str:
+        """What is said of the track on the frame under the pointer."""
+        layer = self.layer_at(at.y())
+        if layer is None:
+            return ""
+        if at.x() < LABEL_WIDTH:
+            return f"The motion of {layer.name}: click to select its shapes"
+        key = self.adjust_key_at(at)
+        if key is not None:
+            return f"Frame {key[1]}: an adjust key of {layer.name}\nClick to go there, right-click to remove it"
+        frame = self._axis.scale.frame(at.x())
+        return f"Frame {frame}: {_told(_of(layer), frame)}"
+
+    # ---- the rest is private
+
+    def _pull(self, _ids: object = None) -> None:
+        rows = len(self.layers())
+        self.setVisible(rows > 0)
+        self.setFixedHeight(max(rows, 1) * ROW)
+        self.update()
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        painter = QPainter(self)
+        painter.fillRect(self.rect(), QColor(style.PANEL))
+        for index, layer in enumerate(self.layers()):
+            painter.save()
+            painter.translate(0.0, index * ROW)
+            self._paint_row(painter, layer)
+            painter.restore()
+        paint_playhead(painter, self._axis, self)
+        painter.end()
+
+    def _paint_row(self, painter: QPainter, layer: Layer) -> None:
+        own, scale = _of(layer), self._axis.scale
+        painter.fillRect(QRectF(0, ROW - 1, self.width(), 1), QColor(style.WINDOW))
+        painter.setPen(QColor(style.TEXT))
+        name = painter.fontMetrics().elidedText(layer.name, Qt.TextElideMode.ElideRight, LABEL_WIDTH - 34)
+        painter.drawText(QRectF(22, 0, LABEL_WIDTH - 30, ROW - 1), Qt.AlignmentFlag.AlignVCenter, name)
+        painter.setClipRect(QRectF(scale.left, 0, self.width() - scale.left, ROW))
+        painter.setPen(QPen(QColor(BACKGROUND), 1, Qt.PenStyle.DotLine))
+        painter.drawLine(QLineF(scale.x(own.frames[0]), _y(DOUBTFUL), scale.x(own.frames[-1]), _y(DOUBTFUL)))
+        self._paint_confidence(painter, own)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        painter.setPen(QPen(QColor(style.EDGE), 1))
+        painter.setBrush(QColor(style.ACCENT))
+        for frame in own.adjusted:
+            x, middle = scale.x(frame), ROW / 2
+            corners = ((0.0, -DIAMOND), (DIAMOND, 0.0), (0.0, DIAMOND), (-DIAMOND, 0.0))
+            painter.drawPolygon(QPolygonF([QPointF(x + dx, middle + dy) for dx, dy in corners]))
+
+    def _paint_confidence(self, painter: QPainter, own: LayerTransform) -> None:
+        """The line, broken where frames are missing; every doubtful frame is filled up to the line of doubt."""
+        scale = self._axis.scale
+        for frame, value in own.confidence:
+            if is_doubtful(value):
+                left, top = scale.x(frame) - scale.pixels / 2, _y(DOUBTFUL)
+                painter.fillRect(QRectF(left, top, max(scale.pixels, 1.0), _y(value) - top), QColor(DOUBT))
+        painter.setPen(QPen(QColor(style.TEXT), 1))
+        pairs = list(own.confidence)
+        for (a, before), (b, after) in pairwise(pairs):
+            if b - a == 1:
+                painter.drawLine(QLineF(scale.x(a), _y(before), scale.x(b), _y(after)))
+
+
+def _of(layer: Layer) -> LayerTransform:
+    assert layer.transform is not None
+    return layer.transform
+
+
+def _y(confidence: float) -> float:
+    """Where a confidence lies in a row, in pixels from its top."""
+    return MARGIN + (1.0 - confidence) * (ROW - 1 - 2 * MARGIN)
+
+
+def _told(own: LayerTransform, frame: int) -> str:
+    value = dict(own.confidence).get(frame)
+    if value is None:
+        return "tracked before confidence was kept" if frame in own.frames else "not tracked"
+    if value == 0.0:
+        return "hidden: the motion goes evenly from the frames before to those after"
+    return f"confidence {value:.2f}" + (", worth a look" if is_doubtful(value) else "")
