@@ -99,6 +99,7 @@ WORDS: Mapping[str, str] = {
     "shape.from_mask": "trace vectorise matte image",
     "tool.ellipse": "circle oval round draw roto mask",
     "tool.rectangle": "square box quad draw roto mask",
+    "tool.adjust": "planar track corner pin surface drift fix mocha keyframe",
     "tool.feather": "soft edge blur falloff",
     "feather.reset": "soft edge remove clear hard",
     "feather.all_keys": "soft edge blur every frame copy",
