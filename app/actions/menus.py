@@ -16,7 +16,7 @@ MENUS: dict[str, tuple[str, ...]] = {
         "file.open_demo", "file.relink_clip", SEPARATOR,
         "file.save", "file.save_as", "file.recover", SEPARATOR,
         "file.import_shapes", "file.import_masks", SEPARATOR,
-        "file.export", "file.export_nuke", "file.export_mattes", SEPARATOR,
+        "file.export", "file.export_selected", "file.export_nuke", "file.export_mattes", SEPARATOR,
         "file.quit",
     ),
     "Edit": (

@@ -41,6 +41,7 @@ SPECS: tuple[ActionSpec, ...] = (
     ActionSpec("file.import_shapes", "Import shapes…", tip="Shapes of Nuke, Silhouette and others; or drop the file"),
     ActionSpec("file.import_masks", "Import masks…", tip="Fit shapes to a folder of mask pictures"),
     ActionSpec("file.export", "Export…", tip="Shapes for other programs, and mattes: every format, keys and frames"),
+    ActionSpec("file.export_selected", "Export selected shapes…", tip="The selected shapes alone, in any format"),
     ActionSpec("file.export_nuke", "Export to Nuke…"),
     ActionSpec("file.export_mattes", "Export mattes…"),
     ActionSpec("file.quit", "Quit"),

@@ -78,6 +78,7 @@ class FileActions(QObject):
             "file.import_shapes": self.import_shapes,
             "file.import_masks": self.import_masks,
             "file.export": self.export,
+            "file.export_selected": self.export_selected,
             "file.export_nuke": self.export_nuke,
             "file.export_mattes": self.export_mattes,
         }
@@ -197,6 +198,12 @@ class FileActions(QObject):
             )
         self._export_dialog.show()
         self._export_dialog.activateWindow()
+
+    def export_selected(self) -> None:
+        """Show the export dialog, set to the selected shapes only."""
+        self.export()
+        assert self._export_dialog is not None
+        self._export_dialog.selected.setChecked(True)
 
     def export_nuke(self) -> None:
         self._export_file("nuke", "Export to Nuke")

@@ -70,6 +70,7 @@ from ..widgets.controls import tool_button
 from ..widgets.focus import FocusFollowsPointer
 from ..widgets.panel import Panel
 from . import layout, settings
+from .context_menus import ContextMenus
 from .defects import Defects
 from .timeline_height import TimelineHeight
 from .window_services import WindowServices
@@ -169,6 +170,9 @@ class MainWindow(QMainWindow):
         self.defects = Defects(view_state, self.journal, messages, self)
         self.recovering = Recovering(self._journal_root, self.writer, files, file_actions, view_state, self)
         self.recovering.asking.connect(self.defects.wait_for)
+        self.context_menus = ContextMenus(self.document, view_state, actions, self)
+        for part in (self.canvas, self.shapes.tree):
+            part.menu_asked.connect(self.context_menus.open)
         menu_bar = menus.menu_bar(actions, self.reopening.menu)
         self.setMenuWidget(layout.row(menu_bar, self.view_bar, growing=menu_bar))
 
