@@ -24,6 +24,7 @@ from app.canvas.view import CanvasView
 from app.jobs.runner import Runner
 from app.model.document import Document
 from app.model.view_state import ViewState
+from roam_core.geometry import bezier
 from roam_core.roto import Clip, Project
 from tests.gui.hand import Hand
 from tests.gui.watchdog import WatchedApplication
@@ -37,7 +38,8 @@ def qapp_cls() -> type[QApplication]:
 
 @pytest.fixture(scope="session", autouse=True)
 def first_things(qapp: QApplication) -> None:
-    """Qt makes fonts and the parts of its style when it first shows a widget; the program does so as it starts."""
+    """What the program does as it starts: Qt makes fonts and the parts of its style, kernels are loaded off its thread."""
+    bezier.flatten(np.array([[[0.0, 0.0]] * 3, [[9.0, 0.0]] * 3, [[9.0, 9.0]] * 3]))
     box = QComboBox()
     box.addItem("first")
     box.show()
