@@ -6,6 +6,7 @@ Ends with what was left out and why, and with a status that is not 0 when anythi
 from __future__ import annotations
 
 import os
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -21,17 +22,30 @@ ROOT = Path(__file__).resolve().parent.parent
 
 @dataclass(frozen=True)
 class Part:
-    """Words for pytest, and what the environment has besides; without words it is that target of `make`."""
+    """Words for pytest, and what the environment has besides; without words it is that target of `make`.
+
+    One that `stands_back` takes what time the others of its stage leave.
+    """
 
     name: str
     words: tuple[str, ...] = ()
     environment: dict[str, str] = field(default_factory=dict)
+    stands_back: bool = False
 
     def command(self, reports: Path) -> list[str]:
         """What runs it; pytest reports to a file in `reports`."""
         if not self.words:
             return ["make", "--no-print-directory", self.name]
-        return [sys.executable, "-m", "pytest", "--quiet", f"--junitxml={reports / self.name}.xml", *self.words]
+        polite = ["nice", "-n", "15"] if self.stands_back and shutil.which("nice") else []
+        return [
+            *polite,
+            sys.executable,
+            "-m",
+            "pytest",
+            "--quiet",
+            f"--junitxml={reports / self.name}.xml",
+            *self.words,
+        ]
 
 
 TRACKING = Part("tracking", ("tests/golden",))
@@ -39,8 +53,10 @@ TRACKING = Part("tracking", ("tests/golden",))
 LINT = Part("lint")
 KERNELS = Part("kernels", ("tests/unit/kernels",), {"NUMBA_DISABLE_JIT": "1"})
 """Once more, line by line: what runs here must not hang on what the compiler makes of it (types, bounds)."""
-ENGINE = Part("engine", ("--ignore=tests/gui", "--ignore=tests/golden", "-n", "2", "--dist", "loadfile"))
-"""In two processes: each loads for itself, so more of them would gain less and less."""
+ENGINE = Part(
+    "engine", ("--ignore=tests/gui", "--ignore=tests/golden", "-n", "2", "--dist", "loadfile"), stands_back=True
+)
+"""In two processes: each loads for itself, so more of them would gain less and less. The window is not kept waiting."""
 WINDOW = Part("window", ("tests/gui", "-m", "not xvfb"))
 """In one process, without a screen."""
 SCREEN = Part("screen", ("tests/gui", "-m", "xvfb"))

@@ -38,7 +38,7 @@ def qapp_cls() -> type[QApplication]:
 
 @pytest.fixture(scope="session", autouse=True)
 def first_things(qapp: QApplication) -> None:
-    """What the program does as it starts: Qt makes fonts and the parts of its style, kernels are loaded off its thread."""
+    """What the program does as it starts: Qt makes fonts and the parts of its style; kernels are loaded."""
     bezier.flatten(np.array([[[0.0, 0.0]] * 3, [[9.0, 0.0]] * 3, [[9.0, 9.0]] * 3]))
     box = QComboBox()
     box.addItem("first")
