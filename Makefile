@@ -27,8 +27,8 @@ lint: setup
 	$(BIN)/mypy
 	$(BIN)/lint-imports
 
-test: lint
-	scripts/run-tests
+test: setup
+	$(BIN)/python -m scripts.run_tests
 
 bench: setup
 	$(BIN)/python -m benchmarks

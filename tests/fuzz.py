@@ -29,6 +29,7 @@ import OpenImageIO as oiio  # noqa: N813 - the name its own manual uses
 from roam_core.bounded import bounded_bytes
 from roam_core.errors import RoamError
 from roam_core.interchange import EXPORTERS, ExportOptions, read_shapes
+from roam_core.interchange.registry import SHAPE_SUFFIXES
 from roam_core.matte.vectorise import read_mask
 from roam_core.media import open_clip
 from roam_core.roto import Clip, Interpolation, Keyframe, Layer, Project, RotoShape, file
@@ -138,7 +139,8 @@ def read_settings(name: str) -> Callable[[Path], object]:
 READERS: dict[str, tuple[str, Callable[[str, Path], bytes], str, Callable[[Path], object]]] = {
     **{
         name: (EXPORTERS[name].suffix, written, name, read_shape_file)
-        for name in ("nuke", "silhouette", "svg", "json", "fusion", "coco", "cvat", "mlt")
+        for name in EXPORTERS
+        if EXPORTERS[name].suffix in SHAPE_SUFFIXES and name != "nuke-tracks"  # of which no shapes come back
     },
     "project": (".roam", written, "project", read_project),
     **{

@@ -26,7 +26,7 @@ MENUS: dict[str, tuple[str, ...]] = {
         "points.soft", "points.lasso", SEPARATOR,
         "points.transform", "points.mirror_across", "points.mirror_down", SEPARATOR,
         "points.smooth", "points.cusp", "points.toggle_closed", "shape.to_bezier", "shape.to_bspline",
-        "feather.reset", SEPARATOR,
+        "feather.reset", "feather.all_keys", SEPARATOR,
         "edit.keymap", "edit.settings",
     ),
     "Shape": (
@@ -66,7 +66,7 @@ MENUS: dict[str, tuple[str, ...]] = {
         "time.play_back_slowly", "time.loop", "time.ping_pong", SEPARATOR,
         "time.set_in", "time.set_out", "time.clear_range", SEPARATOR,
         "mark.toggle", "mark.name", "time.previous_mark", "time.next_mark", SEPARATOR,
-        "view.fit_time", "view.tall_timeline", "view.panels",
+        "view.fit_time", "view.tall_timeline", "view.shape_panel", "view.panels",
     ),
     "Help": ("help.palette", "help.keys", SEPARATOR, "help.log", "help.report", "help.about"),
 }  # fmt: skip

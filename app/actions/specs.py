@@ -85,6 +85,9 @@ SPECS: tuple[ActionSpec, ...] = (
     ActionSpec(
         "feather.reset", "Reset feather", _VIEWER, tip="Put the feather of the selected points back on the outline"
     ),
+    ActionSpec(
+        "feather.all_keys", "Feather for all keys", _VIEWER, tip="Give the soft edge as it is here to every key"
+    ),
     ActionSpec("points.delete", "Delete", _VIEWER, tip="Delete the selected points or shapes"),
     ActionSpec("points.select_all", "Select all points", _VIEWER),
     ActionSpec("points.next", "Next point", _VIEWER),
@@ -190,6 +193,7 @@ SPECS: tuple[ActionSpec, ...] = (
     ActionSpec("view.actual_size", "100 %", _VIEWER),
     ActionSpec("view.fit_time", "Fit time", tip="Show the whole clip in the timeline"),
     ActionSpec("view.tall_timeline", "Tall timeline", tip="Give the timeline half of the window", checkable=True),
+    ActionSpec("view.shape_panel", "Shape panel", tip="Show all that the Shape panel has of the selected shapes"),
     ActionSpec("view.panels", "Panels", tip="Show or hide the panels on the right", checkable=True),
     ActionSpec("time.previous", "Previous frame"),
     ActionSpec("time.next", "Next frame"),

@@ -28,8 +28,8 @@ from ..widgets.focus import KEEPS_KEYBOARD
 
 WIDTH, MOST_ROWS = 560, 14
 MENU_WIDTH, KEYS_WIDTH = 70, 170
-TITLE_BONUS = 100.0
-"""A title that fits comes before every action that only a further word found."""
+WORD_BONUS = 100.0
+"""Words of the title that begin so come first, then further words, then letters that lie scattered in the title."""
 LATELY_RUN = 5
 """Actions that an empty search shows first: those run last."""
 
@@ -49,9 +49,9 @@ class Entry:
     def score(self, query: str) -> float | None:
         """How well a query fits; None where it does not."""
         in_title = fuzzy_score(query, self.title)
-        if in_title is not None:
-            return in_title + TITLE_BONUS
-        return 0.0 if words_begin(query, self.words) else None
+        if words_begin(query, self.words):
+            return (in_title or 0.0) + WORD_BONUS * (1 + words_begin(query, self.title))
+        return in_title
 
 
 def found(entries: list[Entry], query: str, lately: list[str]) -> list[Entry]:

@@ -6,8 +6,8 @@ from collections.abc import Callable, Mapping, Sequence
 from enum import StrEnum
 
 from roam_core.dials import name_of
-from roam_core.errors import RoamError
-from roam_core.params import DEFAULT_CONFIG, departed, is_doubtful, params_for
+from roam_core.params import DEFAULT_CONFIG, departed, is_doubtful
+from roam_core.propagate.shapes.provenance import known_params
 from roam_core.roto import Layer, Project, RotoShape
 
 from ..jobs.filling import Gap, gaps_of
@@ -66,18 +66,18 @@ class Tracking:
     def recall(self, kept: Mapping[str, Mapping[str, str]]) -> None:
         """Turn the dials as `remembered` told; what makes no sense any more is left out.
 
-        So is a dial that is offered no more, which is said: nothing would show that it is turned.
+        So is a dial that is offered no more: nothing would show that it is turned. Both are said, in one sentence.
         """
+        gone: list[str] = []
         for config, own in kept.items():
             for dial, word in own.items():
-                try:
-                    params_for(f"{config}+{dial}={word}")
-                except RoamError:
-                    continue
-                if departed(f"{config}+{dial}={word}"):
-                    self._view.say(f"The dial {dial!r} is not offered for {config!r} any more; it is left at 100 %.")
-                    continue
-                self.factors.setdefault(config, {})[dial] = float(word)
+                name = f"{config}+{dial}={word}"
+                if known_params(name) is None or departed(name):
+                    gone.append(name)
+                else:
+                    self.factors.setdefault(config, {})[dial] = float(word)
+        if gone:
+            self._view.say(f"Dials that were turned and are not offered (any more) stay at 100 %: {', '.join(gone)}.")
 
     def handlers(self) -> dict[str, Callable[[], object]]:
         """What the actions of this part call, by id."""

@@ -21,6 +21,7 @@ from ..jobs.export import Export
 from ..jobs.found_clip import FoundClip
 from ..jobs.importing import Import
 from ..model.document import PROJECT_SUFFIX, Document
+from ..model.last_folders import LastFolders, Purpose
 from ..model.personal import Personal
 from ..model.view_state import ViewState
 from .files import Files
@@ -53,9 +54,12 @@ class FileActions(QObject):
         super().__init__(window)
         self._window, self._document, self._view, self._files = window, document, view_state, files
         self._export, self._import, self._personal = export, importing, personal
+        self.folders = LastFolders()
+        """Where choosers begin."""
         self._after_saving: Callable[[], object] | None = None
         self._export_dialog: ExportDialog | None = None
         files.saved.connect(self._saved)
+        export.written.connect(lambda path: self.folders.note(Purpose.EXPORT, path.parent))
         files.not_saved.connect(self._disarm)
         files.doubted.connect(self._ask_doubted)
         files.contested.connect(self._ask_contested)
@@ -103,13 +107,16 @@ class FileActions(QObject):
         self.leave_project(self._files.new)
 
     def open_clip(self) -> None:
-        self._open_asking(questions.choose_clip_folder(self._window, self._start_folder()))
+        path = questions.choose_clip_folder(self._window, self._start_folder(Purpose.CLIP))
+        self._open_asking(self._noted(Purpose.CLIP, path))
 
     def open_movie(self) -> None:
-        self._open_asking(questions.choose_movie(self._window, self._start_folder()))
+        path = questions.choose_movie(self._window, self._start_folder(Purpose.CLIP))
+        self._open_asking(self._noted(Purpose.CLIP, path))
 
     def open_project(self) -> None:
-        self._open(questions.choose_project(self._window, self._start_folder()))
+        path = questions.choose_project(self._window, self._start_folder(Purpose.PROJECT))
+        self._open(self._noted(Purpose.PROJECT, path))
 
     def open_chosen(self, path: Path) -> None:
         """Open a project or clip that was chosen among those of before."""
@@ -136,7 +143,8 @@ class FileActions(QObject):
 
     def save_as(self) -> None:
         """Ask where, and save there."""
-        path = questions.choose_save(self._window, self._suggested(PROJECT_SUFFIX))
+        own = self._document.path
+        path = questions.choose_save(self._window, own or self._suggested(PROJECT_SUFFIX, Purpose.PROJECT))
         if path is None or not self._may_save_to(path):
             self._disarm()
         else:
@@ -146,15 +154,18 @@ class FileActions(QObject):
         """Ask for a file of shapes, and read it."""
         if self._lacks_clip():
             return
-        path = questions.choose_shapes(self._window, self._start_folder(), SHAPE_SUFFIXES)
-        if path is not None:
+        chosen = questions.choose_shapes(self._window, self._start_folder(Purpose.SHAPES), SHAPE_SUFFIXES)
+        if (path := self._noted(Purpose.SHAPES, chosen)) is not None:
             self._import.start(path)
 
     def import_masks(self) -> None:
         """Ask for a folder of masks, and how near and with how few keys they are to be followed."""
         if self._lacks_clip():
             return
-        folder = questions.choose_folder(self._window, "Import the masks of a folder", self._start_folder())
+        start = self._start_folder(Purpose.SHAPES)
+        folder = self._noted(
+            Purpose.SHAPES, questions.choose_folder(self._window, "Import the masks of a folder", start)
+        )
         if folder is None:
             return
         from ..dialogs.mask_dialog import MaskDialog
@@ -181,7 +192,7 @@ class FileActions(QObject):
         self._export_file("nuke", "Export to Nuke")
 
     def export_mattes(self) -> None:
-        folder = questions.choose_folder(self._window, "Export mattes to a folder", self._start_folder())
+        folder = questions.choose_folder(self._window, "Export mattes to a folder", self._start_folder(Purpose.EXPORT))
         if folder is not None:
             self._export.start("mattes", folder)
 
@@ -252,7 +263,14 @@ class FileActions(QObject):
             return False
         return not found.foreign or questions.ask_overwrite(self._window, found.foreign)
 
+    def _noted(self, purpose: Purpose, path: Path | None) -> Path | None:
+        """What was chosen, if anything was; its folder is where the next chooser of this kind begins."""
+        if path is not None:
+            self.folders.note(purpose, path.parent)
+        return path
+
     def _saved(self) -> None:
+        self._noted(Purpose.PROJECT, self._document.path)
         then, self._after_saving = self._after_saving, None
         if then is not None:
             then()
@@ -280,16 +298,19 @@ class FileActions(QObject):
             self._view.say(f"{path.name} was not opened.")
             self.refused_to_open.emit()
 
-    def _suggested(self, suffix: str) -> Path:
+    def _suggested(self, suffix: str, purpose: Purpose = Purpose.EXPORT) -> Path:
         clip = self._document.project.clip
         stem = self._document.path.stem if self._document.path else (clip.path.stem if clip else "untitled")
-        return self._start_folder() / f"{stem}{suffix}"
+        return self._start_folder(purpose) / f"{stem}{suffix}"
 
-    def _start_folder(self) -> Path:
-        """Where choosers begin: beside the project, the clip, what was opened last, or at home.
+    def _start_folder(self, purpose: Purpose) -> Path:
+        """Where choosers begin: where the last one of the kind was used, else beside the project, the clip, what was
+        opened last, or at home.
 
         Never in the cache: it may be emptied.
         """
+        if (last := self.folders.of(purpose)) is not None:
+            return last
         clip = self._document.project.clip
         if self._document.path is not None:
             return self._document.path.parent

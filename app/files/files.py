@@ -11,6 +11,7 @@ from PySide6.QtCore import QObject, Signal
 
 from roam_core.errors import RoamError
 from roam_core.interchange.authorship import is_project
+from roam_core.propagate.shapes.departed import departed_settings
 from roam_core.roto import BlendMode, Clip, Project, backups, edit, file, project_lock
 from roam_core.roto.fingerprint import Fingerprint
 from roam_core.roto.migrate import UNION_SINCE
@@ -341,7 +342,8 @@ def _read_project(path: Path) -> Found:
     project = relinked(stored, path.parent)
     source, problem = plate_of(project)
     moved = "" if project is stored else f" Its plate was found at {project.require_clip().path}; save to keep that."
-    sentence = f"{problem or f'Opened {path.name}.{moved}'} {_older(project, version)}".rstrip()
+    more = filter(None, (_older(project, version), departed_settings(project.shapes)))
+    sentence = " ".join([problem or f"Opened {path.name}.{moved}", *more])
     return Found(project, source, sentence, path, fingerprint)
 
 

@@ -26,6 +26,7 @@ class Export(QObject):
     -------
     progress(fraction, text), finished(ending, sentence) : the job's news.
     noted(sentences) : a tuple: what the format cannot hold and was left out or changed, before `finished`.
+    written(path) : an export was made as a whole, to the file or folder that was asked for.
 
     What the project is made of (plate, project file) is never written over. Files that ROAM did not make are, if
     `may_overwrite(paths)` says so: the artist, who is asked before anything is written. So is `may_lose(losses)` where
@@ -35,6 +36,7 @@ class Export(QObject):
     progress = Signal(float, str)
     finished = Signal(object, str)
     noted = Signal(object)
+    written = Signal(object)
 
     def __init__(
         self,
@@ -86,6 +88,8 @@ class Export(QObject):
         def end(ending: Ending, sentence: str) -> None:
             if ending is not Ending.DONE or not (foreign or losses):
                 self._end(ending, sentence)
+                if ending is Ending.DONE:
+                    self.written.emit(request.path)
             elif foreign and self._may_overwrite(foreign):
                 self._start(replace(request, overwrites=True))
             elif losses and self._may_lose(losses):

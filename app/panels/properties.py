@@ -173,8 +173,13 @@ class PropertiesPanel(QWidget):
         self.from_here, self.to_here = _here("From this frame on"), _here("Up to this frame")
         self.from_here.clicked.connect(lambda: self._push_frame(begin_at, self._view.frame))
         self.to_here.clicked.connect(lambda: self._push_frame(end_at, self._view.frame))
-        self._add_frame("From", self.first, self.from_here, lambda s: s.lifetime[0] if s.lifetime else None, begin_at)
-        self._add_frame("To", self.last, self.to_here, lambda s: s.lifetime[1] - 1 if s.lifetime else None, end_at)
+        self._add_frame("From", self.first, self.from_here, lambda s: self._lifetime(s)[0], begin_at)
+        self._add_frame("To", self.last, self.to_here, lambda s: self._lifetime(s)[1] - 1, end_at)
+
+    def _lifetime(self, shape: RotoShape) -> tuple[int, int]:
+        """The half-open range of frames in which a shape exists: those of the clip where it has no lifetime."""
+        clip = self._clip()
+        return shape.lifetime or (clip.start, clip.stop)
 
     def _add_frame(self, label: str, field: NumberField, here: QToolButton, get: Any, verb: Any) -> None:
         row = QWidget()
@@ -273,10 +278,15 @@ class PropertiesPanel(QWidget):
             field.widget.setEnabled(is_free or field.works_locked)
         self.closed.setEnabled(is_free and all(shape.point_count >= MIN_POINTS_CLOSED for shape in selected))
         self.name.setEnabled(is_free and len(selected) == 1)
+        # What has no meaning now is dim, in its place: nothing in the column moves with the selection.
         for field_row in (self.shutter, self.phase, self.samples):
-            self._form.setRowVisible(field_row, any(shape.motion_blur for shape in selected))
+            self._enable_row(field_row, is_free and any(shape.motion_blur for shape in selected))
         for row in self._lifetime_rows:
-            self._form.setRowVisible(row, any(shape.lifetime for shape in selected))
+            self._enable_row(row, is_free and any(shape.lifetime for shape in selected))
+
+    def _enable_row(self, row: QWidget, is_enabled: bool) -> None:
+        for part in (row, self._form.labelForField(row)):
+            part.setEnabled(is_enabled)
 
     def _follow(self) -> None:
         """Another frame: what varies is another value there, and what does not may be told as before."""

@@ -71,10 +71,10 @@ from ..widgets.focus import FocusFollowsPointer
 from ..widgets.panel import Panel
 from . import layout, settings
 from .defects import Defects
+from .timeline_height import TimelineHeight
 from .window_services import WindowServices
 
 PANEL_WIDTH = 272
-TIMELINE_HEIGHT = 200
 DRAW_HINT = "Draw a shape: press <tool.bezier>"
 
 
@@ -175,9 +175,9 @@ class MainWindow(QMainWindow):
         picture, lower = layout.row(self.tool_column, self.canvas), layout.column(self.transport, self.timeline)
         upper = layout.split(Qt.Orientation.Horizontal, picture, self.panel_column)
         self._halves = layout.split(Qt.Orientation.Vertical, upper, lower)
-        self.splitters = {"upper": upper, "halves": self._halves}
+        self.splitters = {"upper": upper}
         upper.setSizes([self.width() - PANEL_WIDTH, PANEL_WIDTH])
-        self._halves.setSizes([self.height() - TIMELINE_HEIGHT, TIMELINE_HEIGHT])
+        self.timeline_height = TimelineHeight(self._halves)
         self.setCentralWidget(layout.column(self._halves, self.status))
 
     def _panel_column(self) -> QScrollArea:
@@ -187,6 +187,7 @@ class MainWindow(QMainWindow):
         self.history_panel = Panel("History", self.history)
         self.history_panel.setVisible(False)
         shapes, shape = Panel("Shapes", self.shapes, shape_tools), Panel("Shape", self.properties, key_tools)
+        self.shape_panel = shape
         tracks = Panel("Track", self.tracker), Panel("Planar track", self.planar_panel)
         column = layout.column(shapes, *tracks, shape, self.history_panel, self.services.log_panel, growing=shapes)
         column.setObjectName("panelColumn")
@@ -232,7 +233,7 @@ class MainWindow(QMainWindow):
         for name, switch in (
             ("edit.history", self.history_panel.setVisible),
             ("view.panels", self.panel_column.setVisible),
-            ("view.tall_timeline", self._set_tall_timeline),
+            ("view.tall_timeline", self.timeline_height.make_tall),
         ):
             actions[name].toggled.connect(switch)
 
@@ -258,6 +259,7 @@ class MainWindow(QMainWindow):
             "shape.delete": self._delete_in_list,
             "track.stop": self.under_way.stop,
             "view.fit_time": self.timeline.axis.fit,
+            "view.shape_panel": self._show_shape_panel,
         }
         for part in (
             self.canvas,
@@ -303,7 +305,13 @@ class MainWindow(QMainWindow):
             switches={name: self.actions_by_id[name] for name in settings.SWITCHES},
             panels=self.panel_column.findChildren(Panel),
             mode=self.tracker.mode,
-            tables={"proposals": self.proposals, "dials": self.tracker, "viewing": self.canvas.viewing},
+            tables={
+                "proposals": self.proposals,
+                "dials": self.tracker,
+                "viewing": self.canvas.viewing,
+                "timeline": self.timeline_height,
+                "folders": self.file_actions.folders,
+            },
         )
 
     # ---- pulling
@@ -342,13 +350,13 @@ class MainWindow(QMainWindow):
         self.actions_by_id["track.stop"].setEnabled(self.under_way.is_any)
         self.canvas.set_waiting(self.files.is_opening)
 
-    def _set_tall_timeline(self, tall: bool) -> None:
-        height = self._halves.height()
-        lower = height // 2 if tall else TIMELINE_HEIGHT
-        self._halves.setSizes([height - lower, lower])
-
     def _delete_in_list(self) -> None:
         self.shapes.tree.delete_selected()
+
+    def _show_shape_panel(self) -> None:
+        self.actions_by_id["view.panels"].setChecked(True)
+        self.shape_panel.fold(False)
+        QTimer.singleShot(0, self, lambda: self.panel_column.ensureWidgetVisible(self.properties))
 
     # ---- events of the window
 

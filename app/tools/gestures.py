@@ -122,7 +122,7 @@ class Edit(Gesture, ABC):
             self.grab = self._whole
             where = "" if self.grab.keying.ripple is None else " (ripple)"
             before = self.document.project
-            self.document.apply(self.text + where, self.edited())
+            self.document.apply(self.text + where, self.grab.settled(before, self.edited()))
             if self.grab.keying != AUTO_KEY:
                 changed = keys_changed(before, self.document.project, self.grab.start)
                 self.view_state.say(f"{self.text}: {changed} key{'s' * (changed != 1)} changed.")

@@ -18,6 +18,7 @@ from roam_core.roto.transform import falloff, transform_like
 
 from ..model.shown import editable_shapes
 from ..model.view_state import Selection, ViewState
+from .settling import settled
 
 Vector = tuple[float, float]
 
@@ -59,6 +60,10 @@ class Grab:
     def transformed(self, project: Project, matrix: Array) -> Project:
         """The project with the grabbed points carried by `matrix (2, 3)` from where they began."""
         return self.changed(project, lambda each: transform_like(self.start[each], self.weights[each], matrix))
+
+    def settled(self, before: Project, after: Project) -> Project:
+        """The project `after` the edit, with what follows from it on other keys; see `app.tools.settling`."""
+        return settled(before, after, self.start, self.frame, self.keying)
 
     def changed(self, project: Project, change_of: Callable[[str], Change]) -> Project:
         """The project with each shape changed as `change_of(shape id)` says, from where it began."""

@@ -9,6 +9,7 @@ from pathlib import Path
 from roam_core.interchange.authorship import is_project
 from roam_core.media import open_clip
 from roam_core.media.finding import is_there
+from roam_core.propagate.shapes.departed import departed_settings
 from roam_core.propagate.shapes.provenance import Stamps
 from roam_core.propagate.shapes.suggest_keyframe import suggest_keyframe
 from roam_core.roto import Origin, RotoShape, file
@@ -53,6 +54,8 @@ def _project_lines(path: Path) -> list[str]:
             lines.append(f"         is not there{'' if found == project.clip.path else f'; found again at {found}'}")
     stamps = Stamps.of(project.shapes, project.clip)
     lines.extend(_shape_line(shape, stamps) for shape in project.shapes)
+    if sentence := departed_settings(project.shapes):
+        lines.append(f"note     {sentence}")
     return lines
 
 

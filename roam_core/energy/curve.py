@@ -51,17 +51,18 @@ def pairwise_ribbon(
     densities: tuple[Float32, Float32],
     orientation: float,
     depth: float,
+    step: float,
     edges: Indices | None = None,
 ) -> Array:
     """-ln p_n^f over R_n^in and -ln p_n^b over R_n^out, each as a mean (first two terms of equation 3), `(N, D, D)`.
 
-    `densities` are ln p_n^f and ln p_n^b `(h, w)`; `nodes (N, 2)`, `moves (D, 2)` and the ribbon's `depth` in pixels of
-    them; `orientation` is 1 for a curve that runs clockwise on screen, else -1.
+    `densities` are ln p_n^f and ln p_n^b `(h, w)`; `nodes (N, 2)`, `moves (D, 2)`, the ribbon's `depth` and the `step`
+    between its samples in pixels of them; `orientation` is 1 for a curve that runs clockwise on screen, else -1.
     """
     foreground, background = densities
     # Clockwise on screen, with y down, the inside is on the right.
     left, right = (background, foreground) if orientation > 0 else (foreground, background)
-    return -ribbon_means(left, right, nodes, moves, depth, edges)
+    return -ribbon_means(left, right, nodes, moves, depth, step, edges)
 
 
 def pairwise_competition(

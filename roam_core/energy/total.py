@@ -186,5 +186,6 @@ def _ribbon(
         (colours.foreground, colours.background),
         context.orientation,
         params.appearance.ribbon_depth,
+        params.appearance.ribbon_step,
         edges,
     )

@@ -67,21 +67,21 @@ class PreparedFrame:
     def __init__(self, image: NDArray[Any]) -> None:
         self.image: UInt8 = as_uint8(image)
         self.size: tuple[int, int] = (self.image.shape[0], self.image.shape[1])
-        self._gradients: dict[tuple[Region, float, float], Float32] = {}
+        self._gradients: dict[tuple[Region, float, float, float], Float32] = {}
 
     @cached_property
     def grey(self) -> UInt8:
         """Luma (h, w)."""
         return np.asarray(cv2.cvtColor(self.image, cv2.COLOR_RGB2GRAY), dtype=np.uint8)
 
-    def squared_gradient(self, region: Region, sigma: float, floor: float) -> Float32:
+    def squared_gradient(self, region: Region, sigma: float, floor: float, top: float) -> Float32:
         """|grad I|^2 of equation 3 over a region, (rows, columns), normalised to [0, 1].
 
-        The largest channel's gradient after a Gaussian blur of `sigma` pixels; divided by a robust maximum (the 98th
-        percentile of the region, at least `floor` squared grey levels, so that grain in a flat region does not pass for
-        edges).
+        The largest channel's gradient after a Gaussian blur of `sigma` pixels; divided by a robust maximum (the
+        percentile `top` of the region, at least `floor` squared grey levels, so that grain in a flat region does not
+        pass for edges).
         """
-        key = (region, sigma, floor)
+        key = (region, sigma, floor, top)
         if key not in self._gradients:
             self._gradients[key] = _squared_gradient(self.image, *key)
         return self._gradients[key]
@@ -104,7 +104,7 @@ def as_uint8(image: NDArray[Any]) -> UInt8:
     return np.asarray(np.clip(levels, 0.0, 255.0, out=levels), dtype=np.uint8)
 
 
-def _squared_gradient(image: UInt8, region: Region, sigma: float, floor: float) -> Float32:
+def _squared_gradient(image: UInt8, region: Region, sigma: float, floor: float, percentile: float) -> Float32:
     pad = int(np.ceil(3 * sigma)) + 2
     height, width = image.shape[:2]
     y0, y1 = max(region.y0 - pad, 0), min(region.y1 + pad, height)
@@ -114,5 +114,5 @@ def _squared_gradient(image: UInt8, region: Region, sigma: float, floor: float) 
     dy = cv2.Sobel(crop, cv2.CV_32F, 0, 1, ksize=3, scale=0.125)
     power = (dx * dx + dy * dy).max(axis=2)
     power = power[region.y0 - y0 : region.y1 - y0, region.x0 - x0 : region.x1 - x0]
-    top = max(float(np.percentile(power, 98.0)), floor) if power.size else floor
+    top = max(float(np.percentile(power, percentile)), floor) if power.size else floor
     return np.ascontiguousarray(np.minimum(power / np.float32(top), np.float32(1.0)))

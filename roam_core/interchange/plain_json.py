@@ -35,6 +35,7 @@ from roam_core.roto import (
     control_points,
 )
 from roam_core.roto.animated import Animatable
+from roam_core.roto.shape import NO_COLOUR
 
 Number = Callable[..., float]
 """Reads a number of a field: `_Reader._number` or `_share`."""
@@ -307,7 +308,7 @@ class JsonReader(ShapeReader):
         return kind(value)
 
     def _colour(self, values: dict[str, Any], place: str) -> list[float]:
-        value = values.get("colour", [0.90, 0.62, 0.0])
+        value = values.get("colour", list(NO_COLOUR))
         if not isinstance(value, list) or len(value) != 3 or not _numbers(value):
             raise self._refusal(place, '"colour" must be a list of three numbers')
         return [min(max(float(share), 0.0), 1.0) for share in value]

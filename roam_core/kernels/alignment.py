@@ -8,31 +8,29 @@ from numba import njit
 from roam_core.arrays import Array, Int64
 
 BEAM = 16.0
-"""A matching found within this of the best beginnings bounds the exact search from above."""
+"""A matching found within this of the best beginnings bounds the exact search from above: it changes the time alone."""
 ROUNDING = 1.0 + 1e-9
 """Sums in another order must not cut off the optimum itself."""
-FARTHEST = 9.0
-"""Most that distance costs: what is lost is lost."""
 
 Places = tuple[Array, Array, Array]
 """What is compared of K places of an outline: positions (K, 2), outward normals (K, 2), surroundings (K, R)."""
 
 
-def prices(nodes: Places, samples: Places, near: float, turn: float, bulge: float) -> Array:
+def prices(nodes: Places, samples: Places, near: float, farthest: float, turn: float, bulge: float) -> Array:
     """What it costs `(N, M)` to put each node on each sample.
 
-    The squared distance in units of `near`, at most `FARTHEST`; `turn` where the normals are opposite, half of it where
+    The squared distance in units of `near`, at most `farthest`; `turn` where the normals are opposite, half of it where
     they are at right angles; `bulge` times the mean squared difference of the surroundings
     (`proposal.outline.invariants`).
     """
     ours, theirs = (np.hstack([places[0] / near, *places[1:]]) for places in (nodes, samples))
     cost = np.empty((len(ours), len(theirs)))
-    _prices(ours, theirs, turn, bulge, cost)
+    _prices(ours, theirs, farthest, turn, bulge, cost)
     return cost
 
 
 @njit(nogil=True, cache=True)
-def _prices(nodes, samples, turn, bulge, cost):  # type: ignore[no-untyped-def]
+def _prices(nodes, samples, farthest, turn, bulge, cost):  # type: ignore[no-untyped-def]
     columns = nodes.shape[1]
     for n in range(len(nodes)):
         for m in range(len(samples)):
@@ -41,7 +39,7 @@ def _prices(nodes, samples, turn, bulge, cost):  # type: ignore[no-untyped-def]
             unlike = 0.0
             for r in range(4, columns):
                 unlike += (nodes[n, r] - samples[m, r]) ** 2
-            cost[n, m] = min(away, FARTHEST) + 0.5 * turn * (1.0 - cosine) + bulge * unlike / (columns - 4)
+            cost[n, m] = min(away, farthest) + 0.5 * turn * (1.0 - cosine) + bulge * unlike / (columns - 4)
 
 
 def align(cost: Array, expected: Array, stretch: float, starts: Int64) -> tuple[Int64, float]:

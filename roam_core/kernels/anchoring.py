@@ -7,13 +7,10 @@ from numba import njit
 
 from roam_core.arrays import Array, Bools, Int64
 
-LOOKED_AT = 12
-"""Samples of a piece at which its error is measured, at most."""
-HOLD = 0.02
-"""Weight, against one sample, that draws handles to the straight line: a piece of few samples makes no loops."""
 
-
-def anchored(samples: Array, places: Int64, price: Array, straight: Bools) -> tuple[Int64, float]:
+def anchored(
+    samples: Array, places: Int64, price: Array, straight: Bools, looked_at: int, hold: float
+) -> tuple[Int64, float]:
     """One of C places for each anchor, in order, that minimise the pieces' errors and the prices of the places.
 
     The error of a piece is the integral, over its length, of the squared distance to the cubic that follows it best by
@@ -25,6 +22,8 @@ def anchored(samples: Array, places: Int64, price: Array, straight: Bools) -> tu
     places : (P, C) for each anchor the samples it may lie on; they run on past M instead of starting again.
     price : (P, C) what each place costs, in the error's unit, px^3.
     straight : (P,) which pieces, from each anchor to the next, have no handles.
+    looked_at : samples of a piece at which its error is measured, at most.
+    hold : weight, against one sample, that draws handles to the straight line.
 
     Returns
     -------
@@ -41,18 +40,20 @@ def anchored(samples: Array, places: Int64, price: Array, straight: Bools) -> tu
         np.ascontiguousarray(price, dtype=np.float64),
         np.ascontiguousarray(straight),
         step,
+        looked_at,
+        hold,
         chosen,
     )
     return np.take_along_axis(places, chosen[:, None], axis=1)[:, 0], float(least)
 
 
 @njit(nogil=True, cache=True)
-def _error(samples, first, last, straight, step):  # type: ignore[no-untyped-def]
+def _error(samples, first, last, straight, step, looked_at, hold):  # type: ignore[no-untyped-def]
     """Integral of the squared distance of a piece of the outline to its cubic, as the mean over a few samples."""
     total, steps = len(samples), last - first
     ax, ay = samples[first % total]
     dx, dy = samples[last % total][0] - ax, samples[last % total][1] - ay
-    count = min(steps - 1, LOOKED_AT)
+    count = min(steps - 1, looked_at)
     if count <= 0:
         return 0.0
     uu = uv = vv = ux = uy = vx = vy = rr = 0.0
@@ -74,7 +75,7 @@ def _error(samples, first, last, straight, step):  # type: ignore[no-untyped-def
         vy += v * ry
     if straight:
         return rr / count * steps * step
-    uu, vv = uu + HOLD, vv + HOLD
+    uu, vv = uu + hold, vv + hold
     determinant = uu * vv - uv * uv
     px, py = (ux * vv - vx * uv) / determinant, (uy * vv - vy * uv) / determinant
     qx, qy = (vx * uu - ux * uv) / determinant, (vy * uu - uy * uv) / determinant
@@ -83,7 +84,7 @@ def _error(samples, first, last, straight, step):  # type: ignore[no-untyped-def
 
 
 @njit(nogil=True, cache=True)
-def _anchored(samples, places, price, straight, step, chosen):  # type: ignore[no-untyped-def]
+def _anchored(samples, places, price, straight, step, looked_at, hold, chosen):  # type: ignore[no-untyped-def]
     count, choices = places.shape
     start = places[0, 0]
     reach, following = np.full(choices, np.inf), np.empty(choices)
@@ -98,7 +99,8 @@ def _anchored(samples, places, price, straight, step, chosen):  # type: ignore[n
             for b in range(choices):
                 if reach[b] + price[n, c] >= following[c] or places[n - 1, b] >= here:
                     continue
-                value = reach[b] + price[n, c] + _error(samples, places[n - 1, b], here, straight[n - 1], step)
+                error = _error(samples, places[n - 1, b], here, straight[n - 1], step, looked_at, hold)
+                value = reach[b] + price[n, c] + error
                 if value < following[c]:
                     following[c] = value
                     parents[n, c] = b
@@ -107,7 +109,8 @@ def _anchored(samples, places, price, straight, step, chosen):  # type: ignore[n
     for c in range(choices):
         if reach[c] == np.inf:
             continue
-        value = reach[c] + _error(samples, places[count - 1, c], start + len(samples), straight[count - 1], step)
+        last = places[count - 1, c]
+        value = reach[c] + _error(samples, last, start + len(samples), straight[count - 1], step, looked_at, hold)
         if value < least:
             least, end = value, c
     for n in range(count - 1, -1, -1):

@@ -7,12 +7,9 @@ from numba import njit
 
 from roam_core.arrays import Array, Float32, Indices
 
-DEPTH_STEP = 2.0
-"""Pixels between the lines, parallel to the edge, that are sampled; along them samples lie as far apart."""
-
 
 def ribbon_means(
-    left: Float32, right: Float32, nodes: Array, moves: Array, depth: float, edges: Indices | None = None
+    left: Float32, right: Float32, nodes: Array, moves: Array, depth: float, step: float, edges: Indices | None = None
 ) -> Array:
     """Mean of `left` on the left of every candidate edge plus mean of `right` on its right, `depth` pixels deep.
 
@@ -22,6 +19,7 @@ def ribbon_means(
         screen, looking along the edge from `nodes[n] + moves[i]` to `nodes[n + 1] + moves[j]`.
     nodes : (N, 2) closed polyline in the fields' pixel coordinates.
     moves : (D, 2) offsets in pixels.
+    step : pixels between the lines, parallel to the edge, that are sampled; along them samples lie as far apart.
     edges : (E,) indices of the edges that are asked for; all of them, if None.
 
     Returns
@@ -30,13 +28,13 @@ def ribbon_means(
     """
     wanted = np.arange(len(nodes)) if edges is None else edges
     means = np.empty((len(wanted), len(moves), len(moves)))
-    lines = max(1, round(depth / DEPTH_STEP))
-    _ribbon_means(left, right, nodes, moves, wanted, depth / lines, lines, means)
+    lines = max(1, round(depth / step))
+    _ribbon_means(left, right, nodes, moves, wanted, depth / lines, lines, step, means)
     return means
 
 
 @njit(nogil=True, cache=True)
-def _ribbon_means(left, right, nodes, moves, edges, gap, lines, means):  # type: ignore[no-untyped-def]
+def _ribbon_means(left, right, nodes, moves, edges, gap, lines, step, means):  # type: ignore[no-untyped-def]
     height, width = left.shape
     count, kinds = len(nodes), len(moves)
     for e in range(len(edges)):
@@ -47,7 +45,7 @@ def _ribbon_means(left, right, nodes, moves, edges, gap, lines, means):  # type:
             for j in range(kinds):
                 dx, dy = nodes[following, 0] + moves[j, 0] - ax, nodes[following, 1] + moves[j, 1] - ay
                 length = np.hypot(dx, dy)
-                samples = max(1, int(np.ceil(length / DEPTH_STEP)))
+                samples = max(1, int(np.ceil(length / step)))
                 # With y down, looking along (dx, dy), the left is at (dy, -dx).
                 ux, uy = 0.0, 0.0
                 if length > 0.0:

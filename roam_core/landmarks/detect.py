@@ -27,7 +27,7 @@ def distinctive_points(
         return np.empty((0, 2))
     texture = _texture(grey, inside, side)
     # As far apart as circles that tile half the object.
-    apart = max(2.0, 0.8 * float(np.sqrt(area / (count + len(taken)))))
+    apart = max(2.0, params.apart * float(np.sqrt(area / (count + len(taken)))))
     stable = _stable_regions(grey, inside, area, params)
     column, row = (np.clip(stable[:, k].astype(np.intp), 0, grey.shape[1 - k] - 1) for k in (0, 1))
     stable = stable[np.argsort(-texture[row, column], kind="stable")]

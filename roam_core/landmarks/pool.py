@@ -58,7 +58,7 @@ class Pool:
         """The landmarks of the object that covers `region (h, w)` on a frame, numbered from `first_id` on."""
         cell = scale_for(frame.size)
         across = float(np.sqrt(np.count_nonzero(region))) / cell
-        side = 2 * int(np.clip(0.4 * across, params.least_side // 2, params.window // 2))
+        side = 2 * int(np.clip(params.patch * across, params.least_side // 2, params.window // 2))
         size = side + 2 * params.filters.margin
         nothing = np.empty((0, size, size), np.float32)
         none = CorrelationFilters.learned(nothing, params.target_sigma, params.ridge, params.filters)
@@ -96,7 +96,9 @@ class Pool:
         areas = kept._own_areas(frame)
         kept = replace(kept, filters=kept.filters.adapted(areas, self.params.target_sigma, rate))
         waited = kept.waited >= self.params.patience
-        few = len(kept) < self.params.scarce * self.wanted or (len(kept) < 0.8 * self.params.count and waited)
+        few = len(kept) < self.params.scarce * self.wanted or (
+            len(kept) < self.params.few * self.params.count and waited
+        )
         return kept._renewed(frame, region) if few else kept
 
     def moved(self, positions: Array) -> Pool:

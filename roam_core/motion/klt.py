@@ -11,7 +11,7 @@ import numpy as np
 from roam_core.arrays import Array, UInt8
 from roam_core.features import PreparedFrame, Region
 from roam_core.geometry import similarity
-from roam_core.params import RoamParams
+from roam_core.params import KltParams, RoamParams
 
 
 @dataclass(frozen=True)
@@ -40,8 +40,9 @@ def followed_points(
 ) -> tuple[Array, Array, float]:
     """Corners inside the closed polyline `line (K, 2)` and where they went, `(C, 2)` each, pixels.
 
-    They are followed on a reduced copy of the region, forwards and back again; those that do not return within half a
-    pixel of it are dropped. The third value is the error in pixels that an agreeing point may have for that reason.
+    They are followed on a reduced copy of the region, forwards and back again; those that do not return
+    (`KltParams.returned`) are dropped. The third value is the error in pixels that an agreeing point may have for that
+    reason.
     """
     none = np.empty((0, 2))
     region = Region.around(line, params.motion_travel * scale, before.size)
@@ -50,10 +51,10 @@ def followed_points(
     rows, columns = region.slices
     reduce = min(1.0, params.motion_size / max(region.x1 - region.x0, region.y1 - region.y0))
     old, new = (_reduced(frame.grey[rows, columns], reduce) for frame in (before, after))
-    start = _corners(old, (line - np.asarray(region.origin)) * reduce, params.motion_features)
+    start = _corners(old, (line - np.asarray(region.origin)) * reduce, params.motion_features, params.klt)
     if len(start) < 3:
         return none, none, 0.0
-    start, end = _followed(old, new, start)
+    start, end = _followed(old, new, start, params.klt)
     # Pixel centres lie at half-integers in our coordinates and at integers in OpenCV's.
     source = (start + 0.5) / reduce + np.asarray(region.origin)
     target = (end + 0.5) / reduce + np.asarray(region.origin)
@@ -66,24 +67,24 @@ def _reduced(grey: UInt8, factor: float) -> UInt8:
     return np.asarray(cv2.resize(grey, None, fx=factor, fy=factor, interpolation=cv2.INTER_AREA), dtype=np.uint8)
 
 
-def _corners(grey: UInt8, line: Array, count: int) -> Array:
+def _corners(grey: UInt8, line: Array, count: int, params: KltParams) -> Array:
     """Up to `count` corners inside the polyline, spread out; a shape of few corners yields weaker ones."""
     mask = np.zeros(grey.shape, dtype=np.uint8)
     cv2.fillPoly(mask, [np.round((line - 0.5) * 16).astype(np.int32)], 255, shift=4)
     area = int(np.count_nonzero(mask))
     if area == 0:
         return np.empty((0, 2))
-    distance = max(2.0, float(np.sqrt(area / count)) * 0.6)
-    found = cv2.goodFeaturesToTrack(grey, count, 0.003, distance, mask=mask, blockSize=5)
+    distance = max(2.0, float(np.sqrt(area / count)) * params.apart)
+    found = cv2.goodFeaturesToTrack(grey, count, params.quality, distance, mask=mask, blockSize=params.block)
     return np.empty((0, 2)) if found is None else found.reshape(-1, 2).astype(np.float64)
 
 
-def _followed(old: UInt8, new: UInt8, start: Array) -> tuple[Array, Array]:
-    criteria = (cv2.TERM_CRITERIA_EPS | cv2.TERM_CRITERIA_COUNT, 20, 0.02)
-    options: dict[str, Any] = {"winSize": (15, 15), "maxLevel": 3, "criteria": criteria}
+def _followed(old: UInt8, new: UInt8, start: Array, params: KltParams) -> tuple[Array, Array]:
+    criteria = (cv2.TERM_CRITERIA_EPS | cv2.TERM_CRITERIA_COUNT, params.steps, params.still)
+    options: dict[str, Any] = {"winSize": (params.window,) * 2, "maxLevel": params.levels, "criteria": criteria}
     points = start.astype(np.float32).reshape(-1, 1, 2)
     forward, good, _ = cv2.calcOpticalFlowPyrLK(old, new, points, None, **options)
     back, good_back, _ = cv2.calcOpticalFlowPyrLK(new, old, forward, None, **options)
-    returned = np.hypot(*(back - points).reshape(-1, 2).T) < 0.5
+    returned = np.hypot(*(back - points).reshape(-1, 2).T) < params.returned
     keep = (good.ravel() == 1) & (good_back.ravel() == 1) & returned
     return start[keep], forward.reshape(-1, 2)[keep].astype(np.float64)

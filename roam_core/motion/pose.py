@@ -273,7 +273,10 @@ class Search:
     def _is_apart(self, a: Array, b: Array) -> bool:
         step = self.params.search_step * self.template.scale
         turn = 0.5 * self.params.search_turn / max(self.params.search_turns // 2, 1)
-        return bool(np.hypot(*(a[:2] - b[:2])) > 1.25 * step or abs(a[2] - b[2]) > turn * 1.8)
+        return bool(
+            np.hypot(*(a[:2] - b[:2])) > self.params.apart_step * step
+            or abs(a[2] - b[2]) > turn * self.params.apart_turn
+        )
 
     def _refined(self, start: Array, level: int, template: Template | None = None) -> tuple[Array, float]:
         template = self.template if template is None else template

@@ -40,6 +40,7 @@ from roam_core.params.keys import (
     OutlineMatchParams,
     PairingParams,
 )
+from roam_core.params.klt import KLT, KltParams
 from roam_core.params.landmarks import FILTERS, FilterParams, LandmarkParams
 from roam_core.params.objects import OBJECTS, ObjectParams
 from roam_core.params.pose import BONES, JOINTS, BonesParams, JointParams, PoseParams, PyramidParams
@@ -65,6 +66,7 @@ __all__ = [
     "INVARIANTS",
     "JOINTS",
     "KEY_FIT",
+    "KLT",
     "LIVE_WIRE",
     "MERGING",
     "OBJECTS",
@@ -91,6 +93,7 @@ __all__ = [
     "JointParams",
     "KeyColoursParams",
     "KeyFitParams",
+    "KltParams",
     "LabelPropagationParams",
     "LandmarkParams",
     "LiveWireParams",

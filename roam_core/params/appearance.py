@@ -34,6 +34,7 @@ class AppearanceParams:
     global_kind : the global model p_0 (equation 4), made where `lambda_global` is above zero: "mixture", the paper's,
         or "histogram", beyond the paper. global_components : Gaussians of that mixture, a side.
     global_ring : depth of the surroundings that it learns the background from.
+    ribbon_step : cells between the samples of the ribbon, across it and along it.
     edge_blur : cells on both sides of the outline whose colours are mixed from both, and teach nothing.
     matched : standard deviations within which a colour matches a component (`appearance.update`).
     new_variance : least variance, Lab units squared, of a component that is put in for colours that matched none.
@@ -58,6 +59,7 @@ class AppearanceParams:
     global_kind: Literal["mixture", "histogram"] = "mixture"
     global_components: int = 5
     global_ring: float = 40.0
+    ribbon_step: float = later(2.0)
     edge_blur: float = later(0.7)
     matched: float = later(2.5)
     new_variance: float = later(100.0)

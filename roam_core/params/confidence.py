@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from roam_core.params.stamped import later
+
 
 @dataclass(frozen=True)
 class ConfidenceParams:
@@ -12,6 +14,10 @@ class ConfidenceParams:
     Attributes
     ----------
     reach : pixels to both sides of the outline that are searched for a stronger edge than the one it lies on.
+    near : pixels of a 480-line image to both sides in which an edge counts as the outline's own.
+    faint : strength of the strongest edge, in [0, 1], below which it is grain and supports nothing.
+    steep : how far the log-ratio has to fall across an outline for its full support, in units of what counts as sure.
+    whole : share of the area that an object should have from which a curve holds all of it.
     least : overlap below which all is lost.
     far_apart : overlap with both passes below which a filled frame is no worse for being farther from them.
     features : the constant of the logistic model, and the weight of each of the features of a region in their order.
@@ -27,6 +33,10 @@ class ConfidenceParams:
     pose_features: tuple[float, ...] = (3.96, 5.91, 1.88, 0.54)
     span_features: tuple[float, ...] = (3.94, 1.64, 3.3, 0.74, 0.21)
     vertex: tuple[float, float, float] = (-1.33, 1.72, 0.79)
+    near: float = later(1.5)
+    faint: float = later(0.15)
+    steep: float = later(1.2)
+    whole: float = later(0.5)
 
 
 CONFIDENCE = ConfidenceParams()

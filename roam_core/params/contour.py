@@ -76,6 +76,7 @@ class ContourFitParams:
     ----------
     stretch : price of a piece of outline that grows to twice its share of the whole.
     near : pixels of a 480-line image at which a node that lies so far from where it was expected has a price of 1.
+    farthest : the most that distance costs: what is lost is lost.
     turn : price of a node whose outline runs the opposite way.
     bulge : price of a node that was all tip on the key and now is all bay (`proposal.outline.invariants`).
     spacing : pixels of a 480-line image between the nodes that are matched.
@@ -86,6 +87,8 @@ class ContourFitParams:
     starts : samples tried for the node that is surest of its place.
     settling : rounds in which the matched nodes settle between the samples.
     loose : samples by which they may do so; none overtakes its neighbour.
+    straight, straight_each : weights that draw the handles of a segment to a straight line, against one sample, and
+        against each of its samples.
     tips, refine : of the shape of an outline, and of the last fit. untying : of taking crossings out.
     """
 
@@ -101,6 +104,9 @@ class ContourFitParams:
     starts: int = 3
     settling: int = 3
     loose: float = 0.95
+    farthest: float = later(9.0)
+    straight: float = later(0.005)
+    straight_each: float = later(0.002)
     tips: InvariantsParams = later(INVARIANTS)
     refine: RefineParams = later(RefineParams())
     untying: UntyingParams = later(UNTYING)

@@ -28,6 +28,7 @@ class CutOutParams:
         cells.
     least_contrast : grey values between the two sides, all channels together, at which a mixed cell tells how much
         is covered.
+    smoothing : cells of the Gaussian before it is cut: grain is no edge.
     softness : cells of the Gaussian that takes the stairs off the cut before its outline is fitted.
     """
 
@@ -45,6 +46,7 @@ class CutOutParams:
     tolerance: float = 1.0
     local: int = 11
     least_contrast: float = 24.0
+    smoothing: float = 0.8
     softness: float = 1.2
 
 
@@ -56,11 +58,15 @@ class GrowingParams:
     ----------
     steps : lab distances from the colour that was clicked at which its region is grown.
     leak : A region that grows by more than this from one distance to the next has run out into its surroundings.
+    enough : times the smallest region that one must have before it counts as what was there before a leak.
+    smoothing : spread of colours, grey values, and of places, cells, over which grain is smoothed before.
     largest, smallest : shares of the picture: a region outside of these is no object that was clicked on.
     """
 
     steps: tuple[float, float, float, float, float, float, float, float] = (3.0, 4.5, 6.0, 8.0, 10.0, 13.0, 17.0, 22.0)
     leak: float = 2.5
+    enough: float = 8.0
+    smoothing: tuple[float, float] = (30.0, 5.0)
     largest: float = 0.4
     smallest: float = 0.0004
 
@@ -76,6 +82,7 @@ class LiveWireParams:
     strongest : gradients above this count alike, so that one hard edge does not outshine all softer ones.
     smoothing : cells of the Gaussian before edges are looked for: grain is no edge.
     weakest : grey values a pixel: a weaker gradient is no edge to snap to.
+    nearer : grey values a pixel by which an edge must be stronger for each pixel that it is farther away.
     fewest : cells on a side of the smallest piece of a picture that has edges.
     """
 
@@ -83,6 +90,7 @@ class LiveWireParams:
     strongest: float = 200.0
     smoothing: float = 1.0
     weakest: float = 4.0
+    nearer: float = 0.25
     fewest: int = 4
 
 

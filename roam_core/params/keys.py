@@ -45,12 +45,14 @@ class OutlineMatchParams:
     reach : pixels of a 480-line image along the outline over which displacements are smoothed between two rounds of
         matching.
     stretch : price of a piece of outline that grows to twice its share of the whole.
+    farthest : the most that distance costs: what is lost is lost.
     turn : price of a node whose outline runs the opposite way.
     bulge : price of a node that is all tip on a sample that is all bay (`proposal.outline.invariants`).
     starts : samples tried for the node that is surest of its place.
     doubt : price a node that says nothing for or against a pose.
     turned : A pose that turns by a right angle has to match better by this factor plus one: round shapes do not
         spin.
+    fewest : nodes of a short outline.
     harmonics : points of an outline that is turned to find how it lies best on another.
     coarse : how much wider nodes and samples are spaced while poses are compared.
     settle : times that a pose is matched, each time the one that fits what was matched before.
@@ -62,11 +64,13 @@ class OutlineMatchParams:
     near: tuple[float, float, float] = (24.0, 16.0, 8.0)
     reach: tuple[float, float] = (60.0, 25.0)
     stretch: float = 2.0
+    farthest: float = 9.0
     turn: float = 1.5
     bulge: float = 12.0
     starts: int = 5
     doubt: float = 0.01
     turned: float = 4.0
+    fewest: float = 16.0
     harmonics: int = 128
     coarse: float = 3.0
     settle: int = 2
@@ -85,6 +89,8 @@ class AnchorParams:
     most : it grows with the square, up to this many times.
     worse : how many times as large as with the lowest price the error may be, ...
     exact : ... or mean square pixels of a 480-line image that are no error: the outline of a mask is as coarse.
+    looked_at : samples of a piece at which its error is measured, at most.
+    hold : weight, against one sample, that draws handles to the straight line: a piece of few samples makes no loops.
     choices : samples by which an anchor may move along the outline in one round, either way.
     """
 
@@ -93,6 +99,8 @@ class AnchorParams:
     most: float = 20.0
     worse: float = 1.5
     exact: float = 0.1
+    looked_at: int = 12
+    hold: float = 0.02
     choices: tuple[int, ...] = (1, 2, 3, 4, 6, 8, 11, 15, 20, 27, 36)
 
 
@@ -108,6 +116,9 @@ class KeyFitParams:
     slide : weight, against one sample of the outline, that holds an anchor to its matched place along the outline.
     smooth : weight of a smooth point's handles leaving their common line.
     hold : weight of handles against those matched first.
+    fine : places a segment at which a sample's nearest one is looked for.
+    turn : price, in squared pixels, of a place whose outline runs at a right angle.
+    straight : degrees by which the handles of a smooth point may miss their common line.
     """
 
     spreads: int = 6
@@ -116,6 +127,9 @@ class KeyFitParams:
     slide: float = 0.05
     smooth: float = 1.0
     hold: float = 0.002
+    fine: int = 12
+    turn: float = 9.0
+    straight: float = 12.0
 
 
 PAIRING = PairingParams()

@@ -49,6 +49,9 @@ class LandmarkParams:
     shift_rate : share by which the shifts mu_nm follow the curve on every frame; 0 is the paper's.
     least_side : cells across the smallest patch that can be told from others; even.
     scarce : share of the landmarks found at the last detection below which new ones are looked for at once.
+    few : share of `count` below which they are fewer than wanted.
+    apart : how far from each other they lie at least, as a share of the side of the square that each has of the object.
+    patch : half the side of a filter's patch, as a share of the root of the object's area.
     patience : frames after which new landmarks are looked for in any case, should there be fewer than wanted.
     least_region : cells; a smaller stable region is grain. whole : share of the object above which a stable region is
         the object rather than a mark on it. inside : share of its cells that must lie inside the object.
@@ -70,6 +73,9 @@ class LandmarkParams:
     shift_rate: float = 0.0
     least_side: int = later(16)
     scarce: float = later(0.4)
+    few: float = later(0.8)
+    apart: float = later(0.8)
+    patch: float = later(0.4)
     patience: int = later(5)
     least_region: int = later(12)
     whole: float = later(0.25)

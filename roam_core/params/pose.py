@@ -95,6 +95,7 @@ class PoseParams:
         key (along the part, across, shear). prior : weight of all that, in units of a sample's cost.
     bend, straight : standard deviations of how a joint's angle changes in a frame, and of the angle itself.
     lost : cost from which a pose is in doubt. widened : times that the search grows by further such frames, at most.
+    apart_step, apart_turn : steps of the search, and turns of it, from which two poses are two candidates.
     least_samples : sample places that a part must have to be matched at all.
     around : sample places around a point by which it is judged.
     taps : moments at which the template is looked at while the shutter is open. shutter : share of a frame for which it
@@ -136,6 +137,8 @@ class PoseParams:
     straight: float = 1.0
     lost: float = 0.4
     widened: float = 2.5
+    apart_step: float = later(1.25)
+    apart_turn: float = later(1.8)
     least_samples: int = later(30)
     around: int = later(24)
     taps: int = later(5)

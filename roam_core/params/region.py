@@ -36,6 +36,10 @@ class RegionParams:
     clip : bound on each cue, nats. bias : nats towards the outside where nothing is known.
     motion_weight, motion_sigma : background that moves with the surroundings and not with the object is not taken in;
         the weight counts in full where the object moves as one. sigma in pixels of a 480-line image.
+    motion_agreed : one over this is the share of the object that must move as one for its motion to say anything; from
+        twice that share on it says all that it knows.
+    key_sigma : how much farther a colour of the key may be than one of the last frame, as a factor on `local_sigma`.
+    prior_reach : cells of depth beyond which `prior_weight` grows no more.
     uncovered_weight : the same against what only the flow carries along: where neither the similarity nor the key
         expects the object, what moves with the surroundings is the background that it has uncovered.
     prior_weight : nats a cell of depth inside the region carried from the last frame.
@@ -119,6 +123,9 @@ class RegionParams:
     pose_agrees: float = 0.97
     pose_unlike: float = 0.6
     pose_against: float = 0.7
+    motion_agreed: float = later(2.5)
+    key_sigma: float = later(1.5)
+    prior_reach: float = later(20.0)
     unseen: float = later(2e-5)
     trusted: float = later(0.3)
     least_seen: float = later(0.05)

@@ -8,6 +8,7 @@ from typing import Literal
 from roam_core.params.appearance import AppearanceParams
 from roam_core.params.confidence import ConfidenceParams
 from roam_core.params.contour import UNTYING, UntyingParams
+from roam_core.params.klt import KLT, KltParams
 from roam_core.params.landmarks import LandmarkParams
 from roam_core.params.proposals import ProposalParams
 from roam_core.params.region import RegionParams
@@ -49,8 +50,11 @@ class RoamParams:
     proposals : parameters of the proposals by graph cut; None leaves topology and parametrisation alone.
     region : parameters of region proposals on every frame; None leaves the curve to the curve's energy alone.
     motion_travel : how far an object may move between two frames and still be found by followed points.
+    gradient_margin : how far beyond the reach of the moves the gradient is looked at.
+    gradient_top : percentile of the squared gradients of the region that counts as its strongest edge.
     gradient_floor : squared grey levels per pixel, the least that counts as the strongest edge of a region.
     untangling : times that loops are looked for in a round; a curve that still crosses itself then is put back.
+    klt : of the followed points.
     untying : of taking crossings out of the fitted spline. confidence : of edges and motion, where there is no region.
     """
 
@@ -77,8 +81,11 @@ class RoamParams:
     proposals: ProposalParams | None = None
     region: RegionParams | None = None
     motion_travel: float = later(48.0)
+    gradient_margin: float = later(12.0)
+    gradient_top: float = later(98.0)
     gradient_floor: float = later(144.0)
     untangling: int = later(8)
+    klt: KltParams = later(KLT)
     untying: UntyingParams = later(UNTYING)
     confidence: ConfidenceParams = later(ConfidenceParams())
 

@@ -16,8 +16,8 @@ from roam_core.geometry import bezier, bspline, merging
 from roam_core.geometry.bezier import ANCHOR, IN, OUT
 from roam_core.roto import control_points as controls
 from roam_core.roto.animated import Interpolation
-from roam_core.roto.project import PALETTE, Layer, Project
-from roam_core.roto.shape import Keyframe, Origin, RotoShape, Spline
+from roam_core.roto.project import Layer, Project
+from roam_core.roto.shape import NO_COLOUR, Keyframe, Origin, RotoShape, Spline
 
 Part = tuple[int, int]
 """A grabbed part of a shape: (point index, `ANCHOR` | `IN` | `OUT`)."""
@@ -30,10 +30,13 @@ MIN_POINTS_OPEN = 2
 
 
 def add_shape(project: Project, shape: RotoShape, layer_id: str = "root") -> Project:
-    """The project with `shape`, in plate space, put on top of a layer. An id that is taken is refused."""
+    """The project with `shape`, in plate space, put on top of a layer; without a colour it takes the next in turn.
+
+    An id that is taken is refused.
+    """
     if project.has(shape.id):
         raise ValueError(f"the id {shape.id!r} is taken")
-    stored = project.stored(shape, layer_id)
+    stored = project.stored(_coloured(project, shape), layer_id)
     return project.map_item(layer_id, lambda layer: replace(layer, children=(*layer.children, stored)))
 
 
@@ -57,7 +60,7 @@ def new_shape(
         keys=(Keyframe(frame, controls.points_of(control_points, spline, closed)),),
         closed=closed,
         spline=spline,
-        colour=PALETTE[len(project.shapes) % len(PALETTE)],
+        colour=project.free_colour(),
     )
     return add_shape(project, shape, layer_id), shape
 
@@ -74,10 +77,11 @@ def add_items(
     """Put copies of layers, with what lies in them, and of shapes in plate space on top of a layer.
 
     Returns the project and the ids of the copies (not of what lies in them). Ids that are taken are replaced by free
-    ones; names stay.
+    ones; names stay, and colours where there are any.
     """
     taken = {project.root.id} | {item.id for item in project.root.items()}
     numbers = {kind: count(1) for kind in ("layer", "shape")}
+    added = count()
 
     def copied(item: Layer | RotoShape) -> Layer | RotoShape:
         kind = "layer" if isinstance(item, Layer) else "shape"
@@ -87,14 +91,16 @@ def add_items(
         taken.add(item_id)
         if isinstance(item, Layer):
             return replace(item, id=item_id, children=tuple(copied(child) for child in item.children))
-        return replace(item, id=item_id)
+        return replace(_coloured(project, item, next(added)), id=item_id)
 
-    copies = tuple(
-        copied(item) if isinstance(item, Layer) else project.stored(replace(item, id=copied(item).id), layer_id)
-        for item in items
-    )
+    copies = tuple(copy if isinstance(copy, Layer) else project.stored(copy, layer_id) for copy in map(copied, items))
     grown = project.map_item(layer_id, lambda layer: replace(layer, children=(*layer.children, *copies)))
     return grown, [item.id for item in copies]
+
+
+def _coloured(project: Project, shape: RotoShape, after: int = 0) -> RotoShape:
+    """The shape with a colour: its own, or the one in turn in a project to which `after` shapes more were added."""
+    return replace(shape, colour=project.free_colour(after)) if shape.colour == NO_COLOUR else shape
 
 
 def remove_items(project: Project, item_ids: Iterable[str]) -> Project:

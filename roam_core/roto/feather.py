@@ -15,8 +15,9 @@ from numpy.typing import ArrayLike
 from roam_core.arrays import Array
 from roam_core.geometry.bezier import ANCHOR, IN, OUT
 from roam_core.roto.control_points import points_of
+from roam_core.roto.imported import is_import
 from roam_core.roto.keying import Change
-from roam_core.roto.shape import Outline, RotoShape
+from roam_core.roto.shape import Keyframe, Origin, Outline, RotoShape
 
 Turn = Callable[[Array, int, int, tuple[float, float]], Array]
 """Puts one handle of points `(P, 3, 2)` at a position: `(points, index, part, position) -> points`."""
@@ -101,6 +102,48 @@ def reset(indices: Iterable[int]) -> Change:
         return replace(held, feather=tidy(feather))
 
     return change
+
+
+def carried_on(shape: RotoShape, frame: int) -> RotoShape:
+    """The shape whose tracked frames have the feather of the artist's keys around them, next to that on `frame`.
+
+    From a key to the next one of the artist's it goes over from one feather to the other; beyond the last it stays.
+    Nothing changes where the frame holds no artist's key. Keys of an imported file keep what the file says.
+    """
+    if frame not in shape.artist_frames:
+        return shape
+    first = max((other for other in shape.artist_frames if other < frame), default=None)
+    last = min((other for other in shape.artist_frames if other > frame), default=None)
+    drawn = replace(shape, keys=shape.artist_keys)
+    return shape.with_keys(
+        replace(key, feather=drawn.at(key.frame).feather)
+        for key in shape.keys
+        if key.origin is Origin.ENGINE
+        and not is_import(key)
+        and (first is None or key.frame > first)
+        and (last is None or key.frame < last)
+    )
+
+
+def on_all_keys(shape: RotoShape, frame: int, indices: Iterable[int]) -> RotoShape:
+    """The shape with the feather that these points have at `frame` on every key, turned as the outline is turned."""
+    chosen, here = list(indices), shape.at(frame)
+    told = np.zeros_like(here.points) if here.feather is None else here.feather
+    sideways = frames_along(here.points, shape.closed)
+    local = np.einsum("pij,pkj->pki", sideways, told)
+
+    def given(key: Keyframe) -> Keyframe:
+        turned = np.einsum("pij,pki->pkj", frames_along(key.points, shape.closed), local)
+        feather = np.zeros_like(key.points) if key.feather is None else key.feather.copy()
+        feather[chosen] = turned[chosen]
+        return replace(key, feather=tidy(feather))
+
+    return shape.with_keys(given(key) for key in shape.keys if key.frame != frame)
+
+
+def is_same(a: Array | None, b: Array | None) -> bool:
+    """True where two feathers are alike; None is that of an outline without any."""
+    return a is b or (a is not None and b is not None and np.array_equal(a, b))
 
 
 def tidy(feather: Array) -> Array | None:

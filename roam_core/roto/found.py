@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from roam_core.roto import edit
-from roam_core.roto.project import PALETTE, Project
+from roam_core.roto.project import Project
 from roam_core.roto.shape import BlendMode, RotoShape
 
 
@@ -35,7 +35,7 @@ def add_found(project: Project, shapes: Sequence[RotoShape], name: str = "") -> 
                 shape,
                 id=project.free_id("shape"),
                 name=project.free_name("Hole" if is_hole else "Shape"),
-                colour=PALETTE[len(project.shapes) % len(PALETTE)],
+                colour=project.free_colour(),
             )
             project = edit.add_shape(project, new, layer_id)
             ids.append(new.id)

@@ -229,6 +229,10 @@ class Project:
             number += 1
         return f"{stem} {number}"
 
+    def free_colour(self, after: int = 0) -> tuple[float, float, float]:
+        """The palette's colour in turn for the next shape, or for one that comes `after` so many more."""
+        return PALETTE[(len(self.shapes) + after) % len(PALETTE)]
+
     def with_shape(self, shape: RotoShape) -> Project:
         """The project with `shape`, in plate space, in place of the one of the same id."""
         if not any(layer.transform for layer in self.layers_above(shape.id)):

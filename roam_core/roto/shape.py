@@ -17,6 +17,9 @@ from roam_core.geometry import bezier, bspline
 from roam_core.roto.animated import Animatable, Interpolation, value_at
 from roam_core.roto.placement import Placement, carried, matrix_at
 
+NO_COLOUR = (0.90, 0.60, 0.0)
+"""Of a shape to which nobody gave a colour: it takes the next of the palette when it is added to a project."""
+
 
 class Origin(StrEnum):
     """Who made a keyframe. The engine writes and replaces ENGINE keys only; ARTIST keys are sacred."""
@@ -157,6 +160,7 @@ class RotoShape:
     ----------
     id : stable identity inside a project, for example `shape-1`.
     keys : at least one key, strictly increasing frames.
+    colour : of the outline on the screen, (r, g, b) in [0, 1]; `NO_COLOUR` until it joins a project.
     opacity : in [0, 1], constant or through time.
     lifetime : half-open frame range in which the shape exists, or None for always.
     feather : width of the uniform soft edge in pixels, outwards positive, constant or through time.
@@ -174,7 +178,7 @@ class RotoShape:
     name: str
     keys: tuple[Keyframe, ...]
     closed: bool = True
-    colour: tuple[float, float, float] = (0.90, 0.62, 0.0)
+    colour: tuple[float, float, float] = NO_COLOUR
     blend: BlendMode = BlendMode.ADD
     opacity: Animatable = 1.0
     invert: bool = False

@@ -9,19 +9,17 @@ from PySide6.QtCore import Qt
 from pytestqt.qtbot import QtBot
 
 from app.jobs.runner import Ending
-from tests.gui.watchdog import WatchedApplication
 from tests.gui.windows import opened_window
 from tests.unit.propagate.figures import odd_objects, written
 
 WAIT = 120_000
-HUNDRED = "a hundred"
 OBJECTS = odd_objects()
 
 
-def require_a_run(qtbot: QtBot, folder: Path, name: str) -> None:
-    """Track all shapes to the end of the clip and look at every frame."""
+@pytest.mark.parametrize("name", list(OBJECTS))
+def test_odd_parts_are_tracked_in_the_window(qtbot: QtBot, tmp_path: Path, name: str) -> None:
     figure, shapes = OBJECTS[name]
-    with opened_window(qtbot, written(figure, shapes, folder), folder / "state") as window:
+    with opened_window(qtbot, written(figure, shapes, tmp_path), tmp_path / "state") as window:
         for switch in ("view.edges", "view.joints"):
             window.actions_by_id[switch].trigger()
         window.view_state.select(frozenset())
@@ -37,13 +35,3 @@ def require_a_run(qtbot: QtBot, folder: Path, name: str) -> None:
             qtbot.waitUntil(lambda: len(window.edge_kinds.here()) == len(shapes), timeout=WAIT)
         qtbot.keyClick(window.canvas, Qt.Key.Key_N)
         assert window.view_state.message
-
-
-@pytest.mark.parametrize("name", [name for name in OBJECTS if name != HUNDRED])
-def test_odd_parts_are_tracked_in_the_window(qtbot: QtBot, tmp_path: Path, name: str) -> None:
-    require_a_run(qtbot, tmp_path, name)
-
-
-def test_a_hundred_parts_are_tracked_in_the_window(qtbot: QtBot, qapp: WatchedApplication, tmp_path: Path) -> None:
-    require_a_run(qtbot, tmp_path, HUNDRED)
-    qapp.blocks.clear()  # so many are marked and painted in a tenth of a second: felt, and not what is tested here

@@ -50,6 +50,13 @@ def test_keys_in_the_tables_are_those_of_one_action(title: str) -> None:
             assert held, f"{key} is in the preset no key of {sorted(wanted)}"
 
 
+def test_every_tool_stands_in_the_guide_with_its_keys() -> None:
+    tour = GUIDE.partition("## Coming from other programs")[0]
+    tools = {name: keys for name, keys in keys_of(OURS).items() if name.startswith("tool.")}
+    assert len(tools) >= 12
+    assert [name for name, keys in tools.items() if not any(f"`{key}`" in tour for key in keys)] == []
+
+
 def test_keys_of_the_tour_exist() -> None:
     """Every key that stands alone in the second column of a table with actions."""
     known = {key for keys in keys_of(OURS).values() for key in keys}

@@ -10,7 +10,10 @@ import pytest
 
 from tests.conftest import ROOT
 
-ROOMS = ("appearance", "energy", "features", "geometry", "inference", "landmarks", "motion", "proposal", "propagate")
+ROOMS = (
+    "appearance", "energy", "features", "geometry", "inference", "kernels", "landmarks", "motion",
+    "proposal", "propagate",
+)  # fmt: skip
 
 NO_CHOICE = {
     # Numerical: what a rounding error is.
@@ -30,11 +33,25 @@ NO_CHOICE = {
     "proposal/mask_keys/anchors.py": {"CHOICES"},
     # A unit: what a field calls sure; all that reads one clips it there.
     "proposal/cues/evidence.py": {"SURE"},
+    # Columns, labels, units and sizes of tables: of a histogram, of whole parts of a difference, of a digest.
+    "kernels/posing.py": {"PIVOT_X", "PIVOT_Y", "PARENT", "ANGLE", "RIM"},
+    "kernels/local_match.py": {"OUTSIDE", "INSIDE", "UNKNOWN", "PARTS", "FAR", "LANES"},
+    "kernels/nearest_edges.py": {"FAR"},
+    "kernels/colour_bins.py": {"BINS"},
+    "kernels/keeping.py": {"DIGEST"},
+    # Rounding, and bounds that change the time or keep a loop from going on for ever.
+    "kernels/alignment.py": {"BEAM", "ROUNDING"},
+    "kernels/flattening.py": {"MOST"},
+    # How closely an error is measured, which is then compared with a tolerance that somebody chose.
+    "kernels/coverage.py": {"SWEEP_STEP", "MOST_STEPS", "DUST"},
+    "kernels/key_spans.py": {"RIDGE", "PARTS", "REACH"},
+    "kernels/mask_fit.py": {"AROUND", "FINE"},
     # Another library's defect, that it dies of.
     "motion/flow.py": {"LEAST_SIDE"},
     # Bookkeeping: a revision, a length without meaning, what an explanation shows.
     "propagate/shapes/provenance.py": {"REVISION", "MIN_POINTS"},
     "proposal/mask_keys/keys.py": {"OPEN"},
+    "propagate/shapes/departed.py": {"NAMED"},
     "propagate/engines/by_regions.py": {"BESIDE"},
 }
 """By module the constants that are no choice, each with its reason above."""

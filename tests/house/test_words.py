@@ -5,6 +5,7 @@ from __future__ import annotations
 import ast
 import re
 from dataclasses import fields
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -19,15 +20,22 @@ SAYS_NOTHING = re.compile(r"utils?|helpers?|managers?|misc|common|data|info")
 
 PROGRAM = [path for room in ("app", "roam_core", "resources") for path in sorted((ROOT / room).rglob("*.py"))]
 TESTS = sorted((ROOT / "tests").rglob("*.py"))
-TREES = {path.relative_to(ROOT): ast.parse(path.read_text(encoding="utf-8")) for path in PROGRAM + TESTS}
 
 
-def of(room: str) -> dict[Path, ast.Module]:
-    """The syntax trees of one room."""
-    return {path: tree for path, tree in TREES.items() if path.parts[0] == room}
+@cache
+def trees() -> dict[Path, ast.Module]:
+    """All syntax trees; read by the first test that asks, not by every process that collects."""
+    return {path.relative_to(ROOT): ast.parse(path.read_text(encoding="utf-8")) for path in PROGRAM + TESTS}
 
 
-OURS = of("app") | of("roam_core") | of("resources")
+def of(*rooms: str) -> dict[Path, ast.Module]:
+    """The syntax trees of some rooms."""
+    return {path: tree for path, tree in trees().items() if path.parts[0] in rooms}
+
+
+def ours() -> dict[Path, ast.Module]:
+    """The syntax trees of the program."""
+    return of("app", "roam_core", "resources")
 
 
 def is_command(path: Path) -> bool:
@@ -40,22 +48,22 @@ def lines_of(path: Path) -> list[str]:
 
 
 def test_files_are_short_enough_to_be_read() -> None:
-    long = {str(path): len(lines_of(path)) for path in OURS if len(lines_of(path)) > MOST_LINES}
+    long = {str(path): len(lines_of(path)) for path in ours() if len(lines_of(path)) > MOST_LINES}
     assert long == {}
 
 
 def test_a_module_says_in_its_first_line_what_lives_there() -> None:
-    silent = [str(path) for path, tree in TREES.items() if tree.body and not (ast.get_docstring(tree) or "").strip()]
+    silent = [str(path) for path, tree in trees().items() if tree.body and not (ast.get_docstring(tree) or "").strip()]
     assert silent == []
 
 
 def test_names_of_modules_say_what_is_inside() -> None:
-    parts = {part.rstrip("_") for path in OURS if not is_command(path) for part in path.with_suffix("").parts}
+    parts = {part.rstrip("_") for path in ours() if not is_command(path) for part in path.with_suffix("").parts}
     assert [part for part in sorted(parts) if SAYS_NOTHING.fullmatch(part)] == []
 
 
 def test_names_of_classes_say_what_they_are() -> None:
-    classes = [node.name for tree in OURS.values() for node in ast.walk(tree) if isinstance(node, ast.ClassDef)]
+    classes = [node.name for tree in ours().values() for node in ast.walk(tree) if isinstance(node, ast.ClassDef)]
     assert [name for name in classes if re.search(r"(Manager|Helper|Utils?)$", name)] == []
 
 
@@ -74,7 +82,7 @@ def test_what_is_public_in_the_engine_is_described() -> None:
 
 def test_nothing_is_left_for_later() -> None:
     later = re.compile(r"\b(TODO|FIXME|XXX|HACK)\b")
-    assert [str(path) for path in OURS if any(later.search(line) for line in lines_of(path))] == []
+    assert [str(path) for path in ours() if any(later.search(line) for line in lines_of(path))] == []
 
 
 def is_enum(node: ast.AST) -> bool:

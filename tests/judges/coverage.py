@@ -52,18 +52,16 @@ def filled_polygon(line: Array, size: tuple[int, ...]) -> Array:
 def _rows(line: Array, height: int, width: int) -> Array:
     y = (np.arange(height * LINES) + 0.5)[:, None] / LINES
     start, stop = line, np.roll(line, -1, axis=0)
-    crosses = (start[:, 1] <= y) != (stop[:, 1] <= y)
-    rise = np.where(stop[:, 1] == start[:, 1], 1.0, stop[:, 1] - start[:, 1])
-    x = start[:, 0] + (y - start[:, 1]) * ((stop[:, 0] - start[:, 0]) / rise)
-    x = np.where(crosses, x, np.inf)
-    order = np.argsort(x, axis=1)
-    turns = np.where(crosses, np.where(stop[:, 1] > start[:, 1], 1, -1), 0)
-    inside = np.cumsum(np.take_along_axis(turns, order, axis=1), axis=1) != 0
-    sorted_x = np.take_along_axis(x, order, axis=1)
-    steps = np.diff(inside, axis=1, prepend=np.zeros((len(inside), 1), dtype=bool)) & np.isfinite(sorted_x)
-    rows, columns = np.nonzero(steps)
-    place = np.clip(sorted_x[rows, columns], 0.0, width)
-    sign = np.where(inside[rows, columns], 1.0, -1.0)
+    rows, edges = np.nonzero((start[:, 1] <= y) != (stop[:, 1] <= y))
+    across, down = (stop - start)[edges].T
+    x = start[edges, 0] + (y[rows, 0] - start[edges, 1]) * (across / down)
+    order = np.lexsort((x, rows))
+    inside = np.cumsum(np.sign(down[order])) != 0  # of all lines at once: a closed polygon leaves none of them inside
+    is_step = inside != np.roll(inside, 1)
+    steps, is_entry = order[is_step], inside[is_step]
+    rows = rows[steps]
+    place = np.clip(x[steps], 0.0, width)
+    sign = np.where(is_entry, 1.0, -1.0)
     pixel = np.floor(place).astype(np.intp)
     cells = (rows // LINES) * (width + 2) + pixel
     changes = np.bincount(cells, sign * (pixel + 1 - place), height * (width + 2))
@@ -75,13 +73,14 @@ def _rows(line: Array, height: int, width: int) -> Array:
 def soft(points: Array, size: tuple[int, ...], inner: float, outer: float) -> Array:
     """A straight ramp `(h, w)` from 1 at the distance `inner` from the outline to 0 at `outer`; outside positive."""
     height, width = size
-    y, x = (np.mgrid[0 : height * FINE, 0 : width * FINE] + 0.5) / FINE
-    most = max(abs(inner), abs(outer)) + 1.0
-    away = cKDTree(_dense(polyline(points))).query(np.stack([x.ravel(), y.ravel()], axis=1), distance_upper_bound=most)[
-        0
-    ]
-    is_inside = filled_polygon(polyline(points) * FINE, (height * FINE, width * FINE)) > 0.5
-    apart = np.where(is_inside, -1.0, 1.0) * np.minimum(away, most).reshape(height * FINE, width * FINE)
+    line, most = polyline(points), max(abs(inner), abs(outer)) + 1.0
+    places = (np.stack(np.mgrid[0 : width * FINE, 0 : height * FINE], axis=-1) + 0.5) / FINE
+    is_near = ((places >= line.min(axis=0) - most) & (places <= line.max(axis=0) + most)).all(axis=2).T
+    away = np.full(is_near.shape, most)
+    found, _ = cKDTree(_dense(line)).query(places.swapaxes(0, 1)[is_near], distance_upper_bound=most)
+    away[is_near] = np.minimum(found, most)
+    is_inside = filled_polygon(line * FINE, (height * FINE, width * FINE)) > 0.5
+    apart = np.where(is_inside, -away, away)
     shares = np.clip((outer - apart) / (outer - inner), 0.0, 1.0)
     ramp: Array = shares.reshape(height, FINE, width, FINE).mean(axis=(1, 3))
     return ramp

@@ -15,7 +15,7 @@ import numpy as np
 from roam_core.arrays import Array, Float32
 from roam_core.energy.joint_total import LandmarkContext, Placing
 from roam_core.energy.total import CurveContext
-from roam_core.params import LandmarkParams, RoamParams
+from roam_core.params import AppearanceParams, LandmarkParams, RoamParams
 from tests.reference.edge_sums import ref_edge_mean
 from tests.reference.region_sums import ref_region_sum
 from tests.reference.ribbon_means import ref_ribbon_mean
@@ -31,7 +31,7 @@ def ref_curve_energies(nodes: Array, context: CurveContext, params: RoamParams) 
     if colours is not None and params.appearance is not None:
         ratio = np.clip(colours.foreground - colours.background, -colours.clip, colours.clip)
         if params.appearance.term == "ribbon":
-            terms["local"] = params.lambda_local * _ribbon(nodes, context, params.appearance.ribbon_depth)
+            terms["local"] = params.lambda_local * _ribbon(nodes, context, params.appearance)
         else:
             terms["local"] = params.lambda_local * _enclosed(nodes, context, ratio)
         if colours.global_ratio is not None:
@@ -87,13 +87,14 @@ def _l2(nodes: Array, context: CurveContext, share: float) -> float:
     return total / context.spacing**2
 
 
-def _ribbon(nodes: Array, context: CurveContext, depth: float) -> float:
+def _ribbon(nodes: Array, context: CurveContext, params: AppearanceParams) -> float:
     """First terms of equation 3: -ln p_n^f over R_n^in and -ln p_n^b over R_n^out."""
     assert context.colours is not None
     colours = context.colours
     outside, inside = colours.background, colours.foreground
     left, right = (outside, inside) if context.orientation > 0 else (inside, outside)
-    return -sum(ref_ribbon_mean(left, right, a, b, depth) for _, a, b in _edges(_in_cells(nodes, context)))
+    size = params.ribbon_depth, params.ribbon_step
+    return -sum(ref_ribbon_mean(left, right, a, b, *size) for _, a, b in _edges(_in_cells(nodes, context)))
 
 
 def _enclosed(nodes: Array, context: CurveContext, ratio: Float32) -> float:

@@ -9,12 +9,12 @@ import numpy as np
 from roam_core.arrays import Array, Float32
 
 
-def ref_ribbon_mean(left: Float32, right: Float32, start: Array, end: Array, depth: float) -> float:
-    """Mean of `left` over points on the left of one edge plus that of `right` on its right; samples 2 pixels apart."""
+def ref_ribbon_mean(left: Float32, right: Float32, start: Array, end: Array, depth: float, step: float) -> float:
+    """Mean of `left` over points on the left of one edge plus that of `right` on its right, `step` pixels apart."""
     along = end - start
     length = float(np.hypot(*along))
     away = np.array([along[1], -along[0]]) / length
-    lines, samples = max(1, round(depth / 2.0)), max(1, ceil(length / 2.0))
+    lines, samples = max(1, round(depth / step)), max(1, ceil(length / step))
     values = []
     for k in range(samples):
         for line in range(lines):

@@ -135,6 +135,11 @@ SHOT = Shot(
         ("best", "region.rigidity.fewest=2000"),
         ("medium", "landmarks.filters.lobe=1"),
         ("lean", "gradient_floor=14000"),
+        ("baseline", "gradient_top=50"),
+        ("baseline", "klt.window=7"),
+        ("medium", "landmarks.patch=0.2"),
+        ("best+region.rigid=1.5", "region.contour_fit.straight=1"),
+        ("best+region.rigid=1.5", "region.motion_agreed=1.01"),
     ],
 )
 def test_a_changed_number_changes_what_comes_out(config: str, word: str) -> None:

@@ -9,7 +9,6 @@ from PySide6.QtGui import QColor
 from roam_core.arrays import Array
 from roam_core.roto import Project, RotoShape, Spline, edit
 from roam_core.roto.found import add_found
-from roam_core.roto.project import PALETTE
 
 from ...model.document import Document
 from ...model.view_state import ViewState
@@ -17,7 +16,7 @@ from ...model.view_state import ViewState
 
 def next_colour(project: Project) -> QColor:
     """The colour that the next new shape will have."""
-    return QColor.fromRgbF(*PALETTE[len(project.shapes) % len(PALETTE)])
+    return QColor.fromRgbF(*project.free_colour())
 
 
 def finish_shape(

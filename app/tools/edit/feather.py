@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from abc import ABC
 from collections.abc import Callable, Mapping
 
 import numpy as np
@@ -11,6 +12,7 @@ from PySide6.QtGui import QPainter
 from roam_core.arrays import Array
 from roam_core.geometry.bezier import ANCHOR
 from roam_core.roto import Project, RotoShape, edit, feather
+from roam_core.roto.keying import AUTO_KEY
 
 from ...model.document import Document
 from ...model.shown import editable_shapes
@@ -23,10 +25,23 @@ from ..hit_test import REACH, SAME_SPOT, OutlineHit, PointHit, hit_outline
 from ..reshape import Grab, break_tangent, selected_indices
 from ..tool import Modifier, Pointer
 
+GOES_OVER = (
+    "The soft edge goes over to your next keys, through the tracked frames between; <feather.all_keys> gives it to all."
+)
 NOTHING_SELECTED = "Select a shape or some of its points first."
 
 
-class Pull(Edit):
+class FeatherEdit(Edit, ABC):
+    """A drag that changes feather curves; where shapes have other keys, it tells what becomes of those."""
+
+    def finish(self, pointer: Pointer) -> None:
+        super().finish(pointer)
+        shapes = [self.document.project.shape(shape_id) for shape_id in self.grab.start]
+        if self.grab.keying == AUTO_KEY and any(len(shape.keys) > 1 for shape in shapes):
+            self.view_state.say(GOES_OVER)
+
+
+class Pull(FeatherEdit):
     """Drags feather points. Each goes its own way: what one moves outwards, all do."""
 
     def __init__(
@@ -45,7 +60,7 @@ class Pull(Edit):
         )
 
 
-class TurnFeather(Edit):
+class TurnFeather(FeatherEdit):
     """Drags one handle of the feather curve. Ctrl breaks the tangent, Shift makes both handles equal."""
 
     def __init__(
@@ -106,9 +121,9 @@ class FeatherTool(GestureTool):
             return
         weights = _weights(self.document.project.shape(found.shape_id), {found.index: 1.0})
         grab = self._grab({found.shape_id: weights})
-        self.document.apply(
-            "Reset feather", grab.changed(self.document.project, lambda _: feather.reset([found.index]))
-        )
+        project = self.document.project
+        reset = grab.changed(project, lambda _: feather.reset([found.index]))
+        self.document.apply("Reset feather", grab.settled(project, reset))
 
     def hover(self, pointer: Pointer) -> None:
         found = self._hit(pointer)
@@ -178,7 +193,7 @@ class FeatherActions:
 
     def handlers(self) -> dict[str, Callable[[], object]]:
         """What the actions of this part call, by id."""
-        return {"feather.reset": self.reset}
+        return {"feather.reset": self.reset, "feather.all_keys": self.give_all_keys}
 
     def reset(self) -> None:
         """Put the feather of the selected points back on the outline; of all points where none is selected."""
@@ -190,13 +205,24 @@ class FeatherActions:
         chosen = {s.id: selected_indices(s, view.selection) if view.selection.points else None for s in shapes}
         whole = {s.id: _weights(s, {}) for s in shapes if chosen[s.id] != []}
         grab = Grab.of(self._document.project, view.frame, whole, view.editing.keying(view.play_range))
-        self._document.apply(
-            "Reset feather",
-            grab.changed(
-                self._document.project,
-                lambda each: feather.reset(range(len(whole[each])) if chosen[each] is None else chosen[each] or ()),
-            ),
+        project = self._document.project
+        reset = grab.changed(
+            project,
+            lambda each: feather.reset(range(len(whole[each])) if chosen[each] is None else chosen[each] or ()),
         )
+        self._document.apply("Reset feather", grab.settled(project, reset))
+
+    def give_all_keys(self) -> None:
+        """Give the feather that the selected points (all, where none is) have here to every key of their shapes."""
+        view, project = self._view, self._document.project
+        shapes = _chosen(project, view)
+        if not shapes:
+            view.say(NOTHING_SELECTED)
+            return
+        for shape in shapes:
+            indices = selected_indices(shape, view.selection) if view.selection.points else range(shape.point_count)
+            project = project.with_shape(feather.on_all_keys(shape, view.frame, indices))
+        self._document.apply("Feather for all keys", project)
 
 
 def hit_feather(shape: RotoShape, frame: int, selection: Selection, pointer: Pointer) -> PointHit | None:

@@ -14,6 +14,7 @@ from ...model.document import Document
 from ...model.shown import editable_shapes
 from ...model.view_state import ViewState, selected_shapes
 from ..reshape import grab_selection, grabbed_indices, selected_indices
+from ..settling import settled
 
 
 class PointActions:
@@ -65,7 +66,8 @@ class PointActions:
             self._say_why()
             return
         grabbed = sum(int((weights == 1.0).sum()) for weights in grab.weights.values())
-        self._document.apply(_counted("Nudge", grabbed, "point"), grab.moved(project, (dx, dy)), merge_key)
+        moved = grab.settled(project, grab.moved(project, (dx, dy)))
+        self._document.apply(_counted("Nudge", grabbed, "point"), moved, merge_key)
 
     def cycle(self, step: int) -> None:
         """Select the point `step` further along the shape (backwards when negative)."""
@@ -99,6 +101,7 @@ class PointActions:
     def _reshape(self, verb: str, function: Callable[[RotoShape, Array, Iterable[int]], Array]) -> None:
         """Apply `function(shape, points, indices)` to the selected points, on the keys that edits reach."""
         project, view = self._document.project, self._view
+        keying = view.editing.keying(view.play_range)
         chosen = grabbed_indices(project, view.frame, view.selection)
         for shape_id, indices in chosen.items():
             shape = project.shape(shape_id)
@@ -106,7 +109,8 @@ class PointActions:
                 view.say(f"{shape.name!r} is a B-spline, which is smooth everywhere; make it Bezier for corners.")
                 continue
             change = _change(shape, indices, function)
-            project = project.with_shape(reshape(shape, view.frame, change, view.editing.keying(view.play_range)))
+            project = project.with_shape(reshape(shape, view.frame, change, keying))
+        project = settled(self._document.project, project, chosen, view.frame, keying)
         self._apply(_counted(verb, sum(map(len, chosen.values())), "point"), project)
 
     def _apply(self, text: str, project: Project) -> None:

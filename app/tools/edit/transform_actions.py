@@ -50,7 +50,8 @@ class TransformActions:
         """Transform the selection by `numbers`."""
         if grab := self._grab():
             matrix = matrix_of(numbers, self._middle())
-            self._document.apply("Transform", grab.transformed(self._document.project, matrix))
+            project = self._document.project
+            self._document.apply("Transform", grab.settled(project, grab.transformed(project, matrix)))
 
     def _preview(self, grab: Grab, numbers: Numbers) -> None:
         if grab.is_held(self._document.project) and grab.frame == self._view.frame:

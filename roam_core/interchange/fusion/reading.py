@@ -21,7 +21,7 @@ from roam_core.interchange.fusion.keys import feather_of, keys_of_path, opacity_
 from roam_core.interchange.fusion.text import Table, parsed
 from roam_core.interchange.reading import PLAIN, Imported, ImportOptions, ShapeReader, brief, quietly, sensible
 from roam_core.roto import BlendMode, Clip, Keyframe, Layer, MotionBlur, RotoShape, Spline
-from roam_core.roto.project import PALETTE
+from roam_core.roto.shape import NO_COLOUR
 
 LARGEST = 24 << 20
 """Bytes of a setting."""
@@ -81,7 +81,6 @@ class _Flow:
     tools: dict[str, Table]
     size: tuple[float, float] | None = None
     above: set[str] = field(default_factory=set)
-    shapes: int = 0
     depth: int = 0
 
     def __post_init__(self) -> None:
@@ -240,13 +239,12 @@ class _Flow:
         )
         if not sensible(made):
             raise ValueError("it has a point that lies nowhere near the picture")
-        index, self.shapes = self.shapes, self.shapes + 1
         return RotoShape(
             self.reader.fresh_id("shape"),
             title,
             made,
             closed=closed.pop(),
-            colour=self._colour(inputs, index),
+            colour=self._colour(inputs),
             blend=self._blend(title, inputs),
             opacity=opacity_of(self.reader, title, inputs, self.tools),
             invert=_flag(inputs, "Invert"),
@@ -284,14 +282,14 @@ class _Flow:
             self.reader.note(f"The paint mode {brief(mode)} of {brief(name)} is not read; the mask is added.")
         return MODES.get(mode, BlendMode.ADD)
 
-    def _colour(self, inputs: Table, index: int) -> tuple[float, float, float]:
+    def _colour(self, inputs: Table) -> tuple[float, float, float]:
         spline = self.tools.get(str(inputs.table("Polyline").named.get("SourceOp")), Table()).table("SplineColor")
         try:
             shares = [spline.number(part, -1.0) / 255.0 for part in ("Red", "Green", "Blue")]
         except ValueError:
             shares = [-1.0]
         if not all(0.0 <= share <= 1.0 for share in shares):
-            return PALETTE[index % len(PALETTE)]
+            return NO_COLOUR
         return (shares[0], shares[1], shares[2])
 
     def _name_what_moves(self, title: str, inputs: Table) -> None:

@@ -17,7 +17,6 @@ from roam_core.interchange.masks.tracks import Ring, Track
 from roam_core.kernels.coverage import coverage
 from roam_core.kernels.mask_fit import distances
 from roam_core.roto import BlendMode, Keyframe, RotoShape
-from roam_core.roto.project import PALETTE
 
 TREMBLES = 0.01
 """A part is drawn frame by frame when so much of its outline, over all frames, lies farther than the tolerance from
@@ -204,7 +203,6 @@ def as_shapes(parts: list[tuple[Track, Fitted]], first: int, last: int, offset: 
                 id=f"shape-{len(shapes) + 1}",
                 name=f"Hole {hole}" if track.is_hole else f"Shape {outer}",
                 keys=tuple(Keyframe(frame - offset, points) for frame, points in part.keys),
-                colour=PALETTE[len(shapes) % len(PALETTE)],
                 blend=BlendMode.SUBTRACT if track.is_hole else BlendMode.ADD,
                 lifetime=None if (start, stop) == (-OPEN, OPEN) else (start, stop),
             )

@@ -16,7 +16,7 @@ from roam_core.interchange.reading import ShapeReader
 from roam_core.interchange.timing import right_before
 from roam_core.roto import BlendMode, Clip, MotionBlur, RotoShape
 from roam_core.roto.animated import Animatable, mapped
-from roam_core.roto.project import PALETTE
+from roam_core.roto.shape import NO_COLOUR
 
 BLEND_MODES = {
     BlendMode.ADD: 0,
@@ -120,15 +120,15 @@ class Attributes:
         """The opacity of a shape or layer, in [0, 1]."""
         return mapped(self.animatable(("opc",), 1.0, reader), lambda value: min(max(value, 0.0), 1.0))
 
-    def shape_fields(self, reader: ShapeReader, number: int) -> dict[str, Any]:
-        """What the attributes make of a `RotoShape`; `number` chooses the colour of a shape that has none."""
+    def shape_fields(self, reader: ShapeReader) -> dict[str, Any]:
+        """What the attributes make of a `RotoShape`."""
         self._note_unknown()
         return {
             "visible": self.number("vis", 1) != 0,
             "opacity": self.opacity(reader),
             "invert": self.number("inv", 0) != 0,
             "blend": self.blend(),
-            "colour": self._colour(number),
+            "colour": self._colour(),
             "feather": self._feather(reader),
             "motion_blur": self._blur(),
             "lifetime": self._lifetime(reader.clip, reader.frame),
@@ -150,9 +150,9 @@ class Attributes:
         self._tell(f"its blend mode {value:g} is none of ROAM's; it adds")
         return BlendMode.ADD
 
-    def _colour(self, number: int) -> tuple[float, float, float]:
+    def _colour(self) -> tuple[float, float, float]:
         red, green, blue, alpha = (min(max(self.number(name, 0), 0.0), 1.0) for name in ("ro", "go", "bo", "ao"))
-        return (red, green, blue) if alpha > 0 else PALETTE[number % len(PALETTE)]
+        return (red, green, blue) if alpha > 0 else NO_COLOUR
 
     def _feather(self, reader: ShapeReader) -> Animatable:
         if self.number("fo", 1) == 0:

@@ -203,7 +203,7 @@ class _NodeReader:
         if not sensible(keys):
             raise FormError("a point of it lies nowhere near the image")
         shape_id = self.reader.fresh_id("shape")
-        fields = attributes.shape_fields(self.reader, int(shape_id.rpartition("-")[2]) - 1)
+        fields = attributes.shape_fields(self.reader)
         fields["visible"] = fields["visible"] and bool(flags & RENDERABLE)
         return RotoShape(shape_id, name, keys, closed=not curve_flags & OPEN, locked=bool(flags & LOCKED), **fields)
 

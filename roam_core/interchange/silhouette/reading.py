@@ -48,7 +48,7 @@ from roam_core.roto import (
     control_points,
 )
 from roam_core.roto.animated import Animatable
-from roam_core.roto.project import PALETTE
+from roam_core.roto.shape import NO_COLOUR
 
 UNKNOWN_PROPERTIES: dict[str, tuple[str, tuple[float, ...]]] = {
     "transform.pin_ul": ("its corner pin", (0.0, 0.0)),
@@ -168,7 +168,7 @@ class _SessionReader:
             raise ValueError("it has no path")
         keys, closed, spline = self._keys(properties["path"], label, outer)
         shape_id = self.reader.fresh_id("shape")
-        colour = PALETTE[(int(shape_id.rpartition("-")[2]) - 1) % len(PALETTE)]
+        colour = NO_COLOUR
         if "outlineColor" in properties:
             colour = tuple(np.clip(track(properties["outlineColor"], 3).values[0], 0.0, 1.0).tolist())
         opacity, lifetime = self._percent(properties, f"shape {brief(label)}")

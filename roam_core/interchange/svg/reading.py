@@ -33,6 +33,7 @@ from roam_core.interchange.svg.words import (
 from roam_core.interchange.xml import local_name, parsed
 from roam_core.roto import BlendMode, Keyframe, Layer, RotoShape, control_points
 from roam_core.roto import Spline as SplineKind
+from roam_core.roto.shape import NO_COLOUR
 
 Item = Layer | RotoShape
 
@@ -329,7 +330,7 @@ class SvgReader(ShapeReader):
             name=name,
             keys=(key,),
             closed=spline.closed,
-            colour=mine or colour(style.get("fill")) or colour(style.get("stroke")) or (0.90, 0.62, 0.0),
+            colour=mine or colour(style.get("fill")) or colour(style.get("stroke")) or NO_COLOUR,
             blend=blend_of(element),
             opacity=opacity if self.is_ours or scope.paints == "clip" else opacity * share_of(style, "fill-opacity"),
             invert=element.get("data-roam-invert") == "true",

@@ -190,7 +190,7 @@ def _carried(state: TrackerState, frame: PreparedFrame, params: RoamParams, toke
         nearest = nearest.adapted(frame, fitted, moved.transform)
         if watch is not None:
             watch = watch.after(frame, fitted, nearest.key, nearest.region, nearest.params)
-    trust = confidence * wholeness(fitted, extent)
+    trust = confidence * wholeness(fitted, extent, params.confidence)
     if watch is not None:
         trust = min(trust, watch.resemblance)
     result = StepResult(
@@ -283,8 +283,8 @@ def curve_context(
     `local`, where it is given, speaks in place of the edges' models, or with them (`AppearanceParams.local_kind`).
     """
     reach = sum(params.window // 2 * s * params.max_iterations for s in params.steps)
-    region = Region.around(nodes, (reach + 12.0) * scale, frame.size)
-    field = frame.squared_gradient(region, params.gradient_sigma * scale, params.gradient_floor)
+    region = Region.around(nodes, (reach + params.gradient_margin) * scale, frame.size)
+    field = frame.squared_gradient(region, params.gradient_sigma * scale, params.gradient_floor, params.gradient_top)
     spacing = max(polyline.length(nodes) / len(nodes), 1e-6)
     orientation = 1.0 if polyline.signed_area(nodes) > 0 else -1.0
     colours = None

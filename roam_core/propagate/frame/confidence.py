@@ -163,7 +163,7 @@ def vertex_confidence(support: Array, confidence: float, params: ConfidenceParam
     return np.asarray(1.0 / (1.0 + np.exp(-(constant + own * support + whole * logit))))
 
 
-def edge_support(anchors: Array, found: Field) -> Array:
+def edge_support(anchors: Array, found: Field, params: ConfidenceParams) -> Array:
     """For each anchor, in [0, 1]: how steeply the log-ratio falls from two cells inside to two cells outside."""
     here = found.grid.to_grid(anchors)
     normals = polyline.outward_normals(here)
@@ -173,7 +173,7 @@ def edge_support(anchors: Array, found: Field) -> Array:
         cell = np.floor(here + offset * normals).astype(np.intp)
         x, y = np.clip(cell[:, 0], 0, columns - 1), np.clip(cell[:, 1], 0, rows - 1)
         sides.append(found.values[y, x].astype(np.float64))
-    return np.asarray(np.clip((sides[0] - sides[1]) / (1.2 * SURE), 0.0, 1.0))
+    return np.asarray(np.clip((sides[0] - sides[1]) / (params.steep * SURE), 0.0, 1.0))
 
 
 def overlap(a: Bools, b: Bools) -> float:
@@ -193,9 +193,8 @@ def node_support(nodes: Array, context: CurveContext, scale: float, params: Conf
     offsets = np.arange(-params.reach, params.reach + 1) * scale
     positions = here[:, None] + offsets[None, :, None] * normals[:, None]
     strength = np.sqrt(_lookup(context.squared_gradient, positions))
-    weak = 0.15  # an edge as faint as grain supports nothing
-    near = np.abs(offsets) <= 1.5 * scale
-    return np.asarray(strength[:, near].max(axis=1) / np.maximum(strength.max(axis=1), weak))
+    near = np.abs(offsets) <= params.near * scale
+    return np.asarray(strength[:, near].max(axis=1) / np.maximum(strength.max(axis=1), params.faint))
 
 
 def frame_confidence(support: Array, warp: Warp) -> float:
@@ -207,12 +206,13 @@ def frame_confidence(support: Array, warp: Warp) -> float:
     return float(np.clip(support.mean() * motion, 0.0, 1.0))
 
 
-def wholeness(line: Array, extent: float) -> float:
-    """How much of an object a closed polyline `(N, 2)` holds, in [0, 1]: 1 from half of `extent` (square pixels) on.
+def wholeness(line: Array, extent: float, params: ConfidenceParams) -> float:
+    """How much of an object a closed polyline `(N, 2)` holds, in [0, 1]: 1 from a share of `extent` (square pixels)
+    on, `ConfidenceParams.whole`.
 
     A curve that has shrunk to a sliver may lie on a strong edge and rest there: its edges alone do not tell.
     """
-    return float(np.clip(abs(polyline.signed_area(line)) / max(0.5 * extent, 1e-9), 0.0, 1.0))
+    return float(np.clip(abs(polyline.signed_area(line)) / max(params.whole * extent, 1e-9), 0.0, 1.0))
 
 
 def _lookup(field: Float32, positions: Array) -> Array:

@@ -372,7 +372,7 @@ def observed(
     if token is not None:
         token.check()
     surroundings, _ = flow_similarity(flows[0], ~everywhere, fine)
-    motion = motion_on(grid, back, moved, surroundings, agreement, params.motion_sigma * scale, params.clip)
+    motion = motion_on(grid, back, moved, surroundings, agreement, params.motion_sigma * scale, params)
     rigidity, pose = state.rigidity.step(frame, moved, params.rigid)
     lines = None
     if params.label_propagation_weight > 0:
@@ -425,7 +425,7 @@ def _result(part: Part, seen: bool, trust: float, found: Field, params: RegionPa
     anchors = part.points[:, bezier.ANCHOR]
     vertices = np.zeros(len(anchors))
     if seen:
-        vertices = vertex_confidence(edge_support(anchors, found), trust, params.confidence)
+        vertices = vertex_confidence(edge_support(anchors, found, params.confidence), trust, params.confidence)
     energy = -float(np.abs(np.clip(found.values, -SURE, SURE)).mean())
     return StepResult(
         points=part.points,

@@ -232,7 +232,7 @@ def _placed(shape: RotoShape, place: Callable[[Array], Array]) -> RotoShape:
 
 def _cut(pixels: UInt8, labels: UInt8, told: _Told) -> Bools:
     """GrabCut from the first `labels`, round after round; True inside."""
-    colours = cv2.GaussianBlur(pixels, (0, 0), 0.8)
+    colours = cv2.GaussianBlur(pixels, (0, 0), CUT_OUT.smoothing)
     if not ((labels == cv2.GC_BGD) | (labels == cv2.GC_PR_BGD)).any():
         raise RoamError("The box leaves no background around the object; drag one that does not fill the picture.")
     behind, before, least = np.zeros((1, 65)), np.zeros((1, 65)), CUT_OUT.least_share * _inside(labels).sum()

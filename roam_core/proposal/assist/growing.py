@@ -13,7 +13,9 @@ from roam_core.params import GROWING
 
 def grown(pixels: UInt8, cell: tuple[int, int]) -> Bools | None:
     """The region of like colour around a cell `(column, row)`, as large as it gets before it leaks out; or None."""
-    colours = cv2.cvtColor(cv2.bilateralFilter(pixels, 5, 30.0, 5.0).astype(np.float32) / 255.0, cv2.COLOR_RGB2Lab)
+    colours = cv2.cvtColor(
+        cv2.bilateralFilter(pixels, 5, *GROWING.smoothing).astype(np.float32) / 255.0, cv2.COLOR_RGB2Lab
+    )
     column, row = cell
     # Like the median of a few cells: a single one may be grain.
     around = colours[max(row - 2, 0) : row + 3, max(column - 2, 0) : column + 3].reshape(-1, 3)
@@ -22,7 +24,7 @@ def grown(pixels: UInt8, cell: tuple[int, int]) -> Bools | None:
     total = pixels.shape[0] * pixels.shape[1]
     fit = [region for region in regions if GROWING.smallest * total <= region.sum() <= GROWING.largest * total]
     for small, large in pairwise(fit):
-        if large.sum() > GROWING.leak * small.sum() and small.sum() > 8 * GROWING.smallest * total:
+        if large.sum() > GROWING.leak * small.sum() and small.sum() > GROWING.enough * GROWING.smallest * total:
             return small
     return fit[-1] if fit else None
 

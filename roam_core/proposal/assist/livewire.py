@@ -91,7 +91,7 @@ def snapped(image: UInt8, spot: Spot, reach: float) -> Spot:
     rows, columns = np.mgrid[: piece.shape[0], : piece.shape[1]]
     away = np.hypot(columns + left + 0.5 - spot[0], rows + top + 0.5 - spot[1])
     # Sobel's kernel gives 8 grey values for each of the gradient. What lies nearer wins among equals.
-    worth = np.where(away <= reach, strength / 8.0 - 0.25 * away, -np.inf)
+    worth = np.where(away <= reach, strength / 8.0 - LIVE_WIRE.nearer * away, -np.inf)
     row, column = np.unravel_index(int(np.argmax(worth)), worth.shape)
     if strength[row, column] / 8.0 < LIVE_WIRE.weakest or not np.isfinite(worth[row, column]):
         return spot

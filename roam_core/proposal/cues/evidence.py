@@ -159,7 +159,7 @@ def local_cues(sources: Sources, params: RegionParams) -> Iterator[tuple[str, Fl
         inside, outside = np.minimum(inside, aged * there[0]), np.minimum(outside, aged * there[1])
     yield "local", params.local_weight * log_ratio(inside, outside, sigma, params.clip)
     if is_key_asked:
-        yield "key", params.key_weight * log_ratio(*there, 1.5 * sigma, params.clip)
+        yield "key", params.key_weight * log_ratio(*there, params.key_sigma * sigma, params.clip)
 
 
 def cues(sources: Sources, params: RegionParams) -> Iterator[tuple[str, Float32]]:
@@ -191,7 +191,7 @@ def _other_cues(sources: Sources, params: RegionParams) -> Iterator[tuple[str, F
     yield "global key", params.global_key_weight * sources.key.colours.log_ratio(sources.after, *known)
     yield "global", params.global_weight * sources.colours.log_ratio(sources.after, *known)
     yield "motion", motion_cue(sources, params)
-    yield "prior", params.prior_weight * signed_distance(sources.carried, 20.0)
+    yield "prior", params.prior_weight * signed_distance(sources.carried, params.prior_reach)
     yield "bias", np.full(sources.grid.shape, params.bias, dtype=np.float32)
 
 

@@ -6,6 +6,7 @@ import numpy as np
 
 from roam_core.arrays import Array, Float32
 from roam_core.features.grid import Grid
+from roam_core.params import RegionParams
 
 
 def motion_ratio(backward: Float32, inside_back: Array, outside_back: Array, sigma: float, clip: float) -> Float32:
@@ -31,7 +32,13 @@ def motion_ratio(backward: Float32, inside_back: Array, outside_back: Array, sig
 
 
 def motion_on(
-    grid: Grid, backward: Float32, moved: Array, surroundings: Array, agreement: float, sigma: float, clip: float
+    grid: Grid,
+    backward: Float32,
+    moved: Array,
+    surroundings: Array,
+    agreement: float,
+    sigma: float,
+    params: RegionParams,
 ) -> Float32:
     """`motion_ratio` on a grid `(rows, columns)`: the more of the object moves as one, the more its motion says.
 
@@ -41,5 +48,5 @@ def motion_on(
     inside_back, outside_back = (
         grid.map_from_image @ np.linalg.inv(t) @ grid.map_to_image for t in (moved, surroundings)
     )
-    ratio = motion_ratio(backward, inside_back, outside_back, sigma * float(grid.factor.mean()), clip)
-    return np.asarray(np.float32(np.clip(2.5 * agreement - 1.0, 0.0, 1.0)) * ratio)
+    ratio = motion_ratio(backward, inside_back, outside_back, sigma * float(grid.factor.mean()), params.clip)
+    return np.asarray(np.float32(np.clip(params.motion_agreed * agreement - 1.0, 0.0, 1.0)) * ratio)

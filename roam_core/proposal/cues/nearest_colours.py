@@ -94,7 +94,7 @@ class NearestColours:
         moved, agreement = flow_similarity(flow, inside, fine)
         around, _ = flow_similarity(flow, ~inside, fine)
         sigma = self.params.motion_sigma * scale
-        return motion_on(cells, backward, moved, around, agreement, sigma, self.params.clip)
+        return motion_on(cells, backward, moved, around, agreement, sigma, self.params)
 
     def _key_after(self, transform: Array) -> KeyMemory:
         return replace(self.key, to_now=_square(transform) @ self.key.to_now)

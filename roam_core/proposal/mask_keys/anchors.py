@@ -59,7 +59,7 @@ class _Ring:
             choices = here[:, None] + np.append(0, CHOICES)
             away = (choices - there[:, None]) * (step / (ANCHORS.free * self.scale))
             prices = price * self.scale**3 * np.minimum(away**2, ANCHORS.most)
-            places, least = anchored(self.samples, choices, prices, np.roll(self.straight, -first))
+            places, least = self._anchored(choices, prices, np.roll(self.straight, -first))
             if np.isfinite(least):
                 at = np.roll(places, first)
                 at[:first] -= total
@@ -67,4 +67,7 @@ class _Ring:
 
     def error(self, at: Int64) -> float:
         """The integral of the squared distance of the outline to its segments, cubic pixels."""
-        return anchored(self.samples, at[:, None], np.zeros((len(at), 1)), self.straight)[1]
+        return self._anchored(at[:, None], np.zeros((len(at), 1)), self.straight)[1]
+
+    def _anchored(self, choices: Int64, prices: Array, straight: Bools) -> tuple[Int64, float]:
+        return anchored(self.samples, choices, prices, straight, ANCHORS.looked_at, ANCHORS.hold)

@@ -101,7 +101,7 @@ class _Fit:
         self.count = len(points)
         self.samples = samples
         self.prior = prior
-        self.smooth = np.array([is_smooth(point, degrees=12.0) for point in points], dtype=bool)
+        self.smooth = np.array([is_smooth(point, degrees=KEY_FIT.straight) for point in points], dtype=bool)
         self.tie = _ties(points)
         self.tangent = tangents(prior)
 
@@ -143,7 +143,7 @@ class _Fit:
 
     def projected(self, points: Array, places: Array) -> Array:
         """The places of the samples moved to the nearest ones on the spline, in order."""
-        fine = 12
+        fine = KEY_FIT.fine
         segment = np.repeat(np.arange(self.count), fine)
         t = np.tile(np.arange(fine) / fine, self.count)
         line = bezier.evaluate(points, segment, t)
@@ -151,7 +151,7 @@ class _Fit:
         index = np.round(places * fine).astype(np.intp)[:, None] + np.arange(-KEY_FIT.window, KEY_FIT.window + 1)
         away = ((line[index % total] - self.samples[:, None]) ** 2).sum(axis=2)
         facing = polyline.outward_normals(line)[index % total] @ polyline.outward_normals(self.samples)[:, :, None]
-        cost = away + 9.0 * (1.0 - facing[..., 0])
+        cost = away + KEY_FIT.turn * (1.0 - facing[..., 0])
         best = np.argmin(cost, axis=1)
         rows = np.arange(len(best))
         nearest = index[rows, best]

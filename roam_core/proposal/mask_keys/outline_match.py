@@ -118,7 +118,7 @@ def _posed(start: Match, pose: Array, scale: float) -> Match:
 def _nodes(points: Array, spacing: float) -> tuple[Array, Indices, Array]:
     """Nodes `(N, 2)`, the anchors among them, about evenly along a spline; which are anchors; lengths between them."""
     lengths = bezier.segment_lengths(points)
-    spacing = min(spacing, lengths.sum() / 16.0)
+    spacing = min(spacing, lengths.sum() / OUTLINE_MATCH.fewest)
     counts = np.maximum(1, np.round(lengths / spacing)).astype(np.intp)
     segment = np.repeat(np.arange(len(points)), counts)
     first = np.cumsum(counts) - counts
@@ -132,6 +132,7 @@ def _again(match: Match, nodes: Array, near: float) -> Match:
         (nodes, polyline.outward_normals(nodes), ours),
         (match.samples, polyline.outward_normals(match.samples), theirs),
         near,
+        OUTLINE_MATCH.farthest,
         OUTLINE_MATCH.turn,
         OUTLINE_MATCH.bulge,
     )

@@ -111,7 +111,7 @@ def follow(points: Array, ring: Array, constraints: KeyConstraints, scale: float
     samples = polyline.resample(ring, params.finer * places)
     at = params.finer * _matched(nodes, samples[:: params.finer], share, constraints, scale)
     anchors = at[constraints.anchors]
-    fitted = _fitted(points, samples, anchors, constraints.smooth)
+    fitted = _fitted(points, samples, anchors, constraints.smooth, params)
     fitted += (_settled(nodes, samples, at, share, params, scale)[constraints.anchors] - fitted[:, ANCHOR])[:, None]
     return refined(fitted, samples, anchors, constraints.smooth, params.rounds, params.refine)
 
@@ -139,7 +139,7 @@ def _matched(nodes: Array, samples: Array, share: Array, constraints: KeyConstra
     params = constraints.params
     ours = nodes, polyline.outward_normals(nodes), constraints.descriptors
     theirs = samples, polyline.outward_normals(samples), surroundings(samples, params.tips)
-    cost = prices(ours, theirs, params.near * scale, params.turn, params.bulge)
+    cost = prices(ours, theirs, params.near * scale, params.farthest, params.turn, params.bulge)
     expected = np.maximum(share * len(samples), 1.0)
     at, _ = in_order(cost, expected, params.stretch, params.starts)
     return at
@@ -156,11 +156,11 @@ def _settled(nodes: Array, samples: Array, at: Int64, share: Array, params: Cont
     return polyline.at(samples, settled(nodes, samples, at, expected, weights, params.settling, params.loose))
 
 
-def _fitted(points: Array, samples: Array, at: Int64, smooth: Bools) -> Array:
+def _fitted(points: Array, samples: Array, at: Int64, smooth: Bools, params: ContourFitParams) -> Array:
     """Anchors on `samples[at]`, and the handles of each segment fitted to the samples between its anchors."""
     result = np.empty_like(points)
     result[:, ANCHOR] = samples[at]
-    leaving, arriving = _handles(samples, at)
+    leaving, arriving = _handles(samples, at, params)
     result[:, OUT], result[:, IN] = leaving, polyline.preceding(arriving)
     for part in (IN, OUT):
         corner = (points[:, part] == points[:, ANCHOR]).all(axis=1)
@@ -168,7 +168,7 @@ def _fitted(points: Array, samples: Array, at: Int64, smooth: Bools) -> Array:
     return bezier.aligned(result, smooth)
 
 
-def _handles(samples: Array, at: Int64) -> tuple[Array, Array]:
+def _handles(samples: Array, at: Int64, params: ContourFitParams) -> tuple[Array, Array]:
     """Out- and in-handles `(P, 2)` of the cubics that best follow the ring from `at[k]` to `at[k + 1]`.
 
     Least squares over the two handles of each segment, by chord length, drawn a little towards a straight line; all
@@ -190,7 +190,7 @@ def _handles(samples: Array, at: Int64) -> tuple[Array, Array]:
     u, v = weights[:, 1:2], weights[:, 2:3]
     uu, uv, vv = (np.add.reduceat(product, first) for product in (u * u, u * v, v * v))
     ur, vr = (np.add.reduceat(product, first) for product in (u * rest, v * rest))
-    hold = (0.005 + 0.002 * (steps + 1))[:, None]
+    hold = (params.straight + params.straight_each * (steps + 1))[:, None]
     uu, vv = uu + hold, vv + hold
     determinant = uu * vv - uv * uv
     return straight[0] + (ur * vv - vr * uv) / determinant, straight[1] + (uu * vr - uv * ur) / determinant

@@ -13,7 +13,8 @@ from pytestqt.qtbot import QtBot
 from app.actions import menus
 from app.actions.actions import Actions
 from app.actions.keymaps import keys_text, load_keymap, presets
-from app.actions.specs import SPECS
+from app.actions.specs import SPECS, Reach
+from app.tools.toolbox import TOOLS
 from roam_core.errors import RoamError
 
 
@@ -46,6 +47,15 @@ def test_every_tooltip_shows_its_keys(qtbot: QtBot) -> None:
 def test_every_icon_that_an_action_names_is_there(qtbot: QtBot) -> None:
     names = {spec.icon for spec in SPECS if spec.icon}
     assert names <= {path.name.removesuffix(".svg") for path in (files("resources") / "icons").iterdir()}
+
+
+def test_every_tool_has_an_action_with_an_icon_and_keys() -> None:
+    specs = {spec.id: spec for spec in SPECS if spec.id.startswith("tool.")}
+    assert set(specs) == {f"tool.{name}" for name in TOOLS}
+    for name, tool in TOOLS.items():
+        spec = specs[f"tool.{name}"]
+        assert (spec.title, spec.reach, spec.checkable) == (tool.title, Reach.VIEWER, True)
+        assert all((spec.icon, spec.tip, load_keymap()[spec.id]))
 
 
 def test_a_keymap_that_is_not_there_is_refused_in_a_sentence() -> None:

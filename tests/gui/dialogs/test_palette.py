@@ -71,6 +71,40 @@ def test_the_words_of_other_programs_find_it_too(qtbot: QtBot, palette: Palette)
     assert set(WORDS) <= {spec.id for spec in SPECS}
 
 
+@pytest.mark.parametrize(
+    ("query", "action"),
+    [
+        ("pen", "tool.bezier"),
+        ("xspline", "tool.bspline"),
+        ("warp", "tool.reshape"),
+        ("rotate", "tool.transform"),
+        ("flip", "points.mirror_across"),
+        ("uberkey", "key.ripple"),
+        ("ease", "key.linear"),
+        ("motion blur", "view.shape_panel"),
+        ("opacity", "view.shape_panel"),
+        ("bookmark", "mark.toggle"),
+        ("zoom", "view.fit"),
+    ],
+)
+def test_a_word_of_another_program_comes_before_scattered_letters(palette: Palette, query: str, action: str) -> None:
+    palette.field.setText(query)
+    assert palette.shown[0] == action
+
+
+def test_every_action_is_found_by_words_besides_its_title() -> None:
+    assert set(WORDS) == {spec.id for spec in SPECS}
+
+
+def test_what_the_shape_panel_has_is_shown_by_its_action(qtbot: QtBot, window: MainWindow, palette: Palette) -> None:
+    window.actions_by_id["view.panels"].setChecked(False)
+    window.shape_panel.fold(True)
+    qtbot.keyClicks(palette.field, "lifetime")
+    qtbot.keyClick(palette.field, Qt.Key.Key_Return)
+    assert not window.panel_column.isHidden()
+    assert not window.shape_panel.is_folded
+
+
 def test_what_cannot_be_done_is_dim_and_says_so(qtbot: QtBot, window: MainWindow, palette: Palette) -> None:
     qtbot.keyClicks(palette.field, "undo")
     item = palette.list.topLevelItem(0)

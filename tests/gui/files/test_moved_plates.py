@@ -10,6 +10,8 @@ import pytest
 from pytestqt.qtbot import QtBot
 
 from app.shell.main_window import MainWindow
+from roam_core.geometry import bezier
+from roam_core.roto import Keyframe, Origin, RotoShape, edit, file
 from tests.gui.windows import WAIT, opened_window, write_clip
 
 
@@ -32,6 +34,17 @@ def test_a_plate_that_moved_is_found_near_the_project(qtbot: QtBot, window: Main
     assert "Its plate was found at" in said_on_opening(qtbot, window, tmp_path / "a.roam")
     assert window.document.project.require_clip().path == tmp_path / "media" / "plate"
     assert window.reader.source is not None
+
+
+def test_keys_that_were_tracked_with_a_departed_dial_are_told(qtbot: QtBot, window: MainWindow, tmp_path: Path) -> None:
+    points = bezier.polygon_points([(8.0, 8.0), (40.0, 8.0), (40.0, 30.0)])
+    inputs = "forward:best+firmness=2:0:from=1"
+    keys = [Keyframe(1, points), Keyframe(2, points, origin=Origin.ENGINE, inputs=inputs)]
+    shape = RotoShape("shape-1", "Body", tuple(keys))
+    file.save(edit.add_items(window.document.project, [shape])[0], tmp_path / "b.roam")
+    said = said_on_opening(qtbot, window, tmp_path / "b.roam")
+    assert said.startswith("Opened b.roam. Keys were tracked with 'best+firmness=2', which turns a dial")
+    assert said_on_opening(qtbot, window, tmp_path / "a.roam") == "Opened a.roam."
 
 
 @pytest.mark.parametrize(

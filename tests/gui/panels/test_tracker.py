@@ -279,7 +279,9 @@ def test_only_dials_that_turn_something_are_offered_and_each_mode_has_its_own(
     assert tracking.configuration == f"{DEFAULT_CONFIG}+reach=2"
 
 
-def test_turned_dials_are_kept_and_nonsense_is_left_out(tracking: Tracking) -> None:
+def test_turned_dials_are_kept_and_nonsense_is_left_out_in_one_sentence(
+    tracking: Tracking, view_state: ViewState
+) -> None:
     tracking.turn("reach", 1.5)
     tracking.turn("key", 1.0)
     assert tracking.remembered() == {DEFAULT_CONFIG: {"reach": "1.5"}}
@@ -288,3 +290,5 @@ def test_turned_dials_are_kept_and_nonsense_is_left_out(tracking: Tracking) -> N
         {DEFAULT_CONFIG: {"reach": "1.5", "speed": "2", "key": "many", "firmness": "2"}, "abacus": {"reach": "2"}}
     )
     assert tracking.factors == {DEFAULT_CONFIG: {"reach": 1.5}}
+    told = (f"{DEFAULT_CONFIG}+{word}" for word in ("speed=2", "key=many", "firmness=2"))
+    assert view_state.message.endswith(f"stay at 100 %: {', '.join(told)}, abacus+reach=2.")

@@ -111,6 +111,19 @@ def test_stale_keys_are_counted(roam: Roam, tracked: Path) -> None:
     assert "(5 stale)" in roam("info", tracked).out
 
 
+def test_what_keys_were_tracked_with_and_is_gone_is_told_once(roam: Roam, tracked: Path) -> None:
+    assert "note " not in roam("info", tracked).out
+    document = json.loads(tracked.read_text())
+    for key, name in zip(document["root"]["children"][0]["keys"][2:], ("firmness", "nose", "nose"), strict=False):
+        key["inputs"] = key["inputs"].replace(":best:", f":best+{name}=2:")
+    tracked.write_text(json.dumps(document))
+    (note,) = [line for line in roam("info", tracked).out.splitlines() if line.startswith("note ")]
+    assert note == (
+        "note     Keys were tracked with 'best+firmness=2', which turns a dial that is offered no more: they stay as "
+        "they are; and with 'best+nose=2', which this program does not know: they count as stale."
+    )
+
+
 def test_the_frame_most_worth_fixing_is_offered(roam: Roam, tracked: Path) -> None:
     assert "most worth fixing" not in roam("info", tracked).out
     document = json.loads(tracked.read_text())

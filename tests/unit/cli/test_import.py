@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from roam_core.roto import Clip, Keyframe, Layer, Project, RotoShape, file
+from roam_core.roto.project import PALETTE
 from tests.unit.cli.conftest import Roam
 from tests.unit.interchange.conftest import points
 
@@ -64,6 +65,16 @@ def test_bad_files_are_one_sentence(roam: Roam, project: Path, name: str, conten
     assert message in done.err
     assert len(done.err.splitlines()) == 1
     assert project.read_bytes() == before
+
+
+def test_shapes_of_files_without_colours_go_on_in_the_palette(roam: Roam, project: Path, tmp_path: Path) -> None:
+    """Also those of a second file: no two of them look alike."""
+    text = '{"format": "roam-shapes", "version": 1, "width": 1920, "height": 1080, "items": [%s, %s]}'
+    item = '{"kind": "shape", "name": "A", "keys": [{"frame": 1001, "points": [[10, 10], [90, 10], [50, 90]]}]}'
+    (tmp_path / "plain.json").write_text(text % (item, item), encoding="utf-8")
+    for _ in range(2):
+        assert roam("import", tmp_path / "plain.json", "--into", project).status == 0
+    assert [shape.colour for shape in file.load(project).shapes[1:]] == list(PALETTE[1:5])
 
 
 def test_masks_become_few_keys_or_every_one_and_what_was_achieved_is_told(roam: Roam, project: Path) -> None:

@@ -89,11 +89,11 @@ def test_a_ribbon_that_is_explained_on_both_sides_is_good_whichever_way_the_curv
     nodes = SQUARE[::-1].copy() if turned else SQUARE
     orientation = -1.0 if turned else 1.0
     stay = np.zeros((1, 2))
-    there = curve.pairwise_ribbon(nodes, stay, ln_densities(inside), orientation, 4.0)
+    there = curve.pairwise_ribbon(nodes, stay, ln_densities(inside), orientation, 4.0, 2.0)
     assert there.ravel() == pytest.approx([4.0] * 4)
-    beside = curve.pairwise_ribbon(nodes + 3.0, stay, ln_densities(inside), orientation, 4.0)
+    beside = curve.pairwise_ribbon(nodes + 3.0, stay, ln_densities(inside), orientation, 4.0, 2.0)
     assert beside.sum() > there.sum() + 4.0
-    inverted = curve.pairwise_ribbon(nodes, stay, ln_densities(~inside), orientation, 4.0)
+    inverted = curve.pairwise_ribbon(nodes, stay, ln_densities(~inside), orientation, 4.0, 2.0)
     assert inverted.ravel() == pytest.approx([16.0] * 4)
 
 

@@ -63,7 +63,7 @@ def test_a_region_is_aligned_with_others_and_stays_in_the_picture() -> None:
 def test_the_gradient_is_strongest_on_the_border_between_two_flats() -> None:
     image = np.zeros((40, 60, 3), np.uint8)
     image[:, 30:, 1] = 200
-    field = PreparedFrame(image).squared_gradient(Region(0, 0, 60, 40), 1.0, 144.0)
+    field = PreparedFrame(image).squared_gradient(Region(0, 0, 60, 40), 1.0, 144.0, 98.0)
     assert field.dtype == np.float32
     assert field[20].argmax() in (29, 30)
     np.testing.assert_array_equal(field[:, 29:31], 1.0)
@@ -72,14 +72,14 @@ def test_the_gradient_is_strongest_on_the_border_between_two_flats() -> None:
 
 def test_faint_grain_does_not_pass_for_edges() -> None:
     grain = 128 + np.random.default_rng(1).integers(-2, 3, (60, 60, 3))
-    assert PreparedFrame(grain.astype(np.uint8)).squared_gradient(Region(0, 0, 60, 60), 1.0, 144.0).max() < 0.1
+    assert PreparedFrame(grain.astype(np.uint8)).squared_gradient(Region(0, 0, 60, 60), 1.0, 144.0, 98.0).max() < 0.1
 
 
 def test_a_region_is_cut_from_the_whole_picture_and_not_framed_by_its_border() -> None:
     """The blur looks beyond the region, so what a pixel shows does not depend on where the region was cut."""
     frame = PreparedFrame(picture(80, 80))
-    whole = frame.squared_gradient(Region(0, 0, 80, 80), 1.5, 144.0)
-    part = frame.squared_gradient(Region(20, 30, 50, 60), 1.5, 144.0)
+    whole = frame.squared_gradient(Region(0, 0, 80, 80), 1.5, 144.0, 98.0)
+    part = frame.squared_gradient(Region(20, 30, 50, 60), 1.5, 144.0, 98.0)
     inside = whole[30:60, 20:50]
     unsaturated = (part < 1.0) & (inside < 1.0)
     ratio = part[unsaturated] / inside[unsaturated]
@@ -88,4 +88,4 @@ def test_a_region_is_cut_from_the_whole_picture_and_not_framed_by_its_border() -
 
 def test_a_region_is_made_once() -> None:
     frame, region = PreparedFrame(picture()), Region(5, 5, 30, 30)
-    assert frame.squared_gradient(region, 1.0, 144.0) is frame.squared_gradient(region, 1.0, 144.0)
+    assert frame.squared_gradient(region, 1.0, 144.0, 98.0) is frame.squared_gradient(region, 1.0, 144.0, 98.0)

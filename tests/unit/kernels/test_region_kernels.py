@@ -6,7 +6,7 @@ import numpy as np
 import numpy.testing as npt
 import pytest
 
-from roam_core.kernels.alignment import FARTHEST, align, prices
+from roam_core.kernels.alignment import align, prices
 from roam_core.kernels.diffusion import diffuse
 from roam_core.kernels.local_match import log_ratio, nearest_colours
 from tests.reference.local_match import ref_align, ref_local_match, smoothing_energy
@@ -71,10 +71,14 @@ def test_smoothing_holds_what_is_not_wanted() -> None:
     assert (result[wanted] != field[wanted]).all()
 
 
+FARTHEST = 9.0
+"""The most that distance costs."""
+
+
 def test_prices_are_those_of_each_pair_by_itself() -> None:
     rng = np.random.default_rng(2)
     nodes, samples = ((rng.uniform(0, 30, (k, 2)), rng.normal(size=(k, 2)), rng.random((k, 3))) for k in (5, 8))
-    cost = prices(nodes, samples, 6.0, 1.5, 20.0)
+    cost = prices(nodes, samples, 6.0, FARTHEST, 1.5, 20.0)
     distances = np.square((nodes[0][:, None] - samples[0]) / 6.0).sum(axis=2)
     assert distances.min() < FARTHEST < distances.max()
     for n in range(5):

@@ -156,14 +156,14 @@ def odd_objects() -> dict[str, tuple[Figure, list[RotoShape]]]:
         found[name] = figure, figure.shapes()
     behind = Figure((BODY, post), 3)
     found["an occluder"] = behind, [behind.shapes()[0], subtracting(behind.shapes()[1])]
-    crowd = a_hundred_parts()
-    found["a hundred"] = crowd, crowd.shapes()
+    crowd = many_parts(20)
+    found["many"] = crowd, crowd.shapes()
     return found
 
 
-def a_hundred_parts() -> Figure:
+def many_parts(count: int) -> Figure:
     """Small boxes over each other, on two frames."""
-    places = np.random.default_rng(0).uniform((50.0, 30.0), (110.0, 90.0), (100, 2))
+    places = np.random.default_rng(0).uniform((50.0, 30.0), (110.0, 90.0), (count, 2))
     parts = [
         Moving(f"p{k}", box(9, 9), (float(x), float(y)), (0.5, 0.2), 0.0, texture(k, 0.3, 1.0, 4))
         for k, (x, y) in enumerate(places)

@@ -23,9 +23,9 @@ SLID = 15.0
 """Degrees by which all points of a disc are turned along its outline."""
 
 
-def off(held: float) -> float:
+def off(key_pull: float) -> float:
     """Mean pixels by which points that slid once are still away from their places when the shot ends."""
-    params = replace(PARAMS, held=held)
+    params = replace(PARAMS, key_pull=key_pull)
     first, *others = SHOT.frames
     drawn = SHOT.truth(first)
     state = begin(PreparedFrame(SHOT.read(first)), (Part(drawn, False),), params)
@@ -39,9 +39,9 @@ def off(held: float) -> float:
 
 
 def test_points_that_slid_go_back_to_their_places() -> None:
-    left_alone, held = off(0.0), off(PARAMS.held)
-    assert held < 0.7 * left_alone
-    assert held < 0.6 * np.radians(SLID) * 32.0
+    left_alone, pulled = off(0.0), off(PARAMS.key_pull)
+    assert pulled < 0.7 * left_alone
+    assert pulled < 0.6 * np.radians(SLID) * 32.0
 
 
 def test_a_shape_that_finds_no_region_stays_where_it_was_carried() -> None:

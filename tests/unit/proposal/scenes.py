@@ -45,7 +45,7 @@ def context(truth: Bools, ratio: Float32 | None = None) -> CurveContext:
     local = np.where(truth, np.float32(2.0), np.float32(-2.0)) if ratio is None else ratio
     whole = Region(0, 0, SIZE[1], SIZE[0])
     colours = ColourFields(Grid.over(whole, 1.0), local, np.zeros_like(local), 6.0, 0.5 * local)
-    return CurveContext(picture(truth).squared_gradient(whole, 1.0, 144.0), (0, 0), 8.0, 1.0, colours)
+    return CurveContext(picture(truth).squared_gradient(whole, 1.0, 144.0, 98.0), (0, 0), 8.0, 1.0, colours)
 
 
 def with_price(price: float) -> RoamParams:

@@ -24,6 +24,7 @@ from roam_core.roto import (
     Spline,
     ValueKey,
 )
+from roam_core.roto.project import PALETTE
 
 POINTS = bezier.polygon_points([(0.1, 0.2), (10.0, 1 / 3), (-7.25, 1e-17)])
 CURVE = POINTS + np.linspace(-1.0, 1.0, 18).reshape(3, 3, 2) / 7.0
@@ -56,7 +57,7 @@ def first_project(folder: Path) -> Project:
         ((1001, 1), (1010, -1)), extra={"later": LATER},
     )  # fmt: skip
     box = tuple(Keyframe(k, POINTS + k / 7.0, None, Origin.ENGINE) for k in range(RUN))
-    polygon = RotoShape("shape-2", "Box", box, blend=BlendMode.PLUS)  # "add" in versions 1 and 2
+    polygon = RotoShape("shape-2", "Box", box, colour=PALETTE[0], blend=BlendMode.PLUS)  # "add" in versions 1 and 2
     turn = np.array([[0.9, -0.1, 12.5], [0.1, 0.9, 1 / 3], [1e-5, 0.0, 1.0]])
     moves = LayerTransform.of({1001: np.eye(3), 1003: turn})
     inner = Layer("layer-1", "Inner", (shape, polygon), False, True, 0.5, True, transform=moves, extra={"later": LATER})
@@ -78,7 +79,7 @@ def second_project(folder: Path) -> Project:
     shape = replace(shape, motion_blur=replace(shape.motion_blur, extra={"later": LATER}))
     all_told = tuple(replace(key, frame=key.frame + 100, extra={"later": LATER}) for key in shape.keys[1 : RUN + 1])
     last = replace(all_told[0], frame=1200, interpolation=Interpolation.SMOOTH)
-    tracked = RotoShape("shape-3", "Tracked", (*all_told, last), blend=BlendMode.PLUS)
+    tracked = RotoShape("shape-3", "Tracked", (*all_told, last), colour=PALETTE[0], blend=BlendMode.PLUS)
     moves = replace(inner.transform, extra={"later": LATER})
     inner = replace(inner, children=(shape, *inner.children[1:], tracked), transform=moves)
     return replace(
@@ -98,7 +99,7 @@ def third_project(folder: Path) -> Project:
     fades = Animated((ValueKey(1001, 1 / 3), hold, ValueKey(1020, 1.0, Interpolation.SMOOTH)))
     soft = Animated((ValueKey(1001, -2.5), ValueKey(1040, 12.0)))
     shape, *others = inner.shapes()
-    faded = RotoShape("shape-4", "Faded", (Keyframe(1001, POINTS),), opacity=fades, feather=soft)
+    faded = RotoShape("shape-4", "Faded", (Keyframe(1001, POINTS),), colour=PALETTE[0], opacity=fades, feather=soft)
     shape = replace(shape, opacity=fades, feather=soft)
     inner = replace(inner, children=(shape, *others, faded), opacity=fades, blend=BlendMode.SUBTRACT)
     return replace(second, root=replace(second.root, children=(inner,)))

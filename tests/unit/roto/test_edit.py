@@ -11,6 +11,7 @@ from roam_core.errors import RoamError
 from roam_core.geometry import bezier
 from roam_core.geometry.bezier import ANCHOR, IN, OUT
 from roam_core.roto import Interpolation, Keyframe, Layer, Origin, Project, RotoShape, edit
+from roam_core.roto.project import PALETTE
 from tests.golden.shots import blob, outline_distance
 
 SQUARE = bezier.polygon_points([(0.0, 0.0), (10.0, 0.0), (10.0, 10.0), (0.0, 10.0)])
@@ -49,6 +50,17 @@ def test_added_items_get_free_ids_and_keep_their_names() -> None:
     assert [item.id for item in grown.root.items()] == ["shape-1", "layer-1", "shape-2", "shape-3", "shape-4"]
     assert [each.name for each in grown.shapes] == ["Shape 1", "Shape 1", "Other", "Shape 1"]
     assert len(project.shapes) == 1
+
+
+def test_shapes_without_a_colour_take_those_of_the_palette_in_turn() -> None:
+    """As files without colours and programs give them, one by one and in layers; a colour of its own is kept."""
+    plain = RotoShape("hero", "Hero", (Keyframe(1, SQUARE),))
+    red = replace(plain, id="red", colour=(1.0, 0.0, 0.0))
+    project = edit.add_shape(edit.add_shape(Project(), plain), red)
+    project, _ = edit.add_items(project, [Layer("layer", "Layer", (plain, plain)), plain])
+    project, _ = edit.new_shape(project, SQUARE, 1)
+    own = [PALETTE[0], (1.0, 0.0, 0.0), *PALETTE[2:6]]
+    assert [shape.colour for shape in project.shapes] == own
 
 
 def test_an_id_that_is_taken_is_refused() -> None:

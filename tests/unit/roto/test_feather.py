@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 
 from roam_core.geometry.bezier import ANCHOR, IN, OUT, polygon_points
-from roam_core.roto import Keyframe, RotoShape, edit, feather
+from roam_core.roto import Keyframe, Origin, RotoShape, edit, feather
+from roam_core.roto.imported import IMPORT
 from roam_core.roto.keying import Keying, held_at, reshape
 
 SQUARE = polygon_points([(0.0, 0.0), (10.0, 0.0), (10.0, 10.0), (0.0, 10.0)])
@@ -92,3 +93,64 @@ def test_pulling_changes_no_argument() -> None:
     one = replace(shape(SQUARE), keys=(Keyframe(1, SQUARE, feather=before),))
     reshape(one, 1, feather.pull(one, np.ones(4), 1.0, 1.0))
     assert not before.any()
+
+
+def tracked(*artist: int) -> RotoShape:
+    """Keys on frames 1 to 9, the artist's on these and the engine's on all others."""
+    keys = (Keyframe(f, SQUARE, origin=Origin.ARTIST if f in artist else Origin.ENGINE) for f in range(1, 10))
+    return RotoShape("shape-1", "Shape 1", tuple(keys))
+
+
+def widths(one: RotoShape) -> dict[int, float]:
+    """How far the first feather point lies to the left on each key."""
+    return {key.frame: 0.0 if key.feather is None else -float(key.feather[0, ANCHOR, 0]) for key in one.keys}
+
+
+def feathered(one: RotoShape, frame: int, width: float) -> RotoShape:
+    offset = np.zeros_like(SQUARE)
+    offset[0] = [-width, 0.0]
+    return edit.set_key(one, frame, SQUARE, offset)
+
+
+def test_tracked_frames_go_along_with_a_feather_to_the_next_keys() -> None:
+    one = feather.carried_on(feathered(tracked(1, 5, 9), 5, 8.0), 5)
+    assert widths(one) == {1: 0, 2: 2, 3: 4, 4: 6, 5: 8, 6: 6, 7: 4, 8: 2, 9: 0}
+    assert one.artist_frames == (1, 5, 9)
+
+
+def test_beyond_the_last_key_a_feather_stays() -> None:
+    one = feather.carried_on(feathered(tracked(4), 4, 8.0), 4)
+    assert set(widths(one).values()) == {8.0}
+    assert one.artist_frames == (4,)
+
+
+def test_on_a_frame_without_a_key_of_the_artists_nothing_is_carried() -> None:
+    one = tracked(1, 9)
+    assert feather.carried_on(one, 5) is one
+
+
+def test_keys_of_a_file_keep_their_feather() -> None:
+    one = feathered(tracked(1, 5), 5, 8.0)
+    one = one.with_key(replace(one.keys[2], inputs=f"{IMPORT}::0123"))
+    assert widths(feather.carried_on(one, 5))[3] == 0.0
+
+
+def test_a_feather_for_all_keys_turns_with_the_outline() -> None:
+    """On a key that is turned by a quarter the soft edge lies out of the same points, by as much."""
+    centre, turn = np.array([5.0, 5.0]), np.array([[0.0, 1.0], [-1.0, 0.0]])
+    one = edit.set_key(feathered(tracked(1), 1, 8.0), 9, (SQUARE - centre) @ turn + centre)
+    offset = one.keys[0].feather
+    assert offset is not None
+    given = feather.on_all_keys(one, 1, [0])
+    assert [width for frame, width in widths(given).items() if frame < 9] == pytest.approx([8.0] * 8)
+    assert given.keys[0] is one.keys[0]
+    last = given.keys[-1].feather
+    assert last is not None
+    np.testing.assert_allclose(last, offset @ turn, atol=1e-12)
+    assert given.artist_frames == (1, 9)
+
+
+def test_a_feather_for_all_keys_leaves_other_points_alone() -> None:
+    one = feathered(tracked(1), 1, 8.0)
+    given = feather.on_all_keys(one, 5, [2])
+    assert widths(given) == widths(one)

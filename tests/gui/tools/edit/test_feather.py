@@ -12,7 +12,9 @@ from app.model.view_state import ViewState
 from app.tools.edit.feather import NOTHING_SELECTED, FeatherActions
 from roam_core.geometry.bezier import ANCHOR, OUT
 from roam_core.matte import shape_matte
-from roam_core.roto import edit
+from roam_core.params import CONFIGS, DEFAULT_CONFIG
+from roam_core.propagate.shapes.provenance import Stamps
+from roam_core.roto import Keyframe, Origin, RotoShape, edit
 from tests.gui.hand import CTRL, SHIFT, Hand
 from tests.gui.tools.conftest import OnlyShape
 
@@ -135,3 +137,69 @@ def test_the_curve_is_seen_with_every_tool(feathering: Hand, canvas: CanvasView,
     feathering.drag((120, 40), (140, 30))
     view_state.set_tool("select")
     assert dashes() > 20
+
+
+@pytest.fixture
+def tracked(feathering: Hand, document: Document, only: OnlyShape, view_state: ViewState) -> Hand:
+    """The square tracked from its key on 1 through 8, with another key of the artist's on 5."""
+    shape = only()
+    stamps = Stamps.of([shape], document.project.clip)
+    keys = []
+    for frame in (2, 3, 4):
+        inputs = stamps.tracked(0, frame, 1, CONFIGS[DEFAULT_CONFIG], True)
+        keys.append(Keyframe(frame, shape.keys[0].points, origin=Origin.ENGINE, inputs=inputs))
+    keys.append(Keyframe(5, shape.keys[0].points))
+    document.open(document.project.with_shape(shape.with_keys(keys)), None)
+    view_state.select(frozenset({shape.id}))
+    return feathering
+
+
+def stale(document: Document, shape: RotoShape) -> list[int]:
+    stamps = Stamps.of(document.project.shapes, document.project.clip)
+    return [key.frame for key in shape.keys if stamps.is_stale(shape, key)]
+
+
+def across(only: OnlyShape) -> list[float]:
+    """How far the second feather point lies to the right on each key."""
+    return [0.0 if key.feather is None else float(key.feather[1, ANCHOR, 0]) for key in only().keys]
+
+
+def test_a_feather_goes_over_to_the_next_key_through_tracked_frames(
+    tracked: Hand, document: Document, only: OnlyShape, view_state: ViewState
+) -> None:
+    assert stale(document, only()) == []
+    tracked.drag((120, 40), (132, 28))
+    np.testing.assert_allclose(across(only), [12, 9, 6, 3, 0], atol=1e-6)
+    assert stale(document, only()) == []
+    assert "goes over to your next keys" in view_state.message
+    assert "Ctrl+Shift+F" in view_state.message
+    assert document.undo_stack.count() == 1
+
+
+def test_the_feather_is_given_to_all_keys(
+    tracked: Hand, document: Document, only: OnlyShape, view_state: ViewState
+) -> None:
+    tracked.drag((120, 40), (132, 28))
+    FeatherActions(document, view_state).give_all_keys()
+    np.testing.assert_allclose(across(only), [12] * 5, atol=1e-6)
+    assert stale(document, only()) == []
+    assert document.undo_stack.undoText() == "Feather for all keys"
+
+
+def test_without_a_shape_there_is_no_feather_to_give(document: Document, view_state: ViewState) -> None:
+    FeatherActions(document, view_state).give_all_keys()
+    assert view_state.message == NOTHING_SELECTED
+
+
+def test_a_ripple_of_all_keys_makes_nothing_stale(
+    tracked: Hand, document: Document, only: OnlyShape, view_state: ViewState
+) -> None:
+    view_state.set_tool("select")
+    view_state.set_play_range(1, 9)
+    view_state.editing.set(ripple=True)
+    tracked.drag((80, 40), (90, 45))
+    assert [key.points[0, ANCHOR].tolist() for key in only().keys] == [[50.0, 45.0]] * 5
+    assert stale(document, only()) == []
+    view_state.editing.set(ripple=False)
+    tracked.drag((90, 45), (80, 40))
+    assert stale(document, only()) == [2, 3, 4]

@@ -1,0 +1,49 @@
+"""Keys that an edit changed alike with all that they were computed from: they are as fresh as they were before."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import replace
+
+from roam_core.propagate.shapes.provenance import FILL, Stamp, Stamps, known_params
+from roam_core.roto import Keyframe, Origin, Project
+from roam_core.roto.imported import import_stamp, is_import
+
+
+def restamped(before: Project, after: Project, shape_ids: Iterable[str], frames: range) -> Project:
+    """The project `after` an edit that changed all keys of these shapes on `frames` alike.
+
+    ENGINE keys that held `before`, and whose knowledge begins and ends on these frames, get the stamp that fits the
+    artist's keys as they are now. What reaches beyond the frames, or was stale, keeps its stamp.
+    """
+    held, now = Stamps.of(before.shapes, before.clip), Stamps.of(after.shapes, after.clip)
+    place = {shape.id: k for k, shape in enumerate(after.shapes)}
+    for shape_id in shape_ids:
+        was, shape = before.shape(shape_id), after.shape(shape_id)
+        kept = {key.frame for key in was.keys if _lies_on(key, frames) and not held.is_stale(was, key)}
+        keys = [key for key in shape.keys if key.origin is Origin.ENGINE and key.frame in kept]
+        fresh = [
+            replace(key, inputs=import_stamp(shape, key.frame) if is_import(key) else _stamp(now, place[shape_id], key))
+            for key in keys
+        ]
+        after = after.with_shape(shape.with_keys(fresh)) if fresh else after
+    return after
+
+
+def _lies_on(key: Keyframe, frames: range) -> bool:
+    """Whether an ENGINE key, and the frames on which its run began and ended, lie on these."""
+    if key.origin is not Origin.ENGINE or key.frame not in frames:
+        return False
+    made = Stamp.read(key.inputs)
+    return all(end is None or end in frames for end in (made.begun, made.until))
+
+
+def _stamp(stamps: Stamps, k: int, key: Keyframe) -> str:
+    """What the run that made a key would stamp it with now."""
+    made = Stamp.read(key.inputs)
+    params = known_params(made.config)
+    if params is None or made.begun is None:
+        return key.inputs
+    if made.direction == FILL:
+        return key.inputs if made.gap is None else stamps.filled(k, made.gap, params, made.alone)
+    return stamps.tracked(k, key.frame, made.begun, params, made.forward, made.alone)

@@ -1,0 +1,75 @@
+"""The border between viewer and timeline: dragged, kept in every size of the window, and there again the next time."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtTest import QTest
+from pytestqt.qtbot import QtBot
+
+from app.shell.main_window import MainWindow
+from app.shell.timeline_height import LEAST, SHARE
+from tests.gui.windows import opened_window
+
+
+@pytest.fixture
+def window(qtbot: QtBot, tmp_path: Path) -> Iterator[MainWindow]:
+    with opened_window(qtbot, None, tmp_path / "journal") as window:
+        yield window
+
+
+def height(window: MainWindow) -> int:
+    return window._halves.sizes()[1]
+
+
+def drag_border(window: MainWindow, by: int) -> None:
+    """Take the border by its middle and drag it down by so many pixels, up where it is negative."""
+    handle = window._halves.handle(1)
+    middle = handle.rect().center()
+    QTest.mousePress(handle, Qt.MouseButton.LeftButton, pos=middle)
+    QTest.mouseMove(handle, middle + QPoint(0, by))
+    QTest.mouseRelease(handle, Qt.MouseButton.LeftButton, pos=middle + QPoint(0, by))
+
+
+def test_before_it_is_dragged_it_takes_its_share(window: MainWindow) -> None:
+    assert height(window) == pytest.approx(LEAST, abs=2)
+    window.resize(1400, 2000)
+    assert height(window) == pytest.approx(SHARE * window._halves.height(), abs=2)
+
+
+def test_a_dragged_height_is_kept_in_every_size_of_the_window(window: MainWindow) -> None:
+    drag_border(window, -60)
+    dragged = height(window)
+    assert dragged == pytest.approx(LEAST + 60, abs=3)
+    window.resize(1400, 1600)
+    assert height(window) == dragged
+    window.resize(1000, 700)
+    assert height(window) == dragged
+
+
+def test_after_the_tall_timeline_the_dragged_height_is_back(window: MainWindow) -> None:
+    window.resize(1000, 1200)
+    drag_border(window, -40)
+    dragged = height(window)
+    window.actions_by_id["view.tall_timeline"].trigger()
+    assert height(window) == pytest.approx(window._halves.height() / 2, abs=3)
+    window.actions_by_id["view.tall_timeline"].trigger()
+    assert height(window) == dragged
+
+
+def test_the_next_window_has_the_dragged_height(qtbot: QtBot, window: MainWindow, tmp_path: Path) -> None:
+    drag_border(window, -50)
+    window.keep_settings(tmp_path / "window.ini")
+    with opened_window(qtbot, None, tmp_path / "other") as other:
+        other.restore_settings(tmp_path / "window.ini")
+        assert height(other) == height(window)
+
+
+@pytest.mark.parametrize("kept", [{"dragged": {"pixels": "high"}}, {"dragged": {"pixels": -4}}, {"other": {}}])
+def test_what_makes_no_sense_changes_nothing(window: MainWindow, kept: dict[str, dict[str, str]]) -> None:
+    before = height(window)
+    window.timeline_height.recall(kept)
+    assert height(window) == before

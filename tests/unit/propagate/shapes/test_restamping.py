@@ -1,0 +1,91 @@
+"""Stamps after an edit of all keys alike: what was fresh is fresh, what was stale is stale, and nothing beyond."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from roam_core.geometry.bezier import polygon_points
+from roam_core.params import CONFIGS, DEFAULT_CONFIG
+from roam_core.propagate.shapes.provenance import Stamps, clip_stamp, fill_stamp, stamp
+from roam_core.propagate.shapes.restamping import restamped
+from roam_core.roto import Clip, Keyframe, Layer, Origin, Project, RotoShape
+from roam_core.roto.imported import IMPORT, stamped
+
+CLIP = Clip(Path("/plates/plate"), 1001, 1012, (160, 120))
+PARAMS = CONFIGS[DEFAULT_CONFIG]
+SQUARE = polygon_points([(20, 20), (60, 20), (60, 60), (20, 60)])
+ALL = range(1001, 1013)
+
+
+def key(frame: int, inputs: str = "") -> Keyframe:
+    origin = Origin.ENGINE if inputs else Origin.ARTIST
+    return Keyframe(frame, SQUARE + frame - 1001.0, origin=origin, inputs=inputs)
+
+
+def tracked() -> RotoShape:
+    """The artist's keys on 1003 and 1008; tracked back from the first, filled between, tracked on from the second."""
+    drawn = RotoShape("shape-1", "Shape 1", (key(1003), key(1008)))
+    clip = clip_stamp(CLIP)
+    keys = [key(frame, stamp([drawn], frame, 1003, PARAMS, clip, forward=False)) for frame in (1001, 1002)]
+    keys += [key(frame, fill_stamp([drawn], (1003, 1008), PARAMS, clip)) for frame in range(1004, 1008)]
+    keys += [key(frame, stamp([drawn], frame, 1008, PARAMS, clip, forward=True)) for frame in (1009, 1010)]
+    return drawn.with_keys(keys)
+
+
+def project(shape: RotoShape) -> Project:
+    return Project(CLIP, Layer("root", "Root", (shape,)))
+
+
+def moved(shape: RotoShape, frames: range) -> RotoShape:
+    keys = (replace(each, points=each.points + np.array([5.0, -3.0])) for each in shape.keys if each.frame in frames)
+    return shape.with_keys(keys)
+
+
+def stale(held: Project) -> list[int]:
+    stamps, shape = Stamps.of(held.shapes, held.clip), held.shapes[0]
+    return [each.frame for each in shape.keys if stamps.is_stale(shape, each)]
+
+
+def test_where_all_moved_alike_nothing_is_stale() -> None:
+    before = project(tracked())
+    after = project(moved(tracked(), ALL))
+    assert stale(before) == []
+    assert len(stale(after)) == 8
+    fresh = restamped(before, after, ["shape-1"], ALL)
+    assert stale(fresh) == []
+    for was, now in zip(after.shapes[0].keys, fresh.shapes[0].keys, strict=True):
+        np.testing.assert_array_equal(was.points, now.points)
+        assert was.origin is now.origin
+
+
+def test_what_was_tracked_from_beyond_the_frames_is_stale() -> None:
+    frames = range(1003, 1009)
+    fresh = restamped(project(tracked()), project(moved(tracked(), frames)), ["shape-1"], frames)
+    assert stale(fresh) == [1001, 1002, 1009, 1010]
+
+
+def test_what_was_stale_before_stays_so() -> None:
+    shape = tracked()
+    shape = shape.with_key(replace(shape.key_at(1008), points=SQUARE))  # type: ignore[type-var]
+    assert (before := stale(project(shape)))
+    fresh = restamped(project(shape), project(moved(shape, ALL)), ["shape-1"], ALL)
+    assert stale(fresh) == before
+
+
+def test_keys_between_those_of_a_file_go_along() -> None:
+    shape = stamped(RotoShape("shape-1", "Shape 1", (key(1001), key(1002, IMPORT), key(1003))))
+    assert isinstance(shape, RotoShape)
+    fresh = restamped(project(shape), project(moved(shape, ALL)), ["shape-1"], ALL)
+    assert stale(project(moved(shape, ALL))) == [1002]
+    assert stale(fresh) == []
+
+
+@pytest.mark.parametrize("config", ["no such one", ""])
+def test_a_stamp_of_another_program_is_left_alone(config: str) -> None:
+    shape = RotoShape("shape-1", "Shape 1", (key(1001), key(1002, f"forward:{config}:0123:from=1001")))
+    fresh = restamped(project(shape), project(moved(shape, ALL)), ["shape-1"], ALL)
+    assert fresh.shapes[0].keys[1].inputs == shape.keys[1].inputs
