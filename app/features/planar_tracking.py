@@ -32,8 +32,8 @@ class LeaveOut(StrEnum):
 class PlanarTracking:
     """Starts planar tracks from the playhead.
 
-    With the points tool in the hand they follow its points. `kind` is what the plane may do; `leave_out` says which
-    other shapes lie before it. Hidden shapes do not.
+    With the points tool in the hand they follow its points, and where points of shapes are selected move these alone.
+    `kind` is what the plane may do; `leave_out` says which other shapes lie before it. Hidden shapes do not.
     """
 
     def __init__(self, document: Document, view_state: ViewState, track: PlanarTrack) -> None:
@@ -67,7 +67,9 @@ class PlanarTracking:
             ids = [shape.id for shape in shapes]
             covers = covering(self._document.project, ids, self._view.frame, self.leave_out)
             points = self._points(ids)
-            self._track.start(ids, frames, self.kind, [shape.id for shape in covers], points)
+            chosen = frozenset(pair for pair in self._view.selection.points if pair[0] in ids)
+            vertices = frozenset() if points is None else chosen
+            self._track.start(ids, frames, self.kind, [shape.id for shape in covers], points, vertices)
             if points is not None:
                 self._view.track_points = points
 

@@ -14,9 +14,10 @@ import numpy as np
 from PySide6.QtCore import QObject, Signal
 
 from roam_core.errors import RoamError
+from roam_core.geometry import projective
 from roam_core.geometry.plane_motion import PlaneMotion
 from roam_core.params import is_doubtful
-from roam_core.roto import BlendMode, Layer, LayerTransform, Project, RotoShape
+from roam_core.roto import BlendMode, Layer, LayerTransform, Project, RotoShape, edit
 from roam_core.roto.following import followed, moving_layer, with_moving_layer, with_points
 
 from ..model.document import Document
@@ -25,6 +26,8 @@ from ..model.view_state import ViewState
 from .runner import Ending, Job, Report, Runner
 
 ReadFrame = Callable[[int], Any]
+Vertices = frozenset[tuple[str, int]]
+"""Points of shapes by (shape id, index)."""
 LAYER_NAME = "Planar"
 _run_numbers = itertools.count(1)
 
@@ -40,6 +43,7 @@ class _Run:
     merge_key: str
     layer_id: str = ""
     points: TrackPoints | None = None
+    vertices: Vertices = frozenset()
     expected: LayerTransform | None = None
     warned: bool = False
     reached: int | None = None
@@ -84,24 +88,26 @@ class PlanarTrack(QObject):
         kind: PlaneMotion,
         cover_ids: Sequence[str] = (),
         points: TrackPoints | None = None,
+        vertices: Vertices = frozenset(),
     ) -> None:
         """Follow the plane under shapes along `frames`: the first is where they are, the step +1 or -1 the direction.
 
         Shapes that subtract are holes in the plane; what lies inside the shapes `cover_ids` is left out, frame by
         frame. A run goes from adjust key to adjust key: on each the plane is looked at anew. With `points` these are
-        followed in place of what lies inside the shapes, and tell the motion by their number.
+        followed in place of what lies inside the shapes, and tell the motion by their number. With `vertices` no layer
+        moves: every frame gets a key on which these points of shapes are moved alone.
         """
         self.drop()
         project, read = self._document.project, self._read
         shapes, covers = ([project.shape(each) for each in ids] for ids in (shape_ids, cover_ids))
-        legs = legs_of(frames, _adjusted(project, shape_ids))
+        legs = (frames,) if vertices else legs_of(frames, _adjusted(project, shape_ids))
         work = Work(tuple(shapes), tuple(covers), legs, PlaneMotion(kind), points)
         job = self._runner.start("track", lambda report: _track(report, read, work))
         job.partial.connect(self._apply)
         job.progress.connect(self.progress)
         job.ended.connect(self._end)
         merge_key = f"planar-{next(_run_numbers)}"
-        self._run = _Run(job, tuple(shape_ids), frames[0], self._view.frame, merge_key, points=points)
+        self._run = _Run(job, tuple(shape_ids), frames[0], self._view.frame, merge_key, "", points, vertices)
         self.progress.emit(0.0, "Starting the planar track …")
         self.running_changed.emit()
 
@@ -122,11 +128,17 @@ class PlanarTrack(QObject):
         run, frame = self._run, found.frame
         if run is None:
             return
-        change = _following(run, self._document.project, found)
-        layer = change(self._document.project).find(run.layer_id)
-        assert isinstance(layer, Layer)
-        run.expected, run.reached = layer.transform, frame
-        self._document.amend("Planar track", change, run.merge_key)
+        if run.vertices:
+            self._document.amend("Point track", partial(_with_vertices, run, found), run.merge_key)
+            if run.points is not None:
+                self._view.track_points = run.points.carried(found.matrix, frame)
+        else:
+            change = _following(run, self._document.project, found)
+            layer = change(self._document.project).find(run.layer_id)
+            assert isinstance(layer, Layer)
+            run.expected = layer.transform
+            self._document.amend("Planar track", change, run.merge_key)
+        run.reached = frame
         if self._view.frame == run.shown_frame and self._view.preview is None:
             run.shown_frame = frame
             self._view.set_frame(frame)
@@ -143,6 +155,8 @@ class PlanarTrack(QObject):
         if run.layer_id and there:
             layer = project.find(run.layer_id) if project.has(run.layer_id) else None
             there = isinstance(layer, Layer) and layer.transform == run.expected
+        if run.vertices and there and run.reached is not None:
+            there = all(project.shape(shape_id).key_at(run.reached) is not None for shape_id, _ in run.vertices)
         if not there:
             self.drop()
 
@@ -213,6 +227,19 @@ def _following(run: _Run, project: Project, found: Found) -> Callable[[Project],
         return followed(before, run.layer_id, found.start, found.frame, found.matrix, found.confidence)
 
     return change
+
+
+def _with_vertices(run: _Run, found: Found, project: Project) -> Project:
+    """The project with a key on which the chosen points lie where the motion brings them; the others stay."""
+    for shape_id in sorted({shape_id for shape_id, _ in run.vertices}):
+        if not project.has(shape_id):
+            continue
+        shape = project.shape(shape_id)
+        start, points = shape.at(found.start).points, shape.at(found.frame).points.copy()
+        chosen = sorted(index for each, index in run.vertices if each == shape_id and index < len(points))
+        points[chosen] = projective.apply(found.matrix, start[chosen])
+        project = project.with_shape(edit.set_key(shape, found.frame, points))
+    return project
 
 
 def _track(report: Report, read: ReadFrame, work: Work) -> str:

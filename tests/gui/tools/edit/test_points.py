@@ -118,6 +118,29 @@ def test_shapes_go_with_two_points(
     assert view_state.track_points is None
 
 
+def test_selected_points_alone_go_along(
+    qtbot: QtBot, hand: Hand, document: Document, view_state: ViewState, runner: Runner, pointed: None
+) -> None:
+    view_state.select(frozenset({"shape-1"}), frozenset({("shape-1", 0), ("shape-1", 3)}))
+    hand.click(MARKS[0])
+    begun = places(view_state)
+    track = PlanarTrack(document, view_state, runner, lambda frame: board.picture(PlaneMotion.TRANSLATION, frame - 1))
+    verbs = PlanarTracking(document, view_state, track)
+    ending, _ = finish(qtbot, track, verbs.forward)
+    assert ending is Ending.DONE
+    assert not document.project.has("layer-1")
+    shape = document.project.shape("shape-1")
+    assert shape.artist_frames == tuple(range(1, LAST + 1))
+    moved = board.true_motion(PlaneMotion.TRANSLATION, LAST - 1)
+    corners = board.BOARD[:, 0]
+    np.testing.assert_allclose(shape.at(LAST).anchors[[0, 3]], projective.apply(moved, corners[[0, 3]]), atol=0.3)
+    np.testing.assert_array_equal(shape.at(LAST).anchors[[1, 2]], corners[[1, 2]])
+    np.testing.assert_allclose(places(view_state), projective.apply(moved, begun), atol=0.3)
+    assert document.undo_stack.count() == 1
+    document.undo_stack.undo()
+    assert document.project.shape("shape-1").artist_frames == (1,)
+
+
 def test_points_on_one_another_are_refused(
     qtbot: QtBot, document: Document, view_state: ViewState, runner: Runner, pointed: None
 ) -> None:
