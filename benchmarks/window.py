@@ -93,7 +93,8 @@ class DrawnPlate:
     """A `PlateSource` of pictures that are drawn when they are asked for: blurred noise that glides."""
 
     missing: tuple[int, ...] = ()
-    fps, pixel_aspect, colour_space = 24.0, 1.0, "sRGB"
+    fps, pixel_aspect, colour_space, readers = 24.0, 1.0, "sRGB", 1
+    layer, layers = "rgb", ("rgb",)
 
     def __init__(self, frames: int = FRAMES, size: tuple[int, int] = SIZE) -> None:
         self.frames, self.size, self.path = tuple(range(1, frames + 1)), size, Path("drawn")

@@ -19,6 +19,7 @@ Int64 = NDArray[np.int64]
 Indices = NDArray[np.intp]
 """Places in other arrays."""
 Image = NDArray[Any]
-"""A picture `(h, w, 3)`, RGB: uint8, or float32 with 1.0 for white (scene-linear values may lie above)."""
+"""A picture `(h, w, 3)`, RGB: uint8 or float32; of a plate, as its files hold it, also uint16 or float16. The largest
+integer is white; of floating point 1.0 is, and scene-linear values may lie above."""
 Matte = Float32
 """Coverage `(h, w)` in [0, 1]."""

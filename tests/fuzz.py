@@ -23,6 +23,7 @@ from contextlib import suppress
 from multiprocessing.connection import Connection
 from pathlib import Path
 
+import cv2
 import numpy as np
 import OpenImageIO as oiio  # noqa: N813 - the name its own manual uses
 
@@ -32,11 +33,14 @@ from roam_core.interchange import EXPORTERS, ExportOptions, read_shapes
 from roam_core.interchange.registry import SHAPE_SUFFIXES
 from roam_core.matte.vectorise import read_mask
 from roam_core.media import open_clip
+from roam_core.media.colour import to_engine
 from roam_core.roto import Clip, Interpolation, Keyframe, Layer, Project, RotoShape, file
 
 CLIP = Clip(Path("plate"), 1001, 1040, (640, 480))
 MOST_SECONDS, MOST_MEMORY = 5.0, 1 << 30
 SEED = 17
+LOOKED_AT = 4
+"""Layers of a damaged picture that are read."""
 WORDS = (
     b"nan", b"inf", b"-1e308", b"1e12", b"99999999999999999999", b"0", b"-1", b"{", b"}", b"[", b"]", b"<", b">", b'"',
     b"\\", b"\0", b"&x;", b"null", b"true", b"\xff\xff\xff\xff", b"\x7f\xff\xff\xff", b"\0\0\0\0", b"<a>", b"M",
@@ -86,6 +90,45 @@ def picture(suffix: str, folder: Path) -> bytes:
     return path.read_bytes()
 
 
+def parts(compression: str, folder: Path) -> bytes:
+    """A whole EXR of three parts, one of them with two layers, that says what its colours are."""
+    path = folder / "parts.exr"
+    specs = []
+    for name, channels in (
+        ("depth", ("Z",)),
+        ("beauty", ("R", "G", "B", "A")),
+        ("light", ("a.R", "a.G", "a.B", "b.R")),
+    ):
+        spec = oiio.ImageSpec(16, 12, len(channels), "half")
+        spec.channelnames = channels
+        spec.attribute("oiio:subimagename", name)
+        spec.attribute("compression", compression)
+        spec.attribute(
+            "chromaticities", oiio.TypeDesc("float[8]"), (0.713, 0.293, 0.165, 0.83, 0.128, 0.044, 0.32, 0.34)
+        )
+        specs.append(spec)
+    rng = np.random.default_rng(SEED)
+    output = oiio.ImageOutput.create(str(path))
+    output.open(str(path), specs)
+    for index, spec in enumerate(specs):
+        if index:
+            output.open(str(path), spec, "AppendSubimage")
+        output.write_image(rng.random((12, 16, spec.nchannels), dtype=np.float32))
+    output.close()
+    return path.read_bytes()
+
+
+def movie(codec: str, folder: Path) -> bytes:
+    """A whole movie of six frames of 64 x 48 pixels."""
+    path = folder / "whole.avi"
+    writer = cv2.VideoWriter(str(path), cv2.CAP_FFMPEG, cv2.VideoWriter.fourcc(*codec), 24.0, (64, 48))
+    rng = np.random.default_rng(SEED)
+    for _ in range(6):
+        writer.write(rng.integers(0, 255, (48, 64, 3), dtype=np.uint8))
+    writer.release()
+    return path.read_bytes()
+
+
 def settings(name: str, _: Path) -> bytes:
     """A whole settings file."""
     documents: dict[str, dict[str, object]] = {
@@ -111,7 +154,27 @@ def read_shape_file(path: Path) -> object:
 def read_picture(path: Path) -> object:
     """As a plate is opened and its first frame read."""
     source = open_clip(path)
-    return source.read(source.frames[0])
+    return to_engine(source.read(source.frames[0]), source.colour_space)
+
+
+def read_every_layer(path: Path) -> object:
+    """As an artist looks at some layers of a plate; one that cannot be read keeps none of the others back."""
+    read = []
+    source = open_clip(path)
+    for layer in source.layers[:LOOKED_AT]:
+        with suppress(RoamError):
+            read.append(open_clip(path, layer).read(source.frames[0]))
+    return read
+
+
+def read_movie(path: Path) -> object:
+    """As a movie is opened and gone through."""
+    source = open_clip(path)
+    read = []
+    for frame in source.frames:
+        with suppress(RoamError):
+            read.append(source.read(frame))
+    return read
 
 
 def read_project(path: Path) -> object:
@@ -147,6 +210,8 @@ READERS: dict[str, tuple[str, Callable[[str, Path], bytes], str, Callable[[Path]
         suffix[1:]: (suffix, lambda suffix, folder: picture(suffix, folder), suffix, read_picture)
         for suffix in (".png", ".jpg", ".tif", ".exr", ".dpx", ".gif")
     },
+    "parts": (".exr", parts, "zip", read_every_layer),
+    "movie": (".avi", movie, "MJPG", read_movie),
     "mask": (".png", lambda suffix, folder: picture(suffix, folder), ".png", read_mask),
     **{name: (".json", settings, name, read_settings(name)) for name in ("preferences", "keymap", "recent")},
 }

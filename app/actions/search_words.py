@@ -7,6 +7,7 @@ from collections.abc import Mapping
 WORDS: Mapping[str, str] = {
     "file.new": "empty begin",
     "file.open_clip": "import footage plate read sequence images source load",
+    "file.relink_clip": "replace plate version footage path missing moved",
     "file.open_movie": "import footage mov mp4 quicktime read load",
     "file.open_project": "load script scene session",
     "file.open_demo": "example sample tutorial manta",
@@ -16,6 +17,7 @@ WORDS: Mapping[str, str] = {
     "file.import_shapes": "nuke silhouette fusion svg roto load",
     "file.import_masks": "mattes alpha segmentation load",
     "file.export": "nuke silhouette fusion blender mocha after effects svg render write output",
+    "file.export_selected": "only some shapes write output",
     "file.export_mattes": "render alpha png exr tiff masks write output",
     "file.quit": "exit close leave",
     "edit.undo": "revert back",
@@ -98,6 +100,7 @@ WORDS: Mapping[str, str] = {
     "shape.from_mask": "trace vectorise matte image",
     "tool.ellipse": "circle oval round draw roto mask",
     "tool.rectangle": "square box quad draw roto mask",
+    "tool.adjust": "planar track corner pin surface drift fix mocha keyframe",
     "tool.feather": "soft edge blur falloff",
     "feather.reset": "soft edge remove clear hard",
     "feather.all_keys": "soft edge blur every frame copy",

@@ -89,6 +89,8 @@ def _moved(was: Shown, now: Shown, frame: int, viewport: Viewport) -> QRectF | N
     if any(getattr(a, name, None) != getattr(b, name, None) for name in same):
         return None
     first, second = a.at(frame), b.at(frame)
+    if a.closed and a.feather_at(frame) != 0.0:  # an even soft edge runs beside the outline
+        return None
     if len(first.points) != len(second.points) or not (_is_plain(first) and _is_plain(second)):
         return None
     different = np.full(len(first.points), _is_doubted(a, frame) is not _is_doubted(b, frame))

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 
-from PySide6.QtCore import QEvent, QPointF, QRectF, QSizeF, Qt, QTimer, Signal
-from PySide6.QtGui import QKeyEvent, QMouseEvent, QPainter, QPaintEvent, QTabletEvent, QWheelEvent
+from PySide6.QtCore import QEvent, QPoint, QPointF, QRectF, QSizeF, Qt, QTimer, Signal
+from PySide6.QtGui import QContextMenuEvent, QKeyEvent, QMouseEvent, QPainter, QPaintEvent, QTabletEvent, QWheelEvent
 from PySide6.QtWidgets import QWidget
 
 from roam_core.arrays import UInt8
@@ -13,6 +13,7 @@ from roam_core.propagate.frame.topology_proposals import Proposal
 from roam_core.propagate.parts.edges import Edges
 from roam_core.roto import Project
 
+from ..actions.context import Place
 from ..actions.key_names import NUDGES, is_modifier, key_name
 from ..features.belonging import Bone
 from ..jobs.picture_work import PictureWork
@@ -23,6 +24,7 @@ from ..model.viewing import Viewing, ViewMode
 from ..paint.feather import paint_feather
 from ..paint.viewport import Viewport
 from ..tools.edit.point_actions import PointActions
+from ..tools.menu_place import taken_up
 from ..tools.reshape import pruned
 from ..tools.tool import Pointer, Tool
 from ..tools.toolbox import TOOLS
@@ -50,10 +52,12 @@ class CanvasView(ZoomableWidget):
     -------
     pointer_moved(position) : the pointer's image position `(x, y)`, or None when it left.
     matte_ready() : the matte that the view wants has been rendered, beside the window's thread.
+    menu_asked(place, where) : a right click on that `Place`, at this place of the screen.
     """
 
     pointer_moved = Signal(object)
     matte_ready = Signal()
+    menu_asked = Signal(object, QPoint)
 
     def __init__(self, document: Document, view_state: ViewState, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -341,6 +345,15 @@ class CanvasView(ZoomableWidget):
 
     def tabletEvent(self, event: QTabletEvent) -> None:
         self._pen.feel(event)
+
+    def contextMenuEvent(self, event: QContextMenuEvent) -> None:
+        """A right click means what lies under it; while something is in the hand it means nothing."""
+        if self._is_pressed or self.is_panning or self._tool.is_busy or self._document.project.clip is None:
+            return
+        spot, place = QPointF(event.pos()), Place.BACKGROUND
+        if self.viewing.shows_shapes:
+            place = taken_up(self._view_state, self._document.project, self._at(spot, event.modifiers()))
+        self.menu_asked.emit(place, event.globalPos())
 
     def leaveEvent(self, event: QEvent) -> None:
         self._pointer = None

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 import numpy as np
-from PySide6.QtCore import QSize, Qt, Signal
+from PySide6.QtCore import QSignalBlocker, QSize, Qt, Signal
 from PySide6.QtGui import QImage, QPixmap
 from PySide6.QtWidgets import (
     QCheckBox,
@@ -19,7 +19,8 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from roam_core.media.colour import LINEAR, LOG, SRGB, to_display
+from roam_core.media.colour import to_display
+from roam_core.media.curves import LINEAR, LOG, SRGB
 
 from .. import style
 from ..jobs.found_clip import FoundClip
@@ -29,6 +30,7 @@ if TYPE_CHECKING:
     from roam_core.media import PlateSource
 
 COLOUR_WORDS = {SRGB: "sRGB", LINEAR: "Scene linear", LOG: "Cineon log"}
+"""What the spaces are called that are not OpenColorIO's."""
 PICTURE = QSize(400, 225)
 MOST_GAPS = 6
 """Missing frames that are named one by one; of more only the number is told."""
@@ -39,10 +41,12 @@ class ClipDialog(QDialog):
 
     Signals
     -------
-    chosen() : open it, as `colour_space`, `fps` and `pixel_aspect` say.
+    chosen() : open it, as `layer`, `colour_space`, `fps` and `pixel_aspect` say.
+    layer_wanted(name) : look at the clip again, at this layer of its files; `take` shows what was found.
     """
 
     chosen = Signal()
+    layer_wanted = Signal(str)
 
     def __init__(self, found: FoundClip, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -52,6 +56,21 @@ class ClipDialog(QDialog):
         self._build()
         self._lay_out()
         self._pull_picture()
+
+    def take(self, found: FoundClip) -> None:
+        """Show another layer of the same clip, if it is still the one chosen; what the artist declared holds."""
+        if found.source.layer != self.layer:
+            return
+        is_declared = self.colour_space != self.found.source.colour_space
+        declared = self.colour_space if is_declared else found.source.colour_space
+        self.found = found
+        self._pull_colours(declared)
+        self.depth_told.setText(found.source.depth)
+        self._pull_picture()
+
+    @property
+    def layer(self) -> str:
+        return str(self.layers.currentText())
 
     @property
     def colour_space(self) -> str:
@@ -76,10 +95,13 @@ class ClipDialog(QDialog):
         self.picture.setObjectName("plate")
         self.picture.setWordWrap(True)
         self.colours = QComboBox()
-        for space, word in COLOUR_WORDS.items():
-            self.colours.addItem(f"{word} (found)" if space == source.colour_space else word, space)
-        self.colours.setCurrentIndex(self.colours.findData(source.colour_space))
+        self._pull_colours(source.colour_space)
         self.colours.currentIndexChanged.connect(lambda _: self._pull_picture())
+        self.layers = QComboBox()
+        self.layers.addItems(list(source.layers))
+        self.layers.setCurrentText(source.layer)
+        self.layers.currentTextChanged.connect(self.layer_wanted)
+        self.depth_told = QLabel(source.depth)
         self.rate, self.aspect = _number(1.0, 1000.0, source.fps), _number(0.1, 10.0, source.pixel_aspect)
         self.aspect.valueChanged.connect(lambda _: self._pull_picture())
         self.asks_no_more = QCheckBox("Open clips without asking from now on")
@@ -97,12 +119,14 @@ class ClipDialog(QDialog):
             ("Frames", range_sentence(source)),
             ("Missing", gaps_sentence(source.missing)),
             ("Size", f"{width} × {height}"),
-            ("Depth", source.depth),
         ):
             label = QLabel(word)
             label.setWordWrap(True)
             label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
             form.addRow(form_label(title), label)
+        form.addRow(form_label("Depth"), self.depth_told)
+        if self.layers.count() > 1:
+            form.addRow(form_label("Layer"), self.layers)
         for title, field in (("Colour", self.colours), ("Per second", self.rate), ("Pixel aspect", self.aspect)):
             form.addRow(form_label(title), field)
         right = QVBoxLayout()
@@ -121,6 +145,15 @@ class ClipDialog(QDialog):
         column.addLayout(upper, 1)
         column.addLayout(lower)
         self.setMinimumWidth(PICTURE.width() + 340)
+
+    def _pull_colours(self, space: str) -> None:
+        """The colour spaces to choose from, with `space` chosen."""
+        with QSignalBlocker(self.colours):
+            self.colours.clear()
+            for each in self.found.spaces:
+                word = COLOUR_WORDS.get(each, each)
+                self.colours.addItem(f"{word} (found)" if each == self.found.source.colour_space else word, each)
+            self.colours.setCurrentIndex(self.colours.findData(space))
 
     def _pull_picture(self) -> None:
         """The first picture as it will look with the colours and pixels that are chosen now."""

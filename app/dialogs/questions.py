@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
 
 from ..model.document import PROJECT_SUFFIX
 
-MOVIES = "Movies (*.mov *.mp4 *.avi *.mkv *.m4v *.mxf *.webm);;All files (*)"
+MOVIES = "Movies (*.mov *.mp4 *.avi *.mkv *.m4v *.mxf *.webm *.mpg *.mpeg *.gif);;All files (*)"
 MOST_LOSSES = 6
 """How many sentences a question shows at once."""
 PROJECTS = f"ROAM projects (*{PROJECT_SUFFIX})"
@@ -120,6 +120,12 @@ def choose_clip_folder(parent: QWidget, start: Path) -> Path | None:
 
 def choose_movie(parent: QWidget, start: Path) -> Path | None:
     return _path(QFileDialog.getOpenFileName(parent, "Open movie", str(start), MOVIES)[0])
+
+
+def choose_plate(parent: QWidget, start: Path) -> Path | None:
+    """A frame of another version of the plate, or a movie."""
+    title = "Relink clip: a frame of the plate, or a movie"
+    return _path(QFileDialog.getOpenFileName(parent, title, str(start))[0])
 
 
 def choose_project(parent: QWidget, start: Path) -> Path | None:

@@ -71,12 +71,14 @@ class FileActions(QObject):
             "file.new": self.new,
             "file.open_clip": self.open_clip,
             "file.open_movie": self.open_movie,
+            "file.relink_clip": self.relink_clip,
             "file.open_project": self.open_project,
             "file.save": self.save,
             "file.save_as": self.save_as,
             "file.import_shapes": self.import_shapes,
             "file.import_masks": self.import_masks,
             "file.export": self.export,
+            "file.export_selected": self.export_selected,
             "file.export_nuke": self.export_nuke,
             "file.export_mattes": self.export_mattes,
         }
@@ -113,6 +115,15 @@ class FileActions(QObject):
     def open_movie(self) -> None:
         path = questions.choose_movie(self._window, self._start_folder(Purpose.CLIP))
         self._open_asking(self._noted(Purpose.CLIP, path))
+
+    def relink_clip(self) -> None:
+        """Ask for another version of the plate, to lie below the same shapes."""
+        if self._lacks_clip():
+            return
+        path = questions.choose_plate(self._window, self._start_folder(Purpose.CLIP))
+        if path is not None:
+            self.folders.note(Purpose.CLIP, path.parent)
+            self._files.open_plate(path)
 
     def open_project(self) -> None:
         path = questions.choose_project(self._window, self._start_folder(Purpose.PROJECT))
@@ -188,6 +199,12 @@ class FileActions(QObject):
         self._export_dialog.show()
         self._export_dialog.activateWindow()
 
+    def export_selected(self) -> None:
+        """Show the export dialog, set to the selected shapes only."""
+        self.export()
+        assert self._export_dialog is not None
+        self._export_dialog.selected.setChecked(True)
+
     def export_nuke(self) -> None:
         self._export_file("nuke", "Export to Nuke")
 
@@ -209,8 +226,13 @@ class FileActions(QObject):
     def _show_found(self, found: FoundClip) -> None:
         from ..dialogs.clip_dialog import ClipDialog
 
+        for shown in self._window.findChildren(ClipDialog):
+            if shown.isVisible() and shown.found.path == found.path:
+                shown.take(found)
+                return
         dialog = ClipDialog(found, self._window)
         dialog.chosen.connect(lambda: self._open_found(dialog))
+        dialog.layer_wanted.connect(lambda layer: self._files.look_at(found.path, layer))
         dialog.open()
 
     def _open_found(self, dialog: ClipDialog) -> None:
@@ -220,8 +242,8 @@ class FileActions(QObject):
         if dialog.asks_no_more.isChecked():
             self._personal.set_preferences(replace(self._personal.preferences, asks_about_clips=False))
         said = dialog.colour_space, dialog.fps, dialog.pixel_aspect
-        path = dialog.found.path
-        self.leave_project(lambda: self._files.open_clip(path, lambda source: declared(source, *said)))
+        path, layer = dialog.found.path, dialog.layer
+        self.leave_project(lambda: self._files.open_clip(path, lambda source: declared(source, *said), layer))
 
     def _open(self, path: Path | None) -> None:
         """Open a project or a clip; a clip takes the place of the plate that the project looks for in vain."""

@@ -111,12 +111,12 @@ class Files(QObject):
         else:
             self.open_clip(path)
 
-    def look_at(self, path: Path) -> None:
-        """Find out about a clip without opening it."""
+    def look_at(self, path: Path, layer: str = "") -> None:
+        """Find out about a clip without opening it: about one of its layers, or the one that is found."""
 
         def work(report: Report) -> str:
             report.progress(0.0, f"Looking at {path.name} …")
-            report.partial(looked_at(path))
+            report.partial(looked_at(path, layer))
             return ""
 
         job = self._runner.start("look", work)
@@ -124,14 +124,16 @@ class Files(QObject):
         job.partial.connect(self.looked)
         job.ended.connect(self.finished)
 
-    def open_clip(self, path: Path, declare: Callable[[PlateSource], PlateSource] | None = None) -> None:
+    def open_clip(
+        self, path: Path, declare: Callable[[PlateSource], PlateSource] | None = None, layer: str = ""
+    ) -> None:
         """Begin a project on a folder of images, a pattern, an image of a sequence, or a movie.
 
-        `declare` gives the plate what the artist says of it against its files.
+        `declare` gives the plate what the artist says of it against its files; `layer` is the one that was chosen.
         """
 
         def read() -> Found:
-            project, source = clip_project(path, declare)
+            project, source = clip_project(path, declare, layer)
             sentence = f"Opened {path.name}: {len(source.frames)} frames. {_gaps(source)}".rstrip()
             return Found(project, source, sentence)
 
@@ -148,13 +150,19 @@ class Files(QObject):
         return self._reader.source
 
     def open_plate(self, path: Path) -> None:
-        """Give the project its plate, which lies elsewhere now; its shapes stay, and it is to be saved."""
+        """Give the project its plate, which lies elsewhere now, or another version of it.
+
+        Its shapes stay, and so do the layer, where the files have it, and what the artist declared of the plate before.
+        The project is to be saved.
+        """
         project, home, fingerprint = self._document.project, self._document.path, self._document.fingerprint
+        before = self._reader.source
 
         def read() -> Found:
-            found, source = clip_project(path)
-            sentence = _differences(project, source) or f"The plate is {path.name} now; save to keep that."
-            return Found(replace(project, clip=found.clip), source, sentence, home, fingerprint, is_unsaved=True)
+            source = _version_of(project.require_clip(), before, path)
+            sentence = _differences(project, source) or f"The plate is {source.path.name} now; save to keep that."
+            clip = replace(Clip.of(source), extra=project.require_clip().extra)
+            return Found(replace(project, clip=clip), source, sentence, home, fingerprint, is_unsaved=True)
 
         self._open(f"Opening {path.name} …", read)
 
@@ -179,7 +187,9 @@ class Files(QObject):
 
         def read() -> Found:
             found = _read_project(path)
-            return Found(found.project, found.source, f"A copy of {path.name}; save to keep it.", is_unsaved=True)
+            first = f"A copy of {path.name}; save to keep it."
+            sentence = " ".join(filter(None, (first, departed_settings(found.project.shapes))))
+            return Found(found.project, found.source, sentence, is_unsaved=True)
 
         self._open(f"Opening {path.name} …", read)
 
@@ -199,7 +209,8 @@ class Files(QObject):
         def read() -> Found:
             project, loss = recovery.load(found)
             source, problem = plate_of(project)
-            sentence = " ".join(filter(None, (loss, problem))) or "Recovered; save to keep it."
+            first = " ".join(filter(None, (loss, problem))) or "Recovered; save to keep it."
+            sentence = " ".join(filter(None, (first, departed_settings(project.shapes))))
             return Found(
                 project, source, sentence, found.original, found.fingerprint, is_unsaved=True, follows=found.journal
             )
@@ -309,15 +320,28 @@ class Files(QObject):
 
 
 def clip_project(
-    path: Path, declare: Callable[[PlateSource], PlateSource] | None = None
+    path: Path, declare: Callable[[PlateSource], PlateSource] | None = None, layer: str = ""
 ) -> tuple[Project, PlateSource]:
     """A new project on a clip, and the clip's source. Raises `RoamError` when there is no clip at `path`."""
     from roam_core.media import open_clip
 
-    source = open_clip(path)
+    source = open_clip(path, layer)
     if declare is not None:
         source = declare(source)
     return Project(Clip.of(source)), source
+
+
+def _version_of(clip: Clip, before: PlateSource | None, path: Path) -> PlateSource:
+    """The plate at `path`, read as the project's `clip` is; what was declared of the plate `before` holds."""
+    from roam_core.media import declared, open_clip
+    from roam_core.media.declared import DeclaredPlate
+
+    source = open_clip(path)
+    if clip.layer in source.layers:
+        source = open_clip(path, clip.layer)
+    if isinstance(before, DeclaredPlate):
+        source = declared(source, clip.colour_space, clip.fps, clip.pixel_aspect)
+    return source
 
 
 def _demo_project(report: Report) -> tuple[Project, Any]:
@@ -381,7 +405,7 @@ def plate_of(project: Project) -> tuple[Any, str]:
     if (clip := project.clip) is None:
         return None, ""
     try:
-        source = declared(open_clip(clip.path), clip.colour_space, clip.fps, clip.pixel_aspect)
+        source = declared(open_clip(clip.path, clip.layer), clip.colour_space, clip.fps, clip.pixel_aspect)
     except RoamError as error:
         return None, f"The plate could not be opened; choose it again in the File menu. {error}"
     return source, _differences(project, source)

@@ -31,7 +31,7 @@ class PlateReader(QObject):
     plate_changed() : another plate was opened, or none is.
     picture(frame, image) : `image (h, w, 3)` uint8 for the screen, or None where the frame cannot be shown.
     refused(sentence) : why a frame cannot be shown.
-    cache_changed() : other frames are cached than before; at most ten times a second.
+    cache_changed() : other frames are cached, or known to be damaged, than before; at most ten times a second.
     """
 
     plate_changed = Signal()
@@ -83,6 +83,12 @@ class PlateReader(QObject):
 
     def cached_frames(self) -> frozenset[int]:
         return frozenset(self._cache.cached_frames()) if self._cache is not None else frozenset()
+
+    def frames_without_picture(self) -> tuple[int, ...]:
+        """The frames that the plate lacks, and those that turned out to be damaged, sorted."""
+        if self._source is None or self._cache is None:
+            return ()
+        return tuple(sorted({*self._source.missing, *self._cache.damaged_frames()}))
 
     def plate(self, frame: int) -> Plate | None:
         """The plate's own values of a frame, where it is held; never waits for decoding."""

@@ -20,30 +20,39 @@ class FoundClip:
     """A clip that was looked at and is not open yet.
 
     `picture` is its first frame `(h, w, 3)`, small, with the values of the files; None where that frame cannot be read,
-    and `trouble` says why.
+    and `trouble` says why. `spaces` are the colour spaces that an artist may say it has.
     """
 
     path: Path
     source: PlateSource
     picture: Any
+    spaces: tuple[str, ...]
     trouble: str = ""
 
 
-def looked_at(path: Path) -> FoundClip:
-    """Look at a clip: its headers and its first picture. Raises `RoamError` when there is no clip at `path`."""
-    from roam_core.media import open_clip
+def looked_at(path: Path, layer: str = "") -> FoundClip:
+    """Look at a clip: its headers and its first picture, of one layer of its files or of the one that is found.
 
-    source = open_clip(path)
+    Raises `RoamError` when there is no clip at `path`, or no such layer.
+    """
+    from roam_core.media import open_clip
+    from roam_core.media.colour_spaces import offered_spaces
+
+    source, spaces = open_clip(path, layer), offered_spaces()
     try:
-        return FoundClip(path, source, _small(source.read(source.frames[0])))
+        return FoundClip(path, source, _small(source.read(source.frames[0])), spaces)
     except RoamError as error:
-        return FoundClip(path, source, None, str(error))
+        return FoundClip(path, source, None, spaces, str(error))
 
 
 def _small(picture: Any) -> Any:
     """A picture no larger than is worth showing before a clip is open."""
     import cv2
 
+    from roam_core.media.colour import unit_floats
+
+    if picture.dtype == "float16":  # OpenCV scales no halves
+        picture = unit_floats(picture)
     height, width = picture.shape[:2]
     scale = min(LARGEST[0] / width, LARGEST[1] / height, 1.0)
     size = max(round(width * scale), 1), max(round(height * scale), 1)

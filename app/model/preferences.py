@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import asdict, dataclass, fields
+from dataclasses import asdict, dataclass, field, fields
 from pathlib import Path
 from typing import Any
 
+from roam_core.media.cache import fair_limit
 from roam_core.params import CONFIGS
 
 from ..atomic_json import keep_json, load_json
@@ -17,13 +18,18 @@ LEAST_UNDO, MOST_UNDO = 16, 65536
 SCALES = (1.0, 1.25, 1.5, 1.75, 2.0, 2.5, 3.0)
 
 
+def _fair_gigabytes() -> float:
+    """What decoded frames may take where nobody said: in steps of a quarter, within the bounds."""
+    return min(max(round(fair_limit() / 2**28) / 4.0, LEAST_CACHE), MOST_CACHE)
+
+
 @dataclass(frozen=True)
 class Preferences:
     """Defaults are what most would choose.
 
     Parameters
     ----------
-    cache_gigabytes : the most memory that decoded frames may take, in GB of 2**30 bytes.
+    cache_gigabytes : the most memory that decoded frames may take, in GB of 2**30 bytes; a quarter of the machine's.
     threads : threads that the engine and the libraries for pictures may use; 0 leaves it to them.
     backups : older versions of a project kept beside it when it is saved.
     config : the engine's configuration at the start; empty for the one used last.
@@ -32,7 +38,7 @@ class Preferences:
     undo_megabytes : the most memory that undo may take, in MB of 2**20 bytes; the oldest steps go first.
     """
 
-    cache_gigabytes: float = 1.0
+    cache_gigabytes: float = field(default_factory=_fair_gigabytes)
     threads: int = 0
     backups: int = 5
     config: str = ""
@@ -64,10 +70,10 @@ def load_preferences(path: Path) -> Preferences:
     """
     document = load_json(path)
     found = Preferences()
-    for field in fields(Preferences):
-        value = document.get(field.name)
-        if _fits(value, getattr(found, field.name)):
-            changed = Preferences(**(asdict(found) | {field.name: value}))
+    for each in fields(Preferences):
+        value = document.get(each.name)
+        if _fits(value, getattr(found, each.name)):
+            changed = Preferences(**(asdict(found) | {each.name: value}))
             found = changed if changed.is_sound else found
     return found
 

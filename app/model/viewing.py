@@ -153,7 +153,7 @@ class Viewing(QObject):
         return self._look
 
     def set_look(self, **changes: Any) -> None:
-        """Change `exposure`, `gamma` or `channel`; numbers are kept within their bounds."""
+        """Change `exposure`, `gamma`, `channel` or `view`; numbers are kept within their bounds."""
         look = replace(self._look, **changes)
         exposure = min(max(look.exposure, EXPOSURES[0]), EXPOSURES[1])
         gamma = min(max(look.gamma, GAMMAS[0]), GAMMAS[1])
@@ -164,8 +164,8 @@ class Viewing(QObject):
         self.set_look(channel=Channel.COLOUR if self._look.channel is channel else channel)
 
     def reset_look(self) -> None:
-        """Show the picture as it is."""
-        self._set("_look", Look())
+        """Show the picture as the display's view has it."""
+        self._set("_look", Look(view=self._look.view))
 
     @property
     def onion(self) -> Onion:

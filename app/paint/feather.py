@@ -15,6 +15,7 @@ from roam_core.roto.feather import curve
 from ..model.shown import shown_shapes
 from ..model.view_state import Selection
 from . import marks
+from .soft_edge import soft_edge
 from .viewport import Viewport
 
 Hover = tuple[str, int, int] | None
@@ -25,16 +26,33 @@ TRIANGLE_SIZE = 7.0
 WIDTH, DASHES = 1.25, (5.0, 3.0)
 RESTING_OPACITY = 0.6
 """Of the curves of shapes that are not selected."""
+BAND_OPACITY = 0.16
+"""Of the band of an even soft edge."""
 
 
 def paint_feather(painter: QPainter, viewport: Viewport, project: Project, frame: int, chosen: frozenset[str]) -> None:
-    """The feather curves of all shapes in sight, those of `chosen` shapes (ids) brighter."""
+    """The feather curves and even soft edges of all shapes in sight, those of `chosen` shapes (ids) brighter."""
     for item in shown_shapes(project, frame):
-        outline = item.shape.at(frame)
+        outline, width = item.shape.at(frame), item.shape.feather_at(frame)
+        opacity = 1.0 if item.shape.id in chosen and not item.locked else RESTING_OPACITY
+        colour = marks.faded(QColor.fromRgbF(*item.shape.colour), opacity)
         if outline.feather is not None:
-            opacity = 1.0 if item.shape.id in chosen and not item.locked else RESTING_OPACITY
-            path = viewport.transform.map(_path(curve(outline), item.shape.closed))
-            dashed(painter, path, marks.faded(QColor.fromRgbF(*item.shape.colour), opacity))
+            dashed(painter, viewport.transform.map(_path(curve(outline), item.shape.closed)), colour)
+        if width != 0.0 and item.shape.closed:
+            _paint_even_edge(painter, viewport, outline, width, colour)
+
+
+def _paint_even_edge(painter: QPainter, viewport: Viewport, outline: Outline, width: float, colour: QColor) -> None:
+    """The soft edge along a closed outline, `width` image pixels: a faint band, and dashes where it ends."""
+    end = QPainterPath()
+    end.addPolygon(QPolygonF([QPointF(x, y) for x, y in soft_edge(outline.points, width).tolist()]))
+    end.closeSubpath()
+    end = viewport.transform.map(end)
+    band = viewport.transform.map(_path(outline.points, True))
+    band.addPath(end)
+    band.setFillRule(Qt.FillRule.OddEvenFill)
+    painter.fillPath(band, marks.faded(colour, BAND_OPACITY * colour.alphaF()))
+    dashed(painter, end, colour)
 
 
 def paint_feather_points(

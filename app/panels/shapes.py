@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from PySide6.QtCore import QSignalBlocker, QSize, Qt
-from PySide6.QtGui import QBrush, QColor, QDropEvent, QIcon, QKeyEvent, QMouseEvent
+from PySide6.QtCore import QPoint, QSignalBlocker, QSize, Qt, Signal
+from PySide6.QtGui import QBrush, QColor, QContextMenuEvent, QDropEvent, QIcon, QKeyEvent, QMouseEvent
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QLabel, QTreeWidget, QTreeWidgetItem, QVBoxLayout, QWidget
 
 from roam_core.errors import RoamError
@@ -13,6 +13,7 @@ from roam_core.roto import Layer, RotoShape, edit
 from roam_core.roto.layers import moved, top_items
 
 from .. import style
+from ..actions.context import Place
 from ..actions.keymaps import told
 from ..features.verbs.shapes import delete, toggle
 from ..model.document import Document
@@ -53,7 +54,14 @@ class ShapesPanel(QWidget):
 
 
 class ShapeTree(QTreeWidget):
-    """Rows of the tree; selection goes both ways. Drag a row to restack it, double-click its name to rename it."""
+    """Rows of the tree; selection goes both ways. Drag a row to restack it, double-click its name to rename it.
+
+    Signals
+    -------
+    menu_asked(place, where) : a right click on that `Place`, at this place of the screen; its row is selected.
+    """
+
+    menu_asked = Signal(object, QPoint)
 
     def __init__(self, document: Document, view_state: ViewState, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -162,6 +170,15 @@ class ShapeTree(QTreeWidget):
             self.mousePressEvent(event)
         else:
             super().mouseDoubleClickEvent(event)
+
+    def contextMenuEvent(self, event: QContextMenuEvent) -> None:
+        """The press before it has selected its row, unless that was selected."""
+        row = self.itemAt(event.pos())
+        if row is None:
+            place = Place.EMPTY_LIST
+        else:
+            place = Place.LAYER_ROW if row.data(NAME, IS_LAYER) else Place.SHAPE_ROW
+        self.menu_asked.emit(place, event.globalPos())
 
     def selected_ids(self) -> list[str]:
         """The ids of the selected rows, layers included, bottom first; one inside a selected layer is left to it."""

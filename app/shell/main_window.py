@@ -70,6 +70,7 @@ from ..widgets.controls import tool_button
 from ..widgets.focus import FocusFollowsPointer
 from ..widgets.panel import Panel
 from . import layout, settings
+from .context_menus import ContextMenus
 from .defects import Defects
 from .timeline_height import TimelineHeight
 from .window_services import WindowServices
@@ -150,7 +151,9 @@ class MainWindow(QMainWindow):
         self.history.setEmptyLabel("As opened")
         self.history.setMinimumHeight(6 * style.ROW_HEIGHT)
         self.transport = Transport(self.navigation, view_state, self.playback, actions)
-        self.timeline = Timeline(document, view_state, self.reader.cached_frames, self._missing_frames, actions)
+        self.timeline = Timeline(
+            document, view_state, self.reader.cached_frames, self.reader.frames_without_picture, actions
+        )
         self.status = StatusBar(view_state, self.under_way)
         self.status.add(Readout(self.canvas))
         self.status.add(ModeBar(view_state, actions))
@@ -167,6 +170,9 @@ class MainWindow(QMainWindow):
         self.defects = Defects(view_state, self.journal, messages, self)
         self.recovering = Recovering(self._journal_root, self.writer, files, file_actions, view_state, self)
         self.recovering.asking.connect(self.defects.wait_for)
+        self.context_menus = ContextMenus(self.document, view_state, actions, self)
+        for part in (self.canvas, self.shapes.tree):
+            part.menu_asked.connect(self.context_menus.open)
         menu_bar = menus.menu_bar(actions, self.reopening.menu)
         self.setMenuWidget(layout.row(menu_bar, self.view_bar, growing=menu_bar))
 
@@ -345,9 +351,6 @@ class MainWindow(QMainWindow):
         clip = self.document.project.clip
         self.playback.pause()
         self.playback.fps = clip.fps if clip is not None else 24.0
-
-    def _missing_frames(self) -> tuple[int, ...]:
-        return () if self.reader.source is None else self.reader.source.missing
 
     def _pull_running(self) -> None:
         self.actions_by_id["track.stop"].setEnabled(self.under_way.is_any)

@@ -98,7 +98,7 @@ class Ruler(QWidget):
         end, frame = self._handles.at(position), self._axis.scale.frame(position.x())
         if end is not None:
             return self._handles.tip(end)
-        return f"Frame {frame} is missing from the plate" if frame in set(self._missing()) else HINT
+        return f"Frame {frame} is missing from the plate, or damaged" if frame in set(self._missing()) else HINT
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
         if self._handles.at(event.position()) is None:

@@ -101,6 +101,15 @@ def outlines_under(project: Project, frame: int, position: Vector, pixel: Vector
     return [s.id for s in reversed(editable_shapes(project, frame)) if _on_outline(s, frame, position, pixel)]
 
 
+def shape_around(project: Project, frame: int, selection: Selection, position: Vector) -> str | None:
+    """The id of the uppermost selected shape, if it is closed, inside of which a position lies; or None."""
+    for shape in _selected(project, frame, selection):
+        line = shape.at(frame).flatten()
+        if shape.closed and bool(_inside(np.array([position]), line)[0]):
+            return shape.id
+    return None
+
+
 def points_in_box(shapes: Iterable[RotoShape], frame: int, a: Vector, b: Vector) -> frozenset[tuple[str, int]]:
     """The anchors inside the rectangle with corners `a` and `b`, as (shape id, point index)."""
     low, high = np.minimum(a, b), np.maximum(a, b)

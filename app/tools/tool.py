@@ -106,6 +106,11 @@ class Tool:
         """Keys that belong to the tool right now, before any shortcut of the window: `Esc` during a drag."""
         return frozenset()
 
+    @property
+    def is_busy(self) -> bool:
+        """True while something half done is in the hand: a drag, or a shape that is being drawn."""
+        return bool(self.claimed_keys)
+
     def key(self, name: str) -> None:
         """One of the claimed keys was pressed; `name` as in `app.actions.key_names.key_name`."""
 

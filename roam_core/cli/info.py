@@ -6,6 +6,7 @@ import argparse
 from itertools import pairwise
 from pathlib import Path
 
+from roam_core.cli.plate import add_layer
 from roam_core.interchange.authorship import is_project
 from roam_core.media import open_clip
 from roam_core.media.finding import is_there
@@ -19,6 +20,7 @@ from roam_core.roto.relinking import relinked
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Declare the command's options."""
+    add_layer(parser)
     parser.add_argument("project", type=Path, metavar="P.roam", help="a project, or a clip")
 
 
@@ -28,13 +30,18 @@ def run(arguments: argparse.Namespace) -> int:
         for line in _project_lines(arguments.project):
             print(line)
         return 0
-    source = open_clip(arguments.project)
+    source = open_clip(arguments.project, arguments.layer)
     width, height = source.size
     print(f"clip     {source.path}")
     print(
         f"frames   {source.frames[0]}-{source.frames[-1]}, {len(source.frames)} present, {len(source.missing)} missing"
     )
-    print(f"picture  {width}x{height}, {source.fps:g} fps, {source.colour_space}, pixel aspect {source.pixel_aspect:g}")
+    print(
+        f"picture  {width}x{height}, {source.depth}, {source.fps:g} fps, {source.colour_space}, "
+        f"pixel aspect {source.pixel_aspect:g}"
+    )
+    if len(source.layers) > 1:
+        print(f"layer    {source.layer}, of {', '.join(source.layers)}")
     return 0
 
 
@@ -48,6 +55,7 @@ def _project_lines(path: Path) -> list[str]:
         lines.append(
             f"clip     {project.clip.path}, frames {project.clip.first}-{project.clip.last}, {width}x{height}, "
             f"{project.clip.fps:g} fps, {project.clip.colour_space}"
+            f"{f', layer {project.clip.layer}' if project.clip.layer else ''}"
         )
         if not is_there(project.clip.path):
             found = relinked(project, path.parent).require_clip().path

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import argparse
 import sys
 import threading
 from collections.abc import Iterator
@@ -15,6 +16,7 @@ from tqdm import tqdm
 from roam_core.errors import RoamError
 from roam_core.media import FrameCache, MissingFrame, PlateSource, declared, open_clip
 from roam_core.media.colour import to_engine
+from roam_core.media.colour_spaces import known_space
 from roam_core.roto import Clip, Project, file
 from roam_core.roto.relinking import other_content, other_size, relinked
 
@@ -68,18 +70,37 @@ def loaded(path: Path) -> Project:
     return relinked(file.load(path), path.parent)
 
 
+def add_layer(parser: argparse.ArgumentParser) -> None:
+    """Declare the option that chooses a layer of the plate's files."""
+    parser.add_argument(
+        "--layer", default="", metavar="NAME", help="layer of the EXR files (roam info CLIP names them; default: found)"
+    )
+
+
+def add_reading(parser: argparse.ArgumentParser) -> None:
+    """Declare the options that say how the plate's files are read: which layer of them, in which colour space."""
+    add_layer(parser)
+    parser.add_argument(
+        "--colour", default="", metavar="SPACE",
+        help="colour space of the plate: sRGB, linear, log, or one of OpenColorIO's (default: found)",
+    )  # fmt: skip
+
+
 @contextmanager
-def opened(path: str, clip: Clip | None = None) -> Iterator[Plate]:
+def opened(path: str, clip: Clip | None = None, layer: str = "", colour: str = "") -> Iterator[Plate]:
     """A plate for the length of a `with` block; its reading thread ends with it.
 
-    What the project's `clip` declares of its colours and its speed holds, where that is the plate. A plate of another
+    The layer is the one asked for, else that of the project's `clip`, else the one that is found; so is the space of
+    its colours. What the clip declares of its colours and its speed holds, where that is the plate. A plate of another
     size than the project's is refused; of one with another content stderr says so.
     """
-    source = open_clip(path)
+    source = open_clip(path, layer or (clip.layer if clip else ""))
     if clip is not None:
         _compare(clip, Clip.of(source))
     if clip is not None and clip.path == source.path:
         source = declared(source, clip.colour_space, clip.fps, clip.pixel_aspect)
+    if colour:
+        source = declared(source, known_space(colour), source.fps, source.pixel_aspect)
     cache = FrameCache(source, limit_bytes=1 << 29)
     try:
         yield Plate(source, cache)

@@ -19,7 +19,7 @@ from roam_core.cli.lines import print_json
 from roam_core.cli.overwriting import add_overwrite, project_writer, tell_of_holder
 from roam_core.cli.picking import EVERYTHING, Picking, trackable
 from roam_core.cli.picking import add_arguments as add_picking
-from roam_core.cli.plate import Plate, opened
+from roam_core.cli.plate import Plate, add_reading, opened
 from roam_core.cli.stopping import cancelling
 from roam_core.errors import RoamError
 from roam_core.interchange.authorship import Kind
@@ -44,6 +44,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--start", type=int, metavar="F", help="frame that FILE describes (default: the first)")
     parser.add_argument("--end", type=int, metavar="F", help="last frame to track (default: the last)")
     parser.add_argument("--backward", action="store_true", help="track to earlier frames, by default from the last")
+    add_reading(parser)
     add_picking(parser, "track")
     parser.add_argument("--matte", type=Path, metavar="DIR", help="write 8-bit PNG mattes named as the frames")
     parser.add_argument("--save", type=Path, metavar="P.roam", help="write a project")
@@ -61,7 +62,7 @@ def run(arguments: argparse.Namespace) -> int:
     init = Path(arguments.init)
     write = None if arguments.save is None else project_writer(arguments.save, init)
     given = given_project(init)
-    with opened(arguments.clip, given.clip if given else None) as plate:
+    with opened(arguments.clip, given.clip if given else None, arguments.layer, arguments.colour) as plate:
         picking = Picking(arguments.shape, arguments.alone)
         start = first_key(given, picking, backward=arguments.backward) if arguments.start is None else arguments.start
         frames = frame_range(plate.source.frames, start, arguments.end, backward=arguments.backward)

@@ -15,7 +15,7 @@ from roam_core.arrays import Array
 from roam_core.errors import RoamError
 from roam_core.geometry import fit, polyline
 from roam_core.geometry.simple import simplified
-from roam_core.media.sequence import opened_image
+from roam_core.media.image_file import opened_image
 from roam_core.params import UNTYING
 from roam_core.roto import BlendMode, Keyframe, RotoShape
 from roam_core.roto.project import PALETTE

@@ -1,19 +1,29 @@
-"""FrameCache: the decoded frames of a plate in memory, bounded in bytes, filled ahead by one thread."""
+"""FrameCache: the decoded frames of a plate in memory, bounded in bytes, filled ahead by threads."""
 
 from __future__ import annotations
 
+import os
 import threading
 from collections import OrderedDict, deque
 from collections.abc import Callable, Sequence
 
 from roam_core.arrays import Image
 from roam_core.cancel import CancelToken
-from roam_core.media.source import PlateSource
+from roam_core.media.source import DamagedFrame, PlateSource
 
 DEFAULT_LIMIT = 1 << 30
 """Bytes: some 40 frames of 4K in 8 bits."""
+SHARE_OF_MEMORY = 0.25
 POLL_SECONDS = 0.05
 """How often a reader that waits for another thread's decoding looks at its token."""
+
+
+def fair_limit() -> int:
+    """The bytes of a quarter of this machine's memory; `DEFAULT_LIMIT` where it does not tell."""
+    try:
+        return round(SHARE_OF_MEMORY * os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES"))
+    except (AttributeError, OSError, ValueError):  # Windows has no sysconf
+        return DEFAULT_LIMIT
 
 
 class FrameCache:
@@ -38,14 +48,15 @@ class FrameCache:
         self._bytes = 0
         self._frame_bytes = 0  # of the frame held last: what the next one will need
         self._decoding: dict[int, _Decoding] = {}
+        self._damaged: set[int] = set()
         self._shown: int | None = None  # the frame read last: reading ahead does not push it out
         self._ahead: deque[int] = deque()
         self._wanted_ahead: frozenset[int] = frozenset()
-        self._reader: threading.Thread | None = None
+        self._readers: list[threading.Thread] = []
         self._closed = False
 
     def on_change(self, listener: Callable[[], None]) -> None:
-        """Have `listener()` called after the set of cached frames changed.
+        """Have `listener()` called after the set of cached frames, or of damaged ones, changed.
 
         It runs on the thread that changed it (a reader's, or the one that reads ahead) with no lock held; it must not
         block. `close` does not call it.
@@ -102,6 +113,11 @@ class FrameCache:
         with self._lock:
             return frozenset(self._images)
 
+    def damaged_frames(self) -> frozenset[int]:
+        """The frames that were there and could not be used when they were last decoded, in vain."""
+        with self._lock:
+            return frozenset(self._damaged)
+
     def read_ahead(self, frames: Sequence[int]) -> None:
         """Decode these frames in the background, in this order, in place of what an earlier call asked for.
 
@@ -113,22 +129,27 @@ class FrameCache:
                 return
             self._ahead = deque(frames)
             self._wanted_ahead = frozenset(frames)
-            if self._reader is None and self._ahead:
-                self._reader = threading.Thread(target=self._run_ahead, name="read-ahead", daemon=True)
-                self._reader.start()
-            self._wake.notify()
+            if not self._readers and self._ahead:
+                self._readers = [
+                    threading.Thread(target=self._run_ahead, name="read-ahead", daemon=True)
+                    for _ in range(self.source.readers)
+                ]
+                for reader in self._readers:
+                    reader.start()
+            self._wake.notify_all()
 
     def close(self) -> None:
-        """Stop reading ahead, wait for its thread, and let go of all frames. Later reads decode and hold nothing."""
+        """Stop reading ahead, wait for its threads, and let go of all frames. Later reads decode and hold nothing."""
         with self._lock:
             self._closed = True
             self._ahead.clear()
             self._images.clear()
             self._bytes = 0
-            reader, self._reader = self._reader, None
-            self._wake.notify()
-        if reader and reader is not threading.current_thread():
-            reader.join()
+            readers, self._readers = self._readers, []
+            self._wake.notify_all()
+        for reader in readers:
+            if reader is not threading.current_thread():
+                reader.join()
 
     # ---- decoding ----------------------------------------------------------------------------------------------------
 
@@ -142,16 +163,24 @@ class FrameCache:
 
     def _decode(self, frame: int, decoding: _Decoding, kept: frozenset[int]) -> bool:
         """Decode a claimed frame, and hold it where none of `kept` has to go for it; whether it is held now."""
+        is_damaged = False
         try:
             image = self.source.read(frame)
             image.setflags(write=False)
             decoding.image = image
             # Held before the claim ends: at no moment is the frame neither held nor on its way.
             return self._hold(frame, image, kept)
+        except DamagedFrame:
+            is_damaged = True
+            raise
         finally:
             with self._lock:
                 del self._decoding[frame]
+                is_news = is_damaged != (frame in self._damaged)
+                self._damaged ^= {frame} if is_news else set()
             decoding.done.set()
+            if is_news:
+                self._tell()
 
     def _hold(self, frame: int, image: Image, kept: frozenset[int]) -> bool:
         """Hold a picture in place of those longest unused; False where it is held already, or has no room."""
@@ -185,7 +214,7 @@ class FrameCache:
         for listener in self._listeners:
             listener()
 
-    # ---- reading ahead: one thread -----------------------------------------------------------------------------------
+    # ---- reading ahead: its threads ----------------------------------------------------------------------------------
 
     def _run_ahead(self) -> None:
         while claimed := self._next_ahead():
@@ -208,7 +237,8 @@ class FrameCache:
                 if frame in self._images or frame in self._decoding:
                     continue
                 kept = self._wanted_ahead | ({self._shown} if self._shown is not None else frozenset())
-                if self._leaving_for(self._frame_bytes, kept) is None:
+                on_their_way = len(self._decoding) + 1
+                if self._leaving_for(on_their_way * self._frame_bytes, kept) is None:
                     self._ahead.clear()
                     continue
                 decoding, _ = self._claim(frame)

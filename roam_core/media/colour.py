@@ -1,4 +1,10 @@
-"""From a plate's values to what eyes and engine see: sRGB, scene-linear and Cineon log, by look-up tables."""
+"""From a plate's values to what eyes and engine see: the sRGB curve, by look-up tables.
+
+**The working picture** is what the engine is given of a plate, in the window and on the command line, whatever is
+looked at: the plate's values as scene-linear light with the primaries of Rec. 709, clipped to [0, 1], with the sRGB
+curve, as float32. 8-bit sRGB plates are passed on as they are. `roam_core.media.curves` names the spaces that are
+converted by its formulas; all others are those of an OpenColorIO configuration (`roam_core.media.colour_config`).
+"""
 
 from __future__ import annotations
 
@@ -9,16 +15,8 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from roam_core.arrays import Array, Float32, Image, UInt8
-from roam_core.errors import RoamError
-
-SRGB = "sRGB"
-"""Display-referred values with the sRGB transfer curve (8- and 16-bit images, movies)."""
-LINEAR = "linear"
-"""Scene-linear values, 1.0 for diffuse white (EXR)."""
-LOG = "log"
-"""Kodak's Cineon printing density, 10-bit code values divided by 1023 (DPX)."""
-COLOUR_SPACES = (SRGB, LINEAR, LOG)
+from roam_core.arrays import Float32, Image, UInt8
+from roam_core.media.curves import COLOUR_SPACES, LINEAR, LOG, SRGB, linear_from_log, srgb_from_linear
 
 TABLE_SIZE = 65536
 """Entries for [0, 1]: 16-bit values are looked up exactly; a float is off by at most 1e-4 of the result's range."""
@@ -26,9 +24,6 @@ BYTE_STEP = 257
 """The table's step between neighbouring 8-bit values: 255 * 257 = 65535."""
 ROWS_AT_ONCE = 32
 """Rows looked up together: the steps in between stay in the processor's cache."""
-
-# Cineon's reference white and black, density per code value, and the negative's gamma.
-WHITE_CODE, BLACK_CODE, DENSITY_PER_CODE, NEGATIVE_GAMMA = 685.0, 95.0, 0.002, 0.6
 
 
 def to_display(image: Image, colour_space: str) -> UInt8:
@@ -41,10 +36,11 @@ def to_display(image: Image, colour_space: str) -> UInt8:
     RoamError
         when the colour space is not known.
     """
-    table = _display_table(_known(colour_space))
-    if image.dtype != np.uint8:
-        return _looked_up(image, table)
-    return image if is_displayed_as_it_is(image, colour_space) else _bytes_looked_up(image, table)
+    if colour_space not in COLOUR_SPACES:
+        return _converted(image, colour_space, _display_table(LINEAR))
+    if is_displayed_as_it_is(image, colour_space):
+        return image
+    return _looked_up(image, _display_table(colour_space))
 
 
 def is_displayed_as_it_is(image: Image, colour_space: str) -> bool:
@@ -53,7 +49,7 @@ def is_displayed_as_it_is(image: Image, colour_space: str) -> bool:
 
 
 def to_engine(image: Image, colour_space: str) -> Image:
-    """The picture for the engine, `(h, w, 3)` in the sRGB curve: differences as an eye sees them.
+    """The working picture `(h, w, 3)` in the sRGB curve: differences as an eye sees them.
 
     An 8-bit sRGB `image` is passed on untouched; all else becomes float32 in [0, 1]. Values outside the range are
     clipped; NaN is black.
@@ -63,27 +59,19 @@ def to_engine(image: Image, colour_space: str) -> Image:
     RoamError
         when the colour space is not known.
     """
-    table = _engine_table(_known(colour_space))
-    if image.dtype == np.uint8:
-        return image if colour_space == SRGB else _bytes_looked_up(image, table)
+    if colour_space not in COLOUR_SPACES:
+        return _converted(image, colour_space, _engine_table(LINEAR))
     if colour_space == SRGB:
-        return _clipped(image)
-    return _looked_up(image, table)
+        return image if image.dtype == np.uint8 else _clipped(unit_floats(image))
+    return _looked_up(image, _engine_table(colour_space))
 
 
-def srgb_from_linear(values: Array) -> Array:
-    """The sRGB transfer curve (IEC 61966-2-1) of linear `values` in [0, 1]."""
-    return np.where(values <= 0.0031308, 12.92 * values, 1.055 * np.maximum(values, 0.0031308) ** (1 / 2.4) - 0.055)
-
-
-def linear_from_log(values: Array) -> Array:
-    """Scene-linear values of Cineon log `values` (code / 1023): code 95 gives 0 and 685 gives 1.
-
-    Source: Kodak's Cineon conversion, gain and offset fitted so that black and white land on 0 and 1.
-    """
-    slope = DENSITY_PER_CODE / NEGATIVE_GAMMA
-    black = 10.0 ** ((BLACK_CODE - WHITE_CODE) * slope)
-    return np.asarray((10.0 ** ((values * 1023.0 - WHITE_CODE) * slope) - black) / (1.0 - black))
+def unit_floats(image: Image) -> Float32:
+    """A copy of a picture's values as float32: integers as [0, 1], floating point as it is."""
+    values = np.array(image, dtype=np.float32)
+    if np.issubdtype(image.dtype, np.integer):
+        values *= np.float32(1.0 / np.iinfo(image.dtype).max)  # as OpenImageIO does
+    return values
 
 
 @cache
@@ -101,28 +89,59 @@ def _display_table(colour_space: str) -> UInt8:
     return np.asarray(np.rint(_engine_table(colour_space) * 255.0), dtype=np.uint8)
 
 
-def _known(colour_space: str) -> str:
-    if colour_space not in COLOUR_SPACES:
-        raise RoamError(f"The colour space {colour_space!r} is not known; choose one of {', '.join(COLOUR_SPACES)}.")
-    return colour_space
-
-
 def _clipped(image: Image) -> Float32:
     """`image` in [0, 1], float32. `fmax` turns NaN into the other number, which is black."""
     return np.minimum(np.fmax(image.astype(np.float32, copy=False), np.float32(0.0)), np.float32(1.0))
 
 
-def _bytes_looked_up(image: Image, table: NDArray[Any]) -> NDArray[Any]:
-    """`table` at the values of a uint8 `image`."""
-    return np.asarray(cv2.LUT(image, np.ascontiguousarray(table[::BYTE_STEP])))
-
-
 def _looked_up(image: Image, table: NDArray[Any]) -> NDArray[Any]:
-    """`table` at the values of a float `image`, a strip of rows at a time."""
+    """`table`, whose entries stand evenly in [0, 1], at the values of an `image` of any of the four types."""
+    if image.dtype == np.uint8:
+        return np.asarray(cv2.LUT(image, np.ascontiguousarray(table[::BYTE_STEP])))
+    if image.dtype == np.float16:
+        return _taken(image.view(np.uint16), _of_halves(table))
+    if image.dtype == np.uint16:
+        return _taken(image, table)
     result = np.empty(image.shape, table.dtype)
     for top in range(0, len(image), ROWS_AT_ONCE):
-        strip = _clipped(image[top : top + ROWS_AT_ONCE])
-        strip *= np.float32(TABLE_SIZE - 1)
-        strip += np.float32(0.5)
-        table.take(strip.astype(np.uint16), out=result[top : top + ROWS_AT_ONCE], mode="clip")
+        result[top : top + ROWS_AT_ONCE] = table.take(_entries(image[top : top + ROWS_AT_ONCE]), mode="clip")
+    return result
+
+
+def _entries(values: Image) -> NDArray[np.uint16]:
+    """Which entry of a table is that of each float."""
+    entries = _clipped(values)
+    entries *= np.float32(TABLE_SIZE - 1)
+    entries += np.float32(0.5)
+    return entries.astype(np.uint16)
+
+
+def _taken(entries: NDArray[np.uint16], table: NDArray[Any]) -> NDArray[Any]:
+    """`table` at its `entries`, a strip of rows at a time."""
+    result = np.empty(entries.shape, table.dtype)
+    for top in range(0, len(entries), ROWS_AT_ONCE):
+        table.take(entries[top : top + ROWS_AT_ONCE], out=result[top : top + ROWS_AT_ONCE], mode="clip")
+    return result
+
+
+def _of_halves(table: NDArray[Any]) -> NDArray[Any]:
+    """The entry of a table for each of the 65536 halves, by its bits."""
+    return table.take(_entries_of_halves(), mode="clip")
+
+
+@cache
+def _entries_of_halves() -> NDArray[np.uint16]:
+    with np.errstate(invalid="ignore"):  # some of them are no numbers
+        return _entries(np.arange(TABLE_SIZE, dtype=np.uint16).view(np.float16).astype(np.float32))
+
+
+def _converted(image: Image, colour_space: str, table: NDArray[Any]) -> NDArray[Any]:
+    """`table` at the scene-linear light of an `image` in a space of the OpenColorIO configuration."""
+    from roam_core.media.colour_config import to_linear  # a large library, for the plates that need it
+
+    result = np.empty(image.shape, table.dtype)
+    for top in range(0, len(image), ROWS_AT_ONCE):
+        strip = unit_floats(image[top : top + ROWS_AT_ONCE])
+        to_linear(strip, colour_space)
+        result[top : top + ROWS_AT_ONCE] = _looked_up(strip, table)
     return result

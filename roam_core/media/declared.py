@@ -41,6 +41,18 @@ class DeclaredPlate:
     def depth(self) -> str:
         return self.source.depth
 
+    @property
+    def layer(self) -> str:
+        return self.source.layer
+
+    @property
+    def layers(self) -> tuple[str, ...]:
+        return self.source.layers
+
+    @property
+    def readers(self) -> int:
+        return self.source.readers
+
     def read(self, frame: int) -> Image:
         """The picture `(h, w, 3)` of a frame: the same values; what they mean is what was declared."""
         return self.source.read(frame)

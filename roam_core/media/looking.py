@@ -1,4 +1,4 @@
-"""Looks: exposure, gamma and single channels for judging a picture on the screen; no file ever holds what they show."""
+"""Looks: view, exposure, gamma and single channels, to judge pictures on the screen; no file holds what they show."""
 
 from __future__ import annotations
 
@@ -10,14 +10,17 @@ from typing import NamedTuple
 import cv2
 import numpy as np
 
-from roam_core.arrays import Array, Image, UInt8
-from roam_core.media.colour import (
+from roam_core.arrays import Image, UInt8
+from roam_core.media.colour import to_display, unit_floats
+from roam_core.media.curves import (
+    COLOUR_SPACES,
     DENSITY_PER_CODE,
     LINEAR,
     LOG,
     NEGATIVE_GAMMA,
+    SRGB,
+    linear_from_srgb,
     srgb_from_linear,
-    to_display,
 )
 
 LUMINANCE = (0.2126, 0.7152, 0.0722)
@@ -53,11 +56,14 @@ class Look:
     exposure : stops; each doubles the light of the scene.
     gamma : exponent over the display's own curve; above 1 the shadows open.
     channel : all channels, or one of them as grey.
+    view : a display and one of its views, by their names in the OpenColorIO configuration; None for the plate's own
+        light with the sRGB curve, clipped, which is what the engine sees.
     """
 
     exposure: float = 0.0
     gamma: float = 1.0
     channel: Channel = Channel.COLOUR
+    view: tuple[str, str] | None = None
 
     @property
     def is_neutral(self) -> bool:
@@ -95,32 +101,46 @@ def seen(pixels: UInt8, look: Look) -> UInt8:
 
 
 def seen_plate(values: Image, colour_space: str, look: Look) -> UInt8:
-    """A float plate `(h, w, 3)` as the look shows it: exposing it less brings back what lies above white.
+    """A plate `(h, w, 3)` as the look shows it: exposing it less brings back what lies above white.
 
     Raises
     ------
     RoamError
-        when the colour space is not known.
+        when the colour space or the view is not known.
     """
-    shown = to_display(_exposed(values, colour_space, look.exposure), colour_space)
-    return seen(shown, replace(look, exposure=0.0))
+    after = replace(look, exposure=0.0, view=None)
+    if look.view is None:
+        light = _exposed(values, colour_space, look.exposure) if look.exposure else (values, colour_space)
+        return seen(to_display(*light), after)
+    from roam_core.media.colour_config import View, displayed
+
+    return seen(displayed(unit_floats(values), colour_space, View(*look.view), look.exposure), after)
+
+
+def is_seen_anew(plate: Plate, look: Look) -> bool:
+    """True where a look wants more of a plate than its display picture holds: its own values, for `seen_plate`."""
+    return look.view is not None or (look.exposure != 0.0 and has_more_than_shown(*plate))
 
 
 def has_more_than_shown(values: Image, colour_space: str) -> bool:
     """True for a plate whose values reach beyond what its display picture holds."""
-    return values.dtype != np.uint8 and colour_space in (LINEAR, LOG)
+    return values.dtype != np.uint8 and colour_space != SRGB
 
 
-def linear_from_srgb(values: Array) -> Array:
-    """The light of sRGB `values` in [0, 1]: the inverse of `roam_core.media.colour.srgb_from_linear`."""
-    return np.where(values <= 0.04045, values / 12.92, ((values + 0.055) / 1.055) ** 2.4)
+def _exposed(values: Image, colour_space: str, stops: float) -> tuple[Image, str]:
+    """The plate as a camera would have seen it with `stops` more light, and the space that it is in then.
 
-
-def _exposed(values: Image, colour_space: str, stops: float) -> Image:
-    """The plate as a camera would have seen it with `stops` more light; the negative of a log plate grows denser."""
+    The negative of a log plate grows denser; what only OpenColorIO knows is made light first.
+    """
+    values = unit_floats(values)
     if colour_space == LOG:
-        return values + np.float32(stops * np.log10(2.0) * NEGATIVE_GAMMA / DENSITY_PER_CODE / 1023.0)
-    return values * np.float32(2.0**stops)
+        return values + np.float32(stops * np.log10(2.0) * NEGATIVE_GAMMA / DENSITY_PER_CODE / 1023.0), LOG
+    if colour_space not in COLOUR_SPACES:
+        from roam_core.media.colour_config import to_linear
+
+        to_linear(values, colour_space)
+        colour_space = LINEAR
+    return values * np.float32(2.0**stops), colour_space
 
 
 def _channel(pixels: UInt8, channel: Channel) -> UInt8:

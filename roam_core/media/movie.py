@@ -13,7 +13,9 @@ import numpy as np
 from roam_core.arrays import Image
 from roam_core.bounded import require_regular
 from roam_core.errors import RoamError
-from roam_core.media.colour import SRGB
+from roam_core.media.curves import SRGB
+from roam_core.media.interlacing import PROBED, require_progressive, thinned
+from roam_core.media.layers import PLAIN
 from roam_core.media.measure import plain_name, require_size
 from roam_core.media.source import DamagedFrame, MissingFrame
 
@@ -28,9 +30,11 @@ class Movie:
 
     Pictures are 8-bit RGB, whatever the movie's own depth. A seek is believed only where the time stamp it lands on is
     the wanted frame's; else the movie is decoded from its start. So a frame is the same picture however it was
-    reached. Opening looks at the first and the last frame; a movie whose stamps are uneven, or whose container is
-    wrong about its length, is gone through once when it is opened.
+    reached. Opening looks at the first frames, whether they are interlaced, and at the last one; a movie whose stamps
+    are uneven, or whose container is wrong about its length, is gone through once when it is opened.
     """
+
+    readers = 1
 
     def __init__(self, path: Path) -> None:
         self.path = path
@@ -42,12 +46,14 @@ class Movie:
         self.fps = rate if math.isfinite(rate) and 1.0 <= rate <= 1000.0 else 24.0
         self._period = 1000.0 / self.fps  # ms
         self.size = self._first_size()
+        require_progressive(path, self._first_pictures())
         self.pixel_aspect = self._aspect()
         self.colour_space = SRGB
         self.depth = "8 bits"
         self._count = self._verified_count()
         self.frames = tuple(range(1, self._count + 1))
         self.missing: tuple[int, ...] = ()
+        self.layer, self.layers = PLAIN, (PLAIN,)
 
     def file_of(self, frame: int) -> Path:
         """The movie, whichever the frame."""
@@ -66,7 +72,7 @@ class Movie:
         if picture is None:
             raise DamagedFrame(f"Frame {frame} of {self.path} cannot be decoded; the movie is damaged or cut short.")
         if (picture.shape[1], picture.shape[0]) != self.size:
-            raise RoamError(f"Frame {frame} of {self.path} differs in size from the first; a plate needs one size.")
+            raise DamagedFrame(f"Frame {frame} of {self.path} differs in size from the first; a plate needs one size.")
         return np.asarray(cv2.cvtColor(picture, cv2.COLOR_BGR2RGB))
 
     # ---- moving through the file; `_lock` is held, except while opening ----------------------------------------------
@@ -152,6 +158,17 @@ class Movie:
         if picture is None:
             raise RoamError(f"{self.path} holds no picture that can be decoded; convert it to images.")
         return int(picture.shape[1]), int(picture.shape[0])
+
+    def _first_pictures(self) -> list[Image]:
+        """Of the pictures from the first one on what tells whether the movie is interlaced; nothing is sought."""
+        pictures: list[Image] = []
+        while len(pictures) < PROBED and (picture := self._retrieved()) is not None:
+            if picture.shape[1::-1] != self.size:
+                break
+            pictures.append(thinned(picture))
+            if not self._step_to(self._next):
+                break
+        return pictures
 
     def _aspect(self) -> float:
         over, under = (float(self._capture.get(key)) for key in (cv2.CAP_PROP_SAR_NUM, cv2.CAP_PROP_SAR_DEN))

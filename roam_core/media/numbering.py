@@ -19,7 +19,7 @@ _LAST_NUMBER = re.compile(
     r"(?P<prefix>.*?)(?<![0-9])(?P<number>(?:(?<![^._\s-])-)?[0-9]{1,9})(?P<suffix>[^0-9]*)", re.DOTALL
 )
 _PERCENT = re.compile(r"%0?(?P<width>[0-9]*)d")
-_HASHES = re.compile(r"#+")
+_DIGITS = re.compile(r"#+|@+")
 _INTEGER = re.compile(r"-?[0-9]{1,9}")
 
 
@@ -107,14 +107,14 @@ def split_number(stem: str) -> tuple[str, str, str] | None:
 
 
 def parse_pattern(name: str) -> NamePattern | None:
-    """The pattern that a file name with `%04d`, `%d` or `####` in it stands for; None where it is a plain name.
+    """The pattern that a file name with `%04d`, `%d`, `####` or `@@@@` in it stands for; None where it is a plain name.
 
-    The last `%d` is the frame number (else the last run of `#`): what else looks like one belongs to the name.
+    The last `%d` is the frame number (else the last run of `#` or `@`): what else looks like one belongs to the name.
     """
     for match in reversed([*_PERCENT.finditer(name)]):
         return NamePattern(name[: match.start()], int(match["width"] or 0), name[match.end() :])
-    for match in reversed([*_HASHES.finditer(name)]):
-        # One `#` is the custom for "the number, however it is padded".
+    for match in reversed([*_DIGITS.finditer(name)]):
+        # One `#` or `@` is the custom for "the number, however it is padded".
         width = len(match[0]) if len(match[0]) > 1 else 0
         return NamePattern(name[: match.start()], width, name[match.end() :])
     return None

@@ -40,19 +40,20 @@ MOST_LISTED = 8
 """How many of the sequences found a message names."""
 
 
-def open_clip(path: str | Path) -> PlateSource:
+def open_clip(path: str | Path, layer: str = "") -> PlateSource:
     """Open a plate.
 
     Parameters
     ----------
     path : a folder of images, a pattern (`plate.%04d.exr`, `plate.####.exr`, `plate.%d.exr`), one image of a numbered
         sequence (which opens all of it), a lone image (frame 1) or a movie. In a folder with several sequences the
-        longest wins. Only headers are read.
+        longest wins. Only headers are read. `####` and `@@@@` stand for digits too.
+    layer : which layer of the images is the plate, by its name (`PlateSource.layers`); the picture itself if "".
 
     Raises
     ------
     RoamError
-        when there is nothing, nothing readable, or no single longest sequence.
+        when there is nothing, nothing readable, no single longest sequence, or no layer of that name.
     """
     if not str(path).strip():
         raise RoamError("No plate was named; give a folder of images, a pattern, an image or a movie.")
@@ -62,49 +63,49 @@ def open_clip(path: str | Path) -> PlateSource:
     except (OSError, RuntimeError, ValueError) as error:
         raise RoamError(f"{str(path)!r} is no path that can be opened: {error}.") from error
     if is_folder:
-        return _open_folder(place)
+        return _open_folder(place, layer)
     if is_file:
-        return _open_file(place)
+        return _open_file(place, layer)
     if is_there:
         require_regular(place)
-    return _open_pattern(place)
+    return _open_pattern(place, layer)
 
 
-def _open_folder(folder: Path) -> PlateSource:
+def _open_folder(folder: Path, layer: str) -> PlateSource:
     found = find_sequences(folder, _image_extensions())
     if not found:
-        return _open_movie_in(folder)
+        return _open_movie_in(folder, layer)
     if len(found) == 1:
         # The artist's own word for the plate is the folder; a pattern would only tell the same less readably.
-        return _images(found[0], folder)
+        return _images(found[0], layer, folder)
     if len(found[0].names) == len(found[1].names):
         raise RoamError(
             f"{folder} holds several sequences, none longer than the others: {_listed(found)}. "
             f"Give a pattern, such as {found[0].path.name}."
         )
-    return _images(found[0])
+    return _images(found[0], layer)
 
 
-def _open_movie_in(folder: Path) -> PlateSource:
+def _open_movie_in(folder: Path, layer: str) -> PlateSource:
     movies = [folder / name for name in file_names(folder) if Path(name).suffix.lower() in MOVIE_EXTENSIONS]
     if not movies:
         raise RoamError(f"{folder} holds no image and no movie; choose the folder that holds the plate's frames.")
     if len(movies) > 1:
         names = ", ".join(movie.name for movie in movies[:MOST_LISTED])
         raise RoamError(f"{folder} holds several movies ({names}); name one of them.")
-    return _movie(movies[0])
+    return _movie(movies[0], layer)
 
 
-def _open_file(file: Path) -> PlateSource:
-    if file.suffix.lower() in MOVIE_EXTENSIONS:
-        return _movie(file)
+def _open_file(file: Path, layer: str) -> PlateSource:
+    if file.suffix.lower() in MOVIE_EXTENSIONS or _is_animation(file):
+        return _movie(file, layer)
     found = find_sequences(file.parent, {file.suffix.lower()})
     owner = next((sequence for sequence in found if sequence.holds(file.name)), None)
     sequence = owner or FileSequence(file.parent, {1: file.name}, None)
     if file.suffix.lower() in _image_extensions():
-        return _images(sequence)
+        return _images(sequence, layer)
     try:
-        return _images(sequence)  # a picture under another name is known by its content
+        return _images(sequence, layer)  # a picture under another name is known by its content
     except RoamError:
         if not os.access(file, os.R_OK):
             raise
@@ -114,7 +115,7 @@ def _open_file(file: Path) -> PlateSource:
         ) from None
 
 
-def _open_pattern(place: Path) -> PlateSource:
+def _open_pattern(place: Path, layer: str) -> PlateSource:
     pattern = parse_pattern(place.name)
     if pattern is None:
         raise RoamError(f"{place} does not exist; give a folder of images, a pattern, an image or a movie.")
@@ -123,7 +124,14 @@ def _open_pattern(place: Path) -> PlateSource:
         others = find_sequences(place.parent, _image_extensions())
         hint = f"the folder holds {_listed(others)}" if others else "the folder holds no image"
         raise RoamError(f"No file in {place.parent} follows the pattern {place.name}; {hint}.")
-    return _images(sequence, place)
+    return _images(sequence, layer, place)
+
+
+def _is_animation(file: Path) -> bool:
+    """Whether a GIF holds more than one picture: then it is a movie."""
+    from roam_core.media.image_file import has_several_images
+
+    return file.suffix.lower() == ".gif" and has_several_images(file)
 
 
 def _listed(sequences: list[FileSequence]) -> str:
@@ -134,19 +142,22 @@ def _listed(sequences: list[FileSequence]) -> str:
 # The decoders are large libraries: they are loaded when a clip is opened.
 
 
-def _images(sequence: FileSequence, path: Path | None = None) -> ImageSequence:
+def _images(sequence: FileSequence, layer: str, path: Path | None = None) -> ImageSequence:
     from roam_core.media.sequence import ImageSequence
 
-    return ImageSequence(sequence.checked(), path)
+    return ImageSequence(sequence.checked(), path, layer)
 
 
-def _movie(path: Path) -> Movie:
+def _movie(path: Path, layer: str) -> Movie:
+    from roam_core.media.layers import PLAIN
     from roam_core.media.movie import Movie
 
+    if layer not in ("", PLAIN):
+        raise RoamError(f"{path} is a movie: it has no layer {layer!r}.")
     return Movie(path)
 
 
 def _image_extensions() -> frozenset[str]:
-    from roam_core.media.sequence import image_extensions
+    from roam_core.media.image_file import image_extensions
 
     return image_extensions()

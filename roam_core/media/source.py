@@ -14,7 +14,7 @@ class MissingFrame(RoamError):
 
 
 class DamagedFrame(MissingFrame):
-    """The frame is there and cannot be decoded: it is damaged or cut short. A run bridges it like a gap."""
+    """The frame is there and cannot be used: damaged, cut short, of another size. A run bridges it like a gap."""
 
 
 class PlateSource(Protocol):
@@ -52,15 +52,26 @@ class PlateSource(Protocol):
     def depth(self) -> str:
         """How finely the files hold their values, in an artist's words: `8 bits`, `half float`."""
 
+    @property
+    def layer(self) -> str:
+        """The layer of the files that is read."""
+
+    @property
+    def layers(self) -> tuple[str, ...]:
+        """All layers of the files, in their order; a movie has one."""
+
+    @property
+    def readers(self) -> int:
+        """How many threads are worth reading it at once: a movie is decoded in one go by one."""
+
     def read(self, frame: int) -> Image:
-        """The picture `(h, w, 3)` of a frame, RGB, uint8 or float32.
+        """The picture `(h, w, 3)` of a frame, RGB, uint8, uint16, float16 or float32.
 
         Raises
         ------
         MissingFrame
-            when the plate has no such frame; `DamagedFrame` when it is there and cannot be decoded.
-        RoamError
-            when it differs in size from the others.
+            when the plate has no such frame; `DamagedFrame` when it is there and cannot be decoded, or differs in size
+            from the others.
         """
 
     def file_of(self, frame: int) -> Path:

@@ -64,9 +64,10 @@ def _read_clip(document: Document, folder: Path) -> Clip:
         pixel_aspect=number(document["pixel_aspect"], "the clip's pixel_aspect", 1e-3, 1e3),
         colour_space=text(document["colour_space"], "the clip's colour_space"),
         content=text(document.get("content", ""), "the clip's content"),
+        layer=text(document.get("layer", ""), "the clip's layer"),
         extra=_rest(
             document, "type", "path", "absolute", "first", "last", "size", "fps", "pixel_aspect", "colour_space",
-            "content",
+            "content", "layer",
         ),
     )  # fmt: skip
 

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from roam_core.errors import RoamError
 from roam_core.media.content import content_of
+from roam_core.media.layers import PLAIN
 from roam_core.roto.animated import Animatable, value_at
 from roam_core.roto.placement import LayerTransform, Placement
 from roam_core.roto.shape import BlendMode, Keyframe, RotoShape, placed, unplaced
@@ -36,7 +37,8 @@ class Clip:
 
     `path` is a folder, a pattern (`plate.%04d.exr`) or a movie; `first` and `last` are the plate's own frame numbers,
     both inclusive (frames may be missing between them); `size` is (width, height). `content` tells the plate from
-    others of its name (`roam_core.media.content`); "" where it is not known.
+    others of its name (`roam_core.media.content`); "" where it is not known. `layer` is the one of the files' layers
+    (`roam_core.media.layers`) that is the plate; "" for plain red, green and blue.
     """
 
     path: Path
@@ -47,6 +49,7 @@ class Clip:
     pixel_aspect: float = 1.0
     colour_space: str = "sRGB"
     content: str = ""
+    layer: str = ""
     extra: Mapping[str, Any] = field(default_factory=dict, hash=False)
 
     @classmethod
@@ -61,6 +64,7 @@ class Clip:
             pixel_aspect=source.pixel_aspect,
             colour_space=source.colour_space,
             content=content_of(source),
+            layer="" if source.layer == PLAIN else source.layer,
         )
 
     @property

@@ -25,7 +25,7 @@ def relinked(project: Project, folder: Path) -> Project:
         return project
     for place in islice(places_near(folder.absolute(), project.clip.path), MOST_OPENED):
         try:
-            found = Clip.of(open_clip(place))
+            found = Clip.of(open_clip(place, project.clip.layer))
         except RoamError:
             continue
         if _is_same(project.clip, found):

@@ -61,6 +61,7 @@ def _clip(clip: Clip, folder: Path) -> dict[str, Any]:
         "pixel_aspect": clip.pixel_aspect,
         "colour_space": clip.colour_space,
         **({"content": clip.content} if clip.content else {}),
+        **({"layer": clip.layer} if clip.layer else {}),
         **clip.extra,
     }
 

@@ -11,7 +11,8 @@ from PySide6.QtCore import QPointF, QRectF, QSizeF
 from PySide6.QtGui import QImage, QPainter
 
 from roam_core.arrays import Image, UInt8
-from roam_core.media.looking import Look, Plate, has_more_than_shown, seen, seen_plate
+from roam_core.media.colour import unit_floats
+from roam_core.media.looking import Look, Plate, is_seen_anew, seen, seen_plate
 
 from ...paint.viewport import Viewport
 
@@ -36,7 +37,8 @@ class Picture:
         # A writeable array may change under the picture's feet.
         self._levels: list[Image] = [pixels.copy() if pixels.flags.writeable else pixels]
         self._plate = plate if plate and plate.values.shape[:2] == pixels.shape[:2] else None
-        self._plate_levels: list[Image] = [self._plate.values] if self._plate else []
+        self._plate_levels: list[Image] = []
+        """Halvings of the plate's own values, once a look asks for them."""
 
     @property
     def size(self) -> QSizeF:
@@ -123,15 +125,21 @@ class Picture:
 
     def _sources(self, look: Look) -> list[Image]:
         """The halvings that the look is taken from: of the plate's values where exposing brings more to light."""
-        return self._plate_levels if self._is_exposed_anew(look) else self._levels
+        if not self._is_seen_anew(look):
+            return self._levels
+        if not self._plate_levels and self._plate:
+            values = self._plate.values
+            # OpenCV scales no halves.
+            self._plate_levels.append(unit_floats(values) if values.dtype == np.float16 else values)
+        return self._plate_levels
 
     def _looked(self, shown: Image, look: Look) -> UInt8:
-        if self._plate and self._is_exposed_anew(look):
+        if self._plate and is_seen_anew(self._plate, look):
             return seen_plate(shown, self._plate.colour_space, look)
         return seen(shown, look)
 
-    def _is_exposed_anew(self, look: Look) -> bool:
-        return look.exposure != 0.0 and self._plate is not None and has_more_than_shown(*self._plate)
+    def _is_seen_anew(self, look: Look) -> bool:
+        return self._plate is not None and is_seen_anew(self._plate, look)
 
     def looked_at(self, x: int, y: int, look: Look) -> tuple[int, ...]:
         """The display values of one pixel as the look shows them: one for a grey picture, else three."""

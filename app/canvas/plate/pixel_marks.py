@@ -6,6 +6,7 @@ import numpy as np
 from PySide6.QtCore import QLineF, QPointF, QRectF, QSizeF, Qt
 from PySide6.QtGui import QColor, QPainter, QPen
 
+from roam_core.media.colour import unit_floats
 from roam_core.media.looking import LUMINANCE, SINGLE, Look
 
 from ...paint.viewport import Viewport
@@ -47,8 +48,10 @@ def paint_pixel_marks(painter: QPainter, viewport: Viewport, picture: Picture, s
 
 
 def values_text(values: np.ndarray) -> list[str]:
-    """The values of a pixel as figures: whole numbers as they are, floats with three decimals."""
+    """The values of a pixel as figures: 8 bits as they are, all else, white being 1, with three decimals."""
     flat = np.atleast_1d(values)[:3]
+    if flat.dtype == np.uint16:
+        flat = unit_floats(flat)
     return [f"{value:.3f}" if flat.dtype.kind == "f" else str(value) for value in flat.tolist()]
 
 

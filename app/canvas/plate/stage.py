@@ -87,7 +87,7 @@ class Stage(QObject):
         """Why the plate's area is empty, or nothing where it is not."""
         mode = self._viewing.mode
         if self.missing is not None and mode not in (ViewMode.MATTE, ViewMode.ALPHA):
-            return f"frame {self.missing} is missing"
+            return f"frame {self.missing} is missing or damaged"
         if mode in OF_MATTE and self.shown_picture() is None:
             return "Cutting out …" if mode is ViewMode.CUTOUT else "Rendering the matte …"
         return ""

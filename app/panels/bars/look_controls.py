@@ -1,14 +1,17 @@
-"""How the picture is looked at, in the view bar: channel, exposure, gamma. None of it reaches the engine or a file."""
+"""How the picture is looked at, in the view bar: channel, exposure, gamma, display; for the eye alone."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from itertools import groupby
 
 from PySide6.QtCore import QSignalBlocker, Qt, Signal
 from PySide6.QtGui import QActionGroup, QMouseEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QMenu, QSlider, QToolButton, QWidget
 
+from roam_core.errors import RoamError
+from roam_core.media.colour_spaces import offered_views
 from roam_core.media.looking import Channel, Look
 
 from ... import style
@@ -19,6 +22,9 @@ from ...widgets.fields import NumberField
 STEPS = 160
 """Steps of a slider from one end to the other."""
 SLIDER_WIDTH, FIELD_WIDTH = 72, 40
+DISPLAY_WIDTH = 84
+PLAIN_VIEW = "sRGB"
+"""The view that needs no configuration: what the engine sees."""
 LETTERS = {
     Channel.COLOUR: "RGB",
     Channel.RED: "R",
@@ -125,6 +131,53 @@ class ChannelButton(QToolButton):
         self._actions[f"view.{channel}"].setChecked(True)
         self.setText(LETTERS[channel])
         self.setStyleSheet("" if channel is Channel.COLOUR else f"color: {style.ACCENT};")
+
+
+class DisplayButton(QToolButton):
+    """Says which view of which display is shown, and lets another of the OpenColorIO configuration be chosen."""
+
+    def __init__(self, viewing: Viewing) -> None:
+        super().__init__()
+        self._viewing = viewing
+        self.setObjectName("menuButton")
+        self.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
+        self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        self.setFixedSize(DISPLAY_WIDTH, 24)
+        menu = QMenu(self)
+        # The configuration is read when it is asked for: a window opens without it.
+        menu.aboutToShow.connect(self._fill)
+        self.setMenu(menu)
+        viewing.changed.connect(self._pull)
+        self._pull()
+
+    def _fill(self) -> None:
+        menu = self.menu()
+        menu.clear()
+        self._offer(menu, PLAIN_VIEW, None)
+        menu.addSeparator()
+        try:
+            views = offered_views()
+        except RoamError as error:
+            menu.addAction(str(error)).setEnabled(False)
+            return
+        for display, named in groupby(views, key=lambda view: view[0]):
+            below = menu.addMenu(display)
+            for view in named:
+                self._offer(below, view[1], view)
+
+    def _offer(self, menu: QMenu, title: str, view: tuple[str, str] | None) -> None:
+        action = menu.addAction(title)
+        action.setCheckable(True)
+        action.setChecked(view == self._viewing.look.view)
+        action.triggered.connect(lambda: self._viewing.set_look(view=view))
+
+    def _pull(self) -> None:
+        view = self._viewing.look.view
+        name = PLAIN_VIEW if view is None else view[1]
+        self.setText(self.fontMetrics().elidedText(name, Qt.TextElideMode.ElideRight, DISPLAY_WIDTH - 20))
+        shown = "the plate's light with the sRGB curve" if view is None else f"{view[1]} on {view[0]}"
+        self.setToolTip(f"Display and view, for looking only: {shown}")
+        self.setStyleSheet("" if view is None else f"color: {style.ACCENT};")
 
 
 def exposure_slider(viewing: Viewing) -> LookSlider:

@@ -15,7 +15,7 @@ from ...folders import cache_folder
 from ...model.document import Document
 from ...model.viewing import ViewMode
 from ...widgets.controls import tool_button
-from .look_controls import ChannelButton, exposure_slider, gamma_slider
+from .look_controls import ChannelButton, DisplayButton, exposure_slider, gamma_slider
 from .view_options import BackgroundForm, OnionForm, options_button
 
 
@@ -27,6 +27,7 @@ class ViewBar(QWidget):
         self._document, self._canvas, self._actions = document, canvas, actions
         self._plate = PlateLabel()
         self.channel = ChannelButton(canvas.viewing, actions)
+        self.display = DisplayButton(canvas.viewing)
         self.exposure, self.gamma = exposure_slider(canvas.viewing), gamma_slider(canvas.viewing)
         self.background, self.onion = BackgroundForm(canvas.viewing), OnionForm(canvas.viewing)
         self._lay_out()
@@ -41,7 +42,7 @@ class ViewBar(QWidget):
         row.setSpacing(2)
         row.addWidget(self._plate, 1)
         row.addSpacing(12)
-        for part in (self.exposure, self.gamma, self.channel):
+        for part in (self.exposure, self.gamma, self.channel, self.display):
             row.addWidget(part)
             row.addSpacing(style.MARGIN)
         row.addWidget(tool_button(self._actions, "view.wipe"))

@@ -33,10 +33,11 @@ MIN_POINTS = 2
 
 
 def clip_stamp(clip: Clip | None) -> str:
-    """What identifies a clip's pictures in a stamp: its file name, range and size (not where it lies)."""
+    """What identifies a clip's pictures in a stamp: file name, range, size, colours and layer (not where it lies)."""
     if clip is None:
         return ""
-    return json.dumps([Path(clip.path).name, clip.first, clip.last, list(clip.size), clip.colour_space])
+    told = [Path(clip.path).name, clip.first, clip.last, list(clip.size), clip.colour_space]
+    return json.dumps([*told, clip.layer] if clip.layer else told)
 
 
 @dataclass(frozen=True)

@@ -135,7 +135,7 @@ def test_a_proxy_is_cut_out_too(canvas: CanvasView, hand: Hand, shape_id: str, q
 def test_a_missing_frame_is_not_cut_out(canvas: CanvasView, hand: Hand, shape_id: str, qtbot: QtBot) -> None:
     reach(canvas, "4", hand, qtbot)
     canvas.set_image(1, None)
-    assert canvas.stage.emptiness() == "frame 1 is missing"
+    assert canvas.stage.emptiness() == "frame 1 is missing or damaged"
     assert colour_at(canvas, 80.0, 60.0) != GREY
 
 

@@ -17,8 +17,9 @@ from app.jobs.found_clip import looked_at
 from app.model.personal import Personal
 from app.shell.main_window import MainWindow
 from roam_core.errors import RoamError
-from roam_core.media.colour import to_display
+from roam_core.media.colour import to_display, to_engine
 from tests.gui.windows import FIRST, WAIT, opened_window, write_clip
+from tests.unit.media.conftest import write_parts
 
 
 @pytest.fixture
@@ -132,3 +133,51 @@ def test_gaps_are_named_while_they_are_few() -> None:
     assert gaps_sentence(()) == "none"
     assert gaps_sentence((3, 5)) == "3, 5"
     assert gaps_sentence(tuple(range(10, 30))) == "20 frames, from 10 to 29"
+
+
+def test_a_layer_is_chosen_among_those_of_the_files(
+    qtbot: QtBot, window: MainWindow, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    folder = tmp_path / "parts"
+    for frame in (1001, 1002):
+        parts = [("depth", "", ("Z",)), ("beauty", "", ("R", "G", "B")), ("diffuse", "", ("R", "G", "B"))]
+        write_parts(folder / f"p.{frame}.exr", parts)
+    dialog = asked(qtbot, window, folder, monkeypatch)
+    assert [dialog.layers.itemText(k) for k in range(3)] == ["depth.Z", "beauty", "diffuse"]
+    assert dialog.layer == "beauty"
+    before = dialog.picture.pixmap().toImage()
+    with qtbot.waitSignal(window.files.looked, timeout=WAIT):
+        dialog.layers.setCurrentText("depth.Z")
+    assert dialog.picture.pixmap().toImage() != before
+    assert window.findChildren(ClipDialog) == [dialog]
+    with qtbot.waitSignal(window.reader.picture, timeout=WAIT) as shown:
+        press(qtbot, dialog, OPEN)
+    assert not shown.args[1].any()
+    assert window.document.project.require_clip().layer == "depth.Z"
+    window.document.save(tmp_path / "a.roam")
+    window.files.new()
+    with qtbot.waitSignal(window.reader.picture, timeout=WAIT) as shown:
+        window.files.open(tmp_path / "a.roam")
+    assert not shown.args[1].any()
+
+
+def test_files_of_one_layer_offer_no_choice(
+    qtbot: QtBot, window: MainWindow, clip: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    dialog = asked(qtbot, window, clip, monkeypatch)
+    assert "Layer" not in [label.text() for label in dialog.findChildren(QLabel)]
+
+
+def test_a_colour_space_of_open_color_io_is_offered_and_holds(
+    qtbot: QtBot, window: MainWindow, clip: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    dialog = asked(qtbot, window, clip, monkeypatch)
+    before = dialog.picture.pixmap().toImage()
+    dialog.colours.setCurrentIndex(dialog.colours.findData("ARRI LogC4"))
+    assert dialog.picture.pixmap().toImage() != before
+    with qtbot.waitSignal(window.reader.picture, timeout=WAIT) as shown:
+        press(qtbot, dialog, OPEN)
+    plate = looked_at(clip).source.read(FIRST)
+    np.testing.assert_array_equal(shown.args[1], to_display(plate, "ARRI LogC4"))
+    assert window.document.project.require_clip().colour_space == "ARRI LogC4"
+    np.testing.assert_array_equal(window.reader.engine_frame(FIRST), to_engine(plate, "ARRI LogC4"))

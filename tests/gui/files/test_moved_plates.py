@@ -6,13 +6,18 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import cv2
+import numpy as np
 import pytest
 from pytestqt.qtbot import QtBot
 
+from app.dialogs import questions
 from app.shell.main_window import MainWindow
 from roam_core.geometry import bezier
+from roam_core.media import declared
 from roam_core.roto import Keyframe, Origin, RotoShape, edit, file
-from tests.gui.windows import WAIT, opened_window, write_clip
+from tests.gui.windows import FIRST, WAIT, opened_window, write_clip
+
+SQUARE = bezier.polygon_points([[20.0, 20.0], [90.0, 20.0], [90.0, 80.0], [20.0, 80.0]])
 
 
 @pytest.fixture
@@ -59,3 +64,46 @@ def test_a_plate_of_another_size_or_content_is_told(
         picture = cv2.imread(str(image))
         cv2.imwrite(str(image), picture[::2, ::2] if half else 255 - picture)
     assert words in said_on_opening(qtbot, window, tmp_path / "a.roam")
+
+
+def test_a_clip_is_relinked_to_another_version_below_the_same_shapes(
+    qtbot: QtBot, window: MainWindow, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    document = window.document
+    document.open(edit.new_shape(document.project, SQUARE, FIRST)[0], tmp_path / "a.roam")
+    version = write_clip(tmp_path / "plate_v002", 3)
+    for image in version.iterdir():
+        cv2.imwrite(str(image), 255 - cv2.imread(str(image)))
+    monkeypatch.setattr(questions, "choose_plate", lambda parent, start: version / f"plate.{FIRST + 1}.png")
+    with qtbot.waitSignal(window.reader.picture, timeout=WAIT) as shown:
+        window.actions_by_id["file.relink_clip"].trigger()
+    clip = document.project.require_clip()
+    assert (clip.path.parent, clip.first, clip.last) == (version, FIRST, FIRST + 2)
+    assert [shape.name for shape in document.project.shapes] == ["Shape 1"]
+    assert document.is_modified
+    assert document.path == tmp_path / "a.roam"
+    np.testing.assert_array_equal(shown.args[1], cv2.imread(str(version / f"plate.{FIRST}.png"))[..., ::-1])
+    assert "is not that of the plate" in window.status.sentence.text()
+
+
+def test_what_was_declared_of_the_plate_holds_for_its_next_version(
+    qtbot: QtBot, window: MainWindow, tmp_path: Path
+) -> None:
+    with qtbot.waitSignal(window.reader.picture, timeout=WAIT):
+        window.files.open_clip(tmp_path / "plate", lambda source: declared(source, "linear", 25.0, 2.0))
+    version = write_clip(tmp_path / "plate_v002", 3)
+    with qtbot.waitSignal(window.reader.picture, timeout=WAIT):
+        window.files.open_plate(version)
+    clip = window.document.project.require_clip()
+    assert (clip.path, clip.colour_space, clip.fps, clip.pixel_aspect) == (version, "linear", 25.0, 2.0)
+
+
+def test_a_version_of_the_plate_that_cannot_be_opened_changes_nothing(
+    qtbot: QtBot, window: MainWindow, tmp_path: Path
+) -> None:
+    (tmp_path / "notes.txt").write_text("no plate")
+    before = window.document.project
+    with qtbot.waitSignal(window.files.finished, timeout=WAIT):
+        window.files.open_plate(tmp_path / "notes.txt")
+    assert window.document.project is before
+    assert window.reader.source is not None

@@ -11,7 +11,7 @@ import pytest
 from pytestqt.qtbot import QtBot
 
 from app.jobs.decode import PlateReader
-from roam_core.media import MissingFrame
+from roam_core.media import DamagedFrame, MissingFrame
 
 WAIT = 5000
 
@@ -20,19 +20,22 @@ class Plate:
     """A source of three grey frames; `gate` holds decoding back."""
 
     path, frames, missing, size = Path("plate"), (1, 2, 3, 4, 6), (5,), (4, 2)
-    fps, pixel_aspect = 24.0, 1.0
+    fps, pixel_aspect, readers = 24.0, 1.0, 1
 
     def __init__(self, colour_space: str = "sRGB") -> None:
         self.colour_space = colour_space
         self.gate = threading.Event()
         self.gate.set()
         self.threads: set[threading.Thread] = set()
+        self.damaged: set[int] = set()
 
     def read(self, frame: int) -> np.ndarray:
         self.gate.wait(5)
         self.threads.add(threading.current_thread())
         if frame not in self.frames:
             raise MissingFrame(f"Frame {frame} is missing.")
+        if frame in self.damaged:
+            raise DamagedFrame(f"Frame {frame} is damaged.")
         return np.full((2, 4, 3), frame, dtype=np.uint8)
 
     def frame_name(self, frame: int) -> str:
@@ -74,6 +77,22 @@ def test_a_missing_frame_is_told_and_shows_nothing(qtbot: QtBot, reader: PlateRe
     reader.open(Plate())
     reader.show(5)
     qtbot.waitUntil(lambda: news == [(5, None), "Frame 5 is missing."], timeout=WAIT)
+
+
+def test_a_damaged_frame_is_known_among_the_missing_until_it_can_be_read(qtbot: QtBot, reader: PlateReader) -> None:
+    plate, news = Plate(), []
+    reader.cache_changed.connect(lambda: news.append(reader.frames_without_picture()))
+    reader.open(plate)
+    assert reader.frames_without_picture() == (5,)
+    plate.damaged = {2}
+    reader.show(2)
+    qtbot.waitUntil(lambda: (2, 5) in news, timeout=WAIT)
+    plate.damaged = set()
+    reader.show(1)
+    reader.show(2)
+    qtbot.waitUntil(lambda: news[-1] == (5,), timeout=WAIT)
+    reader.open(None)
+    assert reader.frames_without_picture() == ()
 
 
 def test_frames_ahead_of_the_playhead_are_decoded_too(qtbot: QtBot, reader: PlateReader) -> None:

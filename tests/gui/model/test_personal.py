@@ -5,11 +5,12 @@ from __future__ import annotations
 import json
 import os
 from collections.abc import Callable, Iterator
-from dataclasses import replace
+from dataclasses import fields, replace
 from pathlib import Path
 
 import pytest
 from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QAbstractSpinBox, QCheckBox, QComboBox
 from pytestqt.qtbot import QtBot
 
 from app.actions.keymaps import OwnKeymap
@@ -20,7 +21,10 @@ from app.shell import launch
 from app.shell.main_window import MainWindow
 from tests.gui.windows import opened_window, write_clip
 
-OTHERS = Preferences(2.5, 3, 7, "lean", 1.5, False)
+OTHERS = Preferences(
+    cache_gigabytes=2.5, threads=3, backups=7, config="lean", scale=1.5, asks_about_clips=False, undo_megabytes=512
+)
+"""Every preference away from its default."""
 
 
 @pytest.fixture
@@ -38,6 +42,7 @@ def dialog(window: MainWindow) -> SettingsDialog:
 
 
 def test_preferences_come_back_from_their_file(tmp_path: Path) -> None:
+    assert [each.name for each in fields(Preferences) if getattr(OTHERS, each.name) == each.default] == []
     save_preferences(OTHERS, tmp_path / "preferences.json")
     assert load_preferences(tmp_path / "preferences.json") == OTHERS
     assert load_preferences(tmp_path / "none.json") == Preferences()
@@ -137,6 +142,28 @@ def test_all_settings_are_kept_and_defaults_bring_them_back(
     qtbot.mouseClick(dialog.reset, Qt.MouseButton.LeftButton)
     assert load_preferences(tmp_path / "preferences.json") == Preferences()
     assert dialog.threads.value() == 0
+
+
+def test_every_preference_has_a_control_that_sets_it_and_shows_it(window: MainWindow, dialog: SettingsDialog) -> None:
+    def shown() -> list[object]:
+        numbers = [each.value() for each in dialog.findChildren(QAbstractSpinBox)]
+        choices = [each.currentIndex() for each in dialog.findChildren(QComboBox) if each is not dialog.preset]
+        return [*numbers, *choices, *(each.isChecked() for each in dialog.findChildren(QCheckBox))]
+
+    at_first = shown()
+    assert len(at_first) == len(fields(Preferences))
+    window.personal.set_preferences(OTHERS)
+    assert [now for now, before in zip(shown(), at_first, strict=True) if now == before] == []
+    dialog.reset.click()
+    assert shown() == at_first
+    for number in dialog.findChildren(QAbstractSpinBox):
+        number.stepUp()
+    for choice in dialog.findChildren(QComboBox):
+        choice.setCurrentIndex(choice.currentIndex() + 1)
+    for box in dialog.findChildren(QCheckBox):
+        box.toggle()
+    held = window.personal.preferences
+    assert [each.name for each in fields(Preferences) if getattr(held, each.name) == each.default] == []
 
 
 def test_the_keymap_is_a_setting_too(qtbot: QtBot, window: MainWindow, dialog: SettingsDialog) -> None:

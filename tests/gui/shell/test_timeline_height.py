@@ -41,12 +41,13 @@ def test_before_it_is_dragged_it_takes_its_share(window: MainWindow) -> None:
 
 
 def test_a_dragged_height_is_kept_in_every_size_of_the_window(window: MainWindow) -> None:
+    window.resize(1000, 900)
     drag_border(window, -60)
     dragged = height(window)
     assert dragged == pytest.approx(LEAST + 60, abs=3)
     window.resize(1400, 1600)
     assert height(window) == dragged
-    window.resize(1000, 700)
+    window.resize(1000, 900)
     assert height(window) == dragged
 
 
@@ -61,7 +62,7 @@ def test_after_the_tall_timeline_the_dragged_height_is_back(window: MainWindow) 
 
 
 def test_the_next_window_has_the_dragged_height(qtbot: QtBot, window: MainWindow, tmp_path: Path) -> None:
-    drag_border(window, -50)
+    drag_border(window, -30)
     window.keep_settings(tmp_path / "window.ini")
     with opened_window(qtbot, None, tmp_path / "other") as other:
         other.restore_settings(tmp_path / "window.ini")

@@ -15,13 +15,13 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from roam_core.geometry import bezier
-from roam_core.interchange.blender.exporter import blender_script, mask_space
+from roam_core.interchange.blender.exporter import blender_script, holds, mask_space, with_feather_keys
 from roam_core.interchange.blender.steps import MOST_STEPS, stepped
 from roam_core.interchange.flatten import Branch
 from roam_core.interchange.literals import whole
 from roam_core.interchange.protocol import LossyExport
 from roam_core.matte import render_matte
-from roam_core.roto import BlendMode, Clip, Interpolation, Keyframe, Layer, Project, RotoShape
+from roam_core.roto import Animated, BlendMode, Clip, Interpolation, Keyframe, Layer, Project, RotoShape, ValueKey
 from tests.property.test_interchange import shapes
 from tests.unit.interchange.blender_judge import rendered
 from tests.unit.interchange.conftest import CLIP, animated
@@ -84,6 +84,28 @@ def test_any_names_come_back_from_the_script(names: list[str]) -> None:
     assert [layer["name"] for layer in data(text)] == [whole(name) for name in names]
     assert text.isascii()
     assert len(re.findall(r"^PARTS = ", text, flags=re.MULTILINE)) == 1
+
+
+@pytest.mark.parametrize(
+    ("values", "held"),
+    [
+        ({"opacity": 0.5, "lifetime": (1001, 1005)}, True),
+        ({"invert": True}, True),
+        ({"invert": True, "opacity": 0.5}, False),
+        ({"invert": True, "lifetime": (1001, 1005)}, False),
+    ],
+)
+def test_what_is_inverted_and_shows_only_in_part_is_not_held_by_a_mask_layer(values: Any, held: bool) -> None:
+    assert holds(replace(animated("x"), **values)) is held
+
+
+def test_keys_of_the_feather_become_keys_of_the_outline() -> None:
+    soft = Animated((ValueKey(1001, 2.0), ValueKey(1006, 8.0), ValueKey(1012, 4.0)))
+    shape = replace(animated("x"), feather=soft)
+    keyed = with_feather_keys(shape)
+    assert keyed.frames == (1001, 1006, 1011, 1012, 1030)
+    np.testing.assert_allclose(keyed.at(1006).points, shape.at(1006).points)
+    assert with_feather_keys(replace(shape, feather=3.0)) == replace(shape, feather=3.0)
 
 
 def test_what_is_lost_is_told(project: Project) -> None:

@@ -234,6 +234,33 @@ def test_images_of_cvat_become_shapes_of_a_frame(tmp_path: Path) -> None:
     assert "'points' was left out" in made.notes[0]
 
 
+def test_a_cvat_file_without_outlines_is_told_and_one_with_some_is_not(tmp_path: Path) -> None:
+    (tmp_path / "a.xml").write_text("<annotations><meta><task><size/></task></meta></annotations>")
+    note = "There are no outlines in the file."
+    assert read_shapes(tmp_path / "a.xml", CLIP).notes == (note,)
+    assert note not in back("cvat", project(car()), tmp_path).notes
+
+
+def test_a_shape_that_exists_on_no_frame_that_is_written_is_left_out_of_cvat_and_told(tmp_path: Path) -> None:
+    gone = replace(car(), id="gone", name="Gone", lifetime=(CLIP.last + 1, CLIP.last + 9))
+    notes = EXPORTERS["cvat"].export(project(car(), gone), tmp_path / "p.xml")
+    assert "'Gone' does not exist on the frames that are written: it was left out." in notes
+    assert [shape.name for shape in read_shapes(tmp_path / "p.xml", CLIP).layer.shapes()] == ["Car"]
+    last = replace(gone, lifetime=(CLIP.last, CLIP.last + 9))
+    assert not any("left out" in note for note in EXPORTERS["cvat"].export(project(last), tmp_path / "p.xml"))
+
+
+@pytest.mark.parametrize("size", [None, [96], [96, "96"], [0, 96], [96, 1 << 16]])
+def test_a_coco_mask_of_no_size_is_left_out_and_told(tmp_path: Path, size: Any) -> None:
+    image = {"id": 1, "file_name": "plate.1001.png", "width": 96, "height": 96}
+    mask = {"id": 1, "image_id": 1, "category_id": 1, "segmentation": {"size": size, "counts": [0, 96 * 96]}}
+    document = {"images": [image], "annotations": [mask], "categories": [{"id": 1, "name": "man"}]}
+    (tmp_path / "a.json").write_text(json.dumps(document))
+    made = read_shapes(tmp_path / "a.json", CLIP)
+    assert list(made.layer.shapes()) == []
+    assert any("its size must be a height and a width" in note for note in made.notes)
+
+
 # ---- MLT, and which JSON it is ---------------------------------------------------------------------------------------
 
 

@@ -18,6 +18,9 @@ from tests.unit.interchange.conftest import CLIP
 
 SVG = '<svg xmlns="http://www.w3.org/2000/svg">{}</svg>'
 JSON = '{{"format":"roam-shapes","version":1,"width":9,"height":9,"items":[{}]}}'
+FADING = '{{"kind":"layer","items":[],"opacity":[{}]}}'.format(
+    ",".join(f'{{"frame":{frame},"value":1}}' for frame in range(600))
+)
 POINT = "<Point>(0,0),(0,0),(0,0)</Point>"
 ATTRIBUTES = " ".join(f'a{number}=""' for number in range(MAX_PARTS // 10))
 TWO_POINTS = "{0 0} {{{1 0 0 1 9 1} {190000 5 3 1 0 1}} 1} {0 0} {0 0} {5 5} {0 0}"
@@ -72,6 +75,7 @@ def test_a_project_that_unpacks_without_end(tmp_path: Path) -> None:
         ("MAX_PARTS", "a.nk", "Roto {\ncurves {}\n}\n" * 10_000),
         ("MAX_POINTS", "a.svg", SVG.format('<polygon points="' + "1 2 " * 2_000 + '"/>')),
         ("MAX_KEYS", "a.nk", MOVING),
+        ("MAX_KEYS", "a.json", JSON.format(",".join([FADING] * 2))),
     ],
 )  # fmt: skip
 def test_parts_are_counted_as_they_are_made(

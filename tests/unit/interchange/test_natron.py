@@ -72,3 +72,11 @@ def test_opacity_and_feather_keep_their_keys() -> None:
     assert item.opacity.keys == {1001: 0.25, 1005: 0.5, 1009: 1.0}
     assert item.opacity.kinds == {1001: "Constant", 1005: "Linear", 1009: "Linear"}
     assert item.distance.keys == {1001: 0.0, 1009: 8.0}
+
+
+def test_a_sum_that_goes_beyond_one_in_natron_is_told() -> None:
+    lower, upper = animated("lower"), replace(animated("upper"), blend=BlendMode.PLUS)
+    project = Project(CLIP, Layer("root", "Root", (lower, upper)))
+    note = "Natron's Plus goes beyond 1 where 'upper' overlaps what lies under it."
+    assert note in natron_script(project)[1]
+    assert note not in natron_script(project.with_shape(replace(upper, visible=False)))[1]

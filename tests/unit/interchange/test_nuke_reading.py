@@ -302,6 +302,21 @@ def test_the_format_of_the_node_turns_y_over_and_scales_to_the_clip(read: Read) 
     assert ["scaled" in note for note in imported.notes] == [True]
 
 
+def test_nodes_of_several_formats_are_scaled_as_the_first_and_it_is_said(read: Read) -> None:
+    big, small = (node(group(), knobs=f' format "{size} 0 0 {size} 1 x"') for size in ("400 300", "200 100"))
+    note = "The nodes differ in their formats; all were scaled as the first."
+    assert note in read(big + small).notes
+    assert note not in read(big + big).notes
+
+
+def test_handles_may_be_told_as_places(read: Read) -> None:
+    by_place = only(read(node(group(cc=0)))).keys[0].points
+    by_step = only(read(node(group()))).keys[0].points
+    np.testing.assert_allclose(by_place[:, 0], by_step[:, 0])
+    np.testing.assert_allclose(by_step[2], [[30.0, 60.0], [26.0, 59.0], [35.0, 62.0]])
+    np.testing.assert_allclose(by_place[2], [[30.0, 60.0], [-4.0, 99.0], [5.0, 102.0]])
+
+
 def test_the_format_of_the_script_is_the_next_best(read: Read) -> None:
     script = 'Root {\n format "200 500 0 0 200 500 1 tall"\n}\n' + node(group())
     assert anchors(only(read(script)))[0] == [10, 480 / 5]

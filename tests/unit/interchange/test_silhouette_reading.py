@@ -13,6 +13,7 @@ from roam_core.errors import RoamError
 from roam_core.geometry import bezier
 from roam_core.interchange import Imported, ImportOptions, read_shapes
 from roam_core.interchange.reading import MAX_DEPTH
+from roam_core.interchange.silhouette.values import Track
 from roam_core.roto import Animated, BlendMode, Clip, Interpolation, Layer, Origin, RotoShape, Spline, ValueKey
 
 CLIP = Clip(Path("plate"), 1001, 1040, (200, 100))
@@ -102,6 +103,11 @@ def test_keys_are_numbered_from_the_session_and_may_hold(read: Read) -> None:
     assert shape.frames == (1000, 1010, 1030)
     assert [key.interpolation for key in shape.keys[:2]] == [Interpolation.HOLD, Interpolation.LINEAR]
     np.testing.assert_allclose(shape.at(1020).anchors[0], [175, 50])
+
+
+def test_what_holds_stays_until_the_next_key_and_changes_there() -> None:
+    track = Track(np.array([0.0, 10.0, 20.0]), np.array([[1.0], [3.0], [5.0]]), np.array(["hold", "linear", "hold"]))
+    np.testing.assert_allclose(track.at(np.array([-5.0, 0.0, 9.5, 10.0, 15.0, 30.0]))[:, 0], [1, 1, 1, 3, 4, 5])
 
 
 def test_wide_pixels_are_narrowed(read: Read) -> None:

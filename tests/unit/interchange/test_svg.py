@@ -149,6 +149,11 @@ def test_drawings_of_another_size_are_scaled_to_the_clip(tmp_path: Path) -> None
     assert "were scaled" in made.notes[0]
 
 
+def test_a_drawing_that_differs_in_one_measure_is_scaled_too(tmp_path: Path) -> None:
+    made = read(drawing('<rect x="10" y="10" width="20" height="30"/>', 'width="320" height="100"'), tmp_path)
+    assert "were scaled" in made.notes[0]
+
+
 @pytest.mark.parametrize(("width", "pixels"), [("1in", 96), ("2.54cm", 96), ("25.4mm", 96), ("72pt", 96), ("6pc", 96)])
 def test_units_are_those_of_css(tmp_path: Path, width: str, pixels: float) -> None:
     (shape,) = read(drawing(f'<rect width="{width}" height="10%"/>'), tmp_path).layer.shapes()

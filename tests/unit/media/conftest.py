@@ -15,6 +15,9 @@ from numpy.typing import NDArray
 from roam_core.arrays import Float32, UInt8
 
 WIDTH, HEIGHT = 16, 12
+OF_SPEC = {"x", "y", "full_x", "full_y", "full_width", "full_height"}
+OF_SPEC |= {"channelnames", "channelformats", "tile_width", "tile_height"}
+"""What of a file's fields are the spec's own."""
 
 
 def picture(seed: int, channels: int = 3) -> Float32:
@@ -27,13 +30,36 @@ def write_image(path: Path, pixels: NDArray[Any], pixel_format: str, **fields: A
     path.parent.mkdir(parents=True, exist_ok=True)
     spec = oiio.ImageSpec(pixels.shape[1], pixels.shape[0], pixels.shape[2], pixel_format)
     for name, value in fields.items():
-        if name in ("x", "y", "full_x", "full_y", "full_width", "full_height", "channelnames", "channelformats"):
+        if name in OF_SPEC:
             setattr(spec, name, value)
         else:
             spec.attribute(name.replace("__", ":"), value)
     output = oiio.ImageOutput.create(str(path))
     assert output.open(str(path), spec), output.geterror()
     assert output.write_image(np.ascontiguousarray(pixels)), output.geterror()
+    output.close()
+    return path
+
+
+def write_parts(path: Path, parts: list[tuple[str, str, tuple[str, ...]]], **fields: Any) -> Path:
+    """An EXR of several parts (name, view, channels); channel c of part p holds p + c / 8."""
+    specs = []
+    for name, view, channels in parts:
+        spec = oiio.ImageSpec(WIDTH, HEIGHT, len(channels), "half")
+        spec.channelnames = channels
+        spec.attribute("oiio:subimagename", name)
+        if view:
+            spec.attribute("view", view)
+        for field, value in fields.items():
+            setattr(spec, field, value)
+        specs.append(spec)
+    path.parent.mkdir(parents=True, exist_ok=True)
+    output = oiio.ImageOutput.create(str(path))
+    assert output.open(str(path), specs), output.geterror()
+    for index, spec in enumerate(specs):
+        assert index == 0 or output.open(str(path), spec, "AppendSubimage"), output.geterror()
+        values = index + np.arange(spec.nchannels, dtype=np.float32) / 8.0
+        assert output.write_image(np.tile(values, (HEIGHT, WIDTH, 1))), output.geterror()
     output.close()
     return path
 

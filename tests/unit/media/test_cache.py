@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import threading
 from collections import Counter
 from collections.abc import Iterator
@@ -12,7 +13,8 @@ import pytest
 
 from roam_core.cancel import Cancelled, CancelToken
 from roam_core.errors import RoamError
-from roam_core.media import FrameCache, MissingFrame
+from roam_core.media import DamagedFrame, FrameCache, MissingFrame
+from roam_core.media.cache import DEFAULT_LIMIT, fair_limit
 from roam_core.media.source import Image
 
 FRAME_BYTES = 12
@@ -24,12 +26,13 @@ class Plate:
     """A plate of 1 x 4 pixels that counts decodings; a frame in `held` waits until it is let go."""
 
     path, size, fps, pixel_aspect, colour_space = Path("plate"), (4, 1), 24.0, 1.0, "sRGB"
-    frames, missing = tuple(range(100)), ()
+    frames, missing, readers = tuple(range(100)), (), 1
 
     def __init__(self) -> None:
         self.decoded: Counter[int] = Counter()
         self.order: list[int] = []
         self.broken: set[int] = set()
+        self.damaged: set[int] = set()
         self.large: dict[int, int] = {}
         self.started = {frame: threading.Event() for frame in self.frames}
         self.held: dict[int, threading.Event] = {}
@@ -49,6 +52,8 @@ class Plate:
         self.started[frame].set()
         if frame in self.held:
             assert self.held[frame].wait(PATIENCE)
+        if frame in self.damaged:
+            raise DamagedFrame(f"frame {frame} is cut short")
         if frame in self.broken:
             raise RoamError(f"frame {frame} is damaged")
         return np.full((1, self.large.get(frame, 4), 3), frame, np.uint8)
@@ -221,6 +226,43 @@ def test_frames_are_read_ahead_in_order_by_one_thread(plate: Plate, cache: Frame
     assert plate.decoded[5] == 1
 
 
+def test_a_plate_that_gains_by_it_is_read_ahead_by_several(plate: Plate) -> None:
+    plate.readers = 2
+    cache = FrameCache(plate, 10 * FRAME_BYTES)
+    changes = Changes(cache)
+    cache.read(0)
+    gates = [plate.hold(frame) for frame in (6, 5)]
+    before = threading.active_count()
+    cache.read_ahead([6, 5, 4])
+    assert threading.active_count() == before + 2
+    for frame in (6, 5):
+        assert plate.started[frame].wait(PATIENCE)
+    assert not plate.started[4].is_set()
+    gates[1].set()
+    changes.wait_for(5, 4)
+    gates[0].set()
+    changes.wait_for(6)
+    cache.close()
+    assert [plate.decoded[frame] for frame in (6, 5, 4)] == [1, 1, 1]
+
+
+def test_what_is_on_its_way_counts_for_the_bound(plate: Plate) -> None:
+    """Two frames fit beside the one that is shown: no third is decoded in vain while two are on their way."""
+    plate.readers = 2
+    cache = FrameCache(plate, 3 * FRAME_BYTES)
+    changes = Changes(cache)
+    cache.read(0)
+    gates = [plate.hold(frame) for frame in (1, 2)]
+    cache.read_ahead([1, 2, 3, 4])
+    for frame in (1, 2):
+        assert plate.started[frame].wait(PATIENCE)
+    for gate in gates:
+        gate.set()
+    changes.wait_for(0, 1, 2)
+    cache.close()
+    assert (plate.decoded[3], plate.decoded[4]) == (0, 0)
+
+
 def test_a_newer_request_drops_the_older(plate: Plate, cache: FrameCache) -> None:
     changes = Changes(cache)
     gate = plate.hold(10)
@@ -333,3 +375,24 @@ def test_many_threads_at_once(plate: Plate, cache: FrameCache) -> None:
         thread.join(PATIENCE)
     assert wrong == []
     assert cache.used_bytes == FRAME_BYTES * len(cache.cached_frames())
+
+
+def test_the_fair_limit_is_a_quarter_of_what_the_machine_has(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(os, "sysconf", {"SC_PAGE_SIZE": 4096, "SC_PHYS_PAGES": 8 << 18}.__getitem__, raising=False)
+    assert fair_limit() == 2 << 30
+    monkeypatch.delattr(os, "sysconf")
+    assert fair_limit() == DEFAULT_LIMIT
+
+
+def test_damaged_frames_are_known_and_told_until_they_can_be_read(plate: Plate, cache: FrameCache) -> None:
+    changes = Changes(cache)
+    plate.damaged = {3}
+    for _ in range(2):
+        with pytest.raises(DamagedFrame):
+            cache.read(3)
+    with pytest.raises(MissingFrame):
+        cache.read(100)
+    assert (cache.damaged_frames(), changes.count) == ({3}, 1)
+    plate.damaged = set()
+    cache.read(3)
+    assert cache.damaged_frames() == frozenset()

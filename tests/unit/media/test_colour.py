@@ -5,9 +5,10 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from roam_core.arrays import Array, Float32
+from roam_core.arrays import Array, Float32, Image
 from roam_core.errors import RoamError
-from roam_core.media.colour import COLOUR_SPACES, LINEAR, LOG, SRGB, linear_from_log, to_display, to_engine
+from roam_core.media.colour import to_display, to_engine, unit_floats
+from roam_core.media.curves import COLOUR_SPACES, LINEAR, LOG, SRGB, linear_from_log
 
 RAMP = np.linspace(0.0, 1.0, 3 * 40 * 50, dtype=np.float32).reshape(40, 50, 3)
 BYTES = np.arange(256, dtype=np.uint8)[:, None, None].repeat(3, axis=2)
@@ -77,5 +78,20 @@ def test_cineon_black_and_white() -> None:
 
 def test_an_unknown_space_is_told() -> None:
     for convert in (to_display, to_engine):
-        with pytest.raises(RoamError, match="'ACEScg' is not known; choose one of sRGB, linear, log"):
-            convert(RAMP, "ACEScg")
+        with pytest.raises(RoamError, match="'Kodachrome' is not known to the OpenColorIO configuration"):
+            convert(RAMP, "Kodachrome")
+
+
+HALVES = np.arange(65536, dtype=np.uint16).view(np.float16)
+WORDS = np.arange(65536, dtype=np.uint16)
+
+
+@pytest.mark.parametrize("space", [*COLOUR_SPACES, "ACEScg"])
+@pytest.mark.parametrize("values", [HALVES, WORDS], ids=["half", "16 bits"])
+@pytest.mark.filterwarnings("ignore:invalid value encountered in cast")
+def test_every_half_and_16_bit_value_is_converted_as_the_float_of_it(space: str, values: Image) -> None:
+    """To the last bit, through the tables that they are looked up in."""
+    image = values.reshape(256, 256, 1).repeat(3, axis=2)
+    floats = unit_floats(image)
+    for convert in (to_engine, to_display):
+        np.testing.assert_array_equal(convert(image, space), convert(floats, space))

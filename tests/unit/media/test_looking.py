@@ -6,8 +6,10 @@ import numpy as np
 import pytest
 
 from roam_core.arrays import UInt8
-from roam_core.media.colour import LINEAR, LOG, SRGB, linear_from_log, srgb_from_linear, to_display
-from roam_core.media.looking import Channel, Look, has_more_than_shown, linear_from_srgb, seen, seen_plate
+from roam_core.media.colour import to_display, unit_floats
+from roam_core.media.colour_config import View, displayed
+from roam_core.media.curves import LINEAR, LOG, SRGB, linear_from_log, linear_from_srgb, srgb_from_linear
+from roam_core.media.looking import Channel, Look, Plate, has_more_than_shown, is_seen_anew, seen, seen_plate
 
 
 @pytest.fixture
@@ -85,3 +87,35 @@ def test_only_floats_of_wide_range_hold_more_than_is_shown() -> None:
     assert has_more_than_shown(values, LOG)
     assert not has_more_than_shown(values, SRGB)
     assert not has_more_than_shown(values.astype(np.uint8), LINEAR)
+
+
+VIEW = ("sRGB - Display", "ACES 2.0 - SDR 100 nits (Rec.709)")
+
+
+@pytest.mark.parametrize("space", [SRGB, LINEAR, LOG, "ACEScg"])
+def test_a_view_is_seen_of_the_plates_own_values_then_gamma_and_channel(space: str) -> None:
+    values = np.random.default_rng(4).random((6, 7, 3), dtype=np.float32)
+    for plate in (values, (values * 255).astype(np.uint8)):
+        light = plate / np.float32(255.0) if plate.dtype == np.uint8 else plate
+        look = Look(exposure=1.0, gamma=1.5, channel=Channel.RED, view=VIEW)
+        shown = displayed(np.ascontiguousarray(light, dtype=np.float32), space, View(*VIEW), 1.0)
+        expected = seen(shown, Look(gamma=1.5, channel=Channel.RED))
+        np.testing.assert_array_equal(seen_plate(plate, space, look), expected)
+        assert is_seen_anew(Plate(plate, space), look)
+        assert not is_seen_anew(Plate(plate, space), Look(gamma=1.5))
+
+
+def test_exposing_a_plate_of_open_color_ios_brings_back_its_highlights() -> None:
+    values = np.full((2, 2, 3), 4.0, np.float32)
+    assert np.all(seen_plate(values, "ACEScg", Look()) == 255)
+    shown = seen_plate(values, "ACEScg", Look(exposure=-3.0))
+    np.testing.assert_array_equal(shown, seen_plate(values * 0.125, "ACEScg", Look()))
+    assert np.all(shown < 200)
+
+
+@pytest.mark.parametrize("look", [Look(), Look(exposure=-2.0), Look(exposure=1.0, gamma=2.0), Look(view=VIEW)])
+@pytest.mark.parametrize("kind", [np.uint16, np.float16])
+def test_plates_of_16_bits_are_seen_as_their_floats(look: Look, kind: type) -> None:
+    values = np.random.default_rng(4).random((6, 7, 3))
+    plate = (values * 65535).astype(kind) if kind is np.uint16 else (values * 4).astype(kind)
+    np.testing.assert_array_equal(seen_plate(plate, LINEAR, look), seen_plate(unit_floats(plate), LINEAR, look))

@@ -9,9 +9,10 @@ from typing import Any
 
 import cv2
 import numpy as np
+import OpenImageIO as oiio  # noqa: N813 - the name its own manual uses
 import pytest
-from numpy.typing import NDArray
 
+from roam_core.arrays import Image, UInt8
 from roam_core.errors import RoamError
 from roam_core.media import MissingFrame, open_clip
 from roam_core.media.movie import LONGEST_STEP
@@ -21,7 +22,7 @@ COUNT = 40
 CODECS = [("avi", "MJPG"), ("mp4", "mp4v"), ("avi", "XVID"), ("mkv", "FFV1"), ("webm", "VP80")]
 
 
-def decoded_in_order(path: Path) -> list[NDArray[Any]]:
+def decoded_in_order(path: Path) -> list[Image]:
     """The RGB pictures of a movie, read straight through."""
     movie = RealCapture(str(path), cv2.CAP_FFMPEG)
     pictures = []
@@ -68,6 +69,43 @@ def test_frames_outside_the_movie_are_missing(tmp_path: Path) -> None:
 def test_frames_are_named_by_padded_numbers(tmp_path: Path) -> None:
     plate = open_clip(write_movie(tmp_path / "shot.avi", "MJPG", 5))
     assert [plate.frame_name(frame) for frame in (1, 5)] == ["00001", "00005"]
+
+
+def write_gif(path: Path, rates: list[int]) -> Path:
+    """An animated GIF, each frame of which is shown for as long as its rate says; a band moves down."""
+    specs = []
+    for rate in rates:
+        spec = oiio.ImageSpec(32, 24, 3, "uint8")
+        spec.attribute("FramesPerSecond", oiio.TypeRational, (rate, 1))
+        specs.append(spec)
+    output = oiio.ImageOutput.create(str(path))
+    assert output.open(str(path), specs), output.geterror()
+    for index, spec in enumerate(specs):
+        assert index == 0 or output.open(str(path), spec, "AppendSubimage"), output.geterror()
+        assert output.write_image(gif_picture(index))
+    output.close()
+    return path
+
+
+def gif_picture(index: int) -> UInt8:
+    picture = np.zeros((24, 32, 3), np.uint8)
+    picture[3 * index : 3 * index + 6] = (255, 0, 0)
+    return picture
+
+
+def test_an_animated_gif_is_a_movie_each_picture_of_which_is_a_frame(tmp_path: Path) -> None:
+    plate = open_clip(write_gif(tmp_path / "walk.0001.gif", [10, 2, 10, 5, 10]))
+    assert (plate.frames, plate.size) == ((1, 2, 3, 4, 5), (32, 24))
+    for frame in (1, 2, 3, 4, 5, 2, 5, 1):
+        np.testing.assert_allclose(plate.read(frame), gif_picture(frame - 1), atol=8)
+
+
+def test_a_gif_of_one_picture_is_an_image(tmp_path: Path) -> None:
+    for frame in (1, 2):
+        write_gif(tmp_path / f"p.{frame}.gif", [10])
+    plate = open_clip(tmp_path / "p.1.gif")
+    assert plate.frames == (1, 2)
+    assert plate.frame_name(2) == "p.2"
 
 
 RealCapture = cv2.VideoCapture

@@ -35,6 +35,8 @@ def test_the_last_digits_of_a_stem_are_its_number(stem: str, parts: tuple[str, s
         ("plate.####.exr", NamePattern("plate.", 4, ".exr")),
         ("plate.%d.exr", NamePattern("plate.", 0, ".exr")),
         ("plate.#.exr", NamePattern("plate.", 0, ".exr")),
+        ("plate.@@@@.exr", NamePattern("plate.", 4, ".exr")),
+        ("plate.@.exr", NamePattern("plate.", 0, ".exr")),
         ("take#3_##.png", NamePattern("take#3_", 2, ".png")),
         ("50%_%04d.png", NamePattern("50%_", 4, ".png")),
         ("a%04d_b#.png", NamePattern("a", 4, "_b#.png")),

@@ -10,9 +10,10 @@ import OpenImageIO as oiio  # noqa: N813 - the name its own manual uses
 import pytest
 
 from roam_core.errors import RoamError
-from roam_core.media import DamagedFrame, measure, open_clip
-from roam_core.media import sequence as sequence_module
-from roam_core.media.sequence import colour_channels, image_extensions, read_image
+from roam_core.media import DamagedFrame, image_file, measure, open_clip
+from roam_core.media.colour import unit_floats
+from roam_core.media.image_file import image_extensions, read_image
+from roam_core.media.layers import Part, colour_layer, layers_of
 from tests.unit.media.conftest import HEIGHT, WIDTH, picture, write_bytes_png, write_image
 
 
@@ -34,13 +35,14 @@ def test_jpeg_is_8_bit_rgb(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("extension", ["png", "tif"])
-def test_16_bits_are_scaled_to_1(tmp_path: Path, extension: str) -> None:
+def test_16_bits_stay_16_bits(tmp_path: Path, extension: str) -> None:
     pixels = (picture(2) * 65535).astype(np.uint16)
     pixels[0, 0] = (0, 65535, 32768)
     plate = open_clip(write_image(tmp_path / f"p.0001.{extension}", pixels, "uint16"))
     image = plate.read(1)
-    assert (image.dtype, plate.colour_space) == (np.float32, "sRGB")
-    np.testing.assert_allclose(image, pixels / 65535.0, atol=1e-7)
+    assert (image.dtype, plate.colour_space) == (np.uint16, "sRGB")
+    np.testing.assert_array_equal(image, pixels)
+    np.testing.assert_allclose(unit_floats(image), pixels / 65535.0, atol=1e-7)
 
 
 def test_half_exr_is_linear_and_not_clipped(tmp_path: Path) -> None:
@@ -48,9 +50,9 @@ def test_half_exr_is_linear_and_not_clipped(tmp_path: Path) -> None:
     fields = {"PixelAspectRatio": 2.0, "FramesPerSecond": 25.0}
     plate = open_clip(write_image(tmp_path / "p.1001.exr", pixels, "half", **fields))
     image = plate.read(1001)
-    assert image.dtype == np.float32
+    assert image.dtype == np.float16
     assert (plate.colour_space, plate.pixel_aspect, plate.fps) == ("linear", 2.0, 25.0)
-    np.testing.assert_array_equal(image, pixels.astype(np.float16).astype(np.float32))
+    np.testing.assert_array_equal(image, pixels.astype(np.float16))
 
 
 def test_a_rational_frame_rate(tmp_path: Path) -> None:
@@ -80,8 +82,8 @@ def test_dpx_of_10_bits(tmp_path: Path, transfer: str, space: str) -> None:
     file = write_image(tmp_path / "p.0001.dpx", (codes / 1023).astype(np.float32), "uint16", **fields)
     plate = open_clip(file)
     image = plate.read(1)
-    assert (image.dtype, plate.colour_space, plate.fps) == (np.float32, space, 25.0)
-    np.testing.assert_array_equal(np.round(image * 1023), codes)
+    assert (image.dtype, plate.colour_space, plate.fps) == (np.uint16, space, 25.0)
+    np.testing.assert_array_equal(np.round(unit_floats(image) * 1023), codes)
 
 
 def test_metadata_overrules_what_a_format_usually_holds(tmp_path: Path) -> None:
@@ -125,7 +127,7 @@ def test_associated_alpha_is_not_divided_out(tmp_path: Path) -> None:
     ],
 )
 def test_channels_that_show_as_colour(names: tuple[str, ...], channels: tuple[int, int, int]) -> None:
-    assert colour_channels(names) == channels
+    assert colour_layer(layers_of([Part("", "", names)])).channels == channels
 
 
 def test_an_exr_of_many_channels_gives_red_green_blue_by_name(tmp_path: Path) -> None:
@@ -243,7 +245,7 @@ def test_a_frame_of_another_size_is_named(tmp_path: Path) -> None:
 def test_a_header_that_claims_too_much_is_refused_before_it_is_allocated(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    assert oiio.get_int_attribute("limits:imagesize_MB") == sequence_module.LARGEST_IMAGE_MB
+    assert oiio.get_int_attribute("limits:imagesize_MB") == image_file.LARGEST_IMAGE_MB
     window = {"full_width": 4000, "full_height": 1000}
     file = write_image(tmp_path / "p.exr", picture(1), "half", **window)
     assert open_clip(file).size == (4000, 1000)

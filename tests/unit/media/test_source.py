@@ -44,7 +44,7 @@ def test_a_file_that_went_away_is_a_missing_frame(write_frames: WriteFrames) -> 
         plate.read(1)
 
 
-@pytest.mark.parametrize("pattern", ["p.%04d.png", "p.####.png", "p.%d.png", "p.#.png"])
+@pytest.mark.parametrize("pattern", ["p.%04d.png", "p.####.png", "p.@@@@.png", "p.%d.png", "p.#.png", "p.@.png"])
 def test_patterns_open_their_files_only(write_frames: WriteFrames, pattern: str) -> None:
     folder = write_frames(["p.0001.png", "p.0002.png", "q.0001.png", "q.0002.png", "q.0003.png"])
     plate = open_clip(str(folder / pattern))

@@ -106,7 +106,10 @@ def third_project(folder: Path) -> Project:
 
 
 def present_project(folder: Path) -> Project:
-    """What a file of this program may hold beyond the stored one of version 3: what a track tells of itself."""
+    """What a file of this program may hold beyond the stored one of version 3: the plate's layer, a track's figures.
+
+    A field that older files of the version do without stands here, not in the project that is stored.
+    """
     third = third_project(folder)
     inner = third.root.children[0]
     assert isinstance(inner, Layer)
@@ -119,4 +122,5 @@ def present_project(folder: Path) -> Project:
         areas=(13.5, 31.0),
         surface=((0.1, 0.2), (10.0, 1 / 3), (9.0, 8.0), (-1e-17, 7.0)),
     )
-    return replace(third, root=replace(third.root, children=(replace(inner, transform=told),)))
+    clip = replace(third.require_clip(), layer="beauty")
+    return replace(third, clip=clip, root=replace(third.root, children=(replace(inner, transform=told),)))

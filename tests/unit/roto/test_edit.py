@@ -209,6 +209,15 @@ def test_smoothing_and_cusping() -> None:
     np.testing.assert_array_equal(edit.cusp_points(smooth, [0, 2]), SQUARE)
 
 
+def test_smooth_handles_are_a_third_of_the_way_to_their_neighbours() -> None:
+    triangle = bezier.polygon_points([(10.0, 20.0), (40.0, 20.0), (10.0, 60.0)])
+    smooth = edit.smooth_points(triangle, [0])
+    chord = np.array([0.6, -0.8])
+    np.testing.assert_allclose(
+        smooth[0], [(10.0, 20.0), (10.0, 20.0) - chord * 40.0 / 3.0, (10.0, 20.0) + chord * 10.0]
+    )
+
+
 def test_the_end_of_an_open_spline_is_smoothed_along_its_one_neighbour() -> None:
     smooth = edit.smooth_points(SQUARE, [0], closed=False)
     np.testing.assert_allclose(smooth[0, OUT], (10.0 / 3.0, 0.0))

@@ -9,10 +9,11 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 
 from roam_core.errors import RoamError
-from roam_core.roto import Keyframe, Layer, MotionBlur, Project, RotoShape, file
+from roam_core.roto import Animated, Keyframe, Layer, MotionBlur, Origin, Project, RotoShape, ValueKey, file
 from roam_core.roto.bounds import MAX_DEPTH, MAX_ITEMS, MAX_KEYS, MAX_SAMPLES, MAX_SPAN
 from tests.unit.roto.every_field import CURVE, third_project
 
@@ -185,6 +186,26 @@ def test_too_many_keys_are_refused_before_they_are_made(tmp_path: Path, monkeypa
     frames, none = list(range(MAX_KEYS + 1)), {"type": "Numbers", "shape": [MAX_KEYS + 1, 0, 1, 2], "data": ""}
     shape_of = {"keys": [{**run(json.loads(TEXT)), "frames": frames, "points": none}]}
     assert f"more keys than {MAX_KEYS}" in damaged(tmp_path, lambda d: layer(d).update(children=[shape(d) | shape_of]))
+
+
+@pytest.mark.parametrize("where", ["layer", "shape"])
+def test_keys_of_values_count_as_those_of_outlines(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, where: str) -> None:
+    fades = Animated(tuple(ValueKey(frame, 0.01 * frame) for frame in range(1, 60)))
+    shape = RotoShape("shape-1", "A", (Keyframe(1, np.zeros((3, 3, 2))),), opacity=fades if where == "shape" else 1.0)
+    project = Project(root=Layer("root", "Root", (shape,), opacity=fades if where == "layer" else 1.0))
+    file.save(project, tmp_path / "a.roam")
+    monkeypatch.setattr("roam_core.roto.bounds.MAX_KEYS", 59)
+    with pytest.raises(RoamError, match="cannot be saved: it has more keys than 59"):
+        file.save(project, tmp_path / "b.roam")
+    with pytest.raises(RoamError, match="it has more keys than 59"):
+        file.load(tmp_path / "a.roam")
+
+
+def test_points_that_were_read_cannot_be_written_to(tmp_path: Path) -> None:
+    keys = tuple(Keyframe(k, np.full((3, 3, 2), float(k)), origin=Origin.ENGINE) for k in range(20))
+    file.save(Project(root=Layer("root", "Root", (RotoShape("shape-1", "A", keys),))), tmp_path / "a.roam")
+    (shape,) = file.load(tmp_path / "a.roam").shapes
+    assert not any(key.points.flags.writeable for key in shape.keys)
 
 
 def test_what_could_not_be_read_again_is_not_saved(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

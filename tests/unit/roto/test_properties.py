@@ -43,6 +43,10 @@ def test_motion_blur_keeps_the_numbers_that_are_not_given() -> None:
     assert set_motion_blur(blurred, False).motion_blur is None
 
 
+def test_a_shutter_that_is_closed_is_none_that_makes_no_sense() -> None:
+    assert set_motion_blur(SHAPE, True, shutter=0.0, samples=2).motion_blur == MotionBlur(0.0, -0.25, 2)
+
+
 @pytest.mark.parametrize("values", [{"shutter": -0.1}, {"samples": 1}])
 def test_senseless_motion_blur_is_refused(values) -> None:
     with pytest.raises(RoamError, match="Motion blur needs"):

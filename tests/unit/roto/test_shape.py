@@ -26,6 +26,14 @@ def shift_at(shape: RotoShape, frame: float) -> float:
     return float(shape.at(frame).anchors[0, 0])
 
 
+def test_what_is_drawn_are_the_artists_keys_or_all_where_there_are_none() -> None:
+    shape = moving()
+    tracked = replace(shape, keys=tuple(replace(key, origin=Origin.ENGINE) for key in shape.keys))
+    assert tracked.drawn_keys == tracked.keys
+    mixed = replace(shape, keys=(shape.keys[0], *tracked.keys[1:]))
+    assert mixed.drawn_keys == shape.keys[:1]
+
+
 def test_keys_are_put_in_order() -> None:
     assert moving().frames == (10, 20, 40)
 

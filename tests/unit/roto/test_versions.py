@@ -1,4 +1,7 @@
-"""Every field of every object survives its file, and files of every released version open for ever."""
+"""Every field of every object survives its file, and files of every released version open for ever.
+
+`python -m tests.unit.roto.test_versions` stores the project of a new version; those that are there stay as they are.
+"""
 
 from __future__ import annotations
 
@@ -105,9 +108,9 @@ def test_a_field_survives_its_file(pairs: list[tuple[Any, Any]], kind: type, fie
 @pytest.mark.parametrize("field", [field for kind, field in FIELDS if kind is Keyframe], ids=lambda field: field.name)
 def test_both_forms_of_a_key_hold_every_field(field: Any) -> None:
     """A key that is told by itself, and one in a run: each form alone carries the field."""
-    tracked = second_project(FOLDER).find("shape-3")
+    tracked = present_project(FOLDER).find("shape-3")
     assert isinstance(tracked, RotoShape)
-    document = json.loads(file.dumps(second_project(FOLDER), FOLDER))
+    document = json.loads(file.dumps(present_project(FOLDER), FOLDER))
     forms = [key["type"] for key in document["root"]["children"][0]["children"][2]["keys"]]
     assert forms == ["Keyframes", "Keyframe"]
     for key in (tracked.keys[0], tracked.keys[-1]):
@@ -115,7 +118,7 @@ def test_both_forms_of_a_key_hold_every_field(field: Any) -> None:
 
 
 def test_every_object_in_a_file_says_its_type() -> None:
-    document = json.loads(file.dumps(third_project(FOLDER), FOLDER))
+    document = json.loads(file.dumps(present_project(FOLDER), FOLDER))
     found: set[str] = set()
     waiting: list[Any] = [document]
     while waiting:
@@ -182,3 +185,8 @@ def test_overlapping_soft_edges_of_an_older_project_render_as_they_did() -> None
     union = 1.0 - (1.0 - alone) ** 2 * (1.0 - 0.5 * alone)
     np.testing.assert_allclose(render_matte(edges(3), 1, (40, 40)), union, atol=1e-6)
     assert np.abs(before - union).max() > 0.2
+
+
+if __name__ == "__main__":
+    with (STORED / f"version-{VERSION}.roam").open("x", encoding="utf-8") as stored:
+        stored.write(file.dumps(EXAMPLES[VERSION](FOLDER), FOLDER))

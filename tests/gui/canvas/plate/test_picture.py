@@ -12,7 +12,8 @@ from app.canvas.plate.backdrop import Backdrop, Below
 from app.canvas.plate.picture import Picture
 from app.paint.viewport import Viewport
 from roam_core.arrays import Array, UInt8
-from roam_core.media.colour import LINEAR, to_display
+from roam_core.media.colour import to_display
+from roam_core.media.curves import LINEAR
 from roam_core.media.looking import Channel, Look, Plate
 
 

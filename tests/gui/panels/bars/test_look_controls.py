@@ -183,3 +183,33 @@ def test_the_read_out_knows_proxies(canvas: CanvasView, hand: Hand, qtbot: QtBot
     canvas.set_image(1, proxy)
     hand.move((33.5, 44.5))
     assert readout.text().split()[5] == "50"
+
+
+def test_a_display_and_its_view_are_chosen_and_reset_leaves_them(bar: ViewBar, canvas: CanvasView) -> None:
+    button, viewing = bar.display, canvas.viewing
+    assert (button.text(), viewing.look.view) == ("sRGB", None)
+    button.menu().aboutToShow.emit()
+    plain, _, first, *_ = button.menu().actions()
+    assert plain.isChecked()
+    view = next(action for action in first.menu().actions() if "ACES" in action.text())
+    view.trigger()
+    assert viewing.look.view == (first.text(), view.text())
+    assert first.text() in button.toolTip()
+    viewing.set_look(exposure=1.0)
+    viewing.reset_look()
+    assert (viewing.look.exposure, viewing.look.view) == (0.0, (first.text(), view.text()))
+    button.menu().aboutToShow.emit()
+    plain, _, first, *_ = button.menu().actions()
+    assert not plain.isChecked()
+    plain.trigger()
+    assert (viewing.look.view, button.text()) == (None, "sRGB")
+
+
+def test_a_configuration_that_cannot_be_read_is_told_in_the_menu(
+    bar: ViewBar, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("OCIO", str(tmp_path / "absent.ocio"))
+    bar.display.menu().aboutToShow.emit()
+    _, _, told = bar.display.menu().actions()
+    assert "absent.ocio cannot be read" in told.text()
+    assert not told.isEnabled()
