@@ -42,6 +42,8 @@ if TYPE_CHECKING:
 TRACKED_TO, LOOKED_AT, STOPPED_AT, DOUBTED_AFTER = 1024, 1012, 1016, 1030
 WALKER, WALKED_TO, STRIDE = 2, 1017, 1009
 """Which walker is shown in parts, how far it is tracked, and where it is looked at."""
+SPOTS = ((376.0, 277.0), (382.0, 357.0))
+"""On the first frame of the demo, marks that a point track would follow."""
 DRAWN_POINTS = 11
 """Points of the outline that are drawn when the picture of drawing is taken."""
 
@@ -202,7 +204,11 @@ def posed_proposal(shape: RotoShape, project: Project) -> Proposal:
 
 
 def photograph_planar(shown: MainWindow) -> None:
-    """A layer that moves as the surface in the shape does: its corners with an adjust key, its row in the timeline."""
+    """A layer that moves as the surface in the shape does: its corners with an adjust key, its row in the timeline.
+
+    Then points that a track would follow.
+    """
+    import numpy as np
     from PySide6.QtCore import Qt
     from PySide6.QtTest import QTest
 
@@ -217,9 +223,15 @@ def photograph_planar(shown: MainWindow) -> None:
     shown.view_state.set_tool("adjust")
     QTest.keyClick(shown.canvas, Qt.Key.Key_Return)
     photograph(shown, "planar.jpg")
-    shown.view_state.set_tool("select")
     for _ in range(2):
         shown.actions_by_id["edit.undo"].trigger()
+    show_frame(shown, demo.FIRST)
+    shown.view_state.set_tool("points")
+    for spot in np.array(SPOTS):
+        drag(shown, spot, spot)
+    photograph(shown, "points.jpg")
+    QTest.keyClick(shown.canvas, Qt.Key.Key_Escape)
+    shown.view_state.set_tool("select")
     show_frame(shown, LOOKED_AT)
 
 

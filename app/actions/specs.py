@@ -80,6 +80,9 @@ SPECS: tuple[ActionSpec, ...] = (
     ActionSpec(
         "tool.feather", "Feather", _VIEWER, "tool-feather", "Soften the edge: pull the feather out of points", True
     ),
+    ActionSpec(
+        "tool.points", "Track points", _VIEWER, "tool-points", "Put points that a track follows, with the shapes", True
+    ),
     ActionSpec("tool.adjust", "Adjust track", _VIEWER, "tool-adjust", "Pin the corners of a tracked surface", True),
     ActionSpec(
         "feather.reset", "Reset feather", _VIEWER, tip="Put the feather of the selected points back on the outline"

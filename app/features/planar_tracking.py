@@ -3,16 +3,22 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from enum import StrEnum
 
 from roam_core.geometry.plane_motion import PlaneMotion
 from roam_core.roto import Project, RotoShape
+from roam_core.roto.following import matrix_of, motion_between, moving_layer
 
 from ..jobs.planar import PlanarTrack
 from ..model.document import Document
+from ..model.track_points import TrackPoints
 from ..model.view_state import ViewState, shapes_in_hand
 from .navigation import clip_frames
 from .tracking import NO_CLIP, NO_SHAPE
+
+POINTS_TOOL = "points"
+"""While it is in the hand with points on the picture, tracks follow these in place of the surface."""
 
 
 class LeaveOut(StrEnum):
@@ -26,11 +32,13 @@ class LeaveOut(StrEnum):
 class PlanarTracking:
     """Starts planar tracks from the playhead.
 
+    With the points tool in the hand they follow its points, and where points of shapes are selected move these alone.
     `kind` is what the plane may do; `leave_out` says which other shapes lie before it. Hidden shapes do not.
     """
 
     def __init__(self, document: Document, view_state: ViewState, track: PlanarTrack) -> None:
         self._document, self._view, self._track = document, view_state, track
+        document.replaced.connect(self._forget)
         self.kind, self.leave_out = PlaneMotion.SIMILARITY, LeaveOut.ABOVE
 
     def handlers(self) -> dict[str, Callable[[], object]]:
@@ -58,7 +66,20 @@ class PlanarTracking:
         elif shapes := self._trackable():
             ids = [shape.id for shape in shapes]
             covers = covering(self._document.project, ids, self._view.frame, self.leave_out)
-            self._track.start(ids, frames, self.kind, [shape.id for shape in covers])
+            points = self._points(ids)
+            chosen = frozenset(pair for pair in self._view.selection.points if pair[0] in ids)
+            vertices = frozenset() if points is None else chosen
+            self._track.start(ids, frames, self.kind, [shape.id for shape in covers], points, vertices)
+            if points is not None:
+                self._view.track_points = points
+
+    def _points(self, ids: Sequence[str]) -> TrackPoints | None:
+        """The points that are to be followed, on the present frame; None while their tool is not in the hand."""
+        points = points_at(self._document.project, self._view, ids) if self._view.tool == POINTS_TOOL else None
+        return points if points is not None and points.places else None
+
+    def _forget(self) -> None:
+        self._view.track_points = None
 
     def _trackable(self) -> list[RotoShape]:
         """The shapes in hand that the track may move; says why when there is none."""
@@ -68,11 +89,29 @@ class PlanarTracking:
             self._view.say(NO_SHAPE)
         elif not able:
             self._view.say(f"{shapes[0].name} is locked; unlock it to track it.")
+        elif self._points([shape.id for shape in able]) is not None:
+            return able
         elif not any(shape.closed for shape in able):
             name = able[0].name
             self._view.say(f"{name} is open; close it (<points.toggle_closed> in the viewer) to track its plane.")
             return []
         return able
+
+
+def points_at(project: Project, view: ViewState, shape_ids: Sequence[str]) -> TrackPoints:
+    """The points of a point track on the present frame: where they were put, carried as the shapes were tracked.
+
+    Where none were put, those that the shapes' track followed; else none, with areas for the clip.
+    """
+    points, frame, layer = view.track_points, view.frame, moving_layer(project, shape_ids)
+    if points is None and layer is not None and layer.transform is not None and layer.transform.points:
+        motion = matrix_of(project, layer.id, frame)
+        return TrackPoints(frame, layer.transform.points, *layer.transform.areas).carried(motion, frame)
+    if points is None:
+        return TrackPoints.on(frame, (1, 1) if project.clip is None else project.clip.size)
+    if layer is None or points.frame == frame or not points.places:
+        return replace(points, frame=frame)
+    return points.carried(motion_between(project, layer.id, points.frame, frame), frame)
 
 
 def covering(project: Project, shape_ids: Sequence[str], frame: int, which: LeaveOut) -> list[RotoShape]:

@@ -4,24 +4,30 @@ from __future__ import annotations
 
 import itertools
 import time
-from collections.abc import Callable, Collection, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import dataclass
 from functools import partial
 from itertools import pairwise
 from typing import Any
 
+import numpy as np
 from PySide6.QtCore import QObject, Signal
 
+from roam_core.errors import RoamError
+from roam_core.geometry import projective
 from roam_core.geometry.plane_motion import PlaneMotion
 from roam_core.params import is_doubtful
-from roam_core.roto import BlendMode, Layer, LayerTransform, Project, RotoShape
-from roam_core.roto.following import followed, moving_layer, with_moving_layer
+from roam_core.roto import BlendMode, Layer, LayerTransform, Project, RotoShape, edit
+from roam_core.roto.following import followed, moving_layer, with_moving_layer, with_points
 
 from ..model.document import Document
+from ..model.track_points import TrackPoints
 from ..model.view_state import ViewState
 from .runner import Ending, Job, Report, Runner
 
 ReadFrame = Callable[[int], Any]
+Vertices = frozenset[tuple[str, int]]
+"""Points of shapes by (shape id, index)."""
 LAYER_NAME = "Planar"
 _run_numbers = itertools.count(1)
 
@@ -36,6 +42,8 @@ class _Run:
     shown_frame: int
     merge_key: str
     layer_id: str = ""
+    points: TrackPoints | None = None
+    vertices: Vertices = frozenset()
     expected: LayerTransform | None = None
     warned: bool = False
     reached: int | None = None
@@ -73,22 +81,33 @@ class PlanarTrack(QObject):
     def is_running(self) -> bool:
         return self._run is not None
 
-    def start(self, shape_ids: Sequence[str], frames: range, kind: PlaneMotion, cover_ids: Sequence[str] = ()) -> None:
+    def start(
+        self,
+        shape_ids: Sequence[str],
+        frames: range,
+        kind: PlaneMotion,
+        cover_ids: Sequence[str] = (),
+        points: TrackPoints | None = None,
+        vertices: Vertices = frozenset(),
+    ) -> None:
         """Follow the plane under shapes along `frames`: the first is where they are, the step +1 or -1 the direction.
 
         Shapes that subtract are holes in the plane; what lies inside the shapes `cover_ids` is left out, frame by
-        frame. A run goes from adjust key to adjust key: on each the plane is looked at anew.
+        frame. A run goes from adjust key to adjust key: on each the plane is looked at anew. With `points` these are
+        followed in place of what lies inside the shapes, and tell the motion by their number. With `vertices` no layer
+        moves: every frame gets a key on which these points of shapes are moved alone.
         """
         self.drop()
         project, read = self._document.project, self._read
         shapes, covers = ([project.shape(each) for each in ids] for ids in (shape_ids, cover_ids))
-        work = Work(tuple(shapes), tuple(covers), legs_of(frames, _adjusted(project, shape_ids)), PlaneMotion(kind))
+        legs = (frames,) if vertices else legs_of(frames, _adjusted(project, shape_ids))
+        work = Work(tuple(shapes), tuple(covers), legs, PlaneMotion(kind), points)
         job = self._runner.start("track", lambda report: _track(report, read, work))
         job.partial.connect(self._apply)
         job.progress.connect(self.progress)
         job.ended.connect(self._end)
         merge_key = f"planar-{next(_run_numbers)}"
-        self._run = _Run(job, tuple(shape_ids), frames[0], self._view.frame, merge_key)
+        self._run = _Run(job, tuple(shape_ids), frames[0], self._view.frame, merge_key, "", points, vertices)
         self.progress.emit(0.0, "Starting the planar track …")
         self.running_changed.emit()
 
@@ -109,11 +128,17 @@ class PlanarTrack(QObject):
         run, frame = self._run, found.frame
         if run is None:
             return
-        change = _following(run, self._document.project, found)
-        layer = change(self._document.project).find(run.layer_id)
-        assert isinstance(layer, Layer)
-        run.expected, run.reached = layer.transform, frame
-        self._document.amend("Planar track", change, run.merge_key)
+        if run.vertices:
+            self._document.amend("Point track", partial(_with_vertices, run, found), run.merge_key)
+            if run.points is not None:
+                self._view.track_points = run.points.carried(found.matrix, frame)
+        else:
+            change = _following(run, self._document.project, found)
+            layer = change(self._document.project).find(run.layer_id)
+            assert isinstance(layer, Layer)
+            run.expected = layer.transform
+            self._document.amend("Planar track", change, run.merge_key)
+        run.reached = frame
         if self._view.frame == run.shown_frame and self._view.preview is None:
             run.shown_frame = frame
             self._view.set_frame(frame)
@@ -130,6 +155,8 @@ class PlanarTrack(QObject):
         if run.layer_id and there:
             layer = project.find(run.layer_id) if project.has(run.layer_id) else None
             there = isinstance(layer, Layer) and layer.transform == run.expected
+        if run.vertices and there and run.reached is not None:
+            there = all(project.shape(shape_id).key_at(run.reached) is not None for shape_id, _ in run.vertices)
         if not there:
             self.drop()
 
@@ -146,12 +173,16 @@ class PlanarTrack(QObject):
 
 @dataclass(frozen=True)
 class Work:
-    """What the worker is to do: shapes on the plane, shapes before it, frames in legs, and what the plane may do."""
+    """What the worker is to do: shapes on the plane, shapes before it, frames in legs, and what the plane may do.
+
+    `points` are followed in place of the plane, where there are any.
+    """
 
     shapes: tuple[RotoShape, ...]
     covers: tuple[RotoShape, ...]
     legs: tuple[range, ...]
     kind: PlaneMotion
+    points: TrackPoints | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -188,6 +219,9 @@ def _following(run: _Run, project: Project, found: Found) -> Callable[[Project],
     def change(before: Project) -> Project:
         if first:
             before, _ = with_moving_layer(before, run.shape_ids, run.start, LAYER_NAME)
+            if run.points is not None:
+                areas = run.points.pattern, run.points.search
+                before = with_points(before, run.layer_id, run.start, np.array(run.points.places), areas)
         if not before.has(run.layer_id):
             return before
         return followed(before, run.layer_id, found.start, found.frame, found.matrix, found.confidence)
@@ -195,26 +229,63 @@ def _following(run: _Run, project: Project, found: Found) -> Callable[[Project],
     return change
 
 
+def _with_vertices(run: _Run, found: Found, project: Project) -> Project:
+    """The project with a key on which the chosen points lie where the motion brings them; the others stay."""
+    for shape_id in sorted({shape_id for shape_id, _ in run.vertices}):
+        if not project.has(shape_id):
+            continue
+        shape = project.shape(shape_id)
+        start, points = shape.at(found.start).points, shape.at(found.frame).points.copy()
+        chosen = sorted(index for each, index in run.vertices if each == shape_id and index < len(points))
+        points[chosen] = projective.apply(found.matrix, start[chosen])
+        project = project.with_shape(edit.set_key(shape, found.frame, points))
+    return project
+
+
 def _track(report: Report, read: ReadFrame, work: Work) -> str:
     """The work, on the worker thread."""
-    # OpenCV loads while the window is up already: that must not delay it.
-    from roam_core.motion.plane_track import track_plane
-
     began, done, total = time.perf_counter(), 0, sum(len(leg) - 1 for leg in work.legs)
     last = work.legs[-1][-1]
     least = 1.0, last
+    name, what = ("Planar track", "the plane") if work.points is None else ("Point track", "the points")
+    for found in _surface(report, read, work) if work.points is None else _points(report, read, work, work.points):
+        report.token.check()
+        report.partial(found)
+        done, least = done + 1, min(least, (found.confidence, found.frame))
+        pace = f"{1000 * (time.perf_counter() - began) / done:.0f} ms a frame"
+        told = f"frame {found.frame} of {last} · confidence {found.confidence:.2f}"
+        report.progress(done / max(total, 1), f"{name}: {told} · {pace}")
+    if done == 0:
+        return "There is no frame to track to."
+    return f"Followed {what} to frame {last}: {done} frames. {_verdict(*least)}"
+
+
+def _surface(report: Report, read: ReadFrame, work: Work) -> Iterator[Found]:
+    """The plane, on every frame."""
+    # OpenCV loads while the window is up already: that must not delay it.
+    from roam_core.motion.plane_track import track_plane
+
     for leg in work.legs:
         outlines, holes = outlines_at(work.shapes, leg[0])
         for step in track_plane(read, outlines, holes, leg, work.kind, report.token, partial(covers_at, work.covers)):
-            report.token.check()
-            report.partial(Found(leg[0], step.frame, step.matrix, step.confidence))
-            done, least = done + 1, min(least, (step.confidence, step.frame))
-            pace = f"{1000 * (time.perf_counter() - began) / done:.0f} ms a frame"
-            told = f"frame {step.frame} of {last} · confidence {step.confidence:.2f} · {step.seen:.0%} seen"
-            report.progress(done / max(total, 1), f"Planar track: {told} · {pace}")
-    if done == 0:
-        return "There is no frame to track to."
-    return f"Followed the plane to frame {last}: {done} frames. {_verdict(*least)}"
+            yield Found(leg[0], step.frame, step.matrix, step.confidence)
+
+
+def _points(report: Report, read: ReadFrame, work: Work, points: TrackPoints) -> Iterator[Found]:
+    """The motion that points tell, on every frame; a point that is hidden speaks against it."""
+    from roam_core.motion.point_track import motion_of, track_points
+
+    places = np.array(points.places)
+    if motion_of(places, places) is None:
+        raise RoamError("The points lie on one line, or on one another: put them apart.")
+    covers = partial(covers_at, work.covers)
+    for leg in work.legs:
+        start = places
+        for step in track_points(read, start, leg, points.pattern, points.search, report.token, covers):
+            motion = motion_of(start, step.places)
+            if motion is not None:
+                places = step.places
+                yield Found(leg[0], step.frame, motion, float(step.confidence.mean()))
 
 
 def _verdict(confidence: float, frame: int) -> str:

@@ -10,6 +10,7 @@ from roam_core.roto import Project, RotoShape
 
 from ..actions.keymaps import Keymap, load_keymap, told
 from .editing import EditingModes
+from .track_points import TrackPoints
 
 
 @dataclass(frozen=True)
@@ -48,6 +49,8 @@ class ViewState(QObject):
         """How edits reach points and keys."""
         self.hovered: tuple[str, int, int] | None = None
         """(shape id, point index, part) under the pointer, or None."""
+        self.track_points: TrackPoints | None = None
+        """What a point track is to follow; None: what the track of the shapes in hand followed."""
 
     @property
     def frame(self) -> int:

@@ -178,7 +178,10 @@ class MainWindow(QMainWindow):
 
     def _lay_out(self) -> None:
         self.panel_column = self._panel_column()
-        picture, lower = layout.row(self.tool_column, self.canvas), layout.column(self.transport, self.timeline)
+        picture, lower = (
+            layout.row(layout.rolled(self.tool_column), self.canvas),
+            layout.column(self.transport, self.timeline),
+        )
         upper = layout.split(Qt.Orientation.Horizontal, picture, self.panel_column)
         self._halves = layout.split(Qt.Orientation.Vertical, upper, lower)
         self.splitters = {"upper": upper}

@@ -12,6 +12,7 @@ from .draw.polygon import PolygonTool
 from .edit.adjust import AdjustTool
 from .edit.brush import ReshapeTool
 from .edit.feather import FeatherTool
+from .edit.points import PointsTool
 from .edit.select import SelectTool
 from .edit.transform import TransformTool
 from .tool import Tool
@@ -30,6 +31,7 @@ _ORDER: tuple[type[Tool], ...] = (
     ObjectTool,
     FeatherTool,
     AdjustTool,
+    PointsTool,
 )
 TOOLS: Mapping[str, type[Tool]] = {tool.name: tool for tool in _ORDER}
 """Every tool by the name that `ViewState.tool` holds. A new tool is a file and a line here."""

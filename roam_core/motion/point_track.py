@@ -77,7 +77,12 @@ class PatternTracker(PlaneTracker):
         covers: Sequence[Array] = (),
     ) -> None:
         corners = np.asarray(place) + pattern * np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)])
-        super().__init__(PlaneMotion(params.motion), picture, [polygon_points(corners)], (), covers, params.plane)
+        try:
+            super().__init__(PlaneMotion(params.motion), picture, [polygon_points(corners)], (), covers, params.plane)
+        except RoamError:
+            raise RoamError(
+                "A point lies outside of the picture, or under what is left out: put it elsewhere."
+            ) from None
         self.place, self.corners = np.asarray(place, dtype=np.float64), corners
         self._pattern, self._search = pattern, search
         self._grey, self._least = picture.grey, params.least_likeness

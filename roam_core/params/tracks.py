@@ -112,7 +112,7 @@ class PointTrackParams:
     plane: PlaneTrackParams = PlaneTrackParams(
         least_seen=0.45,
         least_fit=0.7,
-        registration=RegistrationParams(side=64, levels=2, coarsest=10),
+        registration=RegistrationParams(side=36, levels=2, coarsest=10),
         confidence=TrackConfidenceParams(error=1.5, seen=0.7),
     )
 

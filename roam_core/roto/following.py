@@ -79,6 +79,31 @@ def surface_of(layer: Layer) -> Array:
     return np.array([(left, top), (right, top), (right, bottom), (left, bottom)])
 
 
+def matrix_of(project: Project, layer_id: str, frame: int) -> Array:
+    """From a moving layer's space to the plate on a frame, `(3, 3)`."""
+    own = _layer(project, layer_id).transform
+    assert own is not None
+    return np.asarray(_above(project, layer_id, frame) @ own.at(frame))
+
+
+def motion_between(project: Project, layer_id: str, start: int, frame: int) -> Array:
+    """How what lies in a moving layer goes from one frame's picture to another's, `(3, 3)`."""
+    return np.asarray(matrix_of(project, layer_id, frame) @ _inverse(matrix_of(project, layer_id, start)))
+
+
+def with_points(project: Project, layer_id: str, frame: int, places: Array, areas: tuple[float, float]) -> Project:
+    """The project with the points that a moving layer's track follows: at `places (N, 2)` of the plate on a frame.
+
+    `areas` are half the sides of their patterns and search areas, pixels. The motion stays as it is.
+    """
+    own = _layer(project, layer_id).transform
+    assert own is not None
+    inside = projective.apply(_inverse(matrix_of(project, layer_id, frame)), places)
+    points = tuple((float(x), float(y)) for x, y in inside)
+    told = replace(own, points=points, areas=areas if points else ())
+    return project.map_item(layer_id, lambda layer: replace(layer, transform=told))
+
+
 def pinned(project: Project, layer_id: str, frame: int, corners: Array) -> Project:
     """The project with an adjust key: on `frame` the surface's corners lie at `corners (4, 2)`, as the artist says.
 

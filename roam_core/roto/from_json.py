@@ -121,7 +121,9 @@ def _read_transform(document: Document) -> LayerTransform:
         confidence=tuple(_read_confidence(pair) for pair in document.get("confidence", ())),
         adjusted=tuple(whole(frame, "an adjust key") for frame in document.get("adjusted", ())),
         surface=tuple(_read_place(corner) for corner in document.get("surface", ())),
-        extra=_rest(document, "type", "frames", "matrices", "confidence", "adjusted", "surface"),
+        points=tuple(_read_place(place) for place in document.get("points", ())),
+        areas=tuple(number(size, "an area of a track's points", 0.0, 1e6) for size in document.get("areas", ())),
+        extra=_rest(document, "type", "frames", "matrices", "confidence", "adjusted", "surface", "points", "areas"),
     )
 
 
@@ -132,7 +134,7 @@ def _read_confidence(pair: Any) -> tuple[int, float]:
 
 def _read_place(pair: Any) -> tuple[float, float]:
     x, y = pair
-    return number(x, "a corner of a surface"), number(y, "a corner of a surface")
+    return number(x, "a place of a track"), number(y, "a place of a track")
 
 
 def _read_shape(document: Document, count: Count) -> RotoShape:

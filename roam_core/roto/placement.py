@@ -27,8 +27,9 @@ class LayerTransform:
 
 
     Of a track it also holds, as pairs `(frame, value)` in the order of frames, the `confidence` in [0, 1] where one is
-    known; the frames of its adjust keys, on which the artist says that it is right (`adjusted`); and four corners in
-    layer space by which the surface is pinned there (`surface`), none where no one has asked for them.
+    known; the frames of its adjust keys, on which the artist says that it is right (`adjusted`); four corners in layer
+    space by which the surface is pinned there (`surface`), none where no one has asked for them; and of a point track
+    its `points` in layer space, with half the sides of their patterns and search areas (`areas`), pixels.
     """
 
     frames: tuple[int, ...]
@@ -36,6 +37,8 @@ class LayerTransform:
     confidence: tuple[tuple[int, float], ...] = ()
     adjusted: tuple[int, ...] = ()
     surface: tuple[tuple[float, float], ...] = ()
+    points: tuple[tuple[float, float], ...] = ()
+    areas: tuple[float, ...] = ()
     extra: Mapping[str, Any] = field(default_factory=dict)
     _digest: int = field(init=False, repr=False)
 
@@ -47,12 +50,14 @@ class LayerTransform:
             raise ValueError("the frames of a transform must increase")
         matrices.setflags(write=False)
         object.__setattr__(self, "matrices", matrices)
+        if self.points and len(self.areas) != 2:
+            raise ValueError("points of a track need the sizes of two areas")
         if self.surface and np.array(self.surface).shape != (4, 2):
             raise ValueError("a surface has four corners")
         here = set(self.frames)
         object.__setattr__(self, "confidence", tuple(sorted(pair for pair in self.confidence if pair[0] in here)))
         object.__setattr__(self, "adjusted", tuple(sorted(set(self.adjusted) & here)))
-        told = self.confidence, self.adjusted, self.surface
+        told = self._told()
         object.__setattr__(self, "_digest", hash((self.frames, matrices.tobytes(), told)))
 
     @classmethod
@@ -67,12 +72,13 @@ class LayerTransform:
         if not isinstance(other, LayerTransform) or self._digest != other._digest:
             return False
         same = self.frames == other.frames and np.array_equal(self.matrices, other.matrices)
-        told = self.confidence, self.adjusted, self.surface
-        same = same and told == (other.confidence, other.adjusted, other.surface)
-        return same and dict(self.extra) == dict(other.extra)
+        return same and self._told() == other._told() and dict(self.extra) == dict(other.extra)
 
     def __hash__(self) -> int:
         return self._digest
+
+    def _told(self) -> tuple[object, ...]:
+        return self.confidence, self.adjusted, self.surface, self.points, self.areas
 
     @property
     def by_frame(self) -> dict[int, Array]:

@@ -99,6 +99,8 @@ def _transform(transform: LayerTransform) -> dict[str, Any]:
         **({"confidence": [list(pair) for pair in transform.confidence]} if transform.confidence else {}),
         **({"adjusted": list(transform.adjusted)} if transform.adjusted else {}),
         **({"surface": [list(corner) for corner in transform.surface]} if transform.surface else {}),
+        **({"points": [list(place) for place in transform.points]} if transform.points else {}),
+        **({"areas": list(transform.areas)} if transform.areas else {}),
         **transform.extra,
     }
 

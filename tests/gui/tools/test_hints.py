@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from app.actions.keymaps import told
 from app.canvas.view import CanvasView
 from app.model.view_state import ViewState
 from app.tools.toolbox import TOOLS
@@ -14,7 +15,7 @@ from app.tools.toolbox import TOOLS
 )
 def test_a_hint_goes_with_its_tool(canvas: CanvasView, view_state: ViewState, name: str) -> None:
     view_state.set_tool(name)
-    assert view_state.message == TOOLS[name].hint
+    assert view_state.message == told(TOOLS[name].hint, view_state.keymap)
     view_state.set_tool("select")
     assert view_state.message == TOOLS["select"].hint == ""
 

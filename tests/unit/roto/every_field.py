@@ -118,6 +118,8 @@ def present_project(folder: Path) -> Project:
         inner.transform,
         confidence=((1001, 1 / 3), (1003, 0.875)),
         adjusted=(1001,),
+        points=((1 / 3, -4.0), (7.0, 1e-17)),
+        areas=(13.5, 31.0),
         surface=((0.1, 0.2), (10.0, 1 / 3), (9.0, 8.0), (-1e-17, 7.0)),
     )
     clip = replace(third.require_clip(), layer="beauty")

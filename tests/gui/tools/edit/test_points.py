@@ -1,0 +1,152 @@
+"""The points tool: up to four points with their areas; a track follows them, and the shapes in hand go along."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+from PySide6.QtCore import Qt
+from pytestqt.qtbot import QtBot
+
+from app.canvas.view import CanvasView
+from app.features.planar_tracking import PlanarTracking, points_at
+from app.jobs.planar import PlanarTrack
+from app.jobs.runner import Ending, Runner
+from app.model.document import Document
+from app.model.track_points import TrackPoints
+from app.model.view_state import ViewState
+from roam_core.geometry import projective
+from roam_core.geometry.plane_motion import PlaneMotion
+from roam_core.params import DOUBTFUL
+from roam_core.roto import Clip, Layer, Project, edit
+from tests.gui.hand import Hand
+from tests.unit.motion import test_plane_track as board
+
+KIND, LAST, WAIT = PlaneMotion.SIMILARITY, 6, 20_000
+MARKS = ((120.0, 100.0), (185.0, 140.0))
+"""On the board on frame 1."""
+
+
+@pytest.fixture
+def pointed(document: Document, view_state: ViewState, canvas: CanvasView) -> None:
+    """An open line beside the board, in the hand; the tool, too."""
+    project = Project(clip=Clip(board.__file__, 1, LAST, (board.WIDTH, board.HEIGHT)))
+    project, shape = edit.new_shape(project, board.BOARD, 1, closed=False)
+    document.open(project, None)
+    view_state.select(frozenset({shape.id}))
+    view_state.set_play_range(1, LAST + 1)
+    view_state.set_tool("points")
+
+
+def places(view_state: ViewState) -> np.ndarray:
+    assert view_state.track_points is not None
+    return np.array(view_state.track_points.places)
+
+
+def finish(qtbot: QtBot, track: PlanarTrack, begin: Callable[[], object]) -> tuple[Ending, str]:
+    with qtbot.waitSignal(track.finished, timeout=WAIT) as signal:
+        begin()
+    return tuple(signal.args)
+
+
+def test_clicks_put_points_and_drags_move_them(
+    hand: Hand, view_state: ViewState, document: Document, pointed: None
+) -> None:
+    for spot in ((120, 100), (180, 100), (180, 150), (120, 150), (60, 60)):
+        hand.click(spot)
+    assert len(places(view_state)) == 4
+    assert "Four points are enough" in view_state.message
+    hand.drag((180, 150), (190, 158))
+    np.testing.assert_allclose(places(view_state)[2], (190, 158), atol=0.8)
+    hand.key(Qt.Key.Key_Backspace)
+    assert len(places(view_state)) == 3
+    hand.key(Qt.Key.Key_Escape)
+    assert len(places(view_state)) == 0
+    assert document.undo_stack.count() == 0
+
+
+def test_esc_in_a_drag_leaves_the_point(hand: Hand, view_state: ViewState, pointed: None) -> None:
+    hand.click((120, 100))
+    before = view_state.track_points
+    hand.press((120, 100))
+    hand.move((150, 120))
+    hand.key(Qt.Key.Key_Escape)
+    hand.release((150, 120))
+    assert view_state.track_points == before
+
+
+def test_the_areas_grow_together() -> None:
+    points = TrackPoints.on(1, (1920, 1080))
+    assert points.pattern == 12.0 * 1080 / 480
+    larger = points.grown(1.5)
+    assert larger.pattern == 1.5 * points.pattern
+    assert larger.search == 1.5 * points.search
+    assert points.grown(1e-6).pattern == 4.0
+
+
+def test_shapes_go_with_two_points(
+    qtbot: QtBot, hand: Hand, document: Document, view_state: ViewState, runner: Runner, pointed: None
+) -> None:
+    for spot in MARKS:
+        hand.click(spot)
+    begun = places(view_state)
+    track = PlanarTrack(document, view_state, runner, lambda frame: board.picture(KIND, frame - 1))
+    verbs = PlanarTracking(document, view_state, track)
+    ending, sentence = finish(qtbot, track, verbs.forward)
+    assert ending is Ending.DONE
+    assert sentence.startswith(f"Followed the points to frame {LAST}: {LAST - 1} frames.")
+    layer = document.project.find("layer-1")
+    assert isinstance(layer, Layer)
+    assert min(dict(layer.transform.confidence).values()) > DOUBTFUL
+    true = board.true_motion(KIND, LAST - 1)
+    shape = document.project.shape("shape-1")
+    np.testing.assert_allclose(shape.at(LAST).anchors, projective.apply(true, board.BOARD[:, 0]), atol=0.8)
+    assert document.undo_stack.count() == 1
+    # The project keeps them, so that they can be taken up again.
+    view_state.track_points = None
+    kept = points_at(document.project, view_state, ["shape-1"])
+    np.testing.assert_allclose(kept.places, projective.apply(true, begun), atol=0.5)
+    assert (kept.pattern, kept.search) == (12.0, 28.0)
+    # The points have gone along: a press takes one where it is now.
+    assert view_state.frame == LAST
+    here = projective.apply(true, begun)
+    hand.drag(tuple(here[0]), tuple(here[0] + 6.0))
+    assert view_state.track_points.frame == LAST
+    np.testing.assert_allclose(places(view_state)[1], here[1], atol=0.5)
+    document.open(document.project, None)
+    assert view_state.track_points is None
+
+
+def test_selected_points_alone_go_along(
+    qtbot: QtBot, hand: Hand, document: Document, view_state: ViewState, runner: Runner, pointed: None
+) -> None:
+    view_state.select(frozenset({"shape-1"}), frozenset({("shape-1", 0), ("shape-1", 3)}))
+    hand.click(MARKS[0])
+    begun = places(view_state)
+    track = PlanarTrack(document, view_state, runner, lambda frame: board.picture(PlaneMotion.TRANSLATION, frame - 1))
+    verbs = PlanarTracking(document, view_state, track)
+    ending, _ = finish(qtbot, track, verbs.forward)
+    assert ending is Ending.DONE
+    assert not document.project.has("layer-1")
+    shape = document.project.shape("shape-1")
+    assert shape.artist_frames == tuple(range(1, LAST + 1))
+    moved = board.true_motion(PlaneMotion.TRANSLATION, LAST - 1)
+    corners = board.BOARD[:, 0]
+    np.testing.assert_allclose(shape.at(LAST).anchors[[0, 3]], projective.apply(moved, corners[[0, 3]]), atol=0.3)
+    np.testing.assert_array_equal(shape.at(LAST).anchors[[1, 2]], corners[[1, 2]])
+    np.testing.assert_allclose(places(view_state), projective.apply(moved, begun), atol=0.3)
+    assert document.undo_stack.count() == 1
+    document.undo_stack.undo()
+    assert document.project.shape("shape-1").artist_frames == (1,)
+
+
+def test_points_on_one_another_are_refused(
+    qtbot: QtBot, document: Document, view_state: ViewState, runner: Runner, pointed: None
+) -> None:
+    view_state.track_points = TrackPoints(1, (MARKS[0], MARKS[0]))
+    track = PlanarTrack(document, view_state, runner, lambda frame: board.picture(KIND, frame - 1))
+    ending, sentence = finish(qtbot, track, PlanarTracking(document, view_state, track).forward)
+    assert ending is Ending.FAILED
+    assert "put them apart" in sentence
+    assert not document.project.has("layer-1")

@@ -1,0 +1,104 @@
+"""The point tracker on the board whose motion is known: in pictures of any size, forward and backward, past gaps."""
+
+from __future__ import annotations
+
+import cv2
+import numpy as np
+import pytest
+
+from roam_core.cancel import Cancelled, CancelToken
+from roam_core.errors import RoamError
+from roam_core.geometry import projective
+from roam_core.geometry.bezier import polygon_points
+from roam_core.geometry.plane_motion import PlaneMotion
+from roam_core.media.source import MissingFrame
+from roam_core.motion.point_track import LostPoints, PointStep, motion_of, track_points
+from tests.unit.motion.test_plane_track import HEIGHT, WIDTH, picture, true_motion
+
+KIND = PlaneMotion.HOMOGRAPHY
+PLACES = np.array([(120.0, 100.0), (185.0, 140.0), (120.0, 150.0), (180.0, 90.0)])
+AREAS = {"pattern": 12.0, "search": 28.0}
+
+
+def read(frame: int) -> np.ndarray:
+    return picture(KIND, frame)
+
+
+def misses(steps: list[PointStep], size: float = 1.0) -> np.ndarray:
+    """By how many pixels of the small picture the points are missed."""
+    true = [projective.apply(true_motion(KIND, step.frame), PLACES[: len(step.places)]) for step in steps]
+    return np.array([np.hypot(*(step.places / size - t).T) for step, t in zip(steps, true, strict=True)])
+
+
+@pytest.mark.parametrize("size", [1, 4])
+def test_points_are_found_in_pictures_of_any_size(size: int) -> None:
+    def larger(frame: int) -> np.ndarray:
+        return cv2.resize(read(frame), (WIDTH * size, HEIGHT * size), interpolation=cv2.INTER_CUBIC)
+
+    steps = list(track_points(larger, PLACES * size, range(6), 12.0 * size, 28.0 * size))
+    assert misses(steps, size).max() < 0.15
+    assert min(step.confidence.min() for step in steps) > 0.8
+
+
+def test_four_points_tell_the_motion_of_the_plane() -> None:
+    *_, last = track_points(read, PLACES, range(8), **AREAS)
+    corners = PLACES + np.array([[-8.0, -8.0], [8.0, 8.0], [-8.0, 8.0], [8.0, -8.0]])
+    found, true = motion_of(PLACES, last.places), true_motion(KIND, 7)
+    np.testing.assert_allclose(projective.apply(found, corners), projective.apply(true, corners), atol=0.4)
+
+
+def test_it_goes_backward_and_over_a_gap() -> None:
+    def with_gap(frame: int) -> np.ndarray:
+        if frame == 4:
+            raise MissingFrame("gone")
+        return read(frame)
+
+    start = projective.apply(true_motion(KIND, 6), PLACES)
+    steps = list(track_points(with_gap, start, range(6, -1, -1), **AREAS))
+    assert [step.frame for step in steps] == [5, 3, 2, 1, 0]
+    assert misses(steps).max() < 0.15
+
+
+def test_what_covers_a_point_is_not_followed() -> None:
+    """A cloth comes to rest over one point; the others tell where that is."""
+
+    def covered(frame: int) -> np.ndarray:
+        image = read(frame).copy()
+        if frame > 1:
+            image[125:175, 95:145] = np.random.default_rng(9).integers(0, 255, (50, 50, 1))
+        return image
+
+    cloth = polygon_points([(95.0, 125.0), (145.0, 125.0), (145.0, 175.0), (95.0, 175.0)])
+    for told in (False, True):
+        covers = (lambda frame: [cloth] if frame > 1 else []) if told else (lambda _frame: [])
+        steps = list(track_points(covered, PLACES, range(5), covers=covers, **AREAS))
+        assert [bool(step.found[2]) for step in steps] == [True, False, False, False]
+        assert misses(steps)[:, [0, 1, 3]].max() < 0.15
+        assert misses(steps)[:, 2].max() < 2.0
+
+
+def test_points_that_go_for_good_are_lost_in_a_sentence() -> None:
+    def gone(frame: int) -> np.ndarray:
+        return read(frame) if frame < 3 else np.full((HEIGHT, WIDTH, 3), 90, np.uint8)
+
+    found = track_points(gone, PLACES, range(6), **AREAS)
+    assert [next(found).frame, next(found).frame] == [1, 2]
+    with pytest.raises(LostPoints, match="frame 3"):
+        next(found)
+
+
+def test_what_cannot_be_followed_is_refused() -> None:
+    for places in (np.zeros((0, 2)), np.tile(PLACES, (2, 1))):
+        with pytest.raises(RoamError, match="one, two, three or four"):
+            next(track_points(read, places, range(3), **AREAS))
+    with pytest.raises(RoamError, match="outside of the picture"):
+        next(track_points(read, np.array([(-90.0, 10.0)]), range(3), **AREAS))
+
+
+def test_it_stops_when_asked() -> None:
+    token = CancelToken()
+    found = track_points(read, PLACES, range(6), token=token, **AREAS)
+    next(found)
+    token.cancel()
+    with pytest.raises(Cancelled):
+        next(found)
