@@ -48,6 +48,7 @@ from roam_core.params.redetection import RedetectionParams
 from roam_core.params.region import RegionParams
 from roam_core.params.rigid import PLANAR, PlanarParams, RigidityParams
 from roam_core.params.roam import RoamParams, scale_for
+from roam_core.params.softness import SOFTNESS, SoftnessParams
 
 __all__ = [
     "ANCHORS",
@@ -71,6 +72,7 @@ __all__ = [
     "OUTLINE_MATCH",
     "PAIRING",
     "PLANAR",
+    "SOFTNESS",
     "UNTYING",
     "AnchorParams",
     "AppearanceParams",
@@ -107,6 +109,7 @@ __all__ = [
     "RegionParams",
     "RigidityParams",
     "RoamParams",
+    "SoftnessParams",
     "SpanParams",
     "UntyingParams",
     "departed",
