@@ -63,15 +63,14 @@ def told(found: Softness, before: Sequence[RotoShape], after: Sequence[RotoShape
     if width is None:
         return "No edge of these shapes could be read in the plate; nothing was changed."
     if found.shutter is None:
-        blur = "The shapes move too little to tell the shutter."
+        blur = "Too little motion to tell the shutter."
     elif found.shutter == 0.0:
-        blur = "The plate shows no motion blur."
+        blur = "No motion blur."
     else:
-        blur = f"The shutter was open for {found.shutter:.2f} frames."
+        blur = f"Shutter {found.shutter:.2f} frames."
     soft = sum(any(key.feather is not None for key in shape.keys) for shape in after)
     changed = sum(old != new for old, new in zip(before, after, strict=True))
-    edge = f"The edge is {width:.1f} px wide at the median point"
-    return f"{blur} {edge}; {_shapes(changed)} changed, {_shapes(soft)} with feather."
+    return f"{blur} Edge {width:.1f} px at the median. {_shapes(changed)} changed, {soft} with feather."
 
 
 def _shapes(count: int) -> str:

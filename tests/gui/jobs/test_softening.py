@@ -70,7 +70,7 @@ def test_the_shape_gets_the_plates_shutter_in_one_step(
     assert ending is Ending.DONE
     assert blur is not None
     assert blur.shutter == pytest.approx(0.5, abs=0.06)
-    assert sentence.startswith(f"The shutter was open for {blur.shutter:.2f} frames.")
+    assert sentence.startswith(f"Shutter {blur.shutter:.2f} frames. Edge ")
     assert document.undo_stack.undoText() == "Match the plate's edge"
     document.undo_stack.undo()
     assert document.project == before

@@ -43,8 +43,8 @@ def test_motion_blur_is_set_and_told(roam: Roam, soft_plate: Path) -> None:
     assert after.motion_blur is not None
     assert after.motion_blur.shutter == pytest.approx(0.5, abs=0.06)
     assert after.keys == before.keys
-    assert done.err.startswith(f"The shutter was open for {after.motion_blur.shutter:.2f} frames.")
-    assert done.err.endswith("1 shape changed, 0 shapes with feather.\n")
+    assert done.err.startswith(f"Shutter {after.motion_blur.shutter:.2f} frames. Edge ")
+    assert done.err.endswith("1 shape changed, 0 with feather.\n")
 
 
 def test_feather_is_saved_elsewhere_and_told_in_json(roam: Roam, soft_plate: Path, tmp_path: Path) -> None:

@@ -97,7 +97,7 @@ def test_a_hard_edge_stays_hard() -> None:
     shape = disc()
     found = seen(lambda _: picture(shape_matte(shape, 1, SIZE)), [shape])
     assert soft(shape, found) == shape
-    assert told(found, [shape], [shape]).endswith("0 shapes changed, 0 shapes with feather.")
+    assert told(found, [shape], [shape]).endswith("0 shapes changed, 0 with feather.")
 
 
 def test_floats_say_what_bytes_say() -> None:
