@@ -347,6 +347,26 @@ def photograph_parts(shown: MainWindow) -> None:
     photograph(shown, "parts-tracked.jpg")
 
 
+def photograph_softness(shown: MainWindow) -> None:
+    """The figure's matte with the plate's shutter, and to the left of the wipe's line as it was drawn."""
+    (leg,) = [shape for shape in shown.document.project.shapes if shape.name == "Far lower leg"]
+    shown.view_state.select(frozenset([leg.id]))
+    shown.actions_by_id["view.fit_selection"].trigger()
+    shown.view_state.select(frozenset())
+    shown.actions_by_id["view.matte"].trigger()
+    shown.actions_by_id["view.hide_overlays"].trigger()
+    live(1200)
+    shown.actions_by_id["view.wipe"].trigger()
+    shown.actions_by_id["shape.match_edge"].trigger()
+    until(lambda: shown.under_way.is_any, "the plate to be looked at")
+    until(lambda: not shown.under_way.is_any, "the plate's edge")
+    live(1200)
+    photograph(shown, "softness.jpg")
+    shown.actions_by_id["view.hide_overlays"].trigger()
+    shown.actions_by_id["view.wipe"].trigger()
+    shown.actions_by_id["view.overlay"].trigger()
+
+
 def walker_project(plates: Path) -> Project:
     """The walker's clip, and a shape for each of its parts with the true outline on the first frame, bottom first."""
     from resources import walker
@@ -381,6 +401,7 @@ SCENES = (
     photograph_keyed_value,
     photograph_start,
     photograph_parts,
+    photograph_softness,
 )
 
 

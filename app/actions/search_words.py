@@ -34,6 +34,7 @@ WORDS: Mapping[str, str] = {
     "shape.duplicate": "copy clone",
     "shape.group": "folder layer parent",
     "shape.delete": "remove erase",
+    "shape.match_edge": "soften feather motion blur softness focus defocus shutter width",
     "shape.lock": "protect",
     "shape.hide": "visibility invisible eye",
     "shape.show_all": "unhide reveal visibility eye",

@@ -107,6 +107,9 @@ SPECS: tuple[ActionSpec, ...] = (
         "layer.ungroup", "Ungroup", _VIEWER, "layer-remove", "Dissolve the layer; its shapes stay as they are seen"
     ),
     ActionSpec("layer.add", "New layer", tip="Add an empty layer, to drop shapes on"),
+    ActionSpec(
+        "shape.match_edge", "Match the plate's edge", tip="Motion blur and feather as the plate shows them on all keys"
+    ),
     ActionSpec("shape.delete", "Delete shape", icon="delete", tip="Delete the selected shapes and layers"),
     ActionSpec("shape.lock", "Lock or unlock", icon="lock"),
     ActionSpec("shape.hide", "Hide", _VIEWER, "eye-off"),

@@ -32,6 +32,7 @@ from ..features.tracking import Tracking
 from ..features.verbs.layers import LayerVerbs
 from ..features.verbs.masks import MaskShapes
 from ..features.verbs.objects import ObjectVerbs
+from ..features.verbs.plate_edge import PlateEdge
 from ..features.verbs.shapes import ShapeVerbs
 from ..features.verbs.splines import SplineVerbs
 from ..files.file_actions import FileActions
@@ -47,6 +48,7 @@ from ..jobs.picture_work import PictureWork
 from ..jobs.planar import PlanarTrack
 from ..jobs.propagation import Propagation
 from ..jobs.runner import Runner
+from ..jobs.softening import Softening
 from ..jobs.under_way import UnderWay
 from ..journal.journal import Journal
 from ..model.document import Document
@@ -118,8 +120,9 @@ class MainWindow(QMainWindow):
         self.belonging = Belonging(self.document, self.view_state, self.eye, self)
         self.edge_kinds = EdgeKinds(self.document, self.view_state, self.reader.engine_frame, self.eye, self)
         self.planar = PlanarTrack(self.document, self.view_state, self.solver, self.reader.engine_frame, self)
+        self.softening = Softening(self.document, self.solver, self.reader.engine_frame, self)
         works = self.files, self.export, self.importing, self.copying, self.propagation, self.planar, self.pictures
-        self.under_way = UnderWay(*works, parent=self)
+        self.under_way = UnderWay(*works, self.softening, parent=self)
         self.playback = Playback(self.view_state, self)
         self.navigation = Navigation(self.document, self.view_state)
         self.tracking = Tracking(self.document, self.view_state, self.propagation)
@@ -288,6 +291,7 @@ class MainWindow(QMainWindow):
             self.shape_verbs,
             MaskShapes(self, self.document, self.view_state, self.pictures),
             SplineVerbs(self.document, self.view_state),
+            PlateEdge(self.document, self.view_state, self.softening),
             tracking,
             self.proposals,
             time,
@@ -399,5 +403,6 @@ class MainWindow(QMainWindow):
         self.playback.pause()
         self.propagation.drop()
         self.planar.drop()
+        self.softening.drop()
         for part in (self.solver, self.eye, self.reader, self.writer, self.saver, self.files.claim, self.journal):
             part.close()

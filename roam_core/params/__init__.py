@@ -49,6 +49,7 @@ from roam_core.params.redetection import RedetectionParams
 from roam_core.params.region import RegionParams
 from roam_core.params.rigid import PLANAR, PlanarParams, RigidityParams
 from roam_core.params.roam import RoamParams, scale_for
+from roam_core.params.softness import SOFTNESS, SoftnessParams
 
 __all__ = [
     "ANCHORS",
@@ -73,6 +74,7 @@ __all__ = [
     "OUTLINE_MATCH",
     "PAIRING",
     "PLANAR",
+    "SOFTNESS",
     "UNTYING",
     "AnchorParams",
     "AppearanceParams",
@@ -110,6 +112,7 @@ __all__ = [
     "RegionParams",
     "RigidityParams",
     "RoamParams",
+    "SoftnessParams",
     "SpanParams",
     "UntyingParams",
     "departed",

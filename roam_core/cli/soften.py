@@ -1,0 +1,98 @@
+"""`roam soften P.roam`: shapes as soft as the plate's edge, by motion blur and feather."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+from tqdm import tqdm
+
+from roam_core.cancel import Progress
+from roam_core.cli.lines import print_json
+from roam_core.cli.overwriting import add_overwrite, project_writer, tell_of_holder
+from roam_core.cli.picking import Picking, trackable
+from roam_core.cli.plate import loaded, opened
+from roam_core.cli.stopping import cancelling
+from roam_core.cli.track import require_target
+from roam_core.errors import RoamError
+from roam_core.interchange.authorship import Kind
+from roam_core.interchange.targets import Sources, require_free
+from roam_core.matte.softening import matched, told
+from roam_core.matte.softness import Softness, measured
+from roam_core.params.softness import SOFTNESS
+from roam_core.roto import RotoShape
+
+WAYS = {"both": (True, True), "motion-blur": (True, False), "feather": (False, True)}
+"""What `--by` names: motion blur, feather."""
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Declare the command's options."""
+    parser.add_argument("project", type=Path, metavar="P.roam")
+    parser.add_argument(
+        "--by",
+        choices=WAYS,
+        default="both",
+        help="what the softness becomes: motion blur, with feather for what the motion does not explain (default), "
+        "or one of the two",
+    )
+    parser.add_argument(
+        "--shape", action="append", metavar="NAME", help="soften only this shape, or these (may be given again)"
+    )
+    parser.add_argument("--save", type=Path, metavar="OUT.roam", help="write here (default: P.roam itself)")
+    parser.add_argument("--json", action="store_true", help="print one line of JSON a key: how wide its edge is")
+    add_overwrite(parser)
+
+
+def run(arguments: argparse.Namespace) -> int:
+    """Carry out the command."""
+    target = arguments.project if arguments.save is None else arguments.save
+    write = project_writer(target, arguments.project)
+    project = loaded(arguments.project)
+    asked = trackable(project, Picking(arguments.shape))
+    if not asked:
+        raise RoamError(f"{arguments.project} holds no closed, unlocked shape to soften.")
+    with opened(str(project.require_clip().path), project.clip) as plate:
+        require_target(target)
+        sources = Sources.of(plate.source, arguments.project)
+        require_free([(target, Kind.PROJECT)], sources, overwrite=arguments.overwrite, rewritten=arguments.project)
+        tell_of_holder(target)
+        with cancelling() as token, _bar() as progress:
+            found = measured(plate.read_or_bridge, asked, project.shapes, SOFTNESS, token, progress)
+    blur, feather = WAYS[arguments.by]
+    soft = [matched(shape, found, SOFTNESS, blur=blur, feather=feather) for shape in asked]
+    for shape in soft:
+        project = project.with_shape(shape)
+    write(project)
+    if arguments.json:
+        for shape in asked:
+            _print_lines(shape, found)
+    print(told(found, asked, soft), file=sys.stderr)
+    return 0
+
+
+def _print_lines(shape: RotoShape, found: Softness) -> None:
+    """One line for each key that was looked at; null for a width that could not be read."""
+    for frame in shape.frames:
+        if (shape.id, frame) in found.total:
+            width = found.typical([(shape.id, frame)])
+            print_json(
+                {
+                    "shape": shape.name,
+                    "frame": frame,
+                    "width": None if width is None else round(width, 2),
+                    "shutter": None if found.shutter is None else round(found.shutter, 3),
+                }
+            )
+
+
+@contextmanager
+def _bar() -> Iterator[Progress]:
+    shape = "{l_bar}{bar}| [{elapsed}<{remaining}]"
+    bar: Any = tqdm(total=1.0, bar_format=shape, disable=not sys.stderr.isatty(), leave=False)
+    with bar:
+        yield lambda fraction, _: bar.update(fraction - bar.n)
