@@ -30,6 +30,7 @@ from roam_core.kernels.region_sums import region_sums, row_sums
 from roam_core.kernels.ribbon_means import ribbon_means
 from roam_core.kernels.settling import settled
 from roam_core.kernels.spline_fit import nearest_places, normal_band
+from roam_core.params import ANCHORS
 from roam_core.proposal.outline.invariants import surroundings
 
 Case = tuple[Callable[..., Any], tuple[Any, ...], dict[str, Any]]
@@ -96,7 +97,7 @@ def _moving(frames: int = 40, places: int = 120) -> Any:
 def _pricing() -> Case:
     lines = _outline(60), _outline(240, 93.0)
     ours, theirs = ((line, outward_normals(line), surroundings(line)) for line in lines)
-    return _call(prices, ours, theirs, 12.0, 1.0, 60.0)
+    return _call(prices, ours, theirs, 12.0, 9.0, 1.0, 60.0)
 
 
 def _alignment() -> Case:
@@ -108,7 +109,15 @@ def _alignment() -> Case:
 def _anchoring() -> Case:
     anchors, choices = 24, 9
     places = np.arange(anchors)[:, None] * (480 // anchors) + np.arange(choices)
-    return _call(anchored, _outline(480), places, np.zeros((anchors, choices)), np.zeros(anchors, bool))
+    return _call(
+        anchored,
+        _outline(480),
+        places,
+        np.zeros((anchors, choices)),
+        np.zeros(anchors, bool),
+        ANCHORS.looked_at,
+        ANCHORS.hold,
+    )
 
 
 def _viterbi() -> Case:
@@ -259,7 +268,7 @@ CASES: dict[str, Callable[[], Case]] = {
     "prices": _pricing,
     "refined": _refined,
     "region_sums": lambda: _call(region_sums, row_sums(_field()), _outline(), _moves()),
-    "ribbon_means": lambda: _call(ribbon_means, _field(), _field(), _outline(), _moves(), 8.0),
+    "ribbon_means": lambda: _call(ribbon_means, _field(), _field(), _outline(), _moves(), 8.0, 2.0),
     "row_sums": lambda: _call(row_sums, _field()),
     "settled": _settling,
     "step_counts": lambda: _call(step_counts, segments(_spline()), 0.05),

@@ -32,7 +32,8 @@ MENUS: dict[str, tuple[str, ...]] = {
     "Shape": (
         "tool.select", "tool.transform", "tool.reshape", "tool.bezier", "tool.bspline", "tool.polygon", "tool.freehand",
         "tool.magnetic", "tool.ellipse", "tool.rectangle", "tool.object", "shape.from_mask", "tool.feather",
-        "shape.match_edge", "tool.points", "tool.adjust", SEPARATOR,
+        "tool.points", "tool.adjust", SEPARATOR,
+        "shape.match_edge", SEPARATOR,
         "key.auto", "key.ripple", SEPARATOR,
         "key.copy", "key.paste", "key.paste_range", SEPARATOR,
         "key.set", "key.delete", "key.linear", "key.smooth", "key.hold", SEPARATOR,
