@@ -108,7 +108,7 @@ SPECS: tuple[ActionSpec, ...] = (
     ),
     ActionSpec("layer.add", "New layer", tip="Add an empty layer, to drop shapes on"),
     ActionSpec(
-        "shape.match_edge", "Match the plate's edge", tip="Motion blur and feather as the plate shows them on all keys"
+        "shape.match_edge", "Match the plate's edge", tip="Feather and shutter as the plate shows them, on all keys"
     ),
     ActionSpec("shape.delete", "Delete shape", icon="delete", tip="Delete the selected shapes and layers"),
     ActionSpec("shape.lock", "Lock or unlock", icon="lock"),
