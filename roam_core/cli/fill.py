@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from tqdm import tqdm
 
 from roam_core.cancel import CancelToken
+from roam_core.cli.bar import bar
 from roam_core.cli.configuring import configured
 from roam_core.cli.keeping import kept
 from roam_core.cli.lines import print_json
@@ -155,12 +156,12 @@ def fill_project(
     with (
         cancelling() as token,
         kept(keep) as keeper,
-        _bar(sum(last - first for first, last in gaps)) as bar,
+        bar(sum(last - first for first, last in gaps), "{n:.0f}/{total} ") as shown,
     ):
         for gap in gaps:
             began = time.perf_counter()
             try:
-                filled = _filled(plate, project, gap, params, picking, token, bar)
+                filled = _filled(plate, project, gap, params, picking, token, shown)
             except RoamError as error:
                 tqdm.write(f"roam: The gap from frame {gap[0]} to {gap[1]} is not filled: {error}", file=sys.stderr)
                 continue
@@ -175,12 +176,12 @@ def fill_project(
 
 
 def _filled(
-    plate: Plate, project: Project, gap: Gap, params: RoamParams, picking: Picking, token: CancelToken, bar: Any
+    plate: Plate, project: Project, gap: Gap, params: RoamParams, picking: Picking, token: CancelToken, shown: Any
 ) -> list[RotoShape]:
-    begun, length = bar.n, gap[1] - gap[0]
+    begun, length = shown.n, gap[1] - gap[0]
 
     def moved(fraction: float, _: str) -> None:
-        bar.update(begun + fraction * length - bar.n)
+        shown.update(begun + fraction * length - shown.n)
 
     stamp = clip_stamp(project.clip)
     asked = {shape.id for shape in trackable(project, picking) if takes_part(shape, gap)}
@@ -203,11 +204,6 @@ class _Pictures(Mapping[int, NDArray[Any]]):
 
     def __len__(self) -> int:
         return len(self._plate.source.frames)
-
-
-def _bar(total: int) -> Any:
-    shape = "{l_bar}{bar}| {n:.0f}/{total} [{elapsed}<{remaining}]"
-    return tqdm(total=total, unit="frame", bar_format=shape, disable=not sys.stderr.isatty(), leave=False)
 
 
 def write_mattes(plate: Plate, project: Project, frames: Sequence[int], folder: Path) -> None:

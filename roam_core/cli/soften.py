@@ -7,11 +7,9 @@ import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from typing import Any
-
-from tqdm import tqdm
 
 from roam_core.cancel import Progress
+from roam_core.cli.bar import bar
 from roam_core.cli.lines import print_json
 from roam_core.cli.overwriting import add_overwrite, project_writer, tell_of_holder
 from roam_core.cli.picking import Picking, trackable
@@ -61,7 +59,7 @@ def run(arguments: argparse.Namespace) -> int:
         sources = Sources.of(plate.source, arguments.project)
         require_free([(target, Kind.PROJECT)], sources, overwrite=arguments.overwrite, rewritten=arguments.project)
         tell_of_holder(target)
-        with cancelling() as token, _bar() as progress:
+        with cancelling() as token, _progress() as progress:
             found = measured(plate.read_or_bridge, asked, project.shapes, SOFTNESS, token, progress)
     blur, feather = WAYS[arguments.by]
     soft = [matched(shape, found, SOFTNESS, blur=blur, feather=feather) for shape in asked]
@@ -91,8 +89,6 @@ def _print_lines(shape: RotoShape, found: Softness) -> None:
 
 
 @contextmanager
-def _bar() -> Iterator[Progress]:
-    shape = "{l_bar}{bar}| [{elapsed}<{remaining}]"
-    bar: Any = tqdm(total=1.0, bar_format=shape, disable=not sys.stderr.isatty(), leave=False)
-    with bar:
-        yield lambda fraction, _: bar.update(fraction - bar.n)
+def _progress() -> Iterator[Progress]:
+    with bar(1.0) as shown:
+        yield lambda fraction, _: shown.update(fraction - shown.n)

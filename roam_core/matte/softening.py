@@ -19,11 +19,12 @@ def matched(shape: RotoShape, found: Softness, params: SoftnessParams, *, blur: 
     """The shape as soft as the plate: by motion blur, by feather, or by both, where feather does what motion does not.
 
     The outline goes to the inner border of the transition and the feather curve to its outer one: coverage stays a half
-    where it was. Origins and stamps of keys stay; what was set for the matte before is replaced.
+    where it was. Origins and stamps of keys stay; what was set for the matte before is replaced. A shape of whose edge
+    nothing could be read keeps its feather.
     """
     if blur and found.shutter is not None:
         shape = replace(shape, motion_blur=_motion_blur(shape.motion_blur, found.shutter))
-    if feather:
+    if feather and found.typical((shape.id, frame) for frame in shape.frames) is not None:
         widths = found.focus if blur else found.total
         keys = [
             _soft_key(key, widths[shape.id, key.frame], shape, params)

@@ -3,16 +3,14 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
-from typing import Any
 
 import cv2
 import numpy as np
-from numpy.typing import NDArray
 
-from roam_core.arrays import Array, Bools, Indices
+from roam_core.arrays import Array, Bools, Image, Indices
 from roam_core.cancel import CancelToken, Progress
 from roam_core.geometry import bezier
 from roam_core.geometry.polyline import signed_area
@@ -20,11 +18,10 @@ from roam_core.kernels.cyclic_viterbi import cyclic_viterbi
 from roam_core.matte.edge_profile import costs, profiles
 from roam_core.matte.rasterise import has_area, shape_patch
 from roam_core.media import MissingFrame
+from roam_core.media.source import ReadFrame
 from roam_core.params.softness import SoftnessParams
 from roam_core.roto import BlendMode, Keyframe, RotoShape
 from roam_core.roto.feather import frames_along
-
-Image = NDArray[Any]
 
 Spot = tuple[str, int]
 """A key: the id of its shape, and its frame."""
@@ -80,7 +77,7 @@ def middle(points: Array, feather: Array | None) -> Array:
 
 
 def measured(
-    read: Callable[[int], Image],
+    read: ReadFrame,
     asked: Sequence[RotoShape],
     shapes: Sequence[RotoShape],
     params: SoftnessParams,

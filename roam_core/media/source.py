@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 from typing import Protocol
 
 from roam_core.arrays import Image
 from roam_core.errors import RoamError
+
+ReadFrame = Callable[[int], Image]
+"""Gives the picture `(h, w, 3)` of a frame by its number; raises `MissingFrame` in a gap."""
 
 
 class MissingFrame(RoamError):

@@ -11,35 +11,31 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
-from typing import Any
 
 import cv2
 import numpy as np
-from numpy.typing import NDArray
 
-from roam_core.arrays import Array, UInt8
+from roam_core.arrays import Array, Bools, UInt8
 from roam_core.cancel import CancelToken
 from roam_core.errors import RoamError
 from roam_core.features import PreparedFrame, Region
 from roam_core.features.grid import FROM_CENTRES, TO_CENTRES
 from roam_core.geometry import projective
 from roam_core.geometry.plane_motion import PlaneMotion, fit, ransac
-from roam_core.media.source import MissingFrame
+from roam_core.media.source import ReadFrame
+from roam_core.motion.bridging import Lost, bridged
 from roam_core.motion.planar import corners_in, followed, inside
 from roam_core.motion.registration import Expected, Fit, Texture, confidence_of
 from roam_core.params import PLANAR, PlanarParams, scale_for
 from roam_core.params.tracks import PLANE_TRACK, PlaneTrackParams
 
-ReadFrame = Callable[[int], NDArray[Any]]
 Covers = Callable[[int], Sequence[Array]]
 """The closed splines `(P, 3, 2)` of what lies before the plane on a frame."""
-
-
 Guess = tuple[Array, Array]
 """Where a match may begin, and where what it leaves open is expected, `(3, 3)` each from the first picture."""
 
 
-class LostPlane(RoamError):
+class LostPlane(Lost):
     """The plane could not be found on a frame."""
 
 
@@ -108,7 +104,7 @@ class Look:
     onward: Array
     check: Callable[[], None]
 
-    def is_free(self, places: Array) -> NDArray[np.bool_]:
+    def is_free(self, places: Array) -> Bools:
         """Which of `places (K, 2)` nothing covers."""
         if self.hidden is None:
             return np.ones(len(places), dtype=bool)
@@ -338,31 +334,20 @@ def track_plane(
         raise RoamError("There is no closed shape to track; draw one, or select one, first.")
     start = frames[0]
     tracker = PlaneTracker(kind, PreparedFrame(read(start)), outlines, holes, covers(start), params)
-    last, waiting, lost = PlaneStep(start, projective.IDENTITY, 1.0, 1.0, 0.0), list[int](), None
     around = np.concatenate([outline.reshape(-1, 2) for outline in outlines])
-    for frame in frames[1:]:
-        if token is not None:
-            token.check()
-        try:
-            picture = PreparedFrame(read(frame))
-        except MissingFrame:
-            continue
-        try:
-            step = tracker.step(picture, frame, covers(frame), token)
-        except LostPlane as error:
-            lost = lost or error
-            waiting.append(frame)
-            if len(waiting) > params.waits:
-                raise lost from None
-            continue
-        yield from _bridged(last, step, waiting, around)
-        yield step
-        last, waiting, lost = step, [], None
-    if lost is not None:
-        raise lost
+
+    def look(frame: int) -> PlaneStep:
+        return tracker.step(PreparedFrame(read(frame)), frame, covers(frame), token)
+
+    def between(before: PlaneStep, after: PlaneStep, hidden: Sequence[int]) -> Iterator[PlaneStep]:
+        return _between(before, after, hidden, around)
+
+    yield from bridged(
+        PlaneStep(start, projective.IDENTITY, 1.0, 1.0, 0.0), look, between, frames[1:], params.waits, token
+    )
 
 
-def _bridged(before: PlaneStep, after: PlaneStep, frames: Sequence[int], around: Array) -> Iterator[PlaneStep]:
+def _between(before: PlaneStep, after: PlaneStep, frames: Sequence[int], around: Array) -> Iterator[PlaneStep]:
     """The plane on frames on which it is hidden: its corners go evenly from where it was to where it is."""
     low, high = around.min(axis=0), around.max(axis=0)
     box = np.array([low, (high[0], low[1]), high, (low[0], high[1])])

@@ -21,15 +21,16 @@ from roam_core.features.grid import FROM_CENTRES, TO_CENTRES
 from roam_core.geometry import projective
 from roam_core.geometry.bezier import polygon_points
 from roam_core.geometry.plane_motion import PlaneMotion, fit
-from roam_core.media.source import MissingFrame
-from roam_core.motion.plane_track import Covers, Guess, Look, LostPlane, PlaneTracker, ReadFrame, no_covers
+from roam_core.media.source import ReadFrame
+from roam_core.motion.bridging import Lost, bridged
+from roam_core.motion.plane_track import Covers, Guess, Look, LostPlane, PlaneTracker, no_covers
 from roam_core.params.tracks import POINT_TRACK, PointTrackParams
 
 KINDS = {kind.pairs: kind for kind in PlaneMotion}
 """What so many points tell of a motion."""
 
 
-class LostPoints(RoamError):
+class LostPoints(Lost):
     """None of the points could be found on a frame."""
 
 
@@ -249,28 +250,15 @@ def track_points(
     if not 0 < len(start) <= max(KINDS):
         raise RoamError("Put one, two, three or four points on the picture to track them.")
     tracker = PointTracker(PreparedFrame(read(frames[0])), start, pattern, search, params, covers(frames[0]))
-    last, waiting, lost = PointStep(frames[0], start, np.ones(len(start))), list[int](), None
-    for frame in frames[1:]:
-        if token is not None:
-            token.check()
-        try:
-            step = tracker.step(PreparedFrame(read(frame)), frame, covers(frame), token)
-        except MissingFrame:
-            continue
-        except LostPoints as error:
-            lost = lost or error
-            waiting.append(frame)
-            if len(waiting) > params.plane.waits:
-                raise lost from None
-            continue
-        yield from _bridged(last, step, waiting)
-        yield step
-        last, waiting, lost = step, [], None
-    if lost is not None:
-        raise lost
+
+    def look(frame: int) -> PointStep:
+        return tracker.step(PreparedFrame(read(frame)), frame, covers(frame), token)
+
+    first = PointStep(frames[0], start, np.ones(len(start)))
+    yield from bridged(first, look, _between, frames[1:], params.plane.waits, token)
 
 
-def _bridged(before: PointStep, after: PointStep, frames: Sequence[int]) -> Iterator[PointStep]:
+def _between(before: PointStep, after: PointStep, frames: Sequence[int]) -> Iterator[PointStep]:
     """The points on frames on which all are hidden: they go evenly from where they were to where they are."""
     for frame in frames:
         share = (frame - before.frame) / (after.frame - before.frame)

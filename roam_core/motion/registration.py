@@ -14,9 +14,8 @@ from dataclasses import dataclass
 
 import cv2
 import numpy as np
-from numpy.typing import NDArray
 
-from roam_core.arrays import Array, Float32, UInt8
+from roam_core.arrays import Array, Bools, Float32, UInt8
 from roam_core.features import Region
 from roam_core.features.grid import FROM_CENTRES, TO_CENTRES
 from roam_core.geometry import projective
@@ -335,7 +334,7 @@ class _Equations:
             change = self._change(unknown * self._params.jump / moved)
         return change, moved, spread
 
-    def _rows(self, seen: _Seen, use: NDArray[np.bool_]) -> Array:
+    def _rows(self, seen: _Seen, use: Bools) -> Array:
         middle = 0.5 * (self._level.values + seen.values)
         dx, dy = (
             cv2.Sobel(middle, cv2.CV_32F, *order, ksize=3, scale=0.125)[use].astype(np.float64) * self._half

@@ -6,14 +6,11 @@ import time
 from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
-from typing import Any
-
-from numpy.typing import NDArray
 
 from roam_core.cancel import CancelToken
 from roam_core.errors import RoamError
 from roam_core.features import PreparedFrame
-from roam_core.media.source import MissingFrame
+from roam_core.media.source import MissingFrame, ReadFrame
 from roam_core.params import DEFAULT_CONFIG, RoamParams, params_for
 from roam_core.propagate.frame.result import FrameResult, TrackResult
 from roam_core.propagate.group import GroupTracker
@@ -21,9 +18,6 @@ from roam_core.propagate.memory import Beginning, TrackMemory, begins, take_up
 from roam_core.propagate.shapes.provenance import Stamps
 from roam_core.roto import RotoShape
 from roam_core.threads import each
-
-ReadFrame = Callable[[int], NDArray[Any]]
-"""Gives the picture of a frame, (h, w, 3) RGB, display-referred; raises `MissingFrame` in a gap."""
 
 
 def track(

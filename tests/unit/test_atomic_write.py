@@ -67,6 +67,24 @@ def test_whatever_call_fails_the_file_is_whole_and_nothing_else_is_left(tmp_path
     assert seen.count("fsync") == 2  # the file, and the folder
 
 
+def test_what_may_not_take_long_is_not_flushed_to_the_disk_and_is_whole_all_the_same(tmp_path: Path) -> None:
+    path, seen = tmp_path / "settings.json", []
+    path.write_bytes(OLD)
+    for name, work in each_fault(
+        lambda: write_atomically(path, NEW, flushes=False), writing._swept.clear, OSError(28, "No space left on device")
+    ):
+        seen.append(name)
+        if name == "scandir":
+            work()
+            continue
+        with pytest.raises(RoamError, match=r"settings\.json cannot be written: .*\.$"):
+            work()
+        assert path.read_bytes() in (OLD, NEW)
+        assert names(tmp_path) == ["settings.json"]
+    assert "write" in seen
+    assert "fsync" not in seen
+
+
 @posix
 def test_wherever_the_process_dies_the_file_is_whole_and_the_rest_is_swept(tmp_path: Path) -> None:
     path = tmp_path / "a.roam"

@@ -158,6 +158,19 @@ def test_a_seam_is_not_read() -> None:
     assert found.seen["outer", 1].all()
 
 
+def test_a_shape_of_which_nothing_can_be_read_keeps_its_feather() -> None:
+    """Beside another one that is read, and alone: the sentence says then that nothing was changed."""
+    key = Keyframe(1, circle((20.0, 20.0), 9.0, 12), feather=np.full((12, 3, 2), 1.5))
+    drawn = RotoShape("faint", "faint", (key,), feather=4.0)
+    told_apart = picture(shape_matte(soft_disc(6.0), 1, SIZE))
+    for asked in ([drawn], [disc(), drawn]):
+        found = seen(lambda _: told_apart, asked)
+        after = [soft(shape, found) for shape in asked]
+        assert after[-1] == drawn
+    assert after[0] != asked[0]
+    assert told(seen(lambda _: told_apart, [drawn]), [drawn], [drawn]).endswith("nothing was changed.")
+
+
 def test_a_b_spline_stays_one() -> None:
     count = 12
     points = bspline.bezier_points(circle((CENTRE[0], CENTRE[1]), RADIUS * 1.04, count)[:, 0])

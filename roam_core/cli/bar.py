@@ -1,0 +1,14 @@
+"""The bar of commands that work for a while: on the terminal's error line, and only where one looks on."""
+
+from __future__ import annotations
+
+import sys
+from typing import Any
+
+from tqdm import tqdm
+
+
+def bar(total: float, counts: str = "") -> Any:
+    """A bar of tqdm up to `total`; `counts` is what it tells beside the times, in tqdm's format."""
+    shape = f"{{l_bar}}{{bar}}| {counts}[{{elapsed}}<{{remaining}}]"
+    return tqdm(total=total, bar_format=shape, disable=not sys.stderr.isatty(), leave=False)
