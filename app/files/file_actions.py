@@ -78,7 +78,7 @@ class FileActions(QObject):
             "file.import_shapes": self.import_shapes,
             "file.import_masks": self.import_masks,
             "file.export": self.export,
-            "file.export_selected": self.export_selected,
+            "file.export_selected": lambda: self.export(selected=True),
             "file.export_nuke": self.export_nuke,
             "file.export_mattes": self.export_mattes,
         }
@@ -187,8 +187,8 @@ class FileActions(QObject):
         dialog.finished.connect(dialog.deleteLater)
         dialog.open()
 
-    def export(self) -> None:
-        """Show the export dialog; it stays as it was left."""
+    def export(self, *, selected: bool = False) -> None:
+        """Show the export dialog, for all shapes or those selected; all else in it stays as it was left."""
         # Formats load what the window can begin without.
         from ..dialogs.export_dialog import ExportDialog
 
@@ -196,14 +196,9 @@ class FileActions(QObject):
             self._export_dialog = ExportDialog(
                 self._document, self._view, self._export, self._suggested, parent=self._window
             )
+        self._export_dialog.selected.setChecked(selected)
         self._export_dialog.show()
         self._export_dialog.activateWindow()
-
-    def export_selected(self) -> None:
-        """Show the export dialog, set to the selected shapes only."""
-        self.export()
-        assert self._export_dialog is not None
-        self._export_dialog.selected.setChecked(True)
 
     def export_nuke(self) -> None:
         self._export_file("nuke", "Export to Nuke")

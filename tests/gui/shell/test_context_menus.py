@@ -144,6 +144,10 @@ def test_selected_shapes_alone_are_exported(qtbot: QtBot, window: MainWindow) ->
     assert dialog is not None
     assert dialog.shapes == {"shape-2"}
     dialog.close()
+    window.actions_by_id["file.export"].trigger()  # all of the project again
+    assert dialog.isVisible()
+    assert dialog.shapes is None
+    dialog.close()
 
 
 def test_every_entry_is_an_action() -> None:
