@@ -66,8 +66,12 @@ MENUS: dict[str, tuple[str, ...]] = {
         "time.toggle_play", "time.play", "time.play_back", "time.pause", "time.play_slowly",
         "time.play_back_slowly", "time.loop", "time.ping_pong", SEPARATOR,
         "time.set_in", "time.set_out", "time.clear_range", SEPARATOR,
-        "mark.toggle", "mark.name", "time.previous_mark", "time.next_mark", SEPARATOR,
         "view.fit_time", "view.tall_timeline", "view.shape_panel", "view.panels",
+    ),
+    "Review": (
+        "mark.toggle", "mark.name", "time.previous_mark", "time.next_mark", SEPARATOR,
+        "review.panel", SEPARATOR,
+        "review.movie", "review.sheet",
     ),
     "Help": ("help.palette", "help.keys", SEPARATOR, "help.log", "help.report", "help.about"),
 }  # fmt: skip

@@ -140,7 +140,10 @@ SPECS: tuple[ActionSpec, ...] = (
         "track.fill", "Fill between keys", icon="track-fill", tip="Track the frames between two keys from both at once"
     ),
     ActionSpec(
-        "track.next_doubtful", "Next doubtful frame", icon="doubtful-next", tip="Go to the next frame worth fixing"
+        "track.next_doubtful",
+        "Next doubtful frame",
+        icon="doubtful-next",
+        tip="Go to the next frame worth fixing: where confidence is low, or the outline boils",
     ),
     ActionSpec("track.previous_doubtful", "Previous doubtful frame", icon="doubtful-previous"),
     ActionSpec("track.most_doubtful", "Most doubtful frame", tip="Go to the frame that the engine trusts least"),
@@ -220,9 +223,14 @@ SPECS: tuple[ActionSpec, ...] = (
     ActionSpec("time.set_out", "Set out"),
     ActionSpec("time.clear_range", "Clear in and out"),
     ActionSpec("mark.toggle", "Mark frame", icon="mark", tip="Mark this frame, or take its mark away"),
-    ActionSpec("mark.name", "Name mark…", tip="Put a word on this frame's mark"),
-    ActionSpec("time.previous_mark", "Previous mark"),
-    ActionSpec("time.next_mark", "Next mark"),
+    ActionSpec("mark.name", "Write note…", tip="Put a note on this frame's mark"),
+    ActionSpec("time.previous_mark", "Previous note", tip="Go to the mark or note before this frame"),
+    ActionSpec("time.next_mark", "Next note", tip="Go to the mark or note after this frame"),
+    ActionSpec(
+        "review.panel", "Notes and doubts", tip="Show notes, doubtful frames and boil as a list", checkable=True
+    ),
+    ActionSpec("review.movie", "Movie…", tip="A movie or pictures of the outlines or the cut-out, to show"),
+    ActionSpec("review.sheet", "Contact sheet…", tip="Pages of small pictures with frame numbers and notes"),
     ActionSpec("edit.keymap", "Change keys…", tip="Keys of other programs, and keys of your own"),
     ActionSpec("edit.settings", "Settings…"),
     ActionSpec("help.palette", "Find an action…", tip="Do anything by a few letters of its name"),

@@ -8,12 +8,14 @@ from enum import StrEnum
 from roam_core.dials import name_of
 from roam_core.params import DEFAULT_CONFIG, departed, is_doubtful
 from roam_core.propagate.shapes.provenance import known_params
+from roam_core.review.findings import boiling_frames
 from roam_core.roto import Layer, Project, RotoShape
 
 from ..jobs.filling import Gap, gaps_of
 from ..jobs.propagation import Propagation
 from ..model.document import Document
 from ..model.view_state import ViewState, shapes_in_hand
+from .boil import BoilOf
 from .navigation import clip_frames
 
 NO_CLIP = "Open a clip first: drop a folder of images or a movie on the window."
@@ -39,6 +41,7 @@ class Tracking:
 
     def __init__(self, document: Document, view_state: ViewState, propagation: Propagation) -> None:
         self._document, self._view, self._propagation = document, view_state, propagation
+        self._boil = BoilOf(document)
         self.config = DEFAULT_CONFIG
         self.factors: dict[str, dict[str, float]] = {}
         self.scope = Scope.SELECTED
@@ -208,6 +211,12 @@ class Tracking:
             for shape in shapes
             for key in shape.keys
             if is_doubtful(key.confidence) and (key.frame - here) * step > 0
+        ]
+        doubtful += [
+            (abs(found.frame - here), 1.0, found.frame, f"Frame {found.frame}: {found.sentence}.")
+            for shape in shapes
+            for found in boiling_frames(shape, self._boil(shape))
+            if (found.frame - here) * step > 0
         ]
         doubtful += [
             (abs(frame - here), trust, frame, f"Frame {frame}: the confidence of the track {name} is {trust:.2f}.")

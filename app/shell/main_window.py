@@ -39,6 +39,7 @@ from ..files.file_actions import FileActions
 from ..files.files import Files
 from ..files.recovering import Recovering
 from ..files.reopening import Reopening
+from ..files.reviewing import Reviewing
 from ..jobs import warm_up
 from ..jobs.copying import Copying
 from ..jobs.decode import PlateReader
@@ -47,6 +48,7 @@ from ..jobs.importing import Import
 from ..jobs.picture_work import PictureWork
 from ..jobs.planar import PlanarTrack
 from ..jobs.propagation import Propagation
+from ..jobs.review.writing import ReviewWriting
 from ..jobs.runner import Runner
 from ..jobs.softening import Softening
 from ..jobs.under_way import UnderWay
@@ -61,6 +63,7 @@ from ..panels.bars.tool_column import ToolColumn
 from ..panels.bars.view_bar import ViewBar
 from ..panels.planar import PlanarPanel
 from ..panels.properties import PropertiesPanel
+from ..panels.review import ReviewPanel
 from ..panels.shapes import ShapesPanel
 from ..panels.tracker import TrackerPanel
 from ..timeline.timeline import Timeline
@@ -121,8 +124,9 @@ class MainWindow(QMainWindow):
         self.edge_kinds = EdgeKinds(self.document, self.view_state, self.reader.engine_frame, self.eye, self)
         self.planar = PlanarTrack(self.document, self.view_state, self.solver, self.reader.engine_frame, self)
         self.softening = Softening(self.document, self.solver, self.reader.engine_frame, self)
+        self.review_writing = ReviewWriting(self.document, self.writer, self.reader.engine_frame, self, asks[0])
         works = self.files, self.export, self.importing, self.copying, self.propagation, self.planar, self.pictures
-        self.under_way = UnderWay(*works, self.softening, parent=self)
+        self.under_way = UnderWay(*works, self.softening, self.review_writing, parent=self)
         self.playback = Playback(self.view_state, self)
         self.navigation = Navigation(self.document, self.view_state)
         self.tracking = Tracking(self.document, self.view_state, self.propagation)
@@ -150,6 +154,7 @@ class MainWindow(QMainWindow):
         self.planar_panel = PlanarPanel(self.planar_tracking, actions)
         self.tracker = TrackerPanel(document, view_state, self.tracking, actions)
         self.properties = PropertiesPanel(document, view_state, self.belonging)
+        self.review = ReviewPanel(document, view_state, actions)
         self.history = QUndoView(document.undo_stack)
         self.history.setEmptyLabel("As opened")
         self.history.setMinimumHeight(6 * style.ROW_HEIGHT)
@@ -169,6 +174,9 @@ class MainWindow(QMainWindow):
         self.services = WindowServices(actions, view_state, messages, self.personal, self)
         self.reopening = Reopening(
             self.document, files, file_actions, self.reader, self.personal, actions, self.canvas, self.writer, self
+        )
+        self.reviewing = Reviewing(
+            self.document, view_state, self.canvas.viewing, self.review_writing, file_actions, self
         )
         self.defects = Defects(view_state, self.journal, messages, self)
         self.recovering = Recovering(self._journal_root, self.writer, files, file_actions, view_state, self)
@@ -198,10 +206,13 @@ class MainWindow(QMainWindow):
         key_tools = tuple(tool_button(actions, name) for name in ("key.set", "key.delete"))
         self.history_panel = Panel("History", self.history)
         self.history_panel.setVisible(False)
+        self.review_panel = Panel("Review", self.review, self.review.tools)
+        self.review_panel.setVisible(False)
         shapes, shape = Panel("Shapes", self.shapes, shape_tools), Panel("Shape", self.properties, key_tools)
         self.shape_panel = shape
         tracks = Panel("Track", self.tracker), Panel("Planar track", self.planar_panel)
-        column = layout.column(shapes, *tracks, shape, self.history_panel, self.services.log_panel, growing=shapes)
+        asked = self.review_panel, self.history_panel, self.services.log_panel
+        column = layout.column(shapes, *tracks, shape, *asked, growing=shapes)
         column.setObjectName("panelColumn")
         column.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
         return layout.scrolled(column)
@@ -244,6 +255,7 @@ class MainWindow(QMainWindow):
         actions["view.panels"].setChecked(True)
         for name, switch in (
             ("edit.history", self.history_panel.setVisible),
+            ("review.panel", self._show_review),
             ("view.panels", self.panel_column.setVisible),
             ("view.tall_timeline", self.timeline_height.make_tall),
         ):
@@ -282,6 +294,7 @@ class MainWindow(QMainWindow):
             TransformActions(self.document, self.view_state, self),
             self.services,
             self.reopening,
+            self.reviewing,
             self.recovering,
             self.defects,
             files,
@@ -362,6 +375,11 @@ class MainWindow(QMainWindow):
 
     def _delete_in_list(self) -> None:
         self.shapes.tree.delete_selected()
+
+    def _show_review(self, is_shown: bool) -> None:
+        self.review_panel.setVisible(is_shown)
+        if is_shown:  # once it has its place, as the messages
+            QTimer.singleShot(0, self, lambda: self.panel_column.ensureWidgetVisible(self.review_panel))
 
     def _show_shape_panel(self) -> None:
         self.actions_by_id["view.panels"].setChecked(True)

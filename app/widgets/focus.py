@@ -35,7 +35,7 @@ class FocusFollowsPointer(QObject):
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if watched is self._viewer:
-            if event.type() == QEvent.Type.Enter and not isinstance(QApplication.focusWidget(), Field):
+            if event.type() == QEvent.Type.Enter and not _is_typed_into(QApplication.focusWidget()):
                 self._viewer.setFocus()
         elif watched is self._field and isinstance(event, QKeyEvent) and event.type() == QEvent.Type.KeyPress:
             return self._leave(event)
@@ -63,6 +63,10 @@ class FocusFollowsPointer(QObject):
                 self._field.forget_typing()
         QTimer.singleShot(0, self._viewer, self._viewer.setFocus)
         return event.key() == Qt.Key.Key_Escape
+
+
+def _is_typed_into(widget: QWidget | None) -> bool:
+    return isinstance(widget, Field) or (widget is not None and bool(widget.property(KEEPS_KEYBOARD)))
 
 
 def _line_of(field: Field) -> QLineEdit:

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
 
+from roam_core.arrays import Array
 from roam_core.params import is_doubtful
 from roam_core.review.boil import BOILING, boil
 from roam_core.roto import Project, RotoShape
@@ -57,11 +58,11 @@ def boiling(shapes: Iterable[RotoShape]) -> tuple[Finding, ...]:
     return _sorted(found for shape in shapes for found in boiling_frames(shape))
 
 
-def boiling_frames(shape: RotoShape) -> list[Finding]:
-    """Those of one shape."""
+def boiling_frames(shape: RotoShape, measured: Array | None = None) -> list[Finding]:
+    """Those of one shape, whose boil `(K, 2)` may have been `measured` already."""
     return [
-        Finding(FindingKind.BOIL, int(frame), shape.id, shape.name, float(value))
-        for frame, value in boil(shape)
+        Finding(FindingKind.BOIL, int(frame), shape.id, shape.name, value)
+        for frame, value in (boil(shape) if measured is None else measured).tolist()
         if value >= BOILING
     ]
 

@@ -1,0 +1,106 @@
+"""Movies, pictures and contact sheets as a job: a snapshot of the project is shown, while the artist goes on."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from PySide6.QtCore import QObject, Signal
+
+from ...model.document import Document
+from ..runner import Ending, Report, Runner
+
+if TYPE_CHECKING:
+    from roam_core.review.writing import ReviewRequest
+
+ReadFrame = Callable[[int], Any]
+KIND = "review"
+
+
+class ReviewWriting(QObject):
+    """Writes what others look at. `read(frame)` gives plate frames in the engine's colours; the worker calls it.
+
+    Signals
+    -------
+    progress(fraction, text), finished(ending, sentence) : the job's news.
+    written(path) : it was made as a whole.
+
+    Neither plate nor project file are written over. Files that ROAM did not make are, if `may_overwrite(paths)` says
+    so: the artist, who is asked before anything is written.
+    """
+
+    progress = Signal(float, str)
+    finished = Signal(object, str)
+    written = Signal(object)
+
+    def __init__(
+        self,
+        document: Document,
+        runner: Runner,
+        read: ReadFrame,
+        parent: QObject | None = None,
+        may_overwrite: Callable[[Sequence[Path]], bool] = lambda _: False,
+    ) -> None:
+        super().__init__(parent)
+        self._document, self._runner, self._read, self._may_overwrite = document, runner, read, may_overwrite
+
+    def start(self, request: ReviewRequest) -> None:
+        """Write what is asked for; its project is the snapshot."""
+        self._start(_Writing(request, self._document.path))
+
+    def stop(self) -> None:
+        """Stop soon; finished pictures stay, a movie does not appear."""
+        if (job := self._runner.running(KIND)) is not None:
+            job.cancel()
+
+    def _start(self, writing: _Writing) -> None:
+        foreign: list[Path] = []
+        read = self._read
+
+        def work(report: Report) -> str:
+            foreign.extend(_foreign(writing))
+            return "" if foreign else _write(report, writing, read)
+
+        def end(ending: Ending, sentence: str) -> None:
+            if ending is Ending.DONE and foreign and self._may_overwrite(foreign):
+                self._start(replace(writing, overwrites=True))
+            elif ending is Ending.DONE and foreign:
+                self.finished.emit(Ending.CANCELLED, "Nothing was written; the files that are there stay.")
+            else:
+                stopped = sentence or "Stopped; pictures that are finished stay."
+                self.finished.emit(ending, stopped if ending is Ending.CANCELLED else sentence)
+                if ending is Ending.DONE:
+                    self.written.emit(writing.request.path)
+
+        job = self._runner.start(KIND, work)
+        job.progress.connect(self.progress)
+        job.ended.connect(end)
+
+
+@dataclass(frozen=True)
+class _Writing:
+    """What is asked for; `file` is the project's own."""
+
+    request: ReviewRequest
+    file: Path | None
+    overwrites: bool = False
+
+
+def _foreign(writing: _Writing) -> tuple[Path, ...]:
+    """The files that the artist must be asked about; `RoamError` for what is never written over."""
+    from roam_core.interchange.targets import Sources, obstacles
+
+    own = () if writing.file is None else (writing.file,)
+    found = obstacles(writing.request.targets(), Sources.of_clip(writing.request.project.clip, *own))
+    found.refuse_always()
+    return () if writing.overwrites else found.foreign
+
+
+def _write(report: Report, writing: _Writing, read: ReadFrame) -> str:
+    """The work, on the worker thread."""
+    from roam_core.review.writing import write_review
+
+    report.progress(0.0, f"Writing {writing.request.path.name} …")
+    return write_review(writing.request, read, report.token, report.progress)
