@@ -65,7 +65,7 @@ class Actions(QObject):
 
 
 def _action(spec: ActionSpec, parent: QObject) -> QAction:
-    action = QAction(spec.title, parent)
+    action = QAction(spec.label, parent)
     action.setObjectName(spec.id)
     if spec.icon:
         action.setIcon(style.icon(spec.icon))
@@ -77,5 +77,4 @@ def _action(spec: ActionSpec, parent: QObject) -> QAction:
 
 
 def _tooltip(spec: ActionSpec, keys: tuple[str, ...]) -> str:
-    sentence = spec.tip or spec.title.rstrip("…")
-    return f"{sentence}  ({keys_text(keys)})" if keys else sentence
+    return f"{spec.sentence}  ({keys_text(keys)})" if keys else spec.sentence
