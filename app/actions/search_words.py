@@ -143,6 +143,12 @@ WORDS: Mapping[str, str] = {
     "view.panels": "properties sidebar column interface toggle",
     "view.shape_panel": "properties attributes parameters motion blur shutter opacity transparency blend mode "
     "add subtract hole intersect difference invert colour color lifetime feather rename",
+    "window.full_screen": "fullscreen maximise maximize whole monitor theatre",
+    "window.second_viewer": "two viewers beside split compare matte monitor dual",
+    "window.timeline": "hide show dopesheet",
+    "window.float_second_viewer": "undock detach tear off monitor",
+    "window.float_timeline": "undock detach tear off monitor dopesheet",
+    "window.reset_layout": "dock panels back default workspace",
     "time.previous": "step back arrow",
     "time.next": "step on arrow",
     "time.back_ten": "jump skip",

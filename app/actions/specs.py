@@ -26,6 +26,7 @@ class ActionSpec:
 
 
 _VIEWER = Reach.VIEWER
+_FLOAT = "Take it out of the main window, to another monitor, or put it back"
 _TO_KEYS = "Go one key, or change of depth, of the shapes in hand"
 
 SPECS: tuple[ActionSpec, ...] = (
@@ -200,6 +201,22 @@ SPECS: tuple[ActionSpec, ...] = (
     ActionSpec("view.tall_timeline", "Tall timeline", tip="Give the timeline half of the window", checkable=True),
     ActionSpec("view.shape_panel", "Shape panel", tip="Show all that the Shape panel has of the selected shapes"),
     ActionSpec("view.panels", "Panels", tip="Show or hide the panels on the right", checkable=True),
+    ActionSpec("window.full_screen", "Full-screen viewer", tip="The picture alone; Esc leaves", checkable=True),
+    ActionSpec("window.second_viewer", "Second viewer", tip="Another view of the same frame", checkable=True),
+    ActionSpec("window.shapes", "Panel: Shapes", tip="Show or hide the list of shapes", checkable=True),
+    ActionSpec("window.track", "Panel: Track", tip="Show or hide the tracker", checkable=True),
+    ActionSpec("window.planar", "Panel: Planar track", tip="Show or hide the planar tracker", checkable=True),
+    ActionSpec("window.shape", "Panel: Shape", tip="Show or hide what the selected shapes have", checkable=True),
+    ActionSpec("window.timeline", "Timeline", tip="Show or hide it, also in full screen", checkable=True),
+    ActionSpec("window.float_shapes", "Float: Shapes", icon="float", tip=_FLOAT, checkable=True),
+    ActionSpec("window.float_track", "Float: Track", icon="float", tip=_FLOAT, checkable=True),
+    ActionSpec("window.float_planar", "Float: Planar track", icon="float", tip=_FLOAT, checkable=True),
+    ActionSpec("window.float_shape", "Float: Shape", icon="float", tip=_FLOAT, checkable=True),
+    ActionSpec("window.float_history", "Float: History", icon="float", tip=_FLOAT, checkable=True),
+    ActionSpec("window.float_log", "Float: Messages", icon="float", tip=_FLOAT, checkable=True),
+    ActionSpec("window.float_timeline", "Float: Timeline", icon="float", tip=_FLOAT, checkable=True),
+    ActionSpec("window.float_second_viewer", "Float: Second viewer", icon="float", tip=_FLOAT, checkable=True),
+    ActionSpec("window.reset_layout", "Reset layout", tip="Every part in its place, as in a new window"),
     ActionSpec("time.previous", "Previous frame"),
     ActionSpec("time.next", "Next frame"),
     ActionSpec("time.back_ten", "Ten frames back"),
