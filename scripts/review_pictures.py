@@ -57,7 +57,7 @@ def _write_sheet(shown: MainWindow, name: str) -> None:
         frames = chosen_frames(project, "x6,notes")
         layout = SheetLayout(columns=4, rows=3, width=1280)
         ended: list[object] = []
-        shown.review_writing.finished.connect(lambda ending, _: ended.append(ending))
-        shown.review_writing.start(ReviewRequest(project, frames, Output.SHEET, path, layout=layout))
+        shown.review_job.finished.connect(lambda ending, _: ended.append(ending))
+        shown.review_job.start(ReviewRequest(project, frames, Output.SHEET, path, layout=layout))
         until(lambda: ended, "the contact sheet")
         cv2.imwrite(str(IMAGES / name), cv2.imread(str(path)), [cv2.IMWRITE_JPEG_QUALITY, QUALITY])

@@ -211,7 +211,7 @@ def test_window_and_command_line_write_the_same_pictures(
         assert dialog is not None
         pick(dialog.output, Output.PICTURES.value)
         dialog.target.setText(str(tmp_path / "window"))
-        with qtbot.waitSignal(window.review_writing.finished, timeout=WAIT):
+        with qtbot.waitSignal(window.review_job.finished, timeout=WAIT):
             qtbot.mouseClick(dialog.start, LEFT)
         file.save(window.document.project, tmp_path / "p.roam")
         dialog.close()
