@@ -33,16 +33,17 @@ from ..jobs.runner import Ending
 from ..model.document import Document
 from ..model.view_state import ViewState
 from ..model.viewing import ViewMode
+from ..translation import N_, tr
 from ..widgets.controls import dense_form, form_label, measure_field, number_field, weak_label
 from . import questions
 
-OUTPUTS = {Output.MOVIE: "Movie", Output.PICTURES: "Pictures (PNG)", Output.SHEET: "Contact sheet"}
-VIEWS = {ReviewView.OVERLAY: "Outlines on the plate", ReviewView.CUTOUT: "Cut-out"}
-GROUNDS = {Ground.GREY: "Grey", Ground.CHECKER: "Checkerboard", Ground.BLACK: "Black"}
-BURNS = {Burn.FRAME: "Frame number", Burn.NOTE: "Note", Burn.CONFIDENCE: "Confidence"}
+OUTPUTS = {Output.MOVIE: N_("Movie"), Output.PICTURES: N_("Pictures (PNG)"), Output.SHEET: N_("Contact sheet")}
+VIEWS = {ReviewView.OVERLAY: N_("Outlines on the plate"), ReviewView.CUTOUT: N_("Cut-out")}
+GROUNDS = {Ground.GREY: N_("Grey"), Ground.CHECKER: N_("Checkerboard"), Ground.BLACK: N_("Black")}
+BURNS = {Burn.FRAME: N_("Frame number"), Burn.NOTE: N_("Note"), Burn.CONFIDENCE: N_("Confidence")}
 WHICH = ("all", "x10", "keys", "notes", "doubtful", "boil")
 SUFFIXES = {Output.MOVIE: ".mp4", Output.PICTURES: "", Output.SHEET: ".png"}
-TITLES = {Output.MOVIE: "Movie", Output.PICTURES: "Pictures", Output.SHEET: "Contact sheet"}
+TITLES = {Output.MOVIE: N_("Movie"), Output.PICTURES: N_("Pictures"), Output.SHEET: N_("Contact sheet")}
 
 
 class ReviewDialog(QDialog):
@@ -62,7 +63,7 @@ class ReviewDialog(QDialog):
         super().__init__(parent)
         self._document, self._view, self._writing, self._suggested = document, view_state, writing, suggested
         self._is_ours = False
-        self.setWindowTitle("Review")
+        self.setWindowTitle(tr("Review"))
         self.resize(560, 360)
         self._build()
         self._lay_out()
@@ -82,42 +83,46 @@ class ReviewDialog(QDialog):
 
     def _build(self) -> None:
         self.output, self.view, self.ground = _choice(OUTPUTS), _choice(VIEWS), _choice(GROUNDS)
-        self.burns = {burn: QCheckBox(title) for burn, title in BURNS.items()}
+        self.burns = {burn: QCheckBox(tr(title)) for burn, title in BURNS.items()}
         for burn in ReviewLook().burns:
             self.burns[burn].setChecked(True)
         self.which = QComboBox()
         self.which.setEditable(True)
         self.which.addItems(WHICH)
         self.which.setToolTip(HINT)
-        self.first, self.last = number_field("The first frame"), number_field("The last frame")
+        self.first, self.last = number_field(tr("The first frame")), number_field(tr("The last frame"))
         for number in (self.first, self.last):
             number.setFocusPolicy(Qt.FocusPolicy.StrongFocus)  # Tab goes through the dialog
-        self.in_out = QPushButton("In to out")
-        self.scale = measure_field(" %", 100.0, 100.0 * SCALES[0], 100.0 * SCALES[1], 25.0, "Size of the pictures")
-        self.fps = measure_field(" fps", 24.0, *SPEEDS, 1.0, "Frames a second of the movie")
-        self.columns = _number(SheetLayout.columns, MOST_ACROSS, "Pictures beside each other on a page")
-        self.rows = _number(SheetLayout.rows, MOST_DOWN, "Rows of pictures on a page")
-        self.target, self.browse = QLineEdit(), QPushButton("Browse…")
+        self.in_out = QPushButton(tr("In to out"))
+        least, most = (100.0 * scale for scale in SCALES)
+        self.scale = measure_field(tr(" %"), 100.0, least, most, 25.0, tr("Size of the pictures"))
+        self.fps = measure_field(tr(" fps"), 24.0, *SPEEDS, 1.0, tr("Frames a second of the movie"))
+        self.columns = _number(SheetLayout.columns, MOST_ACROSS, tr("Pictures beside each other on a page"))
+        self.rows = _number(SheetLayout.rows, MOST_DOWN, tr("Rows of pictures on a page"))
+        self.target, self.browse = QLineEdit(), QPushButton(tr("Browse…"))
         self.hint = weak_label("")
         self.hint.setWordWrap(True)
         self.bar = QProgressBar()
         self.bar.setRange(0, 1000)
         self.bar.setTextVisible(False)
-        self.start, self.stop, self.leave = QPushButton("Write"), QPushButton("Stop"), QPushButton("Close")
+        self.start, self.stop, self.leave = QPushButton(tr("Write")), QPushButton(tr("Stop")), QPushButton(tr("Close"))
         self.start.setDefault(True)
         self.stop.setEnabled(False)
 
     def _lay_out(self) -> None:
         form = dense_form()
-        form.addRow(form_label("Write"), self.output)
-        form.addRow(form_label("Show"), _row(self.view, weak_label("on"), self.ground, None))
-        form.addRow(form_label("On it"), _row(*self.burns.values(), None))
-        form.addRow(form_label("Frames"), _row(self.which, None))
-        form.addRow(form_label("Range"), _row(self.first, QLabel("to"), self.last, self.in_out, None))
-        form.addRow(form_label("Size"), _row(self.scale, weak_label("of the plate"), None))
-        form.addRow(form_label("Speed"), _row(self.fps, None))
-        form.addRow(form_label("Page"), _row(self.columns, weak_label("by"), self.rows, weak_label("pictures"), None))
-        form.addRow(form_label("To"), _row(self.target, self.browse))
+        form.addRow(form_label(tr("Write")), self.output)
+        form.addRow(form_label(tr("Show")), _row(self.view, weak_label(tr("on")), self.ground, None))
+        form.addRow(form_label(tr("On it")), _row(*self.burns.values(), None))
+        form.addRow(form_label(tr("Frames")), _row(self.which, None))
+        form.addRow(form_label(tr("Range")), _row(self.first, QLabel(tr("to")), self.last, self.in_out, None))
+        form.addRow(form_label(tr("Size")), _row(self.scale, weak_label(tr("of the plate")), None))
+        form.addRow(form_label(tr("Speed")), _row(self.fps, None))
+        form.addRow(
+            form_label(tr("Page")),
+            _row(self.columns, weak_label(tr("by")), self.rows, weak_label(tr("pictures")), None),
+        )
+        form.addRow(form_label(tr("To")), _row(self.target, self.browse))
         form.addRow(form_label(""), self.hint)
         column = QVBoxLayout(self)
         column.setSpacing(style.MARGIN)
@@ -163,11 +168,11 @@ class ReviewDialog(QDialog):
         """
         project, output = self._document.project, self.chosen_output
         if project.clip is None:
-            raise RoamError("There is nothing to show yet; open a clip first.")
+            raise RoamError(tr("There is nothing to show yet; open a clip first."))
         if not self.target.text().strip():
-            raise RoamError("Say where to write it.")
+            raise RoamError(tr("Say where to write it."))
         if output_of(self.path, is_sheet=output is Output.SHEET) is not output:
-            raise RoamError(f"A movie ends in {', '.join(ENCODERS)}; pictures go to a folder.")
+            raise RoamError(tr("A movie ends in {suffixes}; pictures go to a folder.", suffixes=", ".join(ENCODERS)))
         within = range(self.first.value(), self.last.value() + 1)
         return ReviewRequest(
             project,
@@ -201,7 +206,7 @@ class ReviewDialog(QDialog):
         output = self.chosen_output
         own = Path(self.target.text().strip()) if self.target.text().strip() else self._suggested("_review")
         self.target.setText(str(own.with_suffix(SUFFIXES[output])))
-        self.setWindowTitle(TITLES[output])
+        self.setWindowTitle(tr(TITLES[output]))
         self.fps.setEnabled(output is Output.MOVIE)
         is_sheet = output is Output.SHEET
         for page_field in (self.columns, self.rows):
@@ -227,9 +232,12 @@ class ReviewDialog(QDialog):
             return
         count, (width, height) = len(request.frames), request.size
         pages = len(request.layout.pages(request.frames))
-        said = f"{count} frame{'s' * (count != 1)}"
-        more = f" on {pages} page{'s' * (pages != 1)}" if request.output is Output.SHEET else f", {width} x {height}"
-        self.hint.setText(f"{said}{more}")
+        said = tr("%n frame(s)", "", count)
+        if request.output is Output.SHEET:
+            said = tr("{frames} on {pages}", frames=said, pages=tr("%n page(s)", "", pages))
+        else:
+            said = tr("{frames}, {width} x {height}", frames=said, width=width, height=height)
+        self.hint.setText(said)
         self.start.setEnabled(True)
 
     def _take_range(self) -> None:
@@ -242,9 +250,9 @@ class ReviewDialog(QDialog):
     def _browse(self) -> None:
         output = self.chosen_output
         if output is Output.PICTURES:
-            found = questions.choose_folder(self, "Pictures to a folder", self.path)
+            found = questions.choose_folder(self, tr("Pictures to a folder"), self.path)
         else:
-            found = questions.choose_export(self, TITLES[output], self.path, SUFFIXES[output])
+            found = questions.choose_export(self, tr(TITLES[output]), self.path, SUFFIXES[output])
         if found is not None:
             self.target.setText(str(found))
 
@@ -278,7 +286,7 @@ class ReviewDialog(QDialog):
 def _choice(titles: dict[Output, str] | dict[ReviewView, str] | dict[Ground, str]) -> QComboBox:
     box = QComboBox()
     for value, title in titles.items():
-        box.addItem(title, value.value)
+        box.addItem(tr(title), value.value)
     return box
 
 

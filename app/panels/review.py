@@ -24,10 +24,10 @@ from roam_core.roto import timing
 
 from .. import style
 from ..actions.actions import Actions
-from ..counting import counted
 from ..features.boil import BoilOf
 from ..model.document import Document
 from ..model.view_state import ViewState, shapes_in_hand
+from ..translation import N_, tr
 from ..widgets.controls import ChoiceBox, tool_button, weak_label
 from ..widgets.focus import KEEPS_KEYBOARD
 
@@ -44,13 +44,13 @@ class Listed(StrEnum):
 
 
 CHOICES: dict[str, tuple[str, frozenset[Listed]]] = {
-    "all": ("Notes, doubts and boil", frozenset(Listed)),
-    "notes": ("Notes", frozenset({Listed.NOTE})),
-    "doubts": ("Doubtful frames", frozenset({Listed.DOUBT})),
-    "boil": ("Boil", frozenset({Listed.BOIL})),
+    "all": (N_("Notes, doubts and boil"), frozenset(Listed)),
+    "notes": (N_("Notes"), frozenset({Listed.NOTE})),
+    "doubts": (N_("Doubtful frames"), frozenset({Listed.DOUBT})),
+    "boil": (N_("Boil"), frozenset({Listed.BOIL})),
 }
 """What the list may show, by name: its title and kinds."""
-NOTHING = "Nothing to list: no notes, no doubtful frames and none that boil, of the shapes in hand."
+NOTHING = N_("Nothing to list: no notes, no doubtful frames and none that boil, of the shapes in hand.")
 
 
 @dataclass(frozen=True)
@@ -75,9 +75,9 @@ class ReviewPanel(QWidget):
         self._entries: list[Entry] = []
         self._is_due = False
         self.note = NoteField()
-        self.kinds = ChoiceBox("What the list shows")
+        self.kinds = ChoiceBox(tr("What the list shows"))
         for name, (title, _) in CHOICES.items():
-            self.kinds.addItem(title, name)
+            self.kinds.addItem(tr(title), name)
         self.list = _tree()
         self.count = weak_label("")
         self.count.setWordWrap(True)
@@ -112,17 +112,18 @@ class ReviewPanel(QWidget):
         if text == (mark.text if mark is not None else ""):
             return
         if project.clip is None:
-            self._view.say("Open a clip first: notes lie on its frames.")
+            self._view.say(tr("Open a clip first: notes lie on its frames."))
         elif text:
-            self._document.apply("Write note", timing.set_mark(project, frame, text))
+            self._document.apply(tr("Write note"), timing.set_mark(project, frame, text))
         else:
-            self._document.apply("Remove note", timing.remove_mark(project, frame))
+            self._document.apply(tr("Remove note"), timing.remove_mark(project, frame))
 
     def _go(self, item: QTreeWidgetItem) -> None:
         entry = self._entries[self.list.indexOfTopLevelItem(item)]
         self._view.set_frame(entry.frame)
         if entry.shape:
-            self._view.say(f"Frame {entry.frame}: {entry.text}{f', {entry.value}' if entry.value else ''}.")
+            place = {"frame": entry.frame, "text": entry.text, "value": entry.value}
+            self._view.say(tr("Frame {frame}: {text}, {value}.", **place))
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
@@ -159,12 +160,18 @@ class ReviewPanel(QWidget):
     def _found(self) -> list[Entry]:
         project = self._document.project
         shapes = shapes_in_hand(project, self._view.selection)
-        notes = (Entry(mark.frame, Listed.NOTE, _line(mark.text) or "marked") for mark in project.marks)
+        notes = (Entry(mark.frame, Listed.NOTE, _line(mark.text) or tr("marked")) for mark in project.marks)
         found = [*doubtful(shapes), *(each for shape in shapes for each in boiling_frames(shape, self._boil(shape)))]
         worth = (
-            Entry(each.frame, Listed.DOUBT, each.name, f"{each.value:.2f}", each.shape)
+            Entry(each.frame, Listed.DOUBT, each.name, tr("{value:.2f}", value=each.value), each.shape)
             if each.kind is FindingKind.DOUBT
-            else Entry(each.frame, Listed.BOIL, f"{each.name} boils", f"{each.value:.1f} px", each.shape)
+            else Entry(
+                each.frame,
+                Listed.BOIL,
+                tr("{name} boils", name=each.name),
+                tr("{pixels:.1f} px", pixels=each.value),
+                each.shape,
+            )
             for each in found
         )
         return sorted([*notes, *worth], key=lambda entry: (entry.frame, list(Listed).index(entry.kind), entry.text))
@@ -200,7 +207,7 @@ class NoteField(QPlainTextEdit):
         self.setObjectName("noteField")
         self.setProperty(KEEPS_KEYBOARD, True)
         self.setTabChangesFocus(True)
-        self.setAccessibleName("Note on this frame")
+        self.setAccessibleName(tr("Note on this frame"))
         self.setFixedHeight(NOTE_ROWS * style.ROW_HEIGHT)
 
     def show_note(self, frame: int, text: str) -> None:
@@ -210,7 +217,7 @@ class NoteField(QPlainTextEdit):
         if (frame, text) != (self._frame, self._before):
             self._frame, self._before = frame, text
             self.setPlainText(text)
-        self.setPlaceholderText(f"Note on frame {frame}; Ctrl+Return keeps it")
+        self.setPlaceholderText(tr("Note on frame {frame}; Ctrl+Return keeps it", frame=frame))
 
     def keep(self) -> None:
         """Take what is typed."""
@@ -249,7 +256,7 @@ def _tree() -> QTreeWidget:
     tree.setUniformRowHeights(True)
     tree.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
     tree.setFixedHeight(LIST_ROWS * style.ROW_HEIGHT)
-    tree.setAccessibleName("Frames worth a look")
+    tree.setAccessibleName(tr("Frames worth a look"))
     mode = QHeaderView.ResizeMode
     tree.header().setStretchLastSection(False)
     for column, resize in enumerate((mode.ResizeToContents, mode.Stretch, mode.ResizeToContents)):
@@ -275,6 +282,10 @@ def _line(text: str) -> str:
 
 def _summary(entries: Iterable[Entry]) -> str:
     kinds = [entry.kind for entry in entries]
-    words = ((Listed.NOTE, "note"), (Listed.DOUBT, "doubtful frame"), (Listed.BOIL, "boiling frame"))
-    said = [counted(kinds.count(kind), word) for kind, word in words if kind in kinds]
-    return ", ".join(said) if said else NOTHING
+    words = (
+        (Listed.NOTE, N_("%n note(s)")),
+        (Listed.DOUBT, N_("%n doubtful frame(s)")),
+        (Listed.BOIL, N_("%n boiling frame(s)")),
+    )
+    said = [tr(text, "", kinds.count(kind)) for kind, text in words if kind in kinds]
+    return ", ".join(said) if said else tr(NOTHING)

@@ -15,6 +15,7 @@ from .. import style
 from ..features.boil import BoilOf
 from ..model.document import Document
 from ..model.view_state import shapes_in_hand
+from ..translation import tr
 from .axis import TimeAxis, paint_playhead
 from .keys.row_painter import DOUBT
 from .scale import LABEL_WIDTH
@@ -59,8 +60,13 @@ class BoilBand(QWidget):
         frame = self._axis.scale.frame(x)
         values = [(dict(self._boil(shape).tolist()).get(frame), shape.name) for shape in self._shown()]
         known = sorted(((value, name) for value, name in values if value is not None), reverse=True)
-        lines = [f"{value:.1f} px  {name}{', boils' if value >= BOILING else ''}" for value, name in known[:TOLD]]
-        return "\n".join([f"Frame {frame}", *(lines or ["No boil is measured here"])])
+        lines = [
+            tr("{pixels:.1f} px  {name}, boils", pixels=value, name=name)
+            if value >= BOILING
+            else tr("{pixels:.1f} px  {name}", pixels=value, name=name)
+            for value, name in known[:TOLD]
+        ]
+        return "\n".join([tr("Frame {frame}", frame=frame), *(lines or [tr("No boil is measured here")])])
 
     # ---- events
 
@@ -100,9 +106,9 @@ class BoilBand(QWidget):
         painter.setFont(font)
         painter.setPen(QColor(style.WEAK))
         middle, right = Qt.AlignmentFlag.AlignVCenter, Qt.AlignmentFlag.AlignRight
-        painter.drawText(QRectF(style.MARGIN, 0, LABEL_WIDTH, HEIGHT), middle, "boil")
+        painter.drawText(QRectF(style.MARGIN, 0, LABEL_WIDTH, HEIGHT), middle, tr("boil"))
         line = _y(BOILING)
-        painter.drawText(QRectF(0, line - 8, LABEL_WIDTH - 6, 16), middle | right, f"{BOILING:g} px")
+        painter.drawText(QRectF(0, line - 8, LABEL_WIDTH - 6, 16), middle | right, tr("{pixels:g} px", pixels=BOILING))
         scale = self._axis.scale
         painter.setClipRect(QRectF(scale.left, 0, self.width() - scale.left, HEIGHT))
         width = max(scale.pixels - 1.0, 1.0)

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 from PySide6.QtCore import QObject, Signal
 
 from ...model.document import Document
+from ...translation import tr
 from ..runner import Ending, Report, Runner
 
 if TYPE_CHECKING:
@@ -67,9 +68,9 @@ class ReviewWriting(QObject):
             if ending is Ending.DONE and foreign and self._may_overwrite(foreign):
                 self._start(replace(writing, overwrites=True))
             elif ending is Ending.DONE and foreign:
-                self.finished.emit(Ending.CANCELLED, "Nothing was written; the files that are there stay.")
+                self.finished.emit(Ending.CANCELLED, tr("Nothing was written; the files that are there stay."))
             else:
-                stopped = sentence or "Stopped; pictures that are finished stay."
+                stopped = sentence or tr("Stopped; pictures that are finished stay.")
                 self.finished.emit(ending, stopped if ending is Ending.CANCELLED else sentence)
                 if ending is Ending.DONE:
                     self.written.emit(writing.request.path)
@@ -102,5 +103,5 @@ def _write(report: Report, writing: _Writing, read: ReadFrame) -> str:
     """The work, on the worker thread."""
     from roam_core.review.writing import write_review
 
-    report.progress(0.0, f"Writing {writing.request.path.name} …")
+    report.progress(0.0, tr("Writing {name} …", name=writing.request.path.name))
     return write_review(writing.request, read, report.token, report.progress)
