@@ -71,7 +71,7 @@ MENUS: dict[str, tuple[str, ...]] = {
     ),
     N_("Review"): (
         "mark.toggle", "mark.name", "time.previous_mark", "time.next_mark", SEPARATOR,
-        "review.panel", SEPARATOR,
+        "review.panel", "review.measure_boil", SEPARATOR,
         "review.movie", "review.sheet",
     ),
     N_("Window"): (

@@ -50,6 +50,7 @@ WORDS: Mapping[str, str] = {
     "track.next_doubtful": N_("confidence wrong error fix bad boil jitter"),
     "track.previous_doubtful": N_("confidence wrong error fix bad"),
     "review.panel": N_("comments remarks review list doubtful boil jitter flicker supervisor"),
+    "review.measure_boil": N_("jitter flicker steady flow temporal"),
     "review.movie": N_("quicktime mp4 mov avi export playblast preview dailies supervisor render"),
     "review.sheet": N_("contact sheet thumbnails overview export pages print"),
     "track.most_doubtful": N_("confidence worst error fix bad"),

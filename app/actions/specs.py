@@ -402,6 +402,11 @@ SPECS: tuple[ActionSpec, ...] = (
     ActionSpec(
         "review.panel", N_("Notes and doubts"), tip=N_("Notes, doubtful frames and boil as a list"), checkable=True
     ),
+    ActionSpec(
+        "review.measure_boil",
+        N_("Measure boil by the picture"),
+        tip=N_("How much the shapes in hand jitter beyond the motion of the plate: for shapes that bend as they move"),
+    ),
     ActionSpec("review.movie", N_("Movie…"), tip=N_("A movie or pictures of the outlines or the cut-out, to show")),
     ActionSpec("review.sheet", N_("Contact sheet…"), tip=N_("Pages of small pictures with frame numbers and notes")),
     ActionSpec("edit.keymap", N_("Change keys…"), tip=N_("Keys of other programs, and keys of your own")),

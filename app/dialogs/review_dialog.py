@@ -28,7 +28,7 @@ from roam_core.review.sheet import MOST_ACROSS, MOST_DOWN, SheetLayout
 from roam_core.review.writing import Output, ReviewRequest, output_of
 
 from .. import style
-from ..jobs.review.writing import ReviewWriting
+from ..jobs.review.job import ReviewJob
 from ..jobs.runner import Ending
 from ..model.document import Document
 from ..model.view_state import ViewState
@@ -56,7 +56,7 @@ class ReviewDialog(QDialog):
         self,
         document: Document,
         view_state: ViewState,
-        writing: ReviewWriting,
+        writing: ReviewJob,
         suggested: Callable[[str], Path],
         parent: QWidget | None = None,
     ) -> None:

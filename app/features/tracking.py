@@ -16,7 +16,7 @@ from ..jobs.propagation import Propagation
 from ..model.document import Document
 from ..model.view_state import ViewState, shapes_in_hand
 from ..translation import N_, tr
-from .boil import BoilOf
+from .boil import boil_of_document
 from .navigation import clip_frames
 
 NO_CLIP = N_("Open a clip first: drop a folder of images or a movie on the window.")
@@ -44,7 +44,7 @@ class Tracking:
 
     def __init__(self, document: Document, view_state: ViewState, propagation: Propagation) -> None:
         self._document, self._view, self._propagation = document, view_state, propagation
-        self._boil = BoilOf(document)
+        self._boil = boil_of_document(document)
         self.config = DEFAULT_CONFIG
         self.factors: dict[str, dict[str, float]] = {}
         self.scope = Scope.SELECTED

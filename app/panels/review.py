@@ -24,7 +24,7 @@ from roam_core.roto import timing
 
 from .. import style
 from ..actions.actions import Actions
-from ..features.boil import BoilOf
+from ..features.boil import boil_of_document
 from ..model.document import Document
 from ..model.view_state import ViewState, shapes_in_hand
 from ..translation import N_, tr
@@ -71,7 +71,7 @@ class ReviewPanel(QWidget):
         self, document: Document, view_state: ViewState, actions: Actions, parent: QWidget | None = None
     ) -> None:
         super().__init__(parent)
-        self._document, self._view, self._boil = document, view_state, BoilOf(document)
+        self._document, self._view, self._boil = document, view_state, boil_of_document(document)
         self._entries: list[Entry] = []
         self._is_due = False
         self.note = NoteField()
@@ -86,7 +86,7 @@ class ReviewPanel(QWidget):
         self.note.written.connect(self._write)
         self.kinds.currentIndexChanged.connect(lambda _: self._pull_list())
         self.list.itemClicked.connect(lambda item, _: self._go(item))
-        for signal in (document.changed, document.replaced, view_state.selection_changed):
+        for signal in (document.changed, document.replaced, view_state.selection_changed, self._boil.changed):
             signal.connect(self._pull_soon)
         view_state.frame_changed.connect(self._pull_frame)
         self._pull_list()

@@ -48,7 +48,7 @@ from ..jobs.importing import Import
 from ..jobs.picture_work import PictureWork
 from ..jobs.planar import PlanarTrack
 from ..jobs.propagation import Propagation
-from ..jobs.review.writing import ReviewWriting
+from ..jobs.review.job import ReviewJob
 from ..jobs.runner import Runner
 from ..jobs.softening import Softening
 from ..jobs.under_way import UnderWay
@@ -127,7 +127,7 @@ class MainWindow(QMainWindow):
         self.edge_kinds = EdgeKinds(self.document, self.view_state, self.reader.engine_frame, self.eye, self)
         self.planar = PlanarTrack(self.document, self.view_state, self.solver, self.reader.engine_frame, self)
         self.softening = Softening(self.document, self.solver, self.reader.engine_frame, self)
-        self.review_job = ReviewWriting(self.document, self.writer, self.reader.engine_frame, self, asks[0])
+        self.review_job = ReviewJob(self.document, self.writer, self.reader.engine_frame, self, asks[0])
         works = self.files, self.export, self.importing, self.copying, self.propagation, self.planar, self.pictures
         self.under_way = UnderWay(*works, self.softening, self.review_job, parent=self)
         self.playback = Playback(self.view_state, self)

@@ -12,7 +12,7 @@ from roam_core.review.boil import BOILING
 from roam_core.roto import RotoShape
 
 from .. import style
-from ..features.boil import BoilOf
+from ..features.boil import boil_of_document
 from ..model.document import Document
 from ..model.view_state import shapes_in_hand
 from ..translation import tr
@@ -37,11 +37,11 @@ class BoilBand(QWidget):
 
     def __init__(self, document: Document, axis: TimeAxis, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._document, self._axis, self._boil = document, axis, BoilOf(document)
+        self._document, self._axis, self._boil = document, axis, boil_of_document(document)
         self._most = np.empty((0, 2))
         self.setFixedHeight(HEIGHT)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
-        for signal in (document.changed, document.replaced, axis.view_state.selection_changed):
+        for signal in (document.changed, document.replaced, axis.view_state.selection_changed, self._boil.changed):
             signal.connect(self._pull)
         for signal in (axis.changed, axis.view_state.frame_changed):
             signal.connect(self.update)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from enum import StrEnum
 
@@ -67,10 +67,13 @@ def boiling_frames(shape: RotoShape, measured: Array | None = None) -> list[Find
     ]
 
 
-def findings(project: Project, shapes: Sequence[RotoShape] | None = None) -> tuple[Finding, ...]:
-    """All that is worth a look in a project, or of some of its shapes, in the order of time."""
-    asked = project.shapes if shapes is None else shapes
-    return _sorted((*doubtful(asked), *boiling(asked)))
+def findings(project: Project, measured: Mapping[str, Array] | None = None) -> tuple[Finding, ...]:
+    """All that is worth a look in a project, in the order of time.
+
+    `measured` is the boil of its shapes by their ids, where that is known already.
+    """
+    boils = (boiling_frames(shape, None if measured is None else measured[shape.id]) for shape in project.shapes)
+    return _sorted((*doubtful(project.shapes), *(each for found in boils for each in found)))
 
 
 def _sorted(found: Iterable[Finding]) -> tuple[Finding, ...]:

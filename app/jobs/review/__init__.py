@@ -1,1 +1,1 @@
-"""Jobs of reviewing: what is written for others to look at."""
+"""Reviewing as jobs."""

@@ -14,7 +14,7 @@ from PySide6.QtWidgets import QComboBox
 from pytestqt.qtbot import QtBot
 
 from app.dialogs.review_dialog import ReviewDialog
-from app.jobs.review.writing import ReviewWriting
+from app.jobs.review.job import ReviewJob
 from app.jobs.runner import Ending, Runner
 from app.model.document import Document
 from app.model.view_state import ViewState
@@ -67,7 +67,7 @@ def dialog(
     def ask(_: Sequence[Path]) -> bool:
         return answers.pop(0)
 
-    writing = ReviewWriting(document, runner, plate.read, may_overwrite=ask)
+    writing = ReviewJob(document, runner, plate.read, may_overwrite=ask)
     document.open(project_of(body([4.0 * k for k in range(10)])), None)
     view_state.set_play_range(1003, 1006)
     dialog = ReviewDialog(document, view_state, writing, lambda suffix: tmp_path / f"shot{suffix}")
@@ -257,3 +257,22 @@ def test_the_panel_is_opened_by_its_keys_and_scrolled_to(qtbot: QtBot, tmp_path:
         window.view_state.set_frame(FIRST + 3)
         qtbot.keyClick(window.canvas, Qt.Key.Key_PageUp, Qt.KeyboardModifier.ControlModifier)
         assert window.view_state.frame == FIRST
+
+
+def test_boil_is_measured_by_the_picture_and_shown_in_the_lane(qtbot: QtBot, tmp_path: Path) -> None:
+    with opened_window(qtbot, write_clip(tmp_path / "clip"), tmp_path / "state") as window:
+        measure = window.actions_by_id["review.measure_boil"]
+        measure.trigger()
+        assert window.view_state.message == "Nothing is tracked yet whose boil could be measured."
+        project, shape = edit.new_shape(window.document.project, square(40.0) + 60.0, FIRST, name="Arm")
+        keys = [
+            Keyframe(at, square(40.0) + 60.0, origin=Origin.ENGINE, confidence=0.9)
+            for at in range(FIRST + 1, FIRST + COUNT)
+        ]
+        window.document.apply("Track", project.with_shape(edit.set_engine_keys(shape, keys)))
+        assert window.timeline.boil.most[:, 1].max() < 1e-6, "it stands still"
+        with qtbot.waitSignal(window.review_job.finished, timeout=WAIT) as ended:
+            measure.trigger()
+        assert ended.args == [Ending.DONE, "Boil is measured by the picture."]
+        assert window.timeline.boil.most[:, 0].tolist() == [float(at) for at in range(FIRST + 1, FIRST + COUNT - 1)]
+        assert window.timeline.boil.most[:, 1].max() > 1e-3, "the picture below it moves"

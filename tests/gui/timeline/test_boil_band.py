@@ -10,7 +10,7 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QColor
 from pytestqt.qtbot import QtBot
 
-from app.features.boil import BoilOf
+from app.features.boil import BoilOf, boil_of_document
 from app.model.document import Document
 from app.model.view_state import ViewState
 from app.timeline.boil_band import HEIGHT, most_of
@@ -28,8 +28,8 @@ def bent(shape: RotoShape, by: float = 40.0) -> RotoShape:
     keys = []
     for key in shape.keys:
         points = key.points.copy()
-        points[0] += by * (key.frame == BENT)
-        keys.append(replace(key, points=points))
+        points[0] += by
+        keys.append(replace(key, points=points) if key.frame == BENT else key)
     return replace(shape, keys=tuple(keys))
 
 
@@ -89,3 +89,16 @@ def test_of_several_shapes_each_frame_has_the_greatest() -> None:
     measured = [np.array([[1.0, 0.5], [3.0, 2.0]]), np.empty((0, 2)), np.array([[3.0, 1.0], [2.0, 0.1]])]
     assert most_of(measured).tolist() == [[1.0, 0.5], [2.0, 0.1], [3.0, 2.0]]
     assert most_of([]).shape == (0, 2)
+
+
+def test_what_was_measured_by_the_picture_stands_until_its_keys_change(document: Document, timeline: Timeline) -> None:
+    shape = document.project.shapes[0]
+    shared = boil_of_document(document)
+    assert boil_of_document(document) is shared
+    frames = boil(shape)[:, 0]
+    shared.take({shape.id: shape}, {shape.id: np.column_stack([frames, np.full(len(frames), 1.5)])})
+    shown = dict(timeline.boil.most.tolist())
+    assert {shown[frame] for frame in frames} == {1.5}
+    document.apply("Bend", document.project.with_shape(bent(shape)))
+    shown = dict(timeline.boil.most.tolist())
+    assert {frame for frame in frames if shown[frame] != 1.5} == {BENT - 1, BENT, BENT + 1}

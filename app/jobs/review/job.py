@@ -1,4 +1,4 @@
-"""Movies, pictures and contact sheets as a job: a snapshot of the project is shown, while the artist goes on."""
+"""What reviewing takes time for, as jobs: movies, pictures and contact sheets; boil measured by the picture."""
 
 from __future__ import annotations
 
@@ -9,6 +9,8 @@ from typing import TYPE_CHECKING, Any
 
 from PySide6.QtCore import QObject, Signal
 
+from roam_core.roto import RotoShape
+
 from ...model.document import Document
 from ...translation import tr
 from ..runner import Ending, Report, Runner
@@ -17,16 +19,17 @@ if TYPE_CHECKING:
     from roam_core.review.writing import ReviewRequest
 
 ReadFrame = Callable[[int], Any]
-KIND = "review"
+WRITING, MEASURING = "review", "boil"
 
 
-class ReviewWriting(QObject):
-    """Writes what others look at. `read(frame)` gives plate frames in the engine's colours; the worker calls it.
+class ReviewJob(QObject):
+    """Writes what others look at, and measures. `read(frame)` gives plate frames in the engine's colours to the worker.
 
     Signals
     -------
     progress(fraction, text), finished(ending, sentence) : the job's news.
     written(path) : it was made as a whole.
+    measured(shapes, boil) : the boil by the picture of shapes, as they were when it began, both by their ids.
 
     Neither plate nor project file are written over. Files that ROAM did not make are, if `may_overwrite(paths)` says
     so: the artist, who is asked before anything is written.
@@ -35,6 +38,7 @@ class ReviewWriting(QObject):
     progress = Signal(float, str)
     finished = Signal(object, str)
     written = Signal(object)
+    measured = Signal(object, object)
 
     def __init__(
         self,
@@ -53,8 +57,25 @@ class ReviewWriting(QObject):
 
     def stop(self) -> None:
         """Stop soon; finished pictures stay, a movie does not appear."""
-        if (job := self._runner.running(KIND)) is not None:
-            job.cancel()
+        for kind in (WRITING, MEASURING):
+            if (job := self._runner.running(kind)) is not None:
+                job.cancel()
+
+    def measure(self, shapes: Sequence[RotoShape]) -> None:
+        """Measure how much shapes boil by the motion of the picture."""
+        asked, read = {shape.id: shape for shape in shapes}, self._read
+
+        def work(report: Report) -> str:
+            # OpenCV loads while the window is up already: that must not delay it.
+            from roam_core.review.picture_boil import boil_by_picture
+
+            report.partial(boil_by_picture(read, tuple(asked.values()), report.token, report.progress))
+            return tr("Boil is measured by the picture.")
+
+        job = self._runner.start(MEASURING, work)
+        job.progress.connect(self.progress)
+        job.partial.connect(lambda boil: self.measured.emit(asked, boil))
+        job.ended.connect(lambda ending, sentence: self.finished.emit(ending, sentence or tr("Stopped measuring.")))
 
     def _start(self, writing: _Writing) -> None:
         foreign: list[Path] = []
@@ -75,7 +96,7 @@ class ReviewWriting(QObject):
                 if ending is Ending.DONE:
                     self.written.emit(writing.request.path)
 
-        job = self._runner.start(KIND, work)
+        job = self._runner.start(WRITING, work)
         job.progress.connect(self.progress)
         job.ended.connect(end)
 
