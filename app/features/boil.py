@@ -18,7 +18,7 @@ class BoilOf(QObject):
     """The boil of shapes in pixels of the plate: pairs (frame, boil) `(K, 2)` in the order of time.
 
     While a shape is tracked one frame of it changes at a time: only the three frames around it are measured again. What
-    was measured by the picture stands until one of its three keys is another. One for each document: `boil_of_document`.
+    was measured by the picture stands until one of its three keys is another. `boil_of_document` gives the document's.
 
     Signals
     -------
