@@ -13,6 +13,7 @@ from typing import Any
 from numpy.typing import NDArray
 from tqdm import tqdm
 
+from roam_core.cli.environment import cache_bytes
 from roam_core.errors import RoamError
 from roam_core.media import FrameCache, MissingFrame, PlateSource, declared, open_clip
 from roam_core.media.colour import to_engine
@@ -101,7 +102,7 @@ def opened(path: str, clip: Clip | None = None, layer: str = "", colour: str = "
         source = declared(source, clip.colour_space, clip.fps, clip.pixel_aspect)
     if colour:
         source = declared(source, known_space(colour), source.fps, source.pixel_aspect)
-    cache = FrameCache(source, limit_bytes=1 << 29)
+    cache = FrameCache(source, limit_bytes=cache_bytes())
     try:
         yield Plate(source, cache)
     finally:
