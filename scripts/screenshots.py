@@ -33,6 +33,7 @@ from scripts.camera import (
     until,
     window,
 )
+from scripts.review_pictures import photograph_review
 
 if TYPE_CHECKING:
     from app.shell.main_window import MainWindow
@@ -399,6 +400,7 @@ SCENES = (
     photograph_finding,
     photograph_export,
     photograph_keyed_value,
+    lambda shown: photograph_review(shown, "review.jpg", "review-movie.png", "contact-sheet.jpg"),
     photograph_start,
     photograph_parts,
     photograph_softness,

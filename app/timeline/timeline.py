@@ -10,6 +10,7 @@ from ..actions.actions import Actions
 from ..model.document import Document
 from ..model.view_state import ViewState
 from .axis import TimeAxis
+from .boil_band import BoilBand
 from .confidence import ConfidencePlot
 from .keys.rows import KeyRows
 from .keys.selection import KeySelection
@@ -55,13 +56,22 @@ class Timeline(QWidget):
         self.rows.nudged.connect(self.verbs.nudge)
         self.tracks = TrackBand(document, self.axis)
         self.confidence = ConfidencePlot(document, self.axis, marks)
+        self.boil = BoilBand(document, self.axis)
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(0)
         self.bar = TimeBar(self.axis)
-        for part in (self.ruler, self.marks, self.tracks, self.rows, self.confidence, self.bar):
+        for part in (self.ruler, self.marks, self.tracks, self.rows, self.confidence, self.boil, self.bar):
             column.addWidget(part)
-        PanHand(self.axis, self.ruler, self.marks, self.tracks, self.rows.viewport(), self.confidence.lines.viewport())
+        PanHand(
+            self.axis,
+            self.ruler,
+            self.marks,
+            self.tracks,
+            self.rows.viewport(),
+            self.confidence.lines.viewport(),
+            self.boil,
+        )
         column.setStretchFactor(self.rows, 1)  # the rows come first; the plot takes what they do not need
         self._offer(actions)
         self._document = document
