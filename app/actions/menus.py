@@ -36,7 +36,7 @@ MENUS: dict[str, tuple[str, ...]] = {
         "shape.match_edge", SEPARATOR,
         "key.auto", "key.ripple", SEPARATOR,
         "key.copy", "key.paste", "key.paste_range", SEPARATOR,
-        "key.set", "key.delete", "key.linear", "key.smooth", "key.hold", SEPARATOR,
+        "key.set", "key.delete", "key.linear", "key.smooth", "key.hold", "key.tangents", SEPARATOR,
         "shape.duplicate", "shape.group", "layer.ungroup", "layer.add", "shape.delete", SEPARATOR,
         "shape.lock", "shape.hide", "shape.show_all",
     ),
@@ -67,7 +67,7 @@ MENUS: dict[str, tuple[str, ...]] = {
         "time.play_back_slowly", "time.loop", "time.ping_pong", SEPARATOR,
         "time.set_in", "time.set_out", "time.clear_range", SEPARATOR,
         "mark.toggle", "mark.name", "time.previous_mark", "time.next_mark", SEPARATOR,
-        "view.fit_time", "view.tall_timeline", "view.shape_panel", "view.panels",
+        "view.fit_time", "view.tall_timeline", "view.curves", "view.shape_panel", "view.panels",
     ),
     "Help": ("help.palette", "help.keys", SEPARATOR, "help.log", "help.report", "help.about"),
 }  # fmt: skip

@@ -40,6 +40,8 @@ WORDS: Mapping[str, str] = {
     "shape.show_all": "unhide reveal visibility eye",
     "key.set": "keyframe insert add autokey",
     "key.delete": "keyframe remove",
+    "key.tangents": "bezier handles ease spline curve animation smooth f-curve",
+    "view.curves": "graph editor dope sheet f-curve animation keyframes opacity feather tangents",
     "track.forward": "propagate rotobrush follow solve play motion tracker",
     "track.backward": "propagate rotobrush follow solve motion tracker",
     "track.to_next_key": "propagate until",

@@ -130,6 +130,9 @@ SPECS: tuple[ActionSpec, ...] = (
     ActionSpec("key.linear", "Linear", icon="key-linear", tip="Move on evenly from the chosen keys, or from this one"),
     ActionSpec("key.smooth", "Smooth", icon="key-smooth", tip="Begin and end softly after the chosen keys or this one"),
     ActionSpec("key.hold", "Hold", icon="key-hold", tip="Stand still after the chosen keys, or this one"),
+    ActionSpec(
+        "key.tangents", "Tangents", icon="key-tangents", tip="Bend opacity or feather smoothly through the chosen keys"
+    ),
     ActionSpec("track.backward", "Track backward", icon="track-backward"),
     ActionSpec("track.backward_one", "Track one frame backward", icon="track-backward-one"),
     ActionSpec("track.stop", "Stop", icon="track-stop", tip="Stop; the frames that are finished stay"),
@@ -198,6 +201,7 @@ SPECS: tuple[ActionSpec, ...] = (
     ActionSpec("view.actual_size", "100 %", _VIEWER),
     ActionSpec("view.fit_time", "Fit time", tip="Show the whole clip in the timeline"),
     ActionSpec("view.tall_timeline", "Tall timeline", tip="Give the timeline half of the window", checkable=True),
+    ActionSpec("view.curves", "Curve editor", tip="Opacity, feather and position as curves over time", checkable=True),
     ActionSpec("view.shape_panel", "Shape panel", tip="Show all that the Shape panel has of the selected shapes"),
     ActionSpec("view.panels", "Panels", tip="Show or hide the panels on the right", checkable=True),
     ActionSpec("time.previous", "Previous frame"),

@@ -246,6 +246,7 @@ class MainWindow(QMainWindow):
             ("edit.history", self.history_panel.setVisible),
             ("view.panels", self.panel_column.setVisible),
             ("view.tall_timeline", self.timeline_height.make_tall),
+            ("view.curves", self.timeline.show_curves),
         ):
             actions[name].toggled.connect(switch)
 
@@ -298,7 +299,7 @@ class MainWindow(QMainWindow):
             playback,
         ):
             handlers |= part.handlers()
-        return handlers | self.timeline.handlers() | self.timeline.verbs.taking_over(handlers)
+        return self.timeline.taking_over(handlers)
 
     # ---- settings
 
