@@ -7,7 +7,16 @@ from itertools import chain
 import numpy as np
 import pyqtgraph as pg
 from PySide6.QtCore import QEvent, QPointF, QRectF, Qt, Signal
-from PySide6.QtGui import QColor, QContextMenuEvent, QHelpEvent, QKeyEvent, QMouseEvent, QResizeEvent, QWheelEvent
+from PySide6.QtGui import (
+    QColor,
+    QContextMenuEvent,
+    QHelpEvent,
+    QKeyEvent,
+    QMouseEvent,
+    QResizeEvent,
+    QTransform,
+    QWheelEvent,
+)
 from PySide6.QtWidgets import QMenu, QToolTip
 
 from roam_core.roto.value_curves import ValuePlace
@@ -28,11 +37,14 @@ GRAB = 7.0
 """Pixels around a key, a handle's end or a curve in which a press means it."""
 ZOOM = 1.2
 """A notch of the wheel with Ctrl: the factor by which the values in sight become fewer."""
-KEY, HANDLE = 6.5, 8
-"""Pixels from the middle of a key to its tips; that a handle's end is wide."""
+KEY, HANDLE = 12, 8
+"""Pixels that a key and a handle's end are wide."""
 TICK_ROOM = 28
 """Pixels between two lines of the grid, at least."""
-SYMBOLS = {form: key_path(form) for form in ("linear", "smooth", "hold", "tangents")}
+SYMBOLS = {
+    form: QTransform.fromScale(0.5, 0.5).map(key_path(form)) for form in ("linear", "smooth", "hold", "tangents")
+}
+"""Keys by their form, one unit wide, as pyqtgraph wants them."""
 
 
 class CurvePlot(pg.GraphicsView):  # type: ignore[misc]
