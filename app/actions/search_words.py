@@ -119,6 +119,8 @@ WORDS: Mapping[str, str] = {
     "layer.add": "folder group create",
     "points.soft": "proportional falloff magnet",
     "points.lasso": "freehand marquee",
+    "key.points": "keyframe partial vertex single some record",
+    "key.set_points": "keyframe partial vertex single some add",
     "key.auto": "autokey keyframe record stopwatch",
     "key.copy": "keyframe pose",
     "key.paste": "keyframe pose",

@@ -119,6 +119,12 @@ SPECS: tuple[ActionSpec, ...] = (
     ActionSpec(
         "key.auto", "Auto-key", _VIEWER, "", "Edits make keys on their frames; off: they change keys around", True
     ),
+    ActionSpec(
+        "key.points", "Key points", _VIEWER, "", "Edits key the points that they move; a track derives the others", True
+    ),
+    ActionSpec(
+        "key.set_points", "Set key for points", _VIEWER, tip="Make the selected points, as they are here, the artist's"
+    ),
     ActionSpec("key.copy", "Copy key", _VIEWER, tip="Copy the selected shapes as they are on this frame"),
     ActionSpec("key.paste", "Paste key", _VIEWER, tip="Put the copied key on this frame"),
     ActionSpec("key.paste_range", "Paste key to range…", _VIEWER, tip="Hold the copied key through a range of frames"),
