@@ -108,6 +108,8 @@ class GroupTracker:
         ------
         Cancelled
             when `token` was cancelled; the tracker then still stands on the frame before.
+        MissingFrame
+            when a part of the picture cannot be read; it stands there too.
         """
         standing = self.standing
         began = time.perf_counter()

@@ -14,6 +14,7 @@ from ...model.document import Document
 from ...model.view_state import ViewState
 from ...paint import marks
 from ...paint.viewport import Viewport
+from ...translation import N_, tr
 from ..tool import Pointer, Tool
 
 TOLERANCE = 1.5
@@ -32,8 +33,8 @@ class FreehandTool(Tool):
     """One drag draws one shape, closed where it ends near its start. Esc drops the stroke."""
 
     name = "freehand"
-    title = "Freehand"
-    hint = "Drag around the object; end near the start to close the shape. Zoom in for a finer fit."
+    title = N_("Freehand")
+    hint = N_("Drag around the object; end near the start to close the shape. Zoom in for a finer fit.")
 
     def __init__(self, document: Document, view_state: ViewState) -> None:
         super().__init__(document, view_state)
@@ -70,14 +71,14 @@ class FreehandTool(Tool):
         closed, line = self._closes(), self._on_screen(pointer)
         self.drop()
         if polyline.length(line, closed=False) < LEAST_LENGTH:
-            self.view_state.say(self.hint)
+            self.view_state.say(tr(self.hint))
             return
         points = fit.fit_stroke(line, TOLERANCE, closed=closed) * pointer.pixel
         finish_shape(self.document, self.view_state, self.name, points, self._frame, closed=closed)
 
     def key(self, name: str) -> None:
         self.drop()
-        self.view_state.say(self.hint)
+        self.view_state.say(tr(self.hint))
 
     def paint(self, painter: QPainter, viewport: Viewport) -> None:
         if len(self._stroke) < 2:
