@@ -66,7 +66,7 @@ class Actions(QObject):
 
 def action_of(spec: ActionSpec, parent: QObject) -> QAction:
     """The action that a line of `SPECS` describes, without keys."""
-    action = QAction(spec.title, parent)
+    action = QAction(spec.label, parent)
     action.setObjectName(spec.id)
     if spec.icon:
         action.setIcon(style.icon(spec.icon))
@@ -78,5 +78,4 @@ def action_of(spec: ActionSpec, parent: QObject) -> QAction:
 
 
 def _tooltip(spec: ActionSpec, keys: tuple[str, ...]) -> str:
-    sentence = spec.tip or spec.title.rstrip("…")
-    return f"{sentence}  ({keys_text(keys)})" if keys else sentence
+    return f"{spec.sentence}  ({keys_text(keys)})" if keys else spec.sentence

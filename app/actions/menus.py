@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from PySide6.QtWidgets import QMenu, QMenuBar
 
+from ..translation import N_, tr
 from .actions import Actions
 
 SEPARATOR = ""
@@ -11,7 +12,7 @@ RECENT = "menu.recent"
 """Stands where a submenu is put in that fills itself."""
 
 MENUS: dict[str, tuple[str, ...]] = {
-    "File": (
+    N_("File"): (
         "file.new", "file.open_clip", "file.open_movie", "file.open_project", RECENT,
         "file.open_demo", "file.relink_clip", SEPARATOR,
         "file.save", "file.save_as", "file.recover", SEPARATOR,
@@ -19,7 +20,7 @@ MENUS: dict[str, tuple[str, ...]] = {
         "file.export", "file.export_selected", "file.export_nuke", "file.export_mattes", SEPARATOR,
         "file.quit",
     ),
-    "Edit": (
+    N_("Edit"): (
         "edit.undo", "edit.redo", "edit.history", SEPARATOR,
         "edit.copy", "edit.cut", "edit.paste", "edit.copy_nuke", "edit.copy_fusion", SEPARATOR,
         "points.delete", "shape.select_all", "points.select_all", "points.next", "points.previous", SEPARATOR,
@@ -29,7 +30,7 @@ MENUS: dict[str, tuple[str, ...]] = {
         "feather.reset", "feather.all_keys", SEPARATOR,
         "edit.keymap", "edit.settings",
     ),
-    "Shape": (
+    N_("Shape"): (
         "tool.select", "tool.transform", "tool.reshape", "tool.bezier", "tool.bspline", "tool.polygon", "tool.freehand",
         "tool.magnetic", "tool.ellipse", "tool.rectangle", "tool.object", "shape.from_mask", "tool.feather",
         "tool.points", "tool.adjust", SEPARATOR,
@@ -40,7 +41,7 @@ MENUS: dict[str, tuple[str, ...]] = {
         "shape.duplicate", "shape.group", "layer.ungroup", "layer.add", "shape.delete", SEPARATOR,
         "shape.lock", "shape.hide", "shape.show_all",
     ),
-    "Track": (
+    N_("Track"): (
         "track.forward", "track.backward", "track.forward_one", "track.backward_one", "track.to_next_key",
         "track.fill", SEPARATOR,
         "track.stop", SEPARATOR,
@@ -51,12 +52,12 @@ MENUS: dict[str, tuple[str, ...]] = {
         "planar.forward", "planar.backward", SEPARATOR,
         "track.delete_engine_keys",
     ),
-    "Proposal": (
+    N_("Proposal"): (
         "proposal.next", SEPARATOR,
         "proposal.keep", "proposal.refuse", SEPARATOR,
         "proposal.keep_always", "proposal.refuse_always", "proposal.ask_again",
     ),
-    "View": (
+    N_("View"): (
         "view.source", "view.overlay", "view.matte", "view.cutout", "view.onion", "view.confidence", "view.alpha",
         "view.hide_overlays", "view.joints", "view.edges", SEPARATOR,
         "view.colour", "view.red", "view.green", "view.blue", "view.luminance", "view.reset_look", SEPARATOR,
@@ -69,27 +70,27 @@ MENUS: dict[str, tuple[str, ...]] = {
         "mark.toggle", "mark.name", "time.previous_mark", "time.next_mark", SEPARATOR,
         "view.fit_time", "view.tall_timeline", "view.shape_panel", "view.panels",
     ),
-    "Window": (
+    N_("Window"): (
         "window.full_screen", "window.second_viewer", SEPARATOR,
         "window.shapes", "window.track", "window.planar", "window.shape", "window.timeline", SEPARATOR,
         "window.float_shapes", "window.float_track", "window.float_planar", "window.float_shape",
         "window.float_history", "window.float_log", "window.float_timeline", "window.float_second_viewer", SEPARATOR,
         "window.reset_layout",
     ),
-    "Help": ("help.palette", "help.keys", SEPARATOR, "help.log", "help.report", "help.about"),
+    N_("Help"): ("help.palette", "help.keys", SEPARATOR, "help.log", "help.report", "help.about"),
 }  # fmt: skip
 
 
 def menu_of(action_id: str) -> str:
     """The title of the menu in which an action stands; empty where it stands in none."""
-    return next((title for title, entries in MENUS.items() if action_id in entries), "")
+    return next((tr(title) for title, entries in MENUS.items() if action_id in entries), "")
 
 
 def menu_bar(actions: Actions, recent: QMenu) -> QMenuBar:
     """A bar with every menu; `recent` lists what was opened before."""
     bar = QMenuBar()
     for title, entries in MENUS.items():
-        menu = bar.addMenu(title)
+        menu = bar.addMenu(tr(title))
         for entry in entries:
             if entry == SEPARATOR:
                 menu.addSeparator()

@@ -8,6 +8,7 @@ from roam_core.roto import Project
 
 from ..model.document import Document
 from ..model.view_state import ViewState, shapes_in_hand
+from ..translation import tr
 
 
 class Navigation:
@@ -54,14 +55,14 @@ class Navigation:
         if later := [frame for frame in self._stops() if frame > self._view.frame]:
             self._view.set_frame(min(later))
         else:
-            self._view.say("There is no key after this frame.")
+            self._view.say(tr("There is no key after this frame."))
 
     def previous_key(self) -> None:
         """Go to the one before, likewise."""
         if earlier := [frame for frame in self._stops() if frame < self._view.frame]:
             self._view.set_frame(max(earlier))
         else:
-            self._view.say("There is no key before this frame.")
+            self._view.say(tr("There is no key before this frame."))
 
     def set_in(self) -> None:
         frame, (_, stop) = self._view.frame, self._view.play_range

@@ -14,8 +14,9 @@ from ..jobs.planar import PlanarTrack
 from ..model.document import Document
 from ..model.track_points import TrackPoints
 from ..model.view_state import ViewState, shapes_in_hand
+from ..translation import tr
 from .navigation import clip_frames
-from .tracking import NO_CLIP, NO_SHAPE
+from .tracking import CLIP_BEGINS, CLIP_ENDS, NO_CLIP, NO_SHAPE
 
 POINTS_TOOL = "points"
 """While it is in the hand with points on the picture, tracks follow these in place of the surface."""
@@ -60,9 +61,9 @@ class PlanarTracking:
 
     def _run(self, frames: range) -> None:
         if self._document.project.clip is None:
-            self._view.say(NO_CLIP)
+            self._view.say(tr(NO_CLIP))
         elif len(frames) < 2:
-            self._view.say(f"The clip {'ends' if frames.step > 0 else 'begins'} here: there is no frame to track to.")
+            self._view.say(tr(CLIP_ENDS if frames.step > 0 else CLIP_BEGINS))
         elif shapes := self._trackable():
             ids = [shape.id for shape in shapes]
             covers = covering(self._document.project, ids, self._view.frame, self.leave_out)
@@ -86,14 +87,16 @@ class PlanarTracking:
         shapes = shapes_in_hand(self._document.project, self._view.selection)
         able = [shape for shape in shapes if not shape.locked]
         if not shapes:
-            self._view.say(NO_SHAPE)
+            self._view.say(tr(NO_SHAPE))
         elif not able:
-            self._view.say(f"{shapes[0].name} is locked; unlock it to track it.")
+            self._view.say(tr("{name} is locked; unlock it to track it.", name=shapes[0].name))
         elif self._points([shape.id for shape in able]) is not None:
             return able
         elif not any(shape.closed for shape in able):
             name = able[0].name
-            self._view.say(f"{name} is open; close it (<points.toggle_closed> in the viewer) to track its plane.")
+            self._view.say(
+                tr("{name} is open; close it (<points.toggle_closed> in the viewer) to track its plane.", name=name)
+            )
             return []
         return able
 

@@ -9,6 +9,7 @@ from PySide6.QtCore import QObject, QTimer, Signal
 
 from roam_core.errors import RoamError
 
+from ..translation import tr
 from .runner import Ending, Report, Runner
 
 if TYPE_CHECKING:
@@ -108,7 +109,7 @@ class PlateReader(QObject):
         from roam_core.media.colour import to_engine
 
         if self._cache is None or self._source is None:
-            raise RoamError("There is no plate to track in; open a clip first.")
+            raise RoamError(tr("There is no plate to track in; open a clip first."))
         return to_engine(self._cache.read(frame), self._source.colour_space)
 
     def show(self, frame: int) -> None:

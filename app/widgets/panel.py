@@ -7,6 +7,7 @@ from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QToolButton, QVBoxLayout, QWidget
 
 from .. import style
+from ..translation import tr
 
 
 class Panel(QWidget):
@@ -39,7 +40,7 @@ class Panel(QWidget):
         self._arrow.setIcon(style.icon("chevron-down"))
         self._arrow.setFixedSize(18, 18)
         self._arrow.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-        self._arrow.setToolTip("Fold or unfold")
+        self._arrow.setToolTip(tr("Fold or unfold"))
         self._arrow.clicked.connect(self.toggle)
         row.addWidget(self._arrow)
         row.addWidget(label)

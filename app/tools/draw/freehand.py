@@ -16,6 +16,7 @@ from ...model.view_state import ViewState
 from ...paint import marks
 from ...paint.outline_paths import outline_path
 from ...paint.viewport import Viewport
+from ...translation import N_, tr
 from ..tool import Pointer, Tool
 
 TOLERANCE = 1.5
@@ -37,8 +38,8 @@ class FreehandTool(Tool):
     """One drag draws one shape, closed where it ends near its start. Esc drops the stroke."""
 
     name = "freehand"
-    title = "Freehand"
-    hint = "Drag around the object; end near the start to close it. Zoom in, or press a pen harder, for a finer fit."
+    title = N_("Freehand")
+    hint = N_("Drag around the object; end near the start to close it. Zoom in, or press a pen harder, for a finer fit.")
 
     def __init__(self, document: Document, view_state: ViewState) -> None:
         super().__init__(document, view_state)
@@ -86,13 +87,13 @@ class FreehandTool(Tool):
         is_slip = polyline.length(self._on_screen(pointer), closed=False) < LEAST_LENGTH
         self.drop()
         if is_slip:
-            self.view_state.say(self.hint)
+            self.view_state.say(tr(self.hint))
             return
         finish_shape(self.document, self.view_state, self.name, points, self._frame, closed=closed)
 
     def key(self, name: str) -> None:
         self.drop()
-        self.view_state.say(self.hint)
+        self.view_state.say(tr(self.hint))
 
     def paint(self, painter: QPainter, viewport: Viewport) -> None:
         if len(self._stroke) < 2:

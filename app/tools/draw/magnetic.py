@@ -21,6 +21,7 @@ from ...model.view_state import ViewState
 from ...paint import marks
 from ...paint.outline_paths import outline_path
 from ...paint.viewport import Viewport
+from ...translation import N_, tr
 from ..hit_test import REACH
 from ..tool import Modifier, Pointer, Tool
 from .drawing import CLOSE_KEYS, LEAVE_KEYS, TAKE_BACK_KEYS
@@ -73,8 +74,8 @@ class MagneticTool(Tool):
     """
 
     name = "magnetic"
-    title = "Magnetic lasso"
-    hint = "Click along an edge: the line clings to it, straight with Ctrl. Return or the first point closes."
+    title = N_("Magnetic lasso")
+    hint = N_("Click along an edge: the line clings to it, straight with Ctrl. Return or the first point closes.")
 
     def __init__(self, document: Document, view_state: ViewState) -> None:
         super().__init__(document, view_state)
@@ -163,7 +164,7 @@ class MagneticTool(Tool):
     def _begin(self, pointer: Pointer) -> None:
         shown = self.pictures.shown if self.pictures is not None else None
         if shown is None or shown.frame != self.view_state.frame:
-            self.view_state.say("There is no picture of this frame to find edges in (yet).")
+            self.view_state.say(tr("There is no picture of this frame to find edges in (yet)."))
             return
         self._shown, self._frame = shown, shown.frame
         self._scale = np.array(shown.scale(self.document.project.require_clip().size))
