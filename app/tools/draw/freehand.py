@@ -39,7 +39,7 @@ class FreehandTool(Tool):
 
     name = "freehand"
     title = N_("Freehand")
-    hint = N_("Drag around the object; end near the start to close it. Zoom in, or press a pen harder, for a finer fit.")
+    hint = N_("Drag around the object; end near the start to close it. Zoom in or press a pen harder for a finer fit.")
 
     def __init__(self, document: Document, view_state: ViewState) -> None:
         super().__init__(document, view_state)
