@@ -155,7 +155,7 @@ class MainWindow(QMainWindow):
         self.tool_column = ToolColumn(view_state, actions, tuple(TOOLS))
         self.view_bar = ViewBar(document, self.canvas, actions)
         self.shapes = ShapesPanel(document, view_state)
-        self.planar_panel = PlanarPanel(self.planar_tracking, actions)
+        self.planar_panel = PlanarPanel(document, self.planar_tracking, actions)
         self.tracker = TrackerPanel(document, view_state, self.tracking, actions)
         self.properties = PropertiesPanel(document, view_state, self.belonging)
         self.review = ReviewPanel(document, view_state, actions)

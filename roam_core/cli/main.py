@@ -21,6 +21,7 @@ from roam_core.errors import RoamError
 COMMANDS: dict[str, str] = {
     "track": "carry shapes through a clip",
     "fill": "fill in shapes between their keys",
+    "plane": "follow the surface under shapes",
     "soften": "make shapes as soft as the edge in the plate",
     "export": "write a project's shapes for another program",
     "import": "read another program's shapes into a project",
