@@ -15,6 +15,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from scripts import desk_scenes
 from scripts.camera import (
     IMAGES,
     anchors_of,
@@ -404,6 +405,7 @@ SCENES = (
     photograph_start,
     photograph_parts,
     photograph_softness,
+    *desk_scenes.SCENES,
 )
 
 

@@ -155,7 +155,7 @@ class MainWindow(QMainWindow):
         self.tool_column = ToolColumn(view_state, actions, tuple(TOOLS))
         self.view_bar = ViewBar(document, self.canvas, actions)
         self.shapes = ShapesPanel(document, view_state)
-        self.planar_panel = PlanarPanel(self.planar_tracking, actions)
+        self.planar_panel = PlanarPanel(document, self.planar_tracking, actions)
         self.tracker = TrackerPanel(document, view_state, self.tracking, actions)
         self.properties = PropertiesPanel(document, view_state, self.belonging)
         self.review = ReviewPanel(document, view_state, actions)
@@ -274,8 +274,12 @@ class MainWindow(QMainWindow):
         actions.connect_all(self._handlers())
         for name in ("edit.undo", "edit.redo", "track.stop"):
             actions[name].setEnabled(False)
-        actions["view.panels"].toggled.connect(self.panel_column.setVisible)
-        actions["view.tall_timeline"].toggled.connect(self.timeline_height.make_tall)
+        for name, switch in (
+            ("view.panels", self.panel_column.setVisible),
+            ("view.tall_timeline", self.timeline_height.make_tall),
+            ("view.curves", self.timeline.show_curves),
+        ):
+            actions[name].toggled.connect(switch)
 
     def _connect_personal(self) -> None:
         personal, say = self.personal, self.view_state.say
@@ -328,7 +332,7 @@ class MainWindow(QMainWindow):
             playback,
         ):
             handlers |= part.handlers()
-        return handlers | self.timeline.handlers() | self.timeline.verbs.taking_over(handlers)
+        return self.timeline.taking_over(handlers)
 
     # ---- settings
 
