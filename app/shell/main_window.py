@@ -248,13 +248,9 @@ class MainWindow(QMainWindow):
         self.edge_kinds.changed.connect(self.canvas.update)
         reader.plate_changed.connect(self.edge_kinds.forget)
         reader.plate_changed.connect(lambda: reader.show(view.frame))
-        for take in (
-            self.canvas.set_image,
-            self.second_viewer.set_image,
-            self.playback.note_picture,
-            self.pictures.show,
-        ):
-            reader.picture.connect(take)
+        seeing = self.canvas.set_image, self.second_viewer.set_image, self.playback.note_picture, self.pictures.show
+        for see in seeing:
+            reader.picture.connect(see)
         reader.plate_changed.connect(self.pictures.clear)
         reader.refused.connect(view.say)
         reader.cache_changed.connect(self.timeline.ruler.update)
