@@ -1,4 +1,7 @@
-"""`roam import FILE --into P.roam`: put the shapes of another program's file on top of those of a project."""
+"""`roam import FILE --into P.roam`: put the shapes of another program's file on top of those of a project.
+
+With `--clip` the project is made by it.
+"""
 
 from __future__ import annotations
 
@@ -14,13 +17,15 @@ from roam_core.interchange import ImportOptions, KeyChoice, MaskOptions, importe
 from roam_core.interchange.authorship import Kind
 from roam_core.interchange.reading import SPECK
 from roam_core.interchange.targets import Sources, require_free
-from roam_core.roto import edit
+from roam_core.media import open_clip
+from roam_core.roto import Clip, Project, edit
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Declare the command's options."""
     parser.add_argument("source", type=Path, metavar="FILE")
     parser.add_argument("--into", type=Path, required=True, metavar="P.roam", help="the project that gets the shapes")
+    parser.add_argument("--clip", metavar="CLIP", help="make P.roam, a new project on this clip, and put the shapes in")
     parser.add_argument("--save", type=Path, metavar="OUT.roam", help="where to write it (default: P.roam itself)")
     parser.add_argument(
         "--frame-offset", type=int, default=0, metavar="N", help="what was added to the frame numbers on export"
@@ -52,14 +57,15 @@ def run(arguments: argparse.Namespace) -> int:
     """Carry out the command."""
     target = arguments.into if arguments.save is None else arguments.save
     importer = importer_for(arguments.source)
-    write = project_writer(target, arguments.into)
-    project = loaded(arguments.into)
+    write = project_writer(target, None if arguments.clip is not None else arguments.into)
+    is_new = arguments.clip is not None
+    project = Project(Clip.of(open_clip(arguments.clip))) if is_new else loaded(arguments.into)
     require_target(target)
     require_free(
         [(target, Kind.PROJECT)],
-        Sources.of_clip(project.clip, arguments.into, *read_files(arguments.source)),
+        Sources.of_clip(project.clip, *([] if is_new else [arguments.into]), *read_files(arguments.source)),
         overwrite=arguments.overwrite,
-        rewritten=arguments.into,
+        rewritten=None if is_new else arguments.into,
     )
     tell_of_holder(target)
     masks = MaskOptions(arguments.tolerance, KeyChoice(arguments.keys), arguments.speckle)

@@ -26,6 +26,8 @@ COMMANDS: dict[str, str] = {
     "render": "write a project's mattes",
     "explain": "say what each term contributes to a tracked key",
     "info": "say what is in a project or clip",
+    "plugin": "write ROAM's menu for Nuke, Natron or Blender",
+    "prepare": "compile the engine ahead of the first track",
     "configs": "list the engine's configurations, dials and parameters",
     "demo": "track the built-in demo shot",
 }
