@@ -7,6 +7,7 @@ asks for; it is packed, and what was packed is unpacked elsewhere and tried (`bu
 
 from __future__ import annotations
 
+import json
 import os
 import platform
 import shutil
@@ -35,7 +36,9 @@ def build() -> Path:
     _run(sys.executable, "-m", "bundle.icons", WORK)
     _say("Collecting the program and its libraries")
     places = ["--distpath", WORK / "dist", "--workpath", WORK / "pyinstaller"]
-    _run(python, "-m", "PyInstaller", "--noconfirm", "--log-level", "WARN", *places, HERE / "roam.spec")
+    # Not from the checkout, whose packages would be found before those of the wheel.
+    _run(python, "-m", "PyInstaller", "--noconfirm", "--log-level", "WARN", *places, HERE / "roam.spec", folder=WORK)
+    _require_the_wheel()
     made = WORK / "dist" / ("ROAM.app" if sys.platform == "darwin" else "roam")
     _say("Compiling the kernels")
     kernels = check.inside(made) / "kernels"
@@ -104,8 +107,17 @@ def _packed(made: Path) -> Path:
     return archive
 
 
-def _run(*command: object, environment: dict[str, str] | None = None) -> None:
-    done = subprocess.run([str(word) for word in command], cwd=ROOT, env=os.environ | (environment or {}), check=False)
+def _require_the_wheel() -> None:
+    """End where a file of the checkout was collected: it is the wheel that is to run."""
+    sources = [Path(source) for _, source in json.loads((WORK / "parts.json").read_text(encoding="utf-8"))]
+    strays = [path for path in sources if path.is_relative_to(ROOT) and not path.is_relative_to(WORK)]
+    if strays := [path for path in strays if path != HERE / "entry.py"]:
+        sys.exit(f"The bundle was not built: {strays[0]} of the checkout was collected, not the wheel.")
+
+
+def _run(*command: object, environment: dict[str, str] | None = None, folder: Path = ROOT) -> None:
+    environment = {name: value for name, value in os.environ.items() if name != "PYTHONPATH"} | (environment or {})
+    done = subprocess.run([str(word) for word in command], cwd=folder, env=environment, check=False)
     if done.returncode != 0:
         sys.exit(f"The bundle was not built: {_named(command)} ended with {done.returncode}.")
 
