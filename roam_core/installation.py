@@ -17,6 +17,8 @@ from pathlib import Path
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
+from roam_core.errors import RoamError
+
 if TYPE_CHECKING:
     from resources import demo as demo
 
@@ -33,6 +35,11 @@ WINDOW_MISSING = (
     '(in a checkout of ROAM: ".[window]").'
 )
 
+STUDIO_MISSING = (
+    "{library} is not installed; what batches and farms need is installed with: python -m pip install "
+    '"roam-roto[studio]" (in a checkout of ROAM: ".[studio]").'
+)
+
 
 def resource(*names: str) -> Traversable:
     """A file or folder that is shipped beside the code, such as `resource("icons", "eye.svg")`."""
@@ -44,6 +51,17 @@ def window_module(name: str) -> ModuleType | None:
     if any(find_spec(library) is None for library in WINDOW_LIBRARIES):
         return None
     return import_module(f"{WINDOW}.{name}")
+
+
+def studio_module(name: str) -> Any:
+    """A module of a library that the extra `studio` brings, loaded; a `RoamError` that tells where it is not installed.
+
+    Without types: the libraries are optional.
+    """
+    library = name.partition(".")[0]
+    if find_spec(library) is None:
+        raise RoamError(STUDIO_MISSING.format(library=library))
+    return import_module(name)
 
 
 def __getattr__(name: str) -> Any:
