@@ -36,7 +36,9 @@ def build() -> Path:
     _run(sys.executable, "-m", "bundle.icons", WORK)
     _say("Collecting the program and its libraries")
     places = ["--distpath", WORK / "dist", "--workpath", WORK / "pyinstaller"]
-    # Not from the checkout, whose packages would be found before those of the wheel.
+    # Not from the checkout, whose packages would be found before those of the wheel: neither by the folder that this
+    # runs in, nor by that of the program, which PyInstaller searches too.
+    shutil.copy2(HERE / "entry.py", WORK)
     _run(python, "-m", "PyInstaller", "--noconfirm", "--log-level", "WARN", *places, HERE / "roam.spec", folder=WORK)
     _require_the_wheel()
     made = WORK / "dist" / ("ROAM.app" if sys.platform == "darwin" else "roam")
@@ -110,8 +112,7 @@ def _packed(made: Path) -> Path:
 def _require_the_wheel() -> None:
     """End where a file of the checkout was collected: it is the wheel that is to run."""
     sources = [Path(source) for _, source in json.loads((WORK / "parts.json").read_text(encoding="utf-8"))]
-    strays = [path for path in sources if path.is_relative_to(ROOT) and not path.is_relative_to(WORK)]
-    if strays := [path for path in strays if path != HERE / "entry.py"]:
+    if strays := [path for path in sources if path.is_relative_to(ROOT) and not path.is_relative_to(WORK)]:
         sys.exit(f"The bundle was not built: {strays[0]} of the checkout was collected, not the wheel.")
 
 
