@@ -26,7 +26,9 @@ def put_jobs(folder: Path) -> Path:
     put_gaps(folder / "c.roam", put_plate(folder / "show" / "c"))
     (folder / "none.png").write_bytes(b"no picture")
     steps = [{"track": {"config": CONFIG}}, "render"]
-    jobs = [{"name": name, "clip": f"show/{name}/plate", "init": f"show/{name}/init.png", "steps": steps} for name in "ab"]
+    jobs = [
+        {"name": name, "clip": f"show/{name}/plate", "init": f"show/{name}/init.png", "steps": steps} for name in "ab"
+    ]
     jobs.append({"name": "c", "init": "c.roam", "steps": [{"fill": {"config": CONFIG}}, "render"]})
     jobs.append({"name": "d", "clip": "show/a/plate", "init": "none.png", "steps": steps})
     path = folder / "jobs.json"

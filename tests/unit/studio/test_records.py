@@ -53,7 +53,9 @@ def test_a_record_comes_back_from_its_file(record: Record, tmp_path: Path) -> No
     assert found.outcome == {"said": "done"}
 
 
-@pytest.mark.parametrize("text", ["", "{}", "[]", '{"type": "roam.StepDone", "version": 1, "inputs": 3}', "[" * 100_000])
+@pytest.mark.parametrize(
+    "text", ["", "{}", "[]", '{"type": "roam.StepDone", "version": 1, "inputs": 3}', "[" * 100_000]
+)
 def test_a_damaged_record_is_none(tmp_path: Path, text: str) -> None:
     (tmp_path / "r.json").write_text(text)
     assert Record.read(tmp_path / "r.json") is None
