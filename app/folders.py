@@ -9,6 +9,8 @@ import platformdirs
 from roam_core.errors import RoamError
 from roam_core.temporary import is_writable, private_folder
 
+from .translation import tr
+
 
 def state_folder() -> Path:
     """The folder of the log, the settings and the journals; made when it is missing.
@@ -24,7 +26,11 @@ def state_trouble() -> str:
     wanted, used = platformdirs.user_state_path("roam", appauthor=False), state_folder()
     if used == wanted:
         return ""
-    return f"The folder {wanted} cannot be written to: settings and the journal of edits are kept in {used} for now."
+    return tr(
+        "The folder {wanted} cannot be written to: settings and the journal of edits are kept in {used} for now.",
+        wanted=wanted,
+        used=used,
+    )
 
 
 def _writable(folder: Path, name: str) -> Path:
@@ -33,7 +39,9 @@ def _writable(folder: Path, name: str) -> Path:
     try:
         return private_folder(name)
     except OSError as error:
-        raise RoamError(f"Neither {folder} nor a temporary folder can be written to: {error}.") from None
+        raise RoamError(
+            tr("Neither {folder} nor a temporary folder can be written to: {error}.", folder=folder, error=error)
+        ) from None
 
 
 def cache_folder() -> Path:

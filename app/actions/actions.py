@@ -29,7 +29,7 @@ class Actions(QObject):
         super().__init__(window)
         self._actions: dict[str, QAction] = {}
         for spec in SPECS:
-            action = _action(spec, self)
+            action = action_of(spec, self)
             (viewer if spec.reach is Reach.VIEWER else window).addAction(action)
             self._actions[spec.id] = action
         self.set_keymap(keymap)
@@ -64,8 +64,9 @@ class Actions(QObject):
             self._actions[action_id].triggered.connect(lambda _checked=False, call=handler: call())
 
 
-def _action(spec: ActionSpec, parent: QObject) -> QAction:
-    action = QAction(spec.title, parent)
+def action_of(spec: ActionSpec, parent: QObject) -> QAction:
+    """The action that a line of `SPECS` describes, without keys."""
+    action = QAction(spec.label, parent)
     action.setObjectName(spec.id)
     if spec.icon:
         action.setIcon(style.icon(spec.icon))
@@ -77,5 +78,4 @@ def _action(spec: ActionSpec, parent: QObject) -> QAction:
 
 
 def _tooltip(spec: ActionSpec, keys: tuple[str, ...]) -> str:
-    sentence = spec.tip or spec.title.rstrip("…")
-    return f"{sentence}  ({keys_text(keys)})" if keys else sentence
+    return f"{spec.sentence}  ({keys_text(keys)})" if keys else spec.sentence

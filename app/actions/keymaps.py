@@ -18,6 +18,7 @@ from roam_core.errors import RoamError
 from roam_core.installation import resource
 
 from ..atomic_json import keep_json, load_json
+from ..translation import tr
 from .specs import SPECS, ActionSpec, Reach
 
 Keymap = Mapping[str, tuple[str, ...]]
@@ -131,7 +132,7 @@ def press(key: str) -> str:
 def keys_text(keys: tuple[str, ...]) -> str:
     """Keys as a person reads them: `] or F7`."""
     texts = (QKeySequence(key).toString(QKeySequence.SequenceFormat.NativeText) for key in keys)
-    return " or ".join(texts)
+    return tr(" or ").join(texts)
 
 
 def told(sentence: str, keymap: Keymap) -> str:
@@ -141,7 +142,7 @@ def told(sentence: str, keymap: Keymap) -> str:
         spec = _SPECS.get(match[1])
         if spec is None:
             return match[0]
-        return keys_text(keymap.get(spec.id, ())) or f"“{spec.title.rstrip('…')}” in the menu"
+        return keys_text(keymap.get(spec.id, ())) or tr("“{action}” in the menu", action=spec.name)
 
     return _PLACE.sub(key, sentence)
 
@@ -169,10 +170,10 @@ def load_own(path: Path) -> OwnKeymap:
         return OwnKeymap()
     keys, preset = document.get("keys"), document.get("based_on")
     if not isinstance(keys, dict) or not isinstance(preset, str):
-        raise RoamError(f"{path} is no keymap; set your keys again in Edit > Keys.")
+        raise RoamError(tr("{path} is no keymap; set your keys again in Edit > Keys.", path=path))
     own = {action: _presses(given) for action, given in keys.items() if action in _SPECS}
     if None in own.values():
-        raise RoamError(f"{path} is no keymap; set your keys again in Edit > Keys.")
+        raise RoamError(tr("{path} is no keymap; set your keys again in Edit > Keys.", path=path))
     known = {action: found for action, found in own.items() if found is not None and all(map(press, found))}
     return OwnKeymap(preset if preset in presets() else DEFAULT, known)
 
@@ -188,5 +189,5 @@ def _presses(given: Any) -> tuple[str, ...] | None:
 def _document(name: str) -> Any:
     preset = resource("keymaps", f"{name}.json")
     if not preset.is_file():
-        raise RoamError(f"There is no keymap {name!r}; choose one that lies in resources/keymaps.")
+        raise RoamError(tr("There is no keymap {name!r}; choose one that lies in resources/keymaps.", name=name))
     return json.loads(preset.read_text(encoding="utf-8"))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from PySide6.QtWidgets import QMenu, QMenuBar
 
+from ..translation import N_, tr
 from .actions import Actions
 
 SEPARATOR = ""
@@ -11,7 +12,7 @@ RECENT = "menu.recent"
 """Stands where a submenu is put in that fills itself."""
 
 MENUS: dict[str, tuple[str, ...]] = {
-    "File": (
+    N_("File"): (
         "file.new", "file.open_clip", "file.open_movie", "file.open_project", RECENT,
         "file.open_demo", "file.relink_clip", SEPARATOR,
         "file.save", "file.save_as", "file.recover", SEPARATOR,
@@ -19,7 +20,7 @@ MENUS: dict[str, tuple[str, ...]] = {
         "file.export", "file.export_selected", "file.export_nuke", "file.export_mattes", SEPARATOR,
         "file.quit",
     ),
-    "Edit": (
+    N_("Edit"): (
         "edit.undo", "edit.redo", "edit.history", SEPARATOR,
         "edit.copy", "edit.cut", "edit.paste", "edit.copy_nuke", "edit.copy_fusion", SEPARATOR,
         "points.delete", "shape.select_all", "points.select_all", "points.next", "points.previous", SEPARATOR,
@@ -29,18 +30,18 @@ MENUS: dict[str, tuple[str, ...]] = {
         "feather.reset", "feather.all_keys", SEPARATOR,
         "edit.keymap", "edit.settings",
     ),
-    "Shape": (
+    N_("Shape"): (
         "tool.select", "tool.transform", "tool.reshape", "tool.bezier", "tool.bspline", "tool.polygon", "tool.freehand",
         "tool.magnetic", "tool.ellipse", "tool.rectangle", "tool.object", "shape.from_mask", "tool.feather",
         "tool.points", "tool.adjust", SEPARATOR,
         "shape.match_edge", SEPARATOR,
-        "key.auto", "key.ripple", SEPARATOR,
+        "key.auto", "key.points", "key.ripple", SEPARATOR,
         "key.copy", "key.paste", "key.paste_range", SEPARATOR,
-        "key.set", "key.delete", "key.linear", "key.smooth", "key.hold", SEPARATOR,
+        "key.set", "key.set_points", "key.delete", "key.linear", "key.smooth", "key.hold", "key.tangents", SEPARATOR,
         "shape.duplicate", "shape.group", "layer.ungroup", "layer.add", "shape.delete", SEPARATOR,
         "shape.lock", "shape.hide", "shape.show_all",
     ),
-    "Track": (
+    N_("Track"): (
         "track.forward", "track.backward", "track.forward_one", "track.backward_one", "track.to_next_key",
         "track.fill", SEPARATOR,
         "track.stop", SEPARATOR,
@@ -51,12 +52,12 @@ MENUS: dict[str, tuple[str, ...]] = {
         "planar.forward", "planar.backward", SEPARATOR,
         "track.delete_engine_keys",
     ),
-    "Proposal": (
+    N_("Proposal"): (
         "proposal.next", SEPARATOR,
         "proposal.keep", "proposal.refuse", SEPARATOR,
         "proposal.keep_always", "proposal.refuse_always", "proposal.ask_again",
     ),
-    "View": (
+    N_("View"): (
         "view.source", "view.overlay", "view.matte", "view.cutout", "view.onion", "view.confidence", "view.alpha",
         "view.hide_overlays", "view.joints", "view.edges", SEPARATOR,
         "view.colour", "view.red", "view.green", "view.blue", "view.luminance", "view.reset_look", SEPARATOR,
@@ -66,23 +67,35 @@ MENUS: dict[str, tuple[str, ...]] = {
         "time.toggle_play", "time.play", "time.play_back", "time.pause", "time.play_slowly",
         "time.play_back_slowly", "time.loop", "time.ping_pong", SEPARATOR,
         "time.set_in", "time.set_out", "time.clear_range", SEPARATOR,
-        "mark.toggle", "mark.name", "time.previous_mark", "time.next_mark", SEPARATOR,
-        "view.fit_time", "view.tall_timeline", "view.shape_panel", "view.panels",
+        "view.fit_time", "view.tall_timeline", "view.curves", "view.shape_panel", "view.panels",
     ),
-    "Help": ("help.palette", "help.keys", SEPARATOR, "help.log", "help.report", "help.about"),
+    N_("Review"): (
+        "mark.toggle", "mark.name", "time.previous_mark", "time.next_mark", SEPARATOR,
+        "review.panel", "review.measure_boil", SEPARATOR,
+        "review.movie", "review.sheet",
+    ),
+    N_("Window"): (
+        "window.full_screen", "window.second_viewer", SEPARATOR,
+        "window.shapes", "window.track", "window.planar", "window.shape", "window.timeline", SEPARATOR,
+        "window.float_shapes", "window.float_track", "window.float_planar", "window.float_shape",
+        "window.float_review", "window.float_history", "window.float_log", "window.float_timeline",
+        "window.float_second_viewer", SEPARATOR,
+        "window.reset_layout",
+    ),
+    N_("Help"): ("help.palette", "help.keys", SEPARATOR, "help.log", "help.report", "help.about"),
 }  # fmt: skip
 
 
 def menu_of(action_id: str) -> str:
     """The title of the menu in which an action stands; empty where it stands in none."""
-    return next((title for title, entries in MENUS.items() if action_id in entries), "")
+    return next((tr(title) for title, entries in MENUS.items() if action_id in entries), "")
 
 
 def menu_bar(actions: Actions, recent: QMenu) -> QMenuBar:
     """A bar with every menu; `recent` lists what was opened before."""
     bar = QMenuBar()
     for title, entries in MENUS.items():
-        menu = bar.addMenu(title)
+        menu = bar.addMenu(tr(title))
         for entry in entries:
             if entry == SEPARATOR:
                 menu.addSeparator()

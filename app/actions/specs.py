@@ -5,6 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from enum import StrEnum
 
+from ..translation import N_, tr
+
 
 class Reach(StrEnum):
     """Where an action's keys work: transport and files in the whole window, edits in the viewer only."""
@@ -24,210 +26,439 @@ class ActionSpec:
     tip: str = ""
     checkable: bool = False
 
+    @property
+    def label(self) -> str:
+        """The title in the window's language, with dots where a question follows."""
+        return tr(self.title)
+
+    @property
+    def name(self) -> str:
+        """The title in the window's language, as sentences name it."""
+        return self.label.rstrip("…")
+
+    @property
+    def sentence(self) -> str:
+        """What it does, in the window's language."""
+        return tr(self.tip) if self.tip else self.name
+
 
 _VIEWER = Reach.VIEWER
-_TO_KEYS = "Go one key, or change of depth, of the shapes in hand"
+_FLOAT = N_("Take it out of the main window, to another monitor, or put it back")
 
 SPECS: tuple[ActionSpec, ...] = (
-    ActionSpec("file.new", "New"),
-    ActionSpec("file.open_clip", "Open clip…"),
-    ActionSpec("file.open_movie", "Open movie…"),
-    ActionSpec("file.open_project", "Open project…"),
-    ActionSpec("file.open_demo", "Open the demo", tip="A short shot to try everything on"),
-    ActionSpec("file.relink_clip", "Relink clip…", tip="Another version of the plate below the same shapes"),
-    ActionSpec("file.save", "Save"),
-    ActionSpec("file.save_as", "Save as…"),
-    ActionSpec("file.recover", "Recover work…", tip="What crashes left, and what was thrown away, session by session"),
-    ActionSpec("file.import_shapes", "Import shapes…", tip="Shapes of Nuke, Silhouette and others; or drop the file"),
-    ActionSpec("file.import_masks", "Import masks…", tip="Fit shapes to a folder of mask pictures"),
-    ActionSpec("file.export", "Export…", tip="Shapes for other programs, and mattes: every format, keys and frames"),
-    ActionSpec("file.export_selected", "Export selected shapes…", tip="The selected shapes alone, in any format"),
-    ActionSpec("file.export_nuke", "Export to Nuke…"),
-    ActionSpec("file.export_mattes", "Export mattes…"),
-    ActionSpec("file.quit", "Quit"),
-    ActionSpec("edit.undo", "Undo"),
-    ActionSpec("edit.redo", "Redo"),
-    ActionSpec("edit.history", "History", tip="Show every step and go back to any", checkable=True),
-    ActionSpec("edit.copy", "Copy", _VIEWER, tip="Copy the selected shapes"),
-    ActionSpec("edit.cut", "Cut", _VIEWER, tip="Cut the selected shapes"),
-    ActionSpec("edit.paste", "Paste", _VIEWER, tip="Paste the copied shapes, also those copied in Nuke or Fusion"),
-    ActionSpec("edit.copy_nuke", "Copy for Nuke", tip="The selected shapes, or all, as a node to paste into a script"),
-    ActionSpec("edit.copy_fusion", "Copy for Fusion", tip="The selected shapes, or all, as nodes to paste into a flow"),
-    ActionSpec("tool.select", "Select", _VIEWER, "tool-select", "Select and drag shapes, points and handles", True),
+    ActionSpec("file.new", N_("New")),
+    ActionSpec("file.open_clip", N_("Open clip…")),
+    ActionSpec("file.open_movie", N_("Open movie…")),
+    ActionSpec("file.open_project", N_("Open project…")),
+    ActionSpec("file.open_demo", N_("Open the demo"), tip=N_("A short shot to try everything on")),
+    ActionSpec("file.relink_clip", N_("Relink clip…"), tip=N_("Another version of the plate below the same shapes")),
+    ActionSpec("file.save", N_("Save")),
+    ActionSpec("file.save_as", N_("Save as…")),
     ActionSpec(
-        "tool.transform", "Transform", _VIEWER, "tool-transform", "Move, turn, scale and shear points or shapes", True
-    ),
-    ActionSpec("tool.reshape", "Reshape", _VIEWER, "tool-reshape", "Pull the points under a soft, round brush", True),
-    ActionSpec(
-        "tool.bezier", "Bezier", _VIEWER, "tool-bezier", "Draw a Bezier shape: click corners, drag curves", True
-    ),
-    ActionSpec("tool.bspline", "B-spline", _VIEWER, "tool-bspline", "Draw a smooth shape by its control points", True),
-    ActionSpec("tool.polygon", "Polygon", _VIEWER, "tool-polygon", "Draw a polygon", True),
-    ActionSpec("tool.freehand", "Freehand", _VIEWER, "tool-freehand", "Draw by hand; few points are fitted", True),
-    ActionSpec(
-        "tool.magnetic", "Magnetic lasso", _VIEWER, "tool-magnetic", "Draw a line that clings to the edges", True
+        "file.recover", N_("Recover work…"), tip=N_("What crashes left, and what was thrown away, session by session")
     ),
     ActionSpec(
-        "tool.object", "Object", _VIEWER, "tool-object", "Box or click an object: a shape is fitted to it", True
+        "file.import_shapes", N_("Import shapes…"), tip=N_("Shapes of Nuke, Silhouette and others; or drop the file")
     ),
-    ActionSpec("shape.to_bezier", "Make Bezier", tip="Give the selected B-splines handles; no outline changes"),
-    ActionSpec("shape.to_bspline", "Make B-spline", tip="Give the selected shapes control points: smooth everywhere"),
-    ActionSpec("shape.from_mask", "From mask image…", tip="Fit shapes to a picture of this frame's mask"),
-    ActionSpec("tool.ellipse", "Ellipse", _VIEWER, "tool-ellipse", "Span an ellipse; Shift makes it a circle", True),
+    ActionSpec("file.import_masks", N_("Import masks…"), tip=N_("Fit shapes to a folder of mask pictures")),
     ActionSpec(
-        "tool.rectangle", "Rectangle", _VIEWER, "tool-rectangle", "Span a rectangle; Shift makes it a square", True
+        "file.export", N_("Export…"), tip=N_("Shapes for other programs, and mattes: every format, keys and frames")
     ),
     ActionSpec(
-        "tool.feather", "Feather", _VIEWER, "tool-feather", "Soften the edge: pull the feather out of points", True
+        "file.export_selected", N_("Export selected shapes…"), tip=N_("The selected shapes alone, in any format")
+    ),
+    ActionSpec("file.export_nuke", N_("Export to Nuke…")),
+    ActionSpec("file.export_mattes", N_("Export mattes…")),
+    ActionSpec("file.quit", N_("Quit")),
+    ActionSpec("edit.undo", N_("Undo")),
+    ActionSpec("edit.redo", N_("Redo")),
+    ActionSpec("edit.history", N_("History"), tip=N_("Show every step and go back to any"), checkable=True),
+    ActionSpec("edit.copy", N_("Copy"), _VIEWER, tip=N_("Copy the selected shapes")),
+    ActionSpec("edit.cut", N_("Cut"), _VIEWER, tip=N_("Cut the selected shapes")),
+    ActionSpec(
+        "edit.paste", N_("Paste"), _VIEWER, tip=N_("Paste the copied shapes, also those copied in Nuke or Fusion")
     ),
     ActionSpec(
-        "tool.points", "Track points", _VIEWER, "tool-points", "Put points that a track follows, with the shapes", True
-    ),
-    ActionSpec("tool.adjust", "Adjust track", _VIEWER, "tool-adjust", "Pin the corners of a tracked surface", True),
-    ActionSpec(
-        "feather.reset", "Reset feather", _VIEWER, tip="Put the feather of the selected points back on the outline"
+        "edit.copy_nuke", N_("Copy for Nuke"), tip=N_("The selected shapes, or all, as a node to paste into a script")
     ),
     ActionSpec(
-        "feather.all_keys", "Feather for all keys", _VIEWER, tip="Give the soft edge as it is here to every key"
-    ),
-    ActionSpec("points.delete", "Delete", _VIEWER, tip="Delete the selected points or shapes"),
-    ActionSpec("points.select_all", "Select all points", _VIEWER),
-    ActionSpec("points.next", "Next point", _VIEWER),
-    ActionSpec("points.previous", "Previous point", _VIEWER),
-    ActionSpec("points.smooth", "Smooth points", _VIEWER),
-    ActionSpec("points.cusp", "Cusp points", _VIEWER),
-    ActionSpec("points.transform", "Transform by numbers…", _VIEWER, tip="Move, turn, scale and shear by numbers"),
-    ActionSpec("points.mirror_across", "Mirror horizontally", _VIEWER, tip="Swap left and right of what is selected"),
-    ActionSpec("points.mirror_down", "Mirror vertically", _VIEWER, tip="Swap top and bottom of what is selected"),
-    ActionSpec("points.toggle_closed", "Open or close", _VIEWER),
-    ActionSpec("shape.select_all", "Select all shapes", _VIEWER, tip="Select the shapes in sight that are not locked"),
-    ActionSpec("shape.duplicate", "Duplicate", _VIEWER, "duplicate"),
-    ActionSpec("shape.group", "Group into a layer", _VIEWER, "layer-add"),
-    ActionSpec(
-        "layer.ungroup", "Ungroup", _VIEWER, "layer-remove", "Dissolve the layer; its shapes stay as they are seen"
-    ),
-    ActionSpec("layer.add", "New layer", tip="Add an empty layer, to drop shapes on"),
-    ActionSpec(
-        "shape.match_edge", "Match the plate's edge", tip="Feather and shutter as the plate shows them, on all keys"
-    ),
-    ActionSpec("shape.delete", "Delete shape", icon="delete", tip="Delete the selected shapes and layers"),
-    ActionSpec("shape.lock", "Lock or unlock", icon="lock"),
-    ActionSpec("shape.hide", "Hide", _VIEWER, "eye-off"),
-    ActionSpec("shape.show_all", "Show all", _VIEWER, "eye"),
-    ActionSpec("points.soft", "Soft selection", _VIEWER, "", "Points near the selected ones follow them", True),
-    ActionSpec("points.lasso", "Lasso selection", _VIEWER, "", "Drag a free line about points, not a rectangle", True),
-    ActionSpec(
-        "key.auto", "Auto-key", _VIEWER, "", "Edits make keys on their frames; off: they change keys around", True
-    ),
-    ActionSpec("key.copy", "Copy key", _VIEWER, tip="Copy the selected shapes as they are on this frame"),
-    ActionSpec("key.paste", "Paste key", _VIEWER, tip="Put the copied key on this frame"),
-    ActionSpec("key.paste_range", "Paste key to range…", _VIEWER, tip="Hold the copied key through a range of frames"),
-    ActionSpec("key.ripple", "Ripple edit", _VIEWER, "", "An edit changes all keys of the in/out range alike", True),
-    ActionSpec("key.set", "Set key", _VIEWER, "key-set", "Make the selected shapes, as they are here, artist keys"),
-    ActionSpec(
-        "key.delete", "Delete key", _VIEWER, "key-delete", "Delete the keys of the selected shapes on this frame"
-    ),
-    ActionSpec("key.linear", "Linear", icon="key-linear", tip="Move on evenly from the chosen keys, or from this one"),
-    ActionSpec("key.smooth", "Smooth", icon="key-smooth", tip="Begin and end softly after the chosen keys or this one"),
-    ActionSpec("key.hold", "Hold", icon="key-hold", tip="Stand still after the chosen keys, or this one"),
-    ActionSpec("track.backward", "Track backward", icon="track-backward"),
-    ActionSpec("track.backward_one", "Track one frame backward", icon="track-backward-one"),
-    ActionSpec("track.stop", "Stop", icon="track-stop", tip="Stop; the frames that are finished stay"),
-    ActionSpec("track.forward_one", "Track one frame forward", icon="track-forward-one"),
-    ActionSpec("track.forward", "Track forward", icon="track-forward"),
-    ActionSpec("track.to_next_key", "Track to the next key", icon="track-to-key"),
-    ActionSpec(
-        "track.fill", "Fill between keys", icon="track-fill", tip="Track the frames between two keys from both at once"
+        "edit.copy_fusion", N_("Copy for Fusion"), tip=N_("The selected shapes, or all, as nodes to paste into a flow")
     ),
     ActionSpec(
-        "track.next_doubtful", "Next doubtful frame", icon="doubtful-next", tip="Go to the next frame worth fixing"
+        "tool.select", N_("Select"), _VIEWER, "tool-select", N_("Select and drag shapes, points and handles"), True
     ),
-    ActionSpec("track.previous_doubtful", "Previous doubtful frame", icon="doubtful-previous"),
-    ActionSpec("track.most_doubtful", "Most doubtful frame", tip="Go to the frame that the engine trusts least"),
-    ActionSpec("proposal.next", "Next proposal", tip="Go to the next frame on which the engine proposes a change"),
-    ActionSpec("proposal.keep", "Keep", _VIEWER, tip="Make the change that the engine proposes here"),
-    ActionSpec("proposal.refuse", "Refuse", _VIEWER, tip="Leave the shape as it is"),
-    ActionSpec("proposal.keep_always", "Always", tip="Make this change, and every one proposed for this shape"),
-    ActionSpec("proposal.refuse_always", "Never", tip="Refuse, and propose nothing more for this shape"),
-    ActionSpec("proposal.ask_again", "Ask again", tip="Propose changes for the selected shapes again"),
     ActionSpec(
-        "planar.backward", "Planar track backward", icon="planar-backward", tip="Follow the surface in the shapes back"
+        "tool.transform",
+        N_("Transform"),
+        _VIEWER,
+        "tool-transform",
+        N_("Move, turn, scale and shear points or shapes"),
+        True,
     ),
-    ActionSpec("planar.forward", "Planar track forward", icon="planar-forward", tip="Follow the surface in the shapes"),
-    ActionSpec("track.delete_engine_keys", "Delete tracked frames", tip="Delete every tracked frame; artist keys stay"),
-    ActionSpec("object.one", "Solve as one object", _VIEWER, tip="Track the selected shapes as one whole object"),
-    ActionSpec("object.parts", "Solve as parts", _VIEWER, tip="By outlines again: shapes that overlap are parts"),
-    ActionSpec("object.apart", "Solve by itself", tip="Track each of the selected shapes with no other"),
-    ActionSpec("object.attach", "Attach to neighbours", tip="Let parts hang by joints on those that they overlap"),
-    ActionSpec("object.detach", "Detach", tip="Let parts move free of those that they overlap"),
-    ActionSpec("object.in_front", "In front from here", tip="From this frame on the shapes hide the others"),
-    ActionSpec("object.behind", "Behind from here", tip="From this frame on the others hide the shapes"),
-    ActionSpec("object.as_stacked", "As stacked from here", tip="From this frame on what hides what goes by the list"),
-    ActionSpec("view.source", "Source", _VIEWER, "view-source", "The plate alone", True),
-    ActionSpec("view.overlay", "Overlay", _VIEWER, "view-overlay", "The plate with its shapes", True),
-    ActionSpec("view.matte", "Matte", _VIEWER, "view-matte", "The matte of all visible shapes", True),
-    ActionSpec("view.cutout", "Cut-out", _VIEWER, "view-cutout", "The plate inside of the matte, on a ground", True),
-    ActionSpec("view.onion", "Onion skin", _VIEWER, "view-onion", "The outlines of frames before and after", True),
     ActionSpec(
-        "view.confidence", "Confidence", _VIEWER, "view-confidence", "Where the engine trusts the outline", True
+        "tool.reshape", N_("Reshape"), _VIEWER, "tool-reshape", N_("Pull the points under a soft, round brush"), True
     ),
-    ActionSpec("view.alpha", "Alpha alone", _VIEWER, "view-alpha", "The matte without its outlines, and back", True),
-    ActionSpec("view.colour", "Colour", _VIEWER, tip="All channels", checkable=True),
-    ActionSpec("view.red", "Red", _VIEWER, tip="The red channel alone, and back", checkable=True),
-    ActionSpec("view.green", "Green", _VIEWER, tip="The green channel alone, and back", checkable=True),
-    ActionSpec("view.blue", "Blue", _VIEWER, tip="The blue channel alone, and back", checkable=True),
-    ActionSpec("view.luminance", "Luminance", _VIEWER, tip="Brightness alone, and back", checkable=True),
-    ActionSpec("view.reset_look", "Reset exposure", _VIEWER, tip="Show the plate as it is: all channels, neutral"),
     ActionSpec(
-        "view.wipe", "Compare", _VIEWER, "view-wipe", "Compare what is shown now with what will be: drag the line", True
+        "tool.bezier", N_("Bezier"), _VIEWER, "tool-bezier", N_("Draw a Bezier shape: click corners, drag curves"), True
     ),
-    ActionSpec("view.pin", "Pin as A", _VIEWER, tip="Compare with what is shown now, in place of what was pinned"),
-    ActionSpec("view.hide_overlays", "Hide shapes", _VIEWER, tip="Hide the shapes while you look", checkable=True),
     ActionSpec(
-        "view.joints", "Show joints", _VIEWER, tip="Where parts hang together, on frames with keys", checkable=True
+        "tool.bspline", N_("B-spline"), _VIEWER, "tool-bspline", N_("Draw a smooth shape by its control points"), True
+    ),
+    ActionSpec("tool.polygon", N_("Polygon"), _VIEWER, "tool-polygon", N_("Draw a polygon"), True),
+    ActionSpec(
+        "tool.freehand", N_("Freehand"), _VIEWER, "tool-freehand", N_("Draw by hand; few points are fitted"), True
+    ),
+    ActionSpec(
+        "tool.magnetic",
+        N_("Magnetic lasso"),
+        _VIEWER,
+        "tool-magnetic",
+        N_("Draw a line that clings to the edges"),
+        True,
+    ),
+    ActionSpec(
+        "tool.object", N_("Object"), _VIEWER, "tool-object", N_("Box or click an object: a shape is fitted to it"), True
+    ),
+    ActionSpec("shape.to_bezier", N_("Make Bezier"), tip=N_("Give the selected B-splines handles; no outline changes")),
+    ActionSpec(
+        "shape.to_bspline", N_("Make B-spline"), tip=N_("Give the selected shapes control points: smooth everywhere")
+    ),
+    ActionSpec("shape.from_mask", N_("From mask image…"), tip=N_("Fit shapes to a picture of this frame's mask")),
+    ActionSpec(
+        "tool.ellipse", N_("Ellipse"), _VIEWER, "tool-ellipse", N_("Span an ellipse; Shift makes it a circle"), True
+    ),
+    ActionSpec(
+        "tool.rectangle",
+        N_("Rectangle"),
+        _VIEWER,
+        "tool-rectangle",
+        N_("Span a rectangle; Shift makes it a square"),
+        True,
+    ),
+    ActionSpec(
+        "tool.feather",
+        N_("Feather"),
+        _VIEWER,
+        "tool-feather",
+        N_("Soften the edge: pull the feather out of points"),
+        True,
+    ),
+    ActionSpec(
+        "tool.points",
+        N_("Track points"),
+        _VIEWER,
+        "tool-points",
+        N_("Put points that a track follows, with the shapes"),
+        True,
+    ),
+    ActionSpec(
+        "tool.adjust", N_("Adjust track"), _VIEWER, "tool-adjust", N_("Pin the corners of a tracked surface"), True
+    ),
+    ActionSpec(
+        "feather.reset",
+        N_("Reset feather"),
+        _VIEWER,
+        tip=N_("Put the feather of the selected points back on the outline"),
+    ),
+    ActionSpec(
+        "feather.all_keys", N_("Feather for all keys"), _VIEWER, tip=N_("Give the soft edge as it is here to every key")
+    ),
+    ActionSpec("points.delete", N_("Delete"), _VIEWER, tip=N_("Delete the selected points or shapes")),
+    ActionSpec("points.select_all", N_("Select all points"), _VIEWER),
+    ActionSpec("points.next", N_("Next point"), _VIEWER),
+    ActionSpec("points.previous", N_("Previous point"), _VIEWER),
+    ActionSpec("points.smooth", N_("Smooth points"), _VIEWER),
+    ActionSpec("points.cusp", N_("Cusp points"), _VIEWER),
+    ActionSpec(
+        "points.transform", N_("Transform by numbers…"), _VIEWER, tip=N_("Move, turn, scale and shear by numbers")
+    ),
+    ActionSpec(
+        "points.mirror_across", N_("Mirror horizontally"), _VIEWER, tip=N_("Swap left and right of what is selected")
+    ),
+    ActionSpec(
+        "points.mirror_down", N_("Mirror vertically"), _VIEWER, tip=N_("Swap top and bottom of what is selected")
+    ),
+    ActionSpec("points.toggle_closed", N_("Open or close"), _VIEWER),
+    ActionSpec(
+        "shape.select_all", N_("Select all shapes"), _VIEWER, tip=N_("Select the shapes in sight that are not locked")
+    ),
+    ActionSpec("shape.duplicate", N_("Duplicate"), _VIEWER, "duplicate"),
+    ActionSpec("shape.group", N_("Group into a layer"), _VIEWER, "layer-add"),
+    ActionSpec(
+        "layer.ungroup",
+        N_("Ungroup"),
+        _VIEWER,
+        "layer-remove",
+        N_("Dissolve the layer; its shapes stay as they are seen"),
+    ),
+    ActionSpec("layer.add", N_("New layer"), tip=N_("Add an empty layer, to drop shapes on")),
+    ActionSpec(
+        "shape.match_edge",
+        N_("Match the plate's edge"),
+        tip=N_("Feather and shutter as the plate shows them, on all keys"),
+    ),
+    ActionSpec("shape.delete", N_("Delete shape"), icon="delete", tip=N_("Delete the selected shapes and layers")),
+    ActionSpec("shape.lock", N_("Lock or unlock"), icon="lock"),
+    ActionSpec("shape.hide", N_("Hide"), _VIEWER, "eye-off"),
+    ActionSpec("shape.show_all", N_("Show all"), _VIEWER, "eye"),
+    ActionSpec("points.soft", N_("Soft selection"), _VIEWER, "", N_("Points near the selected ones follow them"), True),
+    ActionSpec(
+        "points.lasso", N_("Lasso selection"), _VIEWER, "", N_("Drag a free line about points, not a rectangle"), True
+    ),
+    ActionSpec(
+        "key.auto",
+        N_("Auto-key"),
+        _VIEWER,
+        "",
+        N_("Edits make keys on their frames; off: they change keys around"),
+        True,
+    ),
+    ActionSpec(
+        "key.points",
+        N_("Key points"),
+        _VIEWER,
+        "",
+        N_("Edits key the points that they move; a track derives the others"),
+        True,
+    ),
+    ActionSpec(
+        "key.set_points",
+        N_("Set key for points"),
+        _VIEWER,
+        tip=N_("Make the selected points, as they are here, the artist's"),
+    ),
+    ActionSpec("key.copy", N_("Copy key"), _VIEWER, tip=N_("Copy the selected shapes as they are on this frame")),
+    ActionSpec("key.paste", N_("Paste key"), _VIEWER, tip=N_("Put the copied key on this frame")),
+    ActionSpec(
+        "key.paste_range", N_("Paste key to range…"), _VIEWER, tip=N_("Hold the copied key through a range of frames")
+    ),
+    ActionSpec(
+        "key.ripple", N_("Ripple edit"), _VIEWER, "", N_("An edit changes all keys of the in/out range alike"), True
+    ),
+    ActionSpec(
+        "key.set", N_("Set key"), _VIEWER, "key-set", N_("Make the selected shapes, as they are here, artist keys")
+    ),
+    ActionSpec(
+        "key.delete",
+        N_("Delete key"),
+        _VIEWER,
+        "key-delete",
+        N_("Delete the keys of the selected shapes on this frame"),
+    ),
+    ActionSpec(
+        "key.linear", N_("Linear"), icon="key-linear", tip=N_("Move on evenly from the chosen keys, or from this one")
+    ),
+    ActionSpec(
+        "key.smooth", N_("Smooth"), icon="key-smooth", tip=N_("Begin and end softly after the chosen keys or this one")
+    ),
+    ActionSpec("key.hold", N_("Hold"), icon="key-hold", tip=N_("Stand still after the chosen keys, or this one")),
+    ActionSpec(
+        "key.tangents",
+        N_("Tangents"),
+        icon="key-tangents",
+        tip=N_("Bend opacity or feather smoothly through the chosen keys"),
+    ),
+    ActionSpec("track.backward", N_("Track backward"), icon="track-backward"),
+    ActionSpec("track.backward_one", N_("Track one frame backward"), icon="track-backward-one"),
+    ActionSpec("track.stop", N_("Stop"), icon="track-stop", tip=N_("Stop; the frames that are finished stay")),
+    ActionSpec("track.forward_one", N_("Track one frame forward"), icon="track-forward-one"),
+    ActionSpec("track.forward", N_("Track forward"), icon="track-forward"),
+    ActionSpec("track.to_next_key", N_("Track to the next key"), icon="track-to-key"),
+    ActionSpec(
+        "track.fill",
+        N_("Fill between keys"),
+        icon="track-fill",
+        tip=N_("Track the frames between two keys from both at once"),
+    ),
+    ActionSpec(
+        "track.next_doubtful",
+        N_("Next doubtful frame"),
+        icon="doubtful-next",
+        tip=N_("Go to the next frame worth fixing: where confidence is low, or the outline boils"),
+    ),
+    ActionSpec("track.previous_doubtful", N_("Previous doubtful frame"), icon="doubtful-previous"),
+    ActionSpec(
+        "track.most_doubtful", N_("Most doubtful frame"), tip=N_("Go to the frame that the engine trusts least")
+    ),
+    ActionSpec(
+        "proposal.next", N_("Next proposal"), tip=N_("Go to the next frame on which the engine proposes a change")
+    ),
+    ActionSpec("proposal.keep", N_("Keep"), _VIEWER, tip=N_("Make the change that the engine proposes here")),
+    ActionSpec("proposal.refuse", N_("Refuse"), _VIEWER, tip=N_("Leave the shape as it is")),
+    ActionSpec("proposal.keep_always", N_("Always"), tip=N_("Make this change, and every one proposed for this shape")),
+    ActionSpec("proposal.refuse_always", N_("Never"), tip=N_("Refuse, and propose nothing more for this shape")),
+    ActionSpec("proposal.ask_again", N_("Ask again"), tip=N_("Propose changes for the selected shapes again")),
+    ActionSpec(
+        "planar.backward",
+        N_("Planar track backward"),
+        icon="planar-backward",
+        tip=N_("Follow the surface in the shapes back"),
+    ),
+    ActionSpec(
+        "planar.forward", N_("Planar track forward"), icon="planar-forward", tip=N_("Follow the surface in the shapes")
+    ),
+    ActionSpec(
+        "track.delete_engine_keys", N_("Delete tracked frames"), tip=N_("Delete every tracked frame; artist keys stay")
+    ),
+    ActionSpec(
+        "object.one", N_("Solve as one object"), _VIEWER, tip=N_("Track the selected shapes as one whole object")
+    ),
+    ActionSpec(
+        "object.parts", N_("Solve as parts"), _VIEWER, tip=N_("By outlines again: shapes that overlap are parts")
+    ),
+    ActionSpec("object.apart", N_("Solve by itself"), tip=N_("Track each of the selected shapes with no other")),
+    ActionSpec(
+        "object.attach", N_("Attach to neighbours"), tip=N_("Let parts hang by joints on those that they overlap")
+    ),
+    ActionSpec("object.detach", N_("Detach"), tip=N_("Let parts move free of those that they overlap")),
+    ActionSpec("object.in_front", N_("In front from here"), tip=N_("From this frame on the shapes hide the others")),
+    ActionSpec("object.behind", N_("Behind from here"), tip=N_("From this frame on the others hide the shapes")),
+    ActionSpec(
+        "object.as_stacked", N_("As stacked from here"), tip=N_("From this frame on what hides what goes by the list")
+    ),
+    ActionSpec("view.source", N_("Source"), _VIEWER, "view-source", N_("The plate alone"), True),
+    ActionSpec("view.overlay", N_("Overlay"), _VIEWER, "view-overlay", N_("The plate with its shapes"), True),
+    ActionSpec("view.matte", N_("Matte"), _VIEWER, "view-matte", N_("The matte of all visible shapes"), True),
+    ActionSpec(
+        "view.cutout", N_("Cut-out"), _VIEWER, "view-cutout", N_("The plate inside of the matte, on a ground"), True
+    ),
+    ActionSpec(
+        "view.onion", N_("Onion skin"), _VIEWER, "view-onion", N_("The outlines of frames before and after"), True
+    ),
+    ActionSpec(
+        "view.confidence", N_("Confidence"), _VIEWER, "view-confidence", N_("Where the engine trusts the outline"), True
+    ),
+    ActionSpec(
+        "view.alpha", N_("Alpha alone"), _VIEWER, "view-alpha", N_("The matte without its outlines, and back"), True
+    ),
+    ActionSpec("view.colour", N_("Colour"), _VIEWER, tip=N_("All channels"), checkable=True),
+    ActionSpec("view.red", N_("Red"), _VIEWER, tip=N_("The red channel alone, and back"), checkable=True),
+    ActionSpec("view.green", N_("Green"), _VIEWER, tip=N_("The green channel alone, and back"), checkable=True),
+    ActionSpec("view.blue", N_("Blue"), _VIEWER, tip=N_("The blue channel alone, and back"), checkable=True),
+    ActionSpec("view.luminance", N_("Luminance"), _VIEWER, tip=N_("Brightness alone, and back"), checkable=True),
+    ActionSpec(
+        "view.reset_look", N_("Reset exposure"), _VIEWER, tip=N_("Show the plate as it is: all channels, neutral")
+    ),
+    ActionSpec(
+        "view.wipe",
+        N_("Compare"),
+        _VIEWER,
+        "view-wipe",
+        N_("Compare what is shown now with what will be: drag the line"),
+        True,
+    ),
+    ActionSpec(
+        "view.pin", N_("Pin as A"), _VIEWER, tip=N_("Compare with what is shown now, in place of what was pinned")
+    ),
+    ActionSpec(
+        "view.hide_overlays", N_("Hide shapes"), _VIEWER, tip=N_("Hide the shapes while you look"), checkable=True
+    ),
+    ActionSpec(
+        "view.joints",
+        N_("Show joints"),
+        _VIEWER,
+        tip=N_("Where parts hang together, on frames with keys"),
+        checkable=True,
     ),
     ActionSpec(
         "view.edges",
-        "Show edges",
+        N_("Show edges"),
         _VIEWER,
-        tip="Free edges, which the picture shows, solid; seams of an object dashed; what a nearer part hides dotted",
+        tip=N_(
+            "Free edges, which the picture shows, solid; seams of an object dashed; what a nearer part hides dotted"
+        ),
         checkable=True,
     ),
-    ActionSpec("view.fit", "Fit", _VIEWER, "view-fit"),
-    ActionSpec("view.fit_selection", "Frame selection", _VIEWER),
-    ActionSpec("view.actual_size", "100 %", _VIEWER),
-    ActionSpec("view.fit_time", "Fit time", tip="Show the whole clip in the timeline"),
-    ActionSpec("view.tall_timeline", "Tall timeline", tip="Give the timeline half of the window", checkable=True),
-    ActionSpec("view.shape_panel", "Shape panel", tip="Show all that the Shape panel has of the selected shapes"),
-    ActionSpec("view.panels", "Panels", tip="Show or hide the panels on the right", checkable=True),
-    ActionSpec("time.previous", "Previous frame"),
-    ActionSpec("time.next", "Next frame"),
-    ActionSpec("time.back_ten", "Ten frames back"),
-    ActionSpec("time.on_ten", "Ten frames on"),
-    ActionSpec("time.previous_key", "Previous key", icon="time-previous-key", tip=f"{_TO_KEYS} back"),
-    ActionSpec("time.next_key", "Next key", icon="time-next-key", tip=f"{_TO_KEYS} on"),
-    ActionSpec("time.first", "First frame", icon="time-first"),
-    ActionSpec("time.last", "Last frame", icon="time-last"),
-    ActionSpec("time.toggle_play", "Play or pause"),
-    ActionSpec("time.play_back", "Play backward", icon="time-play-back", tip="Play backward; again: faster"),
-    ActionSpec("time.pause", "Pause", icon="time-pause"),
-    ActionSpec("time.play", "Play forward", icon="time-play", tip="Play forward; again: faster"),
-    ActionSpec("time.play_slowly", "Play slowly", tip="Play forward at half speed; again: slower"),
-    ActionSpec("time.play_back_slowly", "Play backward slowly", tip="Play backward at half speed; again: slower"),
-    ActionSpec("time.loop", "Loop", icon="time-loop", tip="Begin again at the end of the range", checkable=True),
-    ActionSpec("time.ping_pong", "Back and forth", icon="time-ping-pong", tip="Turn at both ends", checkable=True),
-    ActionSpec("time.set_in", "Set in"),
-    ActionSpec("time.set_out", "Set out"),
-    ActionSpec("time.clear_range", "Clear in and out"),
-    ActionSpec("mark.toggle", "Mark frame", icon="mark", tip="Mark this frame, or take its mark away"),
-    ActionSpec("mark.name", "Name mark…", tip="Put a word on this frame's mark"),
-    ActionSpec("time.previous_mark", "Previous mark"),
-    ActionSpec("time.next_mark", "Next mark"),
-    ActionSpec("edit.keymap", "Change keys…", tip="Keys of other programs, and keys of your own"),
-    ActionSpec("edit.settings", "Settings…"),
-    ActionSpec("help.palette", "Find an action…", tip="Do anything by a few letters of its name"),
-    ActionSpec("help.keys", "Keys…", tip="Show every key, and find one"),
-    ActionSpec("help.log", "Messages", tip="Show what was said, and when", checkable=True),
-    ActionSpec("help.report", "Problem report…", tip="Versions, system and messages, to copy into an issue"),
-    ActionSpec("help.about", "About ROAM…"),
+    ActionSpec("view.fit", N_("Fit"), _VIEWER, "view-fit"),
+    ActionSpec("view.fit_selection", N_("Frame selection"), _VIEWER),
+    ActionSpec("view.actual_size", N_("100 %"), _VIEWER),
+    ActionSpec("view.fit_time", N_("Fit time"), tip=N_("Show the whole clip in the timeline")),
+    ActionSpec(
+        "view.tall_timeline", N_("Tall timeline"), tip=N_("Give the timeline half of the window"), checkable=True
+    ),
+    ActionSpec(
+        "view.curves",
+        N_("Curve editor"),
+        tip=N_("Opacity, feather and position as curves over time"),
+        checkable=True,
+    ),
+    ActionSpec(
+        "view.shape_panel", N_("Shape panel"), tip=N_("Show all that the Shape panel has of the selected shapes")
+    ),
+    ActionSpec("view.panels", N_("Panels"), tip=N_("Show or hide the panels on the right"), checkable=True),
+    ActionSpec("time.previous", N_("Previous frame")),
+    ActionSpec("time.next", N_("Next frame")),
+    ActionSpec("time.back_ten", N_("Ten frames back")),
+    ActionSpec("time.on_ten", N_("Ten frames on")),
+    ActionSpec(
+        "time.previous_key",
+        N_("Previous key"),
+        icon="time-previous-key",
+        tip=N_("Go one key, or change of depth, of the shapes in hand back"),
+    ),
+    ActionSpec(
+        "time.next_key",
+        N_("Next key"),
+        icon="time-next-key",
+        tip=N_("Go one key, or change of depth, of the shapes in hand on"),
+    ),
+    ActionSpec("time.first", N_("First frame"), icon="time-first"),
+    ActionSpec("time.last", N_("Last frame"), icon="time-last"),
+    ActionSpec("time.toggle_play", N_("Play or pause")),
+    ActionSpec("time.play_back", N_("Play backward"), icon="time-play-back", tip=N_("Play backward; again: faster")),
+    ActionSpec("time.pause", N_("Pause"), icon="time-pause"),
+    ActionSpec("time.play", N_("Play forward"), icon="time-play", tip=N_("Play forward; again: faster")),
+    ActionSpec("time.play_slowly", N_("Play slowly"), tip=N_("Play forward at half speed; again: slower")),
+    ActionSpec(
+        "time.play_back_slowly", N_("Play backward slowly"), tip=N_("Play backward at half speed; again: slower")
+    ),
+    ActionSpec(
+        "time.loop", N_("Loop"), icon="time-loop", tip=N_("Begin again at the end of the range"), checkable=True
+    ),
+    ActionSpec(
+        "time.ping_pong", N_("Back and forth"), icon="time-ping-pong", tip=N_("Turn at both ends"), checkable=True
+    ),
+    ActionSpec("time.set_in", N_("Set in")),
+    ActionSpec("time.set_out", N_("Set out")),
+    ActionSpec("time.clear_range", N_("Clear in and out")),
+    ActionSpec("mark.toggle", N_("Mark frame"), icon="mark", tip=N_("Mark this frame, or take its mark away")),
+    ActionSpec("mark.name", N_("Write note…"), tip=N_("Put a note on this frame's mark")),
+    ActionSpec("time.previous_mark", N_("Previous note"), tip=N_("Go to the mark or note before this frame")),
+    ActionSpec("time.next_mark", N_("Next note"), tip=N_("Go to the mark or note after this frame")),
+    ActionSpec(
+        "review.panel", N_("Notes and doubts"), tip=N_("Notes, doubtful frames and boil as a list"), checkable=True
+    ),
+    ActionSpec(
+        "review.measure_boil",
+        N_("Measure boil by the picture"),
+        tip=N_("How much the shapes in hand jitter beyond the motion of the plate: for shapes that bend as they move"),
+    ),
+    ActionSpec("review.movie", N_("Movie…"), tip=N_("A movie or pictures of the outlines or the cut-out, to show")),
+    ActionSpec("review.sheet", N_("Contact sheet…"), tip=N_("Pages of small pictures with frame numbers and notes")),
+    ActionSpec("edit.keymap", N_("Change keys…"), tip=N_("Keys of other programs, and keys of your own")),
+    ActionSpec("edit.settings", N_("Settings…")),
+    ActionSpec("help.palette", N_("Find an action…"), tip=N_("Do anything by a few letters of its name")),
+    ActionSpec("help.keys", N_("Keys…"), tip=N_("Show every key, and find one")),
+    ActionSpec("help.log", N_("Messages"), tip=N_("Show what was said, and when"), checkable=True),
+    ActionSpec("help.report", N_("Problem report…"), tip=N_("Versions, system and messages, to copy into an issue")),
+    ActionSpec("help.about", N_("About ROAM…")),
+    ActionSpec("window.full_screen", N_("Full-screen viewer"), tip=N_("The picture alone; Esc leaves"), checkable=True),
+    ActionSpec("window.second_viewer", N_("Second viewer"), tip=N_("Another view of the same frame"), checkable=True),
+    ActionSpec("window.shapes", N_("Panel: Shapes"), tip=N_("Show or hide the list of shapes"), checkable=True),
+    ActionSpec("window.track", N_("Panel: Track"), tip=N_("Show or hide the tracker"), checkable=True),
+    ActionSpec("window.planar", N_("Panel: Planar track"), tip=N_("Show or hide the planar tracker"), checkable=True),
+    ActionSpec(
+        "window.shape", N_("Panel: Shape"), tip=N_("Show or hide what the selected shapes have"), checkable=True
+    ),
+    ActionSpec("window.timeline", N_("Timeline"), tip=N_("Show or hide it, also in full screen"), checkable=True),
+    ActionSpec("window.float_shapes", N_("Float: Shapes"), icon="float", tip=_FLOAT, checkable=True),
+    ActionSpec("window.float_track", N_("Float: Track"), icon="float", tip=_FLOAT, checkable=True),
+    ActionSpec("window.float_planar", N_("Float: Planar track"), icon="float", tip=_FLOAT, checkable=True),
+    ActionSpec("window.float_shape", N_("Float: Shape"), icon="float", tip=_FLOAT, checkable=True),
+    ActionSpec("window.float_review", N_("Float: Review"), icon="float", tip=_FLOAT, checkable=True),
+    ActionSpec("window.float_history", N_("Float: History"), icon="float", tip=_FLOAT, checkable=True),
+    ActionSpec("window.float_log", N_("Float: Messages"), icon="float", tip=_FLOAT, checkable=True),
+    ActionSpec("window.float_timeline", N_("Float: Timeline"), icon="float", tip=_FLOAT, checkable=True),
+    ActionSpec("window.float_second_viewer", N_("Float: Second viewer"), icon="float", tip=_FLOAT, checkable=True),
+    ActionSpec("window.reset_layout", N_("Reset layout"), tip=N_("Every part in its place, as in a new window")),
 )

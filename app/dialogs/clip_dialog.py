@@ -24,12 +24,13 @@ from roam_core.media.curves import LINEAR, LOG, SRGB
 
 from .. import style
 from ..jobs.found_clip import FoundClip
+from ..translation import N_, tr
 from ..widgets.controls import dense_form, form_label, weak_label
 
 if TYPE_CHECKING:
     from roam_core.media import PlateSource
 
-COLOUR_WORDS = {SRGB: "sRGB", LINEAR: "Scene linear", LOG: "Cineon log"}
+COLOUR_WORDS = {SRGB: "sRGB", LINEAR: N_("Scene linear"), LOG: N_("Cineon log")}
 """What the spaces are called that are not OpenColorIO's."""
 PICTURE = QSize(400, 225)
 MOST_GAPS = 6
@@ -51,7 +52,7 @@ class ClipDialog(QDialog):
     def __init__(self, found: FoundClip, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.found = found
-        self.setWindowTitle("Open clip")
+        self.setWindowTitle(tr("Open clip"))
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self._build()
         self._lay_out()
@@ -104,7 +105,7 @@ class ClipDialog(QDialog):
         self.depth_told = QLabel(source.depth)
         self.rate, self.aspect = _number(1.0, 1000.0, source.fps), _number(0.1, 10.0, source.pixel_aspect)
         self.aspect.valueChanged.connect(lambda _: self._pull_picture())
-        self.asks_no_more = QCheckBox("Open clips without asking from now on")
+        self.asks_no_more = QCheckBox(tr("Open clips without asking from now on"))
         button = QDialogButtonBox.StandardButton
         self.buttons = QDialogButtonBox(button.Open | button.Cancel)
         self.buttons.accepted.connect(self._choose)
@@ -115,19 +116,23 @@ class ClipDialog(QDialog):
         width, height = source.size
         form = dense_form()
         for title, word in (
-            ("Plate", source.path.name),
-            ("Frames", range_sentence(source)),
-            ("Missing", gaps_sentence(source.missing)),
-            ("Size", f"{width} × {height}"),
+            (tr("Plate"), source.path.name),
+            (tr("Frames"), range_sentence(source)),
+            (tr("Missing"), gaps_sentence(source.missing)),
+            (tr("Size"), f"{width} × {height}"),
         ):
             label = QLabel(word)
             label.setWordWrap(True)
             label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
             form.addRow(form_label(title), label)
-        form.addRow(form_label("Depth"), self.depth_told)
+        form.addRow(form_label(tr("Depth")), self.depth_told)
         if self.layers.count() > 1:
-            form.addRow(form_label("Layer"), self.layers)
-        for title, field in (("Colour", self.colours), ("Per second", self.rate), ("Pixel aspect", self.aspect)):
+            form.addRow(form_label(tr("Layer")), self.layers)
+        for title, field in (
+            (tr("Colour"), self.colours),
+            (tr("Per second"), self.rate),
+            (tr("Pixel aspect"), self.aspect),
+        ):
             form.addRow(form_label(title), field)
         right = QVBoxLayout()
         right.addLayout(form)
@@ -151,8 +156,10 @@ class ClipDialog(QDialog):
         with QSignalBlocker(self.colours):
             self.colours.clear()
             for each in self.found.spaces:
-                word = COLOUR_WORDS.get(each, each)
-                self.colours.addItem(f"{word} (found)" if each == self.found.source.colour_space else word, each)
+                word = tr(COLOUR_WORDS.get(each, each))
+                self.colours.addItem(
+                    tr("{space} (found)", space=word) if each == self.found.source.colour_space else word, each
+                )
             self.colours.setCurrentIndex(self.colours.findData(space))
 
     def _pull_picture(self) -> None:
@@ -176,7 +183,11 @@ class ClipDialog(QDialog):
 def range_sentence(source: PlateSource) -> str:
     """`1001–1048, 47 frames`; of a single frame its number."""
     first, last, count = source.frames[0], source.frames[-1], len(source.frames)
-    return f"{first}–{last}, {count} frames" if count > 1 else f"{first}, a single picture"
+    return (
+        tr("{first}–{last}, {count} frames", first=first, last=last, count=count)
+        if count > 1
+        else tr("{first}, a single picture", first=first)
+    )
 
 
 def gaps_sentence(missing: tuple[int, ...]) -> str:
@@ -185,7 +196,7 @@ def gaps_sentence(missing: tuple[int, ...]) -> str:
         return "none"
     if len(missing) <= MOST_GAPS:
         return ", ".join(map(str, missing))
-    return f"{len(missing)} frames, from {missing[0]} to {missing[-1]}"
+    return tr("{count} frames, from {first} to {last}", count=len(missing), first=missing[0], last=missing[-1])
 
 
 def _number(least: float, most: float, value: float) -> QDoubleSpinBox:

@@ -36,23 +36,27 @@ from ..jobs.foreseeing import Foresight
 from ..jobs.runner import Ending
 from ..model.document import Document
 from ..model.view_state import ViewState, selected_shapes
+from ..translation import N_, tr
 from ..widgets.controls import dense_form, form_label, measure_field, number_field, weak_label
 from . import questions
 from .matte_form import MatteForm
 
 KEYS = {
-    KeyChoice.EVERY: "Every key",
-    KeyChoice.ARTIST: "My keys only",
-    KeyChoice.REDUCED: "As few as hold the outline",
+    KeyChoice.EVERY: N_("Every key"),
+    KeyChoice.ARTIST: N_("My keys only"),
+    KeyChoice.REDUCED: N_("As few as hold the outline"),
 }
-STRAYING = "How far the outline may stray from the tracked one when keys are left out"
-SMOOTHING = (
+STRAYING = N_("How far the outline may stray from the tracked one when keys are left out")
+SMOOTHING = N_(
     "How far tracked keys may move so that shapes move evenly through time, in pixels of the plate;\n"
     "your own keys stay where they are, and so does the project"
 )
 NOTES_HEIGHT = 110
-ANYWAY = "Export anyway"
-LOOKING, NOTHING_LOST = "Looking for what the format cannot hold …", "The format holds all that is chosen."
+ANYWAY = N_("Export anyway")
+LOOKING, NOTHING_LOST = (
+    N_("Looking for what the format cannot hold …"),
+    N_("The format holds all that is chosen."),
+)
 MATTES = "mattes"
 """The name of the format whose files are pictures: it is written to a folder, and knows nothing of fewer keys."""
 
@@ -77,7 +81,7 @@ class ExportDialog(QDialog):
         self._losses: tuple[str, ...] = ()
         """What the artist sees that the format would lose, as long as nothing else is chosen."""
         self._foresight = Foresight(export.runner, self)
-        self.setWindowTitle("Export")
+        self.setWindowTitle(tr("Export"))
         self.resize(760, 580)
         self._build()
         self._lay_out()
@@ -92,25 +96,28 @@ class ExportDialog(QDialog):
         self.formats.setHeaderHidden(True)
         self.formats.setRootIsDecorated(False)
         for exporter in EXPORTERS.values():
-            item = QTreeWidgetItem(self.formats, [exporter.title, exporter.suffix])
+            item = QTreeWidgetItem(self.formats, [tr(exporter.title), exporter.suffix])
             item.setData(0, Qt.ItemDataRole.UserRole, exporter.name)
             item.setTextAlignment(1, Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
         mode = QHeaderView.ResizeMode
         self.formats.header().setSectionResizeMode(0, mode.Stretch)
         self.formats.header().setSectionResizeMode(1, mode.ResizeToContents)
         self.formats.header().setStretchLastSection(False)
-        self.selected = QCheckBox("Selected shapes only")
+        self.selected = QCheckBox(tr("Selected shapes only"))
         self.keys = QComboBox()
-        self.tolerance = measure_field(" px", 0.5, 0.01, 100.0, 0.1, STRAYING)
-        self.smoothing = measure_field(" px", 0.0, 0.0, 100.0, 0.1, SMOOTHING)
-        self.smoothing.setSpecialValueText("Off")
-        self.first, self.last = number_field("The first frame to export"), number_field("The last frame to export")
+        self.tolerance = measure_field(tr(" px"), 0.5, 0.01, 100.0, 0.1, tr(STRAYING))
+        self.smoothing = measure_field(tr(" px"), 0.0, 0.0, 100.0, 0.1, tr(SMOOTHING))
+        self.smoothing.setSpecialValueText(tr("Off"))
+        self.first, self.last = (
+            number_field(tr("The first frame to export")),
+            number_field(tr("The last frame to export")),
+        )
         for number in (self.first, self.last):
             number.setFocusPolicy(Qt.FocusPolicy.StrongFocus)  # Tab goes through the dialog
-        self.all_frames, self.in_out = QPushButton("All"), QPushButton("In to out")
+        self.all_frames, self.in_out = QPushButton(tr("All")), QPushButton(tr("In to out"))
         self.mattes = MatteForm()
         self.mattes.setSizePolicy(_kept(self.mattes.sizePolicy()))
-        self.target, self.browse = QLineEdit(), QPushButton("Browse…")
+        self.target, self.browse = QLineEdit(), QPushButton(tr("Browse…"))
         self.hint = weak_label("")
         self.notes = QPlainTextEdit()
         self.notes.setReadOnly(True)
@@ -118,20 +125,22 @@ class ExportDialog(QDialog):
         self.bar = QProgressBar()
         self.bar.setRange(0, 1000)
         self.bar.setTextVisible(False)
-        self.start, self.stop, self.leave = QPushButton("Export"), QPushButton("Stop"), QPushButton("Close")
-        self.start.setMinimumWidth(QPushButton(ANYWAY).sizeHint().width())  # nothing moves when its word changes
+        self.start, self.stop, self.leave = QPushButton(tr("Export")), QPushButton(tr("Stop")), QPushButton(tr("Close"))
+        self.start.setMinimumWidth(QPushButton(tr(ANYWAY)).sizeHint().width())  # nothing moves when its word changes
         self.start.setDefault(True)
         self.stop.setEnabled(False)
 
     def _lay_out(self) -> None:
         form = dense_form()
-        form.addRow(form_label("Shapes"), self.selected)
-        form.addRow(form_label("Keys"), self.keys)
-        self._tolerance_label = form_label("Within")
+        form.addRow(form_label(tr("Shapes")), self.selected)
+        form.addRow(form_label(tr("Keys")), self.keys)
+        self._tolerance_label = form_label(tr("Within"))
         form.addRow(self._tolerance_label, _row(self.tolerance, None))
-        self._smoothing_label, self._smoothing_word = form_label("Smooth"), weak_label("through time")
+        self._smoothing_label, self._smoothing_word = form_label(tr("Smooth")), weak_label(tr("through time"))
         form.addRow(self._smoothing_label, _row(self.smoothing, self._smoothing_word, None))
-        form.addRow(form_label("Frames"), _row(self.first, QLabel("to"), self.last, self.all_frames, self.in_out, None))
+        form.addRow(
+            form_label(tr("Frames")), _row(self.first, QLabel(tr("to")), self.last, self.all_frames, self.in_out, None)
+        )
         right = QVBoxLayout()
         right.setSpacing(6)
         right.addLayout(form)
@@ -145,7 +154,7 @@ class ExportDialog(QDialog):
         column.setSpacing(style.MARGIN)
         column.addLayout(upper, 3)
         where: QFormLayout = dense_form()
-        where.addRow(form_label("To"), _row(self.target, self.browse))
+        where.addRow(form_label(tr("To")), _row(self.target, self.browse))
         where.addRow(form_label(""), self.hint)
         column.addLayout(where)
         column.addWidget(self.notes, 2)
@@ -241,7 +250,7 @@ class ExportDialog(QDialog):
         )
         self.keys.clear()
         for kind in kinds:
-            self.keys.addItem(KEYS[kind], kind.value)
+            self.keys.addItem(tr(KEYS[kind]), kind.value)
         self.keys.setCurrentIndex(max(self.keys.findData(chosen), 0))
         self.mattes.setVisible(self._is_folder)
         self.target.setText(str(self._renamed()))
@@ -280,16 +289,16 @@ class ExportDialog(QDialog):
         has_shapes = self.shapes is None or bool(self.shapes)
         self.start.setEnabled(is_named and has_shapes and has_clip and not self._is_ours)
         if not has_clip:
-            self.hint.setText("There is nothing to export yet; open a clip first.")
+            self.hint.setText(tr("There is nothing to export yet; open a clip first."))
         elif not is_named:
-            self.hint.setText("Say where to write it.")
+            self.hint.setText(tr("Say where to write it."))
         elif not has_shapes:
-            self.hint.setText("No shape is selected; select some, or export all.")
+            self.hint.setText(tr("No shape is selected; select some, or export all."))
         elif self._is_folder:
             first = f"matte.{self.first.value()}{self.mattes.chosen.suffix}"
-            self.hint.setText(f"A folder; its pictures are {first} and so on.")
+            self.hint.setText(tr("A folder; its pictures are {first} and so on.", first=first))
         else:
-            self.hint.setText("Replaces the file that is there." if self.path.is_file() else "")
+            self.hint.setText(tr("Replaces the file that is there.") if self.path.is_file() else "")
 
     def _take_all_frames(self) -> None:
         if (clip := self._document.project.clip) is not None:
@@ -311,15 +320,15 @@ class ExportDialog(QDialog):
         self._set_losses(())
         project = self._document.project
         is_asked = not self._is_ours and self.isVisible() and project.clip is not None
-        self.notes.setPlaceholderText(LOOKING if is_asked else "")
+        self.notes.setPlaceholderText(tr(LOOKING) if is_asked else "")
         if is_asked:
             self._foresight.ask(self.exporter.name, project, self.options, self.shapes)
 
     def _show_foreseen(self, found: Foreseen) -> None:
         self._set_losses(found.losses)
-        losses = ["The mattes would differ in the other program:", *found.losses] if found.losses else []
-        besides = ["", "Besides:"] if found.losses and found.notes else []
-        self.notes.setPlaceholderText(NOTHING_LOST)
+        losses = [tr("The mattes would differ in the other program:"), *found.losses] if found.losses else []
+        besides = ["", tr("Besides:")] if found.losses and found.notes else []
+        self.notes.setPlaceholderText(tr(NOTHING_LOST))
         self.notes.setPlainText("\n".join([*losses, *besides, *found.notes]))
 
     def _show_refused(self, sentence: str) -> None:
@@ -327,7 +336,7 @@ class ExportDialog(QDialog):
 
     def _set_losses(self, losses: tuple[str, ...]) -> None:
         self._losses = losses
-        self.start.setText(ANYWAY if losses else "Export")
+        self.start.setText(tr(ANYWAY) if losses else tr("Export"))
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
@@ -341,9 +350,11 @@ class ExportDialog(QDialog):
 
     def _browse(self) -> None:
         if self._is_folder:
-            chosen = questions.choose_folder(self, "Export mattes to a folder", self.path)
+            chosen = questions.choose_folder(self, tr("Export mattes to a folder"), self.path)
         else:
-            chosen = questions.choose_export(self, f"Export: {self.exporter.title}", self.path, self.exporter.suffix)
+            chosen = questions.choose_export(
+                self, tr("Export: {title}", title=tr(self.exporter.title)), self.path, self.exporter.suffix
+            )
         if chosen is not None:
             self.target.setText(str(chosen))
 
@@ -367,7 +378,7 @@ class ExportDialog(QDialog):
 
     def _show_notes(self, notes: tuple[str, ...]) -> None:
         if self._is_ours:
-            self.notes.setPlainText("\n".join([f"Exported to {self._written}.", *notes]))
+            self.notes.setPlainText("\n".join([tr("Exported to {path}.", path=self._written), *notes]))
 
     def _show_end(self, ending: Ending, sentence: str) -> None:
         if not self._is_ours:

@@ -27,21 +27,28 @@ from ..actions.actions import Actions
 from ..actions.fuzzy import fuzzy_score, words_begin
 from ..actions.menus import menu_of
 from ..actions.specs import SPECS
+from ..translation import N_, tr
 from ..widgets.controls import weak_label
 
 DISTRIBUTION = "roam-roto"
 GESTURES = (
-    ("Ctrl+Alt+click", "Insert a point on the outline"),
-    ("Ctrl+drag", "Break a tangent; from an anchor: pull its handles out"),
-    ("Shift+drag", "Equalise the handles"),
-    ("Ctrl+Alt+drag", "Select points with a lasso"),
-    ("Shift+drag, Ctrl+drag", "On empty background: add points to the selection, take them away"),
-    ("Shift+click, Ctrl+click", "With the object tool: mark more of the object, mark what is not it"),
-    ("Ctrl+wheel", "Change the reach of soft selection, of the brush"),
-    ("Alt+arrows", "Nudge points by a pixel, with Shift by ten"),
-    ("Return, Esc", "Close a shape being drawn, leave it open"),
-    ("Middle button, Alt+left", "Pan"),
-    ("Wheel", "Zoom at the pointer"),
+    (N_("Ctrl+Alt+click"), N_("Insert a point on the outline")),
+    (N_("Ctrl+drag"), N_("Break a tangent; from an anchor: pull its handles out")),
+    (N_("Shift+drag"), N_("Equalise the handles")),
+    (N_("Ctrl+Alt+drag"), N_("Select points with a lasso")),
+    (
+        N_("Shift+drag, Ctrl+drag"),
+        N_("On empty background: add points to the selection, take them away"),
+    ),
+    (
+        N_("Shift+click, Ctrl+click"),
+        N_("With the object tool: mark more of the object, mark what is not it"),
+    ),
+    (N_("Ctrl+wheel"), N_("Change the reach of soft selection, of the brush")),
+    (N_("Alt+arrows"), N_("Nudge points by a pixel, with Shift by ten")),
+    (N_("Return, Esc"), N_("Close a shape being drawn, leave it open")),
+    (N_("Middle button, Alt+left"), N_("Pan")),
+    (N_("Wheel"), N_("Zoom at the pointer")),
 )
 
 
@@ -50,11 +57,11 @@ class KeysDialog(QDialog):
 
     def __init__(self, actions: Actions, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.setWindowTitle("Keys")
+        self.setWindowTitle(tr("Keys"))
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.resize(440, 680)
         self.search = QLineEdit()
-        self.search.setPlaceholderText("Search for an action or a key")
+        self.search.setPlaceholderText(tr("Search for an action or a key"))
         self.search.setClearButtonEnabled(True)
         self.search.textChanged.connect(self._pull)
         self.tree = _tree(2)
@@ -93,12 +100,12 @@ class AboutDialog(QDialog):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.setWindowTitle("About ROAM")
+        self.setWindowTitle(tr("About ROAM"))
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.resize(600, 480)
         name = QLabel(f"ROAM {__version__}")
         name.setObjectName("heading")
-        what = QLabel("Rotoscoping with a Rich Online Appearance Model: editable curves carried through a shot.")
+        what = QLabel(tr("Rotoscoping with a Rich Online Appearance Model: editable curves carried through a shot."))
         what.setWordWrap(True)
         self.libraries = _tree(3)
         self.libraries.header().setSectionResizeMode(0, QHeaderView.ResizeMode.ResizeToContents)
@@ -111,7 +118,9 @@ class AboutDialog(QDialog):
         column.setSpacing(style.MARGIN)
         column.addWidget(name)
         column.addWidget(what)
-        column.addWidget(weak_label("BSD 3-Clause licence, copyright the ROAM developers. The libraries beneath it:"))
+        column.addWidget(
+            weak_label(tr("BSD 3-Clause licence, copyright the ROAM developers. The libraries beneath it:"))
+        )
         column.addWidget(self.libraries, 1)
 
 
@@ -131,7 +140,7 @@ def libraries() -> Iterator[Library]:
         try:
             yield _library(name)
         except metadata.PackageNotFoundError:
-            yield Library(name, "–", "not installed")
+            yield Library(name, "–", tr("not installed"))
 
 
 def _library(name: str) -> Library:
@@ -140,7 +149,7 @@ def _library(name: str) -> Library:
     if "License-Expression" in about:
         return Library(about["Name"], about["Version"], about["License-Expression"])
     classified = [line.split(" :: ")[-1] for line in about.get_all("Classifier") or [] if line.startswith("License ::")]
-    texts = about.get_all("License") or ["see its package"]
+    texts = about.get_all("License") or [tr("see its package")]
     licence = ", ".join(classified) or texts[0].strip().splitlines()[0]
     return Library(about["Name"], about["Version"], licence)
 
@@ -150,13 +159,13 @@ def _groups(actions: Actions) -> dict[str, list[tuple[str, str]]]:
     groups: dict[str, list[tuple[str, str]]] = {}
     for spec in SPECS:
         if keys := actions.keys_of(spec.id):
-            groups.setdefault(menu_of(spec.id) or "More", []).append((spec.title.rstrip("…"), keys))
-    groups["In the viewer"] = [(meaning, keys) for keys, meaning in GESTURES]
+            groups.setdefault(menu_of(spec.id) or tr("More"), []).append((spec.name, keys))
+    groups[tr("In the viewer")] = [(tr(meaning), tr(keys)) for keys, meaning in GESTURES]
     return groups
 
 
 def _fits(query: str, meaning: str, keys: str) -> bool:
-    if query.strip().casefold() in (key.casefold() for key in keys.split(" or ")):
+    if query.strip().casefold() in (key.casefold() for key in keys.split(tr(" or "))):
         return True
     return fuzzy_score(query, meaning) is not None or words_begin(query, f"{meaning} {keys}")
 

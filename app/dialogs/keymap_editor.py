@@ -24,12 +24,12 @@ from ..actions.fuzzy import fuzzy_score, words_begin
 from ..actions.key_names import NUDGES, is_modifier, key_name
 from ..actions.keymaps import OwnKeymap, holder_of, keys_text, presets, press
 from ..actions.menus import menu_of
-from ..actions.search_words import WORDS
+from ..actions.search_words import words_for
 from ..actions.specs import SPECS
 from ..model.personal import Personal
+from ..translation import tr
 from ..widgets.controls import weak_label
 
-TITLES = {spec.id: spec.title.rstrip("…") for spec in SPECS}
 _ID = Qt.ItemDataRole.UserRole
 MENU_WIDTH, KEYS_WIDTH = 80, 170
 
@@ -47,7 +47,7 @@ class KeyField(QLineEdit):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setReadOnly(True)
-        self.setPlaceholderText("Click here, then press the new key")
+        self.setPlaceholderText(tr("Click here, then press the new key"))
         self.setAttribute(Qt.WidgetAttribute.WA_InputMethodEnabled, False)
 
     def event(self, event: QEvent) -> bool:
@@ -70,7 +70,7 @@ class KeymapEditor(QDialog):
         super().__init__(parent)
         self._personal = personal
         self._asked = ""
-        self.setWindowTitle("Change keys")
+        self.setWindowTitle(tr("Change keys"))
         self.resize(640, 640)
         self._build()
         self._lay_out()
@@ -84,11 +84,11 @@ class KeymapEditor(QDialog):
         for name, title in presets().items():
             self.preset.addItem(title, name)
         self.search = QLineEdit()
-        self.search.setPlaceholderText("Search")
+        self.search.setPlaceholderText(tr("Search"))
         self.search.setClearButtonEnabled(True)
         self.table = QTreeWidget()
         self.table.setColumnCount(3)
-        self.table.setHeaderLabels(["Action", "Menu", "Keys"])
+        self.table.setHeaderLabels([tr("Action"), tr("Menu"), tr("Keys")])
         self.table.setRootIsDecorated(False)
         self.table.setUniformRowHeights(True)
         self.table.addTopLevelItems([_row(spec.id) for spec in SPECS])
@@ -102,23 +102,23 @@ class KeymapEditor(QDialog):
         self.word = weak_label("")
         self.word.setWordWrap(True)
         self.word.setMinimumHeight(2 * style.ROW_HEIGHT)
-        self.adds = QCheckBox("Add")
-        self.adds.setToolTip("Keep the keys that the action has, and add the new one")
-        self.take = QPushButton("Take it over")
-        self.take.setToolTip("Give the key to this action; the other one goes without it")
-        self.remove = QPushButton("No key")
-        self.remove.setToolTip("Leave this action without a key")
-        self.reset = QPushButton("Reset")
-        self.reset.setToolTip("Give this action the keys of the preset again")
-        self.reset_all = QPushButton("Reset all")
-        self.reset_all.setToolTip("Forget all keys of your own")
-        self.leave = QPushButton("Close")
+        self.adds = QCheckBox(tr("Add"))
+        self.adds.setToolTip(tr("Keep the keys that the action has, and add the new one"))
+        self.take = QPushButton(tr("Take it over"))
+        self.take.setToolTip(tr("Give the key to this action; the other one goes without it"))
+        self.remove = QPushButton(tr("No key"))
+        self.remove.setToolTip(tr("Leave this action without a key"))
+        self.reset = QPushButton(tr("Reset"))
+        self.reset.setToolTip(tr("Give this action the keys of the preset again"))
+        self.reset_all = QPushButton(tr("Reset all"))
+        self.reset_all.setToolTip(tr("Forget all keys of your own"))
+        self.leave = QPushButton(tr("Close"))
         for button in (self.take, self.remove, self.reset, self.reset_all, self.leave):
             button.setAutoDefault(False)
 
     def _lay_out(self) -> None:
         upper, middle, lower = QHBoxLayout(), QHBoxLayout(), QHBoxLayout()
-        upper.addWidget(QLabel("Keys of"))
+        upper.addWidget(QLabel(tr("Keys of")))
         upper.addWidget(self.preset)
         upper.addWidget(self.search, 1)
         for widget, stretch in ((self.field, 1), (self.adds, 0), (self.take, 0), (self.remove, 0), (self.reset, 0)):
@@ -181,15 +181,15 @@ class KeymapEditor(QDialog):
     def _record(self, key: str) -> None:
         """A key was pressed: it becomes the action's where it is free, else the artist is told whose it is."""
         if not self.selected:
-            self.word.setText("Select an action first.")
+            self.word.setText(tr("Select an action first."))
             return
         self.field.setText(keys_text((key,)))
         holder = holder_of(self._own.keymap, self.selected, key)
         if key in NUDGES:
-            self.word.setText(f"{keys_text((key,))} moves the selected points; choose another key.")
+            self.word.setText(tr("{keys} moves the selected points; choose another key.", keys=keys_text((key,))))
         elif holder is not None:
             self._asked = key
-            self.word.setText(f"{keys_text((key,))} is the key of “{TITLES[holder]}”.")
+            self.word.setText(tr("{keys} is the key of “{action}”.", keys=keys_text((key,)), action=_title(holder)))
         else:
             self._give(key)
         self.take.setEnabled(bool(self._asked))
@@ -199,7 +199,7 @@ class KeymapEditor(QDialog):
         present = self._own.keymap.get(self.selected, ()) if self.adds.isChecked() else ()
         keys = (*(other for other in present if press(other) != press(key)), key)
         self._push_keys(keys)
-        self.word.setText(f"“{TITLES[self.selected]}” is {keys_text(keys)} now.")
+        self.word.setText(tr("“{action}” is {keys} now.", action=_title(self.selected), keys=keys_text(keys)))
         self._asked = ""
         self.take.setEnabled(False)
 
@@ -214,7 +214,7 @@ class KeymapEditor(QDialog):
             name = item.data(0, _ID)
             item.setText(2, keys_text(keymap.get(name, ())))
             item.setForeground(2, QColor(style.ACCENT if name in own else style.TEXT))
-            item.setToolTip(2, "A key of your own" if name in own else "")
+            item.setToolTip(2, tr("A key of your own") if name in own else "")
         self.reset_all.setEnabled(bool(own))
         self._pull_selected()
 
@@ -225,17 +225,21 @@ class KeymapEditor(QDialog):
         self.remove.setEnabled(bool(self._own.keymap.get(self.selected)))
         self.reset.setEnabled(self.selected in self._own.keys)
         self.field.setEnabled(bool(self.selected))
-        self.word.setText("" if self.selected else "Select an action to give it another key.")
+        self.word.setText("" if self.selected else tr("Select an action to give it another key."))
 
     def _pull_search(self) -> None:
         query = self.search.text()
         for item in self._items():
-            words = f"{item.text(0)} {item.text(1)} {item.text(2)} {WORDS.get(item.data(0, _ID), '')}"
+            words = f"{item.text(0)} {item.text(1)} {item.text(2)} {words_for(item.data(0, _ID))}"
             item.setHidden(fuzzy_score(query, item.text(0)) is None and not words_begin(query, words))
 
 
+def _title(action_id: str) -> str:
+    return next(spec.name for spec in SPECS if spec.id == action_id)
+
+
 def _row(action_id: str) -> QTreeWidgetItem:
-    item = QTreeWidgetItem([TITLES[action_id], menu_of(action_id), ""])
+    item = QTreeWidgetItem([_title(action_id), menu_of(action_id), ""])
     item.setData(0, _ID, action_id)
     item.setForeground(1, QColor(style.WEAK))
     return item

@@ -7,14 +7,15 @@ from PySide6.QtWidgets import QComboBox, QDialog, QDialogButtonBox, QVBoxLayout,
 from roam_core.interchange import KeyChoice, MaskOptions
 
 from .. import style
+from ..translation import N_, tr
 from ..widgets.controls import dense_form, form_label, measure_field, weak_label
 
-KEYS = {KeyChoice.REDUCED: "As few as hold the outline", KeyChoice.EVERY: "One on every frame"}
-STRAYING = (
+KEYS = {KeyChoice.REDUCED: N_("As few as hold the outline"), KeyChoice.EVERY: N_("One on every frame")}
+STRAYING = N_(
     "How far a curve may stray from its mask's outline on any frame, in pixels of the masks; "
     "of masks that tremble, a fifth of the outline may stray farther"
 )
-SPECKS = "Parts and holes that are never larger are left out"
+SPECKS = N_("Parts and holes that are never larger are left out")
 
 
 class MaskDialog(QDialog):
@@ -22,23 +23,23 @@ class MaskDialog(QDialog):
 
     def __init__(self, folder: str, size: tuple[int, int] | None, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.setWindowTitle("Import masks")
+        self.setWindowTitle(tr("Import masks"))
         asked = MaskOptions()
         self.keys = QComboBox()
         for choice, words in KEYS.items():
-            self.keys.addItem(words, choice.value)
-        self.tolerance = measure_field(" px", asked.tolerance, 0.05, 100.0, 0.25, STRAYING)
-        self.speckle = measure_field(" px²", asked.speckle_for(size or (480, 480)), 0.0, 1e6, 16.0, SPECKS)
+            self.keys.addItem(tr(words), choice.value)
+        self.tolerance = measure_field(tr(" px"), asked.tolerance, 0.05, 100.0, 0.25, tr(STRAYING))
+        self.speckle = measure_field(tr(" px²"), asked.speckle_for(size or (480, 480)), 0.0, 1e6, 16.0, tr(SPECKS))
         self.speckle.setDecimals(0)
-        self.speckle.setPrefix("below ")
-        self.speckle.setSpecialValueText("Follow all")
+        self.speckle.setPrefix(tr("below "))
+        self.speckle.setSpecialValueText(tr("Follow all"))
         form = dense_form()
-        form.addRow(form_label("From"), weak_label(folder))
-        form.addRow(form_label("Keys"), self.keys)
-        form.addRow(form_label("Within"), self.tolerance)
-        form.addRow(form_label("Specks"), self.speckle)
+        form.addRow(form_label(tr("From")), weak_label(folder))
+        form.addRow(form_label(tr("Keys")), self.keys)
+        form.addRow(form_label(tr("Within")), self.tolerance)
+        form.addRow(form_label(tr("Specks")), self.speckle)
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Ok | QDialogButtonBox.StandardButton.Cancel)
-        buttons.button(QDialogButtonBox.StandardButton.Ok).setText("Import")
+        buttons.button(QDialogButtonBox.StandardButton.Ok).setText(tr("Import"))
         buttons.accepted.connect(self.accept)
         buttons.rejected.connect(self.reject)
         column = QVBoxLayout(self)

@@ -18,13 +18,26 @@ from roam_core.interchange.matte_style import (
     Parts,
 )
 
+from ..translation import N_, tr
 from ..widgets.controls import dense_form, form_label
 
 FILES = {MatteFile.PNG: "PNG", MatteFile.EXR: "EXR", MatteFile.TIFF: "TIFF"}
-DEPTH_WORDS = {Depth.BITS_8: "8 bits", Depth.BITS_16: "16 bits", Depth.HALF: "Half float", Depth.FLOAT: "Float"}
-PART_WORDS = {Parts.ALL: "All shapes together", Parts.LAYER: "Every layer", Parts.SHAPE: "Every shape"}
-GATHERING_WORDS = {Gathering.FILES: "Files of their own", Gathering.CHANNELS: "Channels of one file"}
-WINDOW_WORDS = {DataWindow.FULL: "All pixels", DataWindow.TIGHT: "Around the shapes only"}
+DEPTH_WORDS = {
+    Depth.BITS_8: N_("8 bits"),
+    Depth.BITS_16: N_("16 bits"),
+    Depth.HALF: N_("Half float"),
+    Depth.FLOAT: N_("Float"),
+}
+PART_WORDS = {
+    Parts.ALL: N_("All shapes together"),
+    Parts.LAYER: N_("Every layer"),
+    Parts.SHAPE: N_("Every shape"),
+}
+GATHERING_WORDS = {
+    Gathering.FILES: N_("Files of their own"),
+    Gathering.CHANNELS: N_("Channels of one file"),
+}
+WINDOW_WORDS = {DataWindow.FULL: N_("All pixels"), DataWindow.TIGHT: N_("Around the shapes only")}
 
 
 class MatteForm(QWidget):
@@ -35,19 +48,19 @@ class MatteForm(QWidget):
         self.file, self.depths, self.compression, self.parts, self.gathering, self.pixels = (
             QComboBox() for _ in range(6)
         )
-        self.resumes = QCheckBox("Skip frames whose files are there")
+        self.resumes = QCheckBox(tr("Skip frames whose files are there"))
         _fill(self.file, FILES.items())
         _fill(self.parts, PART_WORDS.items())
         _fill(self.gathering, GATHERING_WORDS.items())
         _fill(self.pixels, WINDOW_WORDS.items())
         form = dense_form()
         for title, field in (
-            ("Files", self.file),
-            ("Depth", self.depths),
-            ("Packing", self.compression),
-            ("Mattes of", self.parts),
-            ("Put into", self.gathering),
-            ("Pixels", self.pixels),
+            (tr("Files"), self.file),
+            (tr("Depth"), self.depths),
+            (tr("Packing"), self.compression),
+            (tr("Mattes of"), self.parts),
+            (tr("Put into"), self.gathering),
+            (tr("Pixels"), self.pixels),
             ("", self.resumes),
         ):
             form.addRow(form_label(title), field)
@@ -79,7 +92,7 @@ class MatteForm(QWidget):
         _fill(self.compression, ((word, word) for word in COMPRESSIONS[kind]))
         for field in (self.gathering, self.pixels):
             field.setEnabled(kind is MatteFile.EXR)
-            field.setToolTip("" if kind is MatteFile.EXR else "EXR files only")
+            field.setToolTip("" if kind is MatteFile.EXR else tr("EXR files only"))
 
 
 def _fill(field: QComboBox, choices: Iterable[tuple[StrEnum | str, str]]) -> None:
@@ -87,5 +100,5 @@ def _fill(field: QComboBox, choices: Iterable[tuple[StrEnum | str, str]]) -> Non
     chosen = field.currentData()
     field.clear()
     for value, word in choices:
-        field.addItem(word, str(value))
+        field.addItem(tr(word), str(value))
     field.setCurrentIndex(max(field.findData(chosen), 0))

@@ -21,9 +21,10 @@ from .. import style
 from ..actions.actions import Actions
 from ..actions.fuzzy import fuzzy_score, words_begin
 from ..actions.menus import menu_of
-from ..actions.search_words import WORDS
+from ..actions.search_words import words_for
 from ..actions.specs import SPECS, ActionSpec
 from ..model.view_state import ViewState
+from ..translation import tr
 from ..widgets.focus import KEEPS_KEYBOARD
 
 WIDTH, MOST_ROWS = 560, 14
@@ -77,7 +78,7 @@ class Palette(QFrame):
         self._focus_before: QWidget | None = None
         self.setObjectName("palette")
         self.field, self.list = QLineEdit(), QTreeWidget()
-        self.field.setPlaceholderText("Do what?")
+        self.field.setPlaceholderText(tr("Do what?"))
         self.field.setProperty(KEEPS_KEYBOARD, True)
         self.field.installEventFilter(self)
         self.field.textChanged.connect(lambda _: self._pull())
@@ -150,11 +151,11 @@ class Palette(QFrame):
 
     def _entry(self, spec: ActionSpec) -> Entry:
         title = self._actions[spec.id].text()
-        return Entry(spec.id, title, f"{title} {menu_of(spec.id)} {spec.tip} {WORDS.get(spec.id, '')}")
+        return Entry(spec.id, title, f"{title} {menu_of(spec.id)} {spec.sentence} {words_for(spec.id)}")
 
     def _item(self, entry: Entry) -> QTreeWidgetItem:
         action = self._actions[entry.id]
-        state = "  (on)" if action.isChecked() else ""
+        state = tr("  (on)") if action.isChecked() else ""
         item = QTreeWidgetItem([entry.title + state, menu_of(entry.id), self._actions.keys_of(entry.id)])
         item.setData(0, Qt.ItemDataRole.UserRole, entry.id)
         item.setToolTip(0, action.toolTip())
@@ -169,7 +170,7 @@ class Palette(QFrame):
 
     def _say_nothing(self) -> None:
         """Show a row that says that nothing was found; it can be neither chosen nor run."""
-        item = QTreeWidgetItem(["Nothing is called so; try another word, or fewer letters."])
+        item = QTreeWidgetItem([tr("Nothing is called so; try another word, or fewer letters.")])
         item.setFlags(Qt.ItemFlag.NoItemFlags)
         self.list.addTopLevelItem(item)
         item.setFirstColumnSpanned(True)
@@ -188,7 +189,7 @@ class Palette(QFrame):
         name = item.data(0, Qt.ItemDataRole.UserRole)
         action = self._actions[name]
         if not action.isEnabled():
-            self._view.say(f"{action.text().rstrip('…')} cannot be done at the moment.")
+            self._view.say(tr("{action} cannot be done at the moment.", action=action.text().rstrip("…")))
             return
         self._lately = [name, *(other for other in self._lately if other != name)][:LATELY_RUN]
         self.leave()

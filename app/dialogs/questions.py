@@ -9,11 +9,12 @@ from pathlib import Path
 from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
 
 from ..model.document import PROJECT_SUFFIX
+from ..translation import N_, tr
 
-MOVIES = "Movies (*.mov *.mp4 *.avi *.mkv *.m4v *.mxf *.webm *.mpg *.mpeg *.gif);;All files (*)"
+MOVIES = N_("Movies (*.mov *.mp4 *.avi *.mkv *.m4v *.mxf *.webm *.mpg *.mpeg *.gif);;All files (*)")
 MOST_LOSSES = 6
 """How many sentences a question shows at once."""
-PROJECTS = f"ROAM projects (*{PROJECT_SUFFIX})"
+PROJECTS = N_("ROAM projects (*.roam)")
 
 
 class Unsaved(Enum):
@@ -28,8 +29,8 @@ def ask_unsaved(parent: QWidget, name: str) -> Unsaved:
     """Ask what shall become of unsaved changes."""
     box = QMessageBox(parent)
     box.setWindowTitle("ROAM")
-    box.setText(f"Save the changes to {name}?")
-    box.setInformativeText("They are lost if you do not.")
+    box.setText(tr("Save the changes to {name}?", name=name))
+    box.setInformativeText(tr("They are lost if you do not."))
     button = QMessageBox.StandardButton
     box.setStandardButtons(button.Save | button.Discard | button.Cancel)
     box.setDefaultButton(button.Save)
@@ -47,9 +48,9 @@ class Contested(Enum):
 
 def ask_contested(parent: QWidget, name: str, who: str) -> Contested:
     """Ask how to open a project that is open elsewhere."""
-    answers = {"Open a copy": Contested.COPY, "Open anyway": Contested.ANYWAY}
-    text = f"{name} is {who}."
-    weak = "If both save, the later one wins. A copy is a project of its own, without a file until you save it."
+    answers = {tr("Open a copy"): Contested.COPY, tr("Open anyway"): Contested.ANYWAY}
+    text = tr("{name} is {who}.", name=name, who=who)
+    weak = tr("If both save, the later one wins. A copy is a project of its own, without a file until you save it.")
     return answers.get(_ask(parent, text, weak, tuple(answers)), Contested.CANCEL)
 
 
@@ -63,8 +64,8 @@ class Doubted(Enum):
 
 def ask_doubted(parent: QWidget, doubt: str) -> Doubted:
     """Ask whether to save over a file that somebody else changed or has open."""
-    answers = {"Save as…": Doubted.SAVE_AS, "Save anyway": Doubted.SAVE}
-    weak = "If you save anyway, what is in the file now stays beside it as a backup."
+    answers = {tr("Save as…"): Doubted.SAVE_AS, tr("Save anyway"): Doubted.SAVE}
+    weak = tr("If you save anyway, what is in the file now stays beside it as a backup.")
     return answers.get(_ask(parent, doubt, weak, tuple(answers)), Doubted.CANCEL)
 
 
@@ -87,10 +88,12 @@ def ask_overwrite(parent: QWidget, paths: Sequence[Path]) -> bool:
     others = len(paths) - 1
     box = QMessageBox(parent)
     box.setWindowTitle("ROAM")
-    box.setText(f"Write over {paths[0].name}" + (f" and {others} other file{'s' * (others > 1)}?" if others else "?"))
-    box.setInformativeText(f"ROAM did not make what is there in {paths[0].parent}. It would be lost.")
+    name = paths[0].name
+    several = tr("Write over {name} and %n other file(s)?", "", others, name=name)
+    box.setText(several if others else tr("Write over {name}?", name=name))
+    box.setInformativeText(tr("ROAM did not make what is there in {folder}. It would be lost.", folder=paths[0].parent))
     box.setDetailedText("\n".join(str(path) for path in paths))
-    overwrite = box.addButton("Write over", QMessageBox.ButtonRole.DestructiveRole)
+    overwrite = box.addButton(tr("Write over"), QMessageBox.ButtonRole.DestructiveRole)
     keep = box.addButton(QMessageBox.StandardButton.Cancel)
     box.setDefaultButton(keep)
     box.setEscapeButton(keep)
@@ -102,11 +105,11 @@ def ask_lossy(parent: QWidget, losses: Sequence[str]) -> bool:
     """Ask before an export whose mattes would differ in the other program; what differs is named."""
     box = QMessageBox(parent)
     box.setWindowTitle("ROAM")
-    box.setText("Export, although the mattes would differ in the other program?")
+    box.setText(tr("Export, although the mattes would differ in the other program?"))
     box.setInformativeText("\n".join(losses[:MOST_LOSSES]))
     if len(losses) > MOST_LOSSES:
         box.setDetailedText("\n".join(losses))
-    anyway = box.addButton("Export anyway", QMessageBox.ButtonRole.AcceptRole)
+    anyway = box.addButton(tr("Export anyway"), QMessageBox.ButtonRole.AcceptRole)
     stay = box.addButton(QMessageBox.StandardButton.Cancel)
     box.setDefaultButton(stay)
     box.setEscapeButton(stay)
@@ -115,26 +118,26 @@ def ask_lossy(parent: QWidget, losses: Sequence[str]) -> bool:
 
 
 def choose_clip_folder(parent: QWidget, start: Path) -> Path | None:
-    return _path(QFileDialog.getExistingDirectory(parent, "Open clip: the folder of its frames", str(start)))
+    return _path(QFileDialog.getExistingDirectory(parent, tr("Open clip: the folder of its frames"), str(start)))
 
 
 def choose_movie(parent: QWidget, start: Path) -> Path | None:
-    return _path(QFileDialog.getOpenFileName(parent, "Open movie", str(start), MOVIES)[0])
+    return _path(QFileDialog.getOpenFileName(parent, tr("Open movie"), str(start), tr(MOVIES))[0])
 
 
 def choose_plate(parent: QWidget, start: Path) -> Path | None:
     """A frame of another version of the plate, or a movie."""
-    title = "Relink clip: a frame of the plate, or a movie"
+    title = tr("Relink clip: a frame of the plate, or a movie")
     return _path(QFileDialog.getOpenFileName(parent, title, str(start))[0])
 
 
 def choose_project(parent: QWidget, start: Path) -> Path | None:
-    return _path(QFileDialog.getOpenFileName(parent, "Open project", str(start), PROJECTS)[0])
+    return _path(QFileDialog.getOpenFileName(parent, tr("Open project"), str(start), tr(PROJECTS))[0])
 
 
 def choose_save(parent: QWidget, start: Path) -> Path | None:
     """Where to save the project; the suffix is added when it was left out."""
-    path = _path(QFileDialog.getSaveFileName(parent, "Save project", str(start), PROJECTS)[0])
+    path = _path(QFileDialog.getSaveFileName(parent, tr("Save project"), str(start), tr(PROJECTS))[0])
     return path if path is None or path.suffix else path.with_suffix(PROJECT_SUFFIX)
 
 
@@ -145,7 +148,9 @@ def choose_export(parent: QWidget, title: str, start: Path, suffix: str) -> Path
 
 def choose_shapes(parent: QWidget, start: Path, suffixes: Sequence[str]) -> Path | None:
     kinds = " ".join(f"*{suffix}" for suffix in suffixes)
-    return _path(QFileDialog.getOpenFileName(parent, "Import shapes", str(start), f"Shapes ({kinds})")[0])
+    return _path(
+        QFileDialog.getOpenFileName(parent, tr("Import shapes"), str(start), tr("Shapes ({kinds})", kinds=kinds))[0]
+    )
 
 
 def choose_folder(parent: QWidget, title: str, start: Path) -> Path | None:

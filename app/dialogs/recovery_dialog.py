@@ -18,6 +18,7 @@ from PySide6.QtWidgets import (
 from .. import style
 from ..jobs.thumbnails import empty_picture
 from ..journal.recovery import Recovery
+from ..translation import tr
 from ..widgets.controls import weak_label
 
 PICTURE = QSize(128, 72)
@@ -38,7 +39,7 @@ class RecoveryDialog(QDialog):
     def __init__(self, found: list[Recovery], parent: QWidget | None = None, *, is_asked_for: bool = False) -> None:
         super().__init__(parent)
         self._found = list(found)
-        self.setWindowTitle("Recover work")
+        self.setWindowTitle(tr("Recover work"))
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.resize(560, 400)
         self.list = QListWidget()
@@ -46,10 +47,12 @@ class RecoveryDialog(QDialog):
         self.list.setSpacing(2)
         for each in found:
             self.list.addItem(_row(each))
-        self.recover, self.decline, self.later = (QPushButton(word) for word in ("Recover", "Do not offer again", ""))
-        self.later.setText("Close" if is_asked_for else "Later")
+        self.recover, self.decline, self.later = (
+            QPushButton(word) for word in (tr("Recover"), tr("Do not offer again"), "")
+        )
+        self.later.setText(tr("Close") if is_asked_for else tr("Later"))
         self.decline.setVisible(not is_asked_for)
-        self.decline.setToolTip("It stays, and is found under File > Recover work…")
+        self.decline.setToolTip(tr("It stays, and is found under File > Recover work…"))
         self._lay_out(is_asked_for)
         self.recover.clicked.connect(self._choose)
         self.decline.clicked.connect(self._decline)
@@ -68,7 +71,7 @@ class RecoveryDialog(QDialog):
     # ---- the rest is private
 
     def _lay_out(self, is_asked_for: bool) -> None:
-        title = QLabel("Work that is in no file" if is_asked_for else "ROAM did not close properly")
+        title = QLabel(tr("Work that is in no file") if is_asked_for else tr("ROAM did not close properly"))
         title.setObjectName("heading")
         buttons = QHBoxLayout()
         buttons.addWidget(self.decline)
@@ -80,7 +83,7 @@ class RecoveryDialog(QDialog):
         column.setContentsMargins(*(2 * style.MARGIN,) * 4)
         column.setSpacing(style.MARGIN)
         column.addWidget(title)
-        column.addWidget(weak_label("Your own files are not changed until you save. What you leave here stays."))
+        column.addWidget(weak_label(tr("Your own files are not changed until you save. What you leave here stays.")))
         column.addWidget(self.list, 1)
         column.addLayout(buttons)
 

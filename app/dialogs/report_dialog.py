@@ -7,6 +7,7 @@ from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QDialog, QHBoxLayout, QLabel, QPlainTextEdit, QPushButton, QVBoxLayout, QWidget
 
 from .. import style
+from ..translation import tr
 from ..widgets.controls import weak_label
 
 
@@ -15,7 +16,7 @@ class ReportDialog(QDialog):
 
     def __init__(self, title: str, sentence: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.setWindowTitle("Problem report")
+        self.setWindowTitle(tr("Problem report"))
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.resize(680, 460)
         heading = QLabel(title)
@@ -23,12 +24,12 @@ class ReportDialog(QDialog):
         self.sentence = weak_label(sentence)
         self.text = QPlainTextEdit()
         self.text.setReadOnly(True)
-        self.copy_button, self.leave = QPushButton("Copy the report"), QPushButton("Close")
+        self.copy_button, self.leave = QPushButton(tr("Copy the report")), QPushButton(tr("Close"))
         self.copy_button.clicked.connect(lambda: QGuiApplication.clipboard().setText(self.text.toPlainText()))
         self.leave.clicked.connect(self.close)
         self.leave.setDefault(True)
         buttons = QHBoxLayout()
-        buttons.addWidget(weak_label("Nothing is sent. Copy it into an issue if you like."), 1)
+        buttons.addWidget(weak_label(tr("Nothing is sent. Copy it into an issue if you like.")), 1)
         buttons.addWidget(self.copy_button)
         buttons.addWidget(self.leave)
         column = QVBoxLayout(self)

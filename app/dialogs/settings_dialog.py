@@ -35,6 +35,7 @@ from ..model.preferences import (
     SCALES,
     Preferences,
 )
+from ..translation import tr
 from ..widgets.controls import dense_form, weak_label
 
 LABEL_WIDTH, FIELD_WIDTH = 150, 150
@@ -53,7 +54,7 @@ class SettingsDialog(QDialog):
     def __init__(self, personal: Personal, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._personal = personal
-        self.setWindowTitle("Settings")
+        self.setWindowTitle(tr("Settings"))
         self._build()
         self._lay_out()
         self._pull()
@@ -66,29 +67,29 @@ class SettingsDialog(QDialog):
         self.cache.setRange(LEAST_CACHE, MOST_CACHE)
         self.cache.setSingleStep(0.5)
         self.cache.setDecimals(2)
-        self.cache.setSuffix(" GB")
+        self.cache.setSuffix(tr(" GB"))
         self.threads, self.backups, self.undo = QSpinBox(), QSpinBox(), QSpinBox()
         self.threads.setRange(0, MOST_THREADS)
-        self.threads.setSpecialValueText("As many as there are")
+        self.threads.setSpecialValueText(tr("As many as there are"))
         self.backups.setRange(0, MOST_BACKUPS)
-        self.backups.setSpecialValueText("None")
+        self.backups.setSpecialValueText(tr("None"))
         self.undo.setRange(LEAST_UNDO, MOST_UNDO)
         self.undo.setSingleStep(64)
-        self.undo.setSuffix(" MB")
+        self.undo.setSuffix(tr(" MB"))
         self.config, self.preset, self.scale = QComboBox(), QComboBox(), QComboBox()
-        self.config.addItem("The one used last", "")
+        self.config.addItem(tr("The one used last"), "")
         for name in CONFIGS:
             self.config.addItem(name.replace("_", " ").capitalize(), name)
         for name, title in presets().items():
             self.preset.addItem(title, name)
         for scale in SCALES:
             self.scale.addItem(f"{scale:.0%}", scale)
-        self.change_keys = QPushButton("Change keys…")
+        self.change_keys = QPushButton(tr("Change keys…"))
         self.change_keys.setAutoDefault(False)
-        self.asks = QCheckBox("Show what was found before a clip opens")
-        self.asks.setToolTip("Holding Alt while dropping a clip opens it without a question")
-        self.reset, self.leave = QPushButton("Defaults"), QPushButton("Close")
-        self.reset.setToolTip("All settings as they were at first; keys stay")
+        self.asks = QCheckBox(tr("Show what was found before a clip opens"))
+        self.asks.setToolTip(tr("Holding Alt while dropping a clip opens it without a question"))
+        self.reset, self.leave = QPushButton(tr("Defaults")), QPushButton(tr("Close"))
+        self.reset.setToolTip(tr("All settings as they were at first; keys stay"))
         for button in (self.reset, self.leave):
             button.setAutoDefault(False)
         for widget in (self.cache, self.threads, self.backups, self.undo, self.config, self.preset, self.scale):
@@ -98,14 +99,14 @@ class SettingsDialog(QDialog):
 
     def _lay_out(self) -> None:
         form = dense_form()
-        _row(form, "Memory for frames", self.cache, "More keeps more of a clip ready to play")
-        _row(form, "Threads", self.threads, "For decoding pictures and for the engine")
-        _row(form, "Memory for undo", self.undo, "The oldest steps go first")
-        _row(form, "Backups", self.backups, "Older versions of a project, kept beside it when you save")
-        _row(form, "Mode at the start", self.config, "How the engine works")
-        _row(form, "Keys", self.preset, None, self.change_keys)
-        _row(form, "Size on the screen", self.scale, "From the next start on")
-        _row(form, "Clips", self.asks, None)
+        _row(form, tr("Memory for frames"), self.cache, tr("More keeps more of a clip ready to play"))
+        _row(form, tr("Threads"), self.threads, tr("For decoding pictures and for the engine"))
+        _row(form, tr("Memory for undo"), self.undo, tr("The oldest steps go first"))
+        _row(form, tr("Backups"), self.backups, tr("Older versions of a project, kept beside it when you save"))
+        _row(form, tr("Mode at the start"), self.config, tr("How the engine works"))
+        _row(form, tr("Keys"), self.preset, None, self.change_keys)
+        _row(form, tr("Size on the screen"), self.scale, tr("From the next start on"))
+        _row(form, tr("Clips"), self.asks, None)
         buttons = QHBoxLayout()
         buttons.addWidget(self.reset)
         buttons.addStretch(1)

@@ -22,6 +22,7 @@ from roam_core.roto import BlendMode, Project, RotoShape
 from ..jobs.runner import Report, Runner
 from ..model.document import Document
 from ..model.view_state import ViewState, shapes_in_hand
+from ..translation import tr
 
 
 class Kind(StrEnum):
@@ -52,12 +53,12 @@ class Place:
 
     def __str__(self) -> str:
         words = {
-            Kind.PART: f"Part of {self.count}",
-            Kind.WHOLE: "One object" if self.count == 1 else f"Whole of {self.count} shapes",
-            Kind.HOLE: f"Hole of {self.host or 'the whole'}",
-            Kind.OCCLUDER: "Occluder",
-            Kind.ALONE: "By itself",
-            Kind.OPEN: "Open: not tracked",
+            Kind.PART: tr("Part of {count}", count=self.count),
+            Kind.WHOLE: tr("One object") if self.count == 1 else tr("Whole of {count} shapes", count=self.count),
+            Kind.HOLE: tr("Hole of {name}", name=self.host or tr("the whole")),
+            Kind.OCCLUDER: tr("Occluder"),
+            Kind.ALONE: tr("By itself"),
+            Kind.OPEN: tr("Open: not tracked"),
         }[self.kind]
         is_named = self.link and self.kind in (Kind.WHOLE, Kind.HOLE)
         return f"{words} ({self.link})" if is_named else words

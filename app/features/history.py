@@ -6,6 +6,7 @@ from collections.abc import Callable
 
 from ..model.document import Document
 from ..model.view_state import ViewState
+from ..translation import tr
 
 
 class History:
@@ -25,10 +26,10 @@ class History:
         """Take the last step back."""
         if text := self._stack.undoText():
             self._stack.undo()
-            self._view.say(f"Undone: {text}.")
+            self._view.say(tr("Undone: {text}.", text=text))
 
     def redo(self) -> None:
         """Do the step again that was taken back last."""
         if text := self._stack.redoText():
             self._stack.redo()
-            self._view.say(f"Redone: {text}.")
+            self._view.say(tr("Redone: {text}.", text=text))

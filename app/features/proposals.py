@@ -17,12 +17,13 @@ from roam_core.roto import Keyframe
 from ..jobs.propagation import Propagation
 from ..model.document import Document
 from ..model.view_state import ViewState, selected_shapes
+from ..translation import N_, tr
 
 Place = tuple[str, int]
 """A shape's id and a frame."""
 
-NONE_LEFT = "No proposal waits for an answer."
-NOTHING_SELECTED = "Select the shapes first that you want to be asked about again."
+NONE_LEFT = N_("No proposal waits for an answer.")
+NOTHING_SELECTED = N_("Select the shapes first that you want to be asked about again.")
 
 
 class Answer(StrEnum):
@@ -133,7 +134,7 @@ class Proposals(QObject):
             self._document.apply(_title(offer.proposal), project)
             self._view.select(frozenset(ids))
             key = "]" if offer.step > 0 else "["
-            self._view.say(f"Kept: it is yours now. {key} tracks on from here.")
+            self._view.say(tr("Kept: it is yours now. {key} tracks on from here.", key=key))
 
     def refuse(self) -> None:
         """Leave the shape as it is; the frames around, on which the same is proposed, are not asked about either."""
@@ -163,7 +164,7 @@ class Proposals(QObject):
         for shape in shapes:
             self._own_answers().pop(shape.id, None)
         names = ", ".join(shape.name for shape in shapes)
-        self._view.say(f"You will be asked about {names} again." if shapes else NOTHING_SELECTED)
+        self._view.say(tr("You will be asked about {names} again.", names=names) if shapes else tr(NOTHING_SELECTED))
 
     def next(self) -> None:
         """Go to the next frame with a question, from the last one to the first."""
@@ -171,7 +172,7 @@ class Proposals(QObject):
         if frames:
             self._view.set_frame(next((frame for frame in frames if frame > self._view.frame), frames[0]))
         else:
-            self._view.say(NONE_LEFT)
+            self._view.say(tr(NONE_LEFT))
 
     def answer(self, shape_id: str) -> Answer | None:
         """What was answered for good about a shape."""
@@ -183,7 +184,7 @@ class Proposals(QObject):
         count = len(self.frames)
         if not count:
             return sentence
-        waiting = f"{count} proposal{'s' * (count > 1)} to answer: Alt+P goes there."
+        waiting = tr("%n proposal(s) to answer: Alt+P goes there.", "", count)
         return f"{sentence} {waiting}".lstrip()
 
     # ---- the rest is private
@@ -235,14 +236,14 @@ def sentence_of(proposal: Proposal) -> str:
     """What is proposed, for the artist's eye."""
     name = proposal.before[0].name
     if proposal.kind is TopologyKind.DROP:
-        what = f"Drop the part that came off {name}?"
+        what = tr("Drop the part that came off {name}?", name=name)
     else:
-        what = f"Split {name} into {len(proposal.after)} shapes?"
-    return f"{what}  The energy falls by {_figures(proposal.gain)}."
+        what = tr("Split {name} into {count} shapes?", name=name, count=len(proposal.after))
+    return tr("{what}  The energy falls by {figures}.", what=what, figures=_figures(proposal.gain))
 
 
 def _title(proposal: Proposal) -> str:
-    return "Split shape" if proposal.kind is TopologyKind.SPLIT else "Drop part"
+    return tr("Split shape") if proposal.kind is TopologyKind.SPLIT else tr("Drop part")
 
 
 def _name(path: object) -> str:

@@ -8,17 +8,22 @@ from enum import StrEnum
 from roam_core.dials import name_of
 from roam_core.params import DEFAULT_CONFIG, departed, is_doubtful
 from roam_core.propagate.shapes.provenance import known_params
+from roam_core.review.findings import Finding, boiling_frames
 from roam_core.roto import Layer, Project, RotoShape
 
 from ..jobs.filling import Gap, gaps_of
 from ..jobs.propagation import Propagation
 from ..model.document import Document
 from ..model.view_state import ViewState, shapes_in_hand
+from ..translation import N_, tr
+from .boil import boil_of_document
 from .navigation import clip_frames
 
-NO_CLIP = "Open a clip first: drop a folder of images or a movie on the window."
-NO_GAP = "There is no gap to fill here: set a key (<key.set>) on two frames, with others between them."
-NO_SHAPE = "Draw a shape first: press <tool.bezier> in the viewer."
+NO_CLIP = N_("Open a clip first: drop a folder of images or a movie on the window.")
+NO_GAP = N_("There is no gap to fill here: set a key (<key.set>) on two frames, with others between them.")
+CLIP_ENDS = N_("The clip ends here: there is no frame to track to.")
+CLIP_BEGINS = N_("The clip begins here: there is no frame to track to.")
+NO_SHAPE = N_("Draw a shape first: press <tool.bezier> in the viewer.")
 
 
 class Scope(StrEnum):
@@ -39,6 +44,7 @@ class Tracking:
 
     def __init__(self, document: Document, view_state: ViewState, propagation: Propagation) -> None:
         self._document, self._view, self._propagation = document, view_state, propagation
+        self._boil = boil_of_document(document)
         self.config = DEFAULT_CONFIG
         self.factors: dict[str, dict[str, float]] = {}
         self.scope = Scope.SELECTED
@@ -77,7 +83,12 @@ class Tracking:
                 else:
                     self.factors.setdefault(config, {})[dial] = float(word)
         if gone:
-            self._view.say(f"Dials that were turned and are not offered (any more) stay at 100 %: {', '.join(gone)}.")
+            self._view.say(
+                tr(
+                    "Dials that were turned and are not offered (any more) stay at 100 %: {names}.",
+                    names=", ".join(gone),
+                )
+            )
 
     def handlers(self) -> dict[str, Callable[[], object]]:
         """What the actions of this part call, by id."""
@@ -116,21 +127,21 @@ class Tracking:
         if not later:
             self.forward()
         elif min(later) == frame + 1:
-            self._view.say("The next frame is a key already: there is nothing to track before it.")
+            self._view.say(tr("The next frame is a key already: there is nothing to track before it."))
         else:
             self._run(1, min(later))
 
     def fill(self) -> None:
         """Fill the frames between artist keys: of the gaps inside in and out, or of the one at the playhead."""
         if self._document.project.clip is None:
-            self._view.say(NO_CLIP)
+            self._view.say(tr(NO_CLIP))
         elif shapes := self._trackable():
             if gaps := self._gaps_meant(gaps_of(shapes)):
                 self._propagation.fill(
                     [shape.id for shape in shapes], gaps, self.configuration, alone=self.scope is Scope.ALONE
                 )
             else:
-                self._view.say(NO_GAP)
+                self._view.say(tr(NO_GAP))
 
     def next_doubtful(self) -> None:
         self._go_to_doubtful(1)
@@ -147,7 +158,7 @@ class Tracking:
             if key.confidence is not None
         ]
         if not tracked:
-            self._view.say("No frame is tracked yet.")
+            self._view.say(tr("No frame is tracked yet."))
             return
         _, frame, shape = min(tracked, key=lambda each: each[:2])
         self._view.set_frame(frame)
@@ -161,9 +172,9 @@ class Tracking:
     def _run(self, step: int, stop: int) -> None:
         frames = range(self._view.frame, stop, step)
         if self._document.project.clip is None:
-            self._view.say(NO_CLIP)
+            self._view.say(tr(NO_CLIP))
         elif len(frames) < 2:
-            self._view.say(f"The clip {'ends' if step > 0 else 'begins'} here: there is no frame to track to.")
+            self._view.say(tr(CLIP_ENDS if step > 0 else CLIP_BEGINS))
         elif shapes := self._trackable():
             ids, alone = [shape.id for shape in shapes], self.scope is Scope.ALONE
             self._propagation.start(ids, frames, self.configuration, alone=alone)
@@ -193,11 +204,13 @@ class Tracking:
         shapes = self.in_scope()
         able = [shape for shape in shapes if shape.closed and not shape.locked]
         if not shapes:
-            self._view.say(NO_SHAPE)
+            self._view.say(tr(NO_SHAPE))
         elif not able and shapes[0].locked:
-            self._view.say(f"{shapes[0].name} is locked; unlock it to track it.")
+            self._view.say(tr("{name} is locked; unlock it to track it.", name=shapes[0].name))
         elif not able:
-            self._view.say(f"{shapes[0].name} is open; close it (<points.toggle_closed> in the viewer) to track it.")
+            self._view.say(
+                tr("{name} is open; close it (<points.toggle_closed> in the viewer) to track it.", name=shapes[0].name)
+            )
         return able
 
     def _go_to_doubtful(self, step: int) -> None:
@@ -210,7 +223,23 @@ class Tracking:
             if is_doubtful(key.confidence) and (key.frame - here) * step > 0
         ]
         doubtful += [
-            (abs(frame - here), trust, frame, f"Frame {frame}: the confidence of the track {name} is {trust:.2f}.")
+            (abs(found.frame - here), 1.0, found.frame, boil_sentence(found))
+            for shape in shapes
+            for found in boiling_frames(shape, self._boil(shape))
+            if (found.frame - here) * step > 0
+        ]
+        doubtful += [
+            (
+                abs(frame - here),
+                trust,
+                frame,
+                tr(
+                    "Frame {frame}: the confidence of the track {name} is {trust:.2f}.",
+                    frame=frame,
+                    name=name,
+                    trust=trust,
+                ),
+            )
             for name, frame, trust in tracks_of(self._document.project, shapes)
             if is_doubtful(trust) and (frame - here) * step > 0
         ]
@@ -219,7 +248,8 @@ class Tracking:
             self._view.set_frame(frame)
             self._view.say(sentence)
         else:
-            self._view.say(f"No doubtful frame {'after' if step > 0 else 'before'} frame {here}.")
+            none = tr("No doubtful frame after frame {frame}.", frame=here)
+            self._view.say(none if step > 0 else tr("No doubtful frame before frame {frame}.", frame=here))
 
 
 def tracks_of(project: Project, shapes: Sequence[RotoShape]) -> list[tuple[str, int, float]]:
@@ -239,9 +269,23 @@ def doubt_sentence(shape: RotoShape, frame: int) -> str:
     if key is None or key.confidence is None:
         return ""
     doubted = len(doubtful_points(shape, frame))
-    verb = "is" if doubted == 1 else "are"
-    rings = f" {doubted} of its {shape.point_count} vertices {verb} doubtful and ringed." if doubted else ""
-    return f"Frame {frame}: the confidence of {shape.name} is {key.confidence:.2f}.{rings}"
+    rings = (
+        tr(" %n of its {count} vertices is/are doubtful and ringed.", "", doubted, count=shape.point_count)
+        if doubted
+        else ""
+    )
+    return tr(
+        "Frame {frame}: the confidence of {name} is {confidence:.2f}.{rings}",
+        frame=frame,
+        name=shape.name,
+        confidence=key.confidence,
+        rings=rings,
+    )
+
+
+def boil_sentence(found: Finding) -> str:
+    """How much a shape boils on a frame."""
+    return tr("Frame {frame}: {name} boils by {pixels:.1f} px.", frame=found.frame, name=found.name, pixels=found.value)
 
 
 def doubtful_points(shape: RotoShape, frame: int) -> tuple[int, ...]:

@@ -24,6 +24,7 @@ from ..model.document import PROJECT_SUFFIX, Document
 from ..model.last_folders import LastFolders, Purpose
 from ..model.personal import Personal
 from ..model.view_state import ViewState
+from ..translation import tr
 from .files import Files
 
 if TYPE_CHECKING:
@@ -87,7 +88,7 @@ class FileActions(QObject):
         """Do `then` once nothing is lost by it: at once, after saving, or never."""
         if self._files.is_saving:
             self._after_saving = lambda: self.leave_project(then)
-            self._view.say("The project is being saved …")
+            self._view.say(tr("The project is being saved …"))
             return
         if not self._document.is_modified:
             then()
@@ -155,7 +156,7 @@ class FileActions(QObject):
     def save_as(self) -> None:
         """Ask where, and save there."""
         own = self._document.path
-        path = questions.choose_save(self._window, own or self._suggested(PROJECT_SUFFIX, Purpose.PROJECT))
+        path = questions.choose_save(self._window, own or self.suggested(PROJECT_SUFFIX, Purpose.PROJECT))
         if path is None or not self._may_save_to(path):
             self._disarm()
         else:
@@ -175,7 +176,7 @@ class FileActions(QObject):
             return
         start = self._start_folder(Purpose.SHAPES)
         folder = self._noted(
-            Purpose.SHAPES, questions.choose_folder(self._window, "Import the masks of a folder", start)
+            Purpose.SHAPES, questions.choose_folder(self._window, tr("Import the masks of a folder"), start)
         )
         if folder is None:
             return
@@ -194,19 +195,27 @@ class FileActions(QObject):
 
         if self._export_dialog is None:
             self._export_dialog = ExportDialog(
-                self._document, self._view, self._export, self._suggested, parent=self._window
+                self._document, self._view, self._export, self.suggested, parent=self._window
             )
         self._export_dialog.selected.setChecked(selected)
         self._export_dialog.show()
         self._export_dialog.activateWindow()
 
     def export_nuke(self) -> None:
-        self._export_file("nuke", "Export to Nuke")
+        self._export_file("nuke", tr("Export to Nuke"))
 
     def export_mattes(self) -> None:
-        folder = questions.choose_folder(self._window, "Export mattes to a folder", self._start_folder(Purpose.EXPORT))
+        folder = questions.choose_folder(
+            self._window, tr("Export mattes to a folder"), self._start_folder(Purpose.EXPORT)
+        )
         if folder is not None:
             self._export.start("mattes", folder)
+
+    def suggested(self, suffix: str, purpose: Purpose = Purpose.EXPORT) -> Path:
+        """The file that is proposed for what is written of the project."""
+        clip = self._document.project.clip
+        stem = self._document.path.stem if self._document.path else (clip.path.stem if clip else "untitled")
+        return self._start_folder(purpose) / f"{stem}{suffix}"
 
     # ---- the rest is private
 
@@ -252,7 +261,7 @@ class FileActions(QObject):
     def _lacks_clip(self) -> bool:
         """True, and said, where there is no clip for shapes to come into: told before anything is asked."""
         if self._document.project.clip is None:
-            self._view.say("Open a clip first: shapes come into its frames and pixels.")
+            self._view.say(tr("Open a clip first: shapes come into its frames and pixels."))
             return True
         return False
 
@@ -260,7 +269,7 @@ class FileActions(QObject):
         from roam_core.interchange import EXPORTERS
 
         suffix = EXPORTERS[format_name].suffix
-        path = questions.choose_export(self._window, title, self._suggested(suffix), suffix)
+        path = questions.choose_export(self._window, title, self.suggested(suffix), suffix)
         if path is not None:
             self._export.start(format_name, path)
 
@@ -312,13 +321,8 @@ class FileActions(QObject):
         elif answer is Contested.ANYWAY:
             self._files.open_anyway(path)
         else:
-            self._view.say(f"{path.name} was not opened.")
+            self._view.say(tr("{name} was not opened.", name=path.name))
             self.refused_to_open.emit()
-
-    def _suggested(self, suffix: str, purpose: Purpose = Purpose.EXPORT) -> Path:
-        clip = self._document.project.clip
-        stem = self._document.path.stem if self._document.path else (clip.path.stem if clip else "untitled")
-        return self._start_folder(purpose) / f"{stem}{suffix}"
 
     def _start_folder(self, purpose: Purpose) -> Path:
         """Where choosers begin: where the last one of the kind was used, else beside the project, the clip, what was

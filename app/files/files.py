@@ -26,13 +26,16 @@ from ..journal.recovery import Recovery
 from ..model.document import PROJECT_SUFFIX, Document
 from ..model.preferences import Preferences
 from ..model.view_state import ViewState
+from ..translation import N_, tr
 from .claim import Claim
 
 if TYPE_CHECKING:
     from roam_core.media import PlateSource
 
-DEMO = "The demo shot: press <track.forward> to track the shape, <track.stop> to stop; drag its points to correct it."
-SUMMED = (
+DEMO = N_(
+    "The demo shot: press <track.forward> to track the shape, <track.stop> to stop; drag its points to correct it."
+)
+SUMMED = N_(
     "It joins soft edges as older versions did (Plus), so that its mattes stay as they were; "
     "choose Add in the Shape panel where they are to join as in other programs."
 )
@@ -115,7 +118,7 @@ class Files(QObject):
         """Find out about a clip without opening it: about one of its layers, or the one that is found."""
 
         def work(report: Report) -> str:
-            report.progress(0.0, f"Looking at {path.name} …")
+            report.progress(0.0, tr("Looking at {name} …", name=path.name))
             report.partial(looked_at(path, layer))
             return ""
 
@@ -134,10 +137,12 @@ class Files(QObject):
 
         def read() -> Found:
             project, source = clip_project(path, declare, layer)
-            sentence = f"Opened {path.name}: {len(source.frames)} frames. {_gaps(source)}".rstrip()
+            sentence = tr(
+                "Opened {name}: {count} frames. {gaps}", name=path.name, count=len(source.frames), gaps=_gaps(source)
+            ).rstrip()
             return Found(project, source, sentence)
 
-        self._open(f"Opening {path.name} …", read, origin=path)
+        self._open(tr("Opening {name} …", name=path.name), read, origin=path)
 
     @property
     def lacks_plate(self) -> bool:
@@ -160,11 +165,13 @@ class Files(QObject):
 
         def read() -> Found:
             source = _version_of(project.require_clip(), before, path)
-            sentence = _differences(project, source) or f"The plate is {source.path.name} now; save to keep that."
+            sentence = _differences(project, source) or tr(
+                "The plate is {name} now; save to keep that.", name=source.path.name
+            )
             clip = replace(Clip.of(source), extra=project.require_clip().extra)
             return Found(replace(project, clip=clip), source, sentence, home, fingerprint, is_unsaved=True)
 
-        self._open(f"Opening {path.name} …", read)
+        self._open(tr("Opening {name} …", name=path.name), read)
 
     def open_project(self, path: Path) -> None:
         """Open a project and its plate; without its plate it opens too, and says so.
@@ -175,31 +182,31 @@ class Files(QObject):
         def read() -> Found | Holder:
             return project_lock.holder(path) or _read_project(path)
 
-        self._open(f"Opening {path.name} …", read, origin=path)
+        self._open(tr("Opening {name} …", name=path.name), read, origin=path)
 
     def open_anyway(self, path: Path) -> None:
         """Open a project that somebody else has open, as if they had not."""
         self.claim.insist_on(path)
-        self._open(f"Opening {path.name} …", lambda: _read_project(path), origin=path)
+        self._open(tr("Opening {name} …", name=path.name), lambda: _read_project(path), origin=path)
 
     def open_copy(self, path: Path) -> None:
         """Open what a project file holds as a new project, which has no file yet."""
 
         def read() -> Found:
             found = _read_project(path)
-            first = f"A copy of {path.name}; save to keep it."
+            first = tr("A copy of {name}; save to keep it.", name=path.name)
             sentence = " ".join(filter(None, (first, departed_settings(found.project.shapes))))
             return Found(found.project, found.source, sentence, is_unsaved=True)
 
-        self._open(f"Opening {path.name} …", read)
+        self._open(tr("Opening {name} …", name=path.name), read)
 
     def open_demo(self) -> None:
         """Render the demo shot, if it is not there yet, and open it with its true outline as the first key."""
 
         def work(report: Report) -> str:
             project, source = _demo_project(report)
-            report.partial(Found(project, source, DEMO))
-            return DEMO
+            report.partial(Found(project, source, tr(DEMO)))
+            return tr(DEMO)
 
         self._start(work)
 
@@ -209,13 +216,13 @@ class Files(QObject):
         def read() -> Found:
             project, loss = recovery.load(found)
             source, problem = plate_of(project)
-            first = " ".join(filter(None, (loss, problem))) or "Recovered; save to keep it."
+            first = " ".join(filter(None, (loss, problem))) or tr("Recovered; save to keep it.")
             sentence = " ".join(filter(None, (first, departed_settings(project.shapes))))
             return Found(
                 project, source, sentence, found.original, found.fingerprint, is_unsaved=True, follows=found.journal
             )
 
-        self._open("Recovering …", read)
+        self._open(tr("Recovering …"), read)
 
     def save(self, path: Path, *, anyway: bool = False) -> None:
         """Write the project as it is now; the artist goes on meanwhile.
@@ -236,12 +243,12 @@ class Files(QObject):
             file.save(project, path)
             self._written = Fingerprint.of(path)
             report.partial(self._written)
-            return f"Saved {path.name}. {warning}".rstrip()
+            return tr("Saved {name}. {warning}", name=path.name, warning=warning).rstrip()
 
         def end(ending: Ending, sentence: str) -> None:
             last = told[-1] if told else None
             if isinstance(last, str):
-                self.finished.emit(Ending.CANCELLED, f"{path.name} is not saved yet.")
+                self.finished.emit(Ending.CANCELLED, tr("{name} is not saved yet.", name=path.name))
                 self.doubted.emit(path, last)
             elif ending is Ending.DONE and sitting == self._sitting:
                 self._document.mark_saved(project, path, last)
@@ -353,7 +360,9 @@ def _demo_project(report: Report) -> tuple[Project, Any]:
     try:
         demo.write_frames(folder, lambda fraction, text: report.progress(fraction, f"{text.capitalize()} …"))
     except OSError as error:
-        raise RoamError(f"The demo shot cannot be written to {folder}: {error.strerror or error}.") from None
+        raise RoamError(
+            tr("The demo shot cannot be written to {folder}: {reason}.", folder=folder, reason=error.strerror or error)
+        ) from None
     project, source = clip_project(folder)
     project, _ = edit.new_shape(project, demo.true_points(demo.FIRST), demo.FIRST, name="Manta")
     return project, source
@@ -365,16 +374,20 @@ def _read_project(path: Path) -> Found:
     stored, version = file.load_versioned(path)
     project = relinked(stored, path.parent)
     source, problem = plate_of(project)
-    moved = "" if project is stored else f" Its plate was found at {project.require_clip().path}; save to keep that."
+    moved = (
+        ""
+        if project is stored
+        else tr(" Its plate was found at {path}; save to keep that.", path=project.require_clip().path)
+    )
     more = filter(None, (_older(project, version), departed_settings(project.shapes)))
-    sentence = " ".join([problem or f"Opened {path.name}.{moved}", *more])
+    sentence = " ".join([problem or tr("Opened {name}.{moved}", name=path.name, moved=moved), *more])
     return Found(project, source, sentence, path, fingerprint)
 
 
 def _older(project: Project, version: int) -> str:
     """What an artist must know of a project whose file is of an older version; mostly nothing."""
     is_summed = version < UNION_SINCE and any(item.blend is BlendMode.PLUS for item in project.root.items())
-    return SUMMED if is_summed else ""
+    return tr(SUMMED) if is_summed else ""
 
 
 def _doubt(path: Path, known: Fingerprint | None, written: Fingerprint | None) -> str:
@@ -385,7 +398,7 @@ def _doubt(path: Path, known: Fingerprint | None, written: Fingerprint | None) -
     if (other := project_lock.holder(path)) is not None:
         return f"{path.name} is {other.sentence}."
     if known is not None and path.exists() and not any(each and each.is_of(path) for each in (known, written)):
-        return f"{path.name} was changed by another program since it was opened or saved here."
+        return tr("{name} was changed by another program since it was opened or saved here.", name=path.name)
     return ""
 
 
@@ -407,7 +420,7 @@ def plate_of(project: Project) -> tuple[Any, str]:
     try:
         source = declared(open_clip(clip.path, clip.layer), clip.colour_space, clip.fps, clip.pixel_aspect)
     except RoamError as error:
-        return None, f"The plate could not be opened; choose it again in the File menu. {error}"
+        return None, tr("The plate could not be opened; choose it again in the File menu. {error}", error=error)
     return source, _differences(project, source)
 
 
@@ -421,4 +434,4 @@ def _differences(project: Project, source: PlateSource) -> str:
 
 def _gaps(source: Any) -> str:
     missing = len(source.missing)
-    return f"{missing} frame{'s are' if missing > 1 else ' is'} missing." if missing else ""
+    return tr("%n frame(s) is/are missing.", "", missing) if missing else ""

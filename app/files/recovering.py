@@ -20,6 +20,7 @@ from ..journal import recovery
 from ..journal.recovery import Recovery
 from ..model.document import PROJECT_SUFFIX
 from ..model.view_state import ViewState
+from ..translation import tr
 from .file_actions import FileActions
 from .files import Files, plate_of
 
@@ -64,7 +65,7 @@ class Recovering(QObject):
             if found:
                 self._ask(found, is_asked_for=True)
             else:
-                self._view.say("There is nothing to recover.")
+                self._view.say(tr("There is nothing to recover."))
 
         self._look(show)
 

@@ -17,6 +17,7 @@ from ..jobs.thumbnails import Thumbnails
 from ..model.document import Document
 from ..model.personal import Personal
 from ..model.recent import Recent
+from ..translation import tr
 from .file_actions import FileActions
 from .files import Files
 from .start_page import StartPage
@@ -46,7 +47,7 @@ class Reopening(QObject):
         self._undrawn: list[Path] = []
         self._picture: tuple[int, Any] | None = None
         self.page = StartPage(viewer, document, files, actions, personal, self._thumbnails)
-        self.menu = QMenu("Open recent", parent)
+        self.menu = QMenu(tr("Open recent"), parent)
         self.menu.aboutToShow.connect(self._fill_menu)
         self.page.chosen.connect(file_actions.open_chosen)
         file_actions.refused_to_open.connect(self.page.begin)
@@ -94,4 +95,4 @@ class Reopening(QObject):
             action.setToolTip(str(recent.path))
             action.triggered.connect(lambda _=False, path=recent.path: self._file_actions.open_chosen(path))
         if self.menu.isEmpty():
-            self.menu.addAction("Nothing yet").setEnabled(False)
+            self.menu.addAction(tr("Nothing yet")).setEnabled(False)

@@ -21,13 +21,14 @@ from ..actions.actions import Actions
 from ..jobs.thumbnails import RecentEntry, Thumbnails, empty_picture
 from ..model.document import Document
 from ..model.personal import Personal
+from ..translation import N_, tr
 from ..widgets.controls import weak_label
 from .files import Files
 
 OFFERS = ("file.open_demo", "file.open_clip", "file.open_movie", "file.open_project")
 PICTURE = QSize(176, 99)
 CARD = QSize(PICTURE.width() + 20, PICTURE.height() + 52)
-DROP = "Or drop a folder of images, a movie or a project anywhere in this window."
+DROP = N_("Or drop a folder of images, a movie or a project anywhere in this window.")
 _PATH = Qt.ItemDataRole.UserRole
 
 
@@ -94,7 +95,7 @@ class StartPage(QWidget):
         self.recent.setContextMenuPolicy(Qt.ContextMenuPolicy.ActionsContextMenu)
         self.recent.itemActivated.connect(self._choose)
         self.recent.itemClicked.connect(self._choose)
-        forget = self.recent.addAction("Take off this list")
+        forget = self.recent.addAction(tr("Take off this list"))
         forget.triggered.connect(self._forget)
 
     def _lay_out(self) -> None:
@@ -103,12 +104,12 @@ class StartPage(QWidget):
         offers = QVBoxLayout()
         offers.setSpacing(style.MARGIN)
         offers.addWidget(name)
-        offers.addWidget(weak_label("Curves carried through a shot"))
+        offers.addWidget(weak_label(tr("Curves carried through a shot")))
         offers.addSpacing(style.MARGIN)
         for action_id in OFFERS:
             offers.addWidget(_button(self._actions, action_id))
         offers.addStretch(1)
-        self._recent_title = weak_label("Opened lately")
+        self._recent_title = weak_label(tr("Opened lately"))
         right = QVBoxLayout()
         right.addWidget(self._recent_title)
         right.addWidget(self.recent, 1)
@@ -122,7 +123,7 @@ class StartPage(QWidget):
         column.setContentsMargins(*(4 * style.MARGIN,) * 4)
         column.setSpacing(2 * style.MARGIN)
         column.addWidget(self._block, 1)
-        drop = weak_label(DROP)
+        drop = weak_label(tr(DROP))
         drop.setAlignment(Qt.AlignmentFlag.AlignCenter)
         column.addWidget(drop)
         self._place(False)
@@ -181,7 +182,7 @@ def _card(entry: RecentEntry) -> QListWidgetItem:
     """Picture, name and day; dim where it is gone."""
     path = entry.recent.path
     day = time.strftime("%d %b %Y, %H:%M", time.localtime(entry.recent.when))
-    item = QListWidgetItem(_icon(entry.picture), f"{path.name}\n{day if entry.is_there else 'not there any more'}")
+    item = QListWidgetItem(_icon(entry.picture), f"{path.name}\n{day if entry.is_there else tr('not there any more')}")
     item.setData(_PATH, path)
     item.setToolTip(str(path))
     item.setTextAlignment(Qt.AlignmentFlag.AlignHCenter)

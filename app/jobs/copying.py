@@ -7,6 +7,7 @@ from PySide6.QtCore import QObject, Signal
 from roam_core.roto import Project
 
 from ..counting import counted
+from ..translation import tr
 from .runner import Ending, Report, Runner
 
 
@@ -34,12 +35,12 @@ class Copying(QObject):
             from roam_core.interchange import ExportOptions
             from roam_core.interchange.clipboard import node_text
 
-            report.progress(0.0, f"Copying for {program} …")
+            report.progress(0.0, tr("Copying for {program} …", program=program))
             options = ExportOptions(lossy=True, progress=report.progress, token=report.token)
             text, notes = node_text(format_name, project, options)
             report.partial(text)
             shapes = counted(len(project.shapes), "shape")
-            return " ".join([f"Copied {shapes} for {program}; paste there.", *notes])
+            return " ".join([tr("Copied {shapes} for {program}; paste there.", shapes=shapes, program=program), *notes])
 
         job = self._runner.start("copy", work)
         job.progress.connect(self.progress)
@@ -52,4 +53,4 @@ class Copying(QObject):
             job.cancel()
 
     def _end(self, ending: Ending, sentence: str) -> None:
-        self.finished.emit(ending, "Nothing was copied." if ending is Ending.CANCELLED else sentence)
+        self.finished.emit(ending, tr("Nothing was copied.") if ending is Ending.CANCELLED else sentence)

@@ -13,6 +13,7 @@ from roam_core.roto import Project
 from roam_core.roto.layers import only
 
 from ..model.document import Document
+from ..translation import tr
 from .runner import Ending, Report, Runner
 
 if TYPE_CHECKING:
@@ -95,7 +96,7 @@ class Export(QObject):
             elif losses and self._may_lose(losses):
                 self._start(replace(request, loses=True))
             else:
-                self._end(Ending.CANCELLED, "Nothing was exported; the files that are there stay.")
+                self._end(Ending.CANCELLED, tr("Nothing was exported; the files that are there stay."))
 
         job = self._runner.start("export", work)
         job.progress.connect(self.progress)
@@ -108,7 +109,7 @@ class Export(QObject):
             job.cancel()
 
     def _end(self, ending: Ending, sentence: str) -> None:
-        stopped = sentence or "Export stopped; the files that are finished stay."
+        stopped = sentence or tr("Export stopped; the files that are finished stay.")
         self.finished.emit(ending, stopped if ending is Ending.CANCELLED else sentence)
 
 
@@ -142,10 +143,10 @@ def _export(report: Report, request: _Request) -> str:
     from roam_core.interchange import EXPORTERS, ExportOptions
 
     path = request.path
-    report.progress(0.0, f"Exporting to {path.name} …")
+    report.progress(0.0, tr("Exporting to {name} …", name=path.name))
     options = request.options or ExportOptions()
     lossy = options.lossy or request.loses
     told = replace(options, lossy=lossy, progress=report.progress, token=report.token)
     losses = EXPORTERS[request.format_name].export(request.project, path, told)
     report.partial(losses)
-    return " ".join([f"Exported to {path}.", *losses])
+    return " ".join([tr("Exported to {path}.", path=path), *losses])

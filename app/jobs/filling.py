@@ -12,6 +12,7 @@ from roam_core.params import RoamParams, params_for
 from roam_core.propagate.shapes.provenance import Stamps, takes_part
 from roam_core.roto import Keyframe, Origin, RotoShape
 
+from ..translation import tr
 from .runner import Report
 
 Gap = tuple[int, int]
@@ -68,7 +69,7 @@ def fill(report: Report, request: FillRequest) -> str:
         report.token.check()
 
         def tell(fraction: float, _text: str, done: int = done, gap: Gap = gap) -> None:
-            place = f"Filling frames {gap[0] + 1} to {gap[1] - 1}"
+            place = tr("Filling frames {first} to {last}", first=gap[0] + 1, last=gap[1] - 1)
             report.progress((done + fraction) / len(wanted), place)
 
         asked = {shape.id for shape in request.shapes if shape.id in request.asked and takes_part(shape, gap)}
@@ -83,7 +84,14 @@ def fill(report: Report, request: FillRequest) -> str:
     if failures and len(wanted) == 1:
         raise failures[0]
     if failures:
-        raise RoamError(f"{len(failures)} of {len(wanted)} gap(s) could not be filled: {failures[0]}")
+        raise RoamError(
+            tr(
+                "{count} of {all} gap(s) could not be filled: {reason}",
+                count=len(failures),
+                all=len(wanted),
+                reason=failures[0],
+            )
+        )
     return _sentence(wanted)
 
 
@@ -125,7 +133,12 @@ def _keys_in(shape: RotoShape, gap: Gap) -> tuple[Keyframe, ...]:
 
 def _sentence(gaps: Sequence[Gap]) -> str:
     if not gaps:
-        return "Filled already: nothing that it depends on has changed."
+        return tr("Filled already: nothing that it depends on has changed.")
     if len(gaps) == 1:
-        return f"Filled the frames {gaps[0][0] + 1} to {gaps[0][1] - 1}."
-    return f"Filled {len(gaps)} gaps between frames {gaps[0][0]} and {max(last for _, last in gaps)}."
+        return tr("Filled the frames {first} to {last}.", first=gaps[0][0] + 1, last=gaps[0][1] - 1)
+    return tr(
+        "Filled {count} gaps between frames {first} and {last}.",
+        count=len(gaps),
+        first=gaps[0][0],
+        last=max(last for _, last in gaps),
+    )

@@ -11,8 +11,8 @@ from PySide6.QtCore import QObject, Signal
 
 from roam_core.roto import Clip, edit
 
-from ..counting import counted
 from ..model.document import Document
+from ..translation import tr
 from .runner import Ending, Report, Runner
 
 if TYPE_CHECKING:
@@ -45,7 +45,7 @@ class Import(QObject):
 
             return read_shapes(path, clip, options if masks is None else replace(options, masks=masks))
 
-        self._start(path.name, read, "Import shapes")
+        self._start(path.name, read, tr("Import shapes"))
 
     def paste(self, text: str) -> None:
         """Read a text of another program, or of our own files of shapes, into the project's clip."""
@@ -55,7 +55,7 @@ class Import(QObject):
 
             return read_text(text, clip, options)
 
-        self._start("the clipboard", read, "Paste")
+        self._start(tr("the clipboard"), read, tr("Paste"))
 
     def _start(self, name: str, read: Callable[[Clip, ImportOptions], Imported], step: str) -> None:
         project = self._document.project
@@ -63,12 +63,14 @@ class Import(QObject):
         def work(report: Report) -> str:
             from roam_core.interchange import ImportOptions
 
-            report.progress(0.0, f"Reading {name} …")
+            report.progress(0.0, tr("Reading {name} …", name=name))
             imported = read(project.require_clip(), ImportOptions(progress=report.progress, token=report.token))
             count = sum(1 for _ in imported.layer.shapes())
             if count:
                 report.partial(imported)
-            return " ".join([f"Read {counted(count, 'shape')} from {name}.", *imported.notes])
+            return " ".join(
+                [tr("Read {shapes} from {name}.", shapes=tr("%n shape(s)", "", count), name=name), *imported.notes]
+            )
 
         job = self._runner.start("import", work)
         job.progress.connect(self.progress)
@@ -87,4 +89,4 @@ class Import(QObject):
         self.came_in.emit(frozenset(ids))
 
     def _end(self, ending: Ending, sentence: str) -> None:
-        self.finished.emit(ending, "Import stopped." if ending is Ending.CANCELLED else sentence)
+        self.finished.emit(ending, tr("Import stopped.") if ending is Ending.CANCELLED else sentence)

@@ -10,6 +10,7 @@ from PySide6.QtCore import QObject, Signal
 
 from roam_core.arrays import UInt8
 
+from ..translation import tr
 from .runner import Ending, Job, Report, Runner
 
 Spot = tuple[float, float]
@@ -90,6 +91,6 @@ class PictureWork(QObject):
     def _end(self, job: Job, ending: Ending, sentence: str, ended: Callable[[Ending, str], object] | None) -> None:
         self._jobs.discard(job)
         if ended is not None:
-            self.finished.emit(ending, "Stopped." if ending is Ending.CANCELLED else sentence)
+            self.finished.emit(ending, tr("Stopped.") if ending is Ending.CANCELLED else sentence)
             ended(ending, sentence)
         self.looked.emit()

@@ -4,10 +4,9 @@ from __future__ import annotations
 
 import itertools
 import time
-from collections.abc import Callable, Collection, Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import partial
-from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -17,12 +16,14 @@ from roam_core.errors import RoamError
 from roam_core.geometry import projective
 from roam_core.geometry.plane_motion import PlaneMotion
 from roam_core.params import is_doubtful
-from roam_core.roto import BlendMode, Layer, LayerTransform, Project, RotoShape, edit
-from roam_core.roto.following import followed, moving_layer, with_moving_layer, with_points
+from roam_core.roto import Layer, LayerTransform, Project, RotoShape, edit
+from roam_core.roto.following import followed, with_moving_layer, with_points
+from roam_core.roto.surfaces import adjusted_frames, covers_at, legs_of, outlines_at
 
 from ..model.document import Document
 from ..model.track_points import TrackPoints
 from ..model.view_state import ViewState
+from ..translation import tr
 from .runner import Ending, Job, Report, Runner
 
 ReadFrame = Callable[[int], Any]
@@ -100,7 +101,7 @@ class PlanarTrack(QObject):
         self.drop()
         project, read = self._document.project, self._read
         shapes, covers = ([project.shape(each) for each in ids] for ids in (shape_ids, cover_ids))
-        legs = (frames,) if vertices else legs_of(frames, _adjusted(project, shape_ids))
+        legs = (frames,) if vertices else legs_of(frames, adjusted_frames(project, shape_ids))
         work = Work(tuple(shapes), tuple(covers), legs, PlaneMotion(kind), points)
         job = self._runner.start("track", lambda report: _track(report, read, work))
         job.partial.connect(self._apply)
@@ -108,7 +109,7 @@ class PlanarTrack(QObject):
         job.ended.connect(self._end)
         merge_key = f"planar-{next(_run_numbers)}"
         self._run = _Run(job, tuple(shape_ids), frames[0], self._view.frame, merge_key, "", points, vertices)
-        self.progress.emit(0.0, "Starting the planar track …")
+        self.progress.emit(0.0, tr("Starting the planar track …"))
         self.running_changed.emit()
 
     def stop(self) -> None:
@@ -129,7 +130,7 @@ class PlanarTrack(QObject):
         if run is None:
             return
         if run.vertices:
-            self._document.amend("Point track", partial(_with_vertices, run, found), run.merge_key)
+            self._document.amend(tr("Point track"), partial(_with_vertices, run, found), run.merge_key)
             if run.points is not None:
                 self._view.track_points = run.points.carried(found.matrix, frame)
         else:
@@ -137,14 +138,20 @@ class PlanarTrack(QObject):
             layer = change(self._document.project).find(run.layer_id)
             assert isinstance(layer, Layer)
             run.expected = layer.transform
-            self._document.amend("Planar track", change, run.merge_key)
+            self._document.amend(tr("Planar track"), change, run.merge_key)
         run.reached = frame
         if self._view.frame == run.shown_frame and self._view.preview is None:
             run.shown_frame = frame
             self._view.set_frame(frame)
         if is_doubtful(found.confidence) and not run.warned:
             run.warned = True
-            self.doubted.emit(f"Look at frame {frame}: the planar track's confidence is {found.confidence:.2f} there.")
+            self.doubted.emit(
+                tr(
+                    "Look at frame {frame}: the planar track's confidence is {confidence:.2f} there.",
+                    frame=frame,
+                    confidence=found.confidence,
+                )
+            )
 
     def _guard(self, _ids: frozenset[str]) -> None:
         """An edit or undo that takes the layer or a shape away, or the motion back, ends the run."""
@@ -165,8 +172,9 @@ class PlanarTrack(QObject):
         if run is None:
             return
         if ending is Ending.CANCELLED:
-            where = "before a frame was finished" if run.reached is None else f"at frame {run.reached}"
-            sentence = f"The planar track stopped {where}; the finished frames stay."
+            before = tr("The planar track stopped before a frame was finished; the finished frames stay.")
+            there = tr("The planar track stopped at frame {frame}; the finished frames stay.", frame=run.reached)
+            sentence = before if run.reached is None else there
         self.running_changed.emit()
         self.finished.emit(ending, sentence)
 
@@ -193,18 +201,6 @@ class Found:
     frame: int
     matrix: Any
     confidence: float
-
-
-def legs_of(frames: range, adjusted: Collection[int]) -> tuple[range, ...]:
-    """The frames in pieces that begin and end on adjust keys, one where there are none."""
-    inner = [frame for frame in frames[1:-1] if frame in set(adjusted)]
-    ends = [frames[0], *inner, frames[-1]]
-    return tuple(range(a, b + frames.step, frames.step) for a, b in pairwise(ends))
-
-
-def _adjusted(project: Project, shape_ids: Sequence[str]) -> tuple[int, ...]:
-    layer = moving_layer(project, shape_ids)
-    return () if layer is None or layer.transform is None else layer.transform.adjusted
 
 
 def _following(run: _Run, project: Project, found: Found) -> Callable[[Project], Project]:
@@ -247,17 +243,23 @@ def _track(report: Report, read: ReadFrame, work: Work) -> str:
     began, done, total = time.perf_counter(), 0, sum(len(leg) - 1 for leg in work.legs)
     last = work.legs[-1][-1]
     least = 1.0, last
-    name, what = ("Planar track", "the plane") if work.points is None else ("Point track", "the points")
+    name, what = (tr("Planar track"), tr("the plane")) if work.points is None else (tr("Point track"), tr("the points"))
     for found in _surface(report, read, work) if work.points is None else _points(report, read, work, work.points):
         report.token.check()
         report.partial(found)
         done, least = done + 1, min(least, (found.confidence, found.frame))
-        pace = f"{1000 * (time.perf_counter() - began) / done:.0f} ms a frame"
+        pace = tr("{pace:.0f} ms a frame", pace=1000 * (time.perf_counter() - began) / done)
         told = f"frame {found.frame} of {last} · confidence {found.confidence:.2f}"
         report.progress(done / max(total, 1), f"{name}: {told} · {pace}")
     if done == 0:
-        return "There is no frame to track to."
-    return f"Followed {what} to frame {last}: {done} frames. {_verdict(*least)}"
+        return tr("There is no frame to track to.")
+    return tr(
+        "Followed {what} to frame {last}: {done} frames. {verdict}",
+        what=what,
+        last=last,
+        done=done,
+        verdict=_verdict(*least),
+    )
 
 
 def _surface(report: Report, read: ReadFrame, work: Work) -> Iterator[Found]:
@@ -277,7 +279,7 @@ def _points(report: Report, read: ReadFrame, work: Work, points: TrackPoints) ->
 
     places = np.array(points.places)
     if motion_of(places, places) is None:
-        raise RoamError("The points lie on one line, or on one another: put them apart.")
+        raise RoamError(tr("The points lie on one line, or on one another: put them apart."))
     covers = partial(covers_at, work.covers)
     for leg in work.legs:
         start = places
@@ -291,17 +293,5 @@ def _points(report: Report, read: ReadFrame, work: Work, points: TrackPoints) ->
 def _verdict(confidence: float, frame: int) -> str:
     """What to think of a track whose least confidence is this."""
     if not is_doubtful(confidence):
-        return f"Confidence is {confidence:.2f} at least."
-    return f"Look at frame {frame}: confidence is {confidence:.2f} there."
-
-
-def outlines_at(shapes: Sequence[RotoShape], frame: int) -> tuple[list[Any], list[Any]]:
-    """The closed outlines `(P, 3, 2)` of shapes that are there on a frame, and those of shapes that subtract."""
-    there = [shape for shape in shapes if shape.closed and shape.exists_at(frame)]
-    outlines = [shape.at(frame).points for shape in there if shape.blend is not BlendMode.SUBTRACT]
-    return outlines, [shape.at(frame).points for shape in there if shape.blend is BlendMode.SUBTRACT]
-
-
-def covers_at(shapes: Sequence[RotoShape], frame: int) -> list[Any]:
-    """The outlines `(P, 3, 2)` of those of these shapes that are there on a frame."""
-    return [shape.at(frame).points for shape in shapes if shape.closed and shape.exists_at(frame)]
+        return tr("Confidence is {confidence:.2f} at least.", confidence=confidence)
+    return tr("Look at frame {frame}: confidence is {confidence:.2f} there.", frame=frame, confidence=confidence)

@@ -18,12 +18,22 @@ from roam_core.roto import Keyframe, Origin, Project, RotoShape, edit
 
 from ..model.document import Document
 from ..model.view_state import ViewState
+from ..translation import N_, tr
 from .filling import Filled, FillRequest, Gap, fill
 from .runner import Ending, Job, Report, Runner
 
 ReadFrame = Callable[[int], Any]
 PATIENCE = 200
 """Milliseconds that a run that was told to stop may take to end by itself."""
+
+TRACK, FILL = N_("Track"), N_("Fill")
+"""What the two kinds of run are called in the undo list."""
+FORWARD = N_("Tracking {names} forward: {place} · {pace}")
+BACKWARD = N_("Tracking {names} backward: {place} · {pace}")
+NO_WAY_FORWARD, NO_WAY_BACKWARD = (
+    N_("There is no frame to track forward to."),
+    N_("There is no frame to track backward to."),
+)
 
 _run_numbers = itertools.count(1)
 
@@ -84,14 +94,14 @@ class Propagation(QObject):
         request = _Request(self._read, others, asked, frames, config, clip_stamp(project.clip), self._memory, alone)
         job = self._runner.start("track", lambda report: _track(report, request))
         job.partial.connect(self._apply)
-        run = _Run(job, "Track", shapes, self._view.frame, merge_key, frames, config, alone=alone)
+        run = _Run(job, TRACK, shapes, self._view.frame, merge_key, frames, config, alone=alone)
         if not alone:
             stamps = Stamps.of(others, project.clip)
             together = {other.id: other for shape in shapes for other in stamps.together(shape)}
             run.beside = {shape_id: other for shape_id, other in together.items() if shape_id not in asked}
         if before is not None:
             run.take_over(before)
-        self._begin(run, f"Starting to track {_names(shapes)} …")
+        self._begin(run, tr("Starting to track {names} …", names=_names(shapes)))
 
     def fill(
         self, shape_ids: Sequence[str], gaps: Sequence[Gap], config: str = DEFAULT_CONFIG, *, alone: bool = False
@@ -105,8 +115,8 @@ class Propagation(QObject):
         request = FillRequest(self._read, project.shapes, asked, tuple(gaps), config, stamp, size, alone)
         job = self._runner.start("track", lambda report: fill(report, request))
         job.partial.connect(self._put_in)
-        run = _Run(job, "Fill", shapes, self._view.frame, f"track-{next(_run_numbers)}")
-        self._begin(run, f"Starting to fill {_names(shapes)} …")
+        run = _Run(job, FILL, shapes, self._view.frame, f"track-{next(_run_numbers)}")
+        self._begin(run, tr("Starting to fill {names} …", names=_names(shapes)))
 
     def go_on_from(self, project: Project, frame: int, more: Sequence[str]) -> None:
         """Take a change on a frame just solved into the run and its undo step, and track on from there.
@@ -115,7 +125,7 @@ class Propagation(QObject):
         """
         run, self._run = self._run, None
         if run is None:
-            self._document.apply("Track", project)
+            self._document.apply(tr("Track"), project)
             return
         ids, rest = [*run.expected, *more], range(frame, run.frames.stop, run.frames.step)
         now = self._document.project
@@ -123,7 +133,7 @@ class Propagation(QObject):
         def joined(state: Project) -> Project:
             return project if state is now else _with_curves_of(state, project, ids)
 
-        self._document.amend(run.verb, joined, run.merge_key)
+        self._document.amend(tr(run.verb), joined, run.merge_key)
         if len(rest) < 2:
             run.expected = {shape_id: self._document.project.shape(shape_id) for shape_id in ids}
             self._run = run
@@ -174,12 +184,12 @@ class Propagation(QObject):
 
     def _write(self, run: _Run, keys: Mapping[str, Sequence[Keyframe]]) -> None:
         """Put the engine's keys into the document, as part of the run's one undo step."""
-        made = {shape_id: [key for key in found if key.origin is Origin.ENGINE] for shape_id, found in keys.items()}
+        made = {shape_id: [key for key in found if _is_solved(key)] for shape_id, found in keys.items()}
         project = _with_engine_keys(self._document.project, made)
         run.expected = {shape_id: project.shape(shape_id) for shape_id in run.expected}
         for found in made.values():
             run.note(found)
-        self._document.amend(run.verb, lambda project: _with_engine_keys(project, made), run.merge_key)
+        self._document.amend(tr(run.verb), lambda project: _with_engine_keys(project, made), run.merge_key)
 
     def _follow(self, run: _Run, frame: int) -> None:
         """Take the playhead along, unless the artist went to look at another frame or drags something on this one."""
@@ -252,17 +262,19 @@ class _Run:
         self._doubtful |= {key.frame for key in keys if is_doubtful(key.confidence)}
 
     def stopped_sentence(self) -> str:
-        word, part = ("Tracking", "a frame") if self.verb == "Track" else ("Filling", "a gap")
+        if self.verb == TRACK:
+            if self.reached is None:
+                return tr("Tracking stopped before a frame was finished.")
+            return tr("Tracking stopped at frame {frame}; the finished frames stay.", frame=self.reached)
         if self.reached is None:
-            return f"{word} stopped before {part} was finished."
-        place = f"at frame {self.reached}" if self.verb == "Track" else f"after the gap up to frame {self.reached}"
-        return f"{word} stopped {place}; the finished frames stay."
+            return tr("Filling stopped before a gap was finished.")
+        return tr("Filling stopped after the gap up to frame {frame}; the finished frames stay.", frame=self.reached)
 
     def doubt_sentence(self) -> str:
         doubtful = len(self._doubtful)
         if not doubtful:
             return ""
-        return f"{doubtful} doubtful frame{'s' * (doubtful > 1)}: N goes to the next one."
+        return tr("%n doubtful frame(s): N goes to the next one.", "", doubtful)
 
 
 @dataclass(frozen=True)
@@ -286,7 +298,6 @@ def _track(report: Report, request: _Request) -> str:
 
     frames = request.frames
     names = _names([shape for shape in request.shapes if shape.id in request.asked])
-    direction = "forward" if frames.step > 0 else "backward"
     done, bridged, seconds = 0, 0, 0.0
     for result in track(
         request.read, request.shapes, frames, request.config, report.token, request.clip, request.memory,
@@ -298,15 +309,20 @@ def _track(report: Report, request: _Request) -> str:
         done += 1
         bridged += all(each.termination is Termination.MISSING_FRAME for each in result.results)
         seconds += result.seconds
-        pace = f"{1000 * seconds / done:.0f} ms a frame"
-        place = f"frame {result.frame} of {frames[-1]}"
-        report.progress(done / max(len(frames) - 1, 1), f"Tracking {names} {direction}: {place} · {pace}")
+        pace = tr("{pace:.0f} ms a frame", pace=1000 * seconds / done)
+        place = tr("frame {frame} of {last}", frame=result.frame, last=frames[-1])
+        sentence = FORWARD if frames.step > 0 else BACKWARD
+        report.progress(done / max(len(frames) - 1, 1), tr(sentence, names=names, place=place, pace=pace))
     if done == 0:
-        return f"There is no frame to track {direction} to."
-    each = f"{1000 * seconds / done:.0f} ms"
-    paced = f"{done} frames, {each} each" if done > 1 else f"1 frame, {each}"
-    gaps = f" Bridged without a picture: {bridged}." if bridged else ""
-    return f"Tracked {names} to frame {frames[-1]}: {paced}.{gaps}"
+        return tr(NO_WAY_FORWARD if frames.step > 0 else NO_WAY_BACKWARD)
+    each = 1000 * seconds / done
+    paced = (
+        tr("{done} frames, {each:.0f} ms each", done=done, each=each)
+        if done > 1
+        else tr("1 frame, {each:.0f} ms", each=each)
+    )
+    gaps = tr(" Bridged without a picture: {bridged}.", bridged=bridged) if bridged else ""
+    return tr("Tracked {names} to frame {frame}: {paced}.{gaps}", names=names, frame=frames[-1], paced=paced, gaps=gaps)
 
 
 def _make_ready(result: FrameResult) -> None:
@@ -314,6 +330,11 @@ def _make_ready(result: FrameResult) -> None:
     for each in result.results:
         for proposal in each.proposals[:1]:
             _ = proposal.after
+
+
+def _is_solved(key: Keyframe) -> bool:
+    """Whether the engine made a key, or those of its points that the artist did not set."""
+    return key.origin is Origin.ENGINE or bool(key.set_points)
 
 
 def _with_engine_keys(project: Project, made: Mapping[str, Sequence[Keyframe]]) -> Project:
@@ -335,7 +356,7 @@ def _with_curves_of(project: Project, other: Project, ids: Sequence[str]) -> Pro
 
 
 def _names(shapes: Sequence[RotoShape]) -> str:
-    return shapes[0].name if len(shapes) == 1 else f"{len(shapes)} shapes"
+    return shapes[0].name if len(shapes) == 1 else tr("{count} shapes", count=len(shapes))
 
 
 def _same_curves(a: RotoShape, b: RotoShape) -> bool:

@@ -16,6 +16,8 @@ from PySide6.QtCore import QObject, Qt, Signal
 from roam_core.cancel import Cancelled, CancelToken
 from roam_core.errors import RoamError
 
+from ..translation import tr
+
 PROGRESS_INTERVAL = 0.05
 """Seconds between two progress reports: as often as an eye can follow."""
 
@@ -161,7 +163,9 @@ class Runner(QObject):
             return Ending.FAILED, str(error)
         except Exception as error:
             log.exception("the job %r failed", job.kind)
-            return Ending.FAILED, f"An error inside ROAM ended the work: {error or type(error).__name__}"
+            return Ending.FAILED, tr(
+                "An error inside ROAM ended the work: {error}", error=error or type(error).__name__
+            )
 
     # ---- window's thread
 

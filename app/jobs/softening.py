@@ -9,8 +9,8 @@ from PySide6.QtCore import QObject, Signal
 
 from roam_core.roto import Project, RotoShape
 
-from ..counting import counted
 from ..model.document import Document
+from ..translation import tr
 from .runner import Ending, Report, Runner
 
 ReadFrame = Callable[[int], Any]
@@ -43,7 +43,7 @@ class Softening(QObject):
         job.partial.connect(lambda soft: self._apply(asked, soft))
         job.progress.connect(self.progress)
         job.ended.connect(self._end)
-        self.progress.emit(0.0, "Looking at the plate's edge …")
+        self.progress.emit(0.0, tr("Looking at the plate's edge …"))
 
     def stop(self) -> None:
         """Stop soon; nothing is changed."""
@@ -64,13 +64,13 @@ class Softening(QObject):
             elif new != old:
                 project = project.with_shape(new)
         if project is not self._document.project:
-            self._document.apply("Match the plate's edge", project)
+            self._document.apply(tr("Match the plate's edge"), project)
 
     def _end(self, ending: Ending, sentence: str) -> None:
         if ending is Ending.CANCELLED:
-            sentence = "Stopped; no edge was changed."
+            sentence = tr("Stopped; no edge was changed.")
         elif self._left:
-            sentence += f" {counted(self._left, 'shape')} edited meanwhile: left as they are."
+            sentence += tr(" {shapes} edited meanwhile: left as they are.", shapes=tr("%n shape(s)", "", self._left))
         self.finished.emit(ending, sentence)
 
 

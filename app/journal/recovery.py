@@ -19,6 +19,7 @@ from roam_core.roto.backups import backup_path
 from roam_core.roto.fingerprint import Fingerprint
 
 from ..model.preferences import MOST_BACKUPS
+from ..translation import tr
 from .delta import Delta, applied
 from .record import Damaged, Entry, entries
 from .session import DECLINED, RECOVERED, is_held, journals
@@ -69,19 +70,22 @@ class Recovery:
     @property
     def name(self) -> str:
         """The project's name for a title."""
-        return self.original.name if self.original else "untitled"
+        return self.original.name if self.original else tr("untitled")
 
     @property
     def sentence(self) -> str:
         """What would come back."""
         edits = self.edits - self.tracked - self.is_recovered
-        counted = [_count(edits, "edit"), _count(self.tracked, "tracked frame")]
-        recovered = ["recovered work"] if self.is_recovered else []
-        words = [*recovered, *(word for word in counted if word)] or ["changes"]
-        what = " and ".join(filter(None, (", ".join(words[:-1]), words[-1]))).capitalize()
-        where = f" in {_count(self.shapes, 'shape')}" if self.shapes else ""
-        since = " since the last save" if self.original else ""
-        damage = "; what came after them is damaged" if self.is_damaged else ""
+        counted = [
+            tr("%n edit(s)", "", edits) if edits else "",
+            tr("%n tracked frame(s)", "", self.tracked) if self.tracked else "",
+        ]
+        recovered = [tr("recovered work")] if self.is_recovered else []
+        words = [*recovered, *(word for word in counted if word)] or [tr("changes")]
+        what = tr(" and ").join(filter(None, (", ".join(words[:-1]), words[-1]))).capitalize()
+        where = tr(" in %n shape(s)", "", self.shapes) if self.shapes else ""
+        since = tr(" since the last save") if self.original else ""
+        damage = tr("; what came after them is damaged") if self.is_damaged else ""
         return f"{what}{where}{since}{damage}"
 
     @property
@@ -105,7 +109,9 @@ def decline(recovery: Recovery) -> None:
     try:
         recovery.journal.with_suffix(DECLINED).touch()
     except OSError as error:
-        raise RoamError(f"{recovery.journal} cannot be marked: {error.strerror}.") from None
+        raise RoamError(
+            tr("{journal} cannot be marked: {reason}.", journal=recovery.journal, reason=error.strerror)
+        ) from None
 
 
 def load(recovery: Recovery) -> tuple[Project, str]:
@@ -118,17 +124,21 @@ def load(recovery: Recovery) -> tuple[Project, str]:
         for entry in entries(recovery.journal):
             found.append(entry)
     except Damaged:
-        problem = "The journal is damaged: what came after its last sound entry is lost."
+        problem = tr("The journal is damaged: what came after its last sound entry is lost.")
     except OSError as error:
-        raise RoamError(f"{recovery.journal} cannot be read: {error.strerror}.") from None
+        raise RoamError(
+            tr("{journal} cannot be read: {reason}.", journal=recovery.journal, reason=error.strerror)
+        ) from None
     if not found or found[0].kind != "begin":
-        raise RoamError(f"The journal {recovery.journal} has no beginning; nothing of it can be recovered.")
+        raise RoamError(
+            tr("The journal {journal} has no beginning; nothing of it can be recovered.", journal=recovery.journal)
+        )
     project, done = _base(recovery, found)
     for entry in [entry for entry in found if entry.kind == "edit"][done:]:
         try:
             project = _after(project, entry)
         except (RoamError, *UNFIT):
-            return project, "The journal is damaged: its last edits could not be put together."
+            return project, tr("The journal is damaged: its last edits could not be put together.")
     return project, problem
 
 
@@ -229,7 +239,9 @@ def _base(recovery: Recovery, found: list[Entry]) -> tuple[Project, int]:
     digest = str(begin.get("digest"))
     if recovery.original is not None and (place := _as_it_was(recovery.original, digest)) is not None:
         return file.load(place), 0
-    raise RoamError(f"The journal builds on {recovery.name} as it was, and that file has changed or gone.")
+    raise RoamError(
+        tr("The journal builds on {name} as it was, and that file has changed or gone.", name=recovery.name)
+    )
 
 
 def _as_it_was(original: Path, digest: str) -> Path | None:
@@ -252,7 +264,3 @@ def _after(project: Project, entry: Entry) -> Project:
 
 def _is_same(original: Path | None, path: Path) -> bool:
     return original is not None and original.resolve() == path.resolve()
-
-
-def _count(number: int, noun: str) -> str:
-    return f"{number} {noun}{'s' * (number != 1)}" if number else ""

@@ -12,6 +12,7 @@ from typing import Any
 from roam_core.errors import RoamError
 
 from ..atomic_json import keep_json, load_json
+from ..translation import tr
 
 MOST = 24
 """How many are remembered."""
@@ -48,7 +49,7 @@ def load_recent(path: Path) -> tuple[Recent, ...]:
     """
     entries = load_json(path).get("recent", [])
     if not isinstance(entries, list):
-        raise RoamError(f"{path} is damaged.")
+        raise RoamError(tr("{path} is damaged.", path=path))
     found = (_recent(entry) for entry in entries)
     return tuple(recent for recent in found if recent is not None)[:MOST]
 

@@ -13,6 +13,8 @@ from PySide6.QtGui import QColor
 
 from roam_core.media.looking import Channel, Look
 
+from ..translation import N_, tr
+
 EXPOSURES, GAMMAS = (-8.0, 8.0), (0.2, 5.0)
 """How far a look may go."""
 
@@ -32,13 +34,20 @@ class ViewMode(StrEnum):
     ALPHA = "alpha"
 
 
-TITLES = {ViewMode.CUTOUT: "Cut-out", ViewMode.ONION: "Onion skin", ViewMode.ALPHA: "Alpha alone"}
-"""What views are called whose names are not words."""
+TITLES = {
+    ViewMode.SOURCE: N_("Source"),
+    ViewMode.OVERLAY: N_("Overlay"),
+    ViewMode.MATTE: N_("Matte"),
+    ViewMode.CONFIDENCE: N_("Confidence"),
+    ViewMode.CUTOUT: N_("Cut-out"),
+    ViewMode.ONION: N_("Onion skin"),
+    ViewMode.ALPHA: N_("Alpha alone"),
+}
 
 
 def title_of(mode: ViewMode) -> str:
     """What a view is called."""
-    return TITLES.get(mode, mode.capitalize())
+    return tr(TITLES[mode])
 
 
 WITHOUT_SHAPES = frozenset({ViewMode.SOURCE, ViewMode.ALPHA})

@@ -15,6 +15,7 @@ from ..features.belonging import Belonging
 from ..features.verbs.objects import LEVELS, ObjectVerbs
 from ..model.document import Document
 from ..model.view_state import ViewState, selected_shapes
+from ..translation import tr
 from ..widgets.controls import ChoiceBox, dense_form, form_label
 from ..widgets.fields import MIXED, SwitchBox, shared
 
@@ -97,7 +98,7 @@ class ObjectForm(QWidget):
         self._pull_solve(shapes)
         places = self._belonging.places()
         told = shared(str(places.get(shape.id, "")) for shape in shapes)
-        self.place.setText(MIXED if told is None else told)
+        self.place.setText(tr(MIXED) if told is None else told)
         self.place.setToolTip(self.place.text())
         level = shared(shape.depth_at(self._view.frame) for shape in shapes)
         with QSignalBlocker(self.level):
@@ -125,7 +126,7 @@ class ObjectForm(QWidget):
 
 def _choice(tip: str) -> ChoiceBox:
     box = ChoiceBox(tip)
-    box.setPlaceholderText(MIXED)
+    box.setPlaceholderText(tr(MIXED))
     box.setMinimumWidth(CHOICE_WIDTH)
     return box
 

@@ -7,7 +7,7 @@ from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import Qt, QTimer
-from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent
+from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QKeyEvent
 from PySide6.QtWidgets import QMainWindow, QScrollArea, QUndoView
 
 from .. import style
@@ -39,6 +39,7 @@ from ..files.file_actions import FileActions
 from ..files.files import Files
 from ..files.recovering import Recovering
 from ..files.reopening import Reopening
+from ..files.reviewing import Reviewing
 from ..jobs import warm_up
 from ..jobs.copying import Copying
 from ..jobs.decode import PlateReader
@@ -47,6 +48,7 @@ from ..jobs.importing import Import
 from ..jobs.picture_work import PictureWork
 from ..jobs.planar import PlanarTrack
 from ..jobs.propagation import Propagation
+from ..jobs.review.job import ReviewJob
 from ..jobs.runner import Runner
 from ..jobs.softening import Softening
 from ..jobs.under_way import UnderWay
@@ -61,12 +63,14 @@ from ..panels.bars.tool_column import ToolColumn
 from ..panels.bars.view_bar import ViewBar
 from ..panels.planar import PlanarPanel
 from ..panels.properties import PropertiesPanel
+from ..panels.review import ReviewPanel
 from ..panels.shapes import ShapesPanel
 from ..panels.tracker import TrackerPanel
 from ..timeline.timeline import Timeline
 from ..timeline.transport import Transport
 from ..tools.edit.feather import FeatherActions
 from ..tools.edit.transform_actions import TransformActions
+from ..tools.in_hand import ToolInHand
 from ..tools.toolbox import TOOLS
 from ..widgets.controls import tool_button
 from ..widgets.focus import FocusFollowsPointer
@@ -74,8 +78,11 @@ from ..widgets.panel import Panel
 from . import layout, settings
 from .context_menus import ContextMenus
 from .defects import Defects
+from .full_screen import FullScreen
+from .second_view import second_viewer
 from .timeline_height import TimelineHeight
 from .window_services import WindowServices
+from .workspace import Workspace
 
 PANEL_WIDTH = 272
 DRAW_HINT = "Draw a shape: press <tool.bezier>"
@@ -106,23 +113,23 @@ class MainWindow(QMainWindow):
     def _build_state(self, journal_root: Path) -> None:
         self.document, self.view_state = Document(self), ViewState(self)
         self.solver, self.writer = Runner("solver", self), Runner("writer", self)
-        self.saver = Runner("saver", self)
-        self.reader = PlateReader(self)
+        self.saver, self.reader = Runner("saver", self), PlateReader(self)
         self.files = Files(self.document, self.view_state, self.reader, self.writer, self.saver, self)
         asks = partial(questions.ask_overwrite, self), partial(questions.ask_lossy, self)
         self.export = Export(self.document, self.writer, self, *asks)
         self.importing, self.copying = Import(self.document, self.writer, self), Copying(self.writer, self)
         self.journal = Journal(self.document, journal_root, self)
-        self.propagation = Propagation(self.document, self.view_state, self.solver, self.reader.engine_frame, self)
+        self.propagation = Propagation(self.document, self.view_state, self.solver, self.reader.engine_parts, self)
         self.proposals = Proposals(self.document, self.view_state, self.propagation, self)
         self.eye = Runner("eye", self)
         self.pictures = PictureWork(self.eye, self)
         self.belonging = Belonging(self.document, self.view_state, self.eye, self)
-        self.edge_kinds = EdgeKinds(self.document, self.view_state, self.reader.engine_frame, self.eye, self)
+        self.edge_kinds = EdgeKinds(self.document, self.view_state, self.reader.engine_parts, self.eye, self)
         self.planar = PlanarTrack(self.document, self.view_state, self.solver, self.reader.engine_frame, self)
         self.softening = Softening(self.document, self.solver, self.reader.engine_frame, self)
+        self.review_job = ReviewJob(self.document, self.writer, self.reader.engine_frame, self, asks[0])
         works = self.files, self.export, self.importing, self.copying, self.propagation, self.planar, self.pictures
-        self.under_way = UnderWay(*works, self.softening, parent=self)
+        self.under_way = UnderWay(*works, self.softening, self.review_job, parent=self)
         self.playback = Playback(self.view_state, self)
         self.navigation = Navigation(self.document, self.view_state)
         self.tracking = Tracking(self.document, self.view_state, self.propagation)
@@ -135,21 +142,23 @@ class MainWindow(QMainWindow):
 
     def _build_parts(self) -> None:
         document, view_state = self.document, self.view_state
-        self.canvas = CanvasView(document, view_state)
-        self.canvas.lend(self.pictures)
+        self.canvas = CanvasView(document, view_state, in_hand=ToolInHand(document, view_state, self))
+        self.canvas.in_hand.lend(self.pictures)
         FocusFollowsPointer(self.canvas)
         self.actions_by_id = actions = Actions(self, self.canvas, self.personal.keys.keymap)
         self.canvas.proposed = lambda: self.proposals.current
         self.canvas.bones, self.canvas.edges = self.belonging.bones, self.edge_kinds.here
         self.canvas.stage.plate_of = self.reader.plate
         RippleFrame(view_state, self.canvas)
+        self.second_viewer = second_viewer(self.canvas, document, view_state, actions, self)
         self.proposal_bar = ProposalBar(self.proposals, actions, self.canvas)
         self.tool_column = ToolColumn(view_state, actions, tuple(TOOLS))
         self.view_bar = ViewBar(document, self.canvas, actions)
         self.shapes = ShapesPanel(document, view_state)
-        self.planar_panel = PlanarPanel(self.planar_tracking, actions)
+        self.planar_panel = PlanarPanel(document, self.planar_tracking, actions)
         self.tracker = TrackerPanel(document, view_state, self.tracking, actions)
         self.properties = PropertiesPanel(document, view_state, self.belonging)
+        self.review = ReviewPanel(document, view_state, actions)
         self.history = QUndoView(document.undo_stack)
         self.history.setEmptyLabel("As opened")
         self.history.setMinimumHeight(6 * style.ROW_HEIGHT)
@@ -170,6 +179,7 @@ class MainWindow(QMainWindow):
         self.reopening = Reopening(
             self.document, files, file_actions, self.reader, self.personal, actions, self.canvas, self.writer, self
         )
+        self.reviewing = Reviewing(self.document, view_state, self.canvas.viewing, self.review_job, file_actions, self)
         self.defects = Defects(view_state, self.journal, messages, self)
         self.recovering = Recovering(self._journal_root, self.writer, files, file_actions, view_state, self)
         self.recovering.asking.connect(self.defects.wait_for)
@@ -180,30 +190,52 @@ class MainWindow(QMainWindow):
         self.setMenuWidget(layout.row(menu_bar, self.view_bar, growing=menu_bar))
 
     def _lay_out(self) -> None:
+        actions = self.actions_by_id
+        self.workspace = Workspace(self, actions, self._lay_out_anew)
+        second = Panel("Second viewer", self.second_viewer, (self.second_viewer.mode,))
+        viewers = layout.split(Qt.Orientation.Horizontal, self.canvas, second)
+        tools, lower = layout.rolled(self.tool_column), layout.column(self.transport, self.timeline)
         self.panel_column = self._panel_column()
-        picture, lower = (
-            layout.row(layout.rolled(self.tool_column), self.canvas),
-            layout.column(self.transport, self.timeline),
-        )
-        upper = layout.split(Qt.Orientation.Horizontal, picture, self.panel_column)
+        upper = layout.split(Qt.Orientation.Horizontal, layout.row(tools, viewers, growing=viewers), self.panel_column)
         self._halves = layout.split(Qt.Orientation.Vertical, upper, lower)
-        self.splitters = {"upper": upper}
-        upper.setSizes([self.width() - PANEL_WIDTH, PANEL_WIDTH])
+        self.splitters = {"upper": upper, "viewers": viewers}
         self.timeline_height = TimelineHeight(self._halves)
+        self.workspace.add("second_viewer", second.title, second, is_shown_first=False)
+        self.workspace.add("timeline", "Timeline", lower)
+        self._lay_out_anew()
         self.setCentralWidget(layout.column(self._halves, self.status))
+        around, panels = (self.menuWidget(), tools, self.status), actions["view.panels"]
+        self.full_screen = FullScreen(
+            self, actions["window.full_screen"], around, lambda: [*self.workspace.at_home, panels]
+        )
+
+    def _lay_out_anew(self) -> None:
+        """Give the parts the sizes of a new window."""
+        half = self.width() // 2
+        self.splitters["viewers"].setSizes([half, half])
+        self.splitters["upper"].setSizes([self.width() - PANEL_WIDTH, PANEL_WIDTH])
+        self.actions_by_id["view.panels"].setChecked(True)
+        self.actions_by_id["view.tall_timeline"].setChecked(False)
+        self.timeline_height.forget_drag()
 
     def _panel_column(self) -> QScrollArea:
         actions = self.actions_by_id
         shape_tools = tuple(tool_button(actions, name) for name in ("shape.group", "shape.duplicate", "shape.delete"))
         key_tools = tuple(tool_button(actions, name) for name in ("key.set", "key.delete"))
         self.history_panel = Panel("History", self.history)
-        self.history_panel.setVisible(False)
+        self.review_panel = Panel("Review", self.review, self.review.tools)
         shapes, shape = Panel("Shapes", self.shapes, shape_tools), Panel("Shape", self.properties, key_tools)
         self.shape_panel = shape
         tracks = Panel("Track", self.tracker), Panel("Planar track", self.planar_panel)
-        column = layout.column(shapes, *tracks, shape, self.history_panel, self.services.log_panel, growing=shapes)
+        asked = self.review_panel, self.history_panel, self.services.log_panel
+        column = layout.column(shapes, *tracks, shape, *asked, growing=shapes, is_loose=True)
         column.setObjectName("panelColumn")
         column.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
+        for name, panel in zip(("shapes", "track", "planar", "shape"), (shapes, *tracks, shape), strict=True):
+            self.workspace.add(name, panel.title, panel)
+        self.workspace.add("review", "Review", self.review_panel, show="review.panel", is_shown_first=False)
+        self.workspace.add("history", "History", self.history_panel, show="edit.history", is_shown_first=False)
+        self.workspace.add("log", "Messages", self.services.log_panel, show="help.log", is_shown_first=False)
         return layout.scrolled(column)
 
     # ---- connecting
@@ -217,6 +249,7 @@ class MainWindow(QMainWindow):
         reader.plate_changed.connect(self.edge_kinds.forget)
         reader.plate_changed.connect(lambda: reader.show(view.frame))
         reader.picture.connect(self.canvas.set_image)
+        reader.picture.connect(self.second_viewer.set_image)
         reader.picture.connect(self.playback.note_picture)
         reader.picture.connect(self.pictures.show)
         reader.plate_changed.connect(self.pictures.clear)
@@ -241,11 +274,10 @@ class MainWindow(QMainWindow):
         actions.connect_all(self._handlers())
         for name in ("edit.undo", "edit.redo", "track.stop"):
             actions[name].setEnabled(False)
-        actions["view.panels"].setChecked(True)
         for name, switch in (
-            ("edit.history", self.history_panel.setVisible),
             ("view.panels", self.panel_column.setVisible),
             ("view.tall_timeline", self.timeline_height.make_tall),
+            ("view.curves", self.timeline.show_curves),
         ):
             actions[name].toggled.connect(switch)
 
@@ -281,7 +313,9 @@ class MainWindow(QMainWindow):
             self.planar_tracking,
             TransformActions(self.document, self.view_state, self),
             self.services,
+            self.workspace,
             self.reopening,
+            self.reviewing,
             self.recovering,
             self.defects,
             files,
@@ -298,7 +332,7 @@ class MainWindow(QMainWindow):
             playback,
         ):
             handlers |= part.handlers()
-        return handlers | self.timeline.handlers() | self.timeline.verbs.taking_over(handlers)
+        return self.timeline.taking_over(handlers)
 
     # ---- settings
 
@@ -309,6 +343,7 @@ class MainWindow(QMainWindow):
 
     def keep_settings(self, path: Path) -> None:
         """Write what the next window is to begin with."""
+        self.full_screen.leave()
         settings.keep(self._kept(), path)
 
     def _kept(self) -> settings.Kept:
@@ -316,13 +351,15 @@ class MainWindow(QMainWindow):
             frame=self,
             splitters=self.splitters,
             switches={name: self.actions_by_id[name] for name in settings.SWITCHES},
-            panels=self.panel_column.findChildren(Panel),
+            panels=self.workspace.panels,
             mode=self.tracker.mode,
             tables={
                 "proposals": self.proposals,
                 "dials": self.tracker,
                 "viewing": self.canvas.viewing,
                 "timeline": self.timeline_height,
+                "second_viewer": self.second_viewer,
+                "layout": self.workspace,
                 "folders": self.file_actions.folders,
             },
         )
@@ -359,12 +396,14 @@ class MainWindow(QMainWindow):
     def _pull_running(self) -> None:
         self.actions_by_id["track.stop"].setEnabled(self.under_way.is_any)
         self.canvas.set_waiting(self.files.is_opening)
+        self.second_viewer.set_waiting(self.files.is_opening)
 
     def _delete_in_list(self) -> None:
         self.shapes.tree.delete_selected()
 
     def _show_shape_panel(self) -> None:
-        self.actions_by_id["view.panels"].setChecked(True)
+        for name in ("view.panels", "window.shape"):
+            self.actions_by_id[name].setChecked(True)
         self.shape_panel.fold(False)
         QTimer.singleShot(0, self, lambda: self.panel_column.ensureWidgetVisible(self.properties))
 
@@ -380,6 +419,13 @@ class MainWindow(QMainWindow):
             event.acceptProposedAction()
             alt = bool(event.modifiers() & Qt.KeyboardModifier.AltModifier)
             self.file_actions.open_dropped(paths[0], at_once=alt)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Esc that nothing else had a use for leaves the full screen."""
+        if event.key() == Qt.Key.Key_Escape and self.full_screen.is_on:
+            self.full_screen.leave()
+        else:
+            event.ignore()
 
     def closeEvent(self, event: QCloseEvent) -> None:
         if self._is_leaving:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from ..model.document import Document
 from ..model.view_state import ViewState
+from ..translation import tr
 from .gestures import Gesture
 from .tool import Pointer, Tool
 
@@ -43,7 +44,7 @@ class GestureTool(Tool):
         gesture = self._gesture
         if gesture and not gesture.is_valid:
             self.drop()
-            self.view_state.say("The drag was dropped: its shape or the frame changed meanwhile.")
+            self.view_state.say(tr("The drag was dropped: its shape or the frame changed meanwhile."))
         elif gesture and gesture.is_dragging:
             gesture.drag(gesture.last)
 

@@ -17,6 +17,7 @@ from ..model.shown import editable_shapes
 from ..model.view_state import Selection, ViewState
 from ..paint import marks
 from ..paint.viewport import Viewport
+from ..translation import tr
 from .hit_test import points_in_box, points_in_lasso
 from .reshape import Grab, Tangent, Vector, break_tangent, keys_changed, pull_out, turn
 from .tool import Modifier, Pointer
@@ -120,12 +121,12 @@ class Edit(Gesture, ABC):
     def finish(self, pointer: Pointer) -> None:
         if self.delta != (0.0, 0.0):
             self.grab = self._whole
-            where = "" if self.grab.keying.ripple is None else " (ripple)"
+            where = "" if self.grab.keying.ripple is None else tr(" (ripple)")
             before = self.document.project
             self.document.apply(self.text + where, self.grab.settled(before, self.edited()))
             if self.grab.keying != AUTO_KEY:
                 changed = keys_changed(before, self.document.project, self.grab.start)
-                self.view_state.say(f"{self.text}: {changed} key{'s' * (changed != 1)} changed.")
+                self.view_state.say(tr("{edit}: %n key(s) changed.", "", changed, edit=self.text))
         self.view_state.set_preview(None)
 
     def drop(self) -> None:

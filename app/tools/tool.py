@@ -12,6 +12,7 @@ from ..jobs.picture_work import PictureWork
 from ..model.document import Document
 from ..model.view_state import ViewState
 from ..paint.viewport import Viewport
+from ..translation import tr
 
 Modifier = Qt.KeyboardModifier
 
@@ -67,7 +68,7 @@ class Tool:
 
     def activate(self) -> None:
         """The tool comes into the hand."""
-        self.view_state.say_hint(self.hint)
+        self.view_state.say_hint(tr(self.hint))
 
     def deactivate(self) -> None:
         """The tool is laid down; nothing may be left half done."""

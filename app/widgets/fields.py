@@ -13,21 +13,30 @@ from PySide6.QtWidgets import QCheckBox, QDoubleSpinBox, QLabel, QWidget
 from roam_core.roto import BlendMode
 
 from .. import style
+from ..translation import N_, tr
 from .controls import LABEL_WIDTH, ChoiceBox
 
-MIXED = "mixed"
+MIXED = N_("mixed")
 """What a control shows for things that differ."""
 
 PIXELS_A_STEP = 4.0
 """How far the pointer goes for one step while it drags a label, in widget units."""
 
+BLENDS = {
+    BlendMode.ADD: N_("Add"),
+    BlendMode.PLUS: N_("Plus"),
+    BlendMode.SUBTRACT: N_("Subtract"),
+    BlendMode.INTERSECT: N_("Intersect"),
+    BlendMode.DIFFERENCE: N_("Difference"),
+    BlendMode.MAX: N_("Max"),
+}
 MEANINGS = {
-    BlendMode.ADD: "Joins with what lies under it, soft edges as one painted over the other",
-    BlendMode.PLUS: "The sum of both, as projects of earlier versions added: soft edges that overlap grow hard",
-    BlendMode.SUBTRACT: "Cuts a hole into what lies under it",
-    BlendMode.INTERSECT: "Keeps only what both cover",
-    BlendMode.DIFFERENCE: "Keeps what one of both covers and the other does not",
-    BlendMode.MAX: "The greater of both",
+    BlendMode.ADD: N_("Joins with what lies under it, soft edges as one painted over the other"),
+    BlendMode.PLUS: N_("The sum of both, as projects of earlier versions added: soft edges that overlap grow hard"),
+    BlendMode.SUBTRACT: N_("Cuts a hole into what lies under it"),
+    BlendMode.INTERSECT: N_("Keeps only what both cover"),
+    BlendMode.DIFFERENCE: N_("Keeps what one of both covers and the other does not"),
+    BlendMode.MAX: N_("The greater of both"),
 }
 """What the modes do, for tooltips."""
 
@@ -66,7 +75,7 @@ class NumberField(QDoubleSpinBox):
         self.setKeyboardTracking(False)
         self.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
         self.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
-        self.lineEdit().setPlaceholderText(MIXED)
+        self.lineEdit().setPlaceholderText(tr(MIXED))
         self.lineEdit().setTextMargins(0, 0, 4, 0)
         self.lineEdit().textEdited.connect(self._note_typing)
         self.editingFinished.connect(self._push_typed)
@@ -148,7 +157,7 @@ class ScrubLabel(QLabel):
         self._last: float | None = None
         self._reached = 0.0
         self.setCursor(Qt.CursorShape.SizeHorCursor)
-        self.setToolTip("Drag to change; Shift: faster, Ctrl: finer")
+        self.setToolTip(tr("Drag to change; Shift: faster, Ctrl: finer"))
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         if event.button() is Qt.MouseButton.LeftButton and self._field.isEnabled():
@@ -183,10 +192,10 @@ class BlendBox(ChoiceBox):
 
     def __init__(self, tip: str) -> None:
         super().__init__(tip)
-        self.setPlaceholderText(MIXED)
+        self.setPlaceholderText(tr(MIXED))
         for mode in BlendMode:
-            self.addItem(mode.value.capitalize(), mode)
-            self.setItemData(self.count() - 1, MEANINGS[mode], Qt.ItemDataRole.ToolTipRole)
+            self.addItem(tr(BLENDS[mode]), mode)
+            self.setItemData(self.count() - 1, tr(MEANINGS[mode]), Qt.ItemDataRole.ToolTipRole)
         self.currentIndexChanged.connect(lambda _: self.picked.emit(BlendMode(self.currentData())))
 
     def show_mode(self, mode: BlendMode | None) -> None:

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from PySide6.QtCore import Qt
+from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QToolButton, QVBoxLayout, QWidget
 
 from .. import style
+from ..translation import tr
 
 
 class Panel(QWidget):
@@ -38,14 +40,26 @@ class Panel(QWidget):
         self._arrow.setIcon(style.icon("chevron-down"))
         self._arrow.setFixedSize(18, 18)
         self._arrow.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-        self._arrow.setToolTip("Fold or unfold")
+        self._arrow.setToolTip(tr("Fold or unfold"))
         self._arrow.clicked.connect(self.toggle)
         row.addWidget(self._arrow)
         row.addWidget(label)
         row.addStretch(1)
         for tool in tools:
             row.addWidget(tool)
+        self._row = row
         return header
+
+    def float_with(self, action: QAction) -> None:
+        """Put the button of what floats the panel at the header's right end."""
+        button = QToolButton()
+        button.setDefaultAction(action)
+        button.setObjectName("flat")
+        button.setIconSize(style.ICON_SIZE)
+        button.setFixedSize(22, 22)
+        button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonIconOnly)
+        button.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        self._row.addWidget(button)
 
     @property
     def is_folded(self) -> bool:

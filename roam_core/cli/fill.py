@@ -11,7 +11,6 @@ from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
-from numpy.typing import NDArray
 from tqdm import tqdm
 
 from roam_core.cancel import CancelToken
@@ -29,6 +28,7 @@ from roam_core.errors import RoamError
 from roam_core.interchange.authorship import Kind
 from roam_core.interchange.mattes.exporter import write_matte
 from roam_core.interchange.targets import Sources, require_free
+from roam_core.media.partial import PartialPicture
 from roam_core.params import CONFIGS, DEFAULT_CONFIG, RoamParams
 from roam_core.propagate import Termination, warm_up
 from roam_core.propagate.between.span import fill_span
@@ -263,14 +263,14 @@ def _filled(
     return [shape for shape in filled if shape.id in asked]
 
 
-class _Pictures(Mapping[int, NDArray[Any]]):
+class _Pictures(Mapping[int, PartialPicture]):
     """The plate's pictures by frame, for the engine; a gap of the plate raises `MissingFrame`."""
 
     def __init__(self, plate: Plate) -> None:
         self._plate = plate
 
-    def __getitem__(self, frame: int) -> NDArray[Any]:
-        return self._plate.read_or_bridge(frame)
+    def __getitem__(self, frame: int) -> PartialPicture:
+        return self._plate.decoded_or_bridge(frame)
 
     def __iter__(self) -> Iterator[int]:
         return iter(self._plate.source.frames)

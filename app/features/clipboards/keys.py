@@ -15,12 +15,13 @@ from roam_core.roto.pasting import copied_key, paste_key, paste_through, targets
 from ...model.document import Document
 from ...model.shown import editable_shapes
 from ...model.view_state import ViewState, selected_shapes
+from ...translation import N_, tr
 from .paste_range import PasteRangeDialog
 
 MARK = "clipboard"
 """The project's extra field that tells keys from whole shapes on the clipboard."""
 
-NOTHING_COPIED = "There is no key to paste; copy one first."
+NOTHING_COPIED = N_("There is no key to paste; copy one first.")
 
 
 class KeyClipboard:
@@ -37,22 +38,22 @@ class KeyClipboard:
         """Copy the selected shapes as they are on this frame."""
         shapes = selected_shapes(self._document.project, self._view.selection)
         if not shapes:
-            self._view.say("Select a shape first: its key on this frame is copied.")
+            self._view.say(tr("Select a shape first: its key on this frame is copied."))
             return
         alone = tuple(copied_key(shape, self._view.frame) for shape in shapes)
         held = Project(root=Layer("root", "Root", alone), extra={MARK: "keys"})
         QGuiApplication.clipboard().setText(file.dumps(held, Path()))
-        self._view.say(f"Copied the key of frame {self._view.frame}: paste puts it on another frame.")
+        self._view.say(tr("Copied the key of frame {frame}: paste puts it on another frame.", frame=self._view.frame))
 
     def paste(self) -> None:
         """Put the copied key on this frame."""
         frame = self._view.frame
-        self._paste("Paste key", lambda shape, key: paste_key(shape, key, [frame]))
+        self._paste(tr("Paste key"), lambda shape, key: paste_key(shape, key, [frame]))
 
     def ask_range(self) -> None:
         """Ask for the range through which to paste, unless there is nothing to paste."""
         if copied_keys() is None:
-            self._view.say(NOTHING_COPIED)
+            self._view.say(tr(NOTHING_COPIED))
             return
         clip = self._document.project.clip
         dialog = PasteRangeDialog(self._view.play_range, clip.frame_range if clip else None, self._parent)
@@ -61,12 +62,12 @@ class KeyClipboard:
 
     def paste_through(self, frames: range, every: int) -> None:
         """Hold the copied key through `frames`, with a key on each so many of them (0: on both ends alone)."""
-        self._paste("Paste key to range", lambda shape, key: paste_through(shape, key, frames, every))
+        self._paste(tr("Paste key to range"), lambda shape, key: paste_through(shape, key, frames, every))
 
     def _paste(self, text: str, verb: Callable[[RotoShape, Keyframe], RotoShape]) -> None:
         copied, project = copied_keys(), self._document.project
         if copied is None:
-            self._view.say(NOTHING_COPIED)
+            self._view.say(tr(NOTHING_COPIED))
             return
         editable = {shape.id: shape for shape in editable_shapes(project, self._view.frame)}
         chosen = selected_shapes(project, self._view.selection)
@@ -79,14 +80,14 @@ class KeyClipboard:
             self._view.say(str(error))
             return
         if not wanted.keys() & editable.keys():
-            self._view.say("Select the shape to paste to; it may be neither locked nor hidden.")
+            self._view.say(tr("Select the shape to paste to; it may be neither locked nor hidden."))
         self._document.apply(text, project)
 
 
 def copied_keys() -> list[RotoShape] | None:
     """The shapes, each with its one copied key, that the clipboard holds; None where it holds no keys."""
     try:
-        held = file.loads(QGuiApplication.clipboard().text(), Path(), "the clipboard")
+        held = file.loads(QGuiApplication.clipboard().text(), Path(), tr("the clipboard"))
     except RoamError:
         return None
     return list(held.shapes) if held.extra.get(MARK) == "keys" else None

@@ -13,6 +13,7 @@ from ...jobs.copying import Copying
 from ...jobs.importing import Import
 from ...model.document import Document
 from ...model.view_state import ViewState, shapes_in_hand
+from ...translation import tr
 
 PROGRAMS = {"nuke": "Nuke", "fusion": "Fusion"}
 """Programs that paste nodes as text, by the name of the format that they understand."""
@@ -34,7 +35,7 @@ class NodeClipboard:
         """Copy the selected shapes, or all where none is selected, as nodes of a program."""
         project = self._document.project
         if project.clip is None or not project.shapes:
-            self._view.say(f"There is no shape to copy for {PROGRAMS[name]}; draw one first.")
+            self._view.say(tr("There is no shape to copy for {programs}; draw one first.", programs=PROGRAMS[name]))
             return
         chosen = [shape.id for shape in shapes_in_hand(project, self._view.selection)]
         self._copying.start(name, PROGRAMS[name], only(project, chosen))

@@ -6,6 +6,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QDialog, QDialogButtonBox, QSpinBox, QVBoxLayout, QWidget
 
 from ... import style
+from ...translation import tr
 from ...widgets.controls import FRAME_LIMIT, dense_form, form_label, weak_label
 
 
@@ -14,27 +15,27 @@ class PasteRangeDialog(QDialog):
 
     def __init__(self, play_range: tuple[int, int], frames: range | None = None, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.setWindowTitle("Paste key to range")
+        self.setWindowTitle(tr("Paste key to range"))
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         lowest, highest = (frames[0], frames[-1]) if frames else (-FRAME_LIMIT, FRAME_LIMIT)
         self.first = _field(play_range[0], lowest, highest)
         self.last = _field(play_range[1] - 1, lowest, highest)
         self.step = _field(0, 0, FRAME_LIMIT)
-        self.step.setSpecialValueText("at both ends")
+        self.step.setSpecialValueText(tr("at both ends"))
         self.step.setPrefix("every ")
-        self.step.setToolTip("A key on each so many frames; 0: at both ends of the range alone")
+        self.step.setToolTip(tr("A key on each so many frames; 0: at both ends of the range alone"))
         form = dense_form()
-        for title, field in (("From frame", self.first), ("To frame", self.last), ("Keys", self.step)):
+        for title, field in ((tr("From frame"), self.first), (tr("To frame"), self.last), (tr("Keys"), self.step)):
             form.addRow(form_label(title), field)
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Ok | QDialogButtonBox.StandardButton.Cancel)
-        buttons.button(QDialogButtonBox.StandardButton.Ok).setText("Paste")
+        buttons.button(QDialogButtonBox.StandardButton.Ok).setText(tr("Paste"))
         buttons.accepted.connect(self.accept)
         buttons.rejected.connect(self.reject)
         column = QVBoxLayout(self)
         column.setContentsMargins(16, 14, 16, 12)
         column.setSpacing(style.MARGIN)
         column.addLayout(form)
-        column.addWidget(weak_label("The shape stands still there: other keys in the range give way."))
+        column.addWidget(weak_label(tr("The shape stands still there: other keys in the range give way.")))
         column.addWidget(buttons)
         self.first.valueChanged.connect(self.last.setMinimum)
         self.last.setMinimum(self.first.value())

@@ -13,9 +13,9 @@ from roam_core.errors import RoamError
 from roam_core.roto import Layer, Project, RotoShape, edit, file, linking
 from roam_core.roto.baking import baked
 
-from ...counting import counted
 from ...model.document import Document
 from ...model.view_state import ViewState, selected_shapes
+from ...translation import tr
 from .keys import KeyClipboard, copied_keys
 
 
@@ -47,13 +47,13 @@ class ShapeClipboard:
         """Copy the selected shapes with all their keys."""
         if shapes := self._selected():
             QGuiApplication.clipboard().setText(_text(shapes))
-            self._view.say(f"Copied {counted(len(shapes), 'shape')}.")
+            self._view.say(tr("Copied {shapes}.", shapes=tr("%n shape(s)", "", len(shapes))))
 
     def cut(self) -> None:
         """Copy the selected shapes and delete them."""
         if shapes := self._selected():
             self.copy()
-            self._document.apply("Cut", edit.remove_items(self._document.project, [shape.id for shape in shapes]))
+            self._document.apply(tr("Cut"), edit.remove_items(self._document.project, [shape.id for shape in shapes]))
 
     def paste(self) -> None:
         """Put copied shapes on top, with ids and names of their own, and select them; a copied key on this frame."""
@@ -62,16 +62,16 @@ class ShapeClipboard:
             return
         text = QGuiApplication.clipboard().text()
         try:
-            copied = file.loads(text, Path(), "the clipboard").shapes
+            copied = file.loads(text, Path(), tr("the clipboard")).shapes
         except RoamError:
             if not self._paste_text(text):
-                self._view.say("There is no shape to paste; copy one first, here or in another program.")
+                self._view.say(tr("There is no shape to paste; copy one first, here or in another program."))
             return
         project, ids = self._document.project, []
         for shape in linking.relinked(project, copied):
             project, pasted = _added(project, shape)
             ids.append(pasted.id)
-        self._document.apply("Paste", project)
+        self._document.apply(tr("Paste"), project)
         self._view.select(frozenset(ids))
 
     def _selected(self) -> list[RotoShape]:

@@ -12,6 +12,7 @@ from roam_core.roto.found import add_found
 
 from ...model.document import Document
 from ...model.view_state import ViewState
+from ...translation import tr
 
 
 def next_colour(project: Project) -> QColor:
@@ -34,10 +35,11 @@ def finish_shape(
     Where `tool`, which drew it, is still in the hand, the select tool takes its place to adjust the shape.
     """
     project, shape = edit.new_shape(document.project, control_points, frame, closed=closed, spline=spline)
-    document.apply("Draw shape", project)
+    document.apply(tr("Draw shape"), project)
     hand_over(view_state, tool, frozenset({shape.id}))
-    follow = "] tracks it forward" if closed else "it is open, C closes it"
-    view_state.say(f"{shape.name} is drawn: drag its points to adjust it, {follow}.")
+    said = tr("{name} is drawn: drag its points to adjust it, ] tracks it forward.", name=shape.name)
+    said_open = tr("{name} is drawn: drag its points to adjust it, it is open, C closes it.", name=shape.name)
+    view_state.say(said if closed else said_open)
 
 
 def put_in(document: Document, view_state: ViewState, tool: str, shapes: Sequence[RotoShape], text: str) -> None:
@@ -46,8 +48,9 @@ def put_in(document: Document, view_state: ViewState, tool: str, shapes: Sequenc
     document.apply(text, project)
     hand_over(view_state, tool, frozenset(ids))
     name = project.shape(ids[0]).name
-    told = f"{name} is" if len(ids) == 1 else f"{len(ids)} shapes are"
-    view_state.say(f"{told} fitted: drag the points to adjust, ] tracks forward.")
+    one = tr("{name} is fitted: drag the points to adjust, ] tracks forward.", name=name)
+    all_ = tr("{count} shapes are fitted: drag the points to adjust, ] tracks forward.", count=len(ids))
+    view_state.say(one if len(ids) == 1 else all_)
 
 
 def hand_over(view_state: ViewState, tool: str, shape_ids: frozenset[str]) -> None:

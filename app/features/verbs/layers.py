@@ -9,9 +9,10 @@ from roam_core.roto.layers import grouped, ungrouped
 
 from ...model.document import Document
 from ...model.view_state import ViewState
+from ...translation import N_, tr
 from .shapes import NOTHING_SELECTED
 
-NO_LAYER = "Select a layer first: click it in the list of shapes."
+NO_LAYER = N_("Select a layer first: click it in the list of shapes.")
 
 
 class LayerVerbs:
@@ -28,10 +29,10 @@ class LayerVerbs:
         """Put the selected layers and shapes into a new layer, which is then selected."""
         chosen = self._view.selection.shapes | self._layers()
         if not chosen:
-            self._view.say(NOTHING_SELECTED)
+            self._view.say(tr(NOTHING_SELECTED))
             return
         project, layer = grouped(self._document.project, chosen)
-        self._document.apply("Group", project)
+        self._document.apply(tr("Group"), project)
         self._view.select(self._view.selection.shapes, layers=frozenset({layer.id}))
 
     def ungroup(self) -> None:
@@ -41,17 +42,17 @@ class LayerVerbs:
             project.layers_above(shape_id)[-1].id for shape_id in self._view.selection.shapes
         } - {project.root.id}
         if not layers:
-            self._view.say(NO_LAYER)
+            self._view.say(tr(NO_LAYER))
             return
         for layer_id in sorted(layers, key=lambda layer_id: len(project.layers_above(layer_id))):
             project = ungrouped(project, layer_id)
-        self._document.apply("Ungroup", project)
+        self._document.apply(tr("Ungroup"), project)
 
     def add(self) -> None:
         """Add an empty layer on top, or inside the selected one."""
         project, inside = self._document.project, sorted(self._layers())
         project, layer = edit.add_layer(project, parent_id=inside[0] if len(inside) == 1 else project.root.id)
-        self._document.apply("New layer", project)
+        self._document.apply(tr("New layer"), project)
         self._view.select(frozenset(), layers=frozenset({layer.id}))
 
     def _layers(self) -> frozenset[str]:

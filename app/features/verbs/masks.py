@@ -14,9 +14,10 @@ from ...jobs.picture_work import PictureWork
 from ...jobs.runner import Ending, Report
 from ...model.document import Document
 from ...model.view_state import ViewState
+from ...translation import N_, tr
 from .finishing import put_in
 
-MASKS = "Mask pictures (*.png *.tif *.tiff *.jpg *.jpeg *.exr);;All files (*)"
+MASKS = N_("Mask pictures (*.png *.tif *.tiff *.jpg *.jpeg *.exr);;All files (*)")
 
 
 class MaskShapes:
@@ -33,10 +34,10 @@ class MaskShapes:
         """Ask for the picture."""
         clip = self._document.project.clip
         if clip is None:
-            self._view.say("Open a clip first: a mask belongs to one of its frames.")
+            self._view.say(tr("Open a clip first: a mask belongs to one of its frames."))
             return
         start = str(self._document.path.parent if self._document.path else clip.path.parent)
-        chosen, _ = QFileDialog.getOpenFileName(self._window, "Shape from the mask of this frame", start, MASKS)
+        chosen, _ = QFileDialog.getOpenFileName(self._window, tr("Shape from the mask of this frame"), start, tr(MASKS))
         if chosen:
             self.read(Path(chosen))
 
@@ -48,16 +49,18 @@ class MaskShapes:
         def look(report: Report) -> list[RotoShape]:
             from roam_core.matte.vectorise import read_mask, shapes_from_mask
 
-            report.progress(0.0, f"Reading {path.name} …")
+            report.progress(0.0, tr("Reading {name} …", name=path.name))
             shapes = shapes_from_mask(read_mask(path, (height, width)), frame)
             if not shapes:
-                raise RoamError(f"Nothing is white in {path.name}; paint the object white and the rest black.")
+                raise RoamError(
+                    tr("Nothing is white in {name}; paint the object white and the rest black.", name=path.name)
+                )
             return shapes
 
         self._pictures.find("mask", look, self._take, ended=self._end)
 
     def _take(self, shapes: list[RotoShape]) -> None:
-        put_in(self._document, self._view, self._view.tool, shapes, "Shape from mask")
+        put_in(self._document, self._view, self._view.tool, shapes, tr("Shape from mask"))
 
     def _end(self, ending: Ending, sentence: str) -> None:
         if ending is Ending.FAILED:

@@ -10,12 +10,17 @@ from roam_core.roto.linking import AS_STACKED, BEHIND, IN_FRONT
 
 from ...model.document import Document
 from ...model.view_state import ViewState, selected_shapes
+from ...translation import N_, tr
 from .shapes import NOTHING_SELECTED
 
-ALL_LOCKED = "What is selected is locked; unlock it first (<shape.lock>)."
-LEVELS = {IN_FRONT: "In front", AS_STACKED: "As stacked", BEHIND: "Behind"}
+ALL_LOCKED = N_("What is selected is locked; unlock it first (<shape.lock>).")
+LEVELS = {IN_FRONT: N_("In front"), AS_STACKED: N_("As stacked"), BEHIND: N_("Behind")}
 """The levels of depth, the nearest first, as the window calls them."""
-PLACES = {IN_FRONT: "in front of the others", BEHIND: "behind the others", AS_STACKED: "as stacked again"}
+PLACES = {
+    IN_FRONT: N_("in front of the others"),
+    BEHIND: N_("behind the others"),
+    AS_STACKED: N_("as stacked again"),
+}
 """Where a shape lies, in a sentence."""
 
 Verb = Callable[[Project, Collection[str]], Project]
@@ -45,26 +50,30 @@ class ObjectVerbs:
 
     def link(self, link: str = "") -> None:
         """Solve the selected shapes as one whole object: a new one, or the one of a link that is there."""
-        self._edit("Solve as one object", lambda project, ids: linking.linked(project, ids, link))
+        self._edit(tr("Solve as one object"), lambda project, ids: linking.linked(project, ids, link))
 
     def unlink(self) -> None:
         """Leave it to the outlines again what the selected shapes belong to."""
-        self._edit("Solve as parts", linking.unlinked)
+        self._edit(tr("Solve as parts"), linking.unlinked)
 
     def set_apart(self) -> None:
         """Solve each of the selected shapes by itself."""
-        self._edit("Solve by itself", linking.apart)
+        self._edit(tr("Solve by itself"), linking.apart)
 
     def attach(self, on: bool) -> None:
         """Let the selected shapes hang on the parts that they overlap, or free them."""
-        self._edit("Attach to neighbours" if on else "Detach", lambda project, ids: linking.attached(project, ids, on))
+        self._edit(
+            tr("Attach to neighbours") if on else tr("Detach"), lambda project, ids: linking.attached(project, ids, on)
+        )
 
     def set_depth(self, level: int) -> None:
         """Let the selected shapes lie in front, behind or as stacked, from this frame on."""
         frame = self._view.frame
-        if names := self._edit(LEVELS[level], lambda project, ids: linking.set_depth(project, ids, frame, level)):
-            who = f"{names[0]} lies" if len(names) == 1 else f"{len(names)} shapes lie"
-            self._view.say(f"{who} {PLACES[level]} from frame {frame} on.")
+        if names := self._edit(tr(LEVELS[level]), lambda project, ids: linking.set_depth(project, ids, frame, level)):
+            where = tr(PLACES[level])
+            one = tr("{name} lies {where} from frame {frame} on.", name=names[0], where=where, frame=frame)
+            all_ = tr("{count} shapes lie {where} from frame {frame} on.", count=len(names), where=where, frame=frame)
+            self._view.say(one if len(names) == 1 else all_)
 
     def _edit(self, text: str, verb: Verb) -> list[str]:
         """Do it with the selected shapes that are not locked; gives their names, none where nothing was done."""
@@ -72,7 +81,7 @@ class ObjectVerbs:
         shapes = selected_shapes(project, self._view.selection)
         free = [shape for shape in shapes if not shape.locked]
         if not free:
-            self._view.say(ALL_LOCKED if shapes else NOTHING_SELECTED)
+            self._view.say(tr(ALL_LOCKED) if shapes else tr(NOTHING_SELECTED))
             return []
         try:
             edited = verb(project, [shape.id for shape in free])

@@ -7,6 +7,7 @@ from collections.abc import Callable
 from ...jobs.softening import Softening
 from ...model.document import Document
 from ...model.view_state import ViewState, shapes_in_hand
+from ...translation import tr
 from ..tracking import NO_CLIP, NO_SHAPE
 
 
@@ -26,10 +27,10 @@ class PlateEdge:
         shapes = shapes_in_hand(project, self._view.selection)
         able = [shape for shape in shapes if shape.closed and not shape.locked]
         if project.clip is None:
-            self._view.say(NO_CLIP)
+            self._view.say(tr(NO_CLIP))
         elif not shapes:
-            self._view.say(NO_SHAPE)
+            self._view.say(tr(NO_SHAPE))
         elif not able:
-            self._view.say("Only a closed shape that is not locked has an edge to match; unlock or close one.")
+            self._view.say(tr("Only a closed shape that is not locked has an edge to match; unlock or close one."))
         else:
             self._softening.start([shape.id for shape in able])

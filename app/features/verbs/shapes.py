@@ -11,8 +11,9 @@ from roam_core.roto import Layer, Project, RotoShape, edit, linking
 from ...model.document import Document
 from ...model.shown import editable_shapes
 from ...model.view_state import ViewState, selected_shapes
+from ...translation import N_, tr
 
-NOTHING_SELECTED = "Select a shape first: click it in the viewer or in the list."
+NOTHING_SELECTED = N_("Select a shape first: click it in the viewer or in the list.")
 
 
 class ShapeVerbs:
@@ -30,6 +31,7 @@ class ShapeVerbs:
             "shape.hide": self.hide,
             "shape.show_all": self.show_all,
             "key.set": self.set_key,
+            "key.set_points": self.set_key_of_points,
             "key.delete": self.delete_key,
             "track.delete_engine_keys": self.delete_engine_keys,
         }
@@ -38,22 +40,34 @@ class ShapeVerbs:
         """Select the shapes in sight on this frame that are not locked."""
         shapes = editable_shapes(self._document.project, self._view.frame)
         if not shapes:
-            self._view.say("No shape is in sight here that could be selected; show or unlock some.")
+            self._view.say(tr("No shape is in sight here that could be selected; show or unlock some."))
         self._view.select(frozenset(shape.id for shape in shapes))
 
     def set_key(self) -> None:
         """Make the selected shapes, as they are on this frame, artist keys."""
         frame = self._view.frame
-        self._edit_each("Set key", lambda shape: edit.key_here(shape, frame))
+        self._edit_each(tr("Set key"), lambda shape: edit.key_here(shape, frame))
+
+    def set_key_of_points(self) -> None:
+        """Make the selected points, as they are on this frame, the artist's; a run may derive the others anew."""
+        frame, points = self._view.frame, self._view.selection.points
+        if not points:
+            self._view.say("Select the points that are right here first; a run then derives the others anew.")
+            return
+
+        def keyed(shape: RotoShape) -> RotoShape:
+            return edit.key_points(shape, frame, [index for shape_id, index in points if shape_id == shape.id])
+
+        self._edit_each("Set key for points", keyed)
 
     def delete_key(self) -> None:
         """Delete the selected shapes' keys on this frame."""
         frame = self._view.frame
-        self._edit_each("Delete key", lambda shape: edit.delete_keys(shape, [frame]))
+        self._edit_each(tr("Delete key"), lambda shape: edit.delete_keys(shape, [frame]))
 
     def delete_engine_keys(self) -> None:
         """Delete every tracked frame of the selected shapes."""
-        self._edit_each("Delete tracked frames", edit.delete_engine_keys)
+        self._edit_each(tr("Delete tracked frames"), edit.delete_engine_keys)
 
     def delete(self) -> None:
         delete(self._document, self._selected())
@@ -66,7 +80,7 @@ class ShapeVerbs:
             copy = replace(shape, id=project.free_id("shape"), name=project.free_name(shape.name))
             project = edit.add_shape(project, copy, _layer_of(project, shape.id))
             copies.append(copy.id)
-        self._document.apply("Duplicate", project)
+        self._document.apply(tr("Duplicate"), project)
         self._view.select(frozenset(copies) or self._view.selection.shapes)
 
     def toggle_lock(self) -> None:
@@ -76,13 +90,13 @@ class ShapeVerbs:
         project = self._document.project
         for shape_id in self._selected():
             project = edit.set_properties(project, shape_id, visible=False)
-        self._document.apply("Hide", project)
+        self._document.apply(tr("Hide"), project)
 
     def show_all(self) -> None:
         project = self._document.project
         for item in project.root.items():
             project = edit.set_properties(project, item.id, visible=True)
-        self._document.apply("Show all", project)
+        self._document.apply(tr("Show all"), project)
 
     def _edit_each(self, text: str, verb: Callable[[RotoShape], RotoShape]) -> None:
         project = self._document.project
@@ -99,14 +113,14 @@ class ShapeVerbs:
         """The selected shapes in the order of stacking; says so when there is none."""
         ids = [shape.id for shape in selected_shapes(self._document.project, self._view.selection)]
         if not ids:
-            self._view.say(NOTHING_SELECTED)
+            self._view.say(tr(NOTHING_SELECTED))
         return ids
 
 
 def delete(document: Document, item_ids: Iterable[str]) -> None:
     """Delete layers and shapes."""
     if ids := list(item_ids):
-        document.apply("Delete", edit.remove_items(document.project, ids))
+        document.apply(tr("Delete"), edit.remove_items(document.project, ids))
 
 
 def toggle(document: Document, switch: str, item_ids: Iterable[str]) -> None:
@@ -116,7 +130,7 @@ def toggle(document: Document, switch: str, item_ids: Iterable[str]) -> None:
         value = not getattr(project.find(ids[0]), switch)
         for item_id in ids:
             project = edit.set_properties(project, item_id, **{switch: value})
-        names = {"visible": ("Hide", "Show"), "locked": ("Unlock", "Lock")}
+        names = {"visible": (tr("Hide"), tr("Show")), "locked": (tr("Unlock"), tr("Lock"))}
         document.apply(names[switch][value], project)
 
 

@@ -11,6 +11,7 @@ from roam_core.roto import RotoShape, Spline, control_points
 from ...model.document import Document
 from ...model.shown import editable_shapes
 from ...model.view_state import ViewState
+from ...translation import tr
 from .shapes import NOTHING_SELECTED
 
 
@@ -26,24 +27,28 @@ class SplineVerbs:
 
     def to_bezier(self) -> None:
         """Give the selected B-splines anchors and handles; no outline changes."""
-        self._turn(Spline.BEZIER, "Make Bezier", lambda *_: "handles shape the curve now, and no outline changed")
+        self._turn(
+            Spline.BEZIER, tr("Make Bezier"), lambda *_: tr("handles shape the curve now, and no outline changed")
+        )
 
     def to_bspline(self) -> None:
         """Give the selected shapes control points in place of their points; says by how much outlines moved."""
 
         def told(before: RotoShape, after: RotoShape) -> str:
             moved = max(np.abs(a.points - b.points).max() for a, b in zip(before.keys, after.keys, strict=True))
-            return f"its curve is smooth everywhere now, and its points moved by up to {moved:.1f} pixels"
+            return tr(
+                "its curve is smooth everywhere now, and its points moved by up to {moved:.1f} pixels", moved=moved
+            )
 
-        self._turn(Spline.BSPLINE, "Make B-spline", told)
+        self._turn(Spline.BSPLINE, tr("Make B-spline"), told)
 
     def _turn(self, spline: Spline, text: str, told: Callable[[RotoShape, RotoShape], str]) -> None:
         project, chosen = self._document.project, self._view.selection.shapes
         shapes = [shape for shape in editable_shapes(project, self._view.frame) if shape.id in chosen]
         turning = [shape for shape in shapes if shape.spline is not spline]
         if not turning:
-            kind = "Bezier" if spline is Spline.BEZIER else "B-spline"
-            self._view.say(f"The selected shapes are {kind} already." if shapes else NOTHING_SELECTED)
+            kind = tr("Bezier") if spline is Spline.BEZIER else "B-spline"
+            self._view.say(tr("The selected shapes are {kind} already.", kind=kind) if shapes else tr(NOTHING_SELECTED))
             return
         sentences = []
         for shape in turning:
@@ -53,4 +58,8 @@ class SplineVerbs:
         self._document.apply(text, project)
         # Points of one kind are not those of the other.
         self._view.select(chosen)
-        self._view.say(sentences[0] if len(sentences) == 1 else f"{len(sentences)} shapes changed. {sentences[0]}")
+        self._view.say(
+            sentences[0]
+            if len(sentences) == 1
+            else tr("{count} shapes changed. {sentences}", count=len(sentences), sentences=sentences[0])
+        )

@@ -6,6 +6,7 @@ from roam_core.arrays import Array
 from roam_core.geometry.bezier import IN, OUT
 from roam_core.roto import edit
 
+from ...translation import N_
 from ..tool import Modifier, Pointer
 from .drawing import DrawingTool
 
@@ -14,8 +15,8 @@ class BezierTool(DrawingTool):
     """The drag after a press pulls the handles out, both alike; with Ctrl only the one of the line being drawn."""
 
     name = "bezier"
-    title = "Bezier"
-    hint = "Click for a corner, drag for a curve. Return or the first point closes, Esc leaves it open."
+    title = N_("Bezier")
+    hint = N_("Click for a corner, drag for a curve. Return or the first point closes, Esc leaves it open.")
 
     def place(self, point: Array, pointer: Pointer) -> Array:
         result = _pulled(point, pointer)

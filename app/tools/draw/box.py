@@ -16,6 +16,7 @@ from ...model.view_state import ViewState
 from ...paint import marks
 from ...paint.outline_paths import outline_path
 from ...paint.viewport import Viewport
+from ...translation import N_, tr
 from ..gesture_tool import DROP_KEYS
 from ..gestures import DRAG_DISTANCE
 from ..tool import Modifier, Pointer, Tool
@@ -77,7 +78,13 @@ class BoxTool(Tool, ABC):
         self._last = pointer
         if (box := self.box) is not None:
             width, height = (box[1] - box[0]).tolist()
-            self.view_state.say(f"{width:.0f} × {height:.0f} pixels. Shift: equal sides. Ctrl: from the centre.")
+            self.view_state.say(
+                tr(
+                    "{width:.0f} × {height:.0f} pixels. Shift: equal sides. Ctrl: from the centre.",
+                    width=width,
+                    height=height,
+                )
+            )
 
     def release(self, pointer: Pointer) -> None:
         self.drag(pointer)
@@ -87,11 +94,11 @@ class BoxTool(Tool, ABC):
             finish_shape(self.document, self.view_state, self.name, self.shaped(*box), self._frame)
         elif self._pressed is not None:
             self.drop()
-            self.view_state.say(self.hint)
+            self.view_state.say(tr(self.hint))
 
     def key(self, name: str) -> None:
         self.drop()
-        self.view_state.say(self.hint)
+        self.view_state.say(tr(self.hint))
 
     def paint(self, painter: QPainter, viewport: Viewport) -> None:
         if (box := self.box) is not None:
@@ -103,8 +110,8 @@ class EllipseTool(BoxTool):
     """Four smooth points."""
 
     name = "ellipse"
-    title = "Ellipse"
-    hint = "Drag from corner to corner of the ellipse. Shift: a circle. Ctrl: from its centre."
+    title = N_("Ellipse")
+    hint = N_("Drag from corner to corner of the ellipse. Shift: a circle. Ctrl: from its centre.")
 
     def shaped(self, low: Array, high: Array) -> Array:
         return primitives.ellipse(low, high)
@@ -114,8 +121,8 @@ class RectangleTool(BoxTool):
     """Four corners."""
 
     name = "rectangle"
-    title = "Rectangle"
-    hint = "Drag from corner to corner of the rectangle. Shift: a square. Ctrl: from its centre."
+    title = N_("Rectangle")
+    hint = N_("Drag from corner to corner of the rectangle. Shift: a square. Ctrl: from its centre.")
 
     def shaped(self, low: Array, high: Array) -> Array:
         return primitives.rectangle(low, high)

@@ -15,6 +15,7 @@ from ...paint import marks
 from ...paint.handles import control_sides
 from ...paint.outline_paths import outline_path
 from ...paint.viewport import Viewport
+from ...translation import N_
 from ..tool import Pointer
 from .drawing import DrawingTool
 
@@ -24,7 +25,7 @@ class BSplineTool(DrawingTool):
 
     name = "bspline"
     title = "B-spline"
-    hint = "Click control points around the object. Return or the first point closes, Esc leaves it open."
+    hint = N_("Click control points around the object. Return or the first point closes, Esc leaves it open.")
     spline = Spline.BSPLINE
 
     def place(self, point: Array, pointer: Pointer) -> Array:

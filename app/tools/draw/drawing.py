@@ -22,6 +22,7 @@ from ...paint import marks
 from ...paint.handles import visible_handles
 from ...paint.outline_paths import outline_path
 from ...paint.viewport import Viewport
+from ...translation import tr
 from ..gestures import DRAG_DISTANCE
 from ..hit_test import REACH
 from ..tool import Pointer, Tool
@@ -173,7 +174,12 @@ class DrawingTool(Tool, ABC):
 
     def _finish_closed(self) -> None:
         if len(self._points) < edit.MIN_POINTS_CLOSED:
-            self.view_state.say(f"A closed shape needs at least {edit.MIN_POINTS_CLOSED} points; click to place more.")
+            self.view_state.say(
+                tr(
+                    "A closed shape needs at least {min_points_closed} points; click to place more.",
+                    min_points_closed=edit.MIN_POINTS_CLOSED,
+                )
+            )
         else:
             self._finish(closed=True)
 

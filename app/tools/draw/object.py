@@ -19,6 +19,7 @@ from ...model.document import Document
 from ...model.view_state import ViewState
 from ...paint import marks
 from ...paint.viewport import Viewport
+from ...translation import N_, tr
 from ..gestures import DRAG_DISTANCE
 from ..tool import Modifier, Pointer, Tool
 
@@ -39,8 +40,8 @@ class ObjectTool(Tool):
     """
 
     name = "object"
-    title = "Object"
-    hint = "Box the object or click on it; before that, Shift+click marks more of it and Ctrl+click what is not."
+    title = N_("Object")
+    hint = N_("Box the object or click on it; before that, Shift+click marks more of it and Ctrl+click what is not.")
 
     def __init__(self, document: Document, view_state: ViewState) -> None:
         super().__init__(document, view_state)
@@ -86,7 +87,7 @@ class ObjectTool(Tool):
         outside = pointer.holds(Modifier.ControlModifier)
         self._marks.append((box[0].position, not outside))
         if outside or pointer.holds(Modifier.ShiftModifier):
-            self.view_state.say("Click or box the object to find it, Return finds what is marked.")
+            self.view_state.say(tr("Click or box the object to find it, Return finds what is marked."))
         else:
             self._find(None)
 
@@ -97,7 +98,7 @@ class ObjectTool(Tool):
             self._marks.pop()
         else:
             self.drop()
-            self.view_state.say(self.hint)
+            self.view_state.say(tr(self.hint))
 
     def paint(self, painter: QPainter, viewport: Viewport) -> None:
         if self._box is not None:
@@ -113,14 +114,14 @@ class ObjectTool(Tool):
         if shown is None or self.pictures is None:
             self.drop()
             return
-        self.view_state.say("Finding the object …")
+        self.view_state.say(tr("Finding the object …"))
         self._job = self.pictures.find("object", self._cut(box, shown), self._take, ended=self._end)
 
     def _shown(self) -> Shown | None:
         """The picture of this frame; says so where there is none."""
         shown = self.pictures.shown if self.pictures is not None else None
         if shown is None or shown.frame != self.view_state.frame:
-            self.view_state.say("There is no picture of this frame to look at (yet).")
+            self.view_state.say(tr("There is no picture of this frame to look at (yet)."))
             return None
         return shown
 
@@ -152,7 +153,7 @@ class ObjectTool(Tool):
         # Laid down first: taking the select tool drops what is looked for.
         self._job = self._box = None
         self._marks = []
-        put_in(self.document, self.view_state, self.name, shapes, "Find object")
+        put_in(self.document, self.view_state, self.name, shapes, tr("Find object"))
 
     def _end(self, ending: Ending, sentence: str) -> None:
         """The search is over; where it found nothing the tool stays in the hand, for another try."""

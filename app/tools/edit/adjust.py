@@ -15,6 +15,7 @@ from ...model.document import Document
 from ...model.view_state import ViewState, shapes_in_hand
 from ...paint import marks
 from ...paint.viewport import Viewport
+from ...translation import N_, tr
 from ..gesture_tool import GestureTool
 from ..gestures import Gesture
 from ..tool import Pointer
@@ -22,15 +23,17 @@ from ..tool import Pointer
 REACH = 9.0
 """Screen pixels around a corner in which a press takes it."""
 HANDLE = 9.0
-NO_TRACK = "Select a shape whose plane is tracked (<planar.forward>), then pin its corners here."
+NO_TRACK = N_("Select a shape whose plane is tracked (<planar.forward>), then pin its corners here.")
 
 
 class AdjustTool(GestureTool):
     """A drag of a corner pins it, one inside the surface moves all four; Return sets an adjust key as it is."""
 
     name = "adjust"
-    title = "Adjust track"
-    hint = "Drag the corners to where they belong on this frame, or the inside to move all; Return says: right here."
+    title = N_("Adjust track")
+    hint = N_(
+        "Drag the corners to where they belong on this frame, or the inside to move all; Return says: right here."
+    )
 
     def __init__(self, document: Document, view_state: ViewState) -> None:
         super().__init__(document, view_state)
@@ -48,24 +51,24 @@ class AdjustTool(GestureTool):
         return super().claimed_keys or frozenset({"Return", "Enter"})
 
     def activate(self) -> None:
-        self.view_state.say_hint(self.hint if self.layer() else NO_TRACK)
+        self.view_state.say_hint(tr(self.hint if self.layer() else NO_TRACK))
 
     def key(self, name: str) -> None:
         layer = self.layer()
         if self._gesture:
             self.drop()
         elif layer is None:
-            self.view_state.say(NO_TRACK)
+            self.view_state.say(tr(NO_TRACK))
         else:
             here = self.view_state.frame
             after = pinned(self.document.project, layer.id, here, surface_at(self.document.project, layer.id, here))
-            self.document.apply("Adjust key", after)
-            self.view_state.say(f"Adjust key on frame {here}: the track is right here.")
+            self.document.apply(tr("Adjust key"), after)
+            self.view_state.say(tr("Adjust key on frame {here}: the track is right here.", here=here))
 
     def press(self, pointer: Pointer) -> None:
         layer = self.layer()
         if layer is None:
-            self.view_state.say(NO_TRACK)
+            self.view_state.say(tr(NO_TRACK))
             return
         corners = self.corners(self.document.project, layer)
         corner = _corner_at(corners, pointer)
@@ -143,9 +146,12 @@ class PinDrag(Gesture):
     def finish(self, pointer: Pointer) -> None:
         after = self._pinned()
         if after is not None:
-            self.document.apply("Adjust key", after)
+            self.document.apply(tr("Adjust key"), after)
             self.view_state.say(
-                f"Adjust key on frame {self._frame}: what it changes is spread to the adjust keys beside it."
+                tr(
+                    "Adjust key on frame {frame}: what it changes is spread to the adjust keys beside it.",
+                    frame=self._frame,
+                )
             )
         self.view_state.set_preview(None)
 

@@ -18,6 +18,7 @@ from ...model.document import Document
 from ...model.shown import editable_shapes
 from ...model.view_state import ViewState
 from ...paint.viewport import Viewport
+from ...translation import N_, tr
 from ..gesture_tool import GROWTH, GestureTool
 from ..gestures import Edit, Gesture
 from ..reshape import Grab
@@ -35,8 +36,10 @@ class ReshapeTool(GestureTool):
     """
 
     name = "reshape"
-    title = "Reshape"
-    hint = "Drag to pull the points under the brush. Ctrl+wheel or Ctrl+drag changes its size, a pen's pressure too."
+    title = N_("Reshape")
+    hint = N_(
+        "Drag to pull the points under the brush. Ctrl+wheel or Ctrl+drag changes its size, a pen's pressure too."
+    )
 
     def __init__(self, document: Document, view_state: ViewState) -> None:
         super().__init__(document, view_state)
@@ -56,7 +59,7 @@ class ReshapeTool(GestureTool):
         if grab.start:
             self._gesture = BrushDrag(self.document, view, pointer, grab)
         else:
-            view.say("There is no shape here that can be reshaped; draw one, or unlock and show it.")
+            view.say(tr("There is no shape here that can be reshaped; draw one, or unlock and show it."))
 
     def drag(self, pointer: Pointer) -> None:
         self._pointer = pointer
@@ -100,7 +103,7 @@ class BrushDrag(Edit):
     """Pulls what lay under the brush when it was pressed; a pen that presses harder takes more along."""
 
     def __init__(self, document: Document, view_state: ViewState, pressed: Pointer, grab: Grab) -> None:
-        super().__init__(document, view_state, pressed, grab, "Reshape")
+        super().__init__(document, view_state, pressed, grab, tr("Reshape"))
 
     @property
     def radius(self) -> float:
@@ -119,7 +122,7 @@ class BrushDrag(Edit):
 
     def click(self) -> None:
         if not self.weights:
-            self.view_state.say("No point lies under the brush; Ctrl and the wheel make it wider.")
+            self.view_state.say(tr("No point lies under the brush; Ctrl and the wheel make it wider."))
 
     def finish(self, pointer: Pointer) -> None:
         self.click()

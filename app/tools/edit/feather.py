@@ -19,16 +19,17 @@ from ...model.shown import editable_shapes
 from ...model.view_state import Selection, ViewState
 from ...paint.feather import feather_handles, paint_feather_points
 from ...paint.viewport import Viewport
+from ...translation import N_, tr
 from ..gesture_tool import GestureTool
 from ..gestures import Edit, Gesture, Marquee
 from ..hit_test import REACH, SAME_SPOT, OutlineHit, PointHit, hit_outline
 from ..reshape import Grab, break_tangent, selected_indices
 from ..tool import Modifier, Pointer
 
-GOES_OVER = (
+GOES_OVER = N_(
     "The soft edge goes over to your next keys, through the tracked frames between; <feather.all_keys> gives it to all."
 )
-NOTHING_SELECTED = "Select a shape or some of its points first."
+NOTHING_SELECTED = N_("Select a shape or some of its points first.")
 
 
 class FeatherEdit(Edit, ABC):
@@ -38,7 +39,7 @@ class FeatherEdit(Edit, ABC):
         super().finish(pointer)
         shapes = [self.document.project.shape(shape_id) for shape_id in self.grab.start]
         if self.grab.keying == AUTO_KEY and any(len(shape.keys) > 1 for shape in shapes):
-            self.view_state.say(GOES_OVER)
+            self.view_state.say(tr(GOES_OVER))
 
 
 class Pull(FeatherEdit):
@@ -48,7 +49,7 @@ class Pull(FeatherEdit):
         self, document: Document, view_state: ViewState, pressed: Pointer, grab: Grab, held: tuple[str, int],
         on_click: Callable[[], None] | None = None,
     ) -> None:  # fmt: skip
-        super().__init__(document, view_state, pressed, grab, "Feather", on_click)
+        super().__init__(document, view_state, pressed, grab, tr("Feather"), on_click)
         shape = document.project.shape(held[0])
         self._frame_here = feather.frames_along(shape.at(grab.frame).points, shape.closed)[held[1]]
 
@@ -66,7 +67,7 @@ class TurnFeather(FeatherEdit):
     def __init__(
         self, document: Document, view_state: ViewState, pressed: Pointer, grab: Grab, part: tuple[int, int]
     ) -> None:
-        super().__init__(document, view_state, pressed, grab, "Feather handle")
+        super().__init__(document, view_state, pressed, grab, tr("Feather handle"))
         self._part = part
 
     def edited(self) -> Project:
@@ -85,8 +86,10 @@ class FeatherTool(GestureTool):
     """A drag from a point of a selected shape pulls its feather out; one from the outline pulls both of its ends."""
 
     name = "feather"
-    title = "Feather"
-    hint = "Drag out of a point of the selected shape to soften its edge; double-click a feather point to take it back."
+    title = N_("Feather")
+    hint = N_(
+        "Drag out of a point of the selected shape to soften its edge; double-click a feather point to take it back."
+    )
 
     def __init__(self, document: Document, view_state: ViewState) -> None:
         super().__init__(document, view_state)
@@ -123,7 +126,7 @@ class FeatherTool(GestureTool):
         grab = self._grab({found.shape_id: weights})
         project = self.document.project
         reset = grab.changed(project, lambda _: feather.reset([found.index]))
-        self.document.apply("Reset feather", grab.settled(project, reset))
+        self.document.apply(tr("Reset feather"), grab.settled(project, reset))
 
     def hover(self, pointer: Pointer) -> None:
         found = self._hit(pointer)
@@ -200,7 +203,7 @@ class FeatherActions:
         view = self._view
         shapes = _chosen(self._document.project, view)
         if not shapes:
-            view.say(NOTHING_SELECTED)
+            view.say(tr(NOTHING_SELECTED))
             return
         chosen = {s.id: selected_indices(s, view.selection) if view.selection.points else None for s in shapes}
         whole = {s.id: _weights(s, {}) for s in shapes if chosen[s.id] != []}
@@ -210,19 +213,19 @@ class FeatherActions:
             project,
             lambda each: feather.reset(range(len(whole[each])) if chosen[each] is None else chosen[each] or ()),
         )
-        self._document.apply("Reset feather", grab.settled(project, reset))
+        self._document.apply(tr("Reset feather"), grab.settled(project, reset))
 
     def give_all_keys(self) -> None:
         """Give the feather that the selected points (all, where none is) have here to every key of their shapes."""
         view, project = self._view, self._document.project
         shapes = _chosen(project, view)
         if not shapes:
-            view.say(NOTHING_SELECTED)
+            view.say(tr(NOTHING_SELECTED))
             return
         for shape in shapes:
             indices = selected_indices(shape, view.selection) if view.selection.points else range(shape.point_count)
             project = project.with_shape(feather.on_all_keys(shape, view.frame, indices))
-        self._document.apply("Feather for all keys", project)
+        self._document.apply(tr("Feather for all keys"), project)
 
 
 def hit_feather(shape: RotoShape, frame: int, selection: Selection, pointer: Pointer) -> PointHit | None:

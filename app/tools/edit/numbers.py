@@ -11,6 +11,7 @@ from roam_core.arrays import Array
 from roam_core.geometry import affine
 
 from ... import style
+from ...translation import tr
 from ...widgets.controls import form_label, weak_label
 
 FURTHEST = 100_000.0
@@ -46,7 +47,7 @@ class NumbersDialog(QDialog):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.setWindowTitle("Transform")
+        self.setWindowTitle(tr("Transform"))
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.move_x, self.move_y = _field(0.0, " px", FURTHEST), _field(0.0, " px", FURTHEST)
         self.turn = _field(0.0, "°", 3600.0)
@@ -56,10 +57,10 @@ class NumbersDialog(QDialog):
         grid.setHorizontalSpacing(style.MARGIN)
         grid.setVerticalSpacing(6)
         rows = (
-            ("Move x, y", (self.move_x, self.move_y)),
-            ("Rotate", (self.turn,)),
-            ("Scale x, y", (self.scale_x, self.scale_y)),
-            ("Shear x, y", (self.shear_x, self.shear_y)),
+            (tr("Move x, y"), (self.move_x, self.move_y)),
+            (tr("Rotate"), (self.turn,)),
+            (tr("Scale x, y"), (self.scale_x, self.scale_y)),
+            (tr("Shear x, y"), (self.shear_x, self.shear_y)),
         )
         for index, (title, fields) in enumerate(rows):
             grid.addWidget(form_label(title), index, 0)
@@ -67,14 +68,14 @@ class NumbersDialog(QDialog):
                 field.valueChanged.connect(self.changed)
                 grid.addWidget(field, index, column)
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Ok | QDialogButtonBox.StandardButton.Cancel)
-        buttons.button(QDialogButtonBox.StandardButton.Ok).setText("Transform")
+        buttons.button(QDialogButtonBox.StandardButton.Ok).setText(tr("Transform"))
         buttons.accepted.connect(self.accept)
         buttons.rejected.connect(self.reject)
         box = QVBoxLayout(self)
         box.setContentsMargins(16, 14, 16, 12)
         box.setSpacing(style.MARGIN)
         box.addLayout(grid)
-        box.addWidget(weak_label("About the middle of what is selected."))
+        box.addWidget(weak_label(tr("About the middle of what is selected.")))
         box.addWidget(buttons)
         self.move_x.selectAll()
 

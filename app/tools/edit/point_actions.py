@@ -13,6 +13,7 @@ from roam_core.roto.keying import Change, reshape
 from ...model.document import Document
 from ...model.shown import editable_shapes
 from ...model.view_state import ViewState, selected_shapes
+from ...translation import tr
 from ..reshape import grab_selection, grabbed_indices, selected_indices
 from ..settling import settled
 
@@ -45,18 +46,24 @@ class PointActions:
                     self._view.say(str(error))
                     return
                 removed += len(indices)
-        text = _counted("Delete", removed, "point") if removed else _counted("Delete", len(whole), "shape")
+        text = tr("Delete %n point(s)", "", removed) if removed else tr("Delete %n shape(s)", "", len(whole))
         self._document.apply(text, project)
         gone = {shape.id for shape in whole}
         self._view.select(frozenset(i for i in self._view.selection.shapes if i not in gone))
 
     def smooth(self) -> None:
         """Give the points tangents along the chord of their neighbours."""
-        self._reshape("Smooth", lambda shape, points, chosen: edit.smooth_points(points, chosen, shape.closed))
+        self._reshape(
+            lambda count: tr("Smooth %n point(s)", "", count),
+            lambda shape, points, chosen: edit.smooth_points(points, chosen, shape.closed),
+        )
 
     def cusp(self) -> None:
         """Draw the points' handles in, so that the outline has corners there."""
-        self._reshape("Cusp", lambda _shape, points, chosen: edit.cusp_points(points, chosen))
+        self._reshape(
+            lambda count: tr("Cusp %n point(s)", "", count),
+            lambda _shape, points, chosen: edit.cusp_points(points, chosen),
+        )
 
     def nudge(self, dx: float, dy: float, merge_key: str = "") -> None:
         """Move the points by image pixels. Nudges with one `merge_key` (a held key) are one undo step."""
@@ -67,7 +74,7 @@ class PointActions:
             return
         grabbed = sum(int((weights == 1.0).sum()) for weights in grab.weights.values())
         moved = grab.settled(project, grab.moved(project, (dx, dy)))
-        self._document.apply(_counted("Nudge", grabbed, "point"), moved, merge_key)
+        self._document.apply(tr("Nudge %n point(s)", "", grabbed), moved, merge_key)
 
     def cycle(self, step: int) -> None:
         """Select the point `step` further along the shape (backwards when negative)."""
@@ -90,7 +97,7 @@ class PointActions:
         except RoamError as error:
             self._view.say(str(error))
             return
-        self._apply("Open or close shape", project)
+        self._apply(tr("Open or close shape"), project)
 
     def select_all(self) -> None:
         """Select all points of the selected shapes, or of every shape where none is selected."""
@@ -98,20 +105,30 @@ class PointActions:
         points = frozenset((shape.id, index) for shape in shapes for index in range(shape.point_count))
         self._view.select(self._view.selection.shapes, points)
 
-    def _reshape(self, verb: str, function: Callable[[RotoShape, Array, Iterable[int]], Array]) -> None:
-        """Apply `function(shape, points, indices)` to the selected points, on the keys that edits reach."""
+    def _reshape(
+        self, told: Callable[[int], str], function: Callable[[RotoShape, Array, Iterable[int]], Array]
+    ) -> None:
+        """Apply `function(shape, points, indices)` to the selected points, on the keys that edits reach.
+
+        `told` names the step by the number of points.
+        """
         project, view = self._document.project, self._view
         keying = view.editing.keying(view.play_range)
         chosen = grabbed_indices(project, view.frame, view.selection)
         for shape_id, indices in chosen.items():
             shape = project.shape(shape_id)
             if shape.spline is Spline.BSPLINE:
-                view.say(f"{shape.name!r} is a B-spline, which is smooth everywhere; make it Bezier for corners.")
+                view.say(
+                    tr(
+                        "{name!r} is a B-spline, which is smooth everywhere; make it Bezier for corners.",
+                        name=shape.name,
+                    )
+                )
                 continue
             change = _change(shape, indices, function)
             project = project.with_shape(reshape(shape, view.frame, change, keying))
         project = settled(self._document.project, project, chosen, view.frame, keying)
-        self._apply(_counted(verb, sum(map(len, chosen.values())), "point"), project)
+        self._apply(told(sum(map(len, chosen.values()))), project)
 
     def _apply(self, text: str, project: Project) -> None:
         if self._shapes():
@@ -132,9 +149,9 @@ class PointActions:
         """Say why nothing happened."""
         selected = selected_shapes(self._document.project, self._view.selection)
         if selected:
-            self._view.say(f"{selected[0].name!r} is locked or hidden; unlock and show it to edit it.")
+            self._view.say(tr("{name!r} is locked or hidden; unlock and show it to edit it.", name=selected[0].name))
         else:
-            self._view.say("Select a shape or some of its points first.")
+            self._view.say(tr("Select a shape or some of its points first."))
 
 
 def _change(
@@ -142,7 +159,3 @@ def _change(
 ) -> Change:
     """`function` on the points `indices` of any key."""
     return lambda outline: replace(outline, points=function(shape, outline.points, indices))
-
-
-def _counted(verb: str, count: int, noun: str) -> str:
-    return f"{verb} {noun}" if count == 1 else f"{verb} {count} {noun}s"

@@ -11,6 +11,7 @@ from ...model.track_points import MOST, TrackPoints
 from ...model.view_state import ViewState, shapes_in_hand
 from ...paint import marks
 from ...paint.viewport import Viewport
+from ...translation import N_, tr
 from ..gesture_tool import GROWTH, GestureTool
 from ..gestures import Gesture
 from ..tool import Pointer
@@ -28,8 +29,8 @@ class PointsTool(GestureTool):
     """
 
     name = "points"
-    title = "Track points"
-    hint = "Click one, two or four marks, then <planar.forward>; Ctrl and the wheel size their areas."
+    title = N_("Track points")
+    hint = N_("Click one, two or four marks, then <planar.forward>; Ctrl and the wheel size their areas.")
 
     @property
     def cursor(self) -> Qt.CursorShape:
@@ -49,7 +50,7 @@ class PointsTool(GestureTool):
         near = [(pointer.screen_distance(place), index) for index, place in enumerate(points.places)]
         distance, index = min(near, default=(REACH + 1.0, -1))
         if distance > REACH and len(points.places) == MOST:
-            self.view_state.say("Four points are enough: drag one of them, or take one back with Backspace.")
+            self.view_state.say(tr("Four points are enough: drag one of them, or take one back with Backspace."))
             return
         if distance > REACH:
             points, index = points.with_place(pointer.position), len(points.places)
@@ -58,7 +59,13 @@ class PointsTool(GestureTool):
 
     def wheel(self, pointer: Pointer, notches: float) -> bool:
         self.view_state.track_points = points = self.here().grown(GROWTH**notches)
-        self.view_state.say(f"Pattern {2 * points.pattern:.0f} px, search {2 * points.search:.0f} px.")
+        self.view_state.say(
+            tr(
+                "Pattern {pattern:.0f} px, search {search:.0f} px.",
+                pattern=2 * points.pattern,
+                search=2 * points.search,
+            )
+        )
         return True
 
     def key(self, name: str) -> None:

@@ -11,6 +11,7 @@ from roam_core.roto import Spline
 from ...model.document import Document
 from ...model.view_state import Selection, ViewState
 from ...paint.viewport import Viewport
+from ...translation import N_, tr
 from ..gesture_tool import GROWTH, GestureTool
 from ..gestures import Edit, Gesture, Lasso, Marquee, Move, PullOut, Turn
 from ..hit_test import OutlineHit, PointHit, hit, hit_outline, outlines_under
@@ -28,7 +29,7 @@ class SelectTool(GestureTool):
     """
 
     name = "select"
-    title = "Select"
+    title = N_("Select")
 
     def __init__(self, document: Document, view_state: ViewState) -> None:
         super().__init__(document, view_state)
@@ -129,9 +130,14 @@ class SelectTool(GestureTool):
             after_click = Selection(shapes, points - {point} if adds else frozenset({point}))
         if pointer.holds(Modifier.ControlModifier) and self._has_handles(found.shape_id):
             grab = grab_point(self.document.project, view, found.shape_id, found.index)
-            return PullOut(self.document, view, pointer, grab, "Pull out handles", (found.index, OUT))
+            return PullOut(self.document, view, pointer, grab, tr("Pull out handles"), (found.index, OUT))
         count = len(view.selection.points)
-        return self._move(pointer, "Move point" if count == 1 else f"Move {count} points", view.selection, after_click)
+        return self._move(
+            pointer,
+            tr("Move point") if count == 1 else tr("Move {count} points", count=count),
+            view.selection,
+            after_click,
+        )
 
     def _has_handles(self, shape_id: str) -> bool:
         """False of a B-spline, whose control points have none."""
@@ -150,7 +156,7 @@ class SelectTool(GestureTool):
         is_alone = view.selection == Selection(frozenset({shape_id}))
         clicked = self._next_below(pointer, shape_id) if is_alone else shape_id
         after_click = Selection(shapes - {shape_id}) if adds else Selection(frozenset({clicked}))
-        text = "Move shape" if len(shapes) == 1 else f"Move {len(shapes)} shapes"
+        text = tr("Move shape") if len(shapes) == 1 else tr("Move {count} shapes", count=len(shapes))
         return self._move(pointer, text, Selection(shapes), after_click)
 
     def _next_below(self, pointer: Pointer, shape_id: str) -> str:
@@ -169,16 +175,16 @@ class SelectTool(GestureTool):
 
     def _turn(self, pointer: Pointer, found: PointHit) -> Gesture:
         grab = grab_point(self.document.project, self.view_state, found.shape_id, found.index)
-        return Turn(self.document, self.view_state, pointer, grab, "Move handle", (found.index, found.part))
+        return Turn(self.document, self.view_state, pointer, grab, tr("Move handle"), (found.index, found.part))
 
     def _insert_point(self, pointer: Pointer) -> bool:
         """Insert a point where the outline is pressed; False, with a word about it, beside every outline."""
         found = self._hit_insertion(pointer)
         if found is None:
-            self.view_state.say("Ctrl+Alt+click on an outline inserts a point there; a drag is a lasso.")
+            self.view_state.say(tr("Ctrl+Alt+click on an outline inserts a point there; a drag is a lasso."))
             return False
         project = self.document.project
         shape = with_point_inserted(project.shape(found.shape_id), found.segment, found.t)
-        self.document.apply("Insert point", project.with_shape(shape))
+        self.document.apply(tr("Insert point"), project.with_shape(shape))
         self.view_state.select(self.view_state.selection.shapes, frozenset({(shape.id, found.segment + 1)}))
         return True

@@ -11,6 +11,7 @@ from roam_core.roto import Project
 from ...model.document import Document
 from ...model.view_state import Selection, ViewState
 from ...paint.viewport import Viewport
+from ...translation import N_, tr
 from ..gestures import Edit, Gesture
 from ..reshape import Grab, grab_selection, grabbed_indices, selection_extent
 from ..tool import Pointer
@@ -38,8 +39,10 @@ class TransformTool(SelectTool):
     """Drags of the box transform; beside it everything is as with the select tool. Return or Esc ends."""
 
     name = "transform"
-    title = "Transform"
-    hint = "Inside the box moves, handles scale, sides shear, outside a corner turns; Shift and Ctrl vary it. Esc ends."
+    title = N_("Transform")
+    hint = N_(
+        "Inside the box moves, handles scale, sides shear, outside a corner turns; Shift and Ctrl vary it. Esc ends."
+    )
 
     def __init__(self, document: Document, view_state: ViewState) -> None:
         super().__init__(document, view_state)
@@ -51,7 +54,7 @@ class TransformTool(SelectTool):
         super().activate()
         self._box = self._seen = self._hovered = None
         if not self.view_state.selection.shapes:
-            self.view_state.say_hint("Select a shape or points to transform: click an outline or drag a marquee.")
+            self.view_state.say_hint(tr("Select a shape or points to transform: click an outline or drag a marquee."))
 
     @property
     def claimed_keys(self) -> frozenset[str]:

@@ -11,10 +11,11 @@ from roam_core.geometry import affine
 
 from ...model.document import Document
 from ...model.view_state import ViewState
+from ...translation import N_, tr
 from ..reshape import Grab, grab_selection, selection_extent
 from .numbers import Numbers, NumbersDialog, matrix_of
 
-NOTHING = "Select a shape or some of its points first; locked and hidden ones stay as they are."
+NOTHING = N_("Select a shape or some of its points first; locked and hidden ones stay as they are.")
 
 
 class TransformActions:
@@ -26,8 +27,8 @@ class TransformActions:
     def handlers(self) -> dict[str, Callable[[], object]]:
         """What the actions of this part call, by id."""
         return {
-            "points.mirror_across": lambda: self.mirror("Mirror horizontally", -1.0, 1.0),
-            "points.mirror_down": lambda: self.mirror("Mirror vertically", 1.0, -1.0),
+            "points.mirror_across": lambda: self.mirror(tr("Mirror horizontally"), -1.0, 1.0),
+            "points.mirror_down": lambda: self.mirror(tr("Mirror vertically"), 1.0, -1.0),
             "points.transform": self.ask_numbers,
         }
 
@@ -51,7 +52,7 @@ class TransformActions:
         if grab := self._grab():
             matrix = matrix_of(numbers, self._middle())
             project = self._document.project
-            self._document.apply("Transform", grab.settled(project, grab.transformed(project, matrix)))
+            self._document.apply(tr("Transform"), grab.settled(project, grab.transformed(project, matrix)))
 
     def _preview(self, grab: Grab, numbers: Numbers) -> None:
         if grab.is_held(self._document.project) and grab.frame == self._view.frame:
@@ -62,7 +63,7 @@ class TransformActions:
         grab = grab_selection(self._document.project, self._view)
         if grab.weights:
             return grab
-        self._view.say(NOTHING)
+        self._view.say(tr(NOTHING))
         return None
 
     def _middle(self) -> tuple[float, float]:

@@ -10,6 +10,7 @@ import numpy as np
 from roam_core.arrays import Array
 from roam_core.geometry import affine
 
+from ...translation import tr
 from ..tool import Modifier, Pointer
 
 Vector = tuple[float, float]
@@ -159,7 +160,7 @@ def _moved(pressed: Pointer, pointer: Pointer) -> Pull:
     if pointer.holds(Modifier.ShiftModifier):
         across = abs(dx / pointer.pixel[0]) >= abs(dy / pointer.pixel[1])
         dx, dy = (dx, 0.0) if across else (0.0, dy)
-    return Pull(affine.translation((dx, dy)), f"Move {dx:+.1f}, {dy:+.1f} px")
+    return Pull(affine.translation((dx, dy)), tr("Move {dx:+.1f}, {dy:+.1f} px", dx=dx, dy=dy))
 
 
 def _turned(box: Box, pressed: Pointer, pointer: Pointer) -> Pull:
@@ -171,7 +172,7 @@ def _turned(box: Box, pressed: Pointer, pointer: Pointer) -> Pull:
     if pointer.holds(Modifier.ShiftModifier):
         degrees = round(degrees / SNAP_DEGREES) * SNAP_DEGREES
     linear = affine.along(np.linalg.inv(to_screen), affine.rotation(degrees, (0.0, 0.0))[:, :2])
-    return Pull(affine.about(linear, pivot), f"Rotate {degrees:+.1f}°")
+    return Pull(affine.about(linear, pivot), tr("Rotate {degrees:+.1f}°", degrees=degrees))
 
 
 def _scaled(box: Box, place: Vector, pressed: Pointer, pointer: Pointer) -> Pull:
@@ -188,7 +189,10 @@ def _scaled(box: Box, place: Vector, pressed: Pointer, pointer: Pointer) -> Pull
         factors = np.where(pulls, reach / np.where(pulls, arm, 1.0), 1.0)
     factors = np.where(factors < 0.0, -1.0, 1.0) * np.maximum(np.abs(factors), LEAST_FACTOR)
     linear = affine.along(box.sides, np.diag(factors))
-    return Pull(affine.about(linear, box.at(fixed)), "Scale {:.1f} %, {:.1f} %".format(*(100.0 * factors).tolist()))
+    return Pull(
+        affine.about(linear, box.at(fixed)),
+        tr("Scale {x:.1f} %, {y:.1f} %", x=100.0 * float(factors[0]), y=100.0 * float(factors[1])),
+    )
 
 
 def _sheared(box: Box, place: Vector, pressed: Pointer, pointer: Pointer) -> Pull:
@@ -199,7 +203,10 @@ def _sheared(box: Box, place: Vector, pressed: Pointer, pointer: Pointer) -> Pul
     amount = slip / arm if abs(arm) > 1e-9 else 0.0
     linear = np.eye(2)
     linear[along, 1 - along] = amount
-    return Pull(affine.about(affine.along(box.sides, linear), box.at(fixed)), f"Shear {100.0 * amount:+.1f} %")
+    return Pull(
+        affine.about(affine.along(box.sides, linear), box.at(fixed)),
+        tr("Shear {percent:+.1f} %", percent=100.0 * amount),
+    )
 
 
 def _fixed(box: Box, place: Vector, pointer: Pointer) -> Vector:

@@ -264,7 +264,7 @@ def _compared(
 ) -> Field:
     """The region when the picture has spoken, too: near its border, and wherever the passes disagree."""
     span, grid, params = moment.span, found.grid, colours.params
-    picture = grid.of(colours.picture.image)
+    picture = grid.colours_of(colours.picture)
     views = [
         (KeyView(directional_pass.picture, stop.carried, coverage), away)
         for directional_pass, stop, coverage, away in zip(
