@@ -197,6 +197,8 @@ class MainWindow(QMainWindow):
         self.timeline_height = TimelineHeight(self._halves)
         self.workspace.add("second_viewer", second.title, second, is_shown_first=False)
         self.workspace.add("timeline", "Timeline", lower)
+        curves = self.timeline.curve_panel
+        self.workspace.add("curves", curves.title, curves, show="view.curves", is_shown_first=False)
         self._lay_out_anew()
         self.setCentralWidget(layout.column(self._halves, self.status))
         around, panels = (self.menuWidget(), tools, self.status), actions["view.panels"]
@@ -271,7 +273,6 @@ class MainWindow(QMainWindow):
         for name, switch in (
             ("view.panels", self.panel_column.setVisible),
             ("view.tall_timeline", self.timeline_height.make_tall),
-            ("view.curves", self.timeline.show_curves),
         ):
             actions[name].toggled.connect(switch)
 
