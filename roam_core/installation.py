@@ -14,6 +14,8 @@ from importlib.util import find_spec
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
+from roam_core.errors import RoamError
+
 if TYPE_CHECKING:
     from resources import demo as demo
 
@@ -28,6 +30,11 @@ WINDOW_MISSING = (
     '(in a checkout of ROAM: ".[window]").'
 )
 
+STUDIO_MISSING = (
+    "{library} is not installed; what batches and farms need is installed with: python -m pip install "
+    '"roam-roto[studio]" (in a checkout of ROAM: ".[studio]").'
+)
+
 
 def resource(*names: str) -> Traversable:
     """A file or folder that is shipped beside the code, such as `resource("icons", "eye.svg")`."""
@@ -39,6 +46,17 @@ def window_module(name: str) -> ModuleType | None:
     if any(find_spec(library) is None for library in WINDOW_LIBRARIES):
         return None
     return import_module(f"{WINDOW}.{name}")
+
+
+def studio_module(name: str) -> Any:
+    """A module of a library that the extra `studio` brings, loaded; a `RoamError` that tells where it is not installed.
+
+    Without types: the libraries are optional.
+    """
+    library = name.partition(".")[0]
+    if find_spec(library) is None:
+        raise RoamError(STUDIO_MISSING.format(library=library))
+    return import_module(name)
 
 
 def __getattr__(name: str) -> Any:

@@ -39,6 +39,7 @@ from ..files.file_actions import FileActions
 from ..files.files import Files
 from ..files.recovering import Recovering
 from ..files.reopening import Reopening
+from ..files.reviewing import Reviewing
 from ..jobs import warm_up
 from ..jobs.copying import Copying
 from ..jobs.decode import PlateReader
@@ -47,6 +48,7 @@ from ..jobs.importing import Import
 from ..jobs.picture_work import PictureWork
 from ..jobs.planar import PlanarTrack
 from ..jobs.propagation import Propagation
+from ..jobs.review.job import ReviewJob
 from ..jobs.runner import Runner
 from ..jobs.softening import Softening
 from ..jobs.under_way import UnderWay
@@ -61,6 +63,7 @@ from ..panels.bars.tool_column import ToolColumn
 from ..panels.bars.view_bar import ViewBar
 from ..panels.planar import PlanarPanel
 from ..panels.properties import PropertiesPanel
+from ..panels.review import ReviewPanel
 from ..panels.shapes import ShapesPanel
 from ..panels.tracker import TrackerPanel
 from ..timeline.timeline import Timeline
@@ -110,8 +113,7 @@ class MainWindow(QMainWindow):
     def _build_state(self, journal_root: Path) -> None:
         self.document, self.view_state = Document(self), ViewState(self)
         self.solver, self.writer = Runner("solver", self), Runner("writer", self)
-        self.saver = Runner("saver", self)
-        self.reader = PlateReader(self)
+        self.saver, self.reader = Runner("saver", self), PlateReader(self)
         self.files = Files(self.document, self.view_state, self.reader, self.writer, self.saver, self)
         asks = partial(questions.ask_overwrite, self), partial(questions.ask_lossy, self)
         self.export = Export(self.document, self.writer, self, *asks)
@@ -125,8 +127,9 @@ class MainWindow(QMainWindow):
         self.edge_kinds = EdgeKinds(self.document, self.view_state, self.reader.engine_parts, self.eye, self)
         self.planar = PlanarTrack(self.document, self.view_state, self.solver, self.reader.engine_frame, self)
         self.softening = Softening(self.document, self.solver, self.reader.engine_frame, self)
+        self.review_job = ReviewJob(self.document, self.writer, self.reader.engine_frame, self, asks[0])
         works = self.files, self.export, self.importing, self.copying, self.propagation, self.planar, self.pictures
-        self.under_way = UnderWay(*works, self.softening, parent=self)
+        self.under_way = UnderWay(*works, self.softening, self.review_job, parent=self)
         self.playback = Playback(self.view_state, self)
         self.navigation = Navigation(self.document, self.view_state)
         self.tracking = Tracking(self.document, self.view_state, self.propagation)
@@ -152,9 +155,10 @@ class MainWindow(QMainWindow):
         self.tool_column = ToolColumn(view_state, actions, tuple(TOOLS))
         self.view_bar = ViewBar(document, self.canvas, actions)
         self.shapes = ShapesPanel(document, view_state)
-        self.planar_panel = PlanarPanel(self.planar_tracking, actions)
+        self.planar_panel = PlanarPanel(document, self.planar_tracking, actions)
         self.tracker = TrackerPanel(document, view_state, self.tracking, actions)
         self.properties = PropertiesPanel(document, view_state, self.belonging)
+        self.review = ReviewPanel(document, view_state, actions)
         self.history = QUndoView(document.undo_stack)
         self.history.setEmptyLabel("As opened")
         self.history.setMinimumHeight(6 * style.ROW_HEIGHT)
@@ -175,6 +179,7 @@ class MainWindow(QMainWindow):
         self.reopening = Reopening(
             self.document, files, file_actions, self.reader, self.personal, actions, self.canvas, self.writer, self
         )
+        self.reviewing = Reviewing(self.document, view_state, self.canvas.viewing, self.review_job, file_actions, self)
         self.defects = Defects(view_state, self.journal, messages, self)
         self.recovering = Recovering(self._journal_root, self.writer, files, file_actions, view_state, self)
         self.recovering.asking.connect(self.defects.wait_for)
@@ -197,8 +202,7 @@ class MainWindow(QMainWindow):
         self.timeline_height = TimelineHeight(self._halves)
         self.workspace.add("second_viewer", second.title, second, is_shown_first=False)
         self.workspace.add("timeline", "Timeline", lower)
-        curves = self.timeline.curve_panel
-        self.workspace.add("curves", curves.title, curves, show="view.curves", is_shown_first=False)
+        self.workspace.add("curves", "Curves", self.timeline.curve_panel, show="view.curves", is_shown_first=False)
         self._lay_out_anew()
         self.setCentralWidget(layout.column(self._halves, self.status))
         around, panels = (self.menuWidget(), tools, self.status), actions["view.panels"]
@@ -220,16 +224,17 @@ class MainWindow(QMainWindow):
         shape_tools = tuple(tool_button(actions, name) for name in ("shape.group", "shape.duplicate", "shape.delete"))
         key_tools = tuple(tool_button(actions, name) for name in ("key.set", "key.delete"))
         self.history_panel = Panel("History", self.history)
+        self.review_panel = Panel("Review", self.review, self.review.tools)
         shapes, shape = Panel("Shapes", self.shapes, shape_tools), Panel("Shape", self.properties, key_tools)
         self.shape_panel = shape
         tracks = Panel("Track", self.tracker), Panel("Planar track", self.planar_panel)
-        column = layout.column(
-            shapes, *tracks, shape, self.history_panel, self.services.log_panel, growing=shapes, is_loose=True
-        )
+        asked = self.review_panel, self.history_panel, self.services.log_panel
+        column = layout.column(shapes, *tracks, shape, *asked, growing=shapes, is_loose=True)
         column.setObjectName("panelColumn")
         column.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
         for name, panel in zip(("shapes", "track", "planar", "shape"), (shapes, *tracks, shape), strict=True):
             self.workspace.add(name, panel.title, panel)
+        self.workspace.add("review", "Review", self.review_panel, show="review.panel", is_shown_first=False)
         self.workspace.add("history", "History", self.history_panel, show="edit.history", is_shown_first=False)
         self.workspace.add("log", "Messages", self.services.log_panel, show="help.log", is_shown_first=False)
         return layout.scrolled(column)
@@ -310,6 +315,7 @@ class MainWindow(QMainWindow):
             self.services,
             self.workspace,
             self.reopening,
+            self.reviewing,
             self.recovering,
             self.defects,
             files,

@@ -34,7 +34,7 @@ class MarkVerbs:
             self._view.say(NO_CLIP)
         elif timing.mark_at(project, frame) is None:
             self._document.apply("Mark frame", timing.set_mark(project, frame))
-            self._view.say(f"Frame {frame} is marked; double-click the mark to name it.")
+            self._view.say(f"Frame {frame} is marked; double-click the mark to write a note.")
         else:
             self._document.apply("Remove mark", timing.remove_mark(project, frame))
 

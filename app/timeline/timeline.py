@@ -14,6 +14,7 @@ from ..translation import tr
 from ..widgets.controls import tool_button
 from ..widgets.panel import Panel
 from .axis import TimeAxis
+from .boil_band import BoilBand
 from .confidence import ConfidencePlot
 from .curves.editor import CurveEditor
 from .keys.rows import KeyRows
@@ -72,14 +73,15 @@ class Timeline(QWidget):
         for name in ("view.curves", "window.float_curves"):
             actions[name].toggled.connect(lambda _: self._pull_curves(actions))
         self.confidence = ConfidencePlot(document, self.axis, marks)
+        self.boil = BoilBand(document, self.axis)
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(0)
         self.bar = TimeBar(self.axis)
         keyed = self.tracks, self.rows, self.value_rows
-        for part in (self.ruler, self.marks, *keyed, self.curve_panel, self.confidence, self.bar):
+        for part in (self.ruler, self.marks, *keyed, self.curve_panel, self.confidence, self.boil, self.bar):
             column.addWidget(part)
-        plots = self.confidence.lines.viewport(), self.curves.plot.viewport()
+        plots = self.confidence.lines.viewport(), self.boil, self.curves.plot.viewport()
         PanHand(self.axis, self.ruler, self.marks, self.tracks, self.rows.viewport(), self.value_rows, *plots)
         column.setStretchFactor(self.rows, 1)  # the rows come first; the plot takes what they do not need
         column.setStretchFactor(self.curve_panel, 4)

@@ -12,6 +12,7 @@ from pathlib import Path
 from tqdm import tqdm
 
 from roam_core.arrays import Image
+from roam_core.cli.environment import cache_bytes
 from roam_core.errors import RoamError
 from roam_core.media import FrameCache, MissingFrame, PlateSource, declared, open_clip
 from roam_core.media.colour_spaces import known_space
@@ -126,7 +127,7 @@ def opened(path: str, clip: Clip | None = None, layer: str = "", colour: str = "
         source = declared(source, clip.colour_space, clip.fps, clip.pixel_aspect)
     if colour:
         source = declared(source, known_space(colour), source.fps, source.pixel_aspect)
-    plate = Plate(source)
+    plate = Plate(source, cache_bytes())
     try:
         yield plate
     finally:

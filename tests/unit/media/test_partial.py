@@ -163,7 +163,8 @@ def test_damage_in_the_middle_shows_where_it_is_looked_at(tmp_path: Path) -> Non
     told: list[str] = []
     rows = plate.rows(1)
     assert rows is not None
-    picture = PartialPicture((HEIGHT, WIDTH), "linear", rows, 0, rows.read(0, 16), lambda error: told.append(str(error)))
+    top = rows.read(0, 16)
+    picture = PartialPicture((HEIGHT, WIDTH), "linear", rows, 0, top, lambda error: told.append(str(error)))
     assert picture.within(0, 16, 0, WIDTH).shape == (16, WIDTH, 3)
     with pytest.raises(DamagedFrame, match=r"p\.1\.exr"):
         picture.within(0, HEIGHT, 0, WIDTH)
