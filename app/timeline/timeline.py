@@ -70,6 +70,7 @@ class Timeline(QWidget):
         self.value_rows = ValueRows(document, self.axis, self.values)
         self.curves = CurveEditor(document, self.axis, self.values)
         self.curve_panel = Panel(tr("Curves"), self.curves, tuple(tool_button(actions, name) for name in VALUE_MENU[0]))
+        self.curve_panel.hide()  # the workspace shows it
         for name in ("view.curves", "window.float_curves"):
             actions[name].toggled.connect(lambda _: self._pull_curves(actions))
         self.confidence = ConfidencePlot(document, self.axis, marks)

@@ -40,6 +40,8 @@ def plot(qtbot: QtBot, timeline: Timeline, document: Document, view_state: ViewS
     view_state.select(frozenset({"shape-1"}))
     timeline.resize(1100, 420)
     timeline.activateWindow()
+    timeline.confidence.hide()
+    timeline.curve_panel.show()
     timeline.curves.plot.setFocus()
     qtbot.waitUntil(timeline.curves.plot.hasFocus)
     plot: CurvePlot = timeline.curves.plot
