@@ -202,6 +202,7 @@ class MainWindow(QMainWindow):
         self.timeline_height = TimelineHeight(self._halves)
         self.workspace.add("second_viewer", second.title, second, is_shown_first=False)
         self.workspace.add("timeline", "Timeline", lower)
+        self.workspace.add("curves", "Curves", self.timeline.curve_panel, show="view.curves", is_shown_first=False)
         self._lay_out_anew()
         self.setCentralWidget(layout.column(self._halves, self.status))
         around, panels = (self.menuWidget(), tools, self.status), actions["view.panels"]
@@ -275,7 +276,6 @@ class MainWindow(QMainWindow):
             actions[name].setEnabled(False)
         actions["view.panels"].toggled.connect(self.panel_column.setVisible)
         actions["view.tall_timeline"].toggled.connect(self.timeline_height.make_tall)
-        actions["view.curves"].toggled.connect(self.timeline.show_curves)
 
     def _connect_personal(self) -> None:
         personal, say = self.personal, self.view_state.say
