@@ -34,7 +34,7 @@ from scripts.camera import (
     until,
     window,
 )
-from scripts.review_pictures import photograph_review
+from scripts.review_scenes import photograph_review
 
 if TYPE_CHECKING:
     from app.shell.main_window import MainWindow

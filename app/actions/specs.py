@@ -2,45 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from enum import StrEnum
+from ..translation import N_
+from .review_specs import REVIEW
+from .spec import ActionSpec, Reach
 
-from ..translation import N_, tr
-
-
-class Reach(StrEnum):
-    """Where an action's keys work: transport and files in the whole window, edits in the viewer only."""
-
-    WINDOW = "window"
-    VIEWER = "viewer"
-
-
-@dataclass(frozen=True)
-class ActionSpec:
-    """What an action is called and where its keys work; `tip` is a sentence for the tooltip, if the title needs one."""
-
-    id: str
-    title: str
-    reach: Reach = Reach.WINDOW
-    icon: str = ""
-    tip: str = ""
-    checkable: bool = False
-
-    @property
-    def label(self) -> str:
-        """The title in the window's language, with dots where a question follows."""
-        return tr(self.title)
-
-    @property
-    def name(self) -> str:
-        """The title in the window's language, as sentences name it."""
-        return self.label.rstrip("…")
-
-    @property
-    def sentence(self) -> str:
-        """What it does, in the window's language."""
-        return tr(self.tip) if self.tip else self.name
-
+__all__ = ["SPECS", "ActionSpec", "Reach"]
 
 _VIEWER = Reach.VIEWER
 _FLOAT = N_("Take it out of the main window, to another monitor, or put it back")
@@ -421,20 +387,7 @@ SPECS: tuple[ActionSpec, ...] = (
     ActionSpec("time.set_in", N_("Set in")),
     ActionSpec("time.set_out", N_("Set out")),
     ActionSpec("time.clear_range", N_("Clear in and out")),
-    ActionSpec("mark.toggle", N_("Mark frame"), icon="mark", tip=N_("Mark this frame, or take its mark away")),
-    ActionSpec("mark.name", N_("Write note…"), tip=N_("Put a note on this frame's mark")),
-    ActionSpec("time.previous_mark", N_("Previous note"), tip=N_("Go to the mark or note before this frame")),
-    ActionSpec("time.next_mark", N_("Next note"), tip=N_("Go to the mark or note after this frame")),
-    ActionSpec(
-        "review.panel", N_("Notes and doubts"), tip=N_("Notes, doubtful frames and boil as a list"), checkable=True
-    ),
-    ActionSpec(
-        "review.measure_boil",
-        N_("Measure boil by the picture"),
-        tip=N_("How much the shapes in hand jitter beyond the motion of the plate: for shapes that bend as they move"),
-    ),
-    ActionSpec("review.movie", N_("Movie…"), tip=N_("A movie or pictures of the outlines or the cut-out, to show")),
-    ActionSpec("review.sheet", N_("Contact sheet…"), tip=N_("Pages of small pictures with frame numbers and notes")),
+    *REVIEW,
     ActionSpec("edit.keymap", N_("Change keys…"), tip=N_("Keys of other programs, and keys of your own")),
     ActionSpec("edit.settings", N_("Settings…")),
     ActionSpec("help.palette", N_("Find an action…"), tip=N_("Do anything by a few letters of its name")),
