@@ -9,6 +9,7 @@ from types import ModuleType
 
 from benchmarks import (
     artist,
+    batch,
     confidence,
     davis,
     drift,
@@ -52,6 +53,7 @@ BENCHMARKS: dict[str, ModuleType] = {
     "masks_in": masks_in,
     "window": window,
     "saving": saving,
+    "batch": batch,
 }
 """Each module has `arguments(parser)` and `run(arguments)`; the first line of its text is its help."""
 

@@ -84,7 +84,7 @@ def run(arguments: argparse.Namespace) -> int:
     try:
         with _client(arguments) as client, _Terminal(arguments.json) as terminal:
             workers = sum(client.nthreads().values())
-            _tell_where(client, workers)
+            _tell_where(client, workers, dashboard=not arguments.no_dashboard)
             steps = driver.run(
                 client, WORK, tasks, retries=arguments.retries, pictures=pictures_in(out), watcher=terminal
             )
@@ -132,12 +132,8 @@ def _client(arguments: argparse.Namespace) -> Iterator[Any]:
         yield client
 
 
-def _tell_where(client: Any, workers: int) -> None:
-    if not workers:
-        raise RoamError(
-            "The scheduler has no workers yet; start some, with access to the same folders as this machine."
-        )
-    link = cluster.dashboard_of(client)
+def _tell_where(client: Any, workers: int, *, dashboard: bool) -> None:
+    link = cluster.dashboard_of(client) if dashboard else ""
     print(f"{workers} worker(s){f'; the dashboard is {link}' if link else ''}.", file=sys.stderr)
 
 

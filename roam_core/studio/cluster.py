@@ -84,11 +84,12 @@ def local(shares: Shares, *, dashboard: bool = True) -> Iterator[Any]:
             host=HERE,
             protocol="tls://",
             security=distributed.Security.temporary(),
-            dashboard_address=f"{HERE}:{DASHBOARD}" if dashboard else None,
+            dashboard_address=f"{HERE}:{DASHBOARD}" if dashboard else f"{HERE}:0",
             memory_limit=shares.memory,
             env=shares.environment,
+            worker_dashboard_address=f"{HERE}:0",
+            scheduler_kwargs={"dashboard": dashboard},
             silence_logs=logging.CRITICAL,
-            local_directory=None,
         ) as cluster,
         distributed.Client(cluster) as client,
     ):
@@ -99,7 +100,7 @@ def local(shares: Shares, *, dashboard: bool = True) -> Iterator[Any]:
 def named(address: str, encryption: Encryption | None = None) -> Iterator[Any]:
     """A client of the scheduler at `address` for the length of a `with` block.
 
-    Raises `RoamError` where none answers there, or it has another encryption.
+    Raises `RoamError` where none answers there, it has another encryption, or no workers.
     """
     distributed = studio_module("distributed")
     if "://" not in address:
@@ -112,6 +113,12 @@ def named(address: str, encryption: Encryption | None = None) -> Iterator[Any]:
                 f"No scheduler answers at {address}: {error}. Name it as host:port, with TLS if it has it."
             ) from None
         with client:
+            try:
+                client.wait_for_workers(1, timeout=CONNECT_SECONDS)
+            except TimeoutError:
+                raise RoamError(
+                    f"The scheduler at {address} has no workers; start some that see the same folders as this machine."
+                ) from None
             yield client
 
 

@@ -203,6 +203,7 @@ class _Batch:
 
 def _lost(task: Task, error: Any) -> Outcome:
     """What is said of a step whose worker died, or that ended by an error of the program."""
+    error = error[1] if isinstance(error, tuple) else error  # as `sys.exc_info` has it
     is_dead = type(error).__name__ in ("KilledWorker", "CancelledError", "FutureCancelledError")
     said = "its worker died (out of memory, or ended from outside)" if is_dead else f"{type(error).__name__}: {error}"
     return {"job": task.job, "step": task.step, "status": "failed", "said": said, "seconds": 0.0, "frames": {}}

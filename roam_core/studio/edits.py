@@ -80,14 +80,14 @@ def write_with_mattes(timeline: Any, jobs: Jobs, path: Path) -> None:
         raise RoamError(f"An edit is written as OpenTimelineIO; {path.name} does not end in {SUFFIX}.")
     made = timeline.deepcopy()
     by_name = {job.name: job for job in jobs.jobs}
-    names = {id(clip): name for name, clip in _named_clips(made)}
+    named = list(_named_clips(made))
     for track in list(made.video_tracks()):
         mattes = otio.schema.Track(name=f"{track.name} mattes".strip(), kind=track.kind)
         has_any = False
         for item in track:
             if isinstance(item, otio.schema.Transition):
                 continue
-            job = by_name.get(names.get(id(item), ""))
+            job = by_name.get(next((name for name, clip in named if clip is item), ""))
             reference = None if job is None else _matte_reference(job, jobs.out / job.name / "mattes", item)
             has_any = has_any or reference is not None
             mattes.append(_above(item, reference))
@@ -153,16 +153,20 @@ def _media_path(clip: Any, folder: Path, name: str) -> str:
     otio = studio_module(LIBRARY)
     reference = clip.media_reference
     if isinstance(reference, otio.schema.ImageSequenceReference):
-        place = f"{reference.target_url_base.rstrip('/')}/{reference.name_prefix}"
-        place += f"%0{reference.frame_zero_padding}d{reference.name_suffix}"
-    elif isinstance(reference, otio.schema.ExternalReference):
-        place = reference.target_url
-    else:
-        raise RoamError(f"The clip {name} of the edit has no media; relink it first.")
-    scheme = re.match(r"([a-zA-Z][\w+.-]+):", place)
+        base = _path_of(reference.target_url_base or ".", name)
+        number = f"%0{reference.frame_zero_padding}d" if reference.frame_zero_padding else "%d"
+        return str(folder / base / f"{reference.name_prefix}{number}{reference.name_suffix}")
+    if isinstance(reference, otio.schema.ExternalReference):
+        return str(folder / _path_of(reference.target_url, name))
+    raise RoamError(f"The clip {name} of the edit has no media; relink it first.")
+
+
+def _path_of(url: str, name: str) -> str:
+    """The path that a URL of a file, or a plain path, names."""
+    scheme = re.match(r"([a-zA-Z][\w+.-]+):", url)
     if scheme is not None and scheme[1].lower() != "file":
-        raise RoamError(f"The clip {name} of the edit lies at {place}; only files are opened.")
-    return str(folder / (otio.url_utils.filepath_from_url(place) if scheme else place))
+        raise RoamError(f"The clip {name} of the edit lies at {url}; only files are opened.")
+    return str(studio_module(LIBRARY).url_utils.filepath_from_url(url)) if scheme else url
 
 
 def _frames(clip: Any, plate: PlateSource, name: str, handles: int) -> tuple[int, int]:

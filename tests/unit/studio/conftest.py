@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import json
 import os
+import signal
 import subprocess
 import sys
 import time
 from collections.abc import Iterator
+from contextlib import suppress
 from pathlib import Path
 
 import pytest
@@ -38,7 +40,10 @@ def scheduler(tmp_path_factory: pytest.TempPathFactory, waiting: Path) -> Iterat
     def start(*words: str) -> subprocess.Popen[bytes]:
         with (folder / f"{words[0]}.log").open("wb") as log:
             command = [sys.executable, "-m", "dask", *words]
-            return subprocess.Popen(command, cwd=folder, env=environment, stdout=log, stderr=log)
+            # A session of its own: what it starts can be ended with it.
+            return subprocess.Popen(
+                command, cwd=folder, env=environment, stdout=log, stderr=log, start_new_session=True
+            )
 
     bound = ("--host", "127.0.0.1")
     running = [start("scheduler", *bound, "--port", "0", "--no-dashboard", "--scheduler-file", str(told))]
@@ -55,6 +60,6 @@ def scheduler(tmp_path_factory: pytest.TempPathFactory, waiting: Path) -> Iterat
         yield json.loads(told.read_text())["address"]
     finally:
         for process in reversed(running):
-            process.terminate()
-        for process in running:
+            with suppress(ProcessLookupError):
+                os.killpg(process.pid, signal.SIGKILL)
             process.wait(30)

@@ -126,7 +126,7 @@ def test_the_batch_is_told_of_steps_and_of_frames(client: Any, tmp_path: Path) -
 
 def test_an_address_where_nobody_answers_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(cluster, "CONNECT_SECONDS", 1)
-    with pytest.raises(RoamError, match="No scheduler answers at tcp://127.0.0.1:9"), cluster.named("127.0.0.1:9"):
+    with pytest.raises(RoamError, match=r"No scheduler answers at tcp://127\.0\.0\.1:9"), cluster.named("127.0.0.1:9"):
         pass
 
 
@@ -140,6 +140,6 @@ def test_shares_are_of_the_whole_machine() -> None:
 
 def test_files_of_encryption_have_to_be_there(tmp_path: Path) -> None:
     missing = tmp_path / "ca.pem"
-    with pytest.raises(RoamError, match=r"ca\.pem does not exist"):
-        with cluster.named("127.0.0.1:9", cluster.Encryption(missing, missing, missing)):
-            pass
+    encryption = cluster.Encryption(missing, missing, missing)
+    with pytest.raises(RoamError, match=r"ca\.pem does not exist"), cluster.named("127.0.0.1:9", encryption):
+        pass
