@@ -325,7 +325,7 @@ SPECS: tuple[ActionSpec, ...] = (
     ActionSpec(
         "view.tall_timeline", N_("Tall timeline"), tip=N_("Give the timeline half of the window"), checkable=True
     ),
-    ActionSpec("view.curves", N_("Curve editor"), tip=N_("Opacity, feather, position over time"), checkable=True),
+    ActionSpec("view.curves", N_("Curve editor"), tip=N_("What is keyed, as curves over time"), checkable=True),
     ActionSpec(
         "view.shape_panel", N_("Shape panel"), tip=N_("Show all that the Shape panel has of the selected shapes")
     ),
