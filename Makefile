@@ -1,12 +1,13 @@
 # make run    opens the application on the built-in demo shot (without a display: tracks the demo and says so)
 # make test   runs every check; each target may be the first command on a fresh machine
+# make translations   takes the window's texts out of the code, and compiles what is translated
 # make docs   makes the reference of the library from its docstrings
 PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
 READY := $(VENV)/.ready
 
-.PHONY: run test setup lint bench docs screenshots clean
+.PHONY: run test setup lint bench docs screenshots translations clean
 
 setup: $(READY)
 
@@ -39,6 +40,9 @@ docs: setup
 
 screenshots: setup
 	$(BIN)/python -m scripts.screenshots
+
+translations: setup
+	$(BIN)/python -m scripts.translations
 
 clean:
 	rm -rf $(VENV) build dist *.egg-info

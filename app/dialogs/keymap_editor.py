@@ -88,7 +88,7 @@ class KeymapEditor(QDialog):
         self.search.setClearButtonEnabled(True)
         self.table = QTreeWidget()
         self.table.setColumnCount(3)
-        self.table.setHeaderLabels([tr("Action"), tr("Menu"), tr("Keys")])
+        self.table.setHeaderLabels([tr("Action"), tr("Menu"), tr("Keys", "of the keyboard")])
         self.table.setRootIsDecorated(False)
         self.table.setUniformRowHeights(True)
         self.table.addTopLevelItems([_row(spec.id) for spec in SPECS])

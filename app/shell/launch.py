@@ -78,7 +78,7 @@ def _run(begin: Callable[[MainWindow], object]) -> int:
     from PySide6.QtCore import QTimer
     from PySide6.QtWidgets import QApplication
 
-    from .. import style
+    from .. import style, translation
     from ..folders import cache_folder, state_folder, state_trouble
     from ..jobs import warm_up
     from ..model.personal import Personal
@@ -95,6 +95,7 @@ def _run(begin: Callable[[MainWindow], object]) -> int:
     application.setApplicationName("ROAM")
     application.setDesktopFileName("roam")
     style.apply(application)
+    translation.speak(personal.preferences.language)
     crashes = native_crashes(state_folder() / "crashes")
     window = MainWindow(state_folder() / "journal", personal)
     window.defects.install()

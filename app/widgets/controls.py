@@ -102,8 +102,8 @@ def dense_form() -> QFormLayout:
 
 
 def form_label(text: str) -> QLabel:
-    """A form's label: weak, of one width in all panels."""
+    """A form's label: weak, of one width in all panels but where a word of another language is longer."""
     label = weak_label(text)
-    label.setFixedWidth(LABEL_WIDTH)
+    label.setMinimumWidth(LABEL_WIDTH)
     label.setMinimumHeight(style.ROW_HEIGHT)
     return label
