@@ -69,6 +69,7 @@ MENUS: dict[str, tuple[str, ...]] = {
         "time.set_in", "time.set_out", "time.clear_range", SEPARATOR,
         "mark.toggle", "mark.name", "time.previous_mark", "time.next_mark", SEPARATOR,
         "view.fit_time", "view.tall_timeline", "view.shape_panel", "view.panels",
+        "view.next_part", "view.previous_part",
     ),
     N_("Help"): ("help.palette", "help.keys", SEPARATOR, "help.log", "help.report", "help.about"),
 }  # fmt: skip

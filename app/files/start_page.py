@@ -171,7 +171,7 @@ def _button(actions: Actions, action_id: str) -> QPushButton:
     action = actions[action_id]
     button = QPushButton(action.text())
     button.setFixedWidth(180)
-    button.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+    button.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
     button.setToolTip(action.toolTip())
     action.changed.connect(lambda: button.setToolTip(action.toolTip()))
     button.clicked.connect(action.trigger)

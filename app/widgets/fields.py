@@ -74,7 +74,8 @@ class NumberField(QDoubleSpinBox):
         self.setToolTip(tip)
         self.setKeyboardTracking(False)
         self.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
-        self.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.setAccessibleDescription(tip)
         self.lineEdit().setPlaceholderText(tr(MIXED))
         self.lineEdit().setTextMargins(0, 0, 4, 0)
         self.lineEdit().textEdited.connect(self._note_typing)
@@ -213,7 +214,8 @@ class SwitchBox(QCheckBox):
     def __init__(self, text: str, tip: str = "", parent: QWidget | None = None) -> None:
         super().__init__(text, parent)
         self.setToolTip(tip)
-        self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        self.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+        self.setAccessibleDescription(tip)
 
     def show_value(self, value: bool | None) -> None:
         """Show on, off, or that they differ (None)."""

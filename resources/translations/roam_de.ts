@@ -1045,6 +1045,14 @@
         <translation>Die Taste dieser Aktion geben; die andere verliert sie</translation>
     </message>
     <message>
+        <source>Give the keyboard to the next part of the window</source>
+        <translation>Die Tastatur dem nächsten Teil des Fensters geben</translation>
+    </message>
+    <message>
+        <source>Give the keyboard to the part before</source>
+        <translation>Die Tastatur dem Teil davor geben</translation>
+    </message>
+    <message>
         <source>Give the selected B-splines handles; no outline changes</source>
         <translation>Den ausgewählten B-Splines Tangenten geben; kein Umriss ändert sich</translation>
     </message>
@@ -1620,6 +1628,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Nächste Markierung</translation>
     </message>
     <message>
+        <source>Next part</source>
+        <translation>Nächster Fensterteil</translation>
+    </message>
+    <message>
         <source>Next point</source>
         <translation>Nächster Punkt</translation>
     </message>
@@ -2033,6 +2045,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
     <message>
         <source>Previous mark</source>
         <translation>Vorherige Markierung</translation>
+    </message>
+    <message>
+        <source>Previous part</source>
+        <translation>Vorheriger Fensterteil</translation>
     </message>
     <message>
         <source>Previous point</source>
@@ -3293,6 +3309,14 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
     <message>
         <source>flip vertical</source>
         <translation>spiegeln vertikal umdrehen</translation>
+    </message>
+    <message>
+        <source>focus keyboard accessibility tab region pane</source>
+        <translation>fokus tastatur barrierefreiheit tab bereich</translation>
+    </message>
+    <message>
+        <source>focus keyboard accessibility tab region pane back</source>
+        <translation>fokus tastatur barrierefreiheit tab bereich zurück</translation>
     </message>
     <message>
         <source>folder group create</source>
