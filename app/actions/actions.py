@@ -29,7 +29,7 @@ class Actions(QObject):
         super().__init__(window)
         self._actions: dict[str, QAction] = {}
         for spec in SPECS:
-            action = _action(spec, self)
+            action = action_of(spec, self)
             (viewer if spec.reach is Reach.VIEWER else window).addAction(action)
             self._actions[spec.id] = action
         self.set_keymap(keymap)
@@ -64,7 +64,8 @@ class Actions(QObject):
             self._actions[action_id].triggered.connect(lambda _checked=False, call=handler: call())
 
 
-def _action(spec: ActionSpec, parent: QObject) -> QAction:
+def action_of(spec: ActionSpec, parent: QObject) -> QAction:
+    """The action that a line of `SPECS` describes, without keys."""
     action = QAction(spec.label, parent)
     action.setObjectName(spec.id)
     if spec.icon:

@@ -7,8 +7,8 @@ from enum import StrEnum
 
 from PySide6.QtWidgets import QMenu, QWidget
 
-from .actions import Actions
 from .menus import SEPARATOR
+from .viewer_actions import ActionsById
 
 
 class Place(StrEnum):
@@ -62,7 +62,7 @@ CONTEXT: Mapping[Place, tuple[str, ...]] = {
 """What each offers; what cannot be done there at the moment is left out."""
 
 
-def context_menu(actions: Actions, place: Place, is_possible: Callable[[str], bool], parent: QWidget) -> QMenu:
+def context_menu(actions: ActionsById, place: Place, is_possible: Callable[[str], bool], parent: QWidget) -> QMenu:
     """A menu of what can be done there, with the keys; deleted when it closes."""
     menu = QMenu(parent)
     menu.aboutToHide.connect(menu.deleteLater)

@@ -71,6 +71,13 @@ MENUS: dict[str, tuple[str, ...]] = {
         "view.fit_time", "view.tall_timeline", "view.shape_panel", "view.panels",
         "view.next_part", "view.previous_part",
     ),
+    N_("Window"): (
+        "window.full_screen", "window.second_viewer", SEPARATOR,
+        "window.shapes", "window.track", "window.planar", "window.shape", "window.timeline", SEPARATOR,
+        "window.float_shapes", "window.float_track", "window.float_planar", "window.float_shape",
+        "window.float_history", "window.float_log", "window.float_timeline", "window.float_second_viewer", SEPARATOR,
+        "window.reset_layout",
+    ),
     N_("Help"): ("help.palette", "help.keys", SEPARATOR, "help.log", "help.report", "help.about"),
 }  # fmt: skip
 

@@ -169,6 +169,12 @@ WORDS: Mapping[str, str] = {
     "mark.name": N_("bookmark marker label note comment"),
     "time.previous_mark": N_("bookmark marker jump"),
     "time.next_mark": N_("bookmark marker jump"),
+    "window.full_screen": N_("fullscreen maximise maximize whole monitor theatre"),
+    "window.second_viewer": N_("two viewers beside split compare matte monitor dual"),
+    "window.timeline": N_("hide show dopesheet"),
+    "window.float_second_viewer": N_("undock detach tear off monitor"),
+    "window.float_timeline": N_("undock detach tear off monitor dopesheet"),
+    "window.reset_layout": N_("dock panels back default workspace"),
 }
 
 

@@ -43,6 +43,7 @@ class ActionSpec:
 
 
 _VIEWER = Reach.VIEWER
+_FLOAT = N_("Take it out of the main window, to another monitor, or put it back")
 
 SPECS: tuple[ActionSpec, ...] = (
     ActionSpec("file.new", N_("New")),
@@ -407,4 +408,22 @@ SPECS: tuple[ActionSpec, ...] = (
     ActionSpec("help.log", N_("Messages"), tip=N_("Show what was said, and when"), checkable=True),
     ActionSpec("help.report", N_("Problem report…"), tip=N_("Versions, system and messages, to copy into an issue")),
     ActionSpec("help.about", N_("About ROAM…")),
+    ActionSpec("window.full_screen", N_("Full-screen viewer"), tip=N_("The picture alone; Esc leaves"), checkable=True),
+    ActionSpec("window.second_viewer", N_("Second viewer"), tip=N_("Another view of the same frame"), checkable=True),
+    ActionSpec("window.shapes", N_("Panel: Shapes"), tip=N_("Show or hide the list of shapes"), checkable=True),
+    ActionSpec("window.track", N_("Panel: Track"), tip=N_("Show or hide the tracker"), checkable=True),
+    ActionSpec("window.planar", N_("Panel: Planar track"), tip=N_("Show or hide the planar tracker"), checkable=True),
+    ActionSpec(
+        "window.shape", N_("Panel: Shape"), tip=N_("Show or hide what the selected shapes have"), checkable=True
+    ),
+    ActionSpec("window.timeline", N_("Timeline"), tip=N_("Show or hide it, also in full screen"), checkable=True),
+    ActionSpec("window.float_shapes", N_("Float: Shapes"), icon="float", tip=_FLOAT, checkable=True),
+    ActionSpec("window.float_track", N_("Float: Track"), icon="float", tip=_FLOAT, checkable=True),
+    ActionSpec("window.float_planar", N_("Float: Planar track"), icon="float", tip=_FLOAT, checkable=True),
+    ActionSpec("window.float_shape", N_("Float: Shape"), icon="float", tip=_FLOAT, checkable=True),
+    ActionSpec("window.float_history", N_("Float: History"), icon="float", tip=_FLOAT, checkable=True),
+    ActionSpec("window.float_log", N_("Float: Messages"), icon="float", tip=_FLOAT, checkable=True),
+    ActionSpec("window.float_timeline", N_("Float: Timeline"), icon="float", tip=_FLOAT, checkable=True),
+    ActionSpec("window.float_second_viewer", N_("Float: Second viewer"), icon="float", tip=_FLOAT, checkable=True),
+    ActionSpec("window.reset_layout", N_("Reset layout"), tip=N_("Every part in its place, as in a new window")),
 )

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 
 from PySide6.QtCore import QEvent, QPoint, QPointF, QRectF, QSizeF, Qt, QTimer, Signal
-from PySide6.QtGui import QContextMenuEvent, QKeyEvent, QMouseEvent, QPainter, QPaintEvent, QTabletEvent, QWheelEvent
+from PySide6.QtGui import QContextMenuEvent, QKeyEvent, QMouseEvent, QPainter, QPaintEvent, QWheelEvent
 from PySide6.QtWidgets import QWidget
 
 from roam_core.arrays import UInt8
@@ -16,7 +16,6 @@ from roam_core.roto import Project
 from ..actions.context import Place
 from ..actions.key_names import NUDGES, is_modifier, key_name
 from ..features.belonging import Bone
-from ..jobs.picture_work import PictureWork
 from ..model.document import Document
 from ..model.shown import selection_bounds
 from ..model.view_state import Selection, ViewState
@@ -24,25 +23,26 @@ from ..model.viewing import Viewing, ViewMode
 from ..paint.feather import paint_feather
 from ..paint.viewport import Viewport
 from ..tools.edit.point_actions import PointActions
+from ..tools.in_hand import ToolInHand
 from ..tools.menu_place import taken_up
 from ..tools.reshape import pruned
 from ..tools.tool import Pointer, Tool
-from ..tools.toolbox import TOOLS
 from .items.joints import paint_joints
 from .items.proposal import ProposalPainter, Side
-from .pen import Pen
 from .plate.stage import Stage
+from .pointed import PointedWidget
 from .repaint import Repaint
 from .view_snapshot import SnapshotPainter, ViewSnapshot
 from .wipe import Wipe
 from .words import NO_PLATE, OPENING, paint_words
-from .zoomable import ZoomableWidget
 
 PATIENCE = 25
 """Milliseconds in which the picture of another frame should come; then the shapes go there without it."""
 
+TAKE_BACK = "Backspace"
 
-class CanvasView(ZoomableWidget):
+
+class CanvasView(PointedWidget):
     """The picture and the curves on it.
 
     It pulls what it paints: the document's project (or the view state's drag preview), frame and selection. Events of
@@ -59,14 +59,20 @@ class CanvasView(ZoomableWidget):
     matte_ready = Signal()
     menu_asked = Signal(object, QPoint)
 
-    def __init__(self, document: Document, view_state: ViewState, parent: QWidget | None = None) -> None:
+    def __init__(
+        self,
+        document: Document,
+        view_state: ViewState,
+        parent: QWidget | None = None,
+        in_hand: ToolInHand | None = None,
+    ) -> None:
         super().__init__(parent)
         self._document, self._view_state = document, view_state
+        self.in_hand = in_hand or ToolInHand(document, view_state, self)
+        """The tools, which viewers may share."""
         self.points = PointActions(document, view_state)
         self.empty_hint = "Draw a shape: press B"
         """What to do next, shown while the project has no shape."""
-        self._tools = {name: tool(document, view_state) for name, tool in TOOLS.items()}
-        self._tool: Tool = self._tools["select"]
         self.viewing = Viewing(self)
         """Which view, channel and exposure; what lies under a cut-out; which frames the onion skin shows."""
         self.stage, self.wipe = Stage(self.viewing), Wipe(self._snapshot, view_state.say, self)
@@ -81,17 +87,15 @@ class CanvasView(ZoomableWidget):
         self._proposal_side = Side.BOTH
         self._is_pressed = self._is_waiting = False
         self._pointer: QPointF | None = None
-        self._pen = Pen()
         self._key_presses = 0
         self._framed: tuple[QSizeF | None, float] = (None, 1.0)
         self._patience = QTimer(self, interval=PATIENCE, singleShot=True)
         self._patience.timeout.connect(self.update)
         self._listen()
-        self.setMouseTracking(True)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
         self.setMinimumSize(160, 120)
-        self._take_tool()
+        self._show_tool()
 
     def _listen(self) -> None:
         self._document.changed.connect(self._pull)
@@ -100,7 +104,9 @@ class CanvasView(ZoomableWidget):
         view.frame_changed.connect(self._follow_frame)
         view.selection_changed.connect(self.update)
         view.preview_changed.connect(self._follow_preview)
-        view.tool_changed.connect(self._take_tool)
+        self.in_hand.changed.connect(self._take_tool)
+        self.in_hand.looked.connect(self._show_tool)
+        self.in_hand.used.connect(self._follow_hand)
         view.editing.changed.connect(self.update)
         self.viewing.changed.connect(self._announce)
         self.wipe.changed.connect(self._announce)
@@ -121,20 +127,14 @@ class CanvasView(ZoomableWidget):
         self._follow_plate()
         self.update()
 
-    def lend(self, pictures: PictureWork) -> None:
-        """Let the tools look at the picture that is shown."""
-        for tool in self._tools.values():
-            tool.pictures = pictures
-        pictures.looked.connect(self._show_tool)
-
     def _show_tool(self) -> None:
-        self.setCursor(self._tool.cursor)
+        self.setCursor(self.tool.cursor)
         self.update()
 
     @property
     def tool(self) -> Tool:
         """The tool in the hand."""
-        return self._tool
+        return self.in_hand.tool
 
     @property
     def mode(self) -> ViewMode:
@@ -206,7 +206,7 @@ class CanvasView(ZoomableWidget):
         """Nothing may stay selected or grabbed that is gone."""
         selection = pruned(self._view_state.selection, self._document.project)
         self._view_state.select(selection.shapes, selection.points)
-        self._tool.refresh()
+        self.tool.refresh()
         self._follow_plate()
 
     def _follow_frame(self) -> None:
@@ -217,7 +217,7 @@ class CanvasView(ZoomableWidget):
 
     def _begin_anew(self) -> None:
         """Another project was opened."""
-        self._tool.drop()
+        self.tool.drop()
         self._view_state.select(frozenset())
         self.stage.clear()
         self.wipe.end()
@@ -239,13 +239,19 @@ class CanvasView(ZoomableWidget):
         self._repaint.follow_project(self._project(), self._view_state.frame, self._viewport, is_plain=is_plain)
 
     def _take_tool(self) -> None:
-        """Put the tool that the view state names into the hand."""
-        self._tool.deactivate()
-        self._tool = self._tools[self._view_state.tool]
+        """Another tool is in the hand."""
         self._is_pressed = False
-        self._tool.activate()
-        self.setCursor(self._tool.cursor)
-        self.update()
+        self._show_tool()
+
+    def _follow_hand(self, viewer: object, position: tuple[float, float] | None) -> None:
+        """The tool was used in some viewer: its marks are the same in all."""
+        if viewer is self or not self.isVisible():
+            return
+        if position is None:
+            self.update()
+        else:
+            spot = self.image_to_widget(*position)
+            self._repaint.follow_tool(self.tool, self._viewport, self._view_state.hovered, spot)
 
     def _snapshot(self) -> ViewSnapshot:
         """What is shown now."""
@@ -272,7 +278,7 @@ class CanvasView(ZoomableWidget):
             paint_feather(painter, viewport, self._project(), view.frame, view.selection.shapes)
             if self.viewing.shows_joints:
                 paint_joints(painter, viewport, self._project(), self.bones())
-            self._tool.paint(painter, viewport)
+            self.tool.paint(painter, viewport)
         painter.setClipping(False)
         if pinned is None:
             paint_words(painter, size, viewport, snapshot, self._sentence(), self._hint(snapshot))
@@ -296,7 +302,7 @@ class CanvasView(ZoomableWidget):
         if (
             isinstance(event, QKeyEvent)
             and event.type() is QEvent.Type.ShortcutOverride
-            and (self._is_pressed or key_name(event) in self._tool.claimed_keys)
+            and (self._is_pressed or key_name(event) in self.tool.claimed_keys)
         ):
             # The key comes to `keyPressEvent` instead of the window's shortcut: while something is in the hand, keys
             # other than the tool's own mean nothing.
@@ -304,13 +310,29 @@ class CanvasView(ZoomableWidget):
             return True
         return super().event(event)
 
-    def mousePressEvent(self, event: QMouseEvent) -> None:
-        self._press(event, self._tool.press)
+    def point(self, event: QMouseEvent) -> None:
+        kind = event.type()
+        if kind is QEvent.Type.MouseMove:
+            self._move(event)
+        elif kind is QEvent.Type.MouseButtonRelease:
+            self._release(event)
+        else:
+            self._press(event, self.tool.press if kind is QEvent.Type.MouseButtonPress else self.tool.double_press)
 
-    def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
-        self._press(event, self._tool.double_press)
+    def erase(self, event: QMouseEvent) -> None:
+        """It takes back what is being drawn, point by point, else deletes what it touches."""
+        if event.type() is QEvent.Type.MouseButtonRelease:
+            self.point(event)
+            self.in_hand.turn_pen(False)
+            self._show_tool()
+        elif TAKE_BACK in self.tool.claimed_keys:
+            self.tool.key(TAKE_BACK)
+            self.update()
+        else:
+            self.in_hand.turn_pen(True)
+            self._press(event, self.tool.press)
 
-    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+    def _move(self, event: QMouseEvent) -> None:
         position = event.position()
         if self.is_panning:
             self.pan(event)
@@ -319,11 +341,11 @@ class CanvasView(ZoomableWidget):
         if self.wipe.is_held:
             self.wipe.move(position, QSizeF(self.size()))
         elif self._is_pressed:
-            self._hand(self._tool.drag, position, event.modifiers())
+            self._hand(self.tool.drag, position, event.modifiers())
         else:
             self._hover(position, event.modifiers())
 
-    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+    def _release(self, event: QMouseEvent) -> None:
         if self.is_panning and event.button() is not Qt.MouseButton.RightButton:
             self.end_pan()
             self._hover(event.position(), event.modifiers())
@@ -332,23 +354,20 @@ class CanvasView(ZoomableWidget):
             self._hover(event.position(), event.modifiers())
         elif self._is_pressed and event.button() is Qt.MouseButton.LeftButton:
             self._is_pressed = False
-            self._hand(self._tool.release, event.position(), event.modifiers())
+            self._hand(self.tool.release, event.position(), event.modifiers())
 
     def wheelEvent(self, event: QWheelEvent) -> None:
         """Ctrl and the wheel belong to the tool, where it has a size to change; the wheel alone zooms."""
         takes = event.modifiers() & Qt.KeyboardModifier.ControlModifier and self.viewing.shows_shapes
-        if takes and self._tool.wheel(self._at(event.position(), event.modifiers()), event.angleDelta().y() / 120.0):
+        if takes and self.tool.wheel(self._at(event.position(), event.modifiers()), event.angleDelta().y() / 120.0):
             event.accept()
             self.update()
         else:
             super().wheelEvent(event)
 
-    def tabletEvent(self, event: QTabletEvent) -> None:
-        self._pen.feel(event)
-
     def contextMenuEvent(self, event: QContextMenuEvent) -> None:
         """A right click means what lies under it; while something is in the hand it means nothing."""
-        if self._is_pressed or self.is_panning or self._tool.is_busy or self._document.project.clip is None:
+        if self._is_pressed or self.is_panning or self.tool.is_busy or self._document.project.clip is None:
             return
         spot, place = QPointF(event.pos()), Place.BACKGROUND
         if self.viewing.shows_shapes:
@@ -357,19 +376,21 @@ class CanvasView(ZoomableWidget):
 
     def leaveEvent(self, event: QEvent) -> None:
         self._pointer = None
-        self._tool.leave()
+        self.tool.leave()
         self.pointer_moved.emit(None)
         self.update()
+        self.in_hand.used.emit(self, None)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         name = key_name(event)
         self._key_presses += not event.isAutoRepeat()
         if is_modifier(event):
             self._feel_modifiers(event)
-        elif name in self._tool.claimed_keys:
+        elif name in self.tool.claimed_keys:
             self._is_pressed = False
-            self._tool.key(name)
+            self.tool.key(name)
             self.update()
+            self.in_hand.used.emit(self, None)
         elif name in NUDGES and not self._is_pressed:
             # All repeats of a held key are one undo step.
             self.points.nudge(*NUDGES[name], merge_key=f"nudge {self._key_presses}")
@@ -397,14 +418,13 @@ class CanvasView(ZoomableWidget):
             self._view_state.say("The shapes are hidden; show them (overlay view) to draw and edit.")
             return
         self._is_pressed = True
-        self._pen.pressure(begins=True)
         self._hand(call, event.position(), event.modifiers())
 
     def _hover(self, position: QPointF, modifiers: Qt.KeyboardModifier) -> None:
         if self.wipe.is_under(position, QSizeF(self.size())):
             self.setCursor(Qt.CursorShape.SplitHCursor)
         elif self.viewing.shows_shapes:
-            self._hand(self._tool.hover, position, modifiers)
+            self._hand(self.tool.hover, position, modifiers)
         else:
             self.setCursor(Qt.CursorShape.ArrowCursor)
 
@@ -412,14 +432,15 @@ class CanvasView(ZoomableWidget):
         """Give the pointer to the tool, then show what it made of it."""
         self._pointer = position
         call(self._at(position, modifiers))
-        self.setCursor(self._tool.cursor)
-        self._repaint.follow_tool(self._tool, self._viewport, self._view_state.hovered, position)
+        self.setCursor(self.tool.cursor)
+        self._repaint.follow_tool(self.tool, self._viewport, self._view_state.hovered, position)
+        self.in_hand.used.emit(self, self.widget_to_image(position))
 
     def _at(self, position: QPointF, modifiers: Qt.KeyboardModifier) -> Pointer:
         """The pointer as tools know it."""
-        return Pointer(self.widget_to_image(position), self._viewport.pixel, modifiers, self._pen.pressure())
+        return Pointer(self.widget_to_image(position), self._viewport.pixel, modifiers, self.pen.pressure)
 
     def _feel_modifiers(self, event: QKeyEvent) -> None:
         """A modifier was pressed or let go: the tool may now do something else at the same place."""
         if self._pointer is not None and not self.is_panning and self.viewing.shows_shapes:
-            self._hand(self._tool.drag if self._is_pressed else self._tool.hover, self._pointer, event.modifiers())
+            self._hand(self.tool.drag if self._is_pressed else self.tool.hover, self._pointer, event.modifiers())

@@ -7,8 +7,8 @@ from functools import partial
 from PySide6.QtCore import QPoint
 from PySide6.QtWidgets import QMenu, QWidget
 
-from ..actions.actions import Actions
 from ..actions.context import Place, context_menu
+from ..actions.viewer_actions import ActionsById
 from ..features.possible import is_possible
 from ..model.document import Document
 from ..model.view_state import ViewState
@@ -17,7 +17,7 @@ from ..model.view_state import ViewState
 class ContextMenus:
     """Opens one where it is asked for; they lie over `parent`."""
 
-    def __init__(self, document: Document, view_state: ViewState, actions: Actions, parent: QWidget) -> None:
+    def __init__(self, document: Document, view_state: ViewState, actions: ActionsById, parent: QWidget) -> None:
         self._document, self._view, self._actions, self._parent = document, view_state, actions, parent
 
     def menu(self, place: Place) -> QMenu:

@@ -13,9 +13,13 @@ def row(*parts: QWidget, growing: QWidget | None = None) -> QWidget:
     return _filled(QHBoxLayout(), parts, growing)
 
 
-def column(*parts: QWidget, growing: QWidget | None = None) -> QWidget:
-    """The parts below each other without a gap; `growing` takes what is left."""
-    return _filled(QVBoxLayout(), parts, growing)
+def column(*parts: QWidget, growing: QWidget | None = None, is_loose: bool = False) -> QWidget:
+    """The parts below each other without a gap; `growing` takes what is left; `is_loose`: while it is away, the end."""
+    box = QVBoxLayout()
+    whole = _filled(box, parts, growing)
+    if is_loose:
+        box.addStretch()
+    return whole
 
 
 def split(orientation: Qt.Orientation, growing: QWidget, other: QWidget) -> QSplitter:

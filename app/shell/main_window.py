@@ -7,7 +7,7 @@ from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import Qt, QTimer
-from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent
+from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QKeyEvent
 from PySide6.QtWidgets import QMainWindow, QScrollArea, QUndoView
 
 from .. import style
@@ -67,6 +67,7 @@ from ..timeline.timeline import Timeline
 from ..timeline.transport import Transport
 from ..tools.edit.feather import FeatherActions
 from ..tools.edit.transform_actions import TransformActions
+from ..tools.in_hand import ToolInHand
 from ..tools.toolbox import TOOLS
 from ..widgets.controls import tool_button
 from ..widgets.focus import FocusFollowsPointer
@@ -74,8 +75,11 @@ from ..widgets.panel import Panel
 from . import layout, settings
 from .context_menus import ContextMenus
 from .defects import Defects
+from .full_screen import FullScreen
+from .second_view import second_viewer
 from .timeline_height import TimelineHeight
 from .window_services import WindowServices
+from .workspace import Workspace
 
 PANEL_WIDTH = 272
 DRAW_HINT = "Draw a shape: press <tool.bezier>"
@@ -135,14 +139,15 @@ class MainWindow(QMainWindow):
 
     def _build_parts(self) -> None:
         document, view_state = self.document, self.view_state
-        self.canvas = CanvasView(document, view_state)
-        self.canvas.lend(self.pictures)
+        self.canvas = CanvasView(document, view_state, in_hand=ToolInHand(document, view_state, self))
+        self.canvas.in_hand.lend(self.pictures)
         FocusFollowsPointer(self.canvas)
         self.actions_by_id = actions = Actions(self, self.canvas, self.personal.keys.keymap)
         self.canvas.proposed = lambda: self.proposals.current
         self.canvas.bones, self.canvas.edges = self.belonging.bones, self.edge_kinds.here
         self.canvas.stage.plate_of = self.reader.plate
         RippleFrame(view_state, self.canvas)
+        self.second_viewer = second_viewer(self.canvas, document, view_state, actions, self)
         self.proposal_bar = ProposalBar(self.proposals, actions, self.canvas)
         self.tool_column = ToolColumn(view_state, actions, tuple(TOOLS))
         self.view_bar = ViewBar(document, self.canvas, actions)
@@ -180,30 +185,51 @@ class MainWindow(QMainWindow):
         self.setMenuWidget(layout.row(menu_bar, self.view_bar, growing=menu_bar))
 
     def _lay_out(self) -> None:
+        actions = self.actions_by_id
+        self.workspace = Workspace(self, actions, self._lay_out_anew)
+        second = Panel("Second viewer", self.second_viewer, (self.second_viewer.mode,))
+        viewers = layout.split(Qt.Orientation.Horizontal, self.canvas, second)
+        tools, lower = layout.rolled(self.tool_column), layout.column(self.transport, self.timeline)
         self.panel_column = self._panel_column()
-        picture, lower = (
-            layout.row(layout.rolled(self.tool_column), self.canvas),
-            layout.column(self.transport, self.timeline),
-        )
-        upper = layout.split(Qt.Orientation.Horizontal, picture, self.panel_column)
+        upper = layout.split(Qt.Orientation.Horizontal, layout.row(tools, viewers, growing=viewers), self.panel_column)
         self._halves = layout.split(Qt.Orientation.Vertical, upper, lower)
-        self.splitters = {"upper": upper}
-        upper.setSizes([self.width() - PANEL_WIDTH, PANEL_WIDTH])
+        self.splitters = {"upper": upper, "viewers": viewers}
         self.timeline_height = TimelineHeight(self._halves)
+        self.workspace.add("second_viewer", second.title, second, is_shown_first=False)
+        self.workspace.add("timeline", "Timeline", lower)
+        self._lay_out_anew()
         self.setCentralWidget(layout.column(self._halves, self.status))
+        around, panels = (self.menuWidget(), tools, self.status), actions["view.panels"]
+        self.full_screen = FullScreen(
+            self, actions["window.full_screen"], around, lambda: [*self.workspace.at_home, panels]
+        )
+
+    def _lay_out_anew(self) -> None:
+        """Give the parts the sizes of a new window."""
+        half = self.width() // 2
+        self.splitters["viewers"].setSizes([half, half])
+        self.splitters["upper"].setSizes([self.width() - PANEL_WIDTH, PANEL_WIDTH])
+        self.actions_by_id["view.panels"].setChecked(True)
+        self.actions_by_id["view.tall_timeline"].setChecked(False)
+        self.timeline_height.forget_drag()
 
     def _panel_column(self) -> QScrollArea:
         actions = self.actions_by_id
         shape_tools = tuple(tool_button(actions, name) for name in ("shape.group", "shape.duplicate", "shape.delete"))
         key_tools = tuple(tool_button(actions, name) for name in ("key.set", "key.delete"))
         self.history_panel = Panel("History", self.history)
-        self.history_panel.setVisible(False)
         shapes, shape = Panel("Shapes", self.shapes, shape_tools), Panel("Shape", self.properties, key_tools)
         self.shape_panel = shape
         tracks = Panel("Track", self.tracker), Panel("Planar track", self.planar_panel)
-        column = layout.column(shapes, *tracks, shape, self.history_panel, self.services.log_panel, growing=shapes)
+        column = layout.column(
+            shapes, *tracks, shape, self.history_panel, self.services.log_panel, growing=shapes, is_loose=True
+        )
         column.setObjectName("panelColumn")
         column.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
+        for name, panel in zip(("shapes", "track", "planar", "shape"), (shapes, *tracks, shape), strict=True):
+            self.workspace.add(name, panel.title, panel)
+        self.workspace.add("history", "History", self.history_panel, show="edit.history", is_shown_first=False)
+        self.workspace.add("log", "Messages", self.services.log_panel, show="help.log", is_shown_first=False)
         return layout.scrolled(column)
 
     # ---- connecting
@@ -217,6 +243,7 @@ class MainWindow(QMainWindow):
         reader.plate_changed.connect(self.edge_kinds.forget)
         reader.plate_changed.connect(lambda: reader.show(view.frame))
         reader.picture.connect(self.canvas.set_image)
+        reader.picture.connect(self.second_viewer.set_image)
         reader.picture.connect(self.playback.note_picture)
         reader.picture.connect(self.pictures.show)
         reader.plate_changed.connect(self.pictures.clear)
@@ -241,9 +268,7 @@ class MainWindow(QMainWindow):
         actions.connect_all(self._handlers())
         for name in ("edit.undo", "edit.redo", "track.stop"):
             actions[name].setEnabled(False)
-        actions["view.panels"].setChecked(True)
         for name, switch in (
-            ("edit.history", self.history_panel.setVisible),
             ("view.panels", self.panel_column.setVisible),
             ("view.tall_timeline", self.timeline_height.make_tall),
         ):
@@ -281,6 +306,7 @@ class MainWindow(QMainWindow):
             self.planar_tracking,
             TransformActions(self.document, self.view_state, self),
             self.services,
+            self.workspace,
             self.reopening,
             self.recovering,
             self.defects,
@@ -309,6 +335,7 @@ class MainWindow(QMainWindow):
 
     def keep_settings(self, path: Path) -> None:
         """Write what the next window is to begin with."""
+        self.full_screen.leave()
         settings.keep(self._kept(), path)
 
     def _kept(self) -> settings.Kept:
@@ -316,13 +343,15 @@ class MainWindow(QMainWindow):
             frame=self,
             splitters=self.splitters,
             switches={name: self.actions_by_id[name] for name in settings.SWITCHES},
-            panels=self.panel_column.findChildren(Panel),
+            panels=self.workspace.panels,
             mode=self.tracker.mode,
             tables={
                 "proposals": self.proposals,
                 "dials": self.tracker,
                 "viewing": self.canvas.viewing,
                 "timeline": self.timeline_height,
+                "second_viewer": self.second_viewer,
+                "layout": self.workspace,
                 "folders": self.file_actions.folders,
             },
         )
@@ -359,12 +388,14 @@ class MainWindow(QMainWindow):
     def _pull_running(self) -> None:
         self.actions_by_id["track.stop"].setEnabled(self.under_way.is_any)
         self.canvas.set_waiting(self.files.is_opening)
+        self.second_viewer.set_waiting(self.files.is_opening)
 
     def _delete_in_list(self) -> None:
         self.shapes.tree.delete_selected()
 
     def _show_shape_panel(self) -> None:
-        self.actions_by_id["view.panels"].setChecked(True)
+        for name in ("view.panels", "window.shape"):
+            self.actions_by_id[name].setChecked(True)
         self.shape_panel.fold(False)
         QTimer.singleShot(0, self, lambda: self.panel_column.ensureWidgetVisible(self.properties))
 
@@ -380,6 +411,13 @@ class MainWindow(QMainWindow):
             event.acceptProposedAction()
             alt = bool(event.modifiers() & Qt.KeyboardModifier.AltModifier)
             self.file_actions.open_dropped(paths[0], at_once=alt)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Esc that nothing else had a use for leaves the full screen."""
+        if event.key() == Qt.Key.Key_Escape and self.full_screen.is_on:
+            self.full_screen.leave()
+        else:
+            event.ignore()
 
     def closeEvent(self, event: QCloseEvent) -> None:
         if self._is_leaving:

@@ -28,6 +28,11 @@ class TimelineHeight(QObject):
         self._is_tall = tall
         self._pull()
 
+    def forget_drag(self) -> None:
+        """Give it the height of a new window."""
+        self.dragged = None
+        self._pull()
+
     def remembered(self) -> dict[str, dict[str, int]]:
         """What comes back when the window is opened again."""
         return {} if self.dragged is None else {"dragged": {"pixels": self.dragged}}

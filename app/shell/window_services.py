@@ -37,7 +37,6 @@ class WindowServices(QObject):
         self.palette = Palette(parent, actions, view_state)
         self.log = LogPanel(messages)
         self.log_panel = Panel("Messages", self.log, self.log.tools)
-        self.log_panel.setVisible(False)
         actions["help.log"].toggled.connect(self._show_log)
         self._editor: KeymapEditor | None = None
         self._settings: SettingsDialog | None = None
@@ -68,6 +67,5 @@ class WindowServices(QObject):
         self._settings.activateWindow()
 
     def _show_log(self, is_shown: bool) -> None:
-        self.log_panel.setVisible(is_shown)
         if is_shown:  # once it has its place: the column may be longer than the window is high
             QTimer.singleShot(0, self, self.log_shown.emit)

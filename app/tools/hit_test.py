@@ -81,6 +81,17 @@ def hit_point(project: Project, frame: int, selection: Selection, position: Vect
     return best
 
 
+def points_at(
+    project: Project, frame: int, selection: Selection, position: Vector, pixel: Vector
+) -> frozenset[tuple[str, int]]:
+    """All points of the selected shapes whose anchors lie within reach, by (shape id, index)."""
+    found: set[tuple[str, int]] = set()
+    for shape in _selected(project, frame, selection):
+        distances = np.hypot(*((shape.at(frame).control_points[:, ANCHOR] - position) / pixel).T)
+        found |= {(shape.id, index) for index in np.flatnonzero(distances <= REACH).tolist()}
+    return frozenset(found)
+
+
 def hit_outline(
     project: Project, frame: int, selection: Selection, position: Vector, pixel: Vector
 ) -> OutlineHit | None:

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from PySide6.QtCore import QEvent, QObject, Qt, QTimer
 from PySide6.QtGui import QKeyEvent
-from PySide6.QtWidgets import QAbstractSpinBox, QApplication, QLineEdit, QWidget
+from PySide6.QtWidgets import QAbstractSpinBox, QApplication, QLineEdit, QMainWindow, QWidget
 
 from .fields import NumberField
+from .floating import FloatingWindow
 
 Field = QLineEdit | QAbstractSpinBox
 """What is typed into."""
@@ -20,10 +21,11 @@ LEAVING = {Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_Escape}
 class FocusFollowsPointer(QObject):
     """Gives `viewer` the keyboard when the pointer enters it, and when a field of its window is done with.
 
-    What is being typed keeps the keyboard until Return takes it, Esc takes it back, or the viewer is pressed.
+    What is being typed keeps the keyboard until Return takes it, Esc takes it back, or the viewer is pressed. A second
+    viewer does not mind fields: done with, they give the keyboard to the first.
     """
 
-    def __init__(self, viewer: QWidget) -> None:
+    def __init__(self, viewer: QWidget, *, minds_fields: bool = True) -> None:
         super().__init__(viewer)
         self._viewer = viewer
         self._field: Field | None = None
@@ -31,12 +33,13 @@ class FocusFollowsPointer(QObject):
         viewer.installEventFilter(self)
         application = QApplication.instance()
         assert isinstance(application, QApplication)
-        application.focusChanged.connect(self._follow)
+        if minds_fields:
+            application.focusChanged.connect(self._follow)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if watched is self._viewer:
             if event.type() == QEvent.Type.Enter and not isinstance(QApplication.focusWidget(), Field):
-                self._viewer.setFocus()
+                self._take()
         elif watched is self._field and isinstance(event, QKeyEvent) and event.type() == QEvent.Type.KeyPress:
             return self._leave(event)
         return False
@@ -48,8 +51,7 @@ class FocusFollowsPointer(QObject):
         if self._field is not None:
             self._field.removeEventFilter(self)
             self._field = None
-        is_ours = isinstance(now, Field) and now.window() is self._viewer.window()
-        if isinstance(now, Field) and is_ours and not now.property(KEEPS_KEYBOARD):
+        if isinstance(now, Field) and self._is_ours(now.window()) and not now.property(KEEPS_KEYBOARD):
             self._field, self._before = now, _line_of(now).text()
             now.installEventFilter(self)
 
@@ -61,8 +63,25 @@ class FocusFollowsPointer(QObject):
             _line_of(self._field).setText(self._before)
             if isinstance(self._field, NumberField):
                 self._field.forget_typing()
-        QTimer.singleShot(0, self._viewer, self._viewer.setFocus)
+        QTimer.singleShot(0, self._viewer, self._take)
         return event.key() == Qt.Key.Key_Escape
+
+    def _is_ours(self, window: QWidget) -> bool:
+        """True for the viewer's own window, and for parts of it that float, unless a viewer floats among them."""
+        if window is self._viewer.window():
+            return True
+        return isinstance(window, FloatingWindow) and window.parentWidget() is self._viewer.window()
+
+    def _take(self) -> None:
+        """Give the viewer the keyboard, also where another of our windows has it; not over a dialog."""
+        active = QApplication.activeWindow()
+        if active is not None and active is not self._viewer.window() and _is_main_or_part(active):
+            self._viewer.activateWindow()
+        self._viewer.setFocus()
+
+
+def _is_main_or_part(window: QWidget) -> bool:
+    return isinstance(window, FloatingWindow | QMainWindow)
 
 
 def _line_of(field: Field) -> QLineEdit:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from PySide6.QtCore import Qt
+from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QToolButton, QVBoxLayout, QWidget
 
 from .. import style
@@ -47,7 +48,19 @@ class Panel(QWidget):
         row.addStretch(1)
         for tool in tools:
             row.addWidget(tool)
+        self._row = row
         return header
+
+    def float_with(self, action: QAction) -> None:
+        """Put the button of what floats the panel at the header's right end."""
+        button = QToolButton()
+        button.setDefaultAction(action)
+        button.setObjectName("flat")
+        button.setIconSize(style.ICON_SIZE)
+        button.setFixedSize(22, 22)
+        button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonIconOnly)
+        button.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        self._row.addWidget(button)
 
     @property
     def is_folded(self) -> bool:

@@ -78,9 +78,9 @@ def reachable(part: QWidget) -> Iterator[QWidget]:
     """What of a part the keyboard reaches by Tab now, in the order of Tab; the part itself, where it is a control."""
     widget = part
     while True:
-        if _holds(part, widget) and widget.isVisible() and widget.isEnabled():
-            if widget.focusPolicy() & Qt.FocusPolicy.TabFocus:
-                yield widget
+        is_there = _holds(part, widget) and widget.isVisible() and widget.isEnabled()
+        if is_there and widget.focusPolicy() & Qt.FocusPolicy.TabFocus:
+            yield widget
         widget = widget.nextInFocusChain()
         if widget is part:
             return

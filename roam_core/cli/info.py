@@ -60,6 +60,7 @@ def _project_lines(path: Path) -> list[str]:
         if not is_there(project.clip.path):
             found = relinked(project, path.parent).require_clip().path
             lines.append(f"         is not there{'' if found == project.clip.path else f'; found again at {found}'}")
+    lines.extend(f"note     {mark.frame}: {' '.join(mark.text.split())}" for mark in project.marks if mark.text)
     stamps = Stamps.of(project.shapes, project.clip)
     lines.extend(_shape_line(shape, stamps) for shape in project.shapes)
     if sentence := departed_settings(project.shapes):

@@ -24,6 +24,7 @@ COMMANDS: dict[str, str] = {
     "export": "write a project's shapes for another program",
     "import": "read another program's shapes into a project",
     "render": "write a project's mattes",
+    "review": "write a movie or contact sheet of a shot; list frames worth a look",
     "explain": "say what each term contributes to a tracked key",
     "info": "say what is in a project or clip",
     "configs": "list the engine's configurations, dials and parameters",

@@ -28,6 +28,8 @@ _SHAPES = re.compile(
 )
 _PICTURE = re.compile(rb"\x89PNG|\x76\x2f\x31\x01|II\*\x00|MM\x00\*|II\+\x00|MM\x00\+")
 """How PNG, EXR and TIFF files begin."""
+_MOVIE = re.compile(rb"....ftyp|RIFF....AVI ", re.DOTALL)
+"""How MPEG-4, QuickTime and AVI files begin; our mark stands at their end."""
 
 
 class Kind(StrEnum):
@@ -36,6 +38,7 @@ class Kind(StrEnum):
     PROJECT = "project"
     SHAPES = "shapes"
     PICTURE = "picture"
+    MOVIE = "movie"
 
 
 def written_by_us(path: Path) -> Kind | None:
@@ -45,12 +48,16 @@ def written_by_us(path: Path) -> Kind | None:
             return None
         with path.open("rb") as file:
             head = file.read(HEAD_BYTES)
+            file.seek(max(path.stat().st_size - len(MARK), 0))
+            tail = file.read(len(MARK))
     except OSError:
         return None
     if _PROJECT.match(head):
         return Kind.PROJECT
     if _SHAPES.match(head):
         return Kind.SHAPES
+    if _MOVIE.match(head):
+        return Kind.MOVIE if tail == MARK.encode() else None
     return Kind.PICTURE if _PICTURE.match(head) and _software(path) == SOFTWARE else None
 
 

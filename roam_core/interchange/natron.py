@@ -27,7 +27,7 @@ from roam_core.interchange.flatten import (
 from roam_core.interchange.literals import python_literal, whole
 from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter, readied, settled, without_smooth_keys
 from roam_core.interchange.text_exporter import TextExporter
-from roam_core.interchange.timing import lifetime_steps, moments, straight_keys
+from roam_core.interchange.timing import lifetime_steps, moments, straight_keys, tangent_notes
 from roam_core.roto import BlendMode, Interpolation, Layer, Project, RotoShape
 from roam_core.roto.animated import Animatable, ValueKey, value_at, values_of
 from roam_core.translatable import N_, sentence
@@ -76,7 +76,9 @@ def natron_script(project: Project, options: ExportOptions = STANDARD) -> tuple[
     else:
         parts = writer.parts(root) if root.opacity == 1.0 and not root.invert else [writer.branch(root)]
     text = PROGRAM.replace("@PARTS@", python_literal(parts))
-    return text, settled([*hidden_notes(project, root), *writer.notes], writer.losses, options)
+    return text, settled(
+        [*hidden_notes(project, root), *tangent_notes(project.root), *writer.notes], writer.losses, options
+    )
 
 
 @dataclass

@@ -34,9 +34,10 @@ from roam_core.roto import (
     ValueKey,
     control_points,
 )
-from roam_core.roto.animated import Animatable
+from roam_core.roto.animated import Animatable, Slopes
 from roam_core.roto.shape import NO_COLOUR
 from roam_core.translatable import N_
+from roam_core.roto.value_curves import bounded
 
 Number = Callable[..., float]
 """Reads a number of a field: `_Reader._number` or `_share`."""
@@ -128,7 +129,12 @@ class _Writer(ShapeWriter):
             return value
         offset = self.options.frame_offset
         return [
-            {"frame": key.frame + offset, "value": key.value, "interpolation": key.interpolation.value}
+            {
+                "frame": key.frame + offset,
+                "value": key.value,
+                "interpolation": key.interpolation.value,
+                **({} if key.slopes is None else {"slopes": list(key.slopes)}),
+            }
             for key in value.keys
         ]
 
@@ -285,7 +291,7 @@ class JsonReader(ShapeReader):
             return read(values, field, place, default)
         self.check_keys(len(keys))
         try:
-            return Animated(tuple(self._value_key(key, f"{place}, {field}", read) for key in keys))
+            return bounded(Animated(tuple(self._value_key(key, f"{place}, {field}", read) for key in keys)), field)
         except ValueError as error:
             raise self._refusal(place, str(error)) from None
 
@@ -294,7 +300,15 @@ class JsonReader(ShapeReader):
             raise self._refusal(place, "a key must be an object")
         frame = self._frame(self._number(values, "frame", place), place)
         interpolation = self._choice(Interpolation, values, "interpolation", Interpolation.LINEAR, place)
-        return ValueKey(frame, read(values, "value", place), interpolation)
+        return ValueKey(frame, read(values, "value", place), interpolation, self._slopes(values.get("slopes"), place))
+
+    def _slopes(self, pair: Any, place: str) -> Slopes | None:
+        """Of a key's tangents, per frame; None where it has none."""
+        if pair is None:
+            return None
+        if not isinstance(pair, list) or len(pair) != 2 or not _numbers(pair):
+            raise self._refusal(place, '"slopes" must be two numbers')
+        return float(pair[0]), float(pair[1])
 
     def _share(self, values: dict[str, Any], field: str, place: str, default: float | None = None) -> float:
         value = self._number(values, field, place, default)

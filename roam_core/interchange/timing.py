@@ -8,8 +8,8 @@ from itertools import zip_longest
 
 import numpy as np
 
-from roam_core.roto import Animated, Interpolation, Keyframe, RotoShape, ValueKey
-from roam_core.roto.animated import Animatable, value_at, value_keys
+from roam_core.roto import Animated, Interpolation, Keyframe, Layer, RotoShape, ValueKey
+from roam_core.roto.animated import Animatable, has_tangents, value_at, value_keys, without_tangents
 
 STEP = 1.0 / 1024.0
 """Frames before the next key at which a held one stands once more: no sample of motion blur falls in between."""
@@ -64,7 +64,8 @@ def lifetime_steps(shape: RotoShape) -> list[tuple[int, bool]]:
 
 
 def straight_keys(value: Animatable) -> tuple[ValueKey, ...]:
-    """The keys of a value, linear or held, with one on every frame of smooth spans; nothing of a constant one."""
+    """The keys of a value, linear or held, with one on every frame of smooth and cubic spans; nothing of a constant."""
+    value = without_tangents(value) if isinstance(value, Animated) else value
     keys, result = value_keys(value), list[ValueKey]()
     for key, following in zip_longest(keys, keys[1:]):
         if key.interpolation is not Interpolation.SMOOTH or following is None:
@@ -73,6 +74,15 @@ def straight_keys(value: Animatable) -> tuple[ValueKey, ...]:
         frames = range(key.frame, following.frame if key.value != following.value else key.frame + 1)
         result += (ValueKey(frame, value_at(value, frame), Interpolation.LINEAR) for frame in frames)
     return tuple(result)
+
+
+def tangent_notes(root: Layer) -> list[str]:
+    """A sentence for each shape or layer with tangents in its values, for formats that know straight spans only."""
+    return [
+        f"The tangents in opacity or feather of {item.name!r} became linear keys on every frame."
+        for item in (root, *root.items())
+        if has_tangents(item.opacity) or (isinstance(item, RotoShape) and has_tangents(item.feather))
+    ]
 
 
 def opacity_keys(shape: RotoShape) -> tuple[ValueKey, ...]:
@@ -107,7 +117,7 @@ def value_within(value: Animatable, frames: range) -> Animatable:
     first, last = frames[0], frames[-1]
     keys = value.keys
     if (
-        any(key.interpolation is Interpolation.SMOOTH for key in keys)
+        any(key.interpolation is Interpolation.SMOOTH or key.slopes is not None for key in keys)
         and not first <= keys[0].frame <= last >= keys[-1].frame
     ):
         keys = straight_keys(value)

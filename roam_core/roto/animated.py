@@ -6,6 +6,7 @@ import bisect
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from enum import StrEnum
+from itertools import pairwise, zip_longest
 from typing import Any
 
 
@@ -23,13 +24,25 @@ class Interpolation(StrEnum):
         return u * u * (3.0 - 2.0 * u) if self is Interpolation.SMOOTH else u
 
 
+Slopes = tuple[float, float]
+"""How fast a value moves, per frame: as it arrives at a moment, and as it leaves it."""
+
+
 @dataclass(frozen=True)
 class ValueKey:
-    """A value on the plate's frame `frame`, and how it moves from there to the next key."""
+    """A value on the plate's frame `frame`, and how it moves from there to the next key.
+
+    Attributes
+    ----------
+    interpolation : how it goes on where neither this key nor the next one has tangents. HOLD holds in any case.
+    slopes : those of its tangents, or None where it has none. A span with a tangent at either end is a cubic; at an end
+        without one it is as steep as its `interpolation` says: as the straight line, or flat where it is SMOOTH.
+    """
 
     frame: int
     value: float
     interpolation: Interpolation = Interpolation.LINEAR
+    slopes: Slopes | None = None
     extra: Mapping[str, Any] = field(default_factory=dict, hash=False)
 
 
@@ -58,12 +71,33 @@ class Animated:
 
     def at(self, frame: float) -> float:
         """The value at `frame` (fractions are for motion blur); before the first and after the last key theirs."""
-        index = bisect.bisect_right(self.keys, frame, key=lambda key: key.frame)
-        before, after = self.keys[max(index - 1, 0)], self.keys[min(index, len(self.keys) - 1)]
-        if before is after or before.value == after.value:
+        before, after = self.span_at(frame)
+        if before is after:
             return before.value
-        share = before.interpolation.share((frame - before.frame) / (after.frame - before.frame))
+        u = (frame - before.frame) / (after.frame - before.frame)
+        if (slopes := cubic_slopes(before, after)) is not None:
+            return _bezier(u, *_handles(before, after, slopes))
+        if before.value == after.value:
+            return before.value
+        share = before.interpolation.share(u)
         return (1.0 - share) * before.value + share * after.value
+
+    def slope_at(self, frame: float) -> float:
+        """How fast the value moves at `frame`, per frame, where that lies between two keys; else 0."""
+        before, after = self.span_at(frame)
+        span = after.frame - before.frame
+        if before is after or before.interpolation is Interpolation.HOLD:
+            return 0.0
+        straight, u = (after.value - before.value) / span, (frame - before.frame) / span
+        if (slopes := cubic_slopes(before, after)) is None:
+            return straight if before.interpolation is Interpolation.LINEAR else 6.0 * u * (1.0 - u) * straight
+        a, b, c, d = _handles(before, after, slopes)
+        return 3.0 / span * ((1.0 - u) ** 2 * (b - a) + 2.0 * u * (1.0 - u) * (c - b) + u * u * (d - c))
+
+    def span_at(self, frame: float) -> tuple[ValueKey, ValueKey]:
+        """The keys around `frame`; the same one twice before the first and after the last."""
+        index = bisect.bisect_right(self.keys, frame, key=lambda key: key.frame)
+        return self.keys[max(index - 1, 0)], self.keys[min(index, len(self.keys) - 1)]
 
     def with_key(self, key: ValueKey) -> Animated:
         """The value with `key` put on its frame, in place of a key that was there."""
@@ -73,6 +107,26 @@ class Animated:
         """The value without the key on `frame`; the last key to go leaves its value, which stays for good."""
         kept = tuple(key for key in self.keys if key.frame != frame)
         return Animated(kept) if kept else self.keys[0].value
+
+
+def cubic_slopes(before: ValueKey, after: ValueKey) -> Slopes | None:
+    """How steep a span leaves its first key and arrives at its second, where a tangent makes it a cubic; else None."""
+    if before.interpolation is Interpolation.HOLD or (before.slopes is None and after.slopes is None):
+        return None
+    is_straight = before.interpolation is Interpolation.LINEAR
+    own = (after.value - before.value) / (after.frame - before.frame) if is_straight else 0.0
+    return own if before.slopes is None else before.slopes[1], own if after.slopes is None else after.slopes[0]
+
+
+def _handles(before: ValueKey, after: ValueKey, slopes: Slopes) -> tuple[float, float, float, float]:
+    """The values at both ends of a cubic span and, between them, at the ends of its handles, a third of it long."""
+    third = (after.frame - before.frame) / 3.0
+    return before.value, before.value + third * slopes[0], after.value - third * slopes[1], after.value
+
+
+def _bezier(u: float, a: float, b: float, c: float, d: float) -> float:
+    s = 1.0 - u
+    return s * s * s * a + 3.0 * s * s * u * b + 3.0 * s * u * u * c + u * u * u * d
 
 
 Animatable = float | Animated
@@ -95,15 +149,60 @@ def frames_of(value: Animatable) -> tuple[int, ...]:
 
 
 def values_of(value: Animatable) -> tuple[float, ...]:
-    """The constant, or the values of all keys: between them the value leaves their range nowhere."""
-    return tuple(key.value for key in value.keys) if isinstance(value, Animated) else (value,)
+    """The constant, or the values of all keys and of the ends of tangents: the value leaves their range nowhere."""
+    if not isinstance(value, Animated):
+        return (value,)
+    ends: list[float] = []
+    for before, after in pairwise(value.keys):
+        if (slopes := cubic_slopes(before, after)) is not None:
+            ends += _handles(before, after, slopes)[1:3]
+    return (*(key.value for key in value.keys), *ends)
 
 
 def mapped(value: Animatable, function: Callable[[float], float]) -> Animatable:
-    """`function` of the constant, or of the value of each key."""
+    """`function` of the constant, or of the value of each key; cubic spans first get a key on every frame."""
     if not isinstance(value, Animated):
         return function(value)
-    return Animated(tuple(replace(key, value=function(key.value)) for key in value.keys))
+    return Animated(tuple(replace(key, value=function(key.value)) for key in without_tangents(value).keys))
+
+
+def held_within(value: Animatable, low: float, high: float) -> Animatable:
+    """The value where it stays within its bounds; else each key held within them, as `mapped` does it."""
+    if all(low <= each <= high for each in values_of(value)):
+        return value
+    return mapped(value, lambda number: min(max(number, low), high))
+
+
+def scaled(value: Animatable, factor: float) -> Animatable:
+    """The value times a factor, tangents and all."""
+    if not isinstance(value, Animated):
+        return value * factor
+    return Animated(
+        tuple(
+            replace(
+                key,
+                value=key.value * factor,
+                slopes=None if key.slopes is None else (key.slopes[0] * factor, key.slopes[1] * factor),
+            )
+            for key in value.keys
+        )
+    )
+
+
+def has_tangents(value: Animatable) -> bool:
+    """True where a tangent bends the value."""
+    return any(cubic_slopes(before, after) for before, after in pairwise(value_keys(value)))
+
+
+def without_tangents(value: Animated) -> Animated:
+    """The value without tangents: cubic spans have a linear key on every frame, where they are what they were."""
+    keys: list[ValueKey] = []
+    for before, after in zip_longest(value.keys, value.keys[1:]):
+        keys.append(replace(before, slopes=None) if before.slopes is not None else before)
+        if after is not None and cubic_slopes(before, after) is not None:
+            keys[-1] = replace(keys[-1], interpolation=Interpolation.LINEAR)
+            keys += (ValueKey(frame, value.at(frame)) for frame in range(before.frame + 1, after.frame))
+    return Animated(tuple(keys))
 
 
 def is_always(value: Animatable, constant: float) -> bool:
@@ -112,11 +211,17 @@ def is_always(value: Animatable, constant: float) -> bool:
 
 
 def set_at(value: Animatable, frame: int, number: float) -> Animatable:
-    """The value that is `number` at `frame`: a constant becomes it, what varies has a key there, as the one before."""
+    """The value that is `number` at `frame`: a constant becomes it, what varies has a key there, as the one before.
+
+    On a cubic span the key has the tangent that the value had there, so that one where it was bends nothing.
+    """
     if not isinstance(value, Animated):
         return number
-    before = next((key for key in reversed(value.keys) if key.frame <= frame), value.keys[0])
-    return value.with_key(ValueKey(frame, number, before.interpolation))
+    if (key := value.key_at(frame)) is not None:
+        return value.with_key(replace(key, value=number))
+    before, after = value.span_at(frame)
+    slope = None if before is after or cubic_slopes(before, after) is None else value.slope_at(frame)
+    return value.with_key(ValueKey(frame, number, before.interpolation, None if slope is None else (slope, slope)))
 
 
 def product(first: Animatable, second: Animatable) -> Animatable:
@@ -126,9 +231,9 @@ def product(first: Animatable, second: Animatable) -> Animatable:
     span, on every frame, linear in between: exact on whole frames.
     """
     if not isinstance(first, Animated):
-        return mapped(second, lambda value: value * first)
+        return scaled(second, first)
     if not isinstance(second, Animated):
-        return mapped(first, lambda value: value * second)
+        return scaled(first, second)
     frames = _frames_of_product(first, second)
     return _simplified(ValueKey(frame, first.at(frame) * second.at(frame)) for frame in frames)
 

@@ -8,7 +8,7 @@ from pathlib import Path, PurePosixPath
 from typing import Any
 
 from roam_core.media.finding import is_there
-from roam_core.roto.animated import Animatable, Animated, Interpolation, ValueKey
+from roam_core.roto.animated import Animatable, Animated, Interpolation, Slopes, ValueKey
 from roam_core.roto.bounds import MAX_DEPTH, MAX_SPAN, Count, require
 from roam_core.roto.packing import number, text, unpacked_keys, unpacked_numbers, whole
 from roam_core.roto.placement import LayerTransform
@@ -179,8 +179,14 @@ def _read_value_key(document: Document, name: str) -> ValueKey:
         frame=whole(document["frame"], f"a frame of {name}"),
         value=number(document["value"], name),
         interpolation=Interpolation(document["interpolation"]),
-        extra=_rest(document, "type", "frame", "value", "interpolation"),
+        slopes=None if "slopes" not in document else _read_slopes(document["slopes"], name),
+        extra=_rest(document, "type", "frame", "value", "interpolation", "slopes"),
     )
+
+
+def _read_slopes(pair: Any, name: str) -> Slopes:
+    arriving, leaving = pair
+    return number(arriving, f"a tangent of {name}"), number(leaving, f"a tangent of {name}")
 
 
 def _read_keys(documents: list[Document], count: Count) -> tuple[Keyframe, ...]:

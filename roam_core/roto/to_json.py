@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-from roam_core.roto.animated import Animatable, Animated
+from roam_core.roto.animated import Animatable, Animated, ValueKey
 from roam_core.roto.bounds import require_bounds
 from roam_core.roto.migrate import VERSION
 from roam_core.roto.packing import packed_keys, packed_numbers
@@ -108,11 +108,18 @@ def _transform(transform: LayerTransform) -> dict[str, Any]:
 def _value(value: Animatable) -> Any:
     if not isinstance(value, Animated):
         return value
-    keys = [
-        {"type": "ValueKey", "frame": key.frame, "value": key.value, "interpolation": key.interpolation, **key.extra}
-        for key in value.keys
-    ]
-    return {"type": "Animated", "keys": keys}
+    return {"type": "Animated", "keys": [_value_key(key) for key in value.keys]}
+
+
+def _value_key(key: ValueKey) -> dict[str, Any]:
+    return {
+        "type": "ValueKey",
+        "frame": key.frame,
+        "value": key.value,
+        "interpolation": key.interpolation,
+        **({} if key.slopes is None else {"slopes": list(key.slopes)}),
+        **key.extra,
+    }
 
 
 def _blur(blur: MotionBlur) -> dict[str, Any]:

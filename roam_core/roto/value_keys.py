@@ -51,11 +51,14 @@ def still(value: Animatable, frame: int) -> float:
 
 
 def interpolated(value: Animatable, frame: int, interpolation: Interpolation) -> Animatable:
-    """The value that moves on so from its key on the frame or the last one before it, before all of them the first."""
+    """The value that moves on so from its key on the frame or the last one before it, before all of them the first.
+
+    The key loses its tangents.
+    """
     key = leading_key(value, frame)
     if key is None or not isinstance(value, Animated):
         return value
-    return value.with_key(replace(key, interpolation=interpolation))
+    return value.with_key(replace(key, interpolation=interpolation, slopes=None))
 
 
 def leading_key(value: Animatable, frame: int) -> ValueKey | None:

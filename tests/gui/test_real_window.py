@@ -2,14 +2,10 @@
 
 from __future__ import annotations
 
-import os
-import shutil
 import signal
 import subprocess
 import sys
-import time
-from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
@@ -18,75 +14,18 @@ import pytest
 from app.journal import recovery
 from app.model.recent import Recent, save_recent
 from roam_core.roto import Origin, file
-from scripts.virtual_display import virtual_display
 from tests.gui.windows import COUNT, FIRST, SIZE, centre, write_clip
+from tests.gui.x_window import NEEDS_SCREEN, PATIENCE, WINDOW, Screen, screen, settled, until
 
-NEEDED = ("Xvfb", "xdotool")
-MISSING = [tool for tool in NEEDED if shutil.which(tool) is None]
+__all__ = ["screen"]
+
 LAST, CORNERS, RADIUS = FIRST + COUNT - 1, 10, 24.0
-WINDOW = (1200, 760)
 TOOLS, MENU, PANELS, TIMELINE = 36, 30, 275, 229
 """Pixels of the window that are not the viewer, at its four sides."""
 FIRST_CARD = (380, 150)
 """Where the start page shows what was opened last."""
-PATIENCE = 120.0
-"""Seconds after which the program is thought to be stuck; the first track may compile kernels."""
 
-pytestmark = [
-    pytest.mark.xvfb,
-    pytest.mark.skipif(bool(MISSING), reason=f"needs {' and '.join(MISSING)} to drive a real window"),
-]
-
-
-@dataclass
-class Screen:
-    """A virtual screen and the hands before it."""
-
-    environment: dict[str, str]
-
-    def do(self, *arguments: object) -> str:
-        """Run xdotool; gives what it prints."""
-        command = ["xdotool", *map(str, arguments)]
-        result = subprocess.run(
-            command, env=self.environment, capture_output=True, text=True, timeout=PATIENCE, check=False
-        )
-        return result.stdout.strip()
-
-    def windows(self, name: str) -> list[str]:
-        """The visible windows whose title holds `name`."""
-        return self.do("search", "--onlyvisible", "--name", name).split()
-
-    def click(self, x: float, y: float) -> None:
-        self.do("mousemove", round(x), round(y), "click", 1)
-        time.sleep(0.05)
-
-    def drag(self, *spots: np.ndarray) -> None:
-        """The left button held down through all places."""
-        for index, (x, y) in enumerate(spots):
-            self.do("mousemove", round(x), round(y), *(("mousedown", 1) if index == 0 else ()))
-            time.sleep(0.05)
-        self.do("mouseup", 1)
-
-    def key(self, *keys: str) -> None:
-        self.do("key", "--delay", 60, *keys)
-
-
-def until(condition: Callable[[], bool], what: str, program: subprocess.Popen[bytes]) -> None:
-    """Wait for a condition; fail when the program ended or took too long."""
-    deadline = time.monotonic() + PATIENCE
-    while not condition():
-        assert program.poll() is None, f"the program ended while waiting for {what}"
-        assert time.monotonic() < deadline, f"waited in vain for {what}"
-        time.sleep(0.1)
-
-
-@pytest.fixture
-def screen(tmp_path: Path) -> Iterator[Screen]:
-    """An X server on a display number of its own choosing."""
-    with virtual_display(1280, 800) as display:
-        environment = {name: value for name, value in os.environ.items() if name != "QT_QPA_PLATFORM"}
-        folders = {f"XDG_{kind}_HOME": str(tmp_path / kind.lower()) for kind in ("STATE", "CACHE", "CONFIG")}
-        yield Screen(environment | folders | {"DISPLAY": display, "QT_QPA_PLATFORM": "xcb"})
+pytestmark = NEEDS_SCREEN
 
 
 @pytest.fixture
@@ -261,7 +200,7 @@ def draw(screen: Screen, program: subprocess.Popen[bytes], project_path: Path) -
     """Wait for the window and draw a polygon around the disc."""
     until(lambda: bool(screen.windows(project_path.name)), "the window", program)
     window = screen.windows(project_path.name)[-1]
-    screen.do("windowmove", "--sync", window, 0, 0, "windowsize", "--sync", window, *WINDOW, "windowfocus", window)
+    settled(screen, window)
     screen.do("mousemove", WINDOW[0] // 3, WINDOW[1] // 3)
     screen.key("f", "p")
     for corner in outline(FIRST):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -67,4 +68,18 @@ def _points(rows: list[list[float]]) -> Array:
 def _value(value: Any, frame: float) -> float:
     if not isinstance(value, list):
         return float(value)
+    for before, after in pairwise(value):
+        slopes = before.get("slopes"), after.get("slopes")
+        if before["frame"] < frame < after["frame"] and before["interpolation"] != "hold" and any(slopes):
+            return _cubic(before, after, frame)
     return float(moved([(key["frame"], key["interpolation"], key["value"]) for key in value], frame))
+
+
+def _cubic(before: dict[str, Any], after: dict[str, Any], frame: float) -> float:
+    """Between two keys of which one has tangents: by Hermite's form."""
+    span = after["frame"] - before["frame"]
+    u, own = (frame - before["frame"]) / span, (after["value"] - before["value"]) / span
+    own *= before["interpolation"] == "linear"
+    leaving, arriving = before.get("slopes", (0, own))[1], after.get("slopes", (own, 0))[0]
+    ends = (2 * u**3 - 3 * u**2 + 1) * before["value"] + (3 * u**2 - 2 * u**3) * after["value"]
+    return float(ends + span * ((u**3 - 2 * u**2 + u) * leaving + (u**3 - u**2) * arriving))

@@ -31,6 +31,7 @@ from roam_core.roto import (
     edit,
 )
 from roam_core.roto.animated import Animatable
+from roam_core.roto.value_curves import bounded
 
 FOLDER = Path("/shots/project")
 """Where a drawn project's clip lies, and its file would: absolute, as the program keeps them."""
@@ -68,7 +69,14 @@ def animatables(draw: st.DrawFn, values: st.SearchStrategy[float], *, extra: boo
     frames = draw(st.lists(st.integers(-50, 2000), min_size=1, max_size=4, unique=True))
     modes = st.sampled_from(Interpolation)
     later = unknown_fields() if extra else st.just({})
-    return Animated(tuple(ValueKey(frame, draw(values), draw(modes), draw(later)) for frame in frames))
+    slopes = st.none() | st.tuples(st.floats(-1.0, 1.0), st.floats(-1.0, 1.0))
+    return Animated(tuple(ValueKey(frame, draw(values), draw(modes), draw(slopes), draw(later)) for frame in frames))
+
+
+@cache
+def opacities(least: float = 0.0, *, extra: bool = True) -> st.SearchStrategy[Animatable]:
+    """An opacity from `least` on at its keys, whose tangents keep it between none and full, as the verbs do."""
+    return animatables(st.floats(least, 1.0), extra=extra).map(lambda value: bounded(value, "opacity"))
 
 
 @cache
@@ -124,7 +132,7 @@ def roto_shapes(draw: st.DrawFn, shape_id: str = "shape-1", interpolation: Inter
         closed=closed,
         colour=draw(st.tuples(shares(), shares(), shares())),
         blend=draw(st.sampled_from(BlendMode)),
-        opacity=draw(animatables(shares())),
+        opacity=draw(opacities()),
         invert=draw(st.booleans()),
         feather=draw(animatables(st.floats(-50.0, 50.0))),
         motion_blur=draw(st.none() | motion_blurs()),

@@ -30,6 +30,7 @@ from roam_core.roto import (
     Spline,
     control_points,
 )
+from roam_core.roto.value_curves import bounded
 from tests.property.strategies import animatables
 
 WITHIN = 0.01
@@ -88,7 +89,8 @@ projects = st.builds(
 
 def in_time(layer: Layer, draw: st.DrawFn) -> Layer:
     """The layer and all in it with modes of layers, and values that vary with time."""
-    opacities, widths = animatables(fractions, extra=False), animatables(st.floats(-20.0, 20.0, width=32), extra=False)
+    opacities = animatables(fractions, extra=False).map(lambda value: bounded(value, "opacity"))
+    widths = animatables(st.floats(-20.0, 20.0, width=32), extra=False)
     children = (
         in_time(child, draw)
         if isinstance(child, Layer)

@@ -17,7 +17,7 @@ from roam_core.interchange.labels.polygons import TOLERANCE, mask_of
 from roam_core.matte import render_matte
 from roam_core.roto import BlendMode, Clip, Interpolation, Keyframe, Layer, MotionBlur, Project, RotoShape
 from tests.judges.scenes import ellipse
-from tests.property.strategies import animatables
+from tests.property.strategies import animatables, opacities
 
 SIZE = (96, 64)
 FIRST, LAST = 11, 16
@@ -41,7 +41,7 @@ def ellipses(draw: st.DrawFn, modes: tuple[BlendMode, ...] = JOINING) -> RotoSha
         draw(st.text(max_size=9)),
         tuple(keys),
         blend=draw(st.sampled_from(modes)),
-        opacity=draw(animatables(st.floats(0.25, 1.0), extra=False)),
+        opacity=draw(opacities(0.25, extra=False)),
         feather=draw(animatables(st.floats(-5.0, 5.0), extra=False)),
         motion_blur=draw(st.sampled_from([None, MotionBlur()])),
         lifetime=draw(st.none() | st.just((start, start + draw(st.integers(1, 4))))),

@@ -32,7 +32,7 @@ from roam_core.interchange.flatten import (
 from roam_core.interchange.literals import javascript_literal
 from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter, readied, settled
 from roam_core.interchange.text_exporter import TextExporter
-from roam_core.interchange.timing import opacity_keys, straight_keys
+from roam_core.interchange.timing import opacity_keys, straight_keys, tangent_notes
 from roam_core.roto import BlendMode, Interpolation, Keyframe, Project, RotoShape
 from roam_core.roto.animated import Animatable, ValueKey, mapped, value_at, values_of
 from roam_core.translatable import N_, sentence
@@ -104,7 +104,9 @@ def mask_script(project: Project, options: ExportOptions = STANDARD) -> tuple[st
     }
     lines = ",\n".join(f"    {javascript_literal(part)}" for part in parts)
     text = PROGRAM.replace("@CLIP@", javascript_literal(frame)).replace("@PARTS@", f"[\n{lines}\n  ]")
-    return text, settled([*hidden_notes(project, root), *writer.notes], writer.losses, options)
+    return text, settled(
+        [*hidden_notes(project, root), *tangent_notes(project.root), *writer.notes], writer.losses, options
+    )
 
 
 @dataclass

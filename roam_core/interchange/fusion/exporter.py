@@ -26,7 +26,7 @@ from roam_core.interchange.flatten import (
 from roam_core.interchange.literals import lua_literal
 from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter, readied, settled, without_smooth_keys
 from roam_core.interchange.text_exporter import TextExporter
-from roam_core.interchange.timing import moments, opacity_keys, straight_keys, value_moments
+from roam_core.interchange.timing import moments, opacity_keys, straight_keys, tangent_notes, value_moments
 from roam_core.roto import BlendMode, Keyframe, Project, RotoShape
 from roam_core.roto.animated import Animatable, ValueKey, mapped, value_at, values_of
 from roam_core.translatable import N_, sentence
@@ -79,7 +79,9 @@ def fusion_setting(project: Project, options: ExportOptions = STANDARD) -> tuple
     else:
         writer.chain(Branch("Root", (root,)))
     text = "\n".join(["{", " Tools = ordered() {", *writer.lines, " },", "}", ""])
-    return text, settled([*hidden_notes(project, root), *writer.notes], writer.losses, options)
+    return text, settled(
+        [*hidden_notes(project, root), *tangent_notes(project.root), *writer.notes], writer.losses, options
+    )
 
 
 @dataclass

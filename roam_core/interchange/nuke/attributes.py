@@ -10,12 +10,12 @@ import numpy as np
 
 from roam_core.arrays import Array
 from roam_core.interchange.keys.keying import animated_of
-from roam_core.interchange.nuke.curves import Curve, FollowsExpressionError, constant, curve
+from roam_core.interchange.nuke.curves import CUBIC, Curve, FollowsExpressionError, constant, curve
 from roam_core.interchange.nuke.script import Nested, decoded
 from roam_core.interchange.reading import ShapeReader
 from roam_core.interchange.timing import right_before
-from roam_core.roto import BlendMode, Clip, MotionBlur, RotoShape
-from roam_core.roto.animated import Animatable, mapped
+from roam_core.roto import Animated, BlendMode, Clip, MotionBlur, RotoShape, ValueKey
+from roam_core.roto.animated import Animatable, held_within
 from roam_core.roto.shape import NO_COLOUR
 
 BLEND_MODES = {
@@ -101,7 +101,10 @@ class Attributes:
             return np.asarray(np.mean([each.at(moments) for each in curves], axis=0))
 
         times = {time for each in curves if not each.is_constant for time in each.times.tolist()}
-        return animated_of(mean, times, reader.frame, reader.check_keys)
+        found = animated_of(mean, times, reader.frame, reader.check_keys)
+        if len(curves) == 1 and len(found.keys) > len(times):
+            return _by_tangents(curves[0], reader.frame) or found
+        return found
 
     def _curve(self, name: str, default: float) -> Curve:
         item = self._items.get(name)
@@ -118,7 +121,7 @@ class Attributes:
 
     def opacity(self, reader: ShapeReader) -> Animatable:
         """The opacity of a shape or layer, in [0, 1]."""
-        return mapped(self.animatable(("opc",), 1.0, reader), lambda value: min(max(value, 0.0), 1.0))
+        return held_within(self.animatable(("opc",), 1.0, reader), 0.0, 1.0)
 
     def shape_fields(self, reader: ShapeReader) -> dict[str, Any]:
         """What the attributes make of a `RotoShape`."""
@@ -183,3 +186,14 @@ class Attributes:
         if kind == FROM_FRAME:
             return first, max(clip.last, first) + 1
         return first, max(last, first) + 1
+
+
+def _by_tangents(curve: Curve, frame: Callable[[float], int]) -> Animated | None:
+    """A curve by the very tangents that it has; None where its keys lie between frames or its handles are no thirds."""
+    reaches = np.concatenate([curve.left[1:, 1], curve.right[:-1, 1]])
+    if (curve.times % 1.0).any() or (reaches != 1.0).any() or (curve.kinds != CUBIC).any():
+        return None
+    keys = zip(curve.times.tolist(), curve.values.tolist(), curve.left.tolist(), curve.right.tolist(), strict=True)
+    return Animated(
+        tuple(ValueKey(frame(time), value, slopes=(left[0], right[0])) for time, value, left, right in keys)
+    )

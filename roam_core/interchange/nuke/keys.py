@@ -14,6 +14,7 @@ from roam_core.geometry.bezier import ANCHOR, IN, OUT
 from roam_core.interchange.keys.reduction import Slopes
 from roam_core.interchange.timing import right_before
 from roam_core.roto import Animated, Interpolation, Keyframe, RotoShape
+from roam_core.roto.animated import cubic_slopes
 
 UP = np.array([1.0, -1.0])
 """Turns a difference of our positions, y down, into one of Nuke's."""
@@ -95,19 +96,21 @@ class ValueCurve:
 
 
 def value_curve(value: Animated, offset: int) -> ValueCurve:
-    """The keys of an animated value on Nuke's frames; holds as `timed_keys` has them."""
+    """The keys of an animated value on Nuke's frames, tangents as they are; holds as `timed_keys` has them."""
     made = ValueCurve([], [], [], [])
     reaching = 0.0
     for key, following in zip_longest(value.keys, value.keys[1:]):
-        time, leaving = _counted(key.frame + offset), 0.0
-        if following is not None and key.interpolation is Interpolation.LINEAR:
-            leaving = (following.value - key.value) / (following.frame - key.frame)
+        time, leaving, arriving = _counted(key.frame + offset), 0.0, 0.0
+        if following is not None and (slopes := cubic_slopes(key, following)) is not None:
+            leaving, arriving = slopes
+        elif following is not None and key.interpolation is Interpolation.LINEAR:
+            leaving = arriving = (following.value - key.value) / (following.frame - key.frame)
         _append(made, time, key.value, reaching, leaving)
         if following is not None and key.interpolation is Interpolation.HOLD:
             last = right_before(following.frame + offset)
             if last > time:
                 _append(made, last, key.value, 0.0, 0.0)
-        reaching = leaving
+        reaching = arriving
     return made
 
 

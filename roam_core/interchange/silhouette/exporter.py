@@ -21,7 +21,7 @@ from roam_core.interchange.flatten import everything, is_feathered, shown_shapes
 from roam_core.interchange.nuke.sums import UNIONS, Item, is_shown
 from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter, readied, settled, without_smooth_keys
 from roam_core.interchange.text_exporter import TextExporter
-from roam_core.interchange.timing import opacity_keys
+from roam_core.interchange.timing import opacity_keys, tangent_notes
 from roam_core.interchange.xml import xml_text
 from roam_core.roto import (
     Animated,
@@ -86,6 +86,7 @@ def silhouette_document(project: Project, options: ExportOptions = STANDARD) -> 
     )
     shown = frozenset(shape.id for shape in shown_shapes(project.root))
     writer = _Writer(clip, options, len(project.shapes), shown=shown)
+    writer.notes += tangent_notes(project.root)
     project = replace(project, root=writer.veiled(project.root))
     writer.total = len(project.shapes)
     root = ET.SubElement(session, "Layer", type="Layer", label=xml_text(project.root.name), expanded="True")

@@ -250,13 +250,23 @@ def test_animated_opacity_and_feather_keep_their_keys(read: Read) -> None:
     assert imported.notes == ()
 
 
-def test_an_opacity_that_moves_otherwise_has_few_keys_between(read: Read) -> None:
-    shape = only(read(node(group(attributes="opc {{1001 0 0 1 0.15 1} {1021 1 0 1 0 1}}"))))
+@pytest.mark.parametrize(
+    ("words", "has_tangents"),
+    [("{1001 0 0 1 0.15 1} {1021 1 0 1 0 1}", True), ("{1001 0 0 1 0.15 1} {1020.5 1 0 1 0 1}", False)],
+)
+def test_an_opacity_that_moves_otherwise_keeps_its_tangents_or_has_few_keys_between(
+    read: Read, words: str, has_tangents: bool
+) -> None:
+    """Tangents are Nuke's own where its keys lie on whole frames."""
+    shape = only(read(node(group(attributes=f"opc {{{words}}}"))))
     assert isinstance(shape.opacity, Animated)
-    assert {1001, 1021} < set(shape.opacity.frames)
-    u = np.linspace(0.0, 1.0, 21)
-    truth = 3 * (1 - u) ** 2 * u * 1.0 + 3 * (1 - u) * u * u + u**3
-    np.testing.assert_allclose([shape.opacity_at(1001 + frame) for frame in range(21)], truth, atol=1e-4)
+    assert (len(shape.opacity.keys) == 2) == has_tangents
+    assert {1001, 1021} <= set(shape.opacity.frames)
+    span = 20.0 if has_tangents else 19.5
+    u = np.minimum(np.linspace(0.0, 20.0, 21) / span, 1.0)
+    first = 0.15 * span / 3.0
+    truth = 3 * (1 - u) ** 2 * u * first + 3 * (1 - u) * u * u + u**3
+    np.testing.assert_allclose([shape.opacity_at(1001 + frame) for frame in range(21)], truth, atol=2e-3)
 
 
 @pytest.mark.parametrize(

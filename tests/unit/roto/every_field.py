@@ -95,7 +95,7 @@ def third_project(folder: Path) -> Project:
     second = second_project(folder)
     inner = second.root.children[0]
     assert isinstance(inner, Layer)
-    hold = ValueKey(1010, 0.125, Interpolation.HOLD, {"later": LATER})
+    hold = ValueKey(1010, 0.125, Interpolation.HOLD, extra={"later": LATER})
     fades = Animated((ValueKey(1001, 1 / 3), hold, ValueKey(1020, 1.0, Interpolation.SMOOTH)))
     soft = Animated((ValueKey(1001, -2.5), ValueKey(1040, 12.0)))
     shape, *others = inner.shapes()
@@ -106,7 +106,8 @@ def third_project(folder: Path) -> Project:
 
 
 def present_project(folder: Path) -> Project:
-    """What a file of this program may hold beyond the stored one of version 3: the plate's layer, a track's figures.
+    """What a file of this program may hold beyond the stored one of version 3: tangents, the plate's layer, a track's
+    figures.
 
     A field that older files of the version do without stands here, not in the project that is stored.
     """
@@ -123,4 +124,6 @@ def present_project(folder: Path) -> Project:
         surface=((0.1, 0.2), (10.0, 1 / 3), (9.0, 8.0), (-1e-17, 7.0)),
     )
     clip = replace(third.require_clip(), layer="beauty")
-    return replace(third, clip=clip, root=replace(third.root, children=(replace(inner, transform=told),)))
+    bent = Animated((ValueKey(1001, 0.5, slopes=(0.0, 1 / 30)), ValueKey(1010, 0.75, slopes=(-1e-17, 0.0))))
+    inner = replace(inner, transform=told, opacity=bent)
+    return replace(third, clip=clip, root=replace(third.root, children=(inner,)))

@@ -5,9 +5,25 @@ from __future__ import annotations
 import pytest
 
 from roam_core.roto import Animated, Interpolation, ValueKey
-from roam_core.roto.animated import Animatable, frames_of, is_always, mapped, product, set_at, value_at, values_of
+from roam_core.roto.animated import (
+    Animatable,
+    frames_of,
+    has_tangents,
+    held_within,
+    is_always,
+    mapped,
+    product,
+    scaled,
+    set_at,
+    value_at,
+    values_of,
+    without_tangents,
+)
 
 MOVES = Animated((ValueKey(20, 4.0), ValueKey(10, 0.0, Interpolation.SMOOTH), ValueKey(30, 2.0, Interpolation.HOLD)))
+
+BENT = Animated((ValueKey(0, 1.0, slopes=(0.0, 3.0)), ValueKey(10, 1.0, slopes=(-3.0, 0.5)), ValueKey(16, 4.0)))
+"""An arch of the height 7.5, then a span that leaves by a tangent and arrives as the straight line does."""
 
 
 @pytest.mark.parametrize(
@@ -71,3 +87,81 @@ def test_setting_a_value_sets_a_key_only_where_it_varies() -> None:
 
 def test_the_last_key_to_go_leaves_its_value() -> None:
     assert Animated((ValueKey(5, 0.25),)).without_key(5) == 0.25
+
+
+# ---- tangents --------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("frame", [-3, 0, 2.5, 5, 10, 10.75, 13, 16, 40])
+def test_tangents_make_a_span_the_cubic_of_its_ends_and_slopes(frame: float) -> None:
+    """The judge is Hermite's form, written by hand."""
+    if frame <= 0 or frame >= 16:
+        expected = 1.0 if frame <= 0 else 4.0
+    else:
+        start, stop, a, b, leaving, arriving = (0, 10, 1, 1, 3, -3) if frame < 10 else (10, 16, 1, 4, 0.5, 0.5)
+        span = stop - start
+        u = (frame - start) / span
+        expected = (2 * u**3 - 3 * u**2 + 1) * a + (3 * u**2 - 2 * u**3) * b
+        expected += span * ((u**3 - 2 * u**2 + u) * leaving + (u**3 - u**2) * arriving)
+    assert BENT.at(frame) == pytest.approx(expected)
+
+
+@pytest.mark.parametrize("frame", [0.5, 4, 9, 10.5, 15])
+def test_a_slope_is_how_fast_the_value_moves(frame: float) -> None:
+    for value in (BENT, Animated((ValueKey(0, 1.0, Interpolation.SMOOTH), ValueKey(16, 3.0)))):
+        assert value.slope_at(frame) == pytest.approx(
+            (value.at(frame + 1e-4) - value.at(frame - 1e-4)) / 2e-4, rel=1e-5
+        )
+    assert BENT.slope_at(-2) == BENT.slope_at(20) == 0.0
+
+
+def test_a_hold_holds_whatever_tangents_say() -> None:
+    held = Animated((ValueKey(0, 1.0, Interpolation.HOLD, (2.0, 2.0)), ValueKey(4, 5.0, slopes=(9.0, 0.0))))
+    assert [held.at(frame) for frame in (0, 2, 3.99, 4)] == [1.0, 1.0, 1.0, 5.0]
+    assert not has_tangents(held)
+    assert held.slope_at(2) == 0.0
+
+
+def test_a_key_set_on_a_cubic_where_it_was_bends_nothing() -> None:
+    more = set_at(BENT, 4, BENT.at(4))
+    assert more != BENT
+    for frame in (1, 3.5, 4, 6.25, 12):
+        assert value_at(more, frame) == pytest.approx(BENT.at(frame))
+    moved = set_at(more, 4, 2.0)
+    assert isinstance(moved, Animated)
+    key, before = moved.key_at(4), more.key_at(4) if isinstance(more, Animated) else None
+    assert key is not None
+    assert before is not None
+    assert (key.value, key.slopes) == (2.0, before.slopes)
+
+
+def test_bounds_of_a_bent_value_hold_what_is_between_its_keys() -> None:
+    bound = values_of(BENT)
+    seen = [BENT.at(frame / 8) for frame in range(-8, 160)]
+    assert min(bound) <= min(seen)
+    assert max(seen) <= max(bound)
+    assert max(seen) > max(key.value for key in BENT.keys)
+    arch = Animated((ValueKey(0, 1.0, slopes=(0.0, 1.0)), ValueKey(9, 1.0)))
+    assert not is_always(arch, 1.0)
+
+
+def test_linear_keys_on_every_frame_stand_for_tangents() -> None:
+    plain = without_tangents(BENT)
+    assert all(key.slopes is None for key in plain.keys)
+    assert plain.frames == tuple(range(17))
+    assert [plain.at(frame) for frame in range(17)] == pytest.approx([BENT.at(frame) for frame in range(17)])
+    assert without_tangents(MOVES) == MOVES
+
+
+def test_functions_and_products_are_exact_on_whole_frames_of_bent_values() -> None:
+    for made, factor in ((mapped(BENT, lambda value: 2.0 * value), 2.0), (scaled(BENT, -0.5), -0.5)):
+        for frame in range(-2, 20):
+            assert value_at(made, frame) == pytest.approx(factor * BENT.at(frame))
+    assert has_tangents(product(0.5, BENT))
+    assert value_at(product(BENT, MOVES), 13) == pytest.approx(BENT.at(13) * MOVES.at(13))
+
+
+def test_what_stays_in_its_bounds_keeps_its_tangents_and_the_rest_is_held() -> None:
+    assert held_within(BENT, 0.0, 20.0) is BENT
+    held = held_within(BENT, 0.0, 5.0)
+    assert [value_at(held, frame) for frame in range(17)] == pytest.approx([min(BENT.at(f), 5.0) for f in range(17)])

@@ -36,7 +36,7 @@ def pictures(canvas: CanvasView, view_state: ViewState, runner: Runner) -> Pictu
     picture[inside] += 120.0
     pictures = PictureWork(runner)
     pictures.show(1, cv2.GaussianBlur(picture, (0, 0), 0.7).astype(np.uint8))
-    canvas.lend(pictures)
+    canvas.in_hand.lend(pictures)
     view_state.set_tool("magnetic")
     return pictures
 

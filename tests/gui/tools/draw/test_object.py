@@ -40,7 +40,7 @@ def pictures(canvas: CanvasView, view_state: ViewState, runner: Runner) -> Pictu
     """The disc on the screen, and the object tool in the hand."""
     pictures = PictureWork(runner)
     pictures.show(1, disc())
-    canvas.lend(pictures)
+    canvas.in_hand.lend(pictures)
     view_state.set_tool("object")
     return pictures
 

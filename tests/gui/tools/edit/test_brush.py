@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import numpy as np
-from PySide6.QtCore import QEvent, QPointF, Qt
-from PySide6.QtGui import QInputDevice, QPointingDevice, QTabletEvent, QWheelEvent
+from PySide6.QtCore import QPointF, Qt
+from PySide6.QtGui import QWheelEvent
 from PySide6.QtWidgets import QApplication
 
 from app.canvas.view import CanvasView
@@ -12,7 +12,7 @@ from app.model.document import Document
 from app.model.view_state import ViewState
 from roam_core.geometry.bezier import polygon_points
 from roam_core.roto import edit
-from tests.gui.hand import CTRL, LEFT, NO_BUTTON, NONE, Hand, Spot
+from tests.gui.hand import CTRL, NO_BUTTON, NONE, Hand, PenHand, Spot
 from tests.gui.tools.conftest import SQUARE, OnlyShape
 
 
@@ -20,25 +20,6 @@ def take(view_state: ViewState, radius: float) -> None:
     """The reshape tool in the hand, with a brush of so many image pixels."""
     view_state.set_tool("reshape")
     view_state.editing.set(brush_radius=radius)
-
-
-def pen(canvas: CanvasView, kind: QEvent.Type, at: Spot, pressure: float) -> None:
-    """A tablet event over an image position, as Qt delivers it before the mouse event."""
-    position = canvas.image_to_widget(*at)
-    device = QPointingDevice(
-        "pen",
-        1,
-        QInputDevice.DeviceType.Stylus,
-        QPointingDevice.PointerType.Pen,
-        QInputDevice.Capability.Pressure,
-        1,
-        1,
-    )
-    held = NO_BUTTON if kind is QEvent.Type.TabletRelease else LEFT
-    where = position, QPointF(canvas.mapToGlobal(position))
-    event = QTabletEvent(kind, device, *where, pressure, 0.0, 0.0, 0.0, 0.0, 0.0, NONE, LEFT, held)
-    QApplication.sendEvent(canvas, event)
-    assert not event.isAccepted()
 
 
 def wheel(canvas: CanvasView, at: Spot, angle: int, modifiers: Qt.KeyboardModifier) -> None:
@@ -122,21 +103,18 @@ def test_a_drag_with_ctrl_sets_the_radius(hand: Hand, document: Document, view_s
 
 
 def test_a_pen_is_as_wide_as_it_is_pressed(
-    canvas: CanvasView, hand: Hand, view_state: ViewState, square: str, only: OnlyShape
+    canvas: CanvasView, view_state: ViewState, square: str, only: OnlyShape
 ) -> None:
     take(view_state, 120.0)
-    pen(canvas, QEvent.Type.TabletPress, (120.0, 40.0), 0.2)
-    hand.press((120.0, 40.0))
-    pen(canvas, QEvent.Type.TabletMove, (120.0, 50.0), 0.25)
-    hand.move((120.0, 50.0))
+    pen = PenHand(canvas)
+    pen.press((120.0, 40.0), 0.2)
+    pen.move((120.0, 50.0), 0.25)
     assert view_state.preview is not None
     light = view_state.preview.shape(square).at(1).anchors - SQUARE
     assert light[1, 1] == 10.0
     assert not light[[0, 2, 3]].any()
-    pen(canvas, QEvent.Type.TabletMove, (120.0, 50.0), 1.0)
-    hand.move((120.0, 50.0))
-    pen(canvas, QEvent.Type.TabletRelease, (120.0, 50.0), 0.0)
-    hand.release((120.0, 50.0))
+    pen.move((120.0, 50.0), 1.0)
+    pen.release((120.0, 50.0))
     shifts = (only().at(1).anchors - SQUARE)[:, 1]
     assert 0.0 < shifts[0] < shifts[2] < 10.0
 
@@ -145,10 +123,7 @@ def test_a_mouse_after_the_pen_presses_wholly(
     canvas: CanvasView, hand: Hand, view_state: ViewState, square: str, only: OnlyShape
 ) -> None:
     take(view_state, 120.0)
-    pen(canvas, QEvent.Type.TabletPress, (180.0, 20.0), 0.1)
-    hand.press((180.0, 20.0))
-    pen(canvas, QEvent.Type.TabletRelease, (180.0, 20.0), 0.0)
-    hand.release((180.0, 20.0))
+    PenHand(canvas).tap((180.0, 20.0), 0.1)
     hand.drag((120.0, 40.0), (120.0, 50.0))
     assert only().at(1).anchors[2, 1] > SQUARE[2][1]
 

@@ -1,0 +1,42 @@
+"""Makes the second viewer of a main window: what it shows and does is the first one's, how it looks at it its own."""
+
+from __future__ import annotations
+
+from PySide6.QtWidgets import QWidget
+
+from roam_core.arrays import UInt8
+
+from ..actions.actions import Actions
+from ..actions.viewer_actions import ViewerActions
+from ..canvas.ripple_frame import RippleFrame
+from ..canvas.view import CanvasView
+from ..model.document import Document
+from ..model.view_state import ViewState
+from ..panels.second_viewer import SecondViewer
+from ..widgets.focus import FocusFollowsPointer
+from .context_menus import ContextMenus
+
+
+def second_viewer(
+    first: CanvasView, document: Document, view_state: ViewState, actions: Actions, parent: QWidget
+) -> SecondViewer:
+    """The second viewer beside `first`; its dialogs and menus lie over `parent`."""
+
+    def make() -> CanvasView:
+        canvas = CanvasView(document, view_state, in_hand=first.in_hand)
+        canvas.proposed, canvas.bones, canvas.edges = first.proposed, first.bones, first.edges
+        canvas.stage.plate_of, canvas.empty_hint = first.stage.plate_of, first.empty_hint
+        RippleFrame(view_state, canvas)
+        FocusFollowsPointer(canvas, minds_fields=False)
+        looks = {name: call for name, call in canvas.handlers().items() if name.startswith("view.")}
+        menus = ContextMenus(document, view_state, ViewerActions(actions, canvas, looks), parent)
+        canvas.menu_asked.connect(menus.open)
+        return canvas
+
+    def present() -> tuple[int, UInt8 | None] | None:
+        stage = first.stage
+        if stage.frame is None:
+            return None
+        return stage.frame, None if stage.picture is None else stage.picture.pixels
+
+    return SecondViewer(make, present)

@@ -1,0 +1,60 @@
+"""How much an outline boils: how far it lies, on each frame, from where the frames before and after would have it.
+
+Nothing of the plate is looked at. What an outline outlines moves evenly over three frames, or speeds up as one piece;
+what is left of a point's way beyond that, across the outline, is jitter. Real motion that bends the outline from one
+frame to the next and back counts too: the measure says where to look, not what is wrong.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from roam_core.arrays import Array
+from roam_core.geometry import bezier
+from roam_core.roto import Keyframe, Origin, RotoShape
+
+BOILING = 1.0
+"""Pixels of the plate from which a frame is worth a look: a pixel boils visibly."""
+PLACES = 4
+"""Places that are looked at on each segment of a curve."""
+LEAST_POINTS = 3
+"""Points of a curve from which something is left beyond a motion as one piece, which has four numbers."""
+NOTHING = 1e-9
+"""Pixels, or their square, that stand for none where they divide."""
+
+
+def boil(shape: RotoShape) -> Array:
+    """The boil of a shape in pixels of the plate on each frame: pairs (frame, boil) `(K, 2)` in the order of time.
+
+    Frames count that have keys, tracked or the artist's, and so have both their neighbours, one of the three being
+    tracked; `K` is 0 for a shape of few points. The boil is the mean over the outline of the distance, across it, from
+    the middle between the frame before and the one after, less what moving, turning and scaling the outline explain.
+    """
+    tripled = [
+        (a, b, c)
+        for a, b, c in zip(shape.keys, shape.keys[1:], shape.keys[2:], strict=False)
+        if c.frame - a.frame == 2 and any(key.origin is Origin.ENGINE for key in (a, b, c))
+    ]
+    if not tripled or shape.point_count < LEAST_POINTS:
+        return np.empty((0, 2))
+    before, here, after = (_places([keys[k] for keys in tripled], shape.closed) for k in range(3))
+    values = _across(here, here - 0.5 * (before + after))
+    return np.column_stack([[keys[1].frame for keys in tripled], values])
+
+
+def _places(keys: list[Keyframe], closed: bool) -> Array:
+    """Places at fixed parameters along the curves of keys: `(K, N, 2)`."""
+    share = np.arange(PLACES) / PLACES
+    weights = np.stack([(1 - share) ** 3, 3 * share * (1 - share) ** 2, 3 * share**2 * (1 - share), share**3], axis=1)
+    control = np.stack([bezier.segments(key.points, closed) for key in keys])
+    return np.asarray(np.einsum("pc,kscx->kspx", weights, control).reshape(len(keys), -1, 2))
+
+
+def _across(places: Array, strays: Array) -> Array:
+    """For outlines `places (K, N, 2)` the mean of what `strays` from them, across and beyond a motion as one piece."""
+    here, away = (each[..., 0] + 1j * each[..., 1] for each in (places, strays))
+    middle, away = here - here.mean(axis=1, keepdims=True), away - away.mean(axis=1, keepdims=True)
+    turning = (middle.conj() * away).sum(axis=1) / np.maximum((np.abs(middle) ** 2).sum(axis=1), NOTHING)
+    along = np.roll(here, -1, axis=1) - np.roll(here, 1, axis=1)
+    left = (away - turning[:, None] * middle) * along.conj() / np.maximum(np.abs(along), NOTHING)
+    return np.asarray(np.abs(left.imag).mean(axis=1))

@@ -1,0 +1,62 @@
+"""Which frames of a project are meant: by their numbers, or by what is on them."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable
+
+from roam_core.errors import RoamError
+from roam_core.review.findings import boiling, doubtful
+from roam_core.roto import Project
+
+_NUMBERS = re.compile(r"(-?\d+)(?:-(-?\d+))?(?:x(\d+))?")
+"""1001, 1001-1048, 1001-1048x5."""
+_EVERY = re.compile(r"x(\d+)")
+
+
+def _keys(project: Project) -> Iterable[int]:
+    return (frame for shape in project.shapes for frame in shape.artist_frames)
+
+
+def _notes(project: Project) -> Iterable[int]:
+    return (mark.frame for mark in project.marks)
+
+
+WORDS: dict[str, Callable[[Project], Iterable[int]]] = {
+    "all": lambda project: project.require_clip().frame_range,
+    "keys": _keys,
+    "notes": _notes,
+    "doubtful": lambda project: (found.frame for found in doubtful(project.shapes)),
+    "boil": lambda project: (found.frame for found in boiling(project.shapes)),
+}
+"""What frames may be called beside their numbers."""
+HINT = "1001,1010-1020 or 1001-1048x5, x10 for every tenth, all, keys, notes, doubtful or boil"
+
+
+def chosen_frames(project: Project, words: str, within: range | None = None) -> tuple[int, ...]:
+    """The frames that `words` name, with commas between them, in the order of time; only those of the clip.
+
+    Of `within`, a range of the clip's frames, only those that lie in it: every tenth then counts from its first.
+
+    Raises
+    ------
+    RoamError
+        for a word that names no frames, and where none of the clip's is named.
+    """
+    frames = project.require_clip().frame_range if within is None else within
+    found: set[int] = set()
+    for word in (part.strip() for part in words.split(",")):
+        if word in WORDS:
+            found.update(WORDS[word](project))
+        elif (every := _EVERY.fullmatch(word)) and int(every[1]):
+            found.update(frames[:: int(every[1])])
+        elif (numbers := _NUMBERS.fullmatch(word)) and numbers[3] != "0":
+            first, last = int(numbers[1]), int(numbers[2] or numbers[1])
+            step = int(numbers[3] or 1)
+            found.update(frame for frame in frames if first <= frame <= last and (frame - first) % step == 0)
+        else:
+            raise RoamError(f"{word!r} names no frames; say {HINT}.")
+    chosen = tuple(sorted(frame for frame in found if frame in frames))
+    if not chosen:
+        raise RoamError(f"There is no frame of {words!r} between {frames.start} and {frames.stop - 1}.")
+    return chosen

@@ -1,0 +1,140 @@
+"""Panels float, are closed and come back, and lie where they lay when the window is opened again."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import QRect
+from pytestqt.qtbot import QtBot
+
+from app.shell.main_window import MainWindow
+from app.shell.workspace import Part
+from app.widgets.floating import FloatingWindow, in_reach
+from tests.gui.windows import opened_window
+
+PARTS = ("second_viewer", "timeline", "shapes", "track", "planar", "shape", "history", "log")
+LEFT, RIGHT = QRect(0, 0, 1920, 1080), QRect(1920, 0, 1920, 1080)
+
+
+@pytest.fixture
+def window(qtbot: QtBot, tmp_path: Path) -> Iterator[MainWindow]:
+    with opened_window(qtbot, None, tmp_path) as shown:
+        yield shown
+
+
+def is_in(part: Part, window: MainWindow) -> bool:
+    return part.widget.window() is window and part.widget.isVisible()
+
+
+@pytest.mark.parametrize("name", PARTS)
+def test_every_part_floats_is_closed_and_comes_back(qtbot: QtBot, window: MainWindow, name: str) -> None:
+    part = window.workspace.parts[name]
+    home = part.widget.parentWidget()
+    part.float_action.trigger()
+    floating = part.widget.window()
+    assert isinstance(floating, FloatingWindow)
+    assert part.widget.isVisible()
+    floating.close()
+    assert not part.is_shown
+    assert not part.widget.isVisible()
+    part.show_action.trigger()
+    assert part.widget.window() is floating
+    assert floating.isVisible()
+    part.float_action.trigger()
+    assert is_in(part, window)
+    part.show_action.trigger()
+    assert not part.widget.isVisible()
+    part.show_action.trigger()
+    assert is_in(part, window)
+    assert name in ("history", "log", "second_viewer") or part.widget.parentWidget() is home
+
+
+def test_the_button_in_its_title_floats_a_panel(window: MainWindow) -> None:
+    from PySide6.QtWidgets import QToolButton
+
+    part = window.workspace.parts["track"]
+    (button,) = [each for each in part.widget.findChildren(QToolButton) if each.defaultAction() is part.float_action]
+    button.click()
+    assert part.widget.window() is not window
+    button.click()
+    assert is_in(part, window)
+
+
+def test_keys_of_the_window_work_in_what_floats(qtbot: QtBot, window: MainWindow) -> None:
+    part = window.workspace.parts["timeline"]
+    part.float_action.trigger()
+    assert part.window is not None
+    assert part.window.parentWidget() is window  # the kind and parent by which Qt lets shortcuts through
+    from PySide6.QtCore import Qt
+
+    assert part.window.windowType() is Qt.WindowType.Tool
+
+
+def test_reset_puts_everything_back(window: MainWindow) -> None:
+    parts = window.workspace.parts
+    for name in ("shapes", "timeline", "second_viewer"):
+        parts[name].float_action.trigger()
+    parts["planar"].show_action.trigger()
+    parts["history"].show_action.trigger()
+    window.actions_by_id["view.panels"].trigger()
+    window.shape_panel.fold(True)
+    window.actions_by_id["window.reset_layout"].trigger()
+    assert {name for name in PARTS if is_in(parts[name], window)} == {"timeline", "shapes", "track", "planar", "shape"}
+    assert not window.shape_panel.is_folded
+
+
+def test_the_layout_lasts(qtbot: QtBot, window: MainWindow, tmp_path: Path) -> None:
+    window.workspace.parts["shapes"].float_action.trigger()
+    window.workspace.parts["track"].show_action.trigger()
+    floating = window.workspace.parts["shapes"].window
+    assert floating is not None
+    floating.setGeometry(120, 90, 330, 280)
+    window.keep_settings(tmp_path / "window.ini")
+    with opened_window(qtbot, None, tmp_path / "next") as following:
+        following.restore_settings(tmp_path / "window.ini")
+        again = following.workspace.parts["shapes"]
+        qtbot.waitUntil(lambda: again.window is not None and again.window.isVisible())
+        assert again.window is not None
+        assert again.window.geometry() == QRect(120, 90, 330, 280)
+        assert not following.workspace.parts["track"].widget.isVisible()
+        assert is_in(following.workspace.parts["planar"], following)
+
+
+def test_what_makes_no_sense_is_left_out(window: MainWindow) -> None:
+    before = window.workspace.remembered()
+    window.workspace.recall(
+        {"shapes": {"shown": "yes", "floats": 3, "place": [1, 2, -3, 4]}, "nothing": {"shown": True}}
+    )
+    assert window.workspace.remembered() == before
+
+
+def test_in_reach() -> None:
+    home = QRect(200, 100, 1500, 900)
+    there = QRect(2000, 200, 400, 300)
+    assert in_reach(there, [LEFT, RIGHT], home) == there
+    back = in_reach(there, [LEFT], home)
+    assert back.size() == there.size()
+    assert LEFT.contains(back)
+    assert home.contains(back.center())
+    over = QRect(1900, 200, 400, 300)  # across both monitors
+    assert in_reach(over, [LEFT, RIGHT], home) == over
+    assert LEFT.contains(in_reach(over, [LEFT], home))
+    above = QRect(200, -500, 400, 300)
+    assert LEFT.contains(in_reach(above, [LEFT], home))
+    huge = in_reach(QRect(2500, 0, 4000, 3000), [LEFT], home)
+    assert LEFT.contains(huge)
+
+
+def test_a_monitor_that_is_gone_gives_its_windows_back(window: MainWindow, monkeypatch: pytest.MonkeyPatch) -> None:
+    from app.shell import workspace
+
+    monkeypatch.setattr(workspace, "monitors", lambda: [LEFT, RIGHT])
+    part = window.workspace.parts["shape"]
+    part.float_action.trigger()
+    assert part.window is not None
+    part.window.setGeometry(2400, 300, 300, 500)
+    monkeypatch.setattr(workspace, "monitors", lambda: [LEFT])
+    part.bring_into_reach()
+    assert LEFT.contains(part.window.geometry())

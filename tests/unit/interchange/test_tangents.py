@@ -1,0 +1,86 @@
+"""Tangents of opacity and feather in every format: kept, or linear keys on every frame in their place, and told."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from roam_core.interchange import EXPORTERS, ExportOptions, read_shapes
+from roam_core.interchange.protocol import LossyExport
+from roam_core.roto import Animated, Interpolation, Layer, Project, ValueKey
+from roam_core.roto.animated import has_tangents, value_at
+from tests.judges.programs import JUDGES
+from tests.judges.scenes import FIRST, LAST, Scene, _project, blob
+from tests.judges.table import Judge, judged
+
+FADES = Animated(
+    (
+        ValueKey(FIRST, 0.2, slopes=(0.0, 0.3)),
+        ValueKey(FIRST + 5, 0.6, slopes=(-0.1, -0.1)),
+        ValueKey(LAST, 0.9, Interpolation.SMOOTH),
+    )
+)
+DIMS = Animated((ValueKey(FIRST, 1.0, slopes=(0.0, -0.2)), ValueKey(LAST, 0.5, slopes=(0.1, 0.0))))
+SOFTENS = Animated((ValueKey(FIRST, 2.0, slopes=(0.0, 6.0)), ValueKey(LAST, 10.0, slopes=(0.0, 0.0))))
+KEEP = {"nuke", "nuke-python", "json"}
+"""Formats that have tangents."""
+BY_KEYS = {"silhouette", "after-effects", "fusion", "blender", "natron"}
+"""Formats that move values from key to key straight."""
+
+
+def fading() -> Project:
+    layer = Layer("l", "Dims", (blob("Within", 230.0, 120.0, 40.0, 50.0),), opacity=DIMS)
+    return _project(blob("Fades", 70.0, 60.0, 50.0, 40.0, opacity=FADES), layer)
+
+
+def softening() -> Project:
+    return _project(blob("Softens", 150.0, 120.0, 60.0, 50.0, feather=SOFTENS))
+
+
+@pytest.mark.parametrize("judge", JUDGES, ids=lambda judge: judge.exporter)
+def test_mattes_of_bent_opacities_are_those_that_other_programs_are_given(judge: Judge, tmp_path: Path) -> None:
+    if judge.missing:
+        pytest.skip(judge.missing)
+    cell = judged(judge, Scene(fading(), (1003, 1005, 1010)), tmp_path)
+    assert not cell.losses
+    assert cell.overlap >= judge.least
+
+
+@pytest.mark.parametrize("name", sorted(KEEP | BY_KEYS))
+@pytest.mark.parametrize("project", [fading(), softening()], ids=["opacity", "feather"])
+def test_formats_without_tangents_say_so(name: str, project: Project, tmp_path: Path) -> None:
+    exporter = EXPORTERS[name]
+    notes = exporter.export(project, tmp_path / f"out{exporter.suffix}", ExportOptions(lossy=True))
+    told = [note for note in notes if "tangents" in note]
+    bent = [item.name for item in project.root.items() if has_tangents(item.opacity) or item.name == "Softens"]
+    assert len(told) == (len(bent) if name in BY_KEYS else 0)
+    assert all(any(repr(item) in note for note in told) for item in bent if name in BY_KEYS)
+
+
+@pytest.mark.parametrize("name", ["nuke", "json"])
+def test_tangents_come_back_from_formats_that_have_them(name: str, tmp_path: Path) -> None:
+    project = _project(blob("Fades", 70.0, 60.0, opacity=FADES, feather=SOFTENS))
+    path = tmp_path / f"out{EXPORTERS[name].suffix}"
+    EXPORTERS[name].export(project, path)
+    (shape,) = read_shapes(path, project.require_clip()).layer.shapes()
+    for value, truth in ((shape.opacity, FADES), (shape.feather, SOFTENS)):
+        assert isinstance(value, Animated)
+        assert value.frames == truth.frames
+        for moment in np.linspace(FIRST, LAST, 45):
+            assert value_at(value, moment) == pytest.approx(truth.at(moment), abs=1e-5)
+
+
+def test_frames_cut_off_leave_what_is_between_as_it_was(tmp_path: Path) -> None:
+    path = tmp_path / "out.json"
+    EXPORTERS["json"].export(fading(), path, ExportOptions(frames=range(FIRST + 2, LAST - 1)))
+    layer = read_shapes(path, fading().require_clip()).layer
+    shape = next(each for each in layer.shapes() if each.name == "Fades")
+    for frame in range(FIRST + 2, LAST - 1):
+        assert shape.opacity_at(frame) == pytest.approx(FADES.at(frame))
+
+
+def test_mlt_loses_opacity_bent_or_not(tmp_path: Path) -> None:
+    with pytest.raises(LossyExport, match="Fades"):
+        EXPORTERS["mlt"].export(fading(), tmp_path / "out.json")
