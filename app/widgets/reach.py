@@ -76,8 +76,8 @@ class KeyboardReach(QObject):
 
 def reachable(part: QWidget) -> Iterator[QWidget]:
     """What of a part the keyboard reaches by Tab now, in the order of Tab; the part itself, where it is a control."""
-    widget = part
-    while True:
+    widget: QWidget | None = part
+    while widget is not None:
         is_there = _holds(part, widget) and widget.isVisible() and widget.isEnabled()
         if is_there and widget.focusPolicy() & Qt.FocusPolicy.TabFocus:
             yield widget

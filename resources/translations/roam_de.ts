@@ -7,6 +7,10 @@
         <source>  (on)</source>
         <translation>  (an)</translation>
     </message>
+    <message>
+        <source>  doubtful</source>
+        <translation>  zweifelhaft</translation>
+    </message>
     <message numerus="yes">
         <source> %n of its {count} vertices is/are doubtful and ringed.</source>
         <translation>
@@ -37,6 +41,10 @@
     <message>
         <source> and </source>
         <translation> und </translation>
+    </message>
+    <message>
+        <source> frames</source>
+        <translation> Frames</translation>
     </message>
     <message numerus="yes">
         <source> in %n shape(s)</source>
@@ -80,10 +88,31 @@
         </translation>
     </message>
     <message numerus="yes">
+        <source>%n frame(s) back</source>
+        <translation>
+            <numerusform>%n Frame zurück</numerusform>
+            <numerusform>%n Frames zurück</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>%n frame(s) is/are missing.</source>
         <translation>
             <numerusform>%n Frame fehlt.</numerusform>
             <numerusform>%n Frames fehlen.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n frame(s) on</source>
+        <translation>
+            <numerusform>%n Frame weiter</numerusform>
+            <numerusform>%n Frames weiter</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n key(s)</source>
+        <translation>
+            <numerusform>%n Keyframe</numerusform>
+            <numerusform>%n Keyframes</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -108,6 +137,20 @@
         </translation>
     </message>
     <message>
+        <source>, worth a look</source>
+        <translation>, einen Blick wert</translation>
+    </message>
+    <message>
+        <source>.
+Now: {level}, {changes}</source>
+        <translation>.
+Jetzt: {level}, {changes}</translation>
+    </message>
+    <message>
+        <source>. Stale: what it was made from has changed, track it again</source>
+        <translation>. Veraltet: Die Grundlage hat sich geändert, bitte neu tracken</translation>
+    </message>
+    <message>
         <source>1 frame, {each:.0f} ms</source>
         <translation>1 Frame, {each:.0f} ms</translation>
     </message>
@@ -120,8 +163,20 @@
         <translation>16 Bit</translation>
     </message>
     <message>
+        <source>24 of 23.976 fps × 0.125</source>
+        <translation>24 von 23,976 fps × 0,125</translation>
+    </message>
+    <message>
         <source>8 bits</source>
         <translation>8 Bit</translation>
+    </message>
+    <message>
+        <source>: worth a look</source>
+        <translation>: einen Blick wert</translation>
+    </message>
+    <message>
+        <source>; confidence {confidence:.2f}</source>
+        <translation>; Konfidenz {confidence:.2f}</translation>
     </message>
     <message>
         <source>; what came after them is damaged</source>
@@ -140,12 +195,24 @@
         <translation>Ein Ordner; die Bilder darin heißen {first} und so weiter.</translation>
     </message>
     <message>
+        <source>A hidden shape takes no part in the matte</source>
+        <translation>Eine ausgeblendete Form zählt nicht zur Matte</translation>
+    </message>
+    <message>
         <source>A key of your own</source>
         <translation>Eine eigene Taste</translation>
     </message>
     <message>
         <source>A key on each so many frames; 0: at both ends of the range alone</source>
         <translation>Ein Keyframe alle so viele Frames; 0: nur an beiden Enden des Bereichs</translation>
+    </message>
+    <message>
+        <source>A locked shape cannot be changed by hand</source>
+        <translation>Eine gesperrte Form lässt sich nicht von Hand ändern</translation>
+    </message>
+    <message>
+        <source>A part hangs by joints on the parts that it overlaps</source>
+        <translation>Ein Teil hängt über Gelenke an den Teilen, die er überlappt</translation>
     </message>
     <message>
         <source>A short shot to try everything on</source>
@@ -204,6 +271,10 @@
         <translation>Track korrigieren</translation>
     </message>
     <message>
+        <source>After</source>
+        <translation>Danach</translation>
+    </message>
+    <message>
         <source>After Effects masks (script)</source>
         <translation>After-Effects-Masken (Skript)</translation>
     </message>
@@ -224,6 +295,10 @@
         <translation>Alle Kanäle</translation>
     </message>
     <message>
+        <source>All other visible shapes lie before the surface</source>
+        <translation>Alle anderen sichtbaren Formen liegen vor der Fläche</translation>
+    </message>
+    <message>
         <source>All pixels</source>
         <translation>Alle Pixel</translation>
     </message>
@@ -232,12 +307,20 @@
         <translation>Alle Einstellungen wie am Anfang; Tasten bleiben</translation>
     </message>
     <message>
+        <source>All shapes</source>
+        <translation>Alle Formen</translation>
+    </message>
+    <message>
         <source>All shapes together</source>
         <translation>Alle Formen zusammen</translation>
     </message>
     <message>
         <source>Alpha alone</source>
         <translation>Nur Alpha</translation>
+    </message>
+    <message>
+        <source>Also of those that are not selected</source>
+        <translation>Auch von denen, die nicht ausgewählt sind</translation>
     </message>
     <message>
         <source>Alt+arrows</source>
@@ -256,12 +339,24 @@
         <translation>Ein Fehler in ROAM hat die Arbeit beendet: {error}</translation>
     </message>
     <message>
+        <source>Another colour…</source>
+        <translation>Andere Farbe…</translation>
+    </message>
+    <message>
         <source>Another version of the plate below the same shapes</source>
         <translation>Eine andere Version der Plate unter denselben Formen</translation>
     </message>
     <message>
+        <source>Another view of the same frame</source>
+        <translation>Eine andere Ansicht desselben Frames</translation>
+    </message>
+    <message>
         <source>Around the shapes only</source>
         <translation>Nur um die Formen</translation>
+    </message>
+    <message>
+        <source>Artist keys only</source>
+        <translation>Nur eigene Keyframes</translation>
     </message>
     <message>
         <source>As few as hold the outline</source>
@@ -270,6 +365,18 @@
     <message>
         <source>As many as there are</source>
         <translation>So viele wie vorhanden</translation>
+    </message>
+    <message>
+        <source>As one new object</source>
+        <translation>Als ein neues Objekt</translation>
+    </message>
+    <message>
+        <source>As one: {link}</source>
+        <translation>Als eines: {link}</translation>
+    </message>
+    <message>
+        <source>As opened</source>
+        <translation>Wie geöffnet</translation>
     </message>
     <message>
         <source>As stacked</source>
@@ -288,8 +395,16 @@
         <translation>Erneut fragen</translation>
     </message>
     <message>
+        <source>Asked for in the Help menu; no error was noted.</source>
+        <translation>Im Hilfemenü angefordert; kein Fehler wurde festgestellt.</translation>
+    </message>
+    <message>
         <source>Attach to neighbours</source>
         <translation>An Nachbarn hängen</translation>
+    </message>
+    <message>
+        <source>Attached</source>
+        <translation>Angehängt</translation>
     </message>
     <message>
         <source>Auto-key</source>
@@ -308,8 +423,16 @@
         <translation>Hin und her</translation>
     </message>
     <message>
+        <source>Background</source>
+        <translation>Hintergrund</translation>
+    </message>
+    <message>
         <source>Backups</source>
         <translation>Sicherungen</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>Davor</translation>
     </message>
     <message>
         <source>Begin again at the end of the range</source>
@@ -334,6 +457,10 @@
     <message>
         <source>Bezier</source>
         <translation>Bézier</translation>
+    </message>
+    <message>
+        <source>Blend</source>
+        <translation>Mischen</translation>
     </message>
     <message>
         <source>Blender blurs masks in its compositor: the shutter of {name!r} was left out.</source>
@@ -396,6 +523,10 @@
         <translation>Für sich</translation>
     </message>
     <message>
+        <source>By outlines</source>
+        <translation>Nach Umrissen</translation>
+    </message>
+    <message>
         <source>By outlines again: shapes that overlap are parts</source>
         <translation>Wieder nach Umrissen: Formen, die sich überlappen, sind Teile</translation>
     </message>
@@ -438,6 +569,18 @@
     <message>
         <source>Channels of one file</source>
         <translation>Kanäle einer Datei</translation>
+    </message>
+    <message>
+        <source>Checkerboard</source>
+        <translation>Schachbrett</translation>
+    </message>
+    <message>
+        <source>Choose keys in the timeline first: click one, or drag a box around several.</source>
+        <translation>Zuerst Keyframes in der Zeitleiste wählen: einen anklicken oder um mehrere einen Rahmen ziehen.</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Wählen…</translation>
     </message>
     <message>
         <source>Cineon log</source>
@@ -488,8 +631,24 @@
         <translation>Gezeichnete Form schließen, offen lassen</translation>
     </message>
     <message>
+        <source>Closed</source>
+        <translation>Geschlossen</translation>
+    </message>
+    <message>
         <source>Colour</source>
         <translation>Farbe</translation>
+    </message>
+    <message>
+        <source>Colour of the outline</source>
+        <translation>Farbe des Umrisses</translation>
+    </message>
+    <message>
+        <source>Colour under the cut-out</source>
+        <translation>Farbe unter dem Freisteller</translation>
+    </message>
+    <message>
+        <source>Colour {number}</source>
+        <translation>Farbe {number}</translation>
     </message>
     <message>
         <source>Compare</source>
@@ -512,8 +671,20 @@
         <translation>Die Konfidenz ist mindestens {confidence:.2f}.</translation>
     </message>
     <message>
+        <source>Confidence of the tracked frames; under the dashed line a frame is worth a look. Click to go there</source>
+        <translation>Konfidenz der getrackten Frames; unter der gestrichelten Linie ist ein Frame einen Blick wert. Klicken springt hin</translation>
+    </message>
+    <message>
+        <source>Confidence: thin and blue is sure, broad and orange is doubtful, grey is not the engine&apos;s</source>
+        <translation>Konfidenz: dünn und blau ist sicher, breit und orange ist zweifelhaft, grau ist nicht von der Engine</translation>
+    </message>
+    <message>
         <source>Copied the key of frame {frame}: paste puts it on another frame.</source>
         <translation>Keyframe von Frame {frame} kopiert: Einfügen setzt ihn auf einen anderen Frame.</translation>
+    </message>
+    <message>
+        <source>Copied {keys}: paste puts the first one on the playhead&apos;s frame.</source>
+        <translation>{keys} kopiert: Einfügen setzt den ersten auf den Frame des Abspielkopfs.</translation>
     </message>
     <message>
         <source>Copied {shapes} for {program}; paste there.</source>
@@ -528,6 +699,10 @@
         <translation>Kopieren</translation>
     </message>
     <message>
+        <source>Copy all messages</source>
+        <translation>Alle Meldungen kopieren</translation>
+    </message>
+    <message>
         <source>Copy for Fusion</source>
         <translation>Für Fusion kopieren</translation>
     </message>
@@ -540,6 +715,10 @@
         <translation>Keyframe kopieren</translation>
     </message>
     <message>
+        <source>Copy keys</source>
+        <translation>Keyframes kopieren</translation>
+    </message>
+    <message>
         <source>Copy the report</source>
         <translation>Bericht kopieren</translation>
     </message>
@@ -550,6 +729,10 @@
     <message>
         <source>Copy the selected shapes as they are on this frame</source>
         <translation>Ausgewählte Formen kopieren, wie sie auf diesem Frame sind</translation>
+    </message>
+    <message>
+        <source>Copy {keys} {frames}: {first} to {last}.</source>
+        <translation>{keys} {frames} kopieren: {first} nach {last}.</translation>
     </message>
     <message>
         <source>Copying for {program} …</source>
@@ -611,6 +794,10 @@
         <translation>Schneidet ein Loch in das, was darunter liegt</translation>
     </message>
     <message>
+        <source>Cutting out …</source>
+        <translation>Freistellen …</translation>
+    </message>
+    <message>
         <source>Defaults</source>
         <translation>Standard</translation>
     </message>
@@ -633,12 +820,20 @@
         </translation>
     </message>
     <message>
+        <source>Delete all keys</source>
+        <translation>Alle Keyframes löschen</translation>
+    </message>
+    <message>
         <source>Delete every tracked frame; artist keys stay</source>
         <translation>Alle getrackten Frames löschen; eigene Keyframes bleiben</translation>
     </message>
     <message>
         <source>Delete key</source>
         <translation>Keyframe löschen</translation>
+    </message>
+    <message>
+        <source>Delete keys</source>
+        <translation>Keyframes löschen</translation>
     </message>
     <message>
         <source>Delete shape</source>
@@ -675,6 +870,10 @@
     <message>
         <source>Difference</source>
         <translation>Differenz</translation>
+    </message>
+    <message>
+        <source>Display and view, for looking only: {shown}</source>
+        <translation>Anzeige und Ansicht, nur zum Betrachten: {shown}</translation>
     </message>
     <message>
         <source>Dissolve the layer; its shapes stay as they are seen</source>
@@ -725,6 +924,10 @@
         <translation>Ziehen bewegt die Punkte unter dem Pinsel. Strg+Mausrad oder Strg+Ziehen ändert seine Größe, auch der Stiftdruck.</translation>
     </message>
     <message>
+        <source>Drag to scrub, wheel to zoom, Shift+wheel to pan, double-click to see the whole clip</source>
+        <translation>Ziehen zum Scrubben, Mausrad zum Zoomen, Umschalt+Mausrad zum Verschieben, Doppelklick zeigt den ganzen Clip</translation>
+    </message>
+    <message>
         <source>Draw a Bezier shape: click corners, drag curves</source>
         <translation>Bézier-Form zeichnen: Ecken klicken, Kurven ziehen</translation>
     </message>
@@ -741,6 +944,20 @@
         <translation>Zuerst eine Form zeichnen: &lt;tool.bezier&gt; im Viewer.</translation>
     </message>
     <message>
+        <source>Draw a shape: press &lt;tool.bezier&gt;</source>
+        <translation>Form zeichnen: &lt;tool.bezier&gt; drücken</translation>
+    </message>
+    <message>
+        <source>Draw a shape: press &lt;tool.bezier&gt; in the viewer,
+click for corners, drag for curves.</source>
+        <translation>Form zeichnen: &lt;tool.bezier&gt; im Viewer drücken,
+klicken für Ecken, ziehen für Kurven.</translation>
+    </message>
+    <message>
+        <source>Draw a shape: press B</source>
+        <translation>Form zeichnen: B drücken</translation>
+    </message>
+    <message>
         <source>Draw a smooth shape by its control points</source>
         <translation>Glatte Form durch ihre Kontrollpunkte zeichnen</translation>
     </message>
@@ -751,6 +968,10 @@
     <message>
         <source>Draw shape</source>
         <translation>Form zeichnen</translation>
+    </message>
+    <message>
+        <source>Drop a folder of images or a movie here</source>
+        <translation>Hier einen Ordner mit Bildern oder einen Film ablegen</translation>
     </message>
     <message>
         <source>Drop part</source>
@@ -769,6 +990,30 @@
         <translation>Nur bei EXR-Dateien</translation>
     </message>
     <message>
+        <source>Earlier steps were dropped</source>
+        <translation>Ältere Schritte sind verworfen</translation>
+    </message>
+    <message>
+        <source>Edges alone: for clean contours on a plain background.</source>
+        <translation>Nur Kanten: für klare Konturen vor ruhigem Hintergrund.</translation>
+    </message>
+    <message>
+        <source>Edges and nearby colours, carried along by landmarks: for objects with much texture.</source>
+        <translation>Kanten und nahe Farben, von Landmarken getragen: für Objekte mit viel Textur.</translation>
+    </message>
+    <message>
+        <source>Edges and the colours on both sides of them: for plain objects that move little.</source>
+        <translation>Kanten und die Farben zu beiden Seiten: für schlichte Objekte, die sich wenig bewegen.</translation>
+    </message>
+    <message>
+        <source>Edges, colours and landmarks; proposes to split a shape where the object comes apart. Slow.</source>
+        <translation>Kanten, Farben und Landmarken; schlägt vor, eine Form zu teilen, wo das Objekt zerfällt. Langsam.</translation>
+    </message>
+    <message>
+        <source>Edges: solid is free, dashed a seam, dotted is hidden</source>
+        <translation>Kanten: durchgezogen frei, gestrichelt Naht, gepunktet verdeckt</translation>
+    </message>
+    <message>
         <source>Edit</source>
         <translation>Bearbeiten</translation>
     </message>
@@ -784,6 +1029,21 @@
         <source>Equalise the handles</source>
         <translation>Tangenten gleich lang machen</translation>
     </message>
+    <message numerus="yes">
+        <source>Erase %n point(s)</source>
+        <translation>
+            <numerusform>%n Punkt radieren</numerusform>
+            <numerusform>%n Punkte radieren</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Eraser</source>
+        <translation>Radierer</translation>
+    </message>
+    <message>
+        <source>Every</source>
+        <translation>Alle</translation>
+    </message>
     <message>
         <source>Every key</source>
         <translation>Jeder Keyframe</translation>
@@ -791,6 +1051,10 @@
     <message>
         <source>Every layer</source>
         <translation>Jede Ebene</translation>
+    </message>
+    <message>
+        <source>Every part in its place, as in a new window</source>
+        <translation>Jeder Teil an seinem Platz wie in einem neuen Fenster</translation>
     </message>
     <message>
         <source>Every shape</source>
@@ -847,6 +1111,10 @@
     <message>
         <source>Export…</source>
         <translation>Exportieren…</translation>
+    </message>
+    <message>
+        <source>Exposure in stops, for looking only</source>
+        <translation>Belichtung in Blenden, nur zum Betrachten</translation>
     </message>
     <message>
         <source>Feather</source>
@@ -921,12 +1189,24 @@
         <translation>Objekt wird gesucht …</translation>
     </message>
     <message>
+        <source>Fine tuning</source>
+        <translation>Feinabstimmung</translation>
+    </message>
+    <message>
+        <source>Fine tuning, changed</source>
+        <translation>Feinabstimmung, geändert</translation>
+    </message>
+    <message>
         <source>Firmness</source>
         <translation>Festigkeit</translation>
     </message>
     <message>
         <source>First frame</source>
         <translation>Erster Frame</translation>
+    </message>
+    <message>
+        <source>First frame on which the shape exists</source>
+        <translation>Erster Frame, auf dem die Form existiert</translation>
     </message>
     <message>
         <source>Fit</source>
@@ -949,6 +1229,38 @@
         <translation>Float</translation>
     </message>
     <message>
+        <source>Float: History</source>
+        <translation>Abdocken: Verlauf</translation>
+    </message>
+    <message>
+        <source>Float: Messages</source>
+        <translation>Abdocken: Meldungen</translation>
+    </message>
+    <message>
+        <source>Float: Planar track</source>
+        <translation>Abdocken: Flächen-Track</translation>
+    </message>
+    <message>
+        <source>Float: Second viewer</source>
+        <translation>Abdocken: Zweiter Viewer</translation>
+    </message>
+    <message>
+        <source>Float: Shape</source>
+        <translation>Abdocken: Form</translation>
+    </message>
+    <message>
+        <source>Float: Shapes</source>
+        <translation>Abdocken: Formen</translation>
+    </message>
+    <message>
+        <source>Float: Timeline</source>
+        <translation>Abdocken: Zeitleiste</translation>
+    </message>
+    <message>
+        <source>Float: Track</source>
+        <translation>Abdocken: Tracking</translation>
+    </message>
+    <message>
         <source>Fold or unfold</source>
         <translation>Ein- oder ausklappen</translation>
     </message>
@@ -969,6 +1281,10 @@
         <translation>{what} bis Frame {last} verfolgt: {done} Frames. {verdict}</translation>
     </message>
     <message>
+        <source>Follows the whole object by colour and motion: the surest on most shots, and the quickest.</source>
+        <translation>Folgt dem ganzen Objekt nach Farbe und Bewegung: in den meisten Shots am sichersten und am schnellsten.</translation>
+    </message>
+    <message>
         <source>For decoding pictures and for the engine</source>
         <translation>Zum Lesen der Bilder und für die Engine</translation>
     </message>
@@ -981,8 +1297,30 @@
         <translation>Vier Punkte genügen: einen davon ziehen oder mit der Rücktaste einen zurücknehmen.</translation>
     </message>
     <message>
+        <source>Frame</source>
+        <translation>Frame</translation>
+    </message>
+    <message>
         <source>Frame selection</source>
         <translation>Auswahl einpassen</translation>
+    </message>
+    <message>
+        <source>Frame {frame}</source>
+        <translation>Frame {frame}</translation>
+    </message>
+    <message>
+        <source>Frame {frame} is marked; double-click the mark to name it.</source>
+        <translation>Frame {frame} ist markiert; Doppelklick auf die Markierung benennt sie.</translation>
+    </message>
+    <message>
+        <source>Frame {frame} is missing from the plate, or damaged</source>
+        <translation>Frame {frame} fehlt in der Plate oder ist beschädigt</translation>
+    </message>
+    <message>
+        <source>Frame {frame}: an adjust key of {name}
+Click to go there, right-click to remove it</source>
+        <translation>Frame {frame}: ein Korrektur-Keyframe von {name}
+Klicken springt hin, Rechtsklick entfernt ihn</translation>
     </message>
     <message>
         <source>Frame {frame}: the confidence of the track {name} is {trust:.2f}.</source>
@@ -993,8 +1331,28 @@
         <translation>Frame {frame}: Die Konfidenz von {name} ist {confidence:.2f}.{rings}</translation>
     </message>
     <message>
+        <source>Frame {frame}: {text}</source>
+        <translation>Frame {frame}: {text}</translation>
+    </message>
+    <message>
+        <source>Frame {frame}: {told}</source>
+        <translation>Frame {frame}: {told}</translation>
+    </message>
+    <message>
         <source>Frames</source>
         <translation>Frames</translation>
+    </message>
+    <message>
+        <source>Frames after this one</source>
+        <translation>Frames nach diesem</translation>
+    </message>
+    <message>
+        <source>Frames before this one</source>
+        <translation>Frames vor diesem</translation>
+    </message>
+    <message>
+        <source>Frames from one outline to the next</source>
+        <translation>Frames von einem Umriss zum nächsten</translation>
     </message>
     <message>
         <source>Free edges, which the picture shows, solid; seams of an object dashed; what a nearer part hides dotted</source>
@@ -1013,12 +1371,20 @@
         <translation>Ab Frame</translation>
     </message>
     <message>
+        <source>From here on {where}</source>
+        <translation>Von hier an {where}</translation>
+    </message>
+    <message>
         <source>From mask image…</source>
         <translation>Aus Maskenbild…</translation>
     </message>
     <message>
         <source>From the next start on</source>
         <translation>Ab dem nächsten Start</translation>
+    </message>
+    <message>
+        <source>From this frame on</source>
+        <translation>Ab diesem Frame</translation>
     </message>
     <message>
         <source>From this frame on the others hide the shapes</source>
@@ -1033,12 +1399,20 @@
         <translation>Ab diesem Frame gilt die Reihenfolge der Liste</translation>
     </message>
     <message>
+        <source>Full-screen viewer</source>
+        <translation>Viewer im Vollbild</translation>
+    </message>
+    <message>
         <source>Fusion / DaVinci Resolve masks</source>
         <translation>Fusion-/DaVinci-Resolve-Masken</translation>
     </message>
     <message>
         <source>Fusion softens on both sides of an outline: {name!r} may look a little different.</source>
         <translation>Fusion zeichnet zu beiden Seiten eines Umrisses weich: {name!r} kann etwas anders aussehen.</translation>
+    </message>
+    <message>
+        <source>Gamma, for looking only</source>
+        <translation>Gamma, nur zum Betrachten</translation>
     </message>
     <message>
         <source>Give the key to this action; the other one goes without it</source>
@@ -1117,6 +1491,10 @@
         <translation>Ausblenden</translation>
     </message>
     <message>
+        <source>Hide layer</source>
+        <translation>Ebene ausblenden</translation>
+    </message>
+    <message>
         <source>Hide shapes</source>
         <translation>Formen ausblenden</translation>
     </message>
@@ -1149,6 +1527,10 @@
         <translation>Wie weit eine Kurve auf einem Frame vom Umriss ihrer Maske abweichen darf, in Pixeln der Masken; bei zitternden Masken darf ein Fünftel des Umrisses weiter abweichen</translation>
     </message>
     <message>
+        <source>How far it reaches, image pixels  (Ctrl+wheel in the viewer)</source>
+        <translation>Wie weit sie reicht, in Bildpixeln  (Strg+Mausrad im Viewer)</translation>
+    </message>
+    <message>
         <source>How far the outline may go in one frame from where the motion puts it</source>
         <translation>Wie weit der Umriss in einem Frame von dort abweichen darf, wohin ihn die Bewegung setzt</translation>
     </message>
@@ -1167,6 +1549,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Wie fest der Umriss von Frame zu Frame seine Form behält</translation>
     </message>
     <message>
+        <source>How long the shutter is open; 0.5 is 180 degrees</source>
+        <translation>Wie lange der Verschluss offen ist; 0,5 sind 180 Grad</translation>
+    </message>
+    <message>
         <source>How much your key&apos;s colours count beside later ones</source>
         <translation>Wie viel die Farben des eigenen Keyframes neben späteren zählen</translation>
     </message>
@@ -1181,6 +1567,22 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
     <message>
         <source>How the engine works</source>
         <translation>Wie die Engine arbeitet</translation>
+    </message>
+    <message>
+        <source>How the engine works: what it looks at, and how long it takes</source>
+        <translation>Wie die Engine arbeitet: worauf sie achtet und wie lange es dauert</translation>
+    </message>
+    <message>
+        <source>How the joint matte of the layer joins what lies under it</source>
+        <translation>Wie sich die gemeinsame Matte der Ebene mit dem verbindet, was darunter liegt</translation>
+    </message>
+    <message>
+        <source>How the shape joins what lies under it in its layer</source>
+        <translation>Wie sich die Form mit dem verbindet, was in ihrer Ebene darunter liegt</translation>
+    </message>
+    <message>
+        <source>How the value goes on from its key here, or the last one before</source>
+        <translation>Wie der Wert von seinem Keyframe hier oder dem letzten davor weitergeht</translation>
     </message>
     <message>
         <source>If both save, the later one wins. A copy is a project of its own, without a file until you save it.</source>
@@ -1235,6 +1637,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>In bis Out</translation>
     </message>
     <message>
+        <source>In: frame {first}. Drag it</source>
+        <translation>In: Frame {first}. Ziehen verschiebt</translation>
+    </message>
+    <message>
         <source>Insert a point on the outline</source>
         <translation>Punkt auf dem Umriss einfügen</translation>
     </message>
@@ -1251,12 +1657,32 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Schnittmenge</translation>
     </message>
     <message>
+        <source>Invert</source>
+        <translation>Invertieren</translation>
+    </message>
+    <message>
+        <source>Invert layer</source>
+        <translation>Ebene invertieren</translation>
+    </message>
+    <message>
+        <source>It has a key on this frame. Click to delete it</source>
+        <translation>Keyframe auf diesem Frame. Klicken löscht ihn</translation>
+    </message>
+    <message>
         <source>It joins soft edges as older versions did (Plus), so that its mattes stay as they were; choose Add in the Shape panel where they are to join as in other programs.</source>
         <translation>Es verbindet weiche Kanten wie ältere Versionen (Plus), damit die Mattes bleiben, wie sie waren; Addieren im Formbereich verbindet sie wie in anderen Programmen.</translation>
     </message>
     <message>
+        <source>It never varies. Click to set a key on this frame</source>
+        <translation>Ändert sich nie. Klicken setzt einen Keyframe auf diesem Frame</translation>
+    </message>
+    <message>
         <source>It stays, and is found under File &gt; Recover work…</source>
         <translation>Sie bleibt und findet sich unter Datei &gt; Arbeit wiederherstellen…</translation>
+    </message>
+    <message>
+        <source>It varies, without a key on this frame. Click to set one</source>
+        <translation>Ändert sich, ohne Keyframe auf diesem Frame. Klicken setzt einen</translation>
     </message>
     <message>
         <source>JSON (ROAM, COCO, MLT)</source>
@@ -1285,6 +1711,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
     <message>
         <source>Kept: it is yours now. {key} tracks on from here.</source>
         <translation>Angenommen: Es gehört jetzt dazu. {key} trackt von hier weiter.</translation>
+    </message>
+    <message>
+        <source>Key by hand; the shape {moves}</source>
+        <translation>Keyframe von Hand; die Form {moves}</translation>
     </message>
     <message>
         <source>Key colours</source>
@@ -1320,12 +1750,20 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Sprache</translation>
     </message>
     <message>
+        <source>Lasso</source>
+        <translation>Lasso</translation>
+    </message>
+    <message>
         <source>Lasso selection</source>
         <translation>Lasso-Auswahl</translation>
     </message>
     <message>
         <source>Last frame</source>
         <translation>Letzter Frame</translation>
+    </message>
+    <message>
+        <source>Last frame on which the shape exists</source>
+        <translation>Letzter Frame, auf dem die Form existiert</translation>
     </message>
     <message>
         <source>Later</source>
@@ -1336,8 +1774,32 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Ebene</translation>
     </message>
     <message>
+        <source>Layer blend</source>
+        <translation>Mischmodus der Ebene</translation>
+    </message>
+    <message>
+        <source>Layer opacity</source>
+        <translation>Deckkraft der Ebene</translation>
+    </message>
+    <message>
+        <source>Layer opacity: {text}</source>
+        <translation>Deckkraft der Ebene: {text}</translation>
+    </message>
+    <message>
         <source>Learning</source>
         <translation>Lernen</translation>
+    </message>
+    <message>
+        <source>Leave out all others</source>
+        <translation>Alle anderen auslassen</translation>
+    </message>
+    <message>
+        <source>Leave out nothing</source>
+        <translation>Nichts auslassen</translation>
+    </message>
+    <message>
+        <source>Leave out shapes above</source>
+        <translation>Formen darüber auslassen</translation>
     </message>
     <message>
         <source>Leave the shape as it is</source>
@@ -1356,6 +1818,18 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Teile von denen lösen, die sie überlappen</translation>
     </message>
     <message>
+        <source>Let the layer stand still; every key stays where it is seen</source>
+        <translation>Ebene stillstehen lassen; jeder Keyframe bleibt, wo er zu sehen ist</translation>
+    </message>
+    <message>
+        <source>Lifetime</source>
+        <translation>Lebensdauer</translation>
+    </message>
+    <message>
+        <source>Limited</source>
+        <translation>Begrenzt</translation>
+    </message>
+    <message>
         <source>Linear</source>
         <translation>Linear</translation>
     </message>
@@ -1364,8 +1838,16 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Sperren</translation>
     </message>
     <message>
+        <source>Lock layer</source>
+        <translation>Ebene sperren</translation>
+    </message>
+    <message>
         <source>Lock or unlock</source>
         <translation>Sperren oder entsperren</translation>
+    </message>
+    <message>
+        <source>Locked</source>
+        <translation>Gesperrt</translation>
     </message>
     <message>
         <source>Look at frame {frame}: confidence is {confidence:.2f} there.</source>
@@ -1520,8 +2002,16 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Fehlend</translation>
     </message>
     <message>
+        <source>Mode</source>
+        <translation>Modus</translation>
+    </message>
+    <message>
         <source>Mode at the start</source>
         <translation>Modus beim Start</translation>
+    </message>
+    <message>
+        <source>Moments of the open shutter that are joined</source>
+        <translation>Momente des offenen Verschlusses, die verbunden werden</translation>
     </message>
     <message>
         <source>More</source>
@@ -1536,12 +2026,36 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Zweifelhaftester Frame</translation>
     </message>
     <message>
+        <source>Motion</source>
+        <translation>Bewegung</translation>
+    </message>
+    <message>
+        <source>Motion blur</source>
+        <translation>Bewegungsunschärfe</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>Bewegen</translation>
+    </message>
+    <message>
         <source>Move handle</source>
         <translation>Tangente bewegen</translation>
     </message>
     <message>
+        <source>Move keys</source>
+        <translation>Keyframes verschieben</translation>
+    </message>
+    <message>
+        <source>Move mark</source>
+        <translation>Markierung verschieben</translation>
+    </message>
+    <message>
         <source>Move on evenly from the chosen keys, or from this one</source>
         <translation>Von den gewählten Keyframes oder diesem gleichmäßig weiterbewegen</translation>
+    </message>
+    <message>
+        <source>Move pivot</source>
+        <translation>Drehpunkt bewegen</translation>
     </message>
     <message>
         <source>Move point</source>
@@ -1568,6 +2082,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Bewegen {dx:+.1f}, {dy:+.1f} px</translation>
     </message>
     <message>
+        <source>Move {keys} {frames}: {first} to {last}.</source>
+        <translation>{keys} {frames} verschieben: {first} nach {last}.</translation>
+    </message>
+    <message>
         <source>Move, turn, scale and shear by numbers</source>
         <translation>Nach Zahlen bewegen, drehen, skalieren und scheren</translation>
     </message>
@@ -1582,6 +2100,14 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
     <message>
         <source>My keys only</source>
         <translation>Nur eigene Keyframes</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Name mark</source>
+        <translation>Markierung benennen</translation>
     </message>
     <message>
         <source>Name mark…</source>
@@ -1660,6 +2186,14 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Keine Taste</translation>
     </message>
     <message>
+        <source>No key: the shape is between frames {first} and {last}</source>
+        <translation>Kein Keyframe: Die Form liegt zwischen den Frames {first} und {last}</translation>
+    </message>
+    <message>
+        <source>No key: the shape stands as on frame {frame}</source>
+        <translation>Kein Keyframe: Die Form steht wie auf Frame {frame}</translation>
+    </message>
+    <message>
         <source>No motion blur.</source>
         <translation>Keine Bewegungsunschärfe.</translation>
     </message>
@@ -1692,6 +2226,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Nichts wird gesendet. Der Bericht lässt sich in eine Fehlermeldung kopieren.</translation>
     </message>
     <message>
+        <source>Nothing is tracked here</source>
+        <translation>Hier ist nichts getrackt</translation>
+    </message>
+    <message>
         <source>Nothing is white in {name}; paint the object white and the rest black.</source>
         <translation>In {name} ist nichts weiß; das Objekt weiß malen und den Rest schwarz.</translation>
     </message>
@@ -1706,6 +2244,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
     <message>
         <source>Nothing yet</source>
         <translation>Noch nichts</translation>
+    </message>
+    <message>
+        <source>Now: {shown}</source>
+        <translation>Jetzt: {shown}</translation>
     </message>
     <message numerus="yes">
         <source>Nudge %n point(s)</source>
@@ -1763,12 +2305,20 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Verdecker</translation>
     </message>
     <message>
+        <source>Of the joint matte of all that lies in the layer</source>
+        <translation>Von der gemeinsamen Matte von allem, was in der Ebene liegt</translation>
+    </message>
+    <message>
         <source>Off</source>
         <translation>Aus</translation>
     </message>
     <message>
         <source>Older versions of a project, kept beside it when you save</source>
         <translation>Ältere Versionen eines Projekts, beim Speichern daneben aufgehoben</translation>
+    </message>
+    <message>
+        <source>On</source>
+        <translation>An</translation>
     </message>
     <message>
         <source>On empty background: add points to the selection, take them away</source>
@@ -1787,16 +2337,38 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Zwiebelhaut</translation>
     </message>
     <message>
+        <source>Only a closed shape has a matte</source>
+        <translation>Nur eine geschlossene Form hat eine Matte</translation>
+    </message>
+    <message>
         <source>Only a closed shape that is not locked has an edge to match; unlock or close one.</source>
         <translation>Nur eine geschlossene, nicht gesperrte Form hat eine anpassbare Kante; bitte eine entsperren oder schließen.</translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation>Deckkraft</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
     </message>
     <message>
         <source>Open a clip first: a mask belongs to one of its frames.</source>
         <translation>Zuerst einen Clip öffnen: Eine Maske gehört zu einem seiner Frames.</translation>
     </message>
     <message>
+        <source>Open a clip first: drop a folder of
+images or a movie on the window.</source>
+        <translation>Zuerst einen Clip öffnen: einen Ordner mit
+Bildern oder einen Film ins Fenster ziehen.</translation>
+    </message>
+    <message>
         <source>Open a clip first: drop a folder of images or a movie on the window.</source>
         <translation>Zuerst einen Clip öffnen: einen Ordner mit Bildern oder einen Film ins Fenster ziehen.</translation>
+    </message>
+    <message>
+        <source>Open a clip first: marks lie on its frames.</source>
+        <translation>Zuerst einen Clip öffnen: Markierungen liegen auf seinen Frames.</translation>
     </message>
     <message>
         <source>Open a clip first: shapes come into its frames and pixels.</source>
@@ -1879,8 +2451,32 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>{name} wird geöffnet …</translation>
     </message>
     <message>
+        <source>Opening …</source>
+        <translation>Wird geöffnet …</translation>
+    </message>
+    <message>
         <source>Or drop a folder of images, a movie or a project anywhere in this window.</source>
         <translation>Oder einen Ordner mit Bildern, einen Film oder ein Projekt irgendwo in dieses Fenster ziehen.</translation>
+    </message>
+    <message>
+        <source>Other shapes say nothing about what lies before the surface</source>
+        <translation>Andere Formen sagen nichts darüber, was vor der Fläche liegt</translation>
+    </message>
+    <message>
+        <source>Out: frame {last}. Drag it</source>
+        <translation>Out: Frame {last}. Ziehen verschiebt</translation>
+    </message>
+    <message>
+        <source>Outlines of frames after</source>
+        <translation>Umrisse der Frames danach</translation>
+    </message>
+    <message>
+        <source>Outlines of frames before</source>
+        <translation>Umrisse der Frames davor</translation>
+    </message>
+    <message>
+        <source>Outside of the shape&apos;s lifetime</source>
+        <translation>Außerhalb der Lebensdauer der Form</translation>
     </message>
     <message>
         <source>Overlay</source>
@@ -1893,6 +2489,22 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
     <message>
         <source>Pan</source>
         <translation>Verschieben</translation>
+    </message>
+    <message>
+        <source>Panel: Planar track</source>
+        <translation>Bereich: Flächen-Track</translation>
+    </message>
+    <message>
+        <source>Panel: Shape</source>
+        <translation>Bereich: Form</translation>
+    </message>
+    <message>
+        <source>Panel: Shapes</source>
+        <translation>Bereich: Formen</translation>
+    </message>
+    <message>
+        <source>Panel: Track</source>
+        <translation>Bereich: Tracking</translation>
     </message>
     <message>
         <source>Panels</source>
@@ -1923,6 +2535,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Keyframe in Bereich einfügen…</translation>
     </message>
     <message>
+        <source>Paste keys</source>
+        <translation>Keyframes einfügen</translation>
+    </message>
+    <message>
         <source>Paste the copied shapes, also those copied in Nuke or Fusion</source>
         <translation>Kopierte Formen einfügen, auch in Nuke oder Fusion kopierte</translation>
     </message>
@@ -1937,6 +2553,26 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
     <message>
         <source>Per second</source>
         <translation>Pro Sekunde</translation>
+    </message>
+    <message>
+        <source>Perspective</source>
+        <translation>Perspektive</translation>
+    </message>
+    <message>
+        <source>Phase</source>
+        <translation>Phase</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>Picture under the cut-out</source>
+        <translation>Bild unter dem Freisteller</translation>
+    </message>
+    <message>
+        <source>Pictures (*.exr *.dpx *.png *.jpg *.jpeg *.tif *.tiff);;All files (*)</source>
+        <translation>Bilder (*.exr *.dpx *.png *.jpg *.jpeg *.tif *.tiff);;Alle Dateien (*)</translation>
     </message>
     <message>
         <source>Pin as A</source>
@@ -2031,6 +2667,14 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Polygone in CVAT addieren nur: {what} von {name} geht verloren.</translation>
     </message>
     <message>
+        <source>Position</source>
+        <translation>Position</translation>
+    </message>
+    <message>
+        <source>Position, turn, size</source>
+        <translation>Position, Drehung, Größe</translation>
+    </message>
+    <message>
         <source>Previous doubtful frame</source>
         <translation>Vorheriger zweifelhafter Frame</translation>
     </message>
@@ -2111,6 +2755,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Was in {folder} liegt, stammt nicht von ROAM. Es ginge verloren.</translation>
     </message>
     <message>
+        <source>ROAM ended in a crash</source>
+        <translation>ROAM ist abgestürzt</translation>
+    </message>
+    <message>
         <source>ROAM projects (*.roam)</source>
         <translation>ROAM-Projekte (*.roam)</translation>
     </message>
@@ -2159,6 +2807,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Wiederholen</translation>
     </message>
     <message>
+        <source>Redo {text}</source>
+        <translation>{text} wiederholen</translation>
+    </message>
+    <message>
         <source>Redone: {text}.</source>
         <translation>Wiederholt: {text}.</translation>
     </message>
@@ -2179,8 +2831,32 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Clip neu verknüpfen…</translation>
     </message>
     <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Remove adjust key</source>
+        <translation>Korrektur-Keyframe entfernen</translation>
+    </message>
+    <message>
+        <source>Remove mark</source>
+        <translation>Markierung entfernen</translation>
+    </message>
+    <message>
+        <source>Remove motion</source>
+        <translation>Bewegung entfernen</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Umbenennen</translation>
+    </message>
+    <message>
         <source>Rendering the demo shot, frame {frame} …</source>
         <translation>Demo-Shot wird gerendert, Frame {frame} …</translation>
+    </message>
+    <message>
+        <source>Rendering the matte …</source>
+        <translation>Matte wird gerendert …</translation>
     </message>
     <message>
         <source>Replaces the file that is there.</source>
@@ -2203,16 +2879,32 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Weiche Kante zurücksetzen</translation>
     </message>
     <message>
+        <source>Reset layout</source>
+        <translation>Anordnung zurücksetzen</translation>
+    </message>
+    <message>
         <source>Reshape</source>
         <translation>Verformen</translation>
+    </message>
+    <message>
+        <source>Restack</source>
+        <translation>Umordnen</translation>
     </message>
     <message>
         <source>Return, Esc</source>
         <translation>Eingabe, Esc</translation>
     </message>
     <message>
+        <source>Ripple</source>
+        <translation>Ripple</translation>
+    </message>
+    <message>
         <source>Ripple edit</source>
         <translation>Ripple-Bearbeitung</translation>
+    </message>
+    <message>
+        <source>Ripple: edits change all keys {first}–{last}</source>
+        <translation>Ripple: Änderungen gelten für alle Keyframes {first}–{last}</translation>
     </message>
     <message>
         <source>Rotate</source>
@@ -2229,6 +2921,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
     <message>
         <source>SVG</source>
         <translation>SVG</translation>
+    </message>
+    <message>
+        <source>Samples</source>
+        <translation>Samples</translation>
     </message>
     <message>
         <source>Save</source>
@@ -2251,12 +2947,20 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Änderungen an {name} speichern?</translation>
     </message>
     <message>
+        <source>Save your work under a new name now.</source>
+        <translation>Bitte die Arbeit jetzt unter neuem Namen speichern.</translation>
+    </message>
+    <message>
         <source>Saved {name}. {warning}</source>
         <translation>{name} gespeichert. {warning}</translation>
     </message>
     <message>
         <source>Say where to write it.</source>
         <translation>Bitte angeben, wohin geschrieben wird.</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Skalieren</translation>
     </message>
     <message>
         <source>Scale x, y</source>
@@ -2279,12 +2983,20 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Aktion oder Taste suchen</translation>
     </message>
     <message>
+        <source>Second viewer</source>
+        <translation>Zweiter Viewer</translation>
+    </message>
+    <message>
         <source>Select</source>
         <translation>Auswählen</translation>
     </message>
     <message>
         <source>Select a layer first: click it in the list of shapes.</source>
         <translation>Zuerst eine Ebene auswählen: in der Liste der Formen anklicken.</translation>
+    </message>
+    <message>
+        <source>Select a shape first, or choose keys in the timeline.</source>
+        <translation>Zuerst eine Form auswählen oder Keyframes in der Zeitleiste wählen.</translation>
     </message>
     <message>
         <source>Select a shape first: click it in the viewer or in the list.</source>
@@ -2307,8 +3019,16 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Zuerst eine Form oder einige ihrer Punkte auswählen; gesperrte und ausgeblendete bleiben, wie sie sind.</translation>
     </message>
     <message>
+        <source>Select a shape to see its properties.</source>
+        <translation>Eine ausgewählte Form zeigt hier ihre Eigenschaften.</translation>
+    </message>
+    <message>
         <source>Select a shape whose plane is tracked (&lt;planar.forward&gt;), then pin its corners here.</source>
         <translation>Eine Form auswählen, deren Fläche getrackt ist (&lt;planar.forward&gt;), dann hier ihre Ecken festlegen.</translation>
+    </message>
+    <message>
+        <source>Select a shape: the eraser deletes points of selected shapes.</source>
+        <translation>Eine Form auswählen: Der Radierer löscht Punkte ausgewählter Formen.</translation>
     </message>
     <message>
         <source>Select all points</source>
@@ -2349,6 +3069,14 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
     <message>
         <source>Selected shapes only</source>
         <translation>Nur ausgewählte Formen</translation>
+    </message>
+    <message>
+        <source>Selected shapes, or all</source>
+        <translation>Ausgewählte Formen oder alle</translation>
+    </message>
+    <message>
+        <source>Selected, each alone</source>
+        <translation>Ausgewählte, jede einzeln</translation>
     </message>
     <message>
         <source>Set in</source>
@@ -2399,8 +3127,16 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Formen für andere Programme und Mattes: jedes Format, Keyframes und Frames</translation>
     </message>
     <message>
+        <source>Shapes hidden</source>
+        <translation>Formen ausgeblendet</translation>
+    </message>
+    <message>
         <source>Shapes of Nuke, Silhouette and others; or drop the file</source>
         <translation>Formen aus Nuke, Silhouette und anderen; die Datei lässt sich auch ablegen</translation>
+    </message>
+    <message>
+        <source>Shear</source>
+        <translation>Scheren</translation>
     </message>
     <message>
         <source>Shear x, y</source>
@@ -2451,8 +3187,36 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Gelenke zeigen</translation>
     </message>
     <message>
+        <source>Show layer</source>
+        <translation>Ebene einblenden</translation>
+    </message>
+    <message>
+        <source>Show or hide</source>
+        <translation>Ein- oder ausblenden</translation>
+    </message>
+    <message>
+        <source>Show or hide it, also in full screen</source>
+        <translation>Ein- oder ausblenden, auch im Vollbild</translation>
+    </message>
+    <message>
+        <source>Show or hide the list of shapes</source>
+        <translation>Liste der Formen ein- oder ausblenden</translation>
+    </message>
+    <message>
         <source>Show or hide the panels on the right</source>
         <translation>Die Bereiche rechts ein- oder ausblenden</translation>
+    </message>
+    <message>
+        <source>Show or hide the planar tracker</source>
+        <translation>Flächen-Tracker ein- oder ausblenden</translation>
+    </message>
+    <message>
+        <source>Show or hide the tracker</source>
+        <translation>Tracker ein- oder ausblenden</translation>
+    </message>
+    <message>
+        <source>Show or hide what the selected shapes have</source>
+        <translation>Eigenschaften der ausgewählten Formen ein- oder ausblenden</translation>
     </message>
     <message>
         <source>Show the plate as it is: all channels, neutral</source>
@@ -2469,6 +3233,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
     <message>
         <source>Show what was said, and when</source>
         <translation>Zeigen, was wann gemeldet wurde</translation>
+    </message>
+    <message>
+        <source>Shutter</source>
+        <translation>Verschluss</translation>
     </message>
     <message>
         <source>Shutter {shutter:.2f} frames.</source>
@@ -2535,12 +3303,24 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Glätte</translation>
     </message>
     <message>
+        <source>Soft</source>
+        <translation>Weich</translation>
+    </message>
+    <message>
+        <source>Soft edges where the points move while the shutter is open</source>
+        <translation>Weiche Kanten, wo sich die Punkte bei offenem Verschluss bewegen</translation>
+    </message>
+    <message>
         <source>Soft selection</source>
         <translation>Weiche Auswahl</translation>
     </message>
     <message>
         <source>Soften the edge: pull the feather out of points</source>
         <translation>Kante weich machen: die weiche Kante aus Punkten ziehen</translation>
+    </message>
+    <message>
+        <source>Solve</source>
+        <translation>Tracken</translation>
     </message>
     <message>
         <source>Solve as one object</source>
@@ -2553,6 +3333,18 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
     <message>
         <source>Solve by itself</source>
         <translation>Für sich tracken</translation>
+    </message>
+    <message>
+        <source>Some have a key on this frame or vary, others do not. Click to set a key on all</source>
+        <translation>Manche haben auf diesem Frame einen Keyframe oder ändern sich, andere nicht. Klicken setzt überall einen Keyframe</translation>
+    </message>
+    <message>
+        <source>Something went wrong inside ROAM</source>
+        <translation>In ROAM ist etwas schiefgegangen</translation>
+    </message>
+    <message>
+        <source>Something went wrong inside ROAM. {kept}</source>
+        <translation>In ROAM ist etwas schiefgegangen. {kept}</translation>
     </message>
     <message>
         <source>Source</source>
@@ -2595,12 +3387,24 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Tracken von {names} beginnt …</translation>
     </message>
     <message>
+        <source>State</source>
+        <translation>Status</translation>
+    </message>
+    <message>
         <source>Stop</source>
         <translation>Anhalten</translation>
     </message>
     <message>
         <source>Stop; the frames that are finished stay</source>
         <translation>Anhalten; die fertigen Frames bleiben</translation>
+    </message>
+    <message>
+        <source>Stop; what is finished stays</source>
+        <translation>Anhalten; was fertig ist, bleibt</translation>
+    </message>
+    <message>
+        <source>Stop; what is finished stays  ({keys})</source>
+        <translation>Anhalten; was fertig ist, bleibt  ({keys})</translation>
     </message>
     <message>
         <source>Stopped.</source>
@@ -2621,6 +3425,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
     <message>
         <source>Swap top and bottom of what is selected</source>
         <translation>Oben und unten der Auswahl vertauschen</translation>
+    </message>
+    <message>
+        <source>Take it out of the main window, to another monitor, or put it back</source>
+        <translation>Aus dem Hauptfenster nehmen, auf einen anderen Monitor, oder zurücksetzen</translation>
     </message>
     <message>
         <source>Take it over</source>
@@ -2663,6 +3471,14 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Der Clip {path} ist jetzt {size}; das Projekt entstand für {before}. Den alten Clip zurücklegen oder das Projekt öffnen und einen anderen wählen.</translation>
     </message>
     <message>
+        <source>The clip&apos;s frames a second; while it plays, those that are shown, and the speed</source>
+        <translation>Frames pro Sekunde des Clips; beim Abspielen die gezeigten und die Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>The copied keys fit no shape here: shapes may be locked, or have other points.</source>
+        <translation>Die kopierten Keyframes passen hier zu keiner Form: Formen sind vielleicht gesperrt oder haben andere Punkte.</translation>
+    </message>
+    <message>
         <source>The defaults are used; it could not be set aside ({reason}).</source>
         <translation>Es gelten die Vorgaben; die Datei ließ sich nicht beiseitelegen ({reason}).</translation>
     </message>
@@ -2687,6 +3503,24 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Das Ziehen wurde verworfen: Seine Form oder der Frame hat sich inzwischen geändert.</translation>
     </message>
     <message>
+        <source>The energy is the engine&apos;s measure of how badly outlines agree with the picture:
+the farther it falls, the more speaks for the change.</source>
+        <translation>Die Energie misst, wie schlecht Umrisse mit dem Bild übereinstimmen:
+je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
+    </message>
+    <message>
+        <source>The engine is being prepared, once on this machine; you can draw meanwhile.</source>
+        <translation>Die Engine wird vorbereitet, einmal auf diesem Rechner; Zeichnen geht inzwischen.</translation>
+    </message>
+    <message>
+        <source>The engine is ready.</source>
+        <translation>Die Engine ist bereit.</translation>
+    </message>
+    <message>
+        <source>The engine&apos;s trust in this frame, 0 to 1</source>
+        <translation>Das Vertrauen der Engine in diesen Frame, 0 bis 1</translation>
+    </message>
+    <message>
         <source>The feather curve of {name!r} is lost: Fusion&apos;s masks have one soft edge all around.</source>
         <translation>Die Kurve der weichen Kante von {name!r} geht verloren: Masken in Fusion sind rundum gleich weich.</translation>
     </message>
@@ -2703,6 +3537,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Die weiche Kante von {name!r} geht verloren: Wie eine Silhouette-Datei sie hält, ist nicht bekannt.</translation>
     </message>
     <message>
+        <source>The few numbers of the engine that are worth turning</source>
+        <translation>Die wenigen Zahlen der Engine, an denen Drehen sich lohnt</translation>
+    </message>
+    <message>
         <source>The first frame of {path} is not that of the plate that the project was made on ({before}); check that the shapes fit the picture.</source>
         <translation>Der erste Frame von {path} ist nicht der der Plate, auf der das Projekt entstand ({before}); bitte prüfen, ob die Formen zum Bild passen.</translation>
     </message>
@@ -2717,6 +3555,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
     <message>
         <source>The format holds all that is chosen.</source>
         <translation>Das Format hält alles, was gewählt ist.</translation>
+    </message>
+    <message>
+        <source>The frames on which a track moves the layer</source>
+        <translation>Die Frames, auf denen ein Track die Ebene bewegt</translation>
     </message>
     <message>
         <source>The greater of both</source>
@@ -2747,8 +3589,24 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Das Journal {journal} hat keinen Anfang; daraus lässt sich nichts wiederherstellen.</translation>
     </message>
     <message>
+        <source>The keys before and after, however far</source>
+        <translation>Die Keyframes davor und danach, wie weit sie auch liegen</translation>
+    </message>
+    <message>
+        <source>The keys of your shapes appear here.</source>
+        <translation>Hier erscheinen die Keyframes der Formen.</translation>
+    </message>
+    <message>
         <source>The last frame to export</source>
         <translation>Der letzte zu exportierende Frame</translation>
+    </message>
+    <message>
+        <source>The matte is what lies outside of the shape</source>
+        <translation>Die Matte ist, was außerhalb der Form liegt</translation>
+    </message>
+    <message>
+        <source>The matte is what lies outside of the shapes of the layer</source>
+        <translation>Die Matte ist, was außerhalb der Formen der Ebene liegt</translation>
     </message>
     <message>
         <source>The matte of all visible shapes</source>
@@ -2761,6 +3619,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
     <message>
         <source>The mattes would differ in the other program:</source>
         <translation>Die Mattes würden im anderen Programm abweichen:</translation>
+    </message>
+    <message>
+        <source>The motion of {name}: click to select its shapes</source>
+        <translation>Die Bewegung von {name}: Klicken wählt ihre Formen aus</translation>
     </message>
     <message>
         <source>The next frame is a key already: there is nothing to track before it.</source>
@@ -2779,12 +3641,36 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Die Umrisse der Frames davor und danach</translation>
     </message>
     <message>
+        <source>The picture alone; Esc leaves</source>
+        <translation>Nur das Bild; Esc verlässt es</translation>
+    </message>
+    <message>
+        <source>The pixel under the pointer; the values are the plate&apos;s own, before exposure and gamma</source>
+        <translation>Das Pixel unter dem Zeiger; die Werte sind die der Plate, vor Belichtung und Gamma</translation>
+    </message>
+    <message>
         <source>The planar track stopped at frame {frame}; the finished frames stay.</source>
         <translation>Flächen-Track bei Frame {frame} angehalten; die fertigen Frames bleiben.</translation>
     </message>
     <message>
         <source>The planar track stopped before a frame was finished; the finished frames stay.</source>
         <translation>Flächen-Track angehalten, bevor ein Frame fertig war; die fertigen Frames bleiben.</translation>
+    </message>
+    <message>
+        <source>The plane also tilts a little</source>
+        <translation>Die Fläche kippt auch ein wenig</translation>
+    </message>
+    <message>
+        <source>The plane moves, and neither turns nor grows</source>
+        <translation>Die Fläche bewegt sich, ohne sich zu drehen oder zu wachsen</translation>
+    </message>
+    <message>
+        <source>The plane moves, turns and comes nearer: most things far away</source>
+        <translation>Die Fläche bewegt sich, dreht sich und kommt näher: das meiste, was weit entfernt ist</translation>
+    </message>
+    <message>
+        <source>The plane tilts as screens and walls near the camera do</source>
+        <translation>Die Fläche kippt, wie Bildschirme und Wände nahe der Kamera</translation>
     </message>
     <message>
         <source>The plate alone</source>
@@ -2839,8 +3725,24 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Ausgewählte oder alle Formen als Nodes zum Einfügen in einen Flow</translation>
     </message>
     <message>
+        <source>The shape exists on some frames only</source>
+        <translation>Die Form existiert nur auf manchen Frames</translation>
+    </message>
+    <message>
+        <source>The shape is locked; unlock it to change its keys.</source>
+        <translation>Die Form ist gesperrt; erst entsperrt lassen sich ihre Keyframes ändern.</translation>
+    </message>
+    <message>
+        <source>The shape is locked; unlock it to move its keys.</source>
+        <translation>Die Form ist gesperrt; erst entsperrt lassen sich ihre Keyframes verschieben.</translation>
+    </message>
+    <message>
         <source>The shape stands still there: other keys in the range give way.</source>
         <translation>Dort steht die Form still: Andere Keyframes im Bereich weichen.</translation>
+    </message>
+    <message>
+        <source>The shapes are hidden; show them (overlay view) to draw and edit.</source>
+        <translation>Die Formen sind ausgeblendet; zum Zeichnen und Bearbeiten bitte einblenden (Ansicht Overlay).</translation>
     </message>
     <message>
         <source>The soft edge goes over to your next keys, through the tracked frames between; &lt;feather.all_keys&gt; gives it to all.</source>
@@ -2853,6 +3755,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
     <message>
         <source>The translation {code!r} is not installed; choose another language in the settings.</source>
         <translation>Die Übersetzung {code!r} ist nicht installiert; bitte in den Einstellungen eine andere Sprache wählen.</translation>
+    </message>
+    <message>
+        <source>There is no display to open a window on; use the command line (roam --help), or log in with a display or X forwarding.</source>
+        <translation>Es gibt keinen Bildschirm für ein Fenster; bitte die Kommandozeile benutzen (roam --help) oder sich mit Bildschirm oder X-Weiterleitung anmelden.</translation>
     </message>
     <message>
         <source>There is no frame to track backward to.</source>
@@ -2879,12 +3785,24 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Vor diesem Frame gibt es keinen Keyframe.</translation>
     </message>
     <message>
+        <source>There is no key to paste; copy keys in the timeline first.</source>
+        <translation>Es gibt keinen Keyframe zum Einfügen; zuerst Keyframes in der Zeitleiste kopieren.</translation>
+    </message>
+    <message>
         <source>There is no key to paste; copy one first.</source>
         <translation>Es gibt keinen Keyframe zum Einfügen; zuerst einen kopieren.</translation>
     </message>
     <message>
         <source>There is no keymap {name!r}; choose one that lies in resources/keymaps.</source>
         <translation>Es gibt keine Tastenbelegung {name!r}; bitte eine aus resources/keymaps wählen.</translation>
+    </message>
+    <message>
+        <source>There is no mark after this frame.</source>
+        <translation>Nach diesem Frame gibt es keine Markierung.</translation>
+    </message>
+    <message>
+        <source>There is no mark before this frame.</source>
+        <translation>Vor diesem Frame gibt es keine Markierung.</translation>
     </message>
     <message>
         <source>There is no picture of this frame to find edges in (yet).</source>
@@ -2911,6 +3829,14 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Es gibt keine Form zum Einfügen; zuerst eine kopieren, hier oder in einem anderen Programm.</translation>
     </message>
     <message>
+        <source>There is no shape to track yet</source>
+        <translation>Noch gibt es keine Form zum Tracken</translation>
+    </message>
+    <message>
+        <source>There is nothing to compare yet; open a clip first.</source>
+        <translation>Es gibt noch nichts zu vergleichen; zuerst einen Clip öffnen.</translation>
+    </message>
+    <message>
         <source>There is nothing to export yet; open a clip first.</source>
         <translation>Es gibt noch nichts zu exportieren; zuerst einen Clip öffnen.</translation>
     </message>
@@ -2923,13 +3849,25 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Ohne Speichern gehen sie verloren.</translation>
     </message>
     <message>
+        <source>This frame is not tracked</source>
+        <translation>Dieser Frame ist nicht getrackt</translation>
+    </message>
+    <message>
         <source>Threads</source>
         <translation>Threads</translation>
+    </message>
+    <message>
+        <source>Timeline</source>
+        <translation>Zeitleiste</translation>
     </message>
     <message>
         <source>To</source>
         <comment>where it is written</comment>
         <translation>Nach</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>Bis</translation>
     </message>
     <message>
         <source>To frame</source>
@@ -3012,12 +3950,28 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Nach Zahlen transformieren…</translation>
     </message>
     <message>
+        <source>Turn all of them back to 100 %</source>
+        <translation>Alle auf 100 % zurückdrehen</translation>
+    </message>
+    <message>
         <source>Turn at both ends</source>
         <translation>An beiden Enden umkehren</translation>
     </message>
     <message>
         <source>Undo</source>
         <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Undo invert</source>
+        <translation>Invertieren rückgängig</translation>
+    </message>
+    <message>
+        <source>Undo invert layer</source>
+        <translation>Invertieren der Ebene rückgängig</translation>
+    </message>
+    <message>
+        <source>Undo {text}</source>
+        <translation>{text} rückgängig machen</translation>
     </message>
     <message>
         <source>Undone: {text}.</source>
@@ -3032,6 +3986,14 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Entsperren</translation>
     </message>
     <message>
+        <source>Unlock layer</source>
+        <translation>Ebene entsperren</translation>
+    </message>
+    <message>
+        <source>Up to this frame</source>
+        <translation>Bis zu diesem Frame</translation>
+    </message>
+    <message>
         <source>Versions, system and messages, to copy into an issue</source>
         <translation>Versionen, System und Meldungen, zum Kopieren in eine Fehlermeldung</translation>
     </message>
@@ -3040,16 +4002,64 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Ansicht</translation>
     </message>
     <message>
+        <source>Visible</source>
+        <translation>Sichtbar</translation>
+    </message>
+    <message>
+        <source>Visible shapes above the tracked ones lie before the surface</source>
+        <translation>Sichtbare Formen über den getrackten liegen vor der Fläche</translation>
+    </message>
+    <message>
+        <source>What ROAM says is kept here.</source>
+        <translation>Hier steht, was ROAM meldet.</translation>
+    </message>
+    <message>
+        <source>What could be found out about it is below; your edits up to then are in the journal.</source>
+        <translation>Was sich darüber herausfinden ließ, steht unten; die Bearbeitungen bis dahin sind im Journal.</translation>
+    </message>
+    <message>
         <source>What crashes left, and what was thrown away, session by session</source>
         <translation>Was Abstürze hinterließen und was verworfen wurde, Sitzung für Sitzung</translation>
+    </message>
+    <message>
+        <source>What hides what, from this frame on; mattes go by the order in the list</source>
+        <translation>Was was verdeckt, ab diesem Frame; Mattes gehen nach der Reihenfolge in der Liste</translation>
     </message>
     <message>
         <source>What is selected is locked; unlock it first (&lt;shape.lock&gt;).</source>
         <translation>Die Auswahl ist gesperrt; zuerst entsperren (&lt;shape.lock&gt;).</translation>
     </message>
     <message>
+        <source>What is solved together. By outlines: shapes that overlap are parts, which move by themselves and hang together; shapes that lie near each other are one whole.</source>
+        <translation>Was zusammen getrackt wird. Nach Umrissen: Formen, die sich überlappen, sind Teile, die sich selbst bewegen und zusammenhängen; Formen, die nah beieinanderliegen, sind ein Ganzes.</translation>
+    </message>
+    <message>
+        <source>What lies in a hidden layer takes no part in the matte</source>
+        <translation>Was in einer ausgeblendeten Ebene liegt, zählt nicht zur Matte</translation>
+    </message>
+    <message>
+        <source>What lies in a locked layer cannot be changed by hand</source>
+        <translation>Was in einer gesperrten Ebene liegt, lässt sich nicht von Hand ändern</translation>
+    </message>
+    <message>
+        <source>What the cut-out lies on</source>
+        <translation>Worauf der Freisteller liegt</translation>
+    </message>
+    <message>
+        <source>What the second viewer shows</source>
+        <translation>Was der zweite Viewer zeigt</translation>
+    </message>
+    <message>
+        <source>What the surface inside the shapes may do; choose the simplest that fits</source>
+        <translation>Was die Fläche in den Formen tun darf; das Einfachste, das passt, ist das Beste</translation>
+    </message>
+    <message>
         <source>Wheel</source>
         <translation>Mausrad</translation>
+    </message>
+    <message>
+        <source>When it opens, counted from the frame</source>
+        <translation>Wann er sich öffnet, vom Frame an gezählt</translation>
     </message>
     <message>
         <source>Where parts hang together, on frames with keys</source>
@@ -3060,8 +4070,28 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Wo die Engine dem Umriss traut</translation>
     </message>
     <message>
+        <source>Which channel is shown</source>
+        <translation>Welcher Kanal zu sehen ist</translation>
+    </message>
+    <message>
+        <source>Which frames the onion skin shows</source>
+        <translation>Welche Frames die Zwiebelhaut zeigt</translation>
+    </message>
+    <message>
+        <source>Which other shapes cover the surface: what lies inside them is not looked at, frame by frame</source>
+        <translation>Welche anderen Formen die Fläche verdecken: Was in ihnen liegt, wird Frame für Frame nicht beachtet</translation>
+    </message>
+    <message>
         <source>Whole of {count} shapes</source>
         <translation>Ganzes aus {count} Formen</translation>
+    </message>
+    <message>
+        <source>Width of an even soft edge; below zero it lies inside</source>
+        <translation>Breite einer gleichmäßig weichen Kante; unter null liegt sie innen</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>Fenster</translation>
     </message>
     <message>
         <source>With the object tool: mark more of the object, mark what is not it</source>
@@ -3103,12 +4133,20 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Die eigenen Dateien ändern sich erst beim Speichern. Was hier liegen bleibt, bleibt erhalten.</translation>
     </message>
     <message>
+        <source>Your project is as it was, and every edit is in the journal.</source>
+        <translation>Das Projekt ist, wie es war, und jede Bearbeitung ist im Journal.</translation>
+    </message>
+    <message>
         <source>Zoom at the pointer</source>
         <translation>Am Zeiger zoomen</translation>
     </message>
     <message>
         <source>a feather of about {width}, which is a blur</source>
         <translation>eine weiche Kante von etwa {width}, als Unschärfe</translation>
+    </message>
+    <message>
+        <source>a word on this mark</source>
+        <translation>ein Wort zu dieser Markierung</translation>
     </message>
     <message>
         <source>accept yes topology</source>
@@ -3133,6 +4171,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
     <message>
         <source>at both ends</source>
         <translation>an beiden Enden</translation>
+    </message>
+    <message>
+        <source>at depth {level}</source>
+        <translation>in Tiefe {level}</translation>
     </message>
     <message>
         <source>autokey keyframe record stopwatch</source>
@@ -3235,6 +4277,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>konfidenz falsch fehler korrigieren</translation>
     </message>
     <message>
+        <source>confidence {confidence:.2f}</source>
+        <translation>Konfidenz {confidence:.2f}</translation>
+    </message>
+    <message>
         <source>convert tangents handles</source>
         <translation>umwandeln tangenten anfasser</translation>
     </message>
@@ -3259,6 +4305,14 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>zyklisch schließen öffnen spline</translation>
     </message>
     <message>
+        <source>delete all keys</source>
+        <translation>alle Keyframes löschen</translation>
+    </message>
+    <message>
+        <source>delete key</source>
+        <translation>Keyframe löschen</translation>
+    </message>
+    <message>
         <source>depth order occlusion over above z</source>
         <translation>tiefe reihenfolge verdeckung über z</translation>
     </message>
@@ -3273,6 +4327,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
     <message>
         <source>dissolve unparent folder</source>
         <translation>auflösen lösen ordner</translation>
+    </message>
+    <message>
+        <source>dock panels back default workspace</source>
+        <translation>andocken bereiche zurück standard arbeitsbereich</translation>
     </message>
     <message>
         <source>dopesheet keys height bigger large half</source>
@@ -3303,6 +4361,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>weiche Kante</translation>
     </message>
     <message>
+        <source>filled between two keys</source>
+        <translation>zwischen zwei Keyframes gefüllt</translation>
+    </message>
+    <message>
         <source>flip flop horizontal</source>
         <translation>spiegeln horizontal umdrehen</translation>
     </message>
@@ -3327,12 +4389,28 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>ordner ebene gruppe</translation>
     </message>
     <message>
+        <source>frame {frame} is missing or damaged</source>
+        <translation>Frame {frame} fehlt oder ist beschädigt</translation>
+    </message>
+    <message>
         <source>frame {frame} of {last}</source>
         <translation>Frame {frame} von {last}</translation>
     </message>
     <message>
+        <source>frames</source>
+        <translation>Frames</translation>
+    </message>
+    <message>
         <source>freehand marquee</source>
         <translation>freihand rahmen</translation>
+    </message>
+    <message>
+        <source>from {frame} {level}</source>
+        <translation>ab {frame} {level}</translation>
+    </message>
+    <message>
+        <source>fullscreen maximise maximize whole monitor theatre</source>
+        <translation>vollbild maximieren ganzer monitor kino</translation>
     </message>
     <message>
         <source>gain gamma viewer neutral default</source>
@@ -3343,12 +4421,36 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>die Tangenten formen jetzt die Kurve, und kein Umriss hat sich geändert</translation>
     </message>
     <message>
+        <source>here</source>
+        <translation>hier</translation>
+    </message>
+    <message>
+        <source>hidden: the motion goes evenly from the frames before to those after</source>
+        <translation>verdeckt: Die Bewegung geht gleichmäßig von den Frames davor zu denen danach</translation>
+    </message>
+    <message>
+        <source>hide show dopesheet</source>
+        <translation>ausblenden einblenden zeitleiste</translation>
+    </message>
+    <message>
+        <source>hold</source>
+        <translation>halten</translation>
+    </message>
+    <message>
+        <source>holds still up to the next key</source>
+        <translation>hält bis zum nächsten Keyframe still</translation>
+    </message>
+    <message>
         <source>import footage mov mp4 quicktime read load</source>
         <translation>importieren film mov mp4 quicktime lesen laden</translation>
     </message>
     <message>
         <source>import footage plate read sequence images source load</source>
         <translation>importieren material plate lesen sequenz bilder quelle laden</translation>
+    </message>
+    <message>
+        <source>in</source>
+        <translation>In</translation>
     </message>
     <message>
         <source>in front of the others</source>
@@ -3419,6 +4521,14 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>keyframe entfernen</translation>
     </message>
     <message>
+        <source>line: before, white dashes: after, hatched: what differs</source>
+        <translation>Linie: vorher, weiße Striche: nachher, schraffiert: was sich unterscheidet</translation>
+    </message>
+    <message>
+        <source>linear</source>
+        <translation>linear</translation>
+    </message>
+    <message>
         <source>linear straight draw roto mask path</source>
         <translation>linear gerade zeichnen roto maske pfad</translation>
     </message>
@@ -3441,6 +4551,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
     <message>
         <source>mattes alpha segmentation load</source>
         <translation>mattes alpha segmentierung laden</translation>
+    </message>
+    <message>
+        <source>memory {used} of {limit}</source>
+        <translation>Speicher {used} von {limit}</translation>
     </message>
     <message>
         <source>messages errors console</source>
@@ -3467,8 +4581,20 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>bewegen drehen größe skalieren neigen scheren rahmen</translation>
     </message>
     <message>
+        <source>moves on evenly</source>
+        <translation>bewegt sich gleichmäßig weiter</translation>
+    </message>
+    <message>
+        <source>moves on smoothly</source>
+        <translation>bewegt sich weich weiter</translation>
+    </message>
+    <message>
         <source>not installed</source>
         <translation>nicht installiert</translation>
+    </message>
+    <message>
+        <source>not tracked</source>
+        <translation>nicht getrackt</translation>
     </message>
     <message>
         <source>nuke silhouette fusion blender mocha after effects svg render write output</source>
@@ -3493,6 +4619,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
     <message>
         <source>opacity</source>
         <translation>Deckkraft</translation>
+    </message>
+    <message>
+        <source>out</source>
+        <translation>Out</translation>
     </message>
     <message>
         <source>pen spline draw roto mask path</source>
@@ -3563,6 +4693,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>schützen</translation>
     </message>
     <message>
+        <source>read from a file between two of its keys</source>
+        <translation>aus einer Datei zwischen zweien ihrer Keyframes gelesen</translation>
+    </message>
+    <message>
         <source>recovered work</source>
         <translation>wiederhergestellte Arbeit</translation>
     </message>
@@ -3619,6 +4753,14 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>siehe Paket</translation>
     </message>
     <message>
+        <source>set key</source>
+        <translation>Keyframe setzen</translation>
+    </message>
+    <message>
+        <source>set on {frame}</source>
+        <translation>gesetzt auf {frame}</translation>
+    </message>
+    <message>
         <source>shapes splines</source>
         <translation>formen splines</translation>
     </message>
@@ -3637,6 +4779,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
     <message>
         <source>slow reverse half speed</source>
         <translation>langsam rückwärts halbe geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>smooth</source>
+        <translation>weich</translation>
     </message>
     <message>
         <source>snapshot store buffer compare reference</source>
@@ -3665,6 +4811,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
     <message>
         <source>square box quad draw roto mask</source>
         <translation>quadrat rahmen viereck zeichnen roto maske</translation>
+    </message>
+    <message>
+        <source>stands still</source>
+        <translation>steht still</translation>
     </message>
     <message>
         <source>start run</source>
@@ -3711,6 +4861,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Fläche</translation>
     </message>
     <message>
+        <source>the plate&apos;s light with the sRGB curve</source>
+        <translation>das Licht der Plate mit der sRGB-Kurve</translation>
+    </message>
+    <message>
         <source>the points</source>
         <translation>Punkte</translation>
     </message>
@@ -3739,8 +4893,28 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>nachzeichnen vektorisieren matte bild</translation>
     </message>
     <message>
+        <source>tracked</source>
+        <translation>getrackt</translation>
+    </message>
+    <message>
+        <source>tracked backward</source>
+        <translation>rückwärts getrackt</translation>
+    </message>
+    <message>
+        <source>tracked before confidence was kept</source>
+        <translation>getrackt, bevor Konfidenz aufgehoben wurde</translation>
+    </message>
+    <message>
+        <source>tracked forward</source>
+        <translation>vorwärts getrackt</translation>
+    </message>
+    <message>
         <source>trust doubt heat quality</source>
         <translation>vertrauen zweifel qualität</translation>
+    </message>
+    <message>
+        <source>two viewers beside split compare matte monitor dual</source>
+        <translation>zwei viewer nebeneinander geteilt vergleichen matte monitor</translation>
     </message>
     <message>
         <source>uberkey multi-frame multiframe all keys offset</source>
@@ -3749,6 +4923,14 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
     <message>
         <source>undo list steps</source>
         <translation>rückgängig liste schritte</translation>
+    </message>
+    <message>
+        <source>undock detach tear off monitor</source>
+        <translation>abdocken lösen monitor</translation>
+    </message>
+    <message>
+        <source>undock detach tear off monitor dopesheet</source>
+        <translation>abdocken lösen monitor zeitleiste</translation>
     </message>
     <message>
         <source>unhide reveal visibility eye</source>
@@ -3819,6 +5001,22 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>{action} ist im Moment nicht möglich.</translation>
     </message>
     <message>
+        <source>{act} point</source>
+        <translation>{act}: Punkt</translation>
+    </message>
+    <message>
+        <source>{act} shape</source>
+        <translation>{act}: Form</translation>
+    </message>
+    <message>
+        <source>{act} {count} points</source>
+        <translation>{act}: {count} Punkte</translation>
+    </message>
+    <message>
+        <source>{act} {count} shapes</source>
+        <translation>{act}: {count} Formen</translation>
+    </message>
+    <message>
         <source>{before} and {after}</source>
         <translation>{before} und {after}</translation>
     </message>
@@ -3827,8 +5025,16 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>{blur} Kante {width:.1f} px im Median. {shapes} geändert, {soft} mit weicher Kante.</translation>
     </message>
     <message>
+        <source>{confidence:.2f}{doubt}</source>
+        <translation>{confidence:.2f}{doubt}</translation>
+    </message>
+    <message>
         <source>{count} frames, from {first} to {last}</source>
         <translation>{count} Frames, von {first} bis {last}</translation>
+    </message>
+    <message>
+        <source>{count} more</source>
+        <translation>{count} weitere</translation>
     </message>
     <message>
         <source>{count} of {all} gap(s) could not be filled: {reason}</source>
@@ -3890,6 +5096,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>{keys} bewegt die ausgewählten Punkte; bitte eine andere Taste wählen.</translation>
     </message>
     <message>
+        <source>{keys} stops</source>
+        <translation>{keys} hält an</translation>
+    </message>
+    <message>
         <source>{name!r} does not exist on the frames that are written: it was left out.</source>
         <translation>{name!r} existiert auf den geschriebenen Frames nicht und entfällt.</translation>
     </message>
@@ -3928,6 +5138,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
     <message>
         <source>{names} and others</source>
         <translation>{names} und weiteren</translation>
+    </message>
+    <message>
+        <source>{names} and {count} more</source>
+        <translation>{names} und {count} weitere</translation>
     </message>
     <message>
         <source>{name} is drawn: drag its points to adjust it, ] tracks it forward.</source>
@@ -3974,6 +5188,14 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>{name} wurde nicht geöffnet.</translation>
     </message>
     <message>
+        <source>{name}, frame {frame}</source>
+        <translation>{name}, Frame {frame}</translation>
+    </message>
+    <message>
+        <source>{name}: click to select, Shift adds</source>
+        <translation>{name}: Klicken wählt aus, Umschalt fügt hinzu</translation>
+    </message>
+    <message>
         <source>{pace:.0f} ms a frame</source>
         <translation>{pace:.0f} ms pro Frame</translation>
     </message>
@@ -3986,12 +5208,54 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>{path} ist keine Tastenbelegung; bitte die Tasten unter Bearbeiten &gt; Tasten neu festlegen.</translation>
     </message>
     <message>
+        <source>{rate:.0f} of </source>
+        <translation>{rate:.0f} von </translation>
+    </message>
+    <message>
+        <source>{sentence}. Drag to change</source>
+        <translation>{sentence}. Ziehen ändert</translation>
+    </message>
+    <message>
+        <source>{shown}{fps:g} fps{times}</source>
+        <translation>{shown}{fps:g} fps{times}</translation>
+    </message>
+    <message>
+        <source>{size:.0f} MB</source>
+        <translation>{size:.0f} MB</translation>
+    </message>
+    <message>
+        <source>{size:.1f} GB</source>
+        <translation>{size:.1f} GB</translation>
+    </message>
+    <message>
+        <source>{size:.1f} MB</source>
+        <translation>{size:.1f} MB</translation>
+    </message>
+    <message>
         <source>{space} (found)</source>
         <translation>{space} (gefunden)</translation>
     </message>
     <message>
+        <source>{tip}; double click: neutral</source>
+        <translation>{tip}; Doppelklick: neutral</translation>
+    </message>
+    <message>
+        <source>{title}
+Drag to move, double-click to name, right-click to remove</source>
+        <translation>{title}
+Ziehen verschiebt, Doppelklick benennt, Rechtsklick entfernt</translation>
+    </message>
+    <message>
+        <source>{view} on {display}</source>
+        <translation>{view} auf {display}</translation>
+    </message>
+    <message>
         <source>{what}  The energy falls by {figures}.</source>
         <translation>{what}  Die Energie fällt um {figures}.</translation>
+    </message>
+    <message>
+        <source>{where} since frame {frame}</source>
+        <translation>{where} seit Frame {frame}</translation>
     </message>
     <message>
         <source>{width:.0f} × {height:.0f} pixels. Shift: equal sides. Ctrl: from the centre.</source>
@@ -4004,6 +5268,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
     <message>
         <source>“{action}” is {keys} now.</source>
         <translation>„{action}“ ist jetzt {keys}.</translation>
+    </message>
+    <message>
+        <source>… and shear</source>
+        <translation>… und Scherung</translation>
     </message>
 </context>
 </TS>

@@ -36,8 +36,8 @@ from roam_core.roto import (
 )
 from roam_core.roto.animated import Animatable, Slopes
 from roam_core.roto.shape import NO_COLOUR
-from roam_core.translatable import N_
 from roam_core.roto.value_curves import bounded
+from roam_core.translatable import N_
 
 Number = Callable[..., float]
 """Reads a number of a field: `_Reader._number` or `_share`."""

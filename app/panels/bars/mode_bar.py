@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QHBoxLayout, QToolButton, QWidget
 from ...actions.actions import Actions
 from ...model.editing import LARGEST_RADIUS, LEAST_RADIUS
 from ...model.view_state import ViewState
+from ...translation import N_, tr
 from ...widgets.fields import NumberField
 
 SWITCHES = {"key.auto": "auto_key", "key.ripple": "ripple", "points.soft": "soft", "points.lasso": "lasso"}
@@ -16,7 +17,7 @@ SWITCHES = {"key.auto": "auto_key", "key.ripple": "ripple", "points.soft": "soft
 RADII = {"reshape": "brush_radius"}
 """The radius that a tool works with; with all others it is that of soft selection, while that is on."""
 
-WORDS = {"key.auto": "Auto-key", "key.ripple": "Ripple", "points.soft": "Soft", "points.lasso": "Lasso"}
+WORDS = {"key.auto": N_("Auto-key"), "key.ripple": N_("Ripple"), "points.soft": N_("Soft"), "points.lasso": N_("Lasso")}
 
 
 class ModeBar(QWidget):
@@ -39,13 +40,13 @@ class ModeBar(QWidget):
             button.setDefaultAction(actions[action_id])
             button.setObjectName("mode")
             button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextOnly)
-            button.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+            button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
             row.addWidget(button)
         self.radius = NumberField(
             LEAST_RADIUS,
             LARGEST_RADIUS,
             suffix=" px",
-            tip="How far it reaches, image pixels  (Ctrl+wheel in the viewer)",
+            tip=tr("How far it reaches, image pixels  (Ctrl+wheel in the viewer)"),
         )
         self.radius.setFixedSize(76, 20)
         self.radius.edited.connect(lambda value, _: editing.set(**{self._radius: value}))
@@ -63,6 +64,6 @@ class ModeBar(QWidget):
         modes = self._view.editing.modes
         for action_id, mode in SWITCHES.items():
             self._actions[action_id].setChecked(getattr(modes, mode))
-            self._actions[action_id].setIconText(WORDS[action_id])
+            self._actions[action_id].setIconText(tr(WORDS[action_id]))
         self.radius.setVisible(modes.soft or self._view.tool in RADII)
         self.radius.show_value(getattr(modes, self._radius))
