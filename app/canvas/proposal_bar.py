@@ -101,5 +101,5 @@ def _button(actions: Actions, action_id: str) -> QToolButton:
     button.setDefaultAction(actions[action_id])
     button.setObjectName("raised")
     button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextOnly)
-    button.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+    button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
     return button

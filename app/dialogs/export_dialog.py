@@ -121,6 +121,8 @@ class ExportDialog(QDialog):
         self.hint = weak_label("")
         self.notes = QPlainTextEdit()
         self.notes.setReadOnly(True)
+        for part, name in ((self.formats, tr("Format")), (self.notes, tr("What the format cannot hold"))):
+            part.setAccessibleName(name)
         self.notes.setMinimumHeight(NOTES_HEIGHT)
         self.bar = QProgressBar()
         self.bar.setRange(0, 1000)

@@ -86,6 +86,7 @@ class KeymapEditor(QDialog):
         self.search = QLineEdit()
         self.search.setPlaceholderText(tr("Search"))
         self.search.setClearButtonEnabled(True)
+        self.search.setAccessibleName(self.search.placeholderText())
         self.table = QTreeWidget()
         self.table.setColumnCount(3)
         self.table.setHeaderLabels([tr("Action"), tr("Menu"), tr("Keys", "of the keyboard")])
@@ -99,6 +100,8 @@ class KeymapEditor(QDialog):
         for column, width in ((1, MENU_WIDTH), (2, KEYS_WIDTH)):
             header.resizeSection(column, width)
         self.field = KeyField()
+        self.field.setAccessibleName(self.field.placeholderText())
+        self.table.setAccessibleName(tr("Actions"))
         self.word = weak_label("")
         self.word.setWordWrap(True)
         self.word.setMinimumHeight(2 * style.ROW_HEIGHT)

@@ -174,6 +174,7 @@ def _nearest(scale: float) -> int:
 def _row(form: QFormLayout, title: str, field: QWidget, word: str | None, *more: QWidget) -> None:
     """A label, a field, and a weak word about it."""
     label = QLabel(title)
+    field.setAccessibleName(title)
     label.setMinimumWidth(LABEL_WIDTH)
     row = QHBoxLayout()
     row.setSpacing(style.MARGIN)

@@ -110,6 +110,7 @@ class StartPage(QWidget):
             offers.addWidget(_button(self._actions, action_id))
         offers.addStretch(1)
         self._recent_title = weak_label(tr("Opened lately"))
+        self.recent.setAccessibleName(self._recent_title.text())
         right = QVBoxLayout()
         right.addWidget(self._recent_title)
         right.addWidget(self.recent, 1)

@@ -19,6 +19,7 @@ class LogPanel(QWidget):
         self._messages = messages
         self.text = QPlainTextEdit()
         self.text.setReadOnly(True)
+        self.text.setAccessibleName(tr("Messages"))
         self.text.setMaximumBlockCount(MOST)
         self.text.setPlaceholderText(tr("What ROAM says is kept here."))
         self.text.setFixedHeight(7 * style.ROW_HEIGHT)

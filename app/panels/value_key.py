@@ -82,6 +82,7 @@ class ValueKeyButton(QToolButton):
             QTimer.singleShot(0, self, self._settle)
         self.setIcon(self._icons[self.state])
         self.setToolTip(tr(LOOKS[self.state][2]) if is_one else tr(DIFFER))
+        self.setAccessibleDescription(self.toolTip())
         leading = [key for value in values if (key := leading_key(value, frame)) is not None]
         way = shared(key.interpolation for key in leading) if leading else None
         self._set.setEnabled(self.state is not Keying.KEY)

@@ -74,11 +74,13 @@ from ..widgets.controls import tool_button
 from ..widgets.focus import FocusFollowsPointer
 from ..widgets.panel import Panel
 from . import layout, settings
+from .accessibility import Accessibility, name_parts
 from .context_menus import ContextMenus
 from .defects import Defects
 from .full_screen import FullScreen
 from .second_view import second_viewer
 from .timeline_height import TimelineHeight
+from .undo_words import name_steps
 from .window_services import WindowServices
 from .workspace import Workspace
 
@@ -157,7 +159,6 @@ class MainWindow(QMainWindow):
         self.tracker = TrackerPanel(document, view_state, self.tracking, actions)
         self.properties = PropertiesPanel(document, view_state, self.belonging)
         self.history = QUndoView(document.undo_stack)
-        self.history.setEmptyLabel(tr("As opened"))
         self.history.setMinimumHeight(6 * style.ROW_HEIGHT)
         self.transport = Transport(self.navigation, view_state, self.playback, actions)
         self.timeline = Timeline(
@@ -200,6 +201,9 @@ class MainWindow(QMainWindow):
         self.workspace.add("timeline", tr("Timeline"), lower)
         self._lay_out_anew()
         self.setCentralWidget(layout.column(self._halves, self.status))
+        parts = self.tool_column, self.view_bar, self.panel_column, self.transport, self.timeline, self.status
+        self.accessibility = Accessibility(self.document, self.view_state, self.canvas, parts, self.playback)
+        name_parts(self.timeline, self.history, self.shapes)
         around, panels = (self.menuWidget(), tools, self.status), actions["view.panels"]
         self.full_screen = FullScreen(
             self, actions["window.full_screen"], around, lambda: [*self.workspace.at_home, panels]
@@ -256,17 +260,7 @@ class MainWindow(QMainWindow):
         self.planar.doubted.connect(view.say)
         self.document.replaced.connect(self._pull_clip)
         self.document.path_changed.connect(self._pull_title)
-        self.document.forgot.connect(lambda: self.history.setEmptyLabel(tr("Earlier steps were dropped")))
-        self.document.replaced.connect(lambda: self.history.setEmptyLabel(tr("As opened")))
-        undo = self.document.undo_stack
-        undo.canUndoChanged.connect(self.actions_by_id["edit.undo"].setEnabled)
-        undo.canRedoChanged.connect(self.actions_by_id["edit.redo"].setEnabled)
-        undo.undoTextChanged.connect(
-            lambda text: self.actions_by_id["edit.undo"].setText(tr("Undo {text}", text=text).rstrip())
-        )
-        undo.redoTextChanged.connect(
-            lambda text: self.actions_by_id["edit.redo"].setText(tr("Redo {text}", text=text).rstrip())
-        )
+        name_steps(self.document, self.history, self.actions_by_id)
 
     def _connect_actions(self) -> None:
         actions = self.actions_by_id
@@ -312,6 +306,7 @@ class MainWindow(QMainWindow):
             TransformActions(self.document, self.view_state, self),
             self.services,
             self.workspace,
+            self.accessibility,
             self.reopening,
             self.recovering,
             self.defects,

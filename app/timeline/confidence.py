@@ -71,7 +71,7 @@ class ConfidencePlot(QWidget):
         middle, right = Qt.AlignmentFlag.AlignVCenter, Qt.AlignmentFlag.AlignRight
         for value, text in ((0.0, "0"), (DOUBTFUL, f"{DOUBTFUL:g}"), (1.0, "1")):
             painter.drawText(QRectF(0, self.value_y(value) - 8, LABEL_WIDTH - 6, 16), middle | right, text)
-        painter.drawText(QRectF(style.MARGIN, 0, LABEL_WIDTH, self.height()), middle, "confidence")
+        painter.drawText(QRectF(style.MARGIN, 0, LABEL_WIDTH, self.height()), middle, tr("confidence"))
         painter.end()
 
 

@@ -137,7 +137,7 @@ class MarkBand(QWidget):
         font.setPixelSize(11)
         painter.setFont(font)
         painter.setPen(QColor(style.WEAK))
-        painter.drawText(QRectF(style.MARGIN, 0, LABEL_WIDTH, HEIGHT), Qt.AlignmentFlag.AlignVCenter, "marks")
+        painter.drawText(QRectF(style.MARGIN, 0, LABEL_WIDTH, HEIGHT), Qt.AlignmentFlag.AlignVCenter, tr("marks"))
         painter.setClipRect(QRectF(LABEL_WIDTH, 0, self.width() - LABEL_WIDTH, HEIGHT))
         marks = (self._preview or self._document.project).marks
         for mark, following in pairwise([*marks, None]):
@@ -172,6 +172,7 @@ class MarkField(QLineEdit):
         self.setObjectName("markField")
         self.setProperty(KEEPS_KEYBOARD, True)
         self.setPlaceholderText(tr("a word on this mark"))
+        self.setAccessibleName(self.placeholderText())
         self.setVisible(False)
         self.editingFinished.connect(self._keep)
 

@@ -6,7 +6,18 @@ from typing import Any
 
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QWheelEvent
-from PySide6.QtWidgets import QComboBox, QDoubleSpinBox, QFormLayout, QLabel, QSpinBox, QToolButton, QWidget
+from PySide6.QtWidgets import (
+    QAbstractSpinBox,
+    QComboBox,
+    QDoubleSpinBox,
+    QFormLayout,
+    QLabel,
+    QLayout,
+    QLineEdit,
+    QSpinBox,
+    QToolButton,
+    QWidget,
+)
 
 from .. import style
 from ..actions.actions import Actions
@@ -102,8 +113,25 @@ class _NamedForm(QFormLayout):
     def addRow(self, *row: Any) -> None:
         super().addRow(*row)
         label, field = row if len(row) == 2 else (None, None)
-        if isinstance(label, QLabel) and isinstance(field, QWidget) and not field.accessibleName():
-            field.setAccessibleName(label.text())
+        if isinstance(label, QLabel) and label.text():
+            for control in _controls_in(field):
+                if not control.accessibleName():
+                    control.setAccessibleName(label.text())
+
+
+def _controls_in(field: QWidget | QLayout | None) -> list[QWidget]:
+    """What is worked with in a row of a form: the field, or the fields and buttons beside each other in it."""
+    if isinstance(field, QLayout):
+        widgets = [item.widget() for index in range(field.count()) if (item := field.itemAt(index)) is not None]
+        return [control for widget in widgets for control in _controls_in(widget)]
+    if isinstance(field, QAbstractSpinBox | QComboBox | QLineEdit | QToolButton | QLabel):
+        return [field]
+    return [] if field is None else [each for child in field.findChildren(QWidget) for each in _fields_among(child)]
+
+
+def _fields_among(widget: QWidget) -> list[QWidget]:
+    is_part = isinstance(widget.parentWidget(), QAbstractSpinBox | QComboBox)
+    return [widget] if isinstance(widget, QAbstractSpinBox | QComboBox | QToolButton) and not is_part else []
 
 
 def dense_form() -> QFormLayout:

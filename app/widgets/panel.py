@@ -59,7 +59,7 @@ class Panel(QWidget):
         button.setIconSize(style.ICON_SIZE)
         button.setFixedSize(22, 22)
         button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonIconOnly)
-        button.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         self._row.addWidget(button)
 
     @property

@@ -116,6 +116,13 @@
         </translation>
     </message>
     <message numerus="yes">
+        <source>%n point(s) of it.</source>
+        <translation>
+            <numerusform>%n Punkt davon.</numerusform>
+            <numerusform>%n Punkte davon.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>%n proposal(s) to answer: Alt+P goes there.</source>
         <translation>
             <numerusform>%n Vorschlag wartet auf Antwort: Alt+P springt dorthin.</numerusform>
@@ -245,6 +252,10 @@ Jetzt: {level}, {changes}</translation>
     <message>
         <source>Action</source>
         <translation>Aktion</translation>
+    </message>
+    <message>
+        <source>Actions</source>
+        <translation>Aktionen</translation>
     </message>
     <message>
         <source>Add</source>
@@ -1293,6 +1304,10 @@ klicken für Ecken, ziehen für Kurven.</translation>
         <translation>Alle eigenen Tasten vergessen</translation>
     </message>
     <message>
+        <source>Format</source>
+        <translation>Format</translation>
+    </message>
+    <message>
         <source>Four points are enough: drag one of them, or take one back with Backspace.</source>
         <translation>Vier Punkte genügen: einen davon ziehen oder mit der Rücktaste einen zurücknehmen.</translation>
     </message>
@@ -1315,6 +1330,10 @@ klicken für Ecken, ziehen für Kurven.</translation>
     <message>
         <source>Frame {frame} is missing from the plate, or damaged</source>
         <translation>Frame {frame} fehlt in der Plate oder ist beschädigt</translation>
+    </message>
+    <message>
+        <source>Frame {frame}.</source>
+        <translation>Frame {frame}.</translation>
     </message>
     <message>
         <source>Frame {frame}: an adjust key of {name}
@@ -1738,6 +1757,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Tasten anderer Programme und eigene Tasten</translation>
     </message>
     <message>
+        <source>Keys of shapes</source>
+        <translation>Keyframes der Formen</translation>
+    </message>
+    <message>
         <source>Keys…</source>
         <translation>Tasten…</translation>
     </message>
@@ -1820,6 +1843,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
     <message>
         <source>Let the layer stand still; every key stays where it is seen</source>
         <translation>Ebene stillstehen lassen; jeder Keyframe bleibt, wo er zu sehen ist</translation>
+    </message>
+    <message>
+        <source>Libraries</source>
+        <translation>Bibliotheken</translation>
     </message>
     <message>
         <source>Lifetime</source>
@@ -1938,6 +1965,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Diesen Frame markieren oder seine Markierung entfernen</translation>
     </message>
     <message>
+        <source>Marks</source>
+        <translation>Markierungen</translation>
+    </message>
+    <message>
         <source>Mask pictures</source>
         <translation>Maskenbilder</translation>
     </message>
@@ -2032,6 +2063,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
     <message>
         <source>Motion blur</source>
         <translation>Bewegungsunschärfe</translation>
+    </message>
+    <message>
+        <source>Motion of layers</source>
+        <translation>Bewegung der Ebenen</translation>
     </message>
     <message>
         <source>Move</source>
@@ -2220,6 +2255,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
     <message>
         <source>Nothing is called so; try another word, or fewer letters.</source>
         <translation>Nichts heißt so; bitte ein anderes Wort versuchen oder weniger Buchstaben.</translation>
+    </message>
+    <message>
+        <source>Nothing is selected.</source>
+        <translation>Nichts ist ausgewählt.</translation>
     </message>
     <message>
         <source>Nothing is sent. Copy it into an issue if you like.</source>
@@ -2807,8 +2846,8 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
         <translation>Wiederholen</translation>
     </message>
     <message>
-        <source>Redo {text}</source>
-        <translation>{text} wiederholen</translation>
+        <source>Redo {step}</source>
+        <translation>{step} wiederholen</translation>
     </message>
     <message>
         <source>Redone: {text}.</source>
@@ -3077,6 +3116,10 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
     <message>
         <source>Selected, each alone</source>
         <translation>Ausgewählte, jede einzeln</translation>
+    </message>
+    <message>
+        <source>Selected: {names}.</source>
+        <translation>Ausgewählt: {names}.</translation>
     </message>
     <message>
         <source>Set in</source>
@@ -3861,6 +3904,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>Zeitleiste</translation>
     </message>
     <message>
+        <source>Timeline ruler</source>
+        <translation>Zeitlineal</translation>
+    </message>
+    <message>
         <source>To</source>
         <comment>where it is written</comment>
         <translation>Nach</translation>
@@ -3970,8 +4017,8 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>Invertieren der Ebene rückgängig</translation>
     </message>
     <message>
-        <source>Undo {text}</source>
-        <translation>{text} rückgängig machen</translation>
+        <source>Undo {step}</source>
+        <translation>{step} rückgängig machen</translation>
     </message>
     <message>
         <source>Undone: {text}.</source>
@@ -4000,6 +4047,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>View</source>
         <translation>Ansicht</translation>
+    </message>
+    <message>
+        <source>Viewer</source>
+        <translation>Viewer</translation>
     </message>
     <message>
         <source>Visible</source>
@@ -4044,6 +4095,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>What the cut-out lies on</source>
         <translation>Worauf der Freisteller liegt</translation>
+    </message>
+    <message>
+        <source>What the format cannot hold</source>
+        <translation>Was das Format nicht halten kann</translation>
     </message>
     <message>
         <source>What the second viewer shows</source>
@@ -4269,6 +4324,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>komposition freistellen ausschnitt transparent hintergrund schachbrett farbe</translation>
     </message>
     <message>
+        <source>confidence</source>
+        <translation>Konfidenz</translation>
+    </message>
+    <message>
         <source>confidence worst error fix bad</source>
         <translation>konfidenz schlechtester fehler korrigieren</translation>
     </message>
@@ -4343,6 +4402,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>end</source>
         <translation>ende</translation>
+    </message>
+    <message>
+        <source>every </source>
+        <translation>alle </translation>
     </message>
     <message>
         <source>everything splines layers</source>
@@ -4543,6 +4606,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>magic wand quick selection rotobrush ai auto sam box</source>
         <translation>zauberstab schnellauswahl rotobrush ki automatisch</translation>
+    </message>
+    <message>
+        <source>marks</source>
+        <translation>Markierungen</translation>
     </message>
     <message>
         <source>mask black white channel</source>
@@ -5051,6 +5118,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>{count} shapes are fitted: drag the points to adjust, ] tracks forward.</source>
         <translation>{count} Formen sind angepasst: zum Korrigieren die Punkte ziehen, ] trackt vorwärts.</translation>
+    </message>
+    <message>
+        <source>{count} shapes are selected.</source>
+        <translation>{count} Formen sind ausgewählt.</translation>
     </message>
     <message>
         <source>{count} shapes changed. {sentence}</source>

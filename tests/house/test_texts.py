@@ -25,9 +25,14 @@ MACHINES = {
     "compile", "critical", "setStyleSheet", "strftime", "start", "startswith", "TypeVar", "get_all", "Path",
 }  # fmt: skip
 """Functions whose texts nobody sees: names of objects, jobs, keys of settings, patterns."""
+SHOWN = {
+    "setText", "setToolTip", "setPrefix", "setSuffix", "setPlaceholderText", "setWindowTitle", "setAccessibleName",
+    "say", "QLabel", "QPushButton", "QCheckBox", "addAction", "addMenu", "form_label", "weak_label", "apply", "drawText",
+}  # fmt: skip
+"""Functions whose texts are seen, a single small word, too."""
 PROGRAM_ERRORS = {"TypeError", "ValueError", "KeyError", "AssertionError", "NotImplementedError"}
 NAMES = {
-    "ROAM", "Nuke", "Fusion", "English", "Deutsch", "Planar", "Root", "Manta", "My keys", "OpenImageIO",
+    "Nuke", "Fusion", "English", "Deutsch", "Planar", "Root", "Manta", "My keys", "OpenImageIO",
     "PySide6-Essentials", "License-Expression",
 }  # fmt: skip
 """Names, the same in all languages: programs, libraries, what stands in files under a name."""
@@ -52,7 +57,7 @@ def above(node: ast.AST) -> Iterator[ast.AST]:
         yield node
 
 
-def name_of(node: ast.AST) -> str:
+def name_of(node: ast.AST | None) -> str:
     """The name of the function that a call calls; "" for anything else."""
     function = node.func if isinstance(node, ast.Call) else None
     return getattr(function, "attr", getattr(function, "id", ""))
@@ -72,6 +77,9 @@ def literals(tree: ast.Module) -> Iterator[tuple[ast.expr, str]]:
 
 def is_shown(node: ast.expr, text: str) -> bool:
     """True for a text that an artist may read, as far as its place in the code tells."""
+    text = text.replace("ROAM", "")
+    if name_of(getattr(node, "parent", None)) in SHOWN and re.search(r"[^\W\d_]{2}", text) and text not in NAMES:
+        return True
     if not WORDS.search(text) or not re.search(r"[^\W\d]", text) or text in NAMES or KEYS.fullmatch(text):
         return False
     parent = getattr(node, "parent", None)

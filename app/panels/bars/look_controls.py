@@ -79,6 +79,8 @@ class LookSlider(QWidget):
         self.slider = ResettingSlider(tr("{tip}; double click: neutral", tip=tip))
         self.field = NumberField(*bounds, decimals=2, step=0.1, tip=tip)
         self.field.setFixedWidth(FIELD_WIDTH)
+        self.slider.setAccessibleName(tip)
+        self.field.setAccessibleName(tip)
         row = QHBoxLayout(self)
         row.setContentsMargins(0, 0, 0, 0)
         row.setSpacing(4)

@@ -48,6 +48,7 @@ class ModeBar(QWidget):
             suffix=" px",
             tip=tr("How far it reaches, image pixels  (Ctrl+wheel in the viewer)"),
         )
+        self.radius.setAccessibleName(tr("Reach"))
         self.radius.setFixedSize(76, 20)
         self.radius.edited.connect(lambda value, _: editing.set(**{self._radius: value}))
         row.addWidget(self.radius)

@@ -160,6 +160,7 @@ def options_button(form: QWidget, tip: str) -> QToolButton:
     button.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
     button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
     button.setToolTip(tip)
+    button.setAccessibleName(tip)
     menu = QMenu(button)
     holder = QWidgetAction(menu)
     holder.setDefaultWidget(form)

@@ -66,7 +66,7 @@ class KeyRows(QAbstractScrollArea):
         self.hand = KeyHand(document, axis, keys, self.key_at, self.keys_in, self.viewport().update)
         self.setFrameShape(QFrame.Shape.NoFrame)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        self.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.viewport().setMouseTracking(True)
         self._pull_height()
         document.changed.connect(self._pull)
