@@ -26,7 +26,7 @@ SOLVE_TIP = N_(
     "What is solved together. By outlines: shapes that overlap are parts, which move by themselves and hang together;"
     " shapes that lie near each other are one whole."
 )
-CHOICE_WIDTH = 82
+CHOICE_WIDTH = 90
 """Least width of a box: the column is narrow, and its words are as long as links' names are."""
 
 DEPTH_TIP = N_("What hides what, from this frame on; mattes go by the order in the list")
@@ -53,6 +53,7 @@ class ObjectForm(QWidget):
         form.addRow(form_label(tr("Object")), self.place)
         row = QHBoxLayout()
         row.setSpacing(style.MARGIN)
+        self.level.setSizeAdjustPolicy(ChoiceBox.SizeAdjustPolicy.AdjustToContents)
         row.addWidget(self.level, 1)
         row.addWidget(self.attached)
         form.addRow(form_label(tr("Depth")), row)

@@ -114,12 +114,12 @@ class PropertiesPanel(QWidget):
         blend.picked.connect(lambda mode: self.push(tr("Blend"), blend=mode))
 
         self.opacity, self.opacity_key = NumberField(0.0, 100.0, suffix=" %"), ValueKeyButton()
-        self._add_value(tr("Opacity"), self.opacity, self.opacity_key, 100.0)
+        self._add_value("opacity", tr("Opacity"), self.opacity, self.opacity_key, 100.0)
 
         tip = tr("Width of an even soft edge; below zero it lies inside")
         self.feather = NumberField(-500.0, 500.0, suffix=" px", decimals=1, step=0.5, tip=tip)
         self.feather_key = ValueKeyButton()
-        self._add_value(tr("Feather"), self.feather, self.feather_key)
+        self._add_value("feather", tr("Feather"), self.feather, self.feather_key)
 
     def _build_switches(self) -> None:
         self.visible = SwitchBox(tr("Visible"), tr("A hidden shape takes no part in the matte"))
@@ -156,11 +156,11 @@ class PropertiesPanel(QWidget):
             -4.0, 4.0, suffix=tr(" frames"), decimals=2, step=0.05, tip=tr("When it opens, counted from the frame")
         )
         self.samples = NumberField(2.0, 256.0, tip=tr("Moments of the open shutter that are joined"))
-        for label, field in ((tr("Shutter"), self.shutter), (tr("Phase"), self.phase), (tr("Samples"), self.samples)):
-            self._add_blur_number(label, field)
+        self._add_blur_number("shutter", tr("Shutter"), self.shutter)
+        self._add_blur_number("phase", tr("Phase"), self.phase)
+        self._add_blur_number("samples", tr("Samples"), self.samples)
 
-    def _add_blur_number(self, label: str, field: NumberField) -> None:
-        name = label.lower()
+    def _add_blur_number(self, name: str, label: str, field: NumberField) -> None:
         kind = int if name == "samples" else float
 
         def put(shape: RotoShape, value: float) -> RotoShape:
@@ -218,9 +218,8 @@ class PropertiesPanel(QWidget):
         self._add_row(ScrubLabel(label, field), field, lambda shapes: field.show_value(shared(map(get, shapes))))
         field.edited.connect(lambda value, key: self.push_each(label, lambda shape: put(shape, value), key))
 
-    def _add_value(self, label: str, field: NumberField, button: ValueKeyButton, unit: float = 1.0) -> None:
-        """A row for a value that may vary with time; `unit` is what the field shows for 1."""
-        name = label.lower()
+    def _add_value(self, name: str, label: str, field: NumberField, button: ValueKeyButton, unit: float = 1.0) -> None:
+        """A row for the field `name` of shapes, which may vary with time; `unit` is what the row shows for 1."""
 
         def show(shapes: Shapes) -> None:
             values, frame = [getattr(shape, name) for shape in shapes], self._view.frame

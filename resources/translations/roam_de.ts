@@ -1129,7 +1129,7 @@ klicken für Ecken, ziehen für Kurven.</translation>
     </message>
     <message>
         <source>Feather</source>
-        <translation>Weiche Kante</translation>
+        <translation>Feather</translation>
     </message>
     <message>
         <source>Feather and shutter as the plate shows them, on all keys</source>
@@ -1137,11 +1137,11 @@ klicken für Ecken, ziehen für Kurven.</translation>
     </message>
     <message>
         <source>Feather for all keys</source>
-        <translation>Weiche Kante für alle Keyframes</translation>
+        <translation>Feather für alle Keyframes</translation>
     </message>
     <message>
         <source>Feather handle</source>
-        <translation>Tangente der weichen Kante</translation>
+        <translation>Feather-Tangente</translation>
     </message>
     <message>
         <source>File</source>
@@ -2062,7 +2062,7 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
     </message>
     <message>
         <source>Motion blur</source>
-        <translation>Bewegungsunschärfe</translation>
+        <translation>Motion Blur</translation>
     </message>
     <message>
         <source>Motion of layers</source>
@@ -2915,7 +2915,7 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
     </message>
     <message>
         <source>Reset feather</source>
-        <translation>Weiche Kante zurücksetzen</translation>
+        <translation>Feather zurücksetzen</translation>
     </message>
     <message>
         <source>Reset layout</source>
@@ -3677,7 +3677,7 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     </message>
     <message>
         <source>The one used last</source>
-        <translation>Der zuletzt benutzte</translation>
+        <translation>Zuletzt benutzter</translation>
     </message>
     <message>
         <source>The outlines of frames before and after</source>

@@ -27,7 +27,8 @@ MACHINES = {
 """Functions whose texts nobody sees: names of objects, jobs, keys of settings, patterns."""
 SHOWN = {
     "setText", "setToolTip", "setPrefix", "setSuffix", "setPlaceholderText", "setWindowTitle", "setAccessibleName",
-    "say", "QLabel", "QPushButton", "QCheckBox", "addAction", "addMenu", "form_label", "weak_label", "apply", "drawText",
+    "say", "apply", "QLabel", "QPushButton", "QCheckBox", "addAction", "addMenu", "form_label", "weak_label",
+    "drawText",
 }  # fmt: skip
 """Functions whose texts are seen, a single small word, too."""
 PROGRAM_ERRORS = {"TypeError", "ValueError", "KeyError", "AssertionError", "NotImplementedError"}

@@ -22,7 +22,7 @@ from ...widgets.fields import NumberField
 
 STEPS = 160
 """Steps of a slider from one end to the other."""
-SLIDER_WIDTH, FIELD_WIDTH = 72, 40
+SLIDER_WIDTH, LEAST_SLIDER_WIDTH, FIELD_WIDTH = 72, 30, 40
 DISPLAY_WIDTH = 84
 PLAIN_VIEW = "sRGB"
 """The view that needs no configuration: what the engine sees."""
@@ -48,7 +48,8 @@ class ResettingSlider(QSlider):
     def __init__(self, tip: str) -> None:
         super().__init__(Qt.Orientation.Horizontal)
         self.setRange(0, STEPS)
-        self.setFixedWidth(SLIDER_WIDTH)
+        self.setMaximumWidth(SLIDER_WIDTH)
+        self.setMinimumWidth(LEAST_SLIDER_WIDTH)
         self.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         self.setToolTip(tip)
 
