@@ -152,7 +152,7 @@ class ScrubLabel(QLabel):
     def __init__(self, text: str, field: NumberField) -> None:
         super().__init__(text)
         self.setObjectName("weak")
-        self.setFixedWidth(LABEL_WIDTH)
+        self.setMinimumWidth(LABEL_WIDTH)
         self.setMinimumHeight(style.ROW_HEIGHT)
         self._field = field
         self._last: float | None = None

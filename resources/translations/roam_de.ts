@@ -375,7 +375,7 @@ Jetzt: {level}, {changes}</translation>
     </message>
     <message>
         <source>As many as there are</source>
-        <translation>So viele wie vorhanden</translation>
+        <translation>Alle vorhandenen</translation>
     </message>
     <message>
         <source>As one new object</source>
@@ -1737,7 +1737,7 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
     </message>
     <message>
         <source>Key colours</source>
-        <translation>Keyframe-Farben</translation>
+        <translation>Key-Farben</translation>
     </message>
     <message>
         <source>Keys</source>
