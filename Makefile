@@ -1,13 +1,14 @@
 # make run    opens the application on the built-in demo shot (without a display: tracks the demo and says so)
 # make test   runs every check; each target may be the first command on a fresh machine
 # make translations   takes the window's texts out of the code, and compiles what is translated
+# make wheel  makes the wheel; make bundle: ROAM with all it needs in one archive, for machines without Python
 # make docs   makes the reference of the library from its docstrings
 PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
 READY := $(VENV)/.ready
 
-.PHONY: run test setup lint bench docs screenshots translations clean
+.PHONY: run test setup lint bench docs screenshots translations wheel bundle clean
 
 setup: $(READY)
 
@@ -17,7 +18,7 @@ $(READY): pyproject.toml constraints.txt scripts/system-libraries
 	@$(PYTHON) -c 'import ensurepip' 2>/dev/null || { echo "Python's venv module is missing: sudo apt-get install python3-venv"; exit 1; }
 	@test -x $(BIN)/python || $(PYTHON) -m venv $(VENV)
 	@echo "Installing ROAM and its libraries into $(VENV) ..."
-	@$(BIN)/python -m pip install --quiet --disable-pip-version-check --constraint constraints.txt --editable '.[window,docs,dev]'
+	@$(BIN)/python -m pip install --quiet --disable-pip-version-check --constraint constraints.txt --editable '.[window,docs,dev,studio]'
 	@touch $(READY)
 
 run: setup
@@ -43,6 +44,11 @@ screenshots: setup
 
 translations: setup
 	$(BIN)/python -m scripts.translations
+wheel: setup
+	$(BIN)/python -m pip wheel --quiet --disable-pip-version-check --no-deps --no-build-isolation --wheel-dir dist .
+
+bundle: setup
+	$(BIN)/python -m bundle
 
 clean:
 	rm -rf $(VENV) build dist *.egg-info

@@ -9,6 +9,7 @@ from types import ModuleType
 
 from benchmarks import (
     artist,
+    batch,
     confidence,
     davis,
     drift,
@@ -20,6 +21,7 @@ from benchmarks import (
     paper,
     part_sheets,
     parts,
+    plates,
     saving,
     scaling,
     shots,
@@ -44,12 +46,14 @@ BENCHMARKS: dict[str, ModuleType] = {
     "kernels": kernels,
     "parts": parts,
     "part_sheets": part_sheets,
+    "plates": plates,
     "mattes": mattes,
     "keys": fewest_keys,
     "key_optimum": key_optimum,
     "masks_in": masks_in,
     "window": window,
     "saving": saving,
+    "batch": batch,
 }
 """Each module has `arguments(parser)` and `run(arguments)`; the first line of its text is its help."""
 

@@ -1,4 +1,4 @@
-"""The window's own speed at 4K: from a drag's mouse event to the painted frame, and playback with shapes drawn.
+"""The window's own speed: at 4K from a drag's mouse event to the painted frame, and playback; the start of the program.
 
 The whole main window is up, 1600 x 1000, with the plate fitted into its viewer. A frame is painted when Qt has
 delivered the paint event and handed the pixels to the screen (or to memory, offscreen).
@@ -13,7 +13,7 @@ import subprocess
 import sys
 import tempfile
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -42,12 +42,46 @@ FASTER_THAN_ANY = 200.0
 """Frames a second that are asked for when the most is measured."""
 AIM_MILLISECONDS, AIM_FPS = 16.0, 24.0
 SCREENS = {"offscreen": "in memory", "xcb": "X11 window"}
+ROWS = (
+    ("point drag: event to painted frame, median ms", "median", f"{AIM_MILLISECONDS:.0f}"),
+    ("point drag: 90 % are faster than, ms", "ninetieth", "-"),
+    ("point drag: processor ms of the window's thread, median", "busy", "-"),
+    ("playback at 24 fps: frames shown a second", "shown", f"{AIM_FPS:.0f}"),
+    ("playback at 24 fps: processor ms of the window's thread a frame", "spent", "-"),
+    ("playback as fast as it goes: frames a second", "most", "-"),
+    ("start: to the painted window, ms", "start", "-"),
+)
+ROUNDS = 3
+"""How often two checkouts are measured in turn."""
+START = """
+import sys, tempfile, time
+from pathlib import Path
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication
+from app import style
+from app.shell.main_window import MainWindow
+application = QApplication(sys.argv[:1])
+style.apply(application)
+with tempfile.TemporaryDirectory() as folder:
+    window = MainWindow(Path(folder))
+    window.show()
+    QTest.qWaitForWindowExposed(window)
+    window.grab()
+    print(1000.0 * (time.monotonic() - float(sys.argv[1])))
+    window._leave()
+    while window.isVisible():
+        QTest.qWait(10)
+"""
+"""Opens the window, empty, and tells the milliseconds since the time that it is given."""
 
 
 def arguments(parser: argparse.ArgumentParser) -> None:
     """What `window` may be told."""
     parser.add_argument("--inside", action="store_true", help="measure in this process, on Qt's present platform")
     parser.add_argument("--publish", action="store_true", help="put the table into docs/BENCHMARKS.md")
+    parser.add_argument(
+        "--beside", type=Path, metavar="CHECKOUT", help="another checkout, measured in turn: told as ratios to it"
+    )
 
 
 def run(given: argparse.Namespace) -> None:
@@ -58,25 +92,32 @@ def run(given: argparse.Namespace) -> None:
     from app.shell.launch import has_display
 
     platforms = ["offscreen", *(["xcb"] if has_display() and sys.platform.startswith("linux") else [])]
-    results = {platform: _in_a_process(platform) for platform in platforms}
-    rows = [
-        [f"{what}, {SCREENS[platform]}", f"{result[key]:.1f}", aim]
-        for what, key, aim in (
-            ("point drag: event to painted frame, median ms", "median", f"{AIM_MILLISECONDS:.0f}"),
-            ("point drag: 90 % are faster than, ms", "ninetieth", "-"),
-            ("point drag: processor ms of the window's thread, median", "busy", "-"),
-            ("playback at 24 fps: frames shown a second", "shown", f"{AIM_FPS:.0f}"),
-            ("playback at 24 fps: processor ms of the window's thread a frame", "spent", "-"),
-            ("playback as fast as it goes: frames a second", "most", "-"),
-        )
-        for platform, result in results.items()
-    ]
     title = (
         f"{DRAGGED_POINTS} points dragged over a plate of {SIZE[0]}x{SIZE[1]}; {FRAMES} cached frames of it played "
         f"with {len(list(scene().children))} shapes drawn. {report.circumstances()}."
     )
+    if given.beside is not None:
+        print(f"{title}\n\n{ratios(platforms, given.beside)}")
+        return
+    results = {platform: _in_a_process(platform) for platform in platforms}
+    rows = [
+        [f"{what}, {SCREENS[platform]}", f"{result[key]:.1f}", aim]
+        for what, key, aim in ROWS
+        for platform, result in results.items()
+    ]
     table = report.table(["the window", "measured", "aim"], rows)
     report.write("window", f"{title}\n\n{table}", {"results": results}, publish=given.publish)
+
+
+def ratios(platforms: Sequence[str], other: Path) -> str:
+    """A table of this checkout's figures over the other's: medians of rounds in which both were measured in turn."""
+    rows = []
+    for platform in platforms:
+        pairs = [(_in_a_process(platform), _in_a_process(platform, other)) for _ in range(ROUNDS)]
+        for what, key, _ in ROWS:
+            ours, theirs = (float(np.median([pair[which][key] for pair in pairs])) for which in (0, 1))
+            rows.append([f"{what}, {SCREENS[platform]}", f"{ours:.1f}", f"{theirs:.1f}", f"{ours / theirs:.2f}"])
+    return report.table(["the window", "here", "there", "ratio"], rows)
 
 
 def measured() -> dict[str, float]:
@@ -235,12 +276,18 @@ def _live_until(condition: Callable[[], object], what: str, patience: float = 12
         loop.exec()
 
 
-def _in_a_process(platform: str) -> dict[str, float]:
-    """The figures of Qt's platform `platform`."""
-    command = [sys.executable, "-m", "benchmarks", "window", "--inside"]
-    environment = os.environ | {"QT_QPA_PLATFORM": platform}
-    done = subprocess.run(command, env=environment, cwd=report.ROOT, capture_output=True, text=True, check=False)
+def _in_a_process(platform: str, root: Path = report.ROOT) -> dict[str, float]:
+    """The figures of Qt's platform `platform`, of the checkout `root`."""
+    measures = [sys.executable, "-m", "benchmarks", "window", "--inside"]
+    result: dict[str, float] = json.loads(_told(measures, platform, root).splitlines()[-1])
+    starts = [float(_told([sys.executable, "-c", START, str(time.monotonic())], platform, root)) for _ in range(3)]
+    return result | {"start": min(starts)}
+
+
+def _told(command: list[str], platform: str, root: Path) -> str:
+    """What a program of a checkout prints."""
+    environment = os.environ | {"QT_QPA_PLATFORM": platform, "PYTHONPATH": str(root)}
+    done = subprocess.run(command, env=environment, cwd=root, capture_output=True, text=True, check=False)
     if done.returncode:
         raise RoamError(f"the window could not be measured on {platform}:\n{done.stderr.strip()}")
-    result: dict[str, float] = json.loads(done.stdout.splitlines()[-1])
-    return result
+    return done.stdout

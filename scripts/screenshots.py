@@ -15,6 +15,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from scripts import desk_scenes
 from scripts.camera import (
     IMAGES,
     anchors_of,
@@ -33,6 +34,7 @@ from scripts.camera import (
     until,
     window,
 )
+from scripts.review_scenes import photograph_review
 
 if TYPE_CHECKING:
     from app.shell.main_window import MainWindow
@@ -399,9 +401,11 @@ SCENES = (
     photograph_finding,
     photograph_export,
     photograph_keyed_value,
+    lambda shown: photograph_review(shown, "review.jpg", "review-movie.png", "contact-sheet.jpg"),
     photograph_start,
     photograph_parts,
     photograph_softness,
+    *desk_scenes.SCENES,
 )
 
 

@@ -38,7 +38,7 @@ CONTEXT: Mapping[Place, tuple[str, ...]] = {
         "points.smooth", "points.cusp", "points.delete", SEPARATOR,
         "points.select_all", "points.transform", SEPARATOR,
         "feather.reset", "feather.all_keys", SEPARATOR,
-        "key.set", "key.delete", SEPARATOR,
+        "key.set", "key.set_points", "key.delete", SEPARATOR,
         "track.forward", "track.backward", SEPARATOR,
         "view.fit_selection",
     ),

@@ -2,45 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from enum import StrEnum
+from ..translation import N_
+from .review_specs import REVIEW
+from .spec import ActionSpec, Reach
 
-from ..translation import N_, tr
-
-
-class Reach(StrEnum):
-    """Where an action's keys work: transport and files in the whole window, edits in the viewer only."""
-
-    WINDOW = "window"
-    VIEWER = "viewer"
-
-
-@dataclass(frozen=True)
-class ActionSpec:
-    """What an action is called and where its keys work; `tip` is a sentence for the tooltip, if the title needs one."""
-
-    id: str
-    title: str
-    reach: Reach = Reach.WINDOW
-    icon: str = ""
-    tip: str = ""
-    checkable: bool = False
-
-    @property
-    def label(self) -> str:
-        """The title in the window's language, with dots where a question follows."""
-        return tr(self.title)
-
-    @property
-    def name(self) -> str:
-        """The title in the window's language, as sentences name it."""
-        return self.label.rstrip("…")
-
-    @property
-    def sentence(self) -> str:
-        """What it does, in the window's language."""
-        return tr(self.tip) if self.tip else self.name
-
+__all__ = ["SPECS", "ActionSpec", "Reach"]
 
 _VIEWER = Reach.VIEWER
 _FLOAT = N_("Take it out of the main window, to another monitor, or put it back")
@@ -213,6 +179,20 @@ SPECS: tuple[ActionSpec, ...] = (
         N_("Edits make keys on their frames; off: they change keys around"),
         True,
     ),
+    ActionSpec(
+        "key.points",
+        N_("Key points"),
+        _VIEWER,
+        "",
+        N_("Edits key the points that they move; a track derives the others"),
+        True,
+    ),
+    ActionSpec(
+        "key.set_points",
+        N_("Set key for points"),
+        _VIEWER,
+        tip=N_("Make the selected points, as they are here, the artist's"),
+    ),
     ActionSpec("key.copy", N_("Copy key"), _VIEWER, tip=N_("Copy the selected shapes as they are on this frame")),
     ActionSpec("key.paste", N_("Paste key"), _VIEWER, tip=N_("Put the copied key on this frame")),
     ActionSpec(
@@ -238,6 +218,12 @@ SPECS: tuple[ActionSpec, ...] = (
         "key.smooth", N_("Smooth"), icon="key-smooth", tip=N_("Begin and end softly after the chosen keys or this one")
     ),
     ActionSpec("key.hold", N_("Hold"), icon="key-hold", tip=N_("Stand still after the chosen keys, or this one")),
+    ActionSpec(
+        "key.tangents",
+        N_("Tangents"),
+        icon="key-tangents",
+        tip=N_("Bend opacity or feather smoothly through the chosen keys"),
+    ),
     ActionSpec("track.backward", N_("Track backward"), icon="track-backward"),
     ActionSpec("track.backward_one", N_("Track one frame backward"), icon="track-backward-one"),
     ActionSpec("track.stop", N_("Stop"), icon="track-stop", tip=N_("Stop; the frames that are finished stay")),
@@ -254,7 +240,7 @@ SPECS: tuple[ActionSpec, ...] = (
         "track.next_doubtful",
         N_("Next doubtful frame"),
         icon="doubtful-next",
-        tip=N_("Go to the next frame worth fixing"),
+        tip=N_("Go to the next frame worth fixing: where confidence is low, or the outline boils"),
     ),
     ActionSpec("track.previous_doubtful", N_("Previous doubtful frame"), icon="doubtful-previous"),
     ActionSpec(
@@ -357,6 +343,12 @@ SPECS: tuple[ActionSpec, ...] = (
         "view.tall_timeline", N_("Tall timeline"), tip=N_("Give the timeline half of the window"), checkable=True
     ),
     ActionSpec(
+        "view.curves",
+        N_("Curve editor"),
+        tip=N_("Opacity, feather and position as curves over time"),
+        checkable=True,
+    ),
+    ActionSpec(
         "view.shape_panel", N_("Shape panel"), tip=N_("Show all that the Shape panel has of the selected shapes")
     ),
     ActionSpec("view.next_part", N_("Next part"), tip=N_("Give the keyboard to the next part of the window")),
@@ -397,10 +389,7 @@ SPECS: tuple[ActionSpec, ...] = (
     ActionSpec("time.set_in", N_("Set in")),
     ActionSpec("time.set_out", N_("Set out")),
     ActionSpec("time.clear_range", N_("Clear in and out")),
-    ActionSpec("mark.toggle", N_("Mark frame"), icon="mark", tip=N_("Mark this frame, or take its mark away")),
-    ActionSpec("mark.name", N_("Name mark…"), tip=N_("Put a word on this frame's mark")),
-    ActionSpec("time.previous_mark", N_("Previous mark")),
-    ActionSpec("time.next_mark", N_("Next mark")),
+    *REVIEW,
     ActionSpec("edit.keymap", N_("Change keys…"), tip=N_("Keys of other programs, and keys of your own")),
     ActionSpec("edit.settings", N_("Settings…")),
     ActionSpec("help.palette", N_("Find an action…"), tip=N_("Do anything by a few letters of its name")),
@@ -421,6 +410,7 @@ SPECS: tuple[ActionSpec, ...] = (
     ActionSpec("window.float_track", N_("Float: Track"), icon="float", tip=_FLOAT, checkable=True),
     ActionSpec("window.float_planar", N_("Float: Planar track"), icon="float", tip=_FLOAT, checkable=True),
     ActionSpec("window.float_shape", N_("Float: Shape"), icon="float", tip=_FLOAT, checkable=True),
+    ActionSpec("window.float_review", N_("Float: Review"), icon="float", tip=_FLOAT, checkable=True),
     ActionSpec("window.float_history", N_("Float: History"), icon="float", tip=_FLOAT, checkable=True),
     ActionSpec("window.float_log", N_("Float: Messages"), icon="float", tip=_FLOAT, checkable=True),
     ActionSpec("window.float_timeline", N_("Float: Timeline"), icon="float", tip=_FLOAT, checkable=True),

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from roam_core.roto import Project
+from roam_core.roto.animated import frames_of
 
 from ..model.document import Document
 from ..model.view_state import ViewState, shapes_in_hand
@@ -51,7 +52,7 @@ class Navigation:
         self._view.set_frame(self._view.play_range[1] - 1)
 
     def next_key(self) -> None:
-        """Go to the next artist key, or change of depth, of the selected shapes, or of all when none is selected."""
+        """Go to the next key by hand, or change of depth, of the selected shapes, or of all when none is selected."""
         if later := [frame for frame in self._stops() if frame > self._view.frame]:
             self._view.set_frame(min(later))
         else:
@@ -83,9 +84,10 @@ class Navigation:
         self._view.set_frame(min(max(min(keys, default=first), first), stop - 1))
 
     def _stops(self) -> set[int]:
-        """Where something is set by hand: keys, and changes of what hides what."""
+        """Where something is set by hand: keys, of opacity and feather too, and changes of what hides what."""
         shapes = shapes_in_hand(self._document.project, self._view.selection)
-        return self._key_frames() | {frame for shape in shapes for frame, _ in shape.depth}
+        values = {frame for shape in shapes for value in (shape.opacity, shape.feather) for frame in frames_of(value)}
+        return self._key_frames() | values | {frame for shape in shapes for frame, _ in shape.depth}
 
     def _key_frames(self) -> set[int]:
         shapes = shapes_in_hand(self._document.project, self._view.selection)

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
-from enum import StrEnum
 
 from roam_core.geometry.plane_motion import PlaneMotion
 from roam_core.roto import Project, RotoShape
 from roam_core.roto.following import matrix_of, motion_between, moving_layer
+from roam_core.roto.surfaces import LeaveOut, covering
 
 from ..jobs.planar import PlanarTrack
 from ..model.document import Document
@@ -22,25 +22,19 @@ POINTS_TOOL = "points"
 """While it is in the hand with points on the picture, tracks follow these in place of the surface."""
 
 
-class LeaveOut(StrEnum):
-    """What of the picture a planar track does not look at."""
-
-    NOTHING = "nothing"
-    ABOVE = "above"
-    OTHERS = "others"
-
-
 class PlanarTracking:
     """Starts planar tracks from the playhead.
 
     With the points tool in the hand they follow its points, and where points of shapes are selected move these alone.
-    `kind` is what the plane may do; `leave_out` says which other shapes lie before it. Hidden shapes do not.
+    `kind` is what the plane may do; `leave_out` says which other shapes lie before it: those of `left_out`, by their
+    ids, where they are chosen one by one. Hidden shapes do not unless they are chosen.
     """
 
     def __init__(self, document: Document, view_state: ViewState, track: PlanarTrack) -> None:
         self._document, self._view, self._track = document, view_state, track
         document.replaced.connect(self._forget)
         self.kind, self.leave_out = PlaneMotion.SIMILARITY, LeaveOut.ABOVE
+        self.left_out: frozenset[str] = frozenset()
 
     def handlers(self) -> dict[str, Callable[[], object]]:
         """What the actions of this part call, by id."""
@@ -66,7 +60,7 @@ class PlanarTracking:
             self._view.say(tr(CLIP_ENDS if frames.step > 0 else CLIP_BEGINS))
         elif shapes := self._trackable():
             ids = [shape.id for shape in shapes]
-            covers = covering(self._document.project, ids, self._view.frame, self.leave_out)
+            covers = covering(self._document.project, ids, self._view.frame, self.leave_out, self.left_out)
             points = self._points(ids)
             chosen = frozenset(pair for pair in self._view.selection.points if pair[0] in ids)
             vertices = frozenset() if points is None else chosen
@@ -81,6 +75,7 @@ class PlanarTracking:
 
     def _forget(self) -> None:
         self._view.track_points = None
+        self.left_out = frozenset()
 
     def _trackable(self) -> list[RotoShape]:
         """The shapes in hand that the track may move; says why when there is none."""
@@ -115,17 +110,3 @@ def points_at(project: Project, view: ViewState, shape_ids: Sequence[str]) -> Tr
     if layer is None or points.frame == frame or not points.places:
         return replace(points, frame=frame)
     return points.carried(motion_between(project, layer.id, points.frame, frame), frame)
-
-
-def covering(project: Project, shape_ids: Sequence[str], frame: int, which: LeaveOut) -> list[RotoShape]:
-    """The closed, visible shapes that lie before those of a planar track: above all of them, or all others.
-
-    What is brought before or behind all counts as such on the frame on which the track begins.
-    """
-    chosen, shapes = set(shape_ids), project.shapes
-    places = {shape.id: (shape.depth_at(frame), index) for index, shape in enumerate(shapes)}
-    top = max((places[shape_id] for shape_id in chosen), default=(0, 0))
-    others = [shape for shape in shapes if shape.id not in chosen and shape.closed and shape.visible]
-    if which is LeaveOut.NOTHING:
-        return []
-    return [shape for shape in others if which is LeaveOut.OTHERS or places[shape.id] > top]

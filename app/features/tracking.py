@@ -8,6 +8,7 @@ from enum import StrEnum
 from roam_core.dials import name_of
 from roam_core.params import DEFAULT_CONFIG, departed, is_doubtful
 from roam_core.propagate.shapes.provenance import known_params
+from roam_core.review.findings import Finding, boiling_frames, worst_of_stretches
 from roam_core.roto import Layer, Project, RotoShape
 
 from ..jobs.filling import Gap, gaps_of
@@ -15,6 +16,7 @@ from ..jobs.propagation import Propagation
 from ..model.document import Document
 from ..model.view_state import ViewState, shapes_in_hand
 from ..translation import N_, tr
+from .boil import boil_of_document
 from .navigation import clip_frames
 
 NO_CLIP = N_("Open a clip first: drop a folder of images or a movie on the window.")
@@ -42,6 +44,7 @@ class Tracking:
 
     def __init__(self, document: Document, view_state: ViewState, propagation: Propagation) -> None:
         self._document, self._view, self._propagation = document, view_state, propagation
+        self._boil = boil_of_document(document)
         self.config = DEFAULT_CONFIG
         self.factors: dict[str, dict[str, float]] = {}
         self.scope = Scope.SELECTED
@@ -220,6 +223,12 @@ class Tracking:
             if is_doubtful(key.confidence) and (key.frame - here) * step > 0
         ]
         doubtful += [
+            (abs(found.frame - here), 1.0, found.frame, boil_sentence(found))
+            for shape in shapes
+            for found in worst_of_stretches(boiling_frames(shape, self._boil(shape)))
+            if (found.frame - here) * step > 0
+        ]
+        doubtful += [
             (
                 abs(frame - here),
                 trust,
@@ -272,6 +281,11 @@ def doubt_sentence(shape: RotoShape, frame: int) -> str:
         confidence=key.confidence,
         rings=rings,
     )
+
+
+def boil_sentence(found: Finding) -> str:
+    """How much a shape boils on a frame."""
+    return tr("Frame {frame}: {name} boils by {pixels:.1f} px.", frame=found.frame, name=found.name, pixels=found.value)
 
 
 def doubtful_points(shape: RotoShape, frame: int) -> tuple[int, ...]:

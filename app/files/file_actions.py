@@ -156,7 +156,7 @@ class FileActions(QObject):
     def save_as(self) -> None:
         """Ask where, and save there."""
         own = self._document.path
-        path = questions.choose_save(self._window, own or self._suggested(PROJECT_SUFFIX, Purpose.PROJECT))
+        path = questions.choose_save(self._window, own or self.suggested(PROJECT_SUFFIX, Purpose.PROJECT))
         if path is None or not self._may_save_to(path):
             self._disarm()
         else:
@@ -195,7 +195,7 @@ class FileActions(QObject):
 
         if self._export_dialog is None:
             self._export_dialog = ExportDialog(
-                self._document, self._view, self._export, self._suggested, parent=self._window
+                self._document, self._view, self._export, self.suggested, parent=self._window
             )
         self._export_dialog.selected.setChecked(selected)
         self._export_dialog.show()
@@ -210,6 +210,12 @@ class FileActions(QObject):
         )
         if folder is not None:
             self._export.start("mattes", folder)
+
+    def suggested(self, suffix: str, purpose: Purpose = Purpose.EXPORT) -> Path:
+        """The file that is proposed for what is written of the project."""
+        clip = self._document.project.clip
+        stem = self._document.path.stem if self._document.path else (clip.path.stem if clip else "untitled")
+        return self._start_folder(purpose) / f"{stem}{suffix}"
 
     # ---- the rest is private
 
@@ -263,7 +269,7 @@ class FileActions(QObject):
         from roam_core.interchange import EXPORTERS
 
         suffix = EXPORTERS[format_name].suffix
-        path = questions.choose_export(self._window, title, self._suggested(suffix), suffix)
+        path = questions.choose_export(self._window, title, self.suggested(suffix), suffix)
         if path is not None:
             self._export.start(format_name, path)
 
@@ -317,11 +323,6 @@ class FileActions(QObject):
         else:
             self._view.say(tr("{name} was not opened.", name=path.name))
             self.refused_to_open.emit()
-
-    def _suggested(self, suffix: str, purpose: Purpose = Purpose.EXPORT) -> Path:
-        clip = self._document.project.clip
-        stem = self._document.path.stem if self._document.path else (clip.path.stem if clip else "untitled")
-        return self._start_folder(purpose) / f"{stem}{suffix}"
 
     def _start_folder(self, purpose: Purpose) -> Path:
         """Where choosers begin: where the last one of the kind was used, else beside the project, the clip, what was

@@ -13,8 +13,10 @@ from ..translation import tr
 from .runner import Ending, Report, Runner
 
 if TYPE_CHECKING:
+    from roam_core.arrays import Image
     from roam_core.media import FrameCache, PlateSource
     from roam_core.media.looking import Plate
+    from roam_core.media.partial import PartialPicture
 
 READ_AHEAD = 120
 """Frames decoded ahead of the playhead in the direction in which it moves: five seconds; fewer where memory ends."""
@@ -45,7 +47,7 @@ class PlateReader(QObject):
         super().__init__(parent)
         self._runner = Runner("decode", self)
         self._source: PlateSource | None = None
-        self._cache: FrameCache | None = None
+        self._cache: FrameCache[Image] | None = None
         self._ready: OrderedDict[int, Any] = OrderedDict()
         self._limit = DEFAULT_CACHE_BYTES
         self._wanted: int | None = None
@@ -106,11 +108,16 @@ class PlateReader(QObject):
 
     def engine_frame(self, frame: int) -> Any:
         """The frame `(h, w, 3)` in the engine's colours; called by the engine on its own thread."""
-        from roam_core.media.colour import to_engine
+        return self.engine_parts(frame).whole
+
+    def engine_parts(self, frame: int) -> PartialPicture:
+        """As `engine_frame`; of it is converted what is looked at."""
+        from roam_core.media.partial import PartialPicture
 
         if self._cache is None or self._source is None:
             raise RoamError(tr("There is no plate to track in; open a clip first."))
-        return to_engine(self._cache.read(frame), self._source.colour_space)
+        width, height = self._source.size
+        return PartialPicture((height, width), self._source.colour_space, None, 0, self._cache.read(frame))
 
     def show(self, frame: int) -> None:
         """Ask for the picture of `frame`. While one is being decoded only the last wish counts.

@@ -4,10 +4,9 @@ from __future__ import annotations
 
 import itertools
 import time
-from collections.abc import Callable, Collection, Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import partial
-from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -17,8 +16,9 @@ from roam_core.errors import RoamError
 from roam_core.geometry import projective
 from roam_core.geometry.plane_motion import PlaneMotion
 from roam_core.params import is_doubtful
-from roam_core.roto import BlendMode, Layer, LayerTransform, Project, RotoShape, edit
-from roam_core.roto.following import followed, moving_layer, with_moving_layer, with_points
+from roam_core.roto import Layer, LayerTransform, Project, RotoShape, edit
+from roam_core.roto.following import followed, with_moving_layer, with_points
+from roam_core.roto.surfaces import adjusted_frames, covers_at, legs_of, outlines_at
 
 from ..model.document import Document
 from ..model.track_points import TrackPoints
@@ -101,7 +101,7 @@ class PlanarTrack(QObject):
         self.drop()
         project, read = self._document.project, self._read
         shapes, covers = ([project.shape(each) for each in ids] for ids in (shape_ids, cover_ids))
-        legs = (frames,) if vertices else legs_of(frames, _adjusted(project, shape_ids))
+        legs = (frames,) if vertices else legs_of(frames, adjusted_frames(project, shape_ids))
         work = Work(tuple(shapes), tuple(covers), legs, PlaneMotion(kind), points)
         job = self._runner.start("track", lambda report: _track(report, read, work))
         job.partial.connect(self._apply)
@@ -203,18 +203,6 @@ class Found:
     confidence: float
 
 
-def legs_of(frames: range, adjusted: Collection[int]) -> tuple[range, ...]:
-    """The frames in pieces that begin and end on adjust keys, one where there are none."""
-    inner = [frame for frame in frames[1:-1] if frame in set(adjusted)]
-    ends = [frames[0], *inner, frames[-1]]
-    return tuple(range(a, b + frames.step, frames.step) for a, b in pairwise(ends))
-
-
-def _adjusted(project: Project, shape_ids: Sequence[str]) -> tuple[int, ...]:
-    layer = moving_layer(project, shape_ids)
-    return () if layer is None or layer.transform is None else layer.transform.adjusted
-
-
 def _following(run: _Run, project: Project, found: Found) -> Callable[[Project], Project]:
     """The change that a frame makes: to the project, and to those between the steps done since the run began.
 
@@ -307,15 +295,3 @@ def _verdict(confidence: float, frame: int) -> str:
     if not is_doubtful(confidence):
         return tr("Confidence is {confidence:.2f} at least.", confidence=confidence)
     return tr("Look at frame {frame}: confidence is {confidence:.2f} there.", frame=frame, confidence=confidence)
-
-
-def outlines_at(shapes: Sequence[RotoShape], frame: int) -> tuple[list[Any], list[Any]]:
-    """The closed outlines `(P, 3, 2)` of shapes that are there on a frame, and those of shapes that subtract."""
-    there = [shape for shape in shapes if shape.closed and shape.exists_at(frame)]
-    outlines = [shape.at(frame).points for shape in there if shape.blend is not BlendMode.SUBTRACT]
-    return outlines, [shape.at(frame).points for shape in there if shape.blend is BlendMode.SUBTRACT]
-
-
-def covers_at(shapes: Sequence[RotoShape], frame: int) -> list[Any]:
-    """The outlines `(P, 3, 2)` of those of these shapes that are there on a frame."""
-    return [shape.at(frame).points for shape in shapes if shape.closed and shape.exists_at(frame)]

@@ -184,7 +184,7 @@ class Propagation(QObject):
 
     def _write(self, run: _Run, keys: Mapping[str, Sequence[Keyframe]]) -> None:
         """Put the engine's keys into the document, as part of the run's one undo step."""
-        made = {shape_id: [key for key in found if key.origin is Origin.ENGINE] for shape_id, found in keys.items()}
+        made = {shape_id: [key for key in found if _is_solved(key)] for shape_id, found in keys.items()}
         project = _with_engine_keys(self._document.project, made)
         run.expected = {shape_id: project.shape(shape_id) for shape_id in run.expected}
         for found in made.values():
@@ -330,6 +330,11 @@ def _make_ready(result: FrameResult) -> None:
     for each in result.results:
         for proposal in each.proposals[:1]:
             _ = proposal.after
+
+
+def _is_solved(key: Keyframe) -> bool:
+    """Whether the engine made a key, or those of its points that the artist did not set."""
+    return key.origin is Origin.ENGINE or bool(key.set_points)
 
 
 def _with_engine_keys(project: Project, made: Mapping[str, Sequence[Keyframe]]) -> Project:

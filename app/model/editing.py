@@ -21,6 +21,7 @@ class Modes:
     ----------
     auto_key : an edit makes a key on its frame; off, it changes the keys that are there.
     ripple : every key in the in/out range takes the same change.
+    point_keys : a key that comes with an edit names the points that it moved; a run may derive the others anew.
     soft : points near the selected ones follow them, the less the farther.
     lasso : a drag on empty background draws a free line in place of a rectangle.
     soft_radius : how far soft selection reaches, image pixels.
@@ -29,6 +30,7 @@ class Modes:
 
     auto_key: bool = True
     ripple: bool = False
+    point_keys: bool = False
     soft: bool = False
     lasso: bool = False
     soft_radius: float = 60.0
@@ -65,4 +67,5 @@ class EditingModes(QObject):
 
     def keying(self, play_range: tuple[int, int]) -> Keying:
         """Where an edit goes; `play_range` is the half-open in/out range in which ripple works."""
-        return Keying(self._modes.auto_key, range(*play_range) if self._modes.ripple else None)
+        modes = self._modes
+        return Keying(modes.auto_key, range(*play_range) if modes.ripple else None, modes.point_keys)

@@ -26,6 +26,8 @@ BRIGHT = QColor("#ffffff")
 
 OUTLINE_WIDTH, SELECTED_WIDTH, EDGE_WIDTH = 1.5, 2.25, 0.5
 ANCHOR_SIZE, HANDLE_SIZE, HOVER_GROWTH = 7.0, 5.0, 2.0
+PIN_SIZE = 12.0
+"""Of the frame about a point that the artist set."""
 RING_SIZES = (13.0, 27.0)
 """Diameter of the ring about a vertex at the brink of doubt, and of one with no confidence at all."""
 
@@ -83,6 +85,14 @@ def handle(painter: QPainter, at: QPointF, colour: QColor, *, grown: bool = Fals
     painter.setPen(_pen(EDGE, 2 * EDGE_WIDTH))
     painter.setBrush(colour)
     painter.drawEllipse(_box(at, HANDLE_SIZE + (HOVER_GROWTH if grown else 0.0)))
+
+
+def pin(painter: QPainter, at: QPointF, colour: QColor) -> None:
+    """A square frame about a point that the artist set, where others were not."""
+    painter.setBrush(Qt.BrushStyle.NoBrush)
+    for ink, width in ((EDGE, 1.5 + 2 * EDGE_WIDTH), (colour, 1.5)):
+        painter.setPen(_pen(ink, width))
+        painter.drawRect(_box(at, PIN_SIZE))
 
 
 def ring(painter: QPainter, at: QPointF, doubt: float) -> None:

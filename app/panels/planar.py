@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QHBoxLayout, QToolButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QMenu, QToolButton, QVBoxLayout, QWidget
 
 from roam_core.geometry.plane_motion import PlaneMotion
+from roam_core.roto.surfaces import LeaveOut
 
 from .. import style
 from ..actions.actions import Actions
-from ..features.planar_tracking import LeaveOut, PlanarTracking
-from ..translation import N_, tr
+from ..features.planar_tracking import PlanarTracking
+from ..model.document import Document
+from ..translation import tr
 from ..widgets.controls import ChoiceBox, tool_button
 
 WORDS = {
@@ -23,9 +25,10 @@ WORDS = {
     PlaneMotion.HOMOGRAPHY: (N_("Perspective"), N_("The plane tilts as screens and walls near the camera do")),
 }
 LEAVE_OUT_WORDS = {
-    LeaveOut.NOTHING: (N_("Leave out nothing"), N_("Other shapes say nothing about what lies before the surface")),
-    LeaveOut.ABOVE: (N_("Leave out shapes above"), N_("Visible shapes above the tracked ones lie before the surface")),
-    LeaveOut.OTHERS: (N_("Leave out all others"), N_("All other visible shapes lie before the surface")),
+    LeaveOut.NOTHING: ("Leave out nothing", "Other shapes say nothing about what lies before the surface"),
+    LeaveOut.ABOVE: ("Leave out shapes above", "Visible shapes above the tracked ones lie before the surface"),
+    LeaveOut.OTHERS: ("Leave out all others", "All other visible shapes lie before the surface"),
+    LeaveOut.CHOSEN: ("Leave out chosen ones", "The shapes chosen by the button beside lie before it, hidden or not"),
 }
 LEAVE_OUT_TIP = N_("Which other shapes cover the surface: what lies inside them is not looked at, frame by frame")
 TIP = N_("What the surface inside the shapes may do; choose the simplest that fits")
@@ -34,9 +37,11 @@ TIP = N_("What the surface inside the shapes may do; choose the simplest that fi
 class PlanarPanel(QWidget):
     """What the plane may do, between the buttons of both directions."""
 
-    def __init__(self, tracking: PlanarTracking, actions: Actions, parent: QWidget | None = None) -> None:
+    def __init__(
+        self, document: Document, tracking: PlanarTracking, actions: Actions, parent: QWidget | None = None
+    ) -> None:
         super().__init__(parent)
-        self._tracking = tracking
+        self._document, self._tracking = document, tracking
         self.kind = ChoiceBox(tr(TIP))
         for kind, (title, tip) in WORDS.items():
             self.kind.addItem(tr(title), kind)
@@ -58,7 +63,44 @@ class PlanarPanel(QWidget):
         column.setContentsMargins(style.MARGIN, style.MARGIN, style.MARGIN, style.MARGIN)
         column.setSpacing(4)
         column.addLayout(row)
-        column.addWidget(self.leave_out)
+        column.addLayout(self._leave_out_row())
+
+    def _leave_out_row(self) -> QHBoxLayout:
+        """What is left out, and the button that lists the shapes."""
+        self.chosen = QMenu(self)
+        self.chosen.aboutToShow.connect(self._list_shapes)
+        button = QToolButton()
+        button.setObjectName("raised")
+        button.setIcon(style.icon("chevron-down"))
+        button.setMinimumWidth(30)
+        button.setFixedHeight(24)
+        button.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        button.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
+        button.setToolTip(tr("Choose the shapes that lie before the surface, one by one"))
+        button.setMenu(self.chosen)
+        row = QHBoxLayout()
+        row.setSpacing(4)
+        row.addWidget(self.leave_out, 1)
+        row.addWidget(button)
+        return row
+
+    def _list_shapes(self) -> None:
+        """All closed shapes, the upper first, those that are chosen ticked."""
+        self.chosen.clear()
+        for shape in reversed(self._document.project.shapes):
+            if shape.closed:
+                action = self.chosen.addAction(shape.name)
+                action.setCheckable(True)
+                action.setChecked(shape.id in self._tracking.left_out)
+                action.toggled.connect(lambda on, shape_id=shape.id: self._choose(shape_id, on))
+        if not self.chosen.actions():
+            self.chosen.addAction(tr("There is no closed shape yet")).setEnabled(False)
+
+    def _choose(self, shape_id: str, on: bool) -> None:
+        """One shape more, or less, that is left out; who chooses shapes wants just these left out."""
+        one = frozenset({shape_id})
+        self._tracking.left_out = self._tracking.left_out | one if on else self._tracking.left_out - one
+        self.leave_out.setCurrentIndex(self.leave_out.findData(LeaveOut.CHOSEN))
 
     def _push_leave_out(self) -> None:
         self._tracking.leave_out = LeaveOut(self.leave_out.currentData())

@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QHBoxLayout, QMenu, QToolButton, QWidget
 
 from roam_core.roto import Interpolation
 from roam_core.roto.animated import Animatable
-from roam_core.roto.value_keys import Keying, interpolated, keyed, keying, leading_key, still, unkeyed
+from roam_core.roto.value_keys import Keying, bent, interpolated, keyed, keying, leading_key, still, unkeyed
 
 from .. import style
 from ..translation import N_, tr
@@ -68,6 +68,9 @@ class ValueKeyButton(QToolButton):
         )
         self.menu_of_keys.addSeparator()
         self._ways = {kind: self._way(kind) for kind in Interpolation}
+        self._tangents = self._entry("Tangents", lambda value: bent(value, self.frame))
+        self._tangents.setCheckable(True)
+        self._tangents.setToolTip("It runs smoothly through its key here, or the last one before, by tangents")
         self.show_values([0.0], 0)
 
     def show_values(self, values: Sequence[Animatable], frame: int) -> None:
@@ -85,12 +88,14 @@ class ValueKeyButton(QToolButton):
         self.setAccessibleDescription(self.toolTip())
         leading = [key for value in values if (key := leading_key(value, frame)) is not None]
         way = shared(key.interpolation for key in leading) if leading else None
+        is_bent = bool(leading) and all(key.slopes is not None for key in leading)
+        self._tangents.setChecked(is_bent)
         self._set.setEnabled(self.state is not Keying.KEY)
         self._delete.setEnabled(any(keying(value, frame) is Keying.KEY for value in values))
-        for action in (self._delete_all, *self._ways.values()):
+        for action in (self._delete_all, *self._ways.values(), self._tangents):
             action.setEnabled(bool(leading))
         for kind, action in self._ways.items():
-            action.setChecked(kind is way)
+            action.setChecked(kind is way and not is_bent)
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         self._takes_new = self._is_new

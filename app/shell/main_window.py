@@ -39,6 +39,7 @@ from ..files.file_actions import FileActions
 from ..files.files import Files
 from ..files.recovering import Recovering
 from ..files.reopening import Reopening
+from ..files.reviewing import Reviewing
 from ..jobs import warm_up
 from ..jobs.copying import Copying
 from ..jobs.decode import PlateReader
@@ -47,6 +48,7 @@ from ..jobs.importing import Import
 from ..jobs.picture_work import PictureWork
 from ..jobs.planar import PlanarTrack
 from ..jobs.propagation import Propagation
+from ..jobs.review.job import ReviewJob
 from ..jobs.runner import Runner
 from ..jobs.softening import Softening
 from ..jobs.under_way import UnderWay
@@ -61,6 +63,7 @@ from ..panels.bars.tool_column import ToolColumn
 from ..panels.bars.view_bar import ViewBar
 from ..panels.planar import PlanarPanel
 from ..panels.properties import PropertiesPanel
+from ..panels.review import ReviewPanel
 from ..panels.shapes import ShapesPanel
 from ..panels.tracker import TrackerPanel
 from ..timeline.timeline import Timeline
@@ -113,23 +116,23 @@ class MainWindow(QMainWindow):
     def _build_state(self, journal_root: Path) -> None:
         self.document, self.view_state = Document(self), ViewState(self)
         self.solver, self.writer = Runner("solver", self), Runner("writer", self)
-        self.saver = Runner("saver", self)
-        self.reader = PlateReader(self)
+        self.saver, self.reader = Runner("saver", self), PlateReader(self)
         self.files = Files(self.document, self.view_state, self.reader, self.writer, self.saver, self)
         asks = partial(questions.ask_overwrite, self), partial(questions.ask_lossy, self)
         self.export = Export(self.document, self.writer, self, *asks)
         self.importing, self.copying = Import(self.document, self.writer, self), Copying(self.writer, self)
         self.journal = Journal(self.document, journal_root, self)
-        self.propagation = Propagation(self.document, self.view_state, self.solver, self.reader.engine_frame, self)
+        self.propagation = Propagation(self.document, self.view_state, self.solver, self.reader.engine_parts, self)
         self.proposals = Proposals(self.document, self.view_state, self.propagation, self)
         self.eye = Runner("eye", self)
         self.pictures = PictureWork(self.eye, self)
         self.belonging = Belonging(self.document, self.view_state, self.eye, self)
-        self.edge_kinds = EdgeKinds(self.document, self.view_state, self.reader.engine_frame, self.eye, self)
+        self.edge_kinds = EdgeKinds(self.document, self.view_state, self.reader.engine_parts, self.eye, self)
         self.planar = PlanarTrack(self.document, self.view_state, self.solver, self.reader.engine_frame, self)
         self.softening = Softening(self.document, self.solver, self.reader.engine_frame, self)
+        self.review_job = ReviewJob(self.document, self.writer, self.reader.engine_frame, self, asks[0])
         works = self.files, self.export, self.importing, self.copying, self.propagation, self.planar, self.pictures
-        self.under_way = UnderWay(*works, self.softening, parent=self)
+        self.under_way = UnderWay(*works, self.softening, self.review_job, parent=self)
         self.playback = Playback(self.view_state, self)
         self.navigation = Navigation(self.document, self.view_state)
         self.tracking = Tracking(self.document, self.view_state, self.propagation)
@@ -155,9 +158,10 @@ class MainWindow(QMainWindow):
         self.tool_column = ToolColumn(view_state, actions, tuple(TOOLS))
         self.view_bar = ViewBar(document, self.canvas, actions)
         self.shapes = ShapesPanel(document, view_state)
-        self.planar_panel = PlanarPanel(self.planar_tracking, actions)
+        self.planar_panel = PlanarPanel(document, self.planar_tracking, actions)
         self.tracker = TrackerPanel(document, view_state, self.tracking, actions)
         self.properties = PropertiesPanel(document, view_state, self.belonging)
+        self.review = ReviewPanel(document, view_state, actions)
         self.history = QUndoView(document.undo_stack)
         self.history.setMinimumHeight(6 * style.ROW_HEIGHT)
         self.transport = Transport(self.navigation, view_state, self.playback, actions)
@@ -177,6 +181,7 @@ class MainWindow(QMainWindow):
         self.reopening = Reopening(
             self.document, files, file_actions, self.reader, self.personal, actions, self.canvas, self.writer, self
         )
+        self.reviewing = Reviewing(self.document, view_state, self.canvas.viewing, self.review_job, file_actions, self)
         self.defects = Defects(view_state, self.journal, messages, self)
         self.recovering = Recovering(self._journal_root, self.writer, files, file_actions, view_state, self)
         self.recovering.asking.connect(self.defects.wait_for)
@@ -222,19 +227,20 @@ class MainWindow(QMainWindow):
         actions = self.actions_by_id
         shape_tools = tuple(tool_button(actions, name) for name in ("shape.group", "shape.duplicate", "shape.delete"))
         key_tools = tuple(tool_button(actions, name) for name in ("key.set", "key.delete"))
-        self.history_panel = Panel(tr("History"), self.history)
-        shapes, shape = Panel(tr("Shapes"), self.shapes, shape_tools), Panel(tr("Shape"), self.properties, key_tools)
+        self.history_panel = Panel("History", self.history)
+        self.review_panel = Panel("Review", self.review, self.review.tools)
+        shapes, shape = Panel("Shapes", self.shapes, shape_tools), Panel("Shape", self.properties, key_tools)
         self.shape_panel = shape
-        tracks = Panel(tr("Track"), self.tracker), Panel(tr("Planar track"), self.planar_panel)
-        column = layout.column(
-            shapes, *tracks, shape, self.history_panel, self.services.log_panel, growing=shapes, is_loose=True
-        )
+        tracks = Panel("Track", self.tracker), Panel("Planar track", self.planar_panel)
+        asked = self.review_panel, self.history_panel, self.services.log_panel
+        column = layout.column(shapes, *tracks, shape, *asked, growing=shapes, is_loose=True)
         column.setObjectName("panelColumn")
         column.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
         for name, panel in zip(("shapes", "track", "planar", "shape"), (shapes, *tracks, shape), strict=True):
             self.workspace.add(name, panel.title, panel)
-        self.workspace.add("history", tr("History"), self.history_panel, show="edit.history", is_shown_first=False)
-        self.workspace.add("log", tr("Messages"), self.services.log_panel, show="help.log", is_shown_first=False)
+        self.workspace.add("review", "Review", self.review_panel, show="review.panel", is_shown_first=False)
+        self.workspace.add("history", "History", self.history_panel, show="edit.history", is_shown_first=False)
+        self.workspace.add("log", "Messages", self.services.log_panel, show="help.log", is_shown_first=False)
         return layout.scrolled(column)
 
     # ---- connecting
@@ -247,10 +253,9 @@ class MainWindow(QMainWindow):
         self.edge_kinds.changed.connect(self.canvas.update)
         reader.plate_changed.connect(self.edge_kinds.forget)
         reader.plate_changed.connect(lambda: reader.show(view.frame))
-        reader.picture.connect(self.canvas.set_image)
-        reader.picture.connect(self.second_viewer.set_image)
-        reader.picture.connect(self.playback.note_picture)
-        reader.picture.connect(self.pictures.show)
+        seeing = self.canvas.set_image, self.second_viewer.set_image, self.playback.note_picture, self.pictures.show
+        for see in seeing:
+            reader.picture.connect(see)
         reader.plate_changed.connect(self.pictures.clear)
         reader.refused.connect(view.say)
         reader.cache_changed.connect(self.timeline.ruler.update)
@@ -267,11 +272,9 @@ class MainWindow(QMainWindow):
         actions.connect_all(self._handlers())
         for name in ("edit.undo", "edit.redo", "track.stop"):
             actions[name].setEnabled(False)
-        for name, switch in (
-            ("view.panels", self.panel_column.setVisible),
-            ("view.tall_timeline", self.timeline_height.make_tall),
-        ):
-            actions[name].toggled.connect(switch)
+        actions["view.panels"].toggled.connect(self.panel_column.setVisible)
+        actions["view.tall_timeline"].toggled.connect(self.timeline_height.make_tall)
+        actions["view.curves"].toggled.connect(self.timeline.show_curves)
 
     def _connect_personal(self) -> None:
         personal, say = self.personal, self.view_state.say
@@ -308,6 +311,7 @@ class MainWindow(QMainWindow):
             self.workspace,
             self.accessibility,
             self.reopening,
+            self.reviewing,
             self.recovering,
             self.defects,
             files,
@@ -324,7 +328,7 @@ class MainWindow(QMainWindow):
             playback,
         ):
             handlers |= part.handlers()
-        return handlers | self.timeline.handlers() | self.timeline.verbs.taking_over(handlers)
+        return self.timeline.taking_over(handlers)
 
     # ---- settings
 

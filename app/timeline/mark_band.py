@@ -1,4 +1,4 @@
-"""The band of marks under the ruler: flags on frames with a word on each; there only while there are marks."""
+"""The band of marks under the ruler: flags on frames with the note on each; there only while there are marks."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ COLOUR = "#9ec5f0"
 
 
 class MarkBand(QWidget):
-    """Click a mark to go there, drag it along the frames, double-click to name it, right-click to remove it."""
+    """Click a mark to go there, drag it along the frames, double-click to write its note, right-click to remove it."""
 
     def __init__(self, document: Document, axis: TimeAxis, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -58,7 +58,7 @@ class MarkBand(QWidget):
         """Put another word on the mark of a frame."""
         mark = timing.mark_at(self._document.project, frame)
         if mark is not None and mark.text != text:
-            self._document.apply(tr("Name mark"), timing.set_mark(self._document.project, frame, text))
+            self._document.apply("Write note", timing.set_mark(self._document.project, frame, text))
 
     def mark_at(self, x: float) -> Mark | None:
         """The mark near a pixel, or None."""
@@ -117,12 +117,8 @@ class MarkBand(QWidget):
         mark = self.mark_at(x)
         if mark is None:
             return ""
-        title = (
-            tr("Frame {frame}: {text}", frame=mark.frame, text=mark.text)
-            if mark.text
-            else tr("Frame {frame}", frame=mark.frame)
-        )
-        return tr("{title}\nDrag to move, double-click to name, right-click to remove", title=title)
+        title = f"Frame {mark.frame}: {mark.text}" if mark.text else f"Frame {mark.frame}"
+        return f"{title}\nDrag to move, double-click to write, right-click to remove"
 
     # ---- the rest is private
 
@@ -158,7 +154,9 @@ class MarkBand(QWidget):
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
         width = room - x - 3 * FLAG
         if mark.text and width > 12:
-            text = painter.fontMetrics().elidedText(mark.text, Qt.TextElideMode.ElideRight, int(width))
+            text = painter.fontMetrics().elidedText(
+                " ".join(mark.text.split()), Qt.TextElideMode.ElideRight, int(width)
+            )
             painter.setPen(QColor(style.TEXT))
             painter.drawText(QRectF(x + 2 * FLAG, 0, width, HEIGHT), Qt.AlignmentFlag.AlignVCenter, text)
 
@@ -171,8 +169,7 @@ class MarkField(QLineEdit):
         self._band, self._frame, self._is_asking = band, 0, False
         self.setObjectName("markField")
         self.setProperty(KEEPS_KEYBOARD, True)
-        self.setPlaceholderText(tr("a word on this mark"))
-        self.setAccessibleName(self.placeholderText())
+        self.setPlaceholderText("a note on this frame")
         self.setVisible(False)
         self.editingFinished.connect(self._keep)
 

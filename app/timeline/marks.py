@@ -20,7 +20,8 @@ from ..model.document import Document
 class KeyMarks:
     """Frames by what lies on them: `artist` keys; `engine` frames that are trusted, `doubtful` or `stale`.
 
-    `smooth` and `held` are those of the artist's keys from which the shape does not move on evenly. `confidence` are
+    `smooth` and `held` are those of the artist's keys from which the shape does not move on evenly; `partial` those on
+    which the artist set some of the points. `confidence` are
     pairs (frame, confidence) `(K, 2)` of all engine frames but those of a file that was read, in the order of time.
     """
 
@@ -30,6 +31,7 @@ class KeyMarks:
     stale: Int64
     smooth: Int64
     held: Int64
+    partial: Int64
     confidence: Array
 
     @property
@@ -68,6 +70,7 @@ def key_marks(shape: RotoShape, stamps: Stamps) -> KeyMarks:
         _frames(stale),
         _frames([frame for frame in artist if moves[frame] is Interpolation.SMOOTH]),
         _frames([frame for frame in artist if moves[frame] is Interpolation.HOLD]),
+        _frames([key.frame for key in shape.artist_keys if key.set_points]),
         np.asarray(confidence, dtype=np.float64).reshape(-1, 2),
     )
 

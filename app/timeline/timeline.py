@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from ..actions.actions import Actions
 from ..model.document import Document
 from ..model.view_state import ViewState
+from ..widgets.controls import tool_button
+from ..widgets.panel import Panel
 from .axis import TimeAxis
+from .boil_band import BoilBand
 from .confidence import ConfidencePlot
+from .curves.editor import CurveEditor
 from .keys.rows import KeyRows
 from .keys.selection import KeySelection
 from .keys.verbs import KeyVerbs
@@ -20,9 +24,15 @@ from .marks import MarksOf
 from .panning import PanHand, TimeBar
 from .ruler import Ruler
 from .tracks import TrackBand
+from .values.rows import ValueRows
+from .values.selection import ValueSelection
 
-KEY_MENU = ("key.linear", "key.smooth", "key.hold"), ("edit.copy", "edit.cut", "edit.paste"), ("points.delete",)
+KEY_WAYS = ("key.linear", "key.smooth", "key.hold")
+KEY_MENU = KEY_WAYS, ("edit.copy", "edit.cut", "edit.paste"), ("points.delete",)
 """What a right click on the key rows offers, in groups."""
+
+VALUE_MENU = (*KEY_WAYS, "key.tangents"), ("points.delete", "points.select_all")
+"""What one offers on the rows of values and on curves."""
 
 SHARED = ("edit.copy", "edit.cut", "edit.paste", "points.delete", "points.select_all", "key.set", "key.delete")
 """Actions of the viewer whose keys work in the key rows too, when these have the keyboard."""
@@ -54,28 +64,59 @@ class Timeline(QWidget):
         self.verbs = KeyVerbs(document, view_state, self.keys, self.rows.hasFocus)
         self.rows.nudged.connect(self.verbs.nudge)
         self.tracks = TrackBand(document, self.axis)
+        self.values = ValueSelection(document, self)
+        self.value_rows = ValueRows(document, self.axis, self.values)
+        self.curves = CurveEditor(document, self.axis, self.values)
+        self.curve_panel = Panel("Curves", self.curves, tuple(tool_button(actions, name) for name in VALUE_MENU[0]))
+        self.curve_panel.setVisible(False)
         self.confidence = ConfidencePlot(document, self.axis, marks)
+        self.boil = BoilBand(document, self.axis)
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(0)
         self.bar = TimeBar(self.axis)
-        for part in (self.ruler, self.marks, self.tracks, self.rows, self.confidence, self.bar):
+        keyed = self.tracks, self.rows, self.value_rows
+        for part in (self.ruler, self.marks, *keyed, self.curve_panel, self.confidence, self.boil, self.bar):
             column.addWidget(part)
-        PanHand(self.axis, self.ruler, self.marks, self.tracks, self.rows.viewport(), self.confidence.lines.viewport())
+        plots = self.confidence.lines.viewport(), self.boil, self.curves.plot.viewport()
+        PanHand(self.axis, self.ruler, self.marks, self.tracks, self.rows.viewport(), self.value_rows, *plots)
         column.setStretchFactor(self.rows, 1)  # the rows come first; the plot takes what they do not need
+        column.setStretchFactor(self.curve_panel, 4)
+        self.keys.changed.connect(lambda: self.values.clear() if self.keys.places else None)
+        self.values.changed.connect(lambda: self.keys.clear() if self.values.places else None)
         self._offer(actions)
         self._document = document
         document.replaced.connect(self._pull_clip)
 
     def handlers(self) -> dict[str, Callable[[], object]]:
         """What the actions of this part call, by id."""
-        return {"view.fit_time": self.axis.fit} | self.verbs.handlers() | self.mark_verbs.handlers()
+        own = {"view.fit_time": self.axis.fit} | self.verbs.handlers() | self.mark_verbs.handlers()
+        return own | self.value_rows.verbs.handlers()
+
+    def taking_over(self, handlers: Mapping[str, Callable[[], object]]) -> dict[str, Callable[[], object]]:
+        """Handlers that mean keys while the rows or the curves have the keyboard, and elsewhere what they meant."""
+        taken = {**handlers, **self.handlers(), **self.verbs.taking_over(handlers)}
+        for verbs in (self.value_rows.verbs, self.curves.plot.verbs):
+            taken |= verbs.taking_over(taken)
+        return taken
+
+    def show_curves(self, shown: bool) -> None:
+        """Show the curve editor in place of the confidence plot, with the keyboard; or the plot again."""
+        self.curve_panel.setVisible(shown)
+        self.confidence.setVisible(not shown)
+        if shown:
+            self.curves.plot.setFocus()
 
     def _offer(self, actions: Actions) -> None:
         for group in KEY_MENU:
             self.rows.menu.addSeparator()
             self.rows.menu.addActions([actions[name] for name in group])
         self.rows.addActions([actions[name] for name in SHARED])
+        for part in (self.value_rows, self.curves.plot):
+            for names in VALUE_MENU:
+                part.menu.addSeparator()
+                part.menu.addActions([actions[name] for name in names])
+            part.addActions([actions[name] for name in SHARED])
 
     def _pull_clip(self) -> None:
         clip = self._document.project.clip

@@ -38,7 +38,7 @@ class FocusFollowsPointer(QObject):
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if watched is self._viewer:
-            if event.type() == QEvent.Type.Enter and not isinstance(QApplication.focusWidget(), Field):
+            if event.type() == QEvent.Type.Enter and not _is_typed_into(QApplication.focusWidget()):
                 self._take()
         elif watched is self._field and isinstance(event, QKeyEvent) and event.type() == QEvent.Type.KeyPress:
             return self._leave(event)
@@ -82,6 +82,10 @@ class FocusFollowsPointer(QObject):
 
 def _is_main_or_part(window: QWidget) -> bool:
     return isinstance(window, FloatingWindow | QMainWindow)
+
+
+def _is_typed_into(widget: QWidget | None) -> bool:
+    return isinstance(widget, Field) or (widget is not None and bool(widget.property(KEEPS_KEYBOARD)))
 
 
 def _line_of(field: Field) -> QLineEdit:

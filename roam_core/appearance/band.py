@@ -39,7 +39,7 @@ class Band:
         grid = _grid_around(nodes, reach * scale + 2.0, frame.size, scale)
         here = grid.to_grid(nodes)
         edge, distance = nearest_edges(here, grid.shape, reach)
-        picture = grid.of(frame.image)
+        picture = grid.colours_of(frame)
         colours = np.asarray(cv2.cvtColor(picture, cv2.COLOR_RGB2LAB), dtype=np.float32)
         return cls(grid, picture, colours, edge, distance, coverage(here, grid.shape) > 0.5)
 

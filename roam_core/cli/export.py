@@ -6,6 +6,7 @@ import argparse
 import sys
 from pathlib import Path
 
+from roam_core.cli.lines import print_json
 from roam_core.cli.matte_options import add_matte_arguments, matte_style
 from roam_core.cli.overwriting import add_overwrite
 from roam_core.cli.picking import add_only, with_only
@@ -47,6 +48,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--lossy", action="store_true", help="write even where the mattes would differ in the other program"
     )
+    parser.add_argument("--json", action="store_true", help="print a line of JSON: the files, and what they leave out")
     add_only(parser)
     add_matte_arguments(parser)
     add_overwrite(parser)
@@ -66,8 +68,9 @@ def run(arguments: argparse.Namespace) -> int:
         mattes=matte_style(arguments),
         lossy=arguments.lossy,
     )
+    targets = exported(exporter, project, arguments.out, options)
     require_free(
-        exported(exporter, project, arguments.out, options),
+        targets,
         Sources.of_clip(project.clip, arguments.project),
         overwrite=arguments.overwrite,
     )
@@ -75,6 +78,10 @@ def run(arguments: argparse.Namespace) -> int:
         notes = exporter.export(project, arguments.out, options)
     except LossyExport as refusal:
         raise RoamError(f"{refusal} To write it all the same, say --lossy.") from None
+    if arguments.json:
+        files = [str(path) for path, _ in targets]
+        print_json({"shapes": len(project.shapes), "files": files, "notes": list(notes)})
+        return 0
     print(f"Wrote {len(project.shapes)} shape(s) to {arguments.out}.", file=sys.stderr)
     for note in notes:
         print(note, file=sys.stderr)

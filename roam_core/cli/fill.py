@@ -11,7 +11,6 @@ from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
-from numpy.typing import NDArray
 from tqdm import tqdm
 
 from roam_core.cancel import CancelToken
@@ -29,12 +28,13 @@ from roam_core.errors import RoamError
 from roam_core.interchange.authorship import Kind
 from roam_core.interchange.mattes.exporter import write_matte
 from roam_core.interchange.targets import Sources, require_free
+from roam_core.media.partial import PartialPicture
 from roam_core.params import CONFIGS, DEFAULT_CONFIG, RoamParams
 from roam_core.propagate import Termination, warm_up
 from roam_core.propagate.between.span import fill_span
 from roam_core.propagate.shapes.frame_confidence import whole_confidence
 from roam_core.propagate.shapes.provenance import Stamps, clip_stamp, takes_part
-from roam_core.roto import Origin, Project, RotoShape
+from roam_core.roto import Keyframe, Origin, Project, RotoShape
 
 FAILED = 1
 Gap = tuple[int, int]
@@ -46,6 +46,16 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("project", type=Path, metavar="P.roam")
     parser.add_argument("--config", default=DEFAULT_CONFIG, help=f"{' | '.join(CONFIGS)} (default {DEFAULT_CONFIG})")
     add_picking(parser, "fill")
+    parser.add_argument(
+        "--span", type=int, nargs=2, metavar=("FIRST", "LAST"), help="fill only the gaps within these frames (all)"
+    )
+    parser.add_argument(
+        "--take",
+        type=Path,
+        action="append",
+        metavar="PART",
+        help="take keys that are what filling would make from this copy of P.roam, or from those of a folder",
+    )
     parser.add_argument("--matte", type=Path, metavar="DIR", help="write 8-bit PNG mattes named as the frames")
     parser.add_argument("--save", type=Path, metavar="OUT.roam", help="write here (default: P.roam itself)")
     parser.add_argument("--json", action="store_true", help="print one line of JSON a frame")
@@ -59,7 +69,8 @@ def run(arguments: argparse.Namespace) -> int:
     write = project_writer(target, arguments.project)
     project = loaded(arguments.project)
     picking = Picking(arguments.shape, arguments.alone)
-    gaps = gaps_of(project, arguments.project, picking)
+    gaps = within(gaps_of(project, arguments.project, picking), arguments.span)
+    parts = [loaded(path) for path in part_files(arguments.take)]
     with opened(str(project.require_clip().path), project.clip) as plate:
         require_target(target)
         frames = range(gaps[0][0], max(last for _, last in gaps) + 1)
@@ -72,10 +83,12 @@ def run(arguments: argparse.Namespace) -> int:
         tell_of_holder(target)
         if arguments.matte is not None:
             require_writable(arguments.matte, create=True)
+        for part in parts:
+            project = taken(project, part, gaps, params, picking)
         wanted = [gap for gap in gaps if not is_filled(project, gap, params, plate, picking)]
         filled = fill_project(plate, project, wanted, params, write, picking)
         project = filled.project
-        if target != arguments.project and not wanted:
+        if not wanted and (target != arguments.project or parts):
             write(project)
         if arguments.matte is not None:
             failed = set(wanted) - set(filled.gaps)
@@ -106,6 +119,66 @@ def gaps_of(project: Project, path: Path, picking: Picking = EVERYTHING) -> list
             "Set a key on a later frame first."
         )
     return sorted(gaps)
+
+
+def within(gaps: Sequence[Gap], span: Sequence[int] | None) -> list[Gap]:
+    """The gaps that lie between two frames, both inclusive; all for None."""
+    if span is None:
+        return list(gaps)
+    first, last = span
+    inside = [gap for gap in gaps if first <= gap[0] and gap[1] <= last]
+    if not inside:
+        known = ", ".join(f"{gap[0]}-{gap[1]}" for gap in gaps[:8])
+        raise RoamError(f"--span {first} {last} holds no gap between artist keys; there are {known}.")
+    return inside
+
+
+def part_files(given: Sequence[Path] | None) -> list[Path]:
+    """The projects that `--take` names: files, and all projects of a folder, by name."""
+    return [path for place in given or () for path in (sorted(place.glob("*.roam")) if place.is_dir() else [place])]
+
+
+def taken(
+    project: Project, part: Project, gaps: Sequence[Gap], params: RoamParams, picking: Picking = EVERYTHING
+) -> Project:
+    """The project with those ENGINE keys of `part` that filling the gaps of `project` would make, told by their stamps.
+
+    Everything else of `part` is left alone: shapes that are not in the project, and keys of other settings.
+    """
+    stamps = Stamps.of(project.shapes, project.clip)
+    filled = {shape.id: shape for shape in part.shapes}
+    for shape in trackable(project, picking):
+        other = filled.get(shape.id)
+        if other is None or other.point_count != shape.point_count:
+            continue
+        keys: list[Keyframe] = []
+        for gap in gaps:
+            if takes_part(shape, gap) and set(gap) <= set(shape.artist_frames):
+                wanted = stamps.filled_key(shape, gap, params, picking.alone)
+                keys += [key for key in other.keys if gap[0] < key.frame < gap[1] and _is_of(key, wanted)]
+        if keys:
+            project = project.with_shape(shape.with_keys(keys))  # as they are: they were settled when they were made
+    return project
+
+
+def _is_of(key: Keyframe, stamp: str) -> bool:
+    return key.origin is Origin.ENGINE and key.inputs == stamp
+
+
+def pieces_of(
+    project: Project, gaps: Sequence[Gap], picking: Picking = EVERYTHING
+) -> list[tuple[Gap, tuple[str, ...]]]:
+    """The gaps divided by objects: what can be filled apart, and comes out as if it had been filled in one run.
+
+    Each piece is a gap with the ids of the shapes of one object that get keys there.
+    """
+    stamps, ids = Stamps.of(project.shapes, project.clip), [shape.id for shape in project.shapes]
+    pieces: list[tuple[Gap, tuple[str, ...]]] = []
+    for gap in gaps:
+        asked = [ids.index(shape.id) for shape in trackable(project, picking) if takes_part(shape, gap)]
+        for members in sorted({stamps.filled_with(k, gap, picking.alone) for k in asked}):
+            pieces.append((gap, tuple(ids[k] for k in members if k in asked)))
+    return pieces
 
 
 def is_filled(project: Project, gap: Gap, params: RoamParams, plate: Plate, picking: Picking = EVERYTHING) -> bool:
@@ -190,14 +263,14 @@ def _filled(
     return [shape for shape in filled if shape.id in asked]
 
 
-class _Pictures(Mapping[int, NDArray[Any]]):
+class _Pictures(Mapping[int, PartialPicture]):
     """The plate's pictures by frame, for the engine; a gap of the plate raises `MissingFrame`."""
 
     def __init__(self, plate: Plate) -> None:
         self._plate = plate
 
-    def __getitem__(self, frame: int) -> NDArray[Any]:
-        return self._plate.read_or_bridge(frame)
+    def __getitem__(self, frame: int) -> PartialPicture:
+        return self._plate.decoded_or_bridge(frame)
 
     def __iter__(self) -> Iterator[int]:
         return iter(self._plate.source.frames)

@@ -6,25 +6,30 @@ import argparse
 import sys
 from pathlib import Path
 
+from roam_core.cli.lines import print_json
 from roam_core.cli.overwriting import add_overwrite, project_writer, tell_of_holder
-from roam_core.cli.plate import loaded
+from roam_core.cli.plate import loaded, opened
 from roam_core.cli.track import require_target
 from roam_core.errors import RoamError
 from roam_core.interchange import ImportOptions, KeyChoice, MaskOptions, importer_for
 from roam_core.interchange.authorship import Kind
 from roam_core.interchange.reading import SPECK
 from roam_core.interchange.targets import Sources, require_free
-from roam_core.roto import edit
+from roam_core.roto import Clip, Project, edit
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Declare the command's options."""
     parser.add_argument("source", type=Path, metavar="FILE")
     parser.add_argument("--into", type=Path, required=True, metavar="P.roam", help="the project that gets the shapes")
+    parser.add_argument(
+        "--clip", metavar="CLIP", help="the plate of the shapes, where P.roam is not there yet and is to be made for it"
+    )
     parser.add_argument("--save", type=Path, metavar="OUT.roam", help="where to write it (default: P.roam itself)")
     parser.add_argument(
         "--frame-offset", type=int, default=0, metavar="N", help="what was added to the frame numbers on export"
     )
+    parser.add_argument("--json", action="store_true", help="print a line of JSON: how many shapes, and what was lost")
     masks = parser.add_argument_group("masks", "for a folder of masks, or one picture of a numbered sequence")
     masks.add_argument(
         "--tolerance",
@@ -53,7 +58,7 @@ def run(arguments: argparse.Namespace) -> int:
     target = arguments.into if arguments.save is None else arguments.save
     importer = importer_for(arguments.source)
     write = project_writer(target, arguments.into)
-    project = loaded(arguments.into)
+    project = given_project(arguments.into, arguments.clip)
     require_target(target)
     require_free(
         [(target, Kind.PROJECT)],
@@ -65,15 +70,31 @@ def run(arguments: argparse.Namespace) -> int:
     masks = MaskOptions(arguments.tolerance, KeyChoice(arguments.keys), arguments.speckle)
     options = ImportOptions(frame_offset=arguments.frame_offset, masks=masks)
     imported = importer.read(arguments.source, project.require_clip(), options)
-    for note in imported.notes:
-        print(note, file=sys.stderr)
+    if not arguments.json:
+        for note in imported.notes:
+            print(note, file=sys.stderr)
     count = sum(1 for _ in imported.layer.shapes())
     if count == 0:
         raise RoamError(f"{arguments.source} holds no shape that ROAM can read; nothing was written.")
     project, _ = edit.add_items(project, imported.layer.children)
     write(project)
-    print(f"Read {count} shape(s) from {arguments.source} into {target}.", file=sys.stderr)
+    if arguments.json:
+        print_json({"shapes": count, "files": [str(target)], "notes": list(imported.notes)})
+    else:
+        print(f"Read {count} shape(s) from {arguments.source} into {target}.", file=sys.stderr)
     return 0
+
+
+def given_project(path: Path, clip: str | None) -> Project:
+    """The project at `path`; where none is there and a clip is named, an empty one for that."""
+    if clip is None:
+        return loaded(path)
+    if path.exists():
+        raise RoamError(
+            f"{path} is there already and has a clip of its own; leave out --clip, or name another project."
+        )
+    with opened(clip) as plate:
+        return Project(Clip.of(plate.source))
 
 
 def read_files(source: Path) -> list[Path]:

@@ -6,6 +6,7 @@ import argparse
 from itertools import pairwise
 from pathlib import Path
 
+from roam_core.cli.lines import print_json
 from roam_core.cli.plate import add_layer
 from roam_core.interchange.authorship import is_project
 from roam_core.media import open_clip
@@ -13,7 +14,7 @@ from roam_core.media.finding import is_there
 from roam_core.propagate.shapes.departed import departed_settings
 from roam_core.propagate.shapes.provenance import Stamps
 from roam_core.propagate.shapes.suggest_keyframe import suggest_keyframe
-from roam_core.roto import Origin, RotoShape, file
+from roam_core.roto import Clip, Origin, RotoShape, file
 from roam_core.roto.imported import is_import
 from roam_core.roto.relinking import relinked
 
@@ -21,16 +22,27 @@ from roam_core.roto.relinking import relinked
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Declare the command's options."""
     add_layer(parser)
+    parser.add_argument(
+        "--json", action="store_true", help="print a line of JSON: of a clip, or of a project and its shapes"
+    )
     parser.add_argument("project", type=Path, metavar="P.roam", help="a project, or a clip")
 
 
 def run(arguments: argparse.Namespace) -> int:
     """Carry out the command."""
     if arguments.project.suffix.lower() == ".roam" or is_project(arguments.project):
+        if arguments.json:
+            print_json(_project_values(arguments.project))
+            return 0
         for line in _project_lines(arguments.project):
             print(line)
         return 0
     source = open_clip(arguments.project, arguments.layer)
+    if arguments.json:
+        print_json(
+            {"clip": _clip_values(Clip.of(source)) | {"missing": list(source.missing), "layers": list(source.layers)}}
+        )
+        return 0
     width, height = source.size
     print(f"clip     {source.path}")
     print(
@@ -43,6 +55,44 @@ def run(arguments: argparse.Namespace) -> int:
     if len(source.layers) > 1:
         print(f"layer    {source.layer}, of {', '.join(source.layers)}")
     return 0
+
+
+def _clip_values(clip: Clip) -> dict[str, object]:
+    return {
+        "path": str(clip.path),
+        "first": clip.first,
+        "last": clip.last,
+        "size": list(clip.size),
+        "fps": clip.fps,
+        "colour_space": clip.colour_space,
+        "pixel_aspect": clip.pixel_aspect,
+        "layer": clip.layer,
+    }
+
+
+def _project_values(path: Path) -> dict[str, object]:
+    project = file.load(path)
+    clip, stamps = project.clip, Stamps.of(project.shapes, project.clip)
+    there = None if clip is None else _clip_values(clip) | {"is_there": is_there(clip.path)}
+    shapes = [_shape_values(shape, stamps) for shape in project.shapes]
+    return {"project": str(path), "digest": file.digest(project), "clip": there, "shapes": shapes}
+
+
+def _shape_values(shape: RotoShape, stamps: Stamps) -> dict[str, object]:
+    engine = [key for key in shape.keys if key.origin is Origin.ENGINE]
+    return {
+        "id": shape.id,
+        "name": shape.name,
+        "points": shape.point_count,
+        "closed": shape.closed,
+        "blend": shape.blend.value,
+        "artist_keys": list(shape.artist_frames),
+        "engine_keys": [key.frame for key in engine],
+        "stale": [key.frame for key in engine if stamps.is_stale(shape, key)],
+        "not_filled": _interpolated(shape),
+        "confidence": {str(key.frame): key.confidence for key in engine if key.confidence is not None},
+        "worth_fixing": suggest_keyframe(shape),
+    }
 
 
 def _project_lines(path: Path) -> list[str]:

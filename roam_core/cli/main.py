@@ -13,6 +13,7 @@ from types import ModuleType
 
 from roam_core import __version__
 from roam_core.cancel import Cancelled
+from roam_core.cli.environment import take_threads
 from roam_core.cli.lines import discard_output, flush_output
 from roam_core.cli.stopping import Stopped, raising
 from roam_core.errors import RoamError
@@ -20,6 +21,7 @@ from roam_core.errors import RoamError
 COMMANDS: dict[str, str] = {
     "track": "carry shapes through a clip",
     "fill": "fill in shapes between their keys",
+    "plane": "follow the surface under shapes",
     "soften": "make shapes as soft as the edge in the plate",
     "export": "write a project's shapes for another program",
     "import": "read another program's shapes into a project",
@@ -27,7 +29,11 @@ COMMANDS: dict[str, str] = {
     "review": "write a movie or contact sheet of a shot; list frames worth a look",
     "explain": "say what each term contributes to a tracked key",
     "info": "say what is in a project or clip",
+    "plugin": "write ROAM's menu for Nuke, Natron or Blender",
+    "prepare": "compile the engine ahead of the first track",
     "configs": "list the engine's configurations, dials and parameters",
+    "batch": "carry out many jobs on many shots, on all cores or on a studio's machines",
+    "farm": "write a project's work as a job for a render farm",
     "demo": "track the built-in demo shot",
 }
 """Commands and what they do; each lives in the module of its name beside this one (a keyword's ends in `_`)."""
@@ -80,6 +86,7 @@ def _run(argv: list[str]) -> int:
         if name in argv:
             _module(name).add_arguments(command)
     arguments = parser.parse_args(argv)
+    take_threads()
     status: int = _module(arguments.command).run(arguments)
     return status
 

@@ -8,48 +8,74 @@ import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from typing import Any
 
-from numpy.typing import NDArray
 from tqdm import tqdm
 
+from roam_core.arrays import Image
+from roam_core.cli.environment import cache_bytes
 from roam_core.errors import RoamError
 from roam_core.media import FrameCache, MissingFrame, PlateSource, declared, open_clip
-from roam_core.media.colour import to_engine
 from roam_core.media.colour_spaces import known_space
+from roam_core.media.partial import PartialFrames, PartialPicture
 from roam_core.roto import Clip, Project, file
 from roam_core.roto.relinking import other_content, other_size, relinked
 
 AHEAD = 4
 """Frames decoded ahead of the solver."""
+CACHE_BYTES = 1 << 29
 
 
 class Plate:
     """A clip being read."""
 
-    def __init__(self, source: PlateSource, cache: FrameCache) -> None:
-        self.source, self.cache = source, cache
+    def __init__(self, source: PlateSource, limit_bytes: int = CACHE_BYTES) -> None:
+        self.source = source
+        self._frames = PartialFrames(source, self._tell)
+        self._cache = FrameCache(self._frames, limit_bytes)
         self._bridged: set[int] = set()
         self._lock = threading.Lock()
 
-    def read(self, frame: int) -> NDArray[Any]:
-        """The picture of a frame, display-referred, for the engine. Safe from any thread."""
-        return to_engine(self.cache.read(frame), self.source.colour_space)
+    def read(self, frame: int) -> Image:
+        """The working picture `(h, w, 3)` of a frame, for the engine. Safe from any thread."""
+        return self._cache.read(frame).whole
 
-    def read_or_bridge(self, frame: int) -> NDArray[Any]:
+    def read_or_bridge(self, frame: int) -> Image:
         """As `read`, for a run: of a frame that is there and cannot be read the user is told, once, that it is bridged.
 
         Raises `MissingFrame` all the same.
         """
-        try:
+        with self._telling(frame):
             return self.read(frame)
+
+    def parts_or_bridge(self, frame: int) -> PartialPicture:
+        """As `read_or_bridge`, for the engine: no more of the picture is decoded than is looked at."""
+        picture = self.decoded_or_bridge(frame)
+        self._frames.follow(picture)
+        return picture
+
+    def decoded_or_bridge(self, frame: int) -> PartialPicture:
+        """As `read_or_bridge`, for the engine: no more of the picture is converted than is looked at."""
+        with self._telling(frame):
+            return self._cache.read(frame)
+
+    @contextmanager
+    def _telling(self, frame: int) -> Iterator[None]:
+        try:
+            yield
         except MissingFrame as error:
-            with self._lock:
-                is_news = frame in self.source.frames and frame not in self._bridged
-                self._bridged.add(frame)
-            if is_news:
-                tqdm.write(f"roam: {error} It is bridged like a missing frame.", file=sys.stderr)
+            self._tell(frame, error)
             raise
+
+    def _tell(self, frame: int, error: MissingFrame) -> None:
+        with self._lock:
+            is_news = frame in self.source.frames and frame not in self._bridged
+            self._bridged.add(frame)
+        if is_news:
+            tqdm.write(f"roam: {error} It is bridged like a missing frame.", file=sys.stderr)
+
+    def close(self) -> None:
+        """End the threads that read ahead."""
+        self._cache.close()
 
     def has_picture(self, frame: int) -> bool:
         """True where a frame can be read."""
@@ -62,7 +88,7 @@ class Plate:
     def ahead_of(self, frame: int, frames: range) -> None:
         """Decode the frames that follow `frame` in `frames` in the background."""
         position = frames.index(frame)
-        self.cache.read_ahead([f for f in frames[position + 1 : position + 1 + AHEAD] if f in self.source.frames])
+        self._cache.read_ahead([f for f in frames[position + 1 : position + 1 + AHEAD] if f in self.source.frames])
 
 
 def loaded(path: Path) -> Project:
@@ -101,11 +127,11 @@ def opened(path: str, clip: Clip | None = None, layer: str = "", colour: str = "
         source = declared(source, clip.colour_space, clip.fps, clip.pixel_aspect)
     if colour:
         source = declared(source, known_space(colour), source.fps, source.pixel_aspect)
-    cache = FrameCache(source, limit_bytes=1 << 29)
+    plate = Plate(source, cache_bytes())
     try:
-        yield Plate(source, cache)
+        yield plate
     finally:
-        cache.close()
+        plate.close()
 
 
 def _compare(clip: Clip, found: Clip) -> None:

@@ -9,6 +9,7 @@ from typing import Never
 
 from tqdm import tqdm
 
+from roam_core.cli.lines import print_json
 from roam_core.cli.matte_options import add_matte_arguments, matte_style
 from roam_core.cli.overwriting import add_overwrite
 from roam_core.cli.picking import add_only, with_only
@@ -33,6 +34,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--name", metavar="PATTERN", help="of the files, such as '{name}.####.exr' (default: as the plate's frames)"
     )
+    parser.add_argument("--json", action="store_true", help="print a line of JSON: the files, written or there already")
     add_only(parser)
     add_matte_arguments(parser)
     add_overwrite(parser)
@@ -78,7 +80,11 @@ def run(arguments: argparse.Namespace) -> int:
         )
     if frames and not (written.made or written.kept):
         raise RoamError(f"Nothing is visible in {arguments.project} that could have a matte of its own.")
-    print(written.report(f" to {arguments.out}"), file=sys.stderr)
+    if arguments.json:
+        made, there = ([str(path) for path in paths] for paths in (written.made, written.kept))
+        print_json({"files": made, "kept": there})
+    else:
+        print(written.report(f" to {arguments.out}"), file=sys.stderr)
     return 0
 
 

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import argparse
 import sys
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 
+from roam_core.arrays import Array
 from roam_core.cancel import Progress
 from roam_core.cli.bar import bar
 from roam_core.cli.lines import print_json
@@ -20,6 +21,7 @@ from roam_core.interchange.targets import Sources, require_free
 from roam_core.review.findings import Finding, FindingKind, findings
 from roam_core.review.frames import HINT, chosen_frames
 from roam_core.review.look import Burn, Ground, ReviewLook, ReviewView
+from roam_core.review.picture_boil import boil_by_picture
 from roam_core.review.sheet import SheetLayout
 from roam_core.review.writing import ReviewRequest, output_of, write_review
 from roam_core.roto import Mark, Project
@@ -36,6 +38,11 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--sheet", action="store_true", help="write a contact sheet, pages of small pictures, as PNG")
     parser.add_argument("--list", action="store_true", help="print notes, and frames that are doubtful or boil")
     parser.add_argument("--json", action="store_true", help="print the list as one line of JSON for each entry")
+    parser.add_argument(
+        "--by-picture",
+        action="store_true",
+        help="measure the boil of the list by the motion of the plate: slower, and better where shapes bend",
+    )
     parser.add_argument("--frames", metavar="WHICH", help=f"{HINT} (default: all; of a sheet x10)")
     parser.add_argument("--start", type=int, metavar="F", help="first frame (default: the clip's first)")
     parser.add_argument("--end", type=int, metavar="F", help="last frame (default: the clip's last)")
@@ -69,7 +76,8 @@ def run(arguments: argparse.Namespace) -> int:
     project = with_only(loaded(arguments.project), arguments.shape)
     within = _within(project, arguments.start, arguments.end)
     if arguments.list or arguments.json:
-        _print_list(project, within, as_json=arguments.json)
+        measured = _measured(project) if arguments.by_picture else None
+        _print_list(project, within, measured, as_json=arguments.json)
     if arguments.out is not None:
         print(_write(arguments, project, within), file=sys.stderr)
     return 0
@@ -126,10 +134,17 @@ def _within(project: Project, start: int | None, end: int | None) -> range:
     return range(max(first, clip.first), min(last, clip.last) + 1)
 
 
-def _print_list(project: Project, within: range, *, as_json: bool) -> None:
+def _measured(project: Project) -> Mapping[str, Array]:
+    """The boil of all shapes by the picture."""
+    clip = project.require_clip()
+    with opened(str(clip.path), clip) as plate, cancelling() as token, _progress() as progress:
+        return boil_by_picture(plate.read_or_bridge, project.shapes, token, progress)
+
+
+def _print_list(project: Project, within: range, measured: Mapping[str, Array] | None, *, as_json: bool) -> None:
     """Notes, doubts and boil in the order of time."""
     found: list[tuple[int, Mark | Finding]] = [(mark.frame, mark) for mark in project.marks]
-    found += [(each.frame, each) for each in findings(project)]
+    found += [(each.frame, each) for each in findings(project, measured)]
     listed = [each for frame, each in sorted(found, key=lambda pair: pair[0]) if frame in within]
     if as_json:
         for each in listed:

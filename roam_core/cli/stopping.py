@@ -39,6 +39,19 @@ def raising() -> Iterator[None]:
         yield
 
 
+_given = threading.local()
+
+
+@contextmanager
+def cancelled_by(token: CancelToken) -> Iterator[None]:
+    """For the length of a `with` block commands that this thread runs stop when `token` is cancelled."""
+    _given.token = token
+    try:
+        yield
+    finally:
+        _given.token = None
+
+
 @contextmanager
 def cancelling() -> Iterator[CancelToken]:
     """A token that the first signal cancels: the engine's threads then stop at their next safe point.
@@ -46,7 +59,7 @@ def cancelling() -> Iterator[CancelToken]:
     The block's `Cancelled` then becomes `Stopped`. A second Ctrl-C does not wait for a safe point; others may come in
     pairs, as when a terminal is closed.
     """
-    token = CancelToken()
+    token: CancelToken = getattr(_given, "token", None) or CancelToken()
     received: list[int] = []
 
     def stop(number: int, _frame: FrameType | None) -> None:

@@ -164,7 +164,7 @@ def track_project(
     with cancelling() as token, kept(keep) as keeper:
         keeper.offer(project)
         solved = track(
-            plate.read_or_bridge, shapes, frames, config, token, stamp, begun=finished, only=asked, alone=picking.alone
+            plate.parts_or_bridge, shapes, frames, config, token, stamp, begun=finished, only=asked, alone=picking.alone
         )
         for result in tqdm(solved, total=len(frames) - 1, unit="frame", disable=quiet, leave=False):
             project = with_results(project, result)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import threading
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -11,6 +12,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from roam_core.arrays import Array, Float32, UInt8
+from roam_core.media.partial import PartialPicture
+
+DECODED_TOGETHER = 64
+"""Pixels: parts of a picture are decoded in boxes of whole multiples."""
 
 
 @dataclass(frozen=True)
@@ -51,28 +56,69 @@ class Region:
     def is_empty(self) -> bool:
         return self.x1 <= self.x0 or self.y1 <= self.y0
 
+    def holds(self, other: Region) -> bool:
+        """Whether another box lies wholly within this one."""
+        return self.joined(other) == self
+
+    def joined(self, other: Region) -> Region:
+        """The least box around this one and another."""
+        return Region(min(self.x0, other.x0), min(self.y0, other.y0), max(self.x1, other.x1), max(self.y1, other.y1))
+
+    def shifted(self, x: int, y: int) -> Region:
+        """This box, moved by whole pixels."""
+        return Region(self.x0 + x, self.y0 + y, self.x1 + x, self.y1 + y)
+
     @property
     def slices(self) -> tuple[slice, slice]:
         return slice(self.y0, self.y1), slice(self.x0, self.x1)
 
 
 class PreparedFrame:
-    """An image of the shot as 8-bit RGB with features made on demand, each once.
+    """An image of the shot as 8-bit RGB with features made on demand, each once. Safe from any thread.
 
     Parameters
     ----------
-    image : (h, w, 3) RGB, uint8 or float in [0, 1], display-referred.
+    image : (h, w, 3) RGB, uint8 or float in [0, 1], display-referred; or a picture that gives its parts: then no more
+        of it is decoded and converted than is looked at.
     """
 
-    def __init__(self, image: NDArray[Any]) -> None:
-        self.image: UInt8 = as_uint8(image)
-        self.size: tuple[int, int] = (self.image.shape[0], self.image.shape[1])
+    def __init__(self, image: NDArray[Any] | PartialPicture) -> None:
+        self._picture = image if isinstance(image, PartialPicture) else None
+        self._known: UInt8 = as_uint8(np.empty((0, 0, 3), np.uint8) if isinstance(image, PartialPicture) else image)
+        self._box = Region(0, 0, self._known.shape[1], self._known.shape[0])
+        self.size: tuple[int, int] = image.size if isinstance(image, PartialPicture) else (self._box.y1, self._box.x1)
+        self._lock = threading.Lock()
         self._gradients: dict[tuple[Region, float, float, float], Float32] = {}
+
+    @property
+    def image(self) -> UInt8:
+        """All of it `(h, w, 3)`."""
+        return self.within(Region(0, 0, self.size[1], self.size[0]))
 
     @cached_property
     def grey(self) -> UInt8:
         """Luma (h, w)."""
-        return np.asarray(cv2.cvtColor(self.image, cv2.COLOR_RGB2GRAY), dtype=np.uint8)
+        return _luma(self.image)
+
+    def within(self, region: Region) -> UInt8:
+        """The pixels `(rows, columns, 3)` of a part of it: a view.
+
+        Raises
+        ------
+        DamagedFrame
+            where its file cannot be read there.
+        """
+        with self._lock:
+            if self._picture is not None and not region.is_empty and not self._box.holds(region):
+                box = region if self._box.is_empty else self._box.joined(region)
+                box = box.aligned(DECODED_TOGETHER, self.size)
+                self._known, self._box = as_uint8(self._picture.within(box.y0, box.y1, box.x0, box.x1)), box
+            rows, columns = region.shifted(-self._box.x0, -self._box.y0).slices
+            return self._known[rows, columns]
+
+    def grey_within(self, region: Region) -> UInt8:
+        """Luma `(rows, columns)` of a part of it."""
+        return _luma(self.within(region))
 
     def squared_gradient(self, region: Region, sigma: float, floor: float, top: float) -> Float32:
         """|grad I|^2 of equation 3 over a region, (rows, columns), normalised to [0, 1].
@@ -83,8 +129,21 @@ class PreparedFrame:
         """
         key = (region, sigma, floor, top)
         if key not in self._gradients:
-            self._gradients[key] = _squared_gradient(self.image, *key)
+            self._gradients[key] = self._made_gradient(*key)
         return self._gradients[key]
+
+    def _made_gradient(self, region: Region, sigma: float, floor: float, percentile: float) -> Float32:
+        pad = int(np.ceil(3 * sigma)) + 2
+        height, width = self.size
+        y0, y1 = max(region.y0 - pad, 0), min(region.y1 + pad, height)
+        x0, x1 = max(region.x0 - pad, 0), min(region.x1 + pad, width)
+        crop = cv2.GaussianBlur(self.within(Region(x0, y0, x1, y1)), (0, 0), sigma).astype(np.float32)
+        dx = cv2.Sobel(crop, cv2.CV_32F, 1, 0, ksize=3, scale=0.125)
+        dy = cv2.Sobel(crop, cv2.CV_32F, 0, 1, ksize=3, scale=0.125)
+        power = (dx * dx + dy * dy).max(axis=2)
+        power = power[region.y0 - y0 : region.y1 - y0, region.x0 - x0 : region.x1 - x0]
+        top = max(float(np.percentile(power, percentile)), floor) if power.size else floor
+        return np.ascontiguousarray(np.minimum(power / np.float32(top), np.float32(1.0)))
 
 
 def as_uint8(image: NDArray[Any]) -> UInt8:
@@ -104,15 +163,5 @@ def as_uint8(image: NDArray[Any]) -> UInt8:
     return np.asarray(np.clip(levels, 0.0, 255.0, out=levels), dtype=np.uint8)
 
 
-def _squared_gradient(image: UInt8, region: Region, sigma: float, floor: float, percentile: float) -> Float32:
-    pad = int(np.ceil(3 * sigma)) + 2
-    height, width = image.shape[:2]
-    y0, y1 = max(region.y0 - pad, 0), min(region.y1 + pad, height)
-    x0, x1 = max(region.x0 - pad, 0), min(region.x1 + pad, width)
-    crop = cv2.GaussianBlur(image[y0:y1, x0:x1], (0, 0), sigma).astype(np.float32)
-    dx = cv2.Sobel(crop, cv2.CV_32F, 1, 0, ksize=3, scale=0.125)
-    dy = cv2.Sobel(crop, cv2.CV_32F, 0, 1, ksize=3, scale=0.125)
-    power = (dx * dx + dy * dy).max(axis=2)
-    power = power[region.y0 - y0 : region.y1 - y0, region.x0 - x0 : region.x1 - x0]
-    top = max(float(np.percentile(power, percentile)), floor) if power.size else floor
-    return np.ascontiguousarray(np.minimum(power / np.float32(top), np.float32(1.0)))
+def _luma(image: UInt8) -> UInt8:
+    return np.asarray(cv2.cvtColor(image, cv2.COLOR_RGB2GRAY), dtype=np.uint8)

@@ -10,8 +10,8 @@ import cv2
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from roam_core.arrays import Array, Bools, Float32
-from roam_core.features.frame import Region
+from roam_core.arrays import Array, Bools, Float32, UInt8
+from roam_core.features.frame import PreparedFrame, Region
 
 
 @dataclass(frozen=True)
@@ -58,9 +58,20 @@ class Grid:
         return _constant(np.linalg.inv(self.map_to_image))
 
     def of(self, image: NDArray[Any]) -> NDArray[Any]:
-        """The region's pixels averaged into cells."""
+        """The region's pixels, of a field or mask of the whole image, averaged into cells."""
         rows, columns = self.region.slices
-        return np.asarray(cv2.resize(image[rows, columns], (self.columns, self.rows), interpolation=cv2.INTER_AREA))
+        return self._averaged(image[rows, columns])
+
+    def colours_of(self, frame: PreparedFrame) -> UInt8:
+        """The region's colours `(rows, columns, 3)`, averaged into cells."""
+        return self._averaged(frame.within(self.region))
+
+    def grey_of(self, frame: PreparedFrame) -> UInt8:
+        """The region's luma `(rows, columns)`, averaged into cells."""
+        return self._averaged(frame.grey_within(self.region))
+
+    def _averaged(self, pixels: NDArray[Any]) -> NDArray[Any]:
+        return np.asarray(cv2.resize(pixels, (self.columns, self.rows), interpolation=cv2.INTER_AREA))
 
     def warped(self, image: NDArray[Any], transform: Array) -> NDArray[Any]:
         """A picture carried into the image by `transform (3, 3)`, seen in cells; zero where nothing was."""

@@ -28,7 +28,7 @@ class Pyramid:
     def of(cls, frame: PreparedFrame, region: Region, factor: float, params: PyramidParams) -> Pyramid:
         """Of a region of a frame, its finest level with about `factor` cells a pixel."""
         grid = Grid.over(region, factor)
-        rgb = grid.of(frame.image).astype(np.float32) / np.float32(255.0)
+        rgb = grid.colours_of(frame).astype(np.float32) / np.float32(255.0)
         step = 1 << (params.levels - 1)
         below, right = (-side % step for side in grid.shape)
         rgb = cv2.copyMakeBorder(rgb, 0, below, 0, right, cv2.BORDER_REPLICATE)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from itertools import pairwise
 
 import numpy as np
 
@@ -39,7 +38,7 @@ def fit_closed(
     count = max(16, round(perimeter / every))
     dense = polyline.resample(line, count)
     step = perimeter / count
-    cuts = _corners(dense, max(2, round(min(reach, perimeter / 12) / step)), np.radians(corner_degrees))
+    cuts = corners(dense, max(2, round(min(reach, perimeter / 12) / step)), np.radians(corner_degrees))
     sharp = len(cuts) > 0
     if not sharp:
         cuts = np.array([int(np.argmax(((dense - dense.mean(axis=0)) ** 2).sum(axis=1)))])
@@ -49,81 +48,19 @@ def fit_closed(
         stop = cuts[(k + 1) % len(cuts)]
         index = np.arange(start, stop + 1 if stop > start else stop + count + 1) % count
         run = smooth[index]
-        if sharp and _off_chord(run) <= tolerance / 2.0:
-            pieces.append(_straight(run[0], run[-1]))
+        if sharp and off_chord(run) <= tolerance / 2.0:
+            pieces.append(straight(run[0], run[-1]))
             continue
         if sharp:
-            ends = _end_tangent(run), -_end_tangent(run[::-1])
+            ends = end_tangent(run), -end_tangent(run[::-1])
         else:
-            tangent = _centre_tangent(np.vstack([run[-6:-1], run[:6]]), 5)
+            tangent = centre_tangent(np.vstack([run[-6:-1], run[:6]]), 5)
             ends = tangent, tangent
-        pieces.extend(_fit_run(run, ends[0], ends[1], tolerance, 0))
-    return _joined(pieces)
+        pieces.extend(fit_run(run, ends[0], ends[1], tolerance))
+    return joined(pieces)
 
 
-def fit_open(
-    line: Array,
-    tolerance: float = 1.0,
-    corner_degrees: float = 50.0,
-    *,
-    softness: float = 1.2,
-    reach: float = 5.0,
-    every: float = CURVE_FIT.step,
-) -> Array:
-    """An open spline `(P, 3, 2)` of few points within about `tolerance` pixels of the polyline `line (K, 2)`.
-
-    Cut and fitted as by `fit_closed`; it begins and ends where the line does.
-
-    Parameters
-    ----------
-    softness : pixels of the Gaussian that takes pixel stairs, or the tremor of a hand, off before tangents are felt.
-    reach : pixels on either side of a corner over which its turn is measured.
-    every : pixels between the samples of the line that the curve is fitted to.
-    """
-    total = polyline.length(line, closed=False)
-    if total < CURVE_FIT.min_stroke:
-        ends = np.stack([line[0], line[-1]])
-        return _chained([_straight(ends[0], ends[1])])
-    dense = polyline.resample(line, max(8, round(total / every)) + 1, closed=False)
-    step = total / (len(dense) - 1)
-    soft = _smoothed_open(dense, softness / step)
-    span = max(2, round(min(reach, total / 6) / step))
-    corners = _corners(soft, span, np.radians(corner_degrees))
-    corners = corners[(corners >= span) & (corners < len(dense) - span)]
-    cuts = [0, *corners.tolist(), len(dense) - 1]
-    smooth = np.concatenate([_smoothed_open(dense[a : b + 1], softness / step)[k > 0 :] for k, (a, b) in _runs(cuts)])
-    pieces: list[Array] = []
-    for _, (start, stop) in _runs(cuts):
-        run = smooth[start : stop + 1]
-        if _off_chord(run) <= tolerance / 2.0:
-            pieces.append(_straight(run[0], run[-1]))
-        else:
-            pieces.extend(_fit_run(run, _end_tangent(run), -_end_tangent(run[::-1]), tolerance, 0))
-    return _chained(pieces)
-
-
-def fit_stroke(line: Array, tolerance: float, *, closed: bool) -> Array:
-    """The spline `(P, 3, 2)` of a line `(K, 2)` drawn by hand: `closed` joins its end to its beginning smoothly.
-
-    Tremor of about a pixel is taken out before corners and tangents are looked for; `tolerance` in pixels.
-    """
-    fitted = fit_closed if closed else fit_open
-    return fitted(
-        line,
-        tolerance,
-        CURVE_FIT.hand_corner,
-        softness=CURVE_FIT.hand_softness,
-        reach=CURVE_FIT.hand_reach,
-        every=CURVE_FIT.hand_step,
-    )
-
-
-def _runs(cuts: list[int]) -> list[tuple[int, tuple[int, int]]]:
-    """The pieces between neighbouring cuts, numbered."""
-    return list(enumerate(pairwise(cuts)))
-
-
-def _chained(pieces: list[Array]) -> Array:
+def chained(pieces: list[Array]) -> Array:
     """Cubic pieces `(4, 2)` one after the other as spline points; the handles beyond the ends lie on the anchors."""
     points = np.empty((len(pieces) + 1, 3, 2))
     points[0, :2], points[-1, [0, 2]] = pieces[0][0], pieces[-1][3]
@@ -132,7 +69,7 @@ def _chained(pieces: list[Array]) -> Array:
     return points
 
 
-def _smoothed_open(line: Array, sigma: float) -> Array:
+def smoothed_open(line: Array, sigma: float) -> Array:
     """A Gaussian of `sigma` samples along an open line, whose ends stay: beyond them it goes on point-symmetrically."""
     if len(line) < 3:
         return line
@@ -146,7 +83,7 @@ def _smoothed_open(line: Array, sigma: float) -> Array:
     return soft
 
 
-def _off_chord(run: Array) -> float:
+def off_chord(run: Array) -> float:
     """The furthest that a run strays from the straight line between its ends."""
     chord = run[-1] - run[0]
     along = _unit(chord)
@@ -154,11 +91,12 @@ def _off_chord(run: Array) -> float:
     return float(np.hypot(*(run - run[0] - foot[:, None] * along).T).max())
 
 
-def _straight(start: Array, end: Array) -> Array:
+def straight(start: Array, end: Array) -> Array:
+    """The straight cubic `(4, 2)` from one place to another."""
     return start + np.linspace(0.0, 1.0, 4)[:, None] * (end - start)
 
 
-def _joined(pieces: list[Array]) -> Array:
+def joined(pieces: list[Array]) -> Array:
     """Cubic pieces `(4, 2)` in a ring as spline points; a ring of fewer than three is halved until it has three."""
     while len(pieces) < 3:
         pieces = [half for piece in pieces for half in _halves(piece)]
@@ -177,7 +115,7 @@ def _halves(piece: Array) -> tuple[Array, Array]:
     return np.stack([a, ab, abc, middle]), np.stack([middle, bcd, cd, d])
 
 
-def _corners(line: Array, reach: int, angle: float) -> Indices:
+def corners(line: Array, reach: int, angle: float) -> Indices:
     """Indices where the outline turns by more than `angle` between the chords of `reach` samples on both sides."""
     back, ahead = line - np.roll(line, reach, axis=0), np.roll(line, -reach, axis=0) - line
     cross = back[:, 0] * ahead[:, 1] - back[:, 1] * ahead[:, 0]
@@ -206,12 +144,14 @@ def _smoothed(line: Array, corners: Indices, sigma: float) -> Array:
     return np.asarray(fade * soft + (1.0 - fade) * line)
 
 
-def _end_tangent(run: Array) -> Array:
+def end_tangent(run: Array) -> Array:
+    """The unit direction in which a run begins."""
     span = min(len(run) - 1, 6)
     return _unit(run[span] - run[0])
 
 
-def _centre_tangent(run: Array, index: int) -> Array:
+def centre_tangent(run: Array, index: int) -> Array:
+    """The unit direction of a run at one of its samples, by those on both sides."""
     span = min(5, index, len(run) - 1 - index)
     return _unit(run[index + span] - run[index - span])
 
@@ -220,7 +160,7 @@ def _unit(vector: Array) -> Array:
     return np.asarray(vector / max(float(np.hypot(*vector)), 1e-12))
 
 
-def _fit_run(run: Array, start: Array, end: Array, tolerance: float, depth: int) -> list[Array]:
+def fit_run(run: Array, start: Array, end: Array, tolerance: float, depth: int = 0) -> list[Array]:
     """Cubics along `run (K, 2)` that leave along `start` and arrive along `end`."""
     chord = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(run, axis=0).T))])
     if len(run) < 4 or chord[-1] < 1.5:
@@ -240,10 +180,10 @@ def _fit_run(run: Array, start: Array, end: Array, tolerance: float, depth: int)
     if error <= tolerance or depth > 24:
         return [piece]
     middle = int(np.clip(worst, 2, len(run) - 3)) if len(run) > 5 else len(run) // 2
-    tangent = _centre_tangent(run, middle)
+    tangent = centre_tangent(run, middle)
     return [
-        *_fit_run(run[: middle + 1], start, tangent, tolerance, depth + 1),
-        *_fit_run(run[middle:], tangent, end, tolerance, depth + 1),
+        *fit_run(run[: middle + 1], start, tangent, tolerance, depth + 1),
+        *fit_run(run[middle:], tangent, end, tolerance, depth + 1),
     ]
 
 

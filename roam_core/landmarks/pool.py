@@ -139,7 +139,7 @@ def _areas(frame: PreparedFrame, centres: Array, size: int, cell: float) -> Floa
     # A place far outside sees the picture's last row or column go on, as it would without the crop.
     inside = np.clip(centres, 0.0, np.asarray(frame.size[::-1], dtype=np.float64))
     grid = Grid.over(Region.around(inside, (size + 2) * cell, frame.size), 1.0 / cell)
-    return filters.areas_at(grid.of(frame.grey), grid.to_grid(centres), size)
+    return filters.areas_at(grid.grey_of(frame), grid.to_grid(centres), size)
 
 
 def _detected(frame: PreparedFrame, region: Bools, count: int, pool: Pool) -> Array:
@@ -152,7 +152,7 @@ def _detected(frame: PreparedFrame, region: Bools, count: int, pool: Pool) -> Ar
     grid = Grid.over(Region.around(corners, 2 * cell, frame.size), 1.0 / cell)
     inside = grid.of(region.astype(np.float32)) > 0.5
     taken = grid.to_grid(pool.positions)
-    return grid.to_image(distinctive_points(grid.of(frame.grey), inside, count, side, taken, pool.params))
+    return grid.to_image(distinctive_points(grid.grey_of(frame), inside, count, side, taken, pool.params))
 
 
 def _is_inside(positions: Array, region: Bools) -> Bools:

@@ -18,7 +18,7 @@ from roam_core.kernels.cyclic_viterbi import cyclic_viterbi
 from roam_core.matte.edge_profile import costs, profiles
 from roam_core.matte.rasterise import has_area, shape_patch
 from roam_core.media import MissingFrame
-from roam_core.media.source import ReadFrame
+from roam_core.media.source import ReadImage
 from roam_core.params.softness import SoftnessParams
 from roam_core.roto import BlendMode, Keyframe, RotoShape
 from roam_core.roto.feather import frames_along
@@ -77,7 +77,7 @@ def middle(points: Array, feather: Array | None) -> Array:
 
 
 def measured(
-    read: ReadFrame,
+    read: ReadImage,
     asked: Sequence[RotoShape],
     shapes: Sequence[RotoShape],
     params: SoftnessParams,

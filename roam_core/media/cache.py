@@ -6,10 +6,12 @@ import os
 import threading
 from collections import OrderedDict, deque
 from collections.abc import Callable, Sequence
+from typing import Generic, Protocol, TypeVar
 
-from roam_core.arrays import Image
+import numpy as np
+
 from roam_core.cancel import CancelToken
-from roam_core.media.source import DamagedFrame, PlateSource
+from roam_core.media.source import DamagedFrame
 
 DEFAULT_LIMIT = 1 << 30
 """Bytes: some 40 frames of 4K in 8 bits."""
@@ -26,7 +28,27 @@ def fair_limit() -> int:
         return DEFAULT_LIMIT
 
 
-class FrameCache:
+class Sized(Protocol):
+    """A picture, or parts of one, of so many bytes."""
+
+    @property
+    def nbytes(self) -> int: ...
+
+
+Held = TypeVar("Held", bound=Sized)
+HeldNow = TypeVar("HeldNow", bound=Sized, covariant=True)
+
+
+class Frames(Protocol[HeldNow]):
+    """What a cache needs of a plate; see `PlateSource`."""
+
+    @property
+    def readers(self) -> int: ...
+
+    def read(self, frame: int) -> HeldNow: ...
+
+
+class FrameCache(Generic[Held]):
     """Decoded frames of one plate. Safe from any thread; the pictures are read-only and shared.
 
     What was used longest ago goes first. The bytes held stay within the limit, except where the frame just asked for is
@@ -38,16 +60,16 @@ class FrameCache:
     limit_bytes : the most that is held.
     """
 
-    def __init__(self, source: PlateSource, limit_bytes: int = DEFAULT_LIMIT) -> None:
+    def __init__(self, source: Frames[Held], limit_bytes: int = DEFAULT_LIMIT) -> None:
         self.source = source
         self.limit_bytes = limit_bytes
         self._listeners: tuple[Callable[[], None], ...] = ()
         self._lock = threading.Lock()
         self._wake = threading.Condition(self._lock)
-        self._images: OrderedDict[int, Image] = OrderedDict()  # longest unused first
+        self._images: OrderedDict[int, Held] = OrderedDict()  # longest unused first
         self._bytes = 0
         self._frame_bytes = 0  # of the frame held last: what the next one will need
-        self._decoding: dict[int, _Decoding] = {}
+        self._decoding: dict[int, _Decoding[Held]] = {}
         self._damaged: set[int] = set()
         self._shown: int | None = None  # the frame read last: reading ahead does not push it out
         self._ahead: deque[int] = deque()
@@ -70,7 +92,7 @@ class FrameCache:
         with self._lock:
             return self._bytes
 
-    def read(self, frame: int, token: CancelToken | None = None) -> Image:
+    def read(self, frame: int, token: CancelToken | None = None) -> Held:
         """The picture `(h, w, 3)` of a frame, decoded now where it is not held. Read-only.
 
         Raises
@@ -101,7 +123,7 @@ class FrameCache:
                 return decoding.image
             # The other thread failed: this one tries for itself, so that the error is raised here too.
 
-    def get(self, frame: int) -> Image | None:
+    def get(self, frame: int) -> Held | None:
         """The picture of a frame where it is held, else None; never waits for decoding."""
         with self._lock:
             if frame in self._images:
@@ -153,7 +175,7 @@ class FrameCache:
 
     # ---- decoding ----------------------------------------------------------------------------------------------------
 
-    def _claim(self, frame: int) -> tuple[_Decoding, bool]:
+    def _claim(self, frame: int) -> tuple[_Decoding[Held], bool]:
         """The decoding of a frame, and whether it is the caller's to do. The lock is held."""
         running = self._decoding.get(frame)
         if running:
@@ -161,12 +183,13 @@ class FrameCache:
         self._decoding[frame] = _Decoding()
         return self._decoding[frame], True
 
-    def _decode(self, frame: int, decoding: _Decoding, kept: frozenset[int]) -> bool:
+    def _decode(self, frame: int, decoding: _Decoding[Held], kept: frozenset[int]) -> bool:
         """Decode a claimed frame, and hold it where none of `kept` has to go for it; whether it is held now."""
         is_damaged = False
         try:
             image = self.source.read(frame)
-            image.setflags(write=False)
+            if isinstance(image, np.ndarray):
+                image.setflags(write=False)
             decoding.image = image
             # Held before the claim ends: at no moment is the frame neither held nor on its way.
             return self._hold(frame, image, kept)
@@ -182,7 +205,7 @@ class FrameCache:
             if is_news:
                 self._tell()
 
-    def _hold(self, frame: int, image: Image, kept: frozenset[int]) -> bool:
+    def _hold(self, frame: int, image: Held, kept: frozenset[int]) -> bool:
         """Hold a picture in place of those longest unused; False where it is held already, or has no room."""
         with self._lock:
             leaving = self._leaving_for(image.nbytes, kept)
@@ -226,7 +249,7 @@ class FrameCache:
             if changed:
                 self._tell()
 
-    def _next_ahead(self) -> tuple[int, _Decoding, frozenset[int]] | None:
+    def _next_ahead(self) -> tuple[int, _Decoding[Held], frozenset[int]] | None:
         """Wait for a frame to read ahead and claim it, with the frames to keep for it; None when the cache closes."""
         with self._lock:
             while not self._closed:
@@ -246,12 +269,12 @@ class FrameCache:
             return None
 
 
-class _Decoding:
+class _Decoding(Generic[Held]):
     """One frame on its way: `image` stays None where the source failed."""
 
     def __init__(self) -> None:
         self.done = threading.Event()
-        self.image: Image | None = None
+        self.image: Held | None = None
 
     def wait(self, token: CancelToken | None) -> None:
         """Wait for the end, or raise `Cancelled`."""

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from roam_core.arrays import Image
-from roam_core.media.source import PlateSource
+from roam_core.media.source import PlateSource, Rows
 
 
 @dataclass(frozen=True)
@@ -56,6 +56,10 @@ class DeclaredPlate:
     def read(self, frame: int) -> Image:
         """The picture `(h, w, 3)` of a frame: the same values; what they mean is what was declared."""
         return self.source.read(frame)
+
+    def rows(self, frame: int) -> Rows | None:
+        """The rows of a frame, where some are read in less time than all."""
+        return self.source.rows(frame)
 
     def file_of(self, frame: int) -> Path:
         """The file that holds a frame."""

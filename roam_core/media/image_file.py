@@ -32,6 +32,8 @@ MOST_LISTED = 12
 """Layers that a message names."""
 
 _KINDS = {oiio.UINT8: "uint8", oiio.UINT16: "uint16", oiio.HALF: "half"}
+_WITH_ROWS = frozenset({"openexr", "dpx", "tiff"})
+"""Formats of which some rows are read without those before them."""
 _FORMATS_WITHOUT_FILES = frozenset({"null", "term"})
 _UNLIKELY_EXTENSIONS = frozenset({"z", "int", "inta", "env", "sm", "vsm"})
 """Extensions that a folder of plates uses for other things than images."""
@@ -79,30 +81,50 @@ def read_header(file: Path, layer: str = "") -> ImageHeader:
     )
 
 
-def read_image(file: Path, layer: str = "") -> Image:
+def read_image(file: Path, layer: str = "", rows: tuple[int, int] | None = None) -> Image:
     """Read one image as RGB `(h, w, 3)`: uint8, uint16, float16 or float32, whichever holds its values.
 
     Parameters
     ----------
     layer : the name of one of its layers (`roam_core.media.layers`); the one that is the picture itself if "".
+    rows : only those from the first to before the second, `(end - first, w, 3)`; of a file with `size_in_rows`
+        the others are not decoded. None: all.
 
     Raises
     ------
     RoamError
-        when it is no image, damaged, cut short, larger than `measure.MAX_PIXELS`, or has no such layer.
+        when it is no image, damaged, cut short, larger than `measure.MAX_PIXELS`, or has no such layer. Of some `rows`,
+        where those are damaged.
     """
     source, layers = _open(file)
     chosen = _seek(file, source, layers, layer)
-    kind = _kind(source)
+    stored = _stored_rows(source, rows)
     first, end = min(chosen.channels), max(chosen.channels) + 1
     if end - first > WIDEST_SPAN:  # what lies between is not read: it may be a thousand channels
-        planes = [_pixels(file, source, chosen.part, (channel, channel + 1), kind) for channel in chosen.channels]
-        return _in_display_window(np.dstack(planes), source)
-    pixels = _pixels(file, source, chosen.part, (first, end), kind)
+        planes = [_pixels(file, source, chosen.part, (channel, channel + 1), stored) for channel in chosen.channels]
+        return _in_display_window(np.dstack(planes), source, stored, rows)
+    pixels = _pixels(file, source, chosen.part, (first, end), stored)
     picked = [channel - first for channel in chosen.channels]
     if picked != list(range(end - first)):
         pixels = np.ascontiguousarray(pixels[..., picked])
-    return _in_display_window(pixels, source)
+    return _in_display_window(pixels, source, stored, rows)
+
+
+def size_in_rows(file: Path, layer: str = "") -> tuple[int, int] | None:
+    """The picture's (width, height) where some rows of a layer are read in less time than all; None where not.
+
+    Raises
+    ------
+    RoamError
+        as `read_image` does; of the pixels only the last row is looked at, which a file that is cut short has not.
+    """
+    source, layers = _open(file)
+    chosen = _seek(file, source, layers, layer)
+    if source.format_name() not in _WITH_ROWS:
+        return None
+    end = source.spec().height
+    _pixels(file, source, chosen.part, (chosen.channels[0], chosen.channels[0] + 1), (end - 1, end))
+    return _display_size(source)
 
 
 def read_alpha(file: Path) -> Image | None:
@@ -118,10 +140,11 @@ def read_alpha(file: Path) -> Image | None:
         channel = source.spec().alpha_channel
         if channel < 0:
             return None
-        pixels = _pixels(file, source, 0, (channel, channel + 1), _kind(source))
+        stored = _stored_rows(source, None)
+        pixels = _pixels(file, source, 0, (channel, channel + 1), stored)
     except RoamError as error:
         raise DamagedFrame(str(error)) from None
-    return _in_display_window(np.repeat(pixels, 3, axis=2), source)
+    return _in_display_window(np.repeat(pixels, 3, axis=2), source, stored, None)
 
 
 def has_several_images(file: Path) -> bool:
@@ -203,13 +226,24 @@ def _listed(names: Sequence[str]) -> str:
     return ", ".join(names[:MOST_LISTED]) + (f" and {more} more" if more > 0 else "")
 
 
-def _pixels(file: Path, source: Any, part: int, channels: tuple[int, int], kind: str) -> Image:
-    """The channels from the first to before the second `(h, w, n)`."""
-    pixels = source.read_image(part, 0, *channels, kind)
+def _pixels(file: Path, source: Any, part: int, channels: tuple[int, int], rows: tuple[int, int]) -> Image:
+    """The channels from the first to before the second of some of the rows that are stored, `(k, w, n)`."""
+    spec, kind = source.spec(), _kind(source)
+    first, end = rows
+    if end <= first:
+        return np.asarray(source.read_image(part, 0, *channels, kind))[:0]
+    if (first, end) == (0, spec.height) or source.format_name() not in _WITH_ROWS:
+        pixels, top = source.read_image(part, 0, *channels, kind), 0
+    elif spec.tile_height:
+        top, below = first - first % spec.tile_height, min(end + -end % spec.tile_height, spec.height)
+        across = spec.x, spec.x + spec.width
+        pixels = source.read_tiles(part, 0, *across, spec.y + top, spec.y + below, 0, 1, *channels, kind)
+    else:
+        pixels, top = source.read_scanlines(part, 0, spec.y + first, spec.y + end, 0, *channels, kind), first
     # A JPEG that is cut short still gives pixels (grey below the cut) beside its error.
     if pixels is None or source.has_error:
         raise _damaged(file, source)
-    return np.asarray(pixels)
+    return np.asarray(pixels)[first - top : end - top]
 
 
 def _damaged(file: Path, source: Any) -> RoamError:
@@ -240,16 +274,33 @@ def _display_size(source: Any) -> tuple[int, int]:
     return (spec.full_width, spec.full_height) if _is_exr(source) else (spec.width, spec.height)
 
 
-def _in_display_window(pixels: Image, source: Any) -> Image:
-    """The part of `pixels` inside the display window, zeros where it has none."""
+def _corner(source: Any) -> tuple[int, int]:
+    """Where the pixels that are stored begin in the picture that is shown: (column, row)."""
+    spec = source.spec()
+    return (spec.x - spec.full_x, spec.y - spec.full_y) if _is_exr(source) else (0, 0)
+
+
+def _stored_rows(source: Any, rows: tuple[int, int] | None) -> tuple[int, int]:
+    """Those of the rows that are stored which hold some `rows` of the picture that is shown; None: all."""
+    height = source.spec().height
+    if rows is None:
+        return 0, height
+    first, end = (min(max(row - _corner(source)[1], 0), height) for row in rows)
+    return first, end
+
+
+def _in_display_window(pixels: Image, source: Any, stored: tuple[int, int], rows: tuple[int, int] | None) -> Image:
+    """Some `rows` of the display window (None: all) out of the `stored` ones; zeros where it has none."""
     spec = source.spec()
     width, height = _display_size(source)
-    left, top = (spec.x - spec.full_x, spec.y - spec.full_y) if _is_exr(source) else (0, 0)
-    if (left, top, spec.width, spec.height) == (0, 0, width, height):
+    first, end = rows or (0, height)
+    left, top = _corner(source)
+    top += stored[0] - first
+    if (left, top, spec.width, len(pixels)) == (0, 0, width, end - first):
         return pixels
-    picture = np.zeros((height, width, 3), pixels.dtype)
+    picture = np.zeros((end - first, width, 3), pixels.dtype)
     x0, x1 = max(left, 0), min(left + spec.width, width)
-    y0, y1 = max(top, 0), min(top + spec.height, height)
+    y0, y1 = max(top, 0), min(top + len(pixels), end - first)
     if x0 < x1 and y0 < y1:
         picture[y0:y1, x0:x1] = pixels[y0 - top : y1 - top, x0 - left : x1 - left]
     return picture

@@ -75,6 +75,9 @@ class Movie:
             raise DamagedFrame(f"Frame {frame} of {self.path} differs in size from the first; a plate needs one size.")
         return np.asarray(cv2.cvtColor(picture, cv2.COLOR_BGR2RGB))
 
+    def rows(self, frame: int) -> None:
+        """None: a movie's pictures are decoded whole."""
+
     # ---- moving through the file; `_lock` is held, except while opening ----------------------------------------------
 
     def _go_to(self, index: int) -> bool:

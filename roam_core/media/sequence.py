@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from pathlib import Path
 
 from roam_core.arrays import Image
 from roam_core.errors import RoamError
-from roam_core.media.image_file import ImageHeader, read_header, read_image
+from roam_core.media.image_file import ImageHeader, read_header, read_image, size_in_rows
 from roam_core.media.numbering import FileSequence
 from roam_core.media.source import DamagedFrame, MissingFrame
 
@@ -52,6 +53,25 @@ class ImageSequence:
 
     def read(self, frame: int) -> Image:
         """The picture `(h, w, 3)` of a frame, uint8, uint16, float16 or float32."""
+        file = self._existing(frame)
+        image = _read(file, self.layer, None)
+        self._require_size(file, (image.shape[1], image.shape[0]))
+        return image
+
+    def rows(self, frame: int) -> FileRows | None:
+        """The rows of a frame, where some are read in less time than all."""
+        file = self._existing(frame)
+        try:
+            size = size_in_rows(file, self.layer)
+        except RoamError as error:
+            raise DamagedFrame(str(error)) from None
+        if size is None:
+            return None
+        self._require_size(file, size)
+        return FileRows(file, self.layer)
+
+    def _existing(self, frame: int) -> Path:
+        """The file of a frame that there is."""
         name = self._sequence.names.get(frame)
         if name is None:
             raise MissingFrame(
@@ -61,16 +81,14 @@ class ImageSequence:
         file = self._sequence.folder / name
         if not file.exists():
             raise MissingFrame(f"Frame {frame} of {self.path} is missing: {file} is no longer there.")
-        try:
-            image = read_image(file, self.layer)
-        except RoamError as error:
-            raise DamagedFrame(str(error)) from None
-        if (image.shape[1], image.shape[0]) != self.size:
+        return file
+
+    def _require_size(self, file: Path, size: tuple[int, int]) -> None:
+        if size != self.size:
             raise DamagedFrame(
-                f"{file} is {image.shape[1]} x {image.shape[0]} pixels, the plate is {self.size[0]} x {self.size[1]}; "
+                f"{file} is {size[0]} x {size[1]} pixels, the plate is {self.size[0]} x {self.size[1]}; "
                 "all frames of a plate need one size."
             )
-        return image
 
     def _first_header(self, layer: str) -> ImageHeader:
         """What the first image says that can be read: one damaged frame does not keep a plate from opening."""
@@ -82,3 +100,22 @@ class ImageSequence:
                 first_error = first_error or error
         assert first_error is not None
         raise first_error
+
+
+@dataclass(frozen=True)
+class FileRows:
+    """The rows of one file's layer."""
+
+    file: Path
+    layer: str
+
+    def read(self, top: int, end: int) -> Image:
+        """The rows from `top` to before `end`, `(end - top, w, 3)`; raises `DamagedFrame`."""
+        return _read(self.file, self.layer, (top, end))
+
+
+def _read(file: Path, layer: str, rows: tuple[int, int] | None) -> Image:
+    try:
+        return read_image(file, layer, rows)
+    except RoamError as error:
+        raise DamagedFrame(str(error)) from None

@@ -9,8 +9,21 @@ from typing import Protocol
 from roam_core.arrays import Image
 from roam_core.errors import RoamError
 
-ReadFrame = Callable[[int], Image]
+ReadImage = Callable[[int], Image]
 """Gives the picture `(h, w, 3)` of a frame by its number; raises `MissingFrame` in a gap."""
+
+
+class Rows(Protocol):
+    """A frame's file whose rows can be read by themselves."""
+
+    def read(self, top: int, end: int) -> Image:
+        """The rows from `top` to before `end`, `(end - top, w, 3)`, as `PlateSource.read` gives them.
+
+        Raises
+        ------
+        DamagedFrame
+            where they cannot be read.
+        """
 
 
 class MissingFrame(RoamError):
@@ -76,6 +89,15 @@ class PlateSource(Protocol):
         MissingFrame
             when the plate has no such frame; `DamagedFrame` when it is there and cannot be decoded, or differs in size
             from the others.
+        """
+
+    def rows(self, frame: int) -> Rows | None:
+        """The rows of a frame, where some are read in less time than all; None where not, as of a movie.
+
+        Raises
+        ------
+        MissingFrame, DamagedFrame
+            as `read` does; what is damaged may show only where it is read.
         """
 
     def file_of(self, frame: int) -> Path:

@@ -24,7 +24,7 @@ def dense_flow(
 
     At the fastest preset; `is_exact` takes about three times as long, and follows outlines closely.
     """
-    old, new = (grid.of(frame.grey) for frame in (before, after))
+    old, new = (grid.grey_of(frame) for frame in (before, after))
     return cell_flow(old, new, is_exact), cell_flow(new, old, is_exact)  # each on all threads that OpenCV has
 
 

@@ -48,9 +48,8 @@ def followed_points(
     region = Region.around(line, params.motion_travel * scale, before.size)
     if region.is_empty:
         return none, none, 0.0
-    rows, columns = region.slices
     reduce = min(1.0, params.motion_size / max(region.x1 - region.x0, region.y1 - region.y0))
-    old, new = (_reduced(frame.grey[rows, columns], reduce) for frame in (before, after))
+    old, new = (_reduced(frame.grey_within(region), reduce) for frame in (before, after))
     start = _corners(old, (line - np.asarray(region.origin)) * reduce, params.motion_features, params.klt)
     if len(start) < 3:
         return none, none, 0.0

@@ -19,6 +19,9 @@ from roam_core.geometry import bezier, projective
 from roam_core.geometry.plane_motion import PlaneMotion, ransac
 from roam_core.params import PLANAR, PlanarParams, scale_for
 
+BESIDE = 4.0
+"""Pixels around a part of a picture that is warped, for the interpolation between them."""
+
 
 @dataclass(frozen=True, eq=False)
 class Match:
@@ -92,7 +95,7 @@ class Reference:
         seen = ((there >= margin) & (there <= np.array([width, height]) - margin)).all(axis=1)
         if seen.sum() < least:
             return None
-        source, target, shrunk = _matched(self.grey, picture.grey, self.corners[seen], since, params)
+        source, target, shrunk = _matched(self.grey, picture, self.corners[seen], since, params)
         if check is not None:
             check()
         residual, agree = ransac(
@@ -156,7 +159,9 @@ def inside(outlines: Sequence[Array], holes: Sequence[Array], size: tuple[int, i
     return mask
 
 
-def _matched(old: UInt8, new: UInt8, corners: Array, since: Array, params: PlanarParams) -> tuple[Array, Array, float]:
+def _matched(
+    old: UInt8, new: PreparedFrame, corners: Array, since: Array, params: PlanarParams
+) -> tuple[Array, Array, float]:
     """Corners of the reference picture, and where the new one, warped back by `since (3, 3)`, has them."""
     height, width = old.shape
     region = Region.around(corners, 24.0 * scale_for((height, width)), (height, width))
@@ -169,11 +174,26 @@ def _matched(old: UInt8, new: UInt8, corners: Array, since: Array, params: Plana
     )
     from_full = np.array([[1.0, 0.0, -0.5], [0.0, 1.0, -0.5], [0.0, 0.0, 1.0]])
     way = from_full @ since @ to_full
-    flags = cv2.INTER_LINEAR | cv2.WARP_INVERSE_MAP
-    b = cv2.warpPerspective(new, way, (a.shape[1], a.shape[0]), flags=flags, borderMode=cv2.BORDER_REPLICATE)
-    warped = _alike(np.asarray(b, dtype=np.uint8), a)
+    warped = _alike(_warped(new, way, (a.shape[0], a.shape[1])), a)
     source, target = followed(a, warped, (corners - origin) * shrunk, params.window_closely, 2, params.returned)
     return source / shrunk + origin, target / shrunk + origin, shrunk
+
+
+def _warped(picture: PreparedFrame, way: Array, size: tuple[int, int]) -> UInt8:
+    """A picture's grey levels `(h, w)` of `size`, each taken from where `way (3, 3)` leads, in OpenCV's coordinates.
+
+    Only the part of the picture that they come from is looked at.
+    """
+    height, width = size
+    rim = np.array([[0.0, 0.0, 1.0], [width, 0.0, 1.0], [width, height, 1.0], [0.0, height, 1.0]]) @ way.T
+    part = Region(0, 0, picture.size[1], picture.size[0])
+    if (rim[:, 2] > 0.0).all():  # else the horizon crosses it
+        around = Region.around(rim[:, :2] / rim[:, 2:], BESIDE, picture.size)
+        part = part if around.is_empty else around
+    to_part = np.array([[1.0, 0.0, -part.x0], [0.0, 1.0, -part.y0], [0.0, 0.0, 1.0]])
+    grey, flags = picture.grey_within(part), cv2.INTER_LINEAR | cv2.WARP_INVERSE_MAP
+    warped = cv2.warpPerspective(grey, to_part @ way, (width, height), flags=flags, borderMode=cv2.BORDER_REPLICATE)
+    return np.asarray(warped, dtype=np.uint8)
 
 
 def _alike(picture: UInt8, model: UInt8) -> UInt8:

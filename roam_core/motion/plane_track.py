@@ -22,7 +22,7 @@ from roam_core.features import PreparedFrame, Region
 from roam_core.features.grid import FROM_CENTRES, TO_CENTRES
 from roam_core.geometry import projective
 from roam_core.geometry.plane_motion import PlaneMotion, fit, ransac
-from roam_core.media.source import ReadFrame
+from roam_core.media.partial import ReadFrame
 from roam_core.motion.bridging import Lost, bridged
 from roam_core.motion.planar import corners_in, followed, inside
 from roam_core.motion.registration import Expected, Fit, Texture, confidence_of

@@ -21,7 +21,7 @@ from roam_core.features.grid import FROM_CENTRES, TO_CENTRES
 from roam_core.geometry import projective
 from roam_core.geometry.bezier import polygon_points
 from roam_core.geometry.plane_motion import PlaneMotion, fit
-from roam_core.media.source import ReadFrame
+from roam_core.media.partial import ReadFrame
 from roam_core.motion.bridging import Lost, bridged
 from roam_core.motion.plane_track import Covers, Guess, Look, LostPlane, PlaneTracker, no_covers
 from roam_core.params.tracks import POINT_TRACK, PointTrackParams

@@ -13,8 +13,9 @@ class CurveFitParams:
     ----------
     step : pixels between the samples of the outline that a curve is fitted to.
     min_stroke : pixels: a shorter open line is one straight segment.
-    hand_corner, hand_softness, hand_reach, hand_step : degrees and pixels of `fit_open` for lines that a hand drew:
-        its stroke has no finer detail than its tremor.
+    hand_corner, hand_softness, hand_reach, hand_step : degrees and pixels of `geometry.stroke` for lines that a hand
+        drew: its stroke has no finer detail than its tremor.
+    hand_span : pixels of such a line that are fitted by themselves where it has no corners.
     """
 
     step: float = 0.5
@@ -23,6 +24,7 @@ class CurveFitParams:
     hand_softness: float = 2.5
     hand_reach: float = 9.0
     hand_step: float = 2.0
+    hand_span: float = 120.0
 
 
 @dataclass(frozen=True)

@@ -65,8 +65,10 @@ class RegionParams:
     part : of the poses of an object drawn in parts (`propagate.parts.figure`); None: it is carried as one region.
     pose : of the pose of a lone shape, one more hypothesis (`propagate.whole.posed`); None: it is not asked.
     pose_seam : share of the outline on the key beside which nothing changes, from which it is. pose_area : square
-        pixels of a 480-line image that the outline encloses at most for it to be. pose_agrees : overlap with the region
-        from which it is not needed. pose_unlike : how unlike the key it may be. pose_against : how much may speak
+        pixels of a 480-line image that the outline encloses at most for it to be. pose_edged : how unlike
+        the key a small one with an edge all around may be; pose_same : by how much the colours of a large one may
+        differ from it, in the median. pose_agrees : overlap with the region from
+        which it is not needed. pose_unlike : how unlike the key it may be. pose_against : how much may speak
         against it at the disputed places.
     unseen : density of a colour that the histograms never saw. trusted : steadiness below which a frame teaches them
         nothing. least_seen : share of an object that must be seen for its motion to be taken from that alone.
@@ -120,6 +122,8 @@ class RegionParams:
     part: PoseParams | None = None
     pose_seam: float = 0.1
     pose_area: float = 6500.0
+    pose_edged: float = 0.45
+    pose_same: float = 2.2
     pose_agrees: float = 0.97
     pose_unlike: float = 0.6
     pose_against: float = 0.7

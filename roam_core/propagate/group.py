@@ -102,10 +102,14 @@ class GroupTracker:
     ) -> tuple[TrackResult, ...]:
         """Carry the shapes to `frame`. A shape that holds an artist's key there is taken as the artist made it.
 
+        Of a key that the artist set some points of the others are solved; from there the run begins anew.
+
         Raises
         ------
         Cancelled
             when `token` was cancelled; the tracker then still stands on the frame before.
+        MissingFrame
+            when a part of the picture cannot be read; it stands there too.
         """
         standing = self.standing
         began = time.perf_counter()
@@ -116,6 +120,7 @@ class GroupTracker:
                 f"{standing.picture.size[1]}x{standing.picture.size[0]}; all frames of a shot need one size."
             )
         given = [_artist_key(shape, frame) for shape in standing.shapes]
+        set_in_part = [_is_set_in_part(shape, frame) for shape in standing.shapes]
         if all(given):
             self.start(picture, standing.shapes, frame)
             seconds = (time.perf_counter() - began) / len(given)
@@ -126,8 +131,11 @@ class GroupTracker:
             shape if key else self._keyed(shape, standing.frame, frame, each)
             for shape, key, each in zip(standing.shapes, given, solved, strict=True)
         )
-        if any(given):
-            self._correct(picture, shapes, frame, step.after, given)
+        by_hand = [key or part for key, part in zip(given, set_in_part, strict=True)]
+        if all(by_hand):
+            self.start(picture, shapes, frame)
+        elif any(by_hand):
+            self._correct(picture, shapes, frame, step.after, by_hand)
         else:
             self._standing = Standing(frame, shapes, step.after, standing.began, standing.known_from)
         seconds = (time.perf_counter() - began) / len(shapes)
@@ -206,8 +214,15 @@ def _prepared(image: NDArray[Any] | PreparedFrame) -> PreparedFrame:
 
 
 def _artist_key(shape: RotoShape, frame: int) -> bool:
+    """Whether the artist made the whole key of a shape on a frame."""
     key = shape.key_at(frame)
-    return key is not None and key.origin is Origin.ARTIST
+    return key is not None and key.origin is Origin.ARTIST and not key.set_points
+
+
+def _is_set_in_part(shape: RotoShape, frame: int) -> bool:
+    """Whether the artist set some of the points of a shape on a frame."""
+    key = shape.key_at(frame)
+    return key is not None and bool(key.set_points)
 
 
 def _as_given(shape: RotoShape, frame: int, seconds: float, landmarks: Landmarks | None) -> TrackResult:

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections import OrderedDict
 from collections.abc import Callable, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 
 from roam_core.cancel import CancelToken
@@ -106,11 +107,8 @@ def solve_again(
     for frame in frames[1:]:
         if token is not None:
             token.check()
-        try:
-            picture = read(frame)
-        except MissingFrame:
-            continue
-        tracker.step(picture, frame, token)
+        with suppress(MissingFrame):
+            tracker.step(read(frame), frame, token)
 
 
 def _left_by(stamps: Stamps, k: int, frame: int, config: str, forward: bool, alone: bool) -> int | None:

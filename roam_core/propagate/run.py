@@ -10,7 +10,8 @@ from functools import partial
 from roam_core.cancel import CancelToken
 from roam_core.errors import RoamError
 from roam_core.features import PreparedFrame
-from roam_core.media.source import MissingFrame, ReadFrame
+from roam_core.media.partial import ReadFrame
+from roam_core.media.source import MissingFrame
 from roam_core.params import DEFAULT_CONFIG, RoamParams, params_for
 from roam_core.propagate.frame.result import FrameResult, TrackResult
 from roam_core.propagate.group import GroupTracker
@@ -140,7 +141,10 @@ def _regrouped(
 
 
 def _stepped(picture: PreparedFrame, frame: int, token: CancelToken | None, run: _Run) -> tuple[TrackResult, ...]:
-    return run.tracker.step(picture, frame, token)
+    try:
+        return run.tracker.step(picture, frame, token)
+    except MissingFrame:  # where its file is damaged shows when it is read there
+        return run.tracker.skip(frame)
 
 
 def _in_order(

@@ -23,6 +23,10 @@ NOTHING = 1e-9
 """Pixels, or their square, that stand for none where they divide."""
 
 
+Triple = tuple[Keyframe, Keyframe, Keyframe]
+"""The keys of three frames that follow each other."""
+
+
 def boil(shape: RotoShape) -> Array:
     """The boil of a shape in pixels of the plate on each frame: pairs (frame, boil) `(K, 2)` in the order of time.
 
@@ -30,16 +34,27 @@ def boil(shape: RotoShape) -> Array:
     tracked; `K` is 0 for a shape of few points. The boil is the mean over the outline of the distance, across it, from
     the middle between the frame before and the one after, less what moving, turning and scaling the outline explain.
     """
-    tripled = [
-        (a, b, c)
-        for a, b, c in zip(shape.keys, shape.keys[1:], shape.keys[2:], strict=False)
-        if c.frame - a.frame == 2 and any(key.origin is Origin.ENGINE for key in (a, b, c))
+    found = triples(shape)
+    return np.column_stack([[keys[1].frame for keys in found], boil_of(found, shape.closed)]).reshape(-1, 2)
+
+
+def triples(shape: RotoShape) -> list[Triple]:
+    """The keys from which the boil of each frame is told, in the order of time."""
+    if shape.point_count < LEAST_POINTS:
+        return []
+    return [
+        keys
+        for keys in zip(shape.keys, shape.keys[1:], shape.keys[2:], strict=False)
+        if keys[2].frame - keys[0].frame == 2 and any(key.origin is Origin.ENGINE for key in keys)
     ]
-    if not tripled or shape.point_count < LEAST_POINTS:
-        return np.empty((0, 2))
-    before, here, after = (_places([keys[k] for keys in tripled], shape.closed) for k in range(3))
-    values = _across(here, here - 0.5 * (before + after))
-    return np.column_stack([[keys[1].frame for keys in tripled], values])
+
+
+def boil_of(found: list[Triple], closed: bool) -> Array:
+    """The boil `(K,)` on the middle one of each three frames."""
+    if not found:
+        return np.empty(0)
+    before, here, after = (_places([keys[k] for keys in found], closed) for k in range(3))
+    return _across(here, here - 0.5 * (before + after))
 
 
 def _places(keys: list[Keyframe], closed: bool) -> Array:

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
 
+from roam_core.arrays import Array
 from roam_core.params import is_doubtful
 from roam_core.review.boil import BOILING, boil
 from roam_core.roto import Project, RotoShape
@@ -57,19 +58,33 @@ def boiling(shapes: Iterable[RotoShape]) -> tuple[Finding, ...]:
     return _sorted(found for shape in shapes for found in boiling_frames(shape))
 
 
-def boiling_frames(shape: RotoShape) -> list[Finding]:
-    """Those of one shape."""
+def boiling_frames(shape: RotoShape, measured: Array | None = None) -> list[Finding]:
+    """Those of one shape, whose boil `(K, 2)` may have been `measured` already."""
     return [
-        Finding(FindingKind.BOIL, int(frame), shape.id, shape.name, float(value))
-        for frame, value in boil(shape)
+        Finding(FindingKind.BOIL, int(frame), shape.id, shape.name, value)
+        for frame, value in (boil(shape) if measured is None else measured).tolist()
         if value >= BOILING
     ]
 
 
-def findings(project: Project, shapes: Sequence[RotoShape] | None = None) -> tuple[Finding, ...]:
-    """All that is worth a look in a project, or of some of its shapes, in the order of time."""
-    asked = project.shapes if shapes is None else shapes
-    return _sorted((*doubtful(asked), *boiling(asked)))
+def worst_of_stretches(found: Sequence[Finding]) -> list[Finding]:
+    """Of each stretch of frames that follow each other the one with the greatest value; of one shape, as they go on."""
+    worst: list[Finding] = []
+    for each, before in zip(found, [None, *found], strict=False):
+        if before is None or each.frame > before.frame + 1:
+            worst.append(each)
+        elif each.value > worst[-1].value:
+            worst[-1] = each
+    return worst
+
+
+def findings(project: Project, measured: Mapping[str, Array] | None = None) -> tuple[Finding, ...]:
+    """All that is worth a look in a project, in the order of time.
+
+    `measured` is the boil of its shapes by their ids, where that is known already.
+    """
+    boils = (boiling_frames(shape, None if measured is None else measured[shape.id]) for shape in project.shapes)
+    return _sorted((*doubtful(project.shapes), *(each for found in boils for each in found)))
 
 
 def _sorted(found: Iterable[Finding]) -> tuple[Finding, ...]:

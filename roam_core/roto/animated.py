@@ -213,15 +213,40 @@ def is_always(value: Animatable, constant: float) -> bool:
 def set_at(value: Animatable, frame: int, number: float) -> Animatable:
     """The value that is `number` at `frame`: a constant becomes it, what varies has a key there, as the one before.
 
-    On a cubic span the key has the tangent that the value had there, so that one where it was bends nothing.
+    On a cubic span the key has the tangent that the value had there, and the keys around get theirs where they had
+    none, so that a key where the value was bends nothing.
     """
     if not isinstance(value, Animated):
         return number
     if (key := value.key_at(frame)) is not None:
         return value.with_key(replace(key, value=number))
     before, after = value.span_at(frame)
-    slope = None if before is after or cubic_slopes(before, after) is None else value.slope_at(frame)
-    return value.with_key(ValueKey(frame, number, before.interpolation, None if slope is None else (slope, slope)))
+    if before is after or cubic_slopes(before, after) is None:
+        return value.with_key(ValueKey(frame, number, before.interpolation))
+    slope = value.slope_at(frame)
+    for key in (before, after):
+        value = value.with_key(replace(key, slopes=_slopes_of(value, key)))
+    return value.with_key(ValueKey(frame, number, before.interpolation, (slope, slope)))
+
+
+def _slopes_of(value: Animated, key: ValueKey) -> Slopes:
+    """How steep a value arrives at a key and leaves it, whether by tangents or not; flat beside what holds."""
+    index = value.keys.index(key)
+    around = (*value.keys[max(index - 1, 0) : index], key, *value.keys[index + 1 : index + 2])
+    ends = [_ends(before, after) for before, after in pairwise(around)]
+    arriving = ends[0][1] if index else 0.0
+    leaving = ends[-1][0] if key is not around[-1] else 0.0
+    return arriving, leaving
+
+
+def _ends(before: ValueKey, after: ValueKey) -> Slopes:
+    """How steep a span leaves its first key and arrives at its second."""
+    if (slopes := cubic_slopes(before, after)) is not None:
+        return slopes
+    if before.interpolation is not Interpolation.LINEAR:
+        return 0.0, 0.0
+    straight = (after.value - before.value) / (after.frame - before.frame)
+    return straight, straight
 
 
 def product(first: Animatable, second: Animatable) -> Animatable:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+import bisect
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
 from itertools import count
 from typing import Any
@@ -17,7 +18,7 @@ from roam_core.geometry.bezier import ANCHOR, IN, OUT
 from roam_core.roto import control_points as controls
 from roam_core.roto.animated import Interpolation
 from roam_core.roto.project import Layer, Project
-from roam_core.roto.shape import NO_COLOUR, Keyframe, Origin, RotoShape, Spline
+from roam_core.roto.shape import NO_COLOUR, Keyframe, Origin, Outline, RotoShape, Spline
 
 Part = tuple[int, int]
 """A grabbed part of a shape: (point index, `ANCHOR` | `IN` | `OUT`)."""
@@ -140,6 +141,26 @@ def set_control_points(shape: RotoShape, frame: int, control_points: ArrayLike) 
     return set_key(shape, frame, controls.points_of(control_points, shape.spline, shape.closed))
 
 
+def key_points(shape: RotoShape, frame: int, indices: Iterable[int]) -> RotoShape:
+    """Make these points of the shape, as they are at `frame`, the artist's there, beside those that are already.
+
+    The others stay what a run may derive anew. On a key whose points are all the artist's nothing changes; one whose
+    last points become the artist's is such a key.
+    """
+    key = shape.key_at(frame)
+    is_drawn = key is not None and key.origin is Origin.ARTIST
+    if is_drawn and key is not None and not key.set_points:
+        return shape
+    before = key.set_points if is_drawn and key is not None else ()
+    chosen = tuple(sorted({*before, *indices}))
+    if not chosen:
+        return shape
+    keyed = shape if is_drawn else key_here(shape, frame)
+    own = keyed.key_at(frame)
+    assert own is not None
+    return keyed.with_key(replace(own, set_points=() if len(chosen) == shape.point_count else chosen))
+
+
 def key_here(shape: RotoShape, frame: int) -> RotoShape:
     """Make the shape as it is at `frame` an artist key."""
     return set_key(shape, frame, shape.at(frame).points)
@@ -148,15 +169,25 @@ def key_here(shape: RotoShape, frame: int) -> RotoShape:
 def set_engine_keys(shape: RotoShape, keys: Iterable[Keyframe]) -> RotoShape:
     """Put the engine's keys on their frames. A frame that holds an artist key keeps it untouched.
 
-    On a B-spline shape each becomes the nearest B-spline, so that its control points stay the artist's to drag.
+    Of a key that the artist set some points of, those stay, and the others become the engine's: the key stays the
+    artist's. On a B-spline shape each key becomes the nearest B-spline, so that its control points stay the artist's to
+    drag.
     """
-    sacred = set(shape.artist_frames)
-    made = [key for key in keys if key.frame not in sacred]
-    if any(key.origin is not Origin.ENGINE for key in made):
+    drawn = {key.frame: key for key in shape.artist_keys}
+    made = [key for key in keys if key.frame not in drawn or drawn[key.frame].set_points]
+    if any(key.origin is not Origin.ENGINE and key.frame not in drawn for key in made):
         raise ValueError("set_engine_keys was given a key that the engine did not make")
     if shape.spline is Spline.BSPLINE:
         made = [replace(key, points=controls.settled(key.points, shape)) for key in made]
-    return shape.with_keys(made)
+    return shape.with_keys(_around_set_points(shape, drawn[k.frame], k) if k.frame in drawn else k for k in made)
+
+
+def _around_set_points(shape: RotoShape, drawn: Keyframe, made: Keyframe) -> Keyframe:
+    """The artist's key with the points that the artist did not set as the engine made them."""
+    held, solved = (Outline(key.points, None, shape.closed, shape.spline).control_points for key in (drawn, made))
+    joined, chosen = solved.copy(), list(drawn.set_points)
+    joined[chosen] = held[chosen]
+    return replace(drawn, points=controls.points_of(joined, shape.spline, shape.closed))
 
 
 def delete_keys(shape: RotoShape, frames: Iterable[int]) -> RotoShape:
@@ -266,11 +297,12 @@ def insert_point(shape: RotoShape, segment: int, t: float) -> RotoShape:
     if not 0.0 < t < 1.0:
         raise ValueError(f"t = {t} lies outside (0, 1)")
     if shape.spline is Spline.BSPLINE:
-        return controls.with_control(
+        inserted = controls.with_control(
             shape,
             lambda control: bspline.inserted(control, segment, t, shape.closed),
             lambda feather: bezier.split(feather, segment, t, shape.closed),
         )
+        return _renumbered(inserted, lambda index: index + (index > segment))
     arrays = [array for key in shape.keys for array in (key.points, key.feather) if array is not None]
     straight = all(_is_straight(array, segment, shape.closed) for array in arrays)
 
@@ -282,7 +314,17 @@ def insert_point(shape: RotoShape, segment: int, t: float) -> RotoShape:
                 result[index, handle] = result[index, ANCHOR]
         return result
 
-    return shape.map_points(with_point)
+    return _renumbered(shape.map_points(with_point), lambda index: index + (index > segment))
+
+
+def _renumbered(shape: RotoShape, number: Callable[[int], int | None]) -> RotoShape:
+    """The shape whose points have other numbers, or none, on keys of which the artist set some."""
+    keys = (
+        replace(key, set_points=tuple(new for index in key.set_points if (new := number(index)) is not None))
+        for key in shape.keys
+        if key.set_points
+    )
+    return shape.with_keys(keys)
 
 
 def _is_straight(array: Array, segment: int, closed: bool) -> bool:
@@ -301,16 +343,18 @@ def delete_points(shape: RotoShape, indices: Sequence[int]) -> RotoShape:
     if shape.point_count - len(gone) < least:
         raise RoamError(f"{shape.name!r} needs at least {least} points; delete the shape instead.")
     if shape.spline is Spline.BSPLINE:
-        return controls.with_control(
+        without = controls.with_control(
             shape, lambda control: _without_control(control, gone, shape.closed), lambda each: np.delete(each, gone, 0)
         )
+        return _renumbered(without, lambda index: None if index in gone else index - bisect.bisect(gone, index))
     points = merging.without_points(np.stack([key.points for key in shape.keys]), gone, shape.closed)
     feather = _feather_without(shape, gone, points)
     keys = tuple(
         replace(key, points=points[index], feather=feather.get(index), vertex_confidence=None)
         for index, key in enumerate(shape.keys)
     )
-    return replace(shape, keys=keys)
+    without = replace(shape, keys=keys)
+    return _renumbered(without, lambda index: None if index in gone else index - bisect.bisect(gone, index))
 
 
 def _feather_without(shape: RotoShape, gone: Sequence[int], points: Array) -> dict[int, Array]:

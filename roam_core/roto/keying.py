@@ -10,7 +10,7 @@ import numpy as np
 from roam_core.arrays import Array
 from roam_core.roto import edit
 from roam_core.roto.control_points import points_of
-from roam_core.roto.shape import Keyframe, Outline, RotoShape
+from roam_core.roto.shape import Keyframe, Origin, Outline, RotoShape
 
 Change = Callable[[Outline], Outline]
 """A change of an outline, the same for every key that it reaches: a move, a turn, a smoothing.
@@ -28,10 +28,13 @@ class Keying:
     ----------
     auto : True: the frame gets an artist key. False: a frame without one gets none; see `reshape`.
     ripple : the frames in which every key takes the same change, or None for the edit's own frame alone.
+    points : True: a key that comes with the edit names the points that it moved; the others may be derived anew. False:
+        all of its points are the artist's.
     """
 
     auto: bool = True
     ripple: range | None = None
+    points: bool = False
 
 
 AUTO_KEY = Keying()
@@ -61,7 +64,7 @@ def reshape(
     else:
         reached.discard(frame)
     result = shape.with_keys(_changed(shape, key, change) for key in shape.keys if key.frame in reached)
-    return _with_key(result, frame, here, change(here)) if is_keyed else result
+    return _with_key(result, frame, here, change(here), keying.points) if is_keyed else result
 
 
 def held_at(shape: RotoShape, frame: int) -> Outline:
@@ -73,14 +76,24 @@ def _held(outline: Outline) -> Outline:
     return Outline(outline.control_points, outline.feather, outline.closed)
 
 
-def _with_key(shape: RotoShape, frame: int, before: Outline, after: Outline) -> RotoShape:
-    """The shape with `after` as an artist key at `frame`; without a new key where it equals `before`."""
+def _with_key(shape: RotoShape, frame: int, before: Outline, after: Outline, by_points: bool) -> RotoShape:
+    """The shape with `after` as an artist key at `frame`; without a new key where it equals `before`.
+
+    A key that the artist set some points of stays one, and so begins a new one that is keyed `by_points`.
+    """
     if _equal(before.points, after.points) and _equal(before.feather, after.feather):
         return shape
+    old = shape.key_at(frame)
+    held = old.set_points if old is not None and old.origin is Origin.ARTIST else None
+    chosen: tuple[int, ...] = ()
+    if held or (held is None and by_points):
+        moved = np.flatnonzero((before.points != after.points).any(axis=(1, 2))).tolist()
+        chosen = tuple(sorted({*(held or ()), *moved}))
     keyed = edit.set_control_points(shape, frame, after.points)
     key = keyed.key_at(frame)
     assert key is not None
-    return keyed.with_key(replace(key, feather=after.feather))
+    whole = len(chosen) == len(after.points)
+    return keyed.with_key(replace(key, feather=after.feather, set_points=() if whole else chosen))
 
 
 def _around(shape: RotoShape, frame: int) -> set[int]:

@@ -28,7 +28,9 @@ FEWEST_PACKED_DRAWN = 17
 LARGEST_FRAME = 2**31 - 1
 """Frame numbers lie between minus this and this: the window counts them in 32 bits."""
 
-_FIELDS = ("type", "origin", "interpolation", "points", "feather", "confidence", "vertex_confidence", "inputs")
+_FIELDS = (
+    "type", "origin", "interpolation", "points", "feather", "confidence", "vertex_confidence", "inputs", "set_points",
+)  # fmt: skip
 """What a key by itself and packed keys have; `frame` and `frames` come to it."""
 
 
@@ -148,7 +150,7 @@ def packed_keys(keys: Sequence[Keyframe]) -> list[Document]:
 def _constraints(key: Keyframe) -> tuple[Any, ...]:
     """What keys that are alike have in common."""
     vertices = None if key.vertex_confidence is None else key.vertex_confidence.shape
-    alike = (key.origin, key.interpolation, key.feather is None, key.confidence is None, vertices)
+    alike = (key.origin, key.interpolation, key.feather is None, key.confidence is None, vertices, key.set_points)
     return (*alike, json.dumps(dict(key.extra)) if key.extra else "")
 
 
@@ -168,6 +170,8 @@ def _plain_key(key: Keyframe) -> Document:
         document["vertex_confidence"] = key.vertex_confidence.tolist()
     if key.inputs:
         document["inputs"] = key.inputs
+    if key.set_points:
+        document["set_points"] = list(key.set_points)
     return {**document, **key.extra}
 
 
@@ -190,6 +194,8 @@ def _plain_run(run: Sequence[Keyframe]) -> Document:
     stamps = [[len(list(same)), stamp] for stamp, same in groupby(key.inputs for key in run)]
     if stamps != [[len(run), ""]]:
         document["inputs"] = stamps
+    if first.set_points:
+        document["set_points"] = list(first.set_points)
     return {**document, **first.extra}
 
 
@@ -228,8 +234,18 @@ def _read_key(document: Document) -> Keyframe:
         confidence=None if confidence is None else number(confidence, "the confidence of a key"),
         vertex_confidence=None if vertices is None else listed_numbers(vertices),
         inputs=text(document.get("inputs", ""), "the inputs of a key"),
+        set_points=_read_indices(document, len(document["points"])),
         extra=_rest(document, ("frame", *_FIELDS)),
     )
+
+
+def _read_indices(document: Document, count: int) -> tuple[int, ...]:
+    """The points that the artist set of a key of `count` points."""
+    indices = document.get("set_points", [])
+    found = tuple(whole(index, "a point that was set", 0, count - 1) for index in indices)
+    if list(found) != sorted(set(found)):
+        raise ValueError("the points that were set are not in order")
+    return found
 
 
 def _read_run(document: Document) -> Iterator[Keyframe]:
@@ -242,7 +258,7 @@ def _read_run(document: Document) -> Iterator[Keyframe]:
     if vertices is not None and (vertices.ndim != 2 or len(vertices) != count):
         raise ValueError("the packed keys and their vertex_confidence differ in length")
     origin, interpolation = Origin(document["origin"]), Interpolation(document["interpolation"])
-    extra = _rest(document, ("frames", *_FIELDS))
+    chosen, extra = _read_indices(document, points.shape[1]), _rest(document, ("frames", *_FIELDS))
     for k, (frame, stamp) in enumerate(zip(frames, _stamps(document, count), strict=True)):
         yield Keyframe(
             frame=frame,
@@ -253,6 +269,7 @@ def _read_run(document: Document) -> Iterator[Keyframe]:
             confidence=None if confidence is None else float(confidence[k]),
             vertex_confidence=None if vertices is None else vertices[k],
             inputs=stamp,
+            set_points=chosen,
             extra=extra,
         )
 

@@ -103,6 +103,8 @@ class Keyframe:
     confidence : the engine's trust in the frame, in [0, 1]; None on artist keys.
     vertex_confidence : (P,) or None; the same for each point.
     inputs : a short hash of what an ENGINE key was computed from (clip, parameters, artist keys); "" on artist keys.
+    set_points : of an artist's key the points that the artist set, by their indices in order: a run may derive the
+        others anew. () where all are the artist's.
     extra : fields of a newer file that this version does not know; carried through.
     """
 
@@ -114,6 +116,7 @@ class Keyframe:
     confidence: float | None = None
     vertex_confidence: Array | None = None
     inputs: str = ""
+    set_points: tuple[int, ...] = ()
     extra: Mapping[str, Any] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
@@ -138,8 +141,8 @@ class Keyframe:
     def _value(self) -> tuple[Any, ...]:
         arrays = (self.points, self.feather, self.vertex_confidence)
         packed = tuple(None if a is None else (a.shape, a.tobytes()) for a in arrays)
-        rest = (self.frame, self.origin, self.interpolation, self.confidence, self.inputs, dict(self.extra))
-        return (*packed, *rest)
+        rest = self.frame, self.origin, self.interpolation, self.confidence, self.inputs, self.set_points
+        return (*packed, *rest, dict(self.extra))
 
 
 @dataclass(frozen=True)

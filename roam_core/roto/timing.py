@@ -5,13 +5,16 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
 
+from roam_core.arrays import Array
 from roam_core.roto import edit
 from roam_core.roto.animated import Interpolation
+from roam_core.roto.keying import reshape
 from roam_core.roto.project import Mark, Project
-from roam_core.roto.shape import Keyframe, Origin, RotoShape
+from roam_core.roto.shape import Keyframe, Origin, Outline, RotoShape
 
 Place = tuple[str, int]
 """Where a key lies: (shape id, frame)."""
+NO_POINTS: Mapping[str, frozenset[int]] = {}
 
 
 def artist_places(project: Project) -> frozenset[Place]:
@@ -26,6 +29,29 @@ def move_keys(project: Project, places: Iterable[Place], offset: int) -> Project
     they are: those that depend on a key that moved bear another stamp than they should, and so are shown as stale.
     """
     return _each_shape(project, places, lambda shape, frames: _moved(shape, frames, offset))
+
+
+def shift_keys(
+    project: Project, places: Iterable[Place], offset: Array, points: Mapping[str, frozenset[int]] = NO_POINTS
+) -> Project:
+    """The project with control points moved by `offset (2,)` pixels on the artist's keys at `places`.
+
+    `points` are those of a shape that move, by its id; of a shape that is not among them all do.
+    """
+
+    def shifted(shape: RotoShape, frames: set[int]) -> RotoShape:
+        own = sorted(points.get(shape.id, range(shape.point_count)))
+
+        def change(outline: Outline) -> Outline:
+            moved = outline.points.copy()
+            moved[own] += offset
+            return replace(outline, points=moved)
+
+        for frame in frames & set(shape.artist_frames):
+            shape = reshape(shape, frame, change)
+        return shape
+
+    return _each_shape(project, places, shifted)
 
 
 def copy_keys(project: Project, places: Iterable[Place], offset: int) -> Project:

@@ -10,6 +10,7 @@ from typing import Any, TypeVar
 from roam_core.roto.animated import Animatable, Animated, Interpolation, ValueKey, set_at, value_at
 from roam_core.roto.project import Layer
 from roam_core.roto.shape import RotoShape
+from roam_core.roto.value_curves import bounded, with_tangents
 
 Item = TypeVar("Item", Layer, RotoShape)
 
@@ -61,6 +62,12 @@ def interpolated(value: Animatable, frame: int, interpolation: Interpolation) ->
     return value.with_key(replace(key, interpolation=interpolation, slopes=None))
 
 
+def bent(value: Animatable, frame: int) -> Animatable:
+    """The value with tangents at its key on the frame, or the last one before it, that run smoothly through it."""
+    key = leading_key(value, frame)
+    return value if key is None or not isinstance(value, Animated) else with_tangents(value, [key.frame])
+
+
 def leading_key(value: Animatable, frame: int) -> ValueKey | None:
     """The key that says how a value moves on at a frame: that on it or the last one before, or the first of all."""
     if not isinstance(value, Animated):
@@ -74,6 +81,6 @@ def set_value(item: Item, name: str, frame: int, number: float) -> Item:
 
 
 def with_value(item: Item, name: str, verb: Callable[[Animatable], Animatable]) -> Item:
-    """The shape or layer with `verb` of its value `name` in its place."""
-    changed: dict[str, Any] = {name: verb(getattr(item, name))}
+    """The shape or layer with `verb` of its value `name` in its place, held within its bounds."""
+    changed: dict[str, Any] = {name: bounded(verb(getattr(item, name)), name)}
     return replace(item, **changed)

@@ -30,7 +30,7 @@ ASKING = {"points.transform", "key.paste_range"}
 DRAWING = ("bezier", "polygon", "bspline", "ellipse", "rectangle", "freehand")
 TOOLS = (*DRAWING, *("select",) * 6, *("transform",) * 3, *("reshape",) * 2, "feather")
 MODIFIERS = (*(NONE,) * 6, SHIFT, CTRL, CTRL | SHIFT, CTRL | ALT)
-MODES = ("auto_key", "ripple", "soft", "lasso")
+MODES = ("auto_key", "point_keys", "ripple", "soft", "lasso")
 NUDGES = (Qt.Key.Key_Left, Qt.Key.Key_Right, Qt.Key.Key_Up, Qt.Key.Key_Down)
 
 

@@ -45,7 +45,7 @@ def test_the_drawn_plate_glides() -> None:
 
 
 def test_the_table_says_what_was_aimed_at(monkeypatch: pytest.MonkeyPatch, tmp_path: Path, capsys) -> None:
-    found = {"median": 7.25, "ninetieth": 9.0, "busy": 5.0, "shown": 24.0, "spent": 20.0, "most": 31.0}
+    found = {"median": 7.25, "ninetieth": 9.0, "busy": 5.0, "shown": 24.0, "spent": 20.0, "most": 31.0, "start": 812.0}
     monkeypatch.setattr(window, "_in_a_process", lambda platform: found)
     monkeypatch.setattr(report, "OUT", tmp_path)
     monkeypatch.setattr(report, "ROOT", tmp_path)
@@ -57,3 +57,25 @@ def test_the_table_says_what_was_aimed_at(monkeypatch: pytest.MonkeyPatch, tmp_p
     assert ["7.2", "16"] in rows
     assert ["24.0", "24"] in rows
     assert (tmp_path / "window.json").is_file()
+
+
+def test_two_checkouts_are_told_as_ratios(monkeypatch: pytest.MonkeyPatch, tmp_path: Path, capsys) -> None:
+    here, there = dict.fromkeys(("median", "ninetieth", "busy", "shown", "spent", "most", "start"), 6.0), tmp_path
+    asked: list[Path] = []
+
+    def in_a_process(platform: str, root: Path = report.ROOT) -> dict[str, float]:
+        asked.append(root)
+        return here if root != there else dict.fromkeys(here, 8.0)
+
+    monkeypatch.setattr(window, "_in_a_process", in_a_process)
+    parser = window.argparse.ArgumentParser()
+    window.arguments(parser)
+    window.run(parser.parse_args(["--beside", str(tmp_path)]))
+    rows = [[cell.strip() for cell in line.split("|")[2:5]] for line in capsys.readouterr().out.splitlines()]
+    assert rows.count(["6.0", "8.0", "0.75"]) >= len(here)
+    assert asked[:4] == [report.ROOT, tmp_path, report.ROOT, tmp_path]
+
+
+def test_the_start_of_the_program_is_measured() -> None:
+    command = [window.sys.executable, "-c", window.START, str(window.time.monotonic())]
+    assert float(window._told(command, "offscreen", report.ROOT)) > 0.0

@@ -55,7 +55,7 @@ class Screen:
         self.do("mousemove", round(x), round(y), "click", 1)
         time.sleep(0.05)
 
-    def drag(self, *spots: np.ndarray) -> None:
+    def drag(self, *spots: np.ndarray | tuple[float, float]) -> None:
         """The left button held down through all places."""
         for index, (x, y) in enumerate(spots):
             self.do("mousemove", round(x), round(y), *(("mousedown", 1) if index == 0 else ()))

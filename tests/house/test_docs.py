@@ -149,6 +149,23 @@ def test_the_example_of_the_python_interface_runs(shot: Path) -> None:
     assert "\nRoto {\n" in (shot / "shot.nk").read_text(encoding="ascii")
 
 
+def test_the_examples_of_the_studio_run(shot: Path) -> None:
+    pytest.importorskip("distributed", reason="Dask is not installed (pip install 'roam-roto[studio]')")
+    page = (ROOT / "docs" / "STUDIO.md").read_text(encoding="utf-8")
+    said = []
+    for k, example in enumerate(re.findall(r"^```python\n(.*?)^```", page, flags=re.DOTALL | re.MULTILINE)):
+        script = shot / f"example{k}.py"  # a file: workers load it
+        script.write_text(example, encoding="utf-8")
+        environment = os.environ | {"PYTHONPATH": str(ROOT)}
+        command = [sys.executable, str(script)]
+        done = subprocess.run(command, cwd=shot, env=environment, capture_output=True, text=True, check=False)
+        assert done.returncode == 0, done.stdout + done.stderr
+        said.append(done.stdout.splitlines()[-1:])
+    steps = "['1-fill spans', '1-fill join', '2-render']"
+    assert said[:3] == [["{'done': 1} report.html"], ["done kept"], [steps]]
+    assert len(said) == 4
+
+
 def test_tables_are_renewed_in_their_place() -> None:
     page = "a\n<!-- x -->\nold\n<!-- end of x -->\nb\n<!-- x y -->\nkept\n<!-- end of x y -->\n"
     renewed = report.with_block(page, "x", "new")

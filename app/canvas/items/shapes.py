@@ -58,6 +58,7 @@ class ShapePainter:
             _paint_doubts(painter, viewport, item.shape, frame)
             if item.shape.id in selection.shapes and not item.locked:
                 _paint_points(painter, viewport, item.shape, item.shape.at(frame), selection, hover)
+                _paint_set_points(painter, viewport, item.shape, frame)
 
 
 def _paint_outline(painter: QPainter, viewport: Viewport, item: Shown, path: QPainterPath, selected: bool) -> None:
@@ -97,6 +98,18 @@ def _paint_points(
         grown = hover == (shape.id, i, ANCHOR)
         round_ = bool(sides) or is_smooth(points[i])
         marks.anchor(painter, spot[i][ANCHOR], colour, round_=round_, filled=i in picked, grown=grown)
+
+
+def _paint_set_points(painter: QPainter, viewport: Viewport, shape: RotoShape, frame: int) -> None:
+    """Frames about the points that the artist set, on a key whose others a run may derive anew."""
+    key = shape.key_at(frame)
+    if key is None or not key.set_points:
+        return
+    points = shape.at(frame).control_points
+    near = inside(points, painted_area(painter, viewport, marks.PIN_SIZE))
+    for index in key.set_points:
+        if index < len(points) and near[index]:
+            marks.pin(painter, viewport.to_widget(*points[index, ANCHOR].tolist()), shape_colour(shape))
 
 
 def _paint_doubts(painter: QPainter, viewport: Viewport, shape: RotoShape, frame: int) -> None:

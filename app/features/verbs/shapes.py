@@ -31,6 +31,7 @@ class ShapeVerbs:
             "shape.hide": self.hide,
             "shape.show_all": self.show_all,
             "key.set": self.set_key,
+            "key.set_points": self.set_key_of_points,
             "key.delete": self.delete_key,
             "track.delete_engine_keys": self.delete_engine_keys,
         }
@@ -46,6 +47,18 @@ class ShapeVerbs:
         """Make the selected shapes, as they are on this frame, artist keys."""
         frame = self._view.frame
         self._edit_each(tr("Set key"), lambda shape: edit.key_here(shape, frame))
+
+    def set_key_of_points(self) -> None:
+        """Make the selected points, as they are on this frame, the artist's; a run may derive the others anew."""
+        frame, points = self._view.frame, self._view.selection.points
+        if not points:
+            self._view.say("Select the points that are right here first; a run then derives the others anew.")
+            return
+
+        def keyed(shape: RotoShape) -> RotoShape:
+            return edit.key_points(shape, frame, [index for shape_id, index in points if shape_id == shape.id])
+
+        self._edit_each("Set key for points", keyed)
 
     def delete_key(self) -> None:
         """Delete the selected shapes' keys on this frame."""

@@ -11,13 +11,19 @@ from ...model.view_state import ViewState
 from ...translation import N_, tr
 from ...widgets.fields import NumberField
 
-SWITCHES = {"key.auto": "auto_key", "key.ripple": "ripple", "points.soft": "soft", "points.lasso": "lasso"}
+SWITCHES = {
+    "key.auto": "auto_key", "key.points": "point_keys", "key.ripple": "ripple", "points.soft": "soft",
+    "points.lasso": "lasso",
+}  # fmt: skip
 """The actions by the modes that they switch."""
 
 RADII = {"reshape": "brush_radius"}
 """The radius that a tool works with; with all others it is that of soft selection, while that is on."""
 
-WORDS = {"key.auto": N_("Auto-key"), "key.ripple": N_("Ripple"), "points.soft": N_("Soft"), "points.lasso": N_("Lasso")}
+WORDS = {
+    "key.auto": "Auto-key", "key.points": "Points", "key.ripple": "Ripple", "points.soft": "Soft",
+    "points.lasso": "Lasso",
+}  # fmt: skip
 
 
 class ModeBar(QWidget):

@@ -19,6 +19,8 @@ ROW = style.ROW_HEIGHT
 MIDDLE = (ROW - 1) / 2
 DIAMOND, DISC, SQUARE = 5.5, 4.5, 4.0
 """Half the height of an artist's key: linear, smooth, held."""
+HOLE = 2.2
+"""Half the height of the hole in the key of some points."""
 TICK = 4.0
 """Half the height of a tick."""
 SELECTED, BACKGROUND = "#3a3a3a", "#707070"
@@ -130,7 +132,10 @@ def _paint_notches(painter: QPainter, at: list[float]) -> None:
 
 
 def _paint_keys(painter: QPainter, marks: KeyMarks, chosen: frozenset[int], scale: TimeScale, colour: QColor) -> None:
-    """The artist's keys: their form tells how the shape moves on from them; chosen ones are white, in a frame."""
+    """The artist's keys: their form tells how the shape moves on from them; chosen ones are white, in a frame.
+
+    Those of some points are hollow.
+    """
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
     picked = np.isin(marks.artist, list(chosen))
     kinds = np.where(np.isin(marks.artist, marks.smooth), 1, np.where(np.isin(marks.artist, marks.held), 2, 0))
@@ -140,6 +145,10 @@ def _paint_keys(painter: QPainter, marks: KeyMarks, chosen: frozenset[int], scal
         for kind, paint in enumerate((_diamond, _disc, _square)):
             for x in columns(marks.artist[(picked == is_chosen) & (kinds == kind)], scale):
                 paint(painter, x)
+    painter.setPen(Qt.PenStyle.NoPen)
+    painter.setBrush(QColor(style.EDGE))
+    for x in columns(marks.partial, scale):
+        painter.drawEllipse(QPointF(x, MIDDLE), HOLE, HOLE)
 
 
 def _diamond(painter: QPainter, x: float) -> None:

@@ -41,7 +41,8 @@ def _key_sentence(shape: RotoShape, frame: int, marks: KeyMarks) -> str:
     if key is None:
         return _gap_sentence(shape, frame)
     if kind == "artist":
-        return tr("Key by hand; the shape {moves}", moves=tr(MOVES[key.interpolation]))
+        some = f" of {len(key.set_points)} of {len(key.points)} points" if key.set_points else ""
+        return f"Key by hand{some}; the shape {MOVES[key.interpolation]}"
     way, _, rest = key.inputs.partition(":")
     config = rest.partition(":")[0]
     made = tr(WAYS.get(way, TRACKED)) + (f" ({config})" if config else "")

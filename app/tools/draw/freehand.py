@@ -1,24 +1,29 @@
-"""FreehandTool: a stroke of the hand becomes a spline of few points."""
+"""FreehandTool: a stroke of the hand becomes a spline of few points, which is seen while it is drawn."""
 
 from __future__ import annotations
 
 import numpy as np
-from PySide6.QtCore import QPointF, Qt
-from PySide6.QtGui import QPainter, QPainterPath
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QPainter
 
 from roam_core.arrays import Array
-from roam_core.geometry import fit, polyline
+from roam_core.geometry import polyline
+from roam_core.geometry.stroke import StrokeFit
 
 from ...features.verbs.finishing import finish_shape, next_colour
 from ...model.document import Document
 from ...model.view_state import ViewState
 from ...paint import marks
+from ...paint.outline_paths import outline_path
 from ...paint.viewport import Viewport
 from ...translation import N_, tr
 from ..tool import Pointer, Tool
 
 TOLERANCE = 1.5
 """Screen pixels by which the fitted spline may stray from the stroke: the closer the view, the finer the fit."""
+
+LOOSEST = 2.5
+"""How many times that for a pen that is not pressed: a light hand draws smoother lines of fewer points."""
 
 CLOSING = 20.0
 """Screen pixels from the start at which the end of a stroke closes the shape."""
@@ -34,13 +39,21 @@ class FreehandTool(Tool):
 
     name = "freehand"
     title = N_("Freehand")
-    hint = N_("Drag around the object; end near the start to close the shape. Zoom in for a finer fit.")
+    hint = N_("Drag around the object; end near the start to close it. Zoom in or press a pen harder for a finer fit.")
 
     def __init__(self, document: Document, view_state: ViewState) -> None:
         super().__init__(document, view_state)
         self._stroke: list[tuple[float, float]] = []
         self._pointer: Pointer | None = None
+        self._fit = StrokeFit(TOLERANCE)
         self._frame = 0
+
+    @property
+    def points(self) -> Array:
+        """The spline `(P, 3, 2)` that a release would make, image pixels: what is painted, and what comes out."""
+        if self._pointer is None:
+            return np.empty((0, 3, 2))
+        return self._fit.points(self._on_screen(self._pointer), closed=self._closes()) * self._pointer.pixel
 
     @property
     def cursor(self) -> Qt.CursorShape:
@@ -58,6 +71,8 @@ class FreehandTool(Tool):
 
     def press(self, pointer: Pointer) -> None:
         self._stroke, self._pointer, self._frame = [pointer.position], pointer, self.view_state.frame
+        # By the pressure as it begins: a fit that changed on the way would change what is drawn already.
+        self._fit = StrokeFit(TOLERANCE * LOOSEST ** (1.0 - pointer.pressure))
 
     def drag(self, pointer: Pointer) -> None:
         if self._stroke and pointer.position != self._stroke[-1]:
@@ -68,12 +83,12 @@ class FreehandTool(Tool):
         self.drag(pointer)
         if not self._stroke:
             return
-        closed, line = self._closes(), self._on_screen(pointer)
+        closed, points = self._closes(), self.points
+        is_slip = polyline.length(self._on_screen(pointer), closed=False) < LEAST_LENGTH
         self.drop()
-        if polyline.length(line, closed=False) < LEAST_LENGTH:
+        if is_slip:
             self.view_state.say(tr(self.hint))
             return
-        points = fit.fit_stroke(line, TOLERANCE, closed=closed) * pointer.pixel
         finish_shape(self.document, self.view_state, self.name, points, self._frame, closed=closed)
 
     def key(self, name: str) -> None:
@@ -83,13 +98,11 @@ class FreehandTool(Tool):
     def paint(self, painter: QPainter, viewport: Viewport) -> None:
         if len(self._stroke) < 2:
             return
-        path = QPainterPath(QPointF(*self._stroke[0]))
-        for spot in self._stroke[1:]:
-            path.lineTo(*spot)
+        closes = self._closes()
+        path = outline_path(self.points, closes)
         colour = next_colour(self.document.project)
         marks.stroke(painter, viewport.transform.map(path), colour, marks.SELECTED_WIDTH)
         start = viewport.to_widget(*self._stroke[0])
-        closes = self._closes()
         marks.anchor(painter, start, colour, round_=True, filled=closes, grown=closes)
 
     def _on_screen(self, pointer: Pointer) -> Array:

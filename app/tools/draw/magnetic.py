@@ -1,4 +1,4 @@
-"""MagneticTool: a line that clings to the edges of the picture between clicks, fitted with a spline of few points."""
+"""MagneticTool: a line that clings to the edges of the picture between clicks, and the spline fitted to it."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from PySide6.QtCore import QPointF, Qt
 from PySide6.QtGui import QPainter, QPainterPath
 
 from roam_core.arrays import Array
-from roam_core.geometry import fit
+from roam_core.geometry.stroke import StrokeFit
 
 from ...features.verbs.finishing import finish_shape, next_colour
 from ...jobs.picture_work import Shown
@@ -19,6 +19,7 @@ from ...jobs.runner import Report
 from ...model.document import Document
 from ...model.view_state import ViewState
 from ...paint import marks
+from ...paint.outline_paths import outline_path
 from ...paint.viewport import Viewport
 from ...translation import N_, tr
 from ..hit_test import REACH
@@ -85,12 +86,22 @@ class MagneticTool(Tool):
         self._scale = np.ones(2)
         self._frame = 0
         self._closing: bool | None = None
+        self._fit = StrokeFit(TOLERANCE)
         self._numbers = count()
 
     @property
     def legs(self) -> tuple[Leg, ...]:
         """The line so far; the last leg follows the pointer."""
         return tuple(self._legs)
+
+    @property
+    def points(self) -> Array:
+        """The spline `(P, 3, 2)` of what is laid, as it will come out; where a press would close it, of the whole."""
+        paths = [leg.led_to(leg.end, self._scale) if leg.path is None else leg.path for leg in self._legs if leg.end]
+        closes = self._hover is not None and self._closing is None and self._closes(self._hover)
+        if closes and self._hover is not None:
+            paths.append(self._live(self._hover, closes))
+        return self._points(paths, closes) if paths else np.empty((0, 3, 2))
 
     @property
     def cursor(self) -> Qt.CursorShape:
@@ -234,12 +245,15 @@ class MagneticTool(Tool):
         self._settle()
 
     def _make_shape(self, closed: bool) -> None:
-        line = np.vstack([leg.path[k > 0 :] for k, leg in enumerate(self._legs) if leg.path is not None])
-        unit, frame = np.maximum(self._pixel, self._scale), self._frame
+        points, frame = self._points([leg.path for leg in self._legs if leg.path is not None], closed), self._frame
         # Laid down first: taking the select tool finishes what is in the hand.
         self.drop()
-        points = fit.fit_stroke((line[:-1] if closed else line) / unit, TOLERANCE, closed=closed) * unit
         finish_shape(self.document, self.view_state, self.name, points, frame, closed=closed)
+
+    def _points(self, paths: list[Array], closed: bool) -> Array:
+        """The spline `(P, 3, 2)` of these lines, one after the other; `closed` where the last ends at the first."""
+        line, unit = np.vstack([path[k > 0 :] for k, path in enumerate(paths)]), np.maximum(self._pixel, self._scale)
+        return self._fit.points((line[:-1] if closed else line) / unit, closed=closed) * unit
 
     def _snapped(self, pointer: Pointer) -> Spot:
         """The strongest edge near the pointer; with Ctrl the pointer's own place."""
@@ -264,12 +278,12 @@ class MagneticTool(Tool):
         if not self._legs:
             return
         colour = next_colour(self.document.project)
-        for leg in self._legs:
-            if leg.end is not None:
-                line = leg.path if leg.path is not None else np.array([leg.start, leg.end])
-                marks.stroke(painter, viewport.transform.map(_traced(line)), colour, marks.SELECTED_WIDTH)
-        closes = self._hover is not None and self._closes(self._hover)
-        if self._hover is not None and self._closing is None:
+        closes = self._hover is not None and self._closing is None and self._closes(self._hover)
+        points = self.points
+        if len(points):
+            path = viewport.transform.map(outline_path(points, closes))
+            marks.stroke(painter, path, colour, marks.SELECTED_WIDTH)
+        if self._hover is not None and self._closing is None and not closes:
             live = viewport.transform.map(_traced(self._live(self._hover, closes)))
             marks.stroke(painter, live, marks.faded(colour, 0.85), marks.OUTLINE_WIDTH)
         for index, leg in enumerate(self._legs):

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from roam_core.cancel import CancelToken, Progress
 from roam_core.errors import RoamError
 from roam_core.features import PreparedFrame
+from roam_core.media.partial import PartialPicture
 from roam_core.media.source import MissingFrame
 from roam_core.params import RegionParams, RoamParams, params_for, scale_for
 from roam_core.propagate.between.directional_pass import DirectionalPass, directional_pass
@@ -29,7 +30,7 @@ from roam_core.threads import each
 
 
 def fill_span(
-    images: Mapping[int, NDArray[Any]],
+    images: Mapping[int, NDArray[Any] | PartialPicture],
     shapes: Sequence[RotoShape],
     start: int,
     stop: int,
@@ -97,7 +98,7 @@ def spans(shapes: Sequence[RotoShape], start: int, stop: int) -> list[tuple[int,
 class Reader:
     """Pictures made ready, asked for by one thread at a time; none is kept, for a span may be long and its plate 4K."""
 
-    def __init__(self, images: Mapping[int, NDArray[Any]]) -> None:
+    def __init__(self, images: Mapping[int, NDArray[Any] | PartialPicture]) -> None:
         self._images = images
         self._lock = threading.Lock()
 

@@ -132,7 +132,7 @@ class AppearanceTemplate:
         """Its colours against those of all the rest of the key's picture, not of its surroundings alone."""
         grid = Grid.over(_whole(self.frame), float(self.region.grid.factor.mean()))
         inside = self.region.on(grid) > 0.5
-        return GlobalModel.learned(grid.of(self.frame.image), inside, ~inside)
+        return GlobalModel.learned(grid.colours_of(self.frame), inside, ~inside)
 
     @cached_property
     def own_score(self) -> float:
@@ -181,7 +181,7 @@ class AppearanceTemplate:
         return float(np.clip(score / max(self.own_score, 1e-6), 0.0, 1.0))
 
     def _ratio(self, frame: PreparedFrame, grid: Grid) -> Float32:
-        return self.colours.log_ratio(grid.of(frame.image), self.params.clip, self.unseen)
+        return self.colours.log_ratio(grid.colours_of(frame), self.params.clip, self.unseen)
 
     def _likeness(self, frame: PreparedFrame, turn: Array, near: Array, reach: float) -> Likeness:
         """Mean log-ratio inside the outline, under `turn (2, 2)` and put everywhere, less that of its surroundings."""

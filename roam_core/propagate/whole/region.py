@@ -104,7 +104,7 @@ def begin(
     scale = scale_for(frame.size)
     grid = grid_around(np.vstack([part.points.reshape(-1, 2) for part in parts]), frame.size, params, scale)
     region = Field.of_coverage(grid, enclosed(parts, grid))
-    colours = learned_colours(grid.of(frame.image), region, covers)
+    colours = learned_colours(grid.colours_of(frame), region, covers)
     key = KeyMemory(frame, region, colours, np.eye(3))
     fit, kept = params.contour_fit, params.kept_shares
     constraints = tuple(KeyConstraints.of(part.points, smooth_points(part.points), fit, scale, kept) for part in parts)
@@ -168,7 +168,7 @@ def step(
     taken from there if that promises more.
     """
     if state.pose is not None and params.pose is not None:
-        state = replace(state, pose=posed.step(state.pose, state.drawn, frame, params.pose, covers))
+        state = replace(state, pose=posed.step(state.pose, state.drawn, state.frame, frame, params.pose, covers))
     carried = _carried(state, frame, params, token, tuple(covers))
     if carried.state.trust >= params.doubted:
         return carried
@@ -228,7 +228,7 @@ def _carried(
     scale = scale_for(frame.size)
     if state.pose is not None:
         parts = posed.carried(state.pose, state.drawn)
-        if posed.is_believed(state.pose, parts, found, params):
+        if posed.is_believed(state.pose, parts, found, params, state.is_posed):
             return _as_posed(state, frame, observation, state.pose, parts, params)
     parts = tuple(replace(part, points=similarity.apply(observation.moved[:2], part.points)) for part in state.parts)
     shapes = zip(parts, state.drawn, state.constraints, strict=True)
@@ -368,7 +368,7 @@ def observed(
     everywhere = state.region.on(fine) > 0.5
     inside = visible(everywhere, state.covers, fine, params.least_seen)
     moved, agreement = flow_similarity(flows[0], inside, fine)
-    pictures = grid.of(state.frame.image), grid.of(frame.image)
+    pictures = grid.colours_of(state.frame), grid.colours_of(frame)
     if token is not None:
         token.check()
     surroundings, _ = flow_similarity(flows[0], ~everywhere, fine)

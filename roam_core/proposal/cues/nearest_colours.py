@@ -43,7 +43,7 @@ class NearestColours:
     def learned(cls, frame: PreparedFrame, nodes: Array, params: RegionParams) -> NearestColours:
         """From the artist's key: a picture whose outline `nodes (N, 2)` is given."""
         region = _enclosed(frame, nodes, params)
-        colours = GlobalModel.learned(region.grid.of(frame.image), region.inside, ~region.inside)
+        colours = GlobalModel.learned(region.grid.colours_of(frame), region.inside, ~region.inside)
         return cls(frame, region, KeyMemory(frame, region, colours, np.eye(3)), params)
 
     def adapted(self, frame: PreparedFrame, nodes: Array, transform: Array) -> NearestColours:
@@ -85,7 +85,7 @@ class NearestColours:
         fluid = carried_by_flow(last, backward) > 0.5
         expected = Expectation(last, rigid, fluid, key.region.on(cells, key.to_now))
         motion = self._motion(cells, flow, backward, fine, scale_for(frame.size))
-        pictures = cells.of(self.frame.image), cells.of(frame.image)
+        pictures = cells.colours_of(self.frame), cells.colours_of(frame)
         return Sources(*pictures, cells, expected, backward, key, key.colours, motion, self.params.band)
 
     def _motion(self, cells: Grid, flow: Float32, backward: Float32, fine: Grid, scale: float) -> Float32:

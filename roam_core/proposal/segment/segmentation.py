@@ -43,7 +43,7 @@ def segmented(
     inside = coverage(grid.to_grid(bezier.flatten(expected)), grid.shape) > 0.5
     ratio = unaries(colours, inside, grid, params)
     reach = max(1, round(params.reach * params.grid_factor))
-    weights = contrast_weights(lab(grid.of(frame.image)), params.strength, params.contrast, params.neighbours)
+    weights = contrast_weights(lab(grid.colours_of(frame)), params.strength, params.contrast, params.neighbours)
     found = minimum_cut(ratio, weights, uncertain_band(inside, inside, reach), inside).inside
     signed = Field(grid, np.where(found, np.float32(1.0), np.float32(-1.0)))
     return Segmentation(grid, cleaned(signed, inside, params.overlap, params.speck).inside, inside)

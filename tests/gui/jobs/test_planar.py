@@ -13,9 +13,9 @@ from pytestqt.qtbot import QtBot
 from app.actions.actions import Actions
 from app.actions.keymaps import load_keymap
 from app.canvas.view import CanvasView
-from app.features.planar_tracking import LeaveOut, PlanarTracking, covering
+from app.features.planar_tracking import PlanarTracking
 from app.features.tracking import NO_CLIP, Tracking
-from app.jobs.planar import PlanarTrack, legs_of
+from app.jobs.planar import PlanarTrack
 from app.jobs.propagation import Propagation
 from app.jobs.runner import Ending, Runner
 from app.model.document import Document
@@ -27,6 +27,7 @@ from roam_core.geometry.plane_motion import PlaneMotion
 from roam_core.params import DOUBTFUL
 from roam_core.roto import BlendMode, Clip, Layer, Project, edit
 from roam_core.roto.following import pinned, surface_at
+from roam_core.roto.surfaces import LeaveOut, covering, legs_of
 from tests.gui.hand import Hand
 from tests.unit.motion import test_plane_track as board
 
@@ -278,7 +279,7 @@ def test_legs_end_on_adjust_keys() -> None:
 
 
 def test_holes_and_shapes_that_are_gone_are_told_apart(document: Document, track: PlanarTrack) -> None:
-    from app.jobs.planar import outlines_at
+    from roam_core.roto.surfaces import outlines_at
 
     project, hole = edit.new_shape(document.project, board.BOARD * 0.5, 1)
     project, gone = edit.new_shape(project, board.BOARD, 1)
@@ -294,7 +295,7 @@ def test_the_panel_chooses_the_motion_and_the_keys_start_it(
 ) -> None:
     verbs = PlanarTracking(document, view_state, PlanarTrack(document, view_state, runner, lambda frame: None))
     actions = Actions(canvas, canvas, load_keymap())
-    panel = PlanarPanel(verbs, actions)
+    panel = PlanarPanel(document, verbs, actions)
     qtbot.addWidget(panel)
     panel.kind.setCurrentIndex(panel.kind.findData(PlaneMotion.HOMOGRAPHY))
     assert verbs.kind is PlaneMotion.HOMOGRAPHY
@@ -305,4 +306,34 @@ def test_the_panel_chooses_the_motion_and_the_keys_start_it(
     assert calls == ["planar.forward", "planar.backward"]
     panel.leave_out.setCurrentIndex(panel.leave_out.findData(LeaveOut.OTHERS))
     assert verbs.leave_out is LeaveOut.OTHERS
-    assert panel.kind.focusPolicy() is Qt.FocusPolicy.TabFocus
+    assert panel.kind.focusPolicy() is Qt.FocusPolicy.NoFocus
+
+
+def test_shapes_are_left_out_one_by_one(
+    qtbot: QtBot, canvas: CanvasView, document: Document, view_state: ViewState, track: PlanarTrack,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:  # fmt: skip
+    project, names = document.project, {}
+    for name in ("screen", "hand", "cup"):
+        project, shape = edit.new_shape(project, board.BOARD, 1)
+        project = edit.set_properties(project, shape.id, name=name)
+        names[name] = shape.id
+    document.apply("Draw", project)
+    view_state.select(frozenset({names["screen"]}))
+    verbs = PlanarTracking(document, view_state, track)
+    panel = PlanarPanel(document, verbs, Actions(canvas, canvas, load_keymap()))
+    qtbot.addWidget(panel)
+    panel.chosen.aboutToShow.emit()
+    listed = {action.text(): action for action in panel.chosen.actions()}
+    assert list(listed)[:3] == ["cup", "hand", "screen"]
+    listed["hand"].trigger()
+    assert verbs.leave_out is LeaveOut.CHOSEN
+    panel.chosen.aboutToShow.emit()
+    assert [action.text() for action in panel.chosen.actions() if action.isChecked()] == ["hand"]
+    started: list[tuple[object, ...]] = []
+    monkeypatch.setattr(track, "start", lambda *given: started.append(given))
+    verbs.forward()
+    assert started[0][0] == [names["screen"]]
+    assert started[0][3] == [names["hand"]]
+    document.open(Project(clip=document.project.clip), None)
+    assert verbs.left_out == frozenset()

@@ -102,7 +102,7 @@ def test_the_menu_offers_what_there_is_to_do(panel: PropertiesPanel, document: D
     def offered() -> set[str]:
         return {action.text() for action in panel.opacity_key.menu_of_keys.actions() if action.isEnabled()} - {""}
 
-    ways = {"Linear", "Smooth", "Hold"}
+    ways = {"Linear", "Smooth", "Hold", "Tangents"}
     assert offered() == {"Set key"}
     entry(panel.opacity_key, "Set key").trigger()
     assert offered() == {"Delete key", "Delete all keys"} | ways
@@ -209,3 +209,16 @@ def test_a_click_takes_what_was_typed_and_does_not_delete_its_key(
     QApplication.processEvents()
     qtbot.mouseClick(panel.opacity_key, LEFT)
     assert shape(document).opacity == Animated((ValueKey(1, 1.0),))
+
+
+def test_the_menu_bends_a_value_and_says_that_it_is_bent(
+    qtbot: QtBot, panel: PropertiesPanel, document: Document, view_state: ViewState
+) -> None:
+    qtbot.mouseClick(panel.opacity_key, LEFT)
+    entry(panel.opacity_key, "Tangents").trigger()
+    frame = view_state.frame
+    assert shape(document).opacity == Animated((ValueKey(frame, 1.0, slopes=(0.0, 0.0)),))
+    checked = [action.text() for action in panel.opacity_key.menu_of_keys.actions() if action.isChecked()]
+    assert checked == ["Tangents"]
+    entry(panel.opacity_key, "Linear").trigger()
+    assert shape(document).opacity == Animated((ValueKey(frame, 1.0),))

@@ -27,7 +27,7 @@ def timeline(qtbot: QtBot, document: Document, view_state: ViewState) -> Iterato
     qtbot.addWidget(window)
     actions = Actions(window, window, load_keymap())
     timeline = Timeline(document, view_state, lambda: range(1001, 1011), lambda: (1033, 1034), actions)
-    actions.connect_all(timeline.handlers() | timeline.verbs.taking_over({}))
+    actions.connect_all(timeline.taking_over({}))
     qtbot.addWidget(timeline)
     timeline.resize(1100, 220)
     with qtbot.waitExposed(timeline):

@@ -55,7 +55,7 @@ def test_a_mark_is_named_in_place(qtbot: QtBot, timeline: Timeline, document: Do
     qtbot.keyClick(field, Qt.Key.Key_Return)
     assert document.project.marks == (Mark(1012, "turn"),)
     assert not field.isVisible()
-    assert document.undo_stack.undoText() == "Name mark"
+    assert document.undo_stack.undoText() == "Write note"
 
 
 def test_esc_leaves_the_word_as_it_was(qtbot: QtBot, timeline: Timeline, document: Document) -> None:

@@ -134,7 +134,7 @@ def test_the_plot_takes_the_height_that_the_rows_leave(qtbot: QtBot, timeline: T
     def heights() -> tuple[int, int]:
         return rows.height(), plot.height()
 
-    whole = timeline.height() - timeline.ruler.height()
+    whole = timeline.height() - timeline.ruler.height() - timeline.boil.height()
     qtbot.waitUntil(lambda: heights() == (2 * ROW, whole - 2 * ROW))
     assert plot.geometry().top() == rows.geometry().bottom() + 1
     lines = plot.lines

@@ -44,6 +44,48 @@ def shifts(only: OnlyShape, index: int) -> dict[int, tuple[float, float]]:
     }
 
 
+# ---- keys of some points
+
+
+def test_a_drag_keys_the_points_that_it_moves_where_that_is_switched_on(
+    hand: Hand, document: Document, view_state: ViewState, moving: str, only: OnlyShape
+) -> None:
+    view_state.editing.set(point_keys=True)
+    view_state.set_frame(5)
+    start = at(1, 5)
+    hand.drag(start, (start[0], start[1] + 10.0))
+    key = only().key_at(5)
+    assert key is not None
+    assert key.set_points == (1,)
+    start = at(2, 5)
+    hand.drag(start, (start[0] + 4.0, start[1]))
+    key = only().key_at(5)
+    assert key is not None
+    assert key.set_points == (1, 2)
+    assert document.undo_stack.count() == 2
+
+
+def test_the_points_that_were_set_are_framed_on_their_key(
+    hand: Hand, canvas: CanvasView, document: Document, view_state: ViewState, moving: str, only: OnlyShape
+) -> None:
+    view_state.set_frame(5)
+    corners = [canvas.image_to_widget(*at(index, 5)) for index in (1, 3)]
+
+    def beside() -> list[int]:
+        """The picture's ink a few pixels beside two corners, away from the outline."""
+        image = canvas.grab().toImage()
+        return [
+            image.pixel(round(corner.x() + dx), round(corner.y() - 6 * (1 if dx > 0 else -1)))
+            for corner, dx in zip(corners, (6, -6), strict=True)
+        ]
+
+    before = beside()
+    document.apply("Set", document.project.with_shape(edit.key_points(only(), 5, [1])))
+    after = beside()
+    assert after[0] != before[0]
+    assert after[1] == before[1]
+
+
 # ---- auto-key
 
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 import pytest
 
 from roam_core.cli.plate import Plate
-from roam_core.media import FrameCache
 from roam_core.media.source import Image, MissingFrame
 from tests.narrow import Narrow
 
@@ -13,7 +12,7 @@ from tests.narrow import Narrow
 class Damaged:
     """A plate of one frame that cannot be read; who asks for its frames waits for another to ask, too."""
 
-    colour_space = None
+    colour_space, size, readers = "linear", (8, 6), 1
 
     def __init__(self, narrow: Narrow) -> None:
         self._narrow = narrow
@@ -30,7 +29,7 @@ class Damaged:
 def test_a_damaged_frame_is_told_once_however_many_threads_meet_it(capfd: pytest.CaptureFixture[str]) -> None:
     narrow = Narrow()
     source = Damaged(narrow)
-    plate = Plate(source, FrameCache(source))  # type: ignore[arg-type]
+    plate = Plate(source)  # type: ignore[arg-type]
 
     def read() -> None:
         with pytest.raises(MissingFrame):

@@ -151,3 +151,11 @@ def test_a_plate_that_is_gone_is_told_and_the_list_comes_all_the_same(roam: Roam
     file.save(replace(held, clip=other), project)
     require_refusal(roam("review", project, project.parent / "out.mp4"), plate.folder)
     assert roam("review", project, "--list").status == 0
+
+
+def test_boil_is_measured_by_the_picture_where_that_is_asked_for(roam: Roam, project: Path) -> None:
+    lines = [json.loads(line) for line in roam("review", project, "--json", "--by-picture").out.splitlines()]
+    boils = {line["frame"]: line["boil"] for line in lines if line["kind"] == "boil"}
+    assert max(boils, key=boils.__getitem__) == BENT
+    plain = [json.loads(line) for line in roam("review", project, "--json").out.splitlines()]
+    assert boils != {line["frame"]: line["boil"] for line in plain if line["kind"] == "boil"}

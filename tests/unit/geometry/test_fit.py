@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from roam_core.geometry import polyline
-from roam_core.geometry.bezier import ANCHOR, IN, OUT, flatten
-from roam_core.geometry.fit import fit_closed, fit_open, fit_stroke
+from roam_core.geometry.bezier import ANCHOR, IN, OUT
+from roam_core.geometry.fit import fit_closed
 from roam_core.matte.vectorise import outlines
 from roam_core.roto.edit import is_smooth
 from tests.golden.shots import blob, dense
@@ -110,35 +110,3 @@ def inside(line: np.ndarray, x: np.ndarray, y: np.ndarray) -> np.ndarray:
             between = (y >= min(ay, by)) & (y < max(ay, by))
             crossed ^= between & (ax + (y - ay) * (bx - ax) / (by - ay) < x)
     return crossed
-
-
-def test_an_open_line_keeps_its_ends_and_corners() -> None:
-    corners = np.array([(0.0, 0.0), (100.0, 0.0), (100.0, 80.0), (20.0, 40.0)])
-    points = fit_open(polyline.resample(corners, 400, closed=False))
-    np.testing.assert_allclose(points[:, ANCHOR], corners, atol=0.5)
-    np.testing.assert_array_equal(points[[0, -1], ANCHOR], corners[[0, -1]])
-    np.testing.assert_array_equal(points[0, IN], corners[0])
-    np.testing.assert_array_equal(points[-1, OUT], corners[-1])
-
-
-def test_half_a_circle_needs_few_points() -> None:
-    angle = np.linspace(0.0, np.pi, 200)
-    points = fit_open(80.0 * np.stack([np.cos(angle), np.sin(angle)], axis=1), tolerance=0.5)
-    assert len(points) <= 4
-    assert np.abs(np.hypot(*flatten(points, closed=False).T) - 80.0).max() < 1.0
-
-
-@pytest.mark.parametrize("closed", [True, False])
-def test_a_trembling_hand_makes_no_corners(closed: bool) -> None:
-    angle = np.linspace(0.0, 2.0 * np.pi, 150)
-    line = np.round(300.0 + 120.0 * np.stack([np.cos(angle), np.sin(angle)], axis=1))
-    line += np.random.default_rng(5).normal(0.0, 0.7, line.shape)
-    points = fit_stroke(line, 2.0, closed=closed)
-    assert len(points) <= 10
-    inner = points if closed else points[1:-1]
-    assert all(is_smooth(point, degrees=5.0) for point in inner)
-
-
-def test_a_line_shorter_than_a_step_is_straight() -> None:
-    points = fit_open(np.array([(5.0, 5.0), (6.0, 5.0)]))
-    np.testing.assert_array_equal(points[:, ANCHOR], [(5.0, 5.0), (6.0, 5.0)])

@@ -107,7 +107,7 @@ def third_project(folder: Path) -> Project:
 
 def present_project(folder: Path) -> Project:
     """What a file of this program may hold beyond the stored one of version 3: tangents, the plate's layer, a track's
-    figures.
+    figures, keys of some points.
 
     A field that older files of the version do without stands here, not in the project that is stored.
     """
@@ -124,6 +124,10 @@ def present_project(folder: Path) -> Project:
         surface=((0.1, 0.2), (10.0, 1 / 3), (9.0, 8.0), (-1e-17, 7.0)),
     )
     clip = replace(third.require_clip(), layer="beauty")
+    tracked = inner.children[2]
+    assert isinstance(tracked, RotoShape)
+    in_part = replace(tracked, keys=tuple(replace(key, set_points=(0, 2)) for key in tracked.keys))
     bent = Animated((ValueKey(1001, 0.5, slopes=(0.0, 1 / 30)), ValueKey(1010, 0.75, slopes=(-1e-17, 0.0))))
-    inner = replace(inner, transform=told, opacity=bent)
+    children = (*inner.children[:2], in_part, *inner.children[3:])
+    inner = replace(inner, transform=told, opacity=bent, children=children)
     return replace(third, clip=clip, root=replace(third.root, children=(inner,)))

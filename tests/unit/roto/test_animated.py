@@ -122,6 +122,18 @@ def test_a_hold_holds_whatever_tangents_say() -> None:
     assert held.slope_at(2) == 0.0
 
 
+@pytest.mark.parametrize(
+    ("way", "frame"),
+    [(way, frame) for way in Interpolation for frame in (3, 13, 22) if (way, frame) != (Interpolation.SMOOTH, 22)],
+)
+def test_a_key_set_between_keys_with_and_without_tangents_bends_nothing(way: Interpolation, frame: int) -> None:
+    keys = ValueKey(0, 1.0, way), ValueKey(10, 4.0, slopes=(0.5, -1.0)), ValueKey(20, 2.0, way), ValueKey(30, 5.0)
+    value = Animated(keys)
+    more = set_at(value, frame, value.at(frame))
+    for moment in (1.5, 3, 7, 12.25, 13, 19, 21, 22, 28.5):
+        assert value_at(more, moment) == pytest.approx(value.at(moment))
+
+
 def test_a_key_set_on_a_cubic_where_it_was_bends_nothing() -> None:
     more = set_at(BENT, 4, BENT.at(4))
     assert more != BENT

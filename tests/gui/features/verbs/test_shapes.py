@@ -37,3 +37,23 @@ def test_where_none_can_be_selected_it_is_said(document: Document, view_state: V
     ShapeVerbs(document, view_state).select_all()
     assert view_state.selection == Selection()
     assert "No shape is in sight" in view_state.message
+
+
+def test_selected_points_become_a_key_of_theirs(document: Document, view_state: ViewState) -> None:
+    plain, other = opened(document, 2)
+    verbs = ShapeVerbs(document, view_state)
+    view_state.set_frame(7)
+    view_state.select(frozenset({plain, other}))
+    verbs.set_key_of_points()
+    assert "Select the points" in view_state.message
+    view_state.select(frozenset({plain, other}), frozenset({(plain, 1), (plain, 2)}))
+    verbs.set_key_of_points()
+    key = document.project.shape(plain).key_at(7)
+    assert key is not None
+    assert key.set_points == (1, 2)
+    assert document.project.shape(other).frames == (1,)
+    assert document.undo_stack.undoText() == "Set key for points"
+    verbs.set_key()
+    key = document.project.shape(plain).key_at(7)
+    assert key is not None
+    assert key.set_points == ()

@@ -30,6 +30,7 @@ def bar(canvas: CanvasView, view_state: ViewState, qtbot: QtBot) -> ModeBar:
 def test_what_is_on_at_the_beginning(bar: ModeBar) -> None:
     assert {mode: button.isChecked() for mode, button in bar.buttons.items()} == {
         "auto_key": True,
+        "point_keys": False,
         "ripple": False,
         "soft": False,
         "lasso": False,
@@ -39,13 +40,14 @@ def test_what_is_on_at_the_beginning(bar: ModeBar) -> None:
 def test_a_press_switches_a_mode(bar: ModeBar, view_state: ViewState, qtbot: QtBot) -> None:
     for button in bar.buttons.values():
         qtbot.mouseClick(button, Qt.MouseButton.LeftButton)
-    assert view_state.editing.modes == Modes(auto_key=False, ripple=True, soft=True, lasso=True)
+    assert view_state.editing.modes == Modes(auto_key=False, point_keys=True, ripple=True, soft=True, lasso=True)
 
 
 @pytest.mark.parametrize(
     ("key", "modifiers", "mode", "action"),
     [
         (Qt.Key.Key_A, ALT, "auto_key", "key.auto"),
+        (Qt.Key.Key_A, SHIFT, "point_keys", "key.points"),
         (Qt.Key.Key_U, NONE, "ripple", "key.ripple"),
         (Qt.Key.Key_W, NONE, "soft", "points.soft"),
         (Qt.Key.Key_Q, SHIFT, "lasso", "points.lasso"),

@@ -348,3 +348,17 @@ def test_the_pointer_tells_what_a_press_would_do(timeline: Timeline) -> None:
         moved = QMouseEvent(QEvent.Type.MouseMove, at, at, Qt.MouseButton.NoButton, Qt.MouseButton.NoButton, NONE)
         QApplication.sendEvent(port, moved)
         assert port.cursor().shape() is shape
+
+
+def test_a_key_of_some_points_is_hollow_and_says_so(timeline: Timeline, document: Document) -> None:
+    def ink() -> str:
+        image = timeline.rows.viewport().grab().toImage()
+        spot, ratio = place(timeline, 1025, 1), image.devicePixelRatio()
+        return str(image.pixelColor(round(spot.x() * ratio), round(spot.y() * ratio)).name())
+
+    shape = document.project.shape("shape-1")
+    document.apply("Key", document.project.with_shape(edit.key_here(shape, 1025)))
+    whole = ink()
+    document.apply("Points", document.project.with_shape(edit.key_points(shape, 1025, [0, 2])))
+    assert ink() != whole
+    assert "Key by hand of 2 of 4 points" in timeline.rows.tip_at(QPointF(place(timeline, 1025, 1)))

@@ -5,13 +5,15 @@ from __future__ import annotations
 from itertools import pairwise
 
 import numpy as np
+import pytest
 from PySide6.QtCore import Qt
 
 from app.canvas.view import CanvasView
 from app.model.document import Document
 from app.model.view_state import ViewState
+from app.tools.draw.freehand import FreehandTool
 from roam_core.roto import Origin
-from tests.gui.hand import Hand, Spot
+from tests.gui.hand import Hand, PenHand, Spot
 from tests.gui.tools.conftest import OnlyShape
 
 
@@ -125,3 +127,31 @@ def test_the_stroke_is_seen(canvas: CanvasView, hand: Hand, view_state: ViewStat
     spot = canvas.image_to_widget(*spots[20]).toPoint()
     assert empty.pixelColor(spot) != canvas.grab().toImage().pixelColor(spot)
     hand.release(spots[40])
+
+
+@pytest.mark.parametrize("share", [0.6, 0.98])
+def test_what_is_seen_is_what_comes_out(
+    canvas: CanvasView, hand: Hand, view_state: ViewState, only: OnlyShape, share: float
+) -> None:
+    view_state.set_tool("freehand")
+    tool = canvas.tool
+    assert isinstance(tool, FreehandTool)
+    spots = circle(share, radius=55.0)
+    hand.press(spots[0])
+    for spot in spots[1:]:
+        hand.move(spot)
+    seen = tool.points
+    assert len(seen) > 3
+    hand.release(spots[-1])
+    np.testing.assert_allclose(only().at(1).control_points, seen, atol=1e-9)
+    assert only().closed is (share > 0.9)
+
+
+def test_a_light_pen_draws_smoother_lines(canvas: CanvasView, document: Document, view_state: ViewState) -> None:
+    wave = [(40.0 + x, 75.0 + 1.2 * float(np.sin(x / 4.0))) for x in np.linspace(0.0, 120.0, 240)]
+    counts = []
+    for pressure in (0.05, 1.0):
+        view_state.set_tool("freehand")
+        PenHand(canvas).stroke(wave, pressure)
+        counts.append(document.project.shapes[-1].point_count)
+    assert counts[0] < counts[1]

@@ -199,3 +199,17 @@ def test_the_line_is_seen_to_cling(canvas: CanvasView, hand: Hand, pictures: Pic
     around = [(spot.x() + dx, spot.y() + dy) for dx in range(-3, 4) for dy in range(-3, 4)]
     seen = canvas.grab().toImage()
     assert any(plain.pixelColor(x, y) != seen.pixelColor(x, y) for x, y in around)
+
+
+@pytest.mark.parametrize("closes", [True, False])
+def test_what_is_seen_before_the_last_press_is_what_comes_out(
+    canvas: CanvasView, hand: Hand, pictures: PictureWork, only: OnlyShape, qtbot: QtBot, closes: bool
+) -> None:
+    click_around(hand, canvas, qtbot, [0.0, 120.0, 240.0])
+    first = magnetic(canvas).legs[0].start
+    hand.move(first if closes else on_circle(300.0))
+    seen = magnetic(canvas).points
+    assert len(seen) >= 3
+    hand.click(first) if closes else hand.key(ESCAPE)
+    assert only().closed is closes
+    np.testing.assert_allclose(only().at(1).control_points, seen, atol=1e-9)

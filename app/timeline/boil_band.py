@@ -1,0 +1,135 @@
+"""The lane of boil in the timeline: how much outlines jitter on each frame, and from where on that is seen."""
+
+from __future__ import annotations
+
+import numpy as np
+from PySide6.QtCore import QEvent, QLineF, QRectF, QSize, Qt
+from PySide6.QtGui import QColor, QHelpEvent, QMouseEvent, QPainter, QPaintEvent, QPen, QWheelEvent
+from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
+
+from roam_core.arrays import Array
+from roam_core.review.boil import BOILING
+from roam_core.roto import RotoShape
+
+from .. import style
+from ..features.boil import boil_of_document
+from ..model.document import Document
+from ..model.view_state import shapes_in_hand
+from ..translation import tr
+from .axis import TimeAxis, paint_playhead
+from .keys.row_painter import DOUBT
+from .scale import LABEL_WIDTH
+
+HEIGHT = 30
+TOP = 3.0 * BOILING
+"""Pixels of boil that fill the lane; what is more is cut off."""
+TOLD = 8
+"""Shapes that a tip tells of."""
+CALM = "#8a8a8a"
+"""The colour of boil that is not seen; beyond the line it is that of doubt, and higher."""
+
+
+class BoilBand(QWidget):
+    """The most that any of the shapes in hand boils, as a bar on each frame. A frame is a click away.
+
+    It keeps its place where nothing is tracked, so that nothing jumps.
+    """
+
+    def __init__(self, document: Document, axis: TimeAxis, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._document, self._axis, self._boil = document, axis, boil_of_document(document)
+        self._most = np.empty((0, 2))
+        self.setFixedHeight(HEIGHT)
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+        for signal in (document.changed, document.replaced, axis.view_state.selection_changed, self._boil.changed):
+            signal.connect(self._pull)
+        for signal in (axis.changed, axis.view_state.frame_changed):
+            signal.connect(self.update)
+        self._pull()
+
+    def sizeHint(self) -> QSize:
+        return QSize(600, HEIGHT)
+
+    @property
+    def most(self) -> Array:
+        """What is shown: pairs (frame, pixels) `(K, 2)`."""
+        return self._most
+
+    def tip_at(self, x: float) -> str:
+        """What is said of the frame under the pointer."""
+        frame = self._axis.scale.frame(x)
+        values = [(dict(self._boil(shape).tolist()).get(frame), shape.name) for shape in self._shown()]
+        known = sorted(((value, name) for value, name in values if value is not None), reverse=True)
+        lines = [
+            tr("{pixels:.1f} px  {name}, boils", pixels=value, name=name)
+            if value >= BOILING
+            else tr("{pixels:.1f} px  {name}", pixels=value, name=name)
+            for value, name in known[:TOLD]
+        ]
+        return "\n".join([tr("Frame {frame}", frame=frame), *(lines or [tr("No boil is measured here")])])
+
+    # ---- events
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        if event.button() == Qt.MouseButton.LeftButton and event.position().x() >= LABEL_WIDTH:
+            self._axis.scrub(event.position().x())
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        if event.buttons() & Qt.MouseButton.LeftButton and event.position().x() >= LABEL_WIDTH:
+            self._axis.scrub(event.position().x())
+
+    def wheelEvent(self, event: QWheelEvent) -> None:
+        self._axis.wheel(event, event.position().x())
+
+    def event(self, event: QEvent) -> bool:
+        if isinstance(event, QHelpEvent) and event.type() == QEvent.Type.ToolTip:
+            QToolTip.showText(event.globalPos(), self.tip_at(event.pos().x()), self)
+            return True
+        return super().event(event)
+
+    # ---- the rest is private
+
+    def _shown(self) -> list[RotoShape]:
+        return list(shapes_in_hand(self._document.project, self._axis.view_state.selection))
+
+    def _pull(self, _ids: object = None) -> None:
+        self._most = most_of([self._boil(shape) for shape in self._shown()])
+        self.update()
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        painter = QPainter(self)
+        painter.fillRect(self.rect(), QColor(style.PANEL))
+        painter.fillRect(QRectF(0, 0, self.width(), 1), QColor(style.WINDOW))
+        font = self.font()
+        font.setPixelSize(11)
+        painter.setFont(font)
+        painter.setPen(QColor(style.WEAK))
+        middle, right = Qt.AlignmentFlag.AlignVCenter, Qt.AlignmentFlag.AlignRight
+        painter.drawText(QRectF(style.MARGIN, 0, LABEL_WIDTH, HEIGHT), middle, tr("boil"))
+        line = _y(BOILING)
+        painter.drawText(QRectF(0, line - 8, LABEL_WIDTH - 6, 16), middle | right, tr("{pixels:g} px", pixels=BOILING))
+        scale = self._axis.scale
+        painter.setClipRect(QRectF(scale.left, 0, self.width() - scale.left, HEIGHT))
+        width = max(scale.pixels - 1.0, 1.0)
+        for frame, value in self._most.tolist():
+            colour = QColor(DOUBT if value >= BOILING else CALM)
+            top = _y(value)
+            painter.fillRect(QRectF(scale.x(int(frame)) - width / 2, top, width, HEIGHT - top), colour)
+        painter.setPen(QPen(QColor(style.DISABLED), 1, Qt.PenStyle.DashLine))
+        painter.drawLine(QLineF(scale.left, line, self.width(), line))
+        painter.setClipping(False)
+        paint_playhead(painter, self._axis, self)
+        painter.end()
+
+
+def most_of(measured: list[Array]) -> Array:
+    """The greatest boil of several shapes on each frame: pairs (frame, pixels) `(K, 2)` in the order of time."""
+    most: dict[float, float] = {}
+    for frame, value in np.concatenate([*measured, np.empty((0, 2))]).tolist():
+        most[frame] = max(value, most.get(frame, 0.0))
+    return np.array(sorted(most.items())).reshape(-1, 2)
+
+
+def _y(pixels: float) -> float:
+    """Where so many pixels of boil lie in the lane, from its top."""
+    return HEIGHT * (1.0 - min(pixels / TOP, 1.0))

@@ -1,0 +1,59 @@
+"""KeyDrag: chosen keys under the hand, in time and value: previewed as they move, one undo step on release."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from roam_core.roto import Project
+from roam_core.roto.value_curves import ValuePlace
+
+from ...model.document import Document
+from ..axis import TimeAxis
+from .selection import ValueSelection
+from .verbs import LOCKED, unlocked
+
+Moved = Callable[[Project, frozenset[ValuePlace], int, float], Project]
+
+
+class KeyDrag:
+    """The chosen keys between press and release. `moved` gives the project with keys shifted in time and value."""
+
+    def __init__(self, document: Document, axis: TimeAxis, chosen: ValueSelection, moved: Moved) -> None:
+        self._document, self._axis, self._chosen, self._moved = document, axis, chosen, moved
+        self._places = unlocked(document.project, chosen.places)
+        self._shown: tuple[int, float] = (0, 0.0)
+        self.frames = 0
+        """By how many frames the chosen keys are shifted where they are shown."""
+        if not self._places:
+            axis.view_state.say(LOCKED)
+
+    def to(self, frames: int, amount: float) -> None:
+        """Preview the keys shifted by whole frames, none of them out of the clip, and by an amount."""
+        frames = self._inside(frames)
+        if (frames, amount) == self._shown or not self._places:
+            return
+        self._shown, self.frames = (frames, amount), frames
+        is_still = not frames and not amount
+        project = self._document.project
+        preview = None if is_still else self._moved(project, self._places, frames, amount)
+        self._axis.view_state.set_preview(preview)
+
+    def finish(self) -> None:
+        """Make what was previewed an edit."""
+        preview, (frames, amount) = self._axis.view_state.preview, self._shown
+        self._axis.view_state.set_preview(None)
+        if preview is not None:
+            self._document.apply("Change keys" if amount else "Move keys", preview)
+            moved = frozenset((item_id, name, frame + frames) for item_id, name, frame in self._places)
+            self._chosen.select(moved)
+
+    def cancel(self) -> None:
+        """Leave everything as it was before the press."""
+        self._axis.view_state.set_preview(None)
+
+    def _inside(self, frames: int) -> int:
+        own = [frame for _, _, frame in self._places]
+        first, stop = self._axis.scale.clip
+        if not own:
+            return 0
+        return max(min(frames, max(stop - 1 - max(own), 0)), min(first - min(own), 0))

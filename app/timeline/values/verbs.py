@@ -1,0 +1,174 @@
+"""What is done to chosen keys of values and outlines: each one edit of the document, one undo step."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from functools import partial
+
+import numpy as np
+
+from roam_core.errors import RoamError
+from roam_core.roto import Interpolation, Project, timing
+from roam_core.roto.value_curves import (
+    ValuePlace,
+    bend_values,
+    delete_values,
+    interpolate_values,
+    move_values,
+    value_places,
+)
+
+from ...model.document import Document
+from ...model.view_state import ViewState
+from .selection import ValueSelection
+from .shown import OUTLINES, Kind, items_in_hand
+
+NO_TANGENTS = "Outlines move straight, smoothly or not at all: opacity and feather have tangents."
+NOTHING_CHOSEN = "Choose keys of opacity or feather in the timeline or the curve editor first."
+LOCKED = "It is locked; unlock it to change its keys."
+
+
+class ValueVerbs:
+    """The verbs on chosen keys. `has_keyboard` tells whether value rows or curves have it: then delete means keys."""
+
+    def __init__(
+        self, document: Document, view_state: ViewState, chosen: ValueSelection, has_keyboard: Callable[[], bool]
+    ) -> None:
+        self._document, self._view, self._chosen, self._has_keyboard = document, view_state, chosen, has_keyboard
+
+    def handlers(self) -> dict[str, Callable[[], object]]:
+        """What the actions of this part call, by id."""
+        return {"key.tangents": self.bend}
+
+    def taking_over(self, handlers: Mapping[str, Callable[[], object]]) -> dict[str, Callable[[], object]]:
+        """Handlers that mean chosen keys of values while there are some, or while their rows have the keyboard."""
+        ways: dict[str, Callable[[], object]] = {
+            f"key.{way.value}": partial(self.interpolate, way) for way in Interpolation
+        }
+        own = {"points.delete": self.delete, "points.select_all": self.select_all} | ways
+
+        def handler(action_id: str) -> Callable[[], object]:
+            other = handlers[action_id]
+
+            def call() -> None:
+                is_meant = bool(self._chosen.places) if action_id in ways else self._has_keyboard()
+                (own[action_id] if is_meant else other)()
+
+            return call
+
+        return {action_id: handler(action_id) for action_id in own if action_id in handlers}
+
+    # ---- the verbs
+
+    def moved(self, project: Project, places: Iterable[ValuePlace], frames: int, amount: float) -> Project:
+        """The project with keys shifted in time, and by `amount` in value or, of outlines, in pixels along their axis.
+
+        Of an outline the selected points move, or all where none is selected.
+        """
+        values, outlines = _parted(places)
+        project = move_values(project, values, frames, amount)
+        if outlines:
+            project = timing.move_keys(project, {(item_id, frame) for item_id, _, frame in outlines}, frames)
+        if outlines and amount:
+            for kind in OUTLINES:
+                shift = np.array([amount, 0.0] if kind is Kind.X else [0.0, amount])
+                own = {(item_id, frame + frames) for item_id, name, frame in outlines if name == kind}
+                project = timing.shift_keys(project, own, shift, self._points())
+        return project
+
+    def delete(self) -> None:
+        """Delete the chosen keys."""
+        values, outlines = _parted(self._free())
+        keys = {(item_id, frame) for item_id, _, frame in outlines}
+        if values or keys:
+            self._apply("Delete keys", lambda project: timing.delete_keys(delete_values(project, values), keys))
+
+    def nudge(self, frames: int, merge_key: str) -> None:
+        """Move the chosen keys by some frames, not out of the clip; steps with one `merge_key` are one undo step."""
+        clip, places = self._document.project.clip, self._free()
+        if places and clip is not None:
+            own = [frame for _, _, frame in places]
+            frames = max(min(frames, max(clip.last - max(own), 0)), min(clip.first - min(own), 0))
+        if places:
+            self._document.apply("Move keys", self.moved(self._document.project, places, frames, 0.0), merge_key)
+            self._chosen.select(frozenset((item_id, name, frame + frames) for item_id, name, frame in places))
+
+    def raise_by(self, amount: float, merge_key: str) -> None:
+        """Change the chosen keys by some amount of their value, as shown."""
+        if places := self._free():
+            project = self._document.project
+            for kind in Kind:
+                own = [place for place in places if place[1] == kind]
+                project = self.moved(project, own, 0, amount / (100.0 if kind is Kind.OPACITY else 1.0))
+            self._document.apply("Change keys", project, merge_key)
+
+    def interpolate(self, interpolation: Interpolation) -> None:
+        """Set how values and outlines go on from the chosen keys; values lose their tangents there."""
+        values, outlines = _parted(self._free())
+        keys = {(item_id, frame) for item_id, _, frame in outlines}
+
+        def verb(project: Project) -> Project:
+            return timing.set_interpolation(interpolate_values(project, values, interpolation), keys, interpolation)
+
+        if values or keys:
+            self._apply(interpolation.value.capitalize(), verb)
+
+    def bend(self) -> None:
+        """Give the chosen keys tangents that run smoothly through them."""
+        if not self._chosen.places:
+            self._view.say(NOTHING_CHOSEN)
+            return
+        values, outlines = _parted(self._free())
+        if values:
+            self._apply("Tangents", lambda project: bend_values(project, values))
+        elif outlines:
+            self._view.say(NO_TANGENTS)
+
+    def select_all(self) -> None:
+        """Choose every key of the values in hand."""
+        project = self._document.project
+        owners = {item.id for item in items_in_hand(project, self._view)}
+        self._chosen.select(frozenset(place for place in value_places(project) if place[0] in owners))
+
+    # ---- the rest is private
+
+    def _apply(self, text: str, verb: Callable[[Project], Project]) -> None:
+        try:
+            self._document.apply(text, verb(self._document.project))
+        except RoamError as error:
+            self._view.say(str(error))
+
+    def _free(self) -> frozenset[ValuePlace]:
+        """The chosen keys that may be changed; says why when there is none."""
+        free = unlocked(self._document.project, self._chosen.places)
+        if not free:
+            self._view.say(LOCKED if self._chosen.places else NOTHING_CHOSEN)
+        return free
+
+    def _points(self) -> dict[str, frozenset[int]]:
+        """The selected points by the id of their shape."""
+        points: dict[str, set[int]] = {}
+        for shape_id, index in self._view.selection.points:
+            points.setdefault(shape_id, set()).add(index)
+        return {shape_id: frozenset(own) for shape_id, own in points.items()}
+
+
+def unlocked(project: Project, places: Iterable[ValuePlace]) -> frozenset[ValuePlace]:
+    """The places of shapes and layers that are not locked, nor lie in a locked layer."""
+    found = list(places)
+    free = {
+        item_id
+        for item_id in {place[0] for place in found}
+        if project.has(item_id)
+        and not any(item.locked for item in (project.find(item_id), *project.layers_above(item_id)))
+    }
+    return frozenset(place for place in found if place[0] in free)
+
+
+def _parted(places: Iterable[ValuePlace]) -> tuple[list[ValuePlace], list[ValuePlace]]:
+    """Keys of values, and of outlines."""
+    values: list[ValuePlace] = []
+    outlines: list[ValuePlace] = []
+    for place in places:
+        (outlines if place[1] in OUTLINES else values).append(place)
+    return values, outlines

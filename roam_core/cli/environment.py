@@ -1,0 +1,35 @@
+"""What the environment says of the share of the machine that a command may take."""
+
+from __future__ import annotations
+
+import os
+
+from roam_core.errors import RoamError
+
+THREADS = "ROAM_THREADS"
+"""Threads of the engine: 1, or 2 (default: as many as OpenCV takes, of which the engine uses two)."""
+CACHE = "ROAM_CACHE_MB"
+"""Megabytes of decoded pictures that a command keeps."""
+USUAL_CACHE = 512
+
+
+def cache_bytes() -> int:
+    """Bytes of decoded pictures that a command keeps. Raises `RoamError` where the environment says nonsense."""
+    return _whole(CACHE, USUAL_CACHE) << 20
+
+
+def take_threads() -> None:
+    """Keep the engine to as many threads as the environment says. Raises `RoamError` where that is nonsense."""
+    if os.environ.get(THREADS):
+        import cv2  # only where it is asked for: `roam info` does not wait for it
+
+        cv2.setNumThreads(_whole(THREADS, 0))
+
+
+def _whole(name: str, usual: int) -> int:
+    text = os.environ.get(name, "")
+    if not text:
+        return usual
+    if not text.isdecimal() or not 1 <= int(text) <= 1 << 20:
+        raise RoamError(f"The environment variable {name} is {text!r}; it has to be a whole number above 0.")
+    return int(text)

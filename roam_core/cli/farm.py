@@ -1,0 +1,82 @@
+"""`roam farm P.roam`: write a project's work as a job for a render farm."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from pathlib import Path
+
+from roam_core.atomic_write import write_atomically
+from roam_core.cli.fill import gaps_of
+from roam_core.cli.lines import print_json
+from roam_core.cli.plate import loaded
+from roam_core.errors import RoamError
+from roam_core.roto import Project
+from roam_core.studio.jobs import Job, require_name, steps_named
+from roam_core.studio.open_job import Shares, checked, template_of, to_be_given, written
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Declare the command's options."""
+    parser.add_argument("project", type=Path, metavar="P.roam")
+    parser.add_argument(
+        "--job", type=Path, metavar="JOB.json", help="the file to write, .json or .yaml (P.openjd.json)"
+    )
+    parser.add_argument("--out", type=Path, metavar="DIR", help="folder of the results (P-farm); it is made")
+    parser.add_argument(
+        "--steps",
+        metavar="LIST",
+        help="such as fill,render,export:nuke (default: fill where there are gaps, and render)",
+    )
+    parser.add_argument(
+        "--chunk", type=int, default=20, metavar="N", help="frames of a task of rendering (%(default)s)"
+    )
+    parser.add_argument("--start", type=int, metavar="F", help="first frame to render (default: the clip's first)")
+    parser.add_argument("--end", type=int, metavar="F", help="last frame to render (default: the clip's last)")
+    parser.add_argument("--roam", default="roam", metavar="COMMAND", help="what runs ROAM on the farm (%(default)s)")
+    parser.add_argument("--json", action="store_true", help="print a line of JSON: the file, and its steps")
+
+
+def run(arguments: argparse.Namespace) -> int:
+    """Carry out the command."""
+    path: Path = arguments.project.absolute()
+    project = loaded(path)
+    clip, name = project.require_clip(), path.stem
+    require_name(name, f"The name of {path}")
+    first = clip.first if arguments.start is None else arguments.start
+    last = clip.last if arguments.end is None else arguments.end
+    if last < first or last < clip.first or first > clip.last:
+        raise RoamError(f"There are no frames from {first} to {last}; the clip has {clip.first} to {clip.last}.")
+    if arguments.chunk < 1:
+        raise RoamError("--chunk has to be 1 or more.")
+    gaps = found_gaps(project, path)
+    steps = steps_named(arguments.steps or ("fill,render" if gaps else "render"))
+    if not gaps and any(step.verb == "fill" for step in steps):
+        gaps_of(project, path)  # says why there is none
+    out = (arguments.out or path.with_name(f"{name}-farm")).absolute()
+    target = arguments.job or path.with_name(f"{name}.openjd.json")
+    job = Job(name, steps, str(clip.path), path, clip.layer)
+    shares = Shares(gaps, range(first, last + 1), arguments.chunk)
+    template = template_of(job, out, shares, target.absolute().parent, arguments.roam)
+    content = written(checked(template), target)
+    try:
+        out.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise RoamError(f"The folder {out} cannot be made: {error.strerror}.") from None
+    write_atomically(target, content)
+    names = [step["name"] for step in template["steps"]]
+    if arguments.json:
+        print_json({"files": [str(target)], "steps": names, "parameters": to_be_given(template)})
+    else:
+        print(f"Wrote {target}: {', '.join(names)}.", file=sys.stderr)
+        for label, place in to_be_given(template).items():
+            print(f"{label} lies elsewhere; submit the job with {label}={place}.", file=sys.stderr)
+    return 0
+
+
+def found_gaps(project: Project, path: Path) -> list[tuple[int, int]]:
+    """The gaps between artist keys, none where there are none."""
+    try:
+        return gaps_of(project, path)
+    except RoamError:
+        return []

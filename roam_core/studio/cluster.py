@@ -1,0 +1,172 @@
+"""Where a batch runs: a cluster of this machine, bound to itself alone, or a scheduler that the user names."""
+
+from __future__ import annotations
+
+import logging
+import os
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from roam_core.errors import RoamError
+from roam_core.installation import studio_module
+
+HERE = "127.0.0.1"
+DASHBOARD = 8787
+"""Port of the dashboard; another one where that is taken."""
+ENGINE_THREADS = 2
+"""Threads that the engine can use."""
+CACHE_SHARE = 0.2
+"""Of a worker's memory, for decoded pictures."""
+MOST_CACHE = 512
+"""Megabytes of decoded pictures beyond which a command gains nothing."""
+TOPIC = "roam"
+CONNECT_SECONDS = 15
+
+
+@dataclass(frozen=True)
+class Encryption:
+    """The files of a scheduler that speaks TLS: the authority's certificate, ours, and its key."""
+
+    authority: Path
+    certificate: Path
+    key: Path
+
+
+@dataclass(frozen=True)
+class Shares:
+    """What each worker of this machine has: threads of the engine, bytes of memory, megabytes of decoded pictures."""
+
+    workers: int
+    threads: int
+    memory: int
+    cache: int
+
+    @classmethod
+    def of(cls, cores: int, memory: int, wanted: int | None = None) -> Shares:
+        """The machine's cores and memory (bytes), shared among as many workers as cores, or as many as are wanted."""
+        workers = max(1, wanted or cores)
+        share = memory // workers
+        cache = max(32, min(MOST_CACHE, int(share * CACHE_SHARE) >> 20))
+        return cls(workers, max(1, min(ENGINE_THREADS, cores // workers)), share, cache)
+
+    @classmethod
+    def here(cls, wanted: int | None = None) -> Shares:
+        """The shares of this machine; a container's limits count."""
+        system = studio_module("distributed.system")
+        return cls.of(studio_module("dask.system").CPU_COUNT, system.MEMORY_LIMIT, wanted)
+
+    @property
+    def environment(self) -> dict[str, str]:
+        """What tells a worker of its share."""
+        return {"ROAM_THREADS": str(self.threads), "ROAM_CACHE_MB": str(self.cache), "MALLOC_TRIM_THRESHOLD_": "65536"}
+
+
+@contextmanager
+def local(shares: Shares, *, dashboard: bool = True) -> Iterator[Any]:
+    """A client of a cluster of this machine for the length of a `with` block: processes that take one step at a time.
+
+    Scheduler, workers and dashboard are bound to 127.0.0.1. What they say to one another is encrypted with a key that
+    only this run has, so that no other user of the machine can give them work.
+    """
+    distributed = studio_module("distributed")
+    studio_module("cryptography")
+    if dashboard:
+        studio_module("bokeh")
+    with (
+        _settings(),
+        distributed.LocalCluster(
+            n_workers=shares.workers,
+            threads_per_worker=1,
+            processes=True,
+            host=HERE,
+            protocol="tls://",
+            security=distributed.Security.temporary(),
+            dashboard_address=f"{HERE}:{DASHBOARD}" if dashboard else f"{HERE}:0",
+            memory_limit=shares.memory,
+            env=shares.environment,
+            worker_dashboard_address=f"{HERE}:0",
+            scheduler_kwargs={"dashboard": dashboard},
+            silence_logs=logging.CRITICAL,
+        ) as cluster,
+        distributed.Client(cluster) as client,
+    ):
+        yield client
+
+
+@contextmanager
+def named(address: str, encryption: Encryption | None = None) -> Iterator[Any]:
+    """A client of the scheduler at `address` for the length of a `with` block.
+
+    Raises `RoamError` where none answers there, it has another encryption, or no workers.
+    """
+    distributed = studio_module("distributed")
+    if "://" not in address:
+        address = f"{'tls' if encryption else 'tcp'}://{address}"
+    with _settings():
+        try:
+            client = distributed.Client(address, security=_security(encryption), timeout=CONNECT_SECONDS)
+        except (OSError, ValueError, TypeError) as error:
+            raise RoamError(
+                f"No scheduler answers at {address}: {error}. Name it as host:port, with TLS if it has it."
+            ) from None
+        with client:
+            try:
+                client.wait_for_workers(1, timeout=CONNECT_SECONDS)
+            except TimeoutError:
+                raise RoamError(
+                    f"The scheduler at {address} has no workers; start some that see the same folders as this machine."
+                ) from None
+            yield client
+
+
+def dashboard_of(client: Any) -> str:
+    """The address of the dashboard; "" where there is none."""
+    return str(client.dashboard_link) if "dashboard" in client.scheduler_info().get("services", {}) else ""
+
+
+def tell(message: Mapping[str, Any]) -> None:
+    """Called by a step on a worker: have the batch hear of it."""
+    studio_module("distributed").get_worker().log_event(TOPIC, dict(message))
+
+
+def _security(encryption: Encryption | None) -> Any:
+    if encryption is None:
+        return None
+    for path in (encryption.authority, encryption.certificate, encryption.key):
+        if not path.is_file():
+            raise RoamError(f"{path} does not exist; --tls-ca, --tls-cert and --tls-key name files in PEM.")
+    return studio_module("distributed").Security(
+        tls_ca_file=str(encryption.authority),
+        tls_client_cert=str(encryption.certificate),
+        tls_client_key=str(encryption.key),
+        require_encryption=True,
+    )
+
+
+@contextmanager
+def _settings() -> Iterator[None]:
+    """Dask's settings for a batch, and its log kept off the terminal."""
+    dask = studio_module("dask")
+    wanted = {
+        "distributed.scheduler.allowed-failures": 0,  # a step that loses its worker is repeated by us
+        "distributed.scheduler.worker-saturation": 1.0,  # none waits on a worker: one that dies loses one step
+        "distributed.worker.daemon": True,
+        "distributed.comm.timeouts.connect": f"{CONNECT_SECONDS}s",
+        "distributed.admin.low-level-log-length": 100,
+    }
+    log = logging.getLogger("distributed")
+    before = log.level
+    log.setLevel(logging.CRITICAL)
+    try:
+        with dask.config.set(wanted):
+            yield
+    finally:
+        log.setLevel(before)
+
+
+def process_name() -> str:
+    """Something that no other batch is called."""
+    return f"{os.getpid()}-{os.urandom(6).hex()}"

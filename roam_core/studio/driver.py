@@ -1,0 +1,209 @@
+"""A batch under way: steps go to workers when those before them are done; what fails is tried again."""
+
+from __future__ import annotations
+
+from collections import Counter, deque
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+from roam_core.installation import studio_module
+from roam_core.studio.cluster import TOPIC, process_name
+from roam_core.studio.tasks import Task, pieces
+
+IN_FLIGHT = 400
+"""Steps that the scheduler knows of at a time: more would only fill its memory."""
+PATIENCE = 60.0
+"""Seconds that a cancelled batch waits for steps to come to a safe point."""
+
+Outcome = dict[str, Any]
+FINISHED = ("done", "kept")
+
+
+@dataclass(frozen=True)
+class Work:
+    """What workers are asked to do: functions of modules, which workers import by name.
+
+    `perform(batch, task, pictures)` carries out a task, a plain value; `cancel(batch)` has the steps of a batch stop at
+    their next safe point.
+    """
+
+    perform: Callable[[str, dict[str, Any], str], Outcome]
+    cancel: Callable[[str], int]
+
+
+class Watcher:
+    """Is told how a batch gets on; this one does nothing with it."""
+
+    def begun(self, steps: int) -> None:
+        """The batch begins, with so many steps."""
+
+    def more(self, steps: int) -> None:
+        """A fill was divided into so many steps more."""
+
+    def moved(self, message: Mapping[str, Any]) -> None:
+        """A step came to a frame. Called on another thread."""
+
+    def ended(self, outcome: Outcome) -> None:
+        """A step ended; `status` says how."""
+
+
+@dataclass
+class _Line:
+    """The steps of one job, or the pieces of one of them, and what they came to."""
+
+    tasks: list[Task]
+    next: int = 0
+    pieces_left: int = 0
+    outcomes: list[Outcome] = field(default_factory=list)
+
+
+@dataclass(frozen=True)
+class _Ready:
+    task: Task
+    line: int
+    is_piece: bool = False
+    attempt: int = 0
+
+    def again(self) -> _Ready:
+        return replace(self, attempt=self.attempt + 1)
+
+
+def run(
+    client: Any,
+    work: Work,
+    jobs: Sequence[Sequence[Task]],
+    *,
+    retries: int = 1,
+    pictures: str = "",
+    watcher: Watcher | None = None,
+) -> Iterator[Outcome]:
+    """Carry out jobs on the workers of a client; yields what each step came to, as they end.
+
+    A step that fails, or whose worker dies, is tried `retries` times more; then the rest of its job is left out, and
+    yielded as `skipped`. Leaving the iteration early (by an exception too) stops what runs, at a safe point.
+    """
+    return _Batch(client, work, jobs, retries, pictures, watcher or Watcher()).run()
+
+
+class _Batch:
+    def __init__(
+        self,
+        client: Any,
+        work: Work,
+        jobs: Sequence[Sequence[Task]],
+        retries: int,
+        pictures: str,
+        watcher: Watcher,
+    ) -> None:
+        self._client, self._work, self._retries = client, work, retries
+        self._pictures, self._watcher = pictures, watcher
+        self._lines = [_Line(list(tasks)) for tasks in jobs]
+        self._ready = deque(_Ready(line.tasks[0], k) for k, line in enumerate(self._lines) if line.tasks)
+        self._flying: dict[str, tuple[Any, _Ready]] = {}
+        self._name = process_name()
+        self._sent = Counter[str]()
+
+    def run(self) -> Iterator[Outcome]:
+        self._watcher.begun(sum(len(line.tasks) for line in self._lines))
+        ended = studio_module("distributed").as_completed(with_results=True, raise_errors=False)
+        with self._heard():
+            try:
+                self._send(ended)
+                while self._flying:
+                    future, result = next(ended)
+                    yield from self._received(future, result)
+                    del future
+                    self._send(ended)
+            except BaseException:
+                self._stop()
+                raise
+
+    def _send(self, ended: Any) -> None:
+        """Give the scheduler what is ready: what goes on with a job before what begins one."""
+        while self._ready and len(self._flying) < IN_FLIGHT:
+            ready = self._ready.popleft()
+            self._sent[ready.task.record] += 1
+            future = self._client.submit(
+                self._work.perform,
+                self._name,
+                ready.task.plain(),
+                self._pictures,
+                key=f"roam-{ready.task.verb}-{self._name}-{len(self._sent)}-{sum(self._sent.values())}",
+                pure=False,
+                retries=0,
+                priority=self._lines[ready.line].next,
+            )
+            self._flying[future.key] = future, ready
+            ended.add(future)
+
+    def _received(self, future: Any, result: Any) -> Iterator[Outcome]:
+        _, ready = self._flying.pop(future.key)
+        outcome = result if isinstance(result, dict) else _lost(ready.task, result)
+        line = self._lines[ready.line]
+        outcome["attempts"] = ready.attempt + 1
+        if outcome["status"] == "failed" and ready.attempt < self._retries:
+            self._ready.appendleft(ready.again())
+            return
+        if outcome["status"] == "split":
+            parts, line.tasks[line.next] = pieces(ready.task, outcome["pieces"])
+            line.pieces_left = len(parts)
+            self._ready.extendleft(_Ready(part, ready.line, is_piece=True) for part in reversed(parts))
+            self._watcher.more(len(parts))
+            return
+        self._watcher.ended(outcome)
+        yield outcome
+        if ready.is_piece:  # one that failed is filled again, and told of, where the pieces are put together
+            line.pieces_left -= 1
+            if line.pieces_left == 0:
+                self._ready.appendleft(_Ready(line.tasks[line.next], ready.line))
+            return
+        yield from self._next(line, ready.line, outcome)
+
+    def _next(self, line: _Line, place: int, outcome: Outcome) -> Iterator[Outcome]:
+        line.next += 1
+        if line.next == len(line.tasks):
+            return
+        if outcome["status"] in FINISHED:
+            self._ready.appendleft(_Ready(line.tasks[line.next], place))
+            return
+        for task in line.tasks[line.next :]:
+            said = f"{outcome['step']} did not end well."
+            left_out = {"job": task.job, "step": task.step, "status": "skipped", "said": said, "seconds": 0.0}
+            self._watcher.ended(left_out)
+            yield left_out
+
+    def _stop(self) -> None:
+        """Cancel what waits, and wait until what runs has come to a safe point."""
+        distributed = studio_module("distributed")
+        waiting = [future for future, _ in self._flying.values()]
+        if not waiting:
+            return
+        running = {key for keys in self._client.processing().values() for key in keys}
+        self._client.cancel([future for future in waiting if future.key not in running], force=True)
+        self._client.run(self._work.cancel, self._name)
+        left = [future for future in waiting if future.key in running and future.status == "pending"]
+        if left:
+            try:
+                distributed.wait(left, timeout=PATIENCE)
+            except TimeoutError:
+                self._client.cancel(left, force=True)
+
+    @contextmanager
+    def _heard(self) -> Iterator[None]:
+        """Have the watcher hear of frames, for the length of a `with` block."""
+        handler: Callable[[Any], None] = lambda event: self._watcher.moved(event[1])  # noqa: E731
+        self._client.subscribe_topic(TOPIC, handler)
+        try:
+            yield
+        finally:
+            self._client.unsubscribe_topic(TOPIC)
+
+
+def _lost(task: Task, error: Any) -> Outcome:
+    """What is said of a step whose worker died, or that ended by an error of the program."""
+    error = error[1] if isinstance(error, tuple) else error  # as `sys.exc_info` has it
+    is_dead = type(error).__name__ in ("KilledWorker", "CancelledError", "FutureCancelledError")
+    said = "its worker died (out of memory, or ended from outside)" if is_dead else f"{type(error).__name__}: {error}"
+    return {"job": task.job, "step": task.step, "status": "failed", "said": said, "seconds": 0.0, "frames": {}}

@@ -1,0 +1,213 @@
+"""An edit of OpenTimelineIO: its clips become jobs, handles included, and their mattes go back above them."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+from roam_core.atomic_write import write_atomically
+from roam_core.bounded import bounded_bytes
+from roam_core.errors import RoamError
+from roam_core.installation import studio_module
+from roam_core.media import PlateSource, open_clip
+from roam_core.studio.jobs import Job, Jobs, Step, require_possible
+
+SUFFIX = ".otio"
+LIBRARY = "opentimelineio"
+MOST_BYTES = 256 << 20
+INIT_SUFFIXES = (".roam", ".png", ".exr", ".tif", ".tiff", ".jpg")
+_NUMBERED = re.compile(r"(.*?)(\d+)(\D*)")
+Steps = tuple[Step, ...] | Callable[[Path | None], tuple[Step, ...]]
+"""The steps of every job, or what gives them by what a job begins with."""
+
+
+def read_edit(path: Path) -> Any:
+    """The timeline of an `.otio` file. Raises `RoamError` where there is none that can be read."""
+    otio = studio_module(LIBRARY)
+    content = bounded_bytes(path, MOST_BYTES)
+    try:
+        text = content.decode("utf-8")
+        json.loads(text)  # what is nested too deeply, or is no JSON, is told here
+        timeline = otio.core.deserialize_json_from_string(text)
+    except RecursionError:
+        raise RoamError(f"{path} is nested too deeply to be an edit.") from None
+    except (ValueError, otio.exceptions.OTIOError) as error:
+        raise RoamError(f"{path} is no edit of OpenTimelineIO: {error}.") from None
+    if not isinstance(timeline, otio.schema.Timeline):
+        raise RoamError(f"{path} holds no timeline of OpenTimelineIO.")
+    return timeline
+
+
+def jobs_of_edit(timeline: Any, path: Path, inits: Path, handles: int, steps: Steps) -> Jobs:
+    """A job for every clip of the edit's video tracks that has a mask or project of its name in `inits`.
+
+    A job's frames are those of the clip that the edit shows, with what transitions take, and `handles` more at either
+    end as far as the plate has them. A mask is of the first of these frames.
+
+    Raises `RoamError` where no clip has an init, or the plate of one that has cannot be opened.
+    """
+    jobs, count = [], 0
+    for name, clip in _named_clips(timeline):
+        count += 1
+        init = next(
+            (inits / f"{name}{suffix}" for suffix in INIT_SUFFIXES if (inits / f"{name}{suffix}").exists()), None
+        )
+        if init is None:
+            continue
+        plate = open_clip(_media_path(clip, path.absolute().parent, name))
+        first, last = _frames(clip, plate, name, handles)
+        chosen = steps(init) if callable(steps) else steps
+        is_mask = init.suffix.lower() != ".roam"
+        job = Job(name, tuple(_within(step, first, last, is_mask) for step in chosen), str(plate.path), init.absolute())
+        require_possible(job, name)
+        jobs.append(job)
+    if not jobs:
+        raise RoamError(f"None of the {count} clip(s) of {path} has a mask or project of its name in {inits}.")
+    return Jobs(tuple(jobs), path.absolute().with_suffix(""))
+
+
+def write_with_mattes(timeline: Any, jobs: Jobs, path: Path) -> None:
+    """Write the edit with a track of mattes above each of its video tracks that has any; gaps where a clip has none.
+
+    Raises `RoamError` where it cannot be written.
+    """
+    otio = studio_module(LIBRARY)
+    if path.suffix.lower() != SUFFIX:
+        raise RoamError(f"An edit is written as OpenTimelineIO; {path.name} does not end in {SUFFIX}.")
+    made = timeline.deepcopy()
+    by_name = {job.name: job for job in jobs.jobs}
+    named = list(_named_clips(made))
+    for track in list(made.video_tracks()):
+        mattes = otio.schema.Track(name=f"{track.name} mattes".strip(), kind=track.kind)
+        has_any = False
+        for item in track:
+            if isinstance(item, otio.schema.Transition):
+                continue
+            job = by_name.get(next((name for name, clip in named if clip is item), ""))
+            reference = None if job is None else _matte_reference(job, jobs.out / job.name / "mattes", item)
+            has_any = has_any or reference is not None
+            mattes.append(_above(item, reference))
+        if has_any:
+            made.tracks.insert(made.tracks.index(track) + 1, mattes)
+    write_atomically(path, otio.core.serialize_json_to_string(made, indent=1).encode())
+
+
+def _above(item: Any, reference: Any) -> Any:
+    """A copy of a clip with mattes for its media, or a gap as long as the item."""
+    otio = studio_module(LIBRARY)
+    if reference is None:
+        return otio.schema.Gap(source_range=otio.opentime.TimeRange(duration=item.duration()))
+    clip = otio.schema.Clip(
+        name=item.name, media_reference=reference, source_range=item.trimmed_range(), metadata=item.metadata
+    )
+    clip.effects.extend(effect.deepcopy() for effect in item.effects)
+    return clip
+
+
+def _matte_reference(job: Job, folder: Path, clip: Any) -> Any:
+    """The mattes of a job as a sequence of images in the clip's own time; None where there are none."""
+    otio = studio_module(LIBRARY)
+    plate = open_clip(job.clip or "")
+    found = {path.stem: path for path in sorted(folder.iterdir())} if folder.is_dir() else {}
+    there = [frame for frame in plate.frames if plate.frame_name(frame) in found]
+    numbered = None if not there else _NUMBERED.fullmatch(plate.frame_name(there[0]))
+    if numbered is None:
+        return None
+    prefix, number, rest = numbered.groups()
+    media, start = clip.available_range(), clip.available_range().start_time
+    shift = otio.opentime.RationalTime(there[0] - _frame_at(clip, plate, start), media.start_time.rate)
+    return otio.schema.ImageSequenceReference(
+        target_url_base=otio.url_utils.url_from_filepath(str(folder)) + "/",
+        name_prefix=prefix,
+        name_suffix=rest + found[plate.frame_name(there[0])].suffix,
+        start_frame=int(number),
+        frame_zero_padding=len(number),
+        rate=media.start_time.rate,
+        available_range=otio.opentime.TimeRange(
+            start + shift, otio.opentime.RationalTime(there[-1] - there[0] + 1, media.start_time.rate)
+        ),
+        metadata={"roam": {"project": str(folder.parent / f"{job.name}.roam")}},
+    )
+
+
+def _named_clips(timeline: Any) -> Iterator[tuple[str, Any]]:
+    """Every clip of the video tracks, with a name that can be a folder's and that no other has."""
+    otio = studio_module(LIBRARY)
+    taken: set[str] = set()
+    for track in timeline.video_tracks():
+        for clip in track.find_children(otio.schema.Clip):
+            plain = re.sub(r"[^\w.+-]+", "_", clip.name or "").strip("._") or "clip"
+            name, number = plain[:100], 2
+            while name.casefold() in taken:
+                name, number = f"{plain[:100]}-{number}", number + 1
+            taken.add(name.casefold())
+            yield name, clip
+
+
+def _media_path(clip: Any, folder: Path, name: str) -> str:
+    """Where a clip's media lie: a path, or a pattern of a sequence."""
+    otio = studio_module(LIBRARY)
+    reference = clip.media_reference
+    if isinstance(reference, otio.schema.ImageSequenceReference):
+        base = _path_of(reference.target_url_base or ".", name)
+        number = f"%0{reference.frame_zero_padding}d" if reference.frame_zero_padding else "%d"
+        return str(folder / base / f"{reference.name_prefix}{number}{reference.name_suffix}")
+    if isinstance(reference, otio.schema.ExternalReference):
+        return str(folder / _path_of(reference.target_url, name))
+    raise RoamError(f"The clip {name} of the edit has no media; relink it first.")
+
+
+def _path_of(url: str, name: str) -> str:
+    """The path that a URL of a file, or a plain path, names."""
+    scheme = re.match(r"([a-zA-Z][\w+.-]+):", url)
+    if scheme is not None and scheme[1].lower() != "file":
+        raise RoamError(f"The clip {name} of the edit lies at {url}; only files are opened.")
+    return str(studio_module(LIBRARY).url_utils.filepath_from_url(url)) if scheme else url
+
+
+def _frames(clip: Any, plate: PlateSource, name: str, handles: int) -> tuple[int, int]:
+    """The first and the last frame of a plate that a clip of an edit wants."""
+    otio = studio_module(LIBRARY)
+    shown = clip.trimmed_range()
+    speed = max([1.0, *(abs(effect.time_scalar) for effect in clip.effects if _is_warp(effect))])
+    first = _frame_at(clip, plate, shown.start_time)
+    last = first + round(shown.duration.rescaled_to(_rate(clip)).value * speed) - 1
+    before, after = clip.parent().neighbors_of(clip)
+    if isinstance(before, otio.schema.Transition):
+        first -= round(before.in_offset.rescaled_to(_rate(clip)).value)
+    if isinstance(after, otio.schema.Transition):
+        last += round(after.out_offset.rescaled_to(_rate(clip)).value)
+    there = plate.frames[0], plate.frames[-1]
+    if last < there[0] or first > there[1]:
+        raise RoamError(f"The clip {name} shows the frames {first} to {last}; its plate has {there[0]} to {there[1]}.")
+    return max(first - handles, there[0]), min(last + handles, there[1])
+
+
+def _is_warp(effect: Any) -> bool:
+    return isinstance(effect, studio_module(LIBRARY).schema.LinearTimeWarp)
+
+
+def _rate(clip: Any) -> float:
+    return float(clip.available_range().start_time.rate)
+
+
+def _frame_at(clip: Any, plate: PlateSource, time: Any) -> int:
+    """The plate's frame at a time of a clip's media, which begin with the first frame of the plate."""
+    reference = clip.media_reference
+    first = getattr(reference, "start_frame", None)
+    since = (time - clip.available_range().start_time).rescaled_to(_rate(clip)).value
+    start: int = plate.frames[0] if first is None else int(first)
+    return start + round(float(since))
+
+
+def _within(step: Step, first: int, last: int, is_mask: bool) -> Step:
+    """A step that keeps to a range of frames, where it can and nothing else was said."""
+    if step.verb == "track":
+        return replace(step, options={**({"start": first} if is_mask else {}), "end": last, **step.options})
+    if step.verb == "render":
+        return replace(step, options={"start": first, "end": last, **step.options})
+    return step

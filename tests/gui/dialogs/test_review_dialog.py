@@ -1,0 +1,280 @@
+"""Movies, pictures and contact sheets from the window: what is asked for is written, told, stopped, asked about."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+
+import cv2
+import numpy as np
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QComboBox
+from pytestqt.qtbot import QtBot
+
+from app.dialogs.review_dialog import ReviewDialog
+from app.jobs.review.job import ReviewJob
+from app.jobs.runner import Ending, Runner
+from app.model.document import Document
+from app.model.view_state import ViewState
+from app.model.viewing import ViewMode
+from roam_core.arrays import UInt8
+from roam_core.review.boil import BOILING
+from roam_core.review.look import Burn, ReviewView
+from roam_core.review.movie import movie_length
+from roam_core.review.picture import review_picture
+from roam_core.review.writing import Output
+from roam_core.roto import Keyframe, Origin, edit, file, timing
+from tests.golden.shots import square
+from tests.gui.windows import COUNT, FIRST, opened_window, write_clip
+from tests.unit.cli.conftest import Roam, roam  # noqa: F401 - a fixture
+from tests.unit.review.conftest import body, project_of, read
+
+WAIT = 30_000
+LEFT = Qt.MouseButton.LeftButton
+
+
+class Plate:
+    """Gives pictures on the worker's thread; while it is shut it makes it wait."""
+
+    def __init__(self) -> None:
+        self.opened = threading.Event()
+        self.opened.set()
+        self.threads: set[str] = set()
+
+    def read(self, frame: int) -> UInt8:
+        self.threads.add(threading.current_thread().name)
+        assert self.opened.wait(WAIT / 1000)
+        return read(frame)
+
+
+@pytest.fixture
+def plate() -> Plate:
+    return Plate()
+
+
+@pytest.fixture
+def answers() -> list[bool]:
+    """What the artist says when asked whether to write over files, one after the other."""
+    return []
+
+
+@pytest.fixture
+def dialog(
+    qtbot: QtBot, document: Document, view_state: ViewState, runner: Runner, tmp_path: Path, plate: Plate,
+    answers: list[bool],
+) -> Iterator[ReviewDialog]:  # fmt: skip
+    def ask(_: Sequence[Path]) -> bool:
+        return answers.pop(0)
+
+    writing = ReviewJob(document, runner, plate.read, may_overwrite=ask)
+    document.open(project_of(body([4.0 * k for k in range(10)])), None)
+    view_state.set_play_range(1003, 1006)
+    dialog = ReviewDialog(document, view_state, writing, lambda suffix: tmp_path / f"shot{suffix}")
+    qtbot.addWidget(dialog)
+    with qtbot.waitExposed(dialog):
+        dialog.show_for(Output.MOVIE, ViewMode.OVERLAY)
+    yield dialog
+    plate.opened.set()
+
+
+def pick(field: QComboBox, value: str) -> None:
+    field.setCurrentIndex(field.findData(value))
+    assert field.currentData() == value
+
+
+def write(qtbot: QtBot, dialog: ReviewDialog) -> str:
+    """Press Write, wait for the end; gives what the dialog tells."""
+    with qtbot.waitSignal(dialog._writing.finished, timeout=WAIT):
+        qtbot.mouseClick(dialog.start, LEFT)
+    return dialog.hint.text()
+
+
+def test_a_movie_is_proposed_beside_the_project_and_written_off_the_windows_thread(
+    qtbot: QtBot, dialog: ReviewDialog, tmp_path: Path, plate: Plate
+) -> None:
+    assert dialog.target.text() == str(tmp_path / "shot_review.mp4")
+    assert dialog.hint.text() == "10 frames, 160 x 90"
+    assert write(qtbot, dialog) == f"Wrote 10 frame(s) at 24 fps to {tmp_path / 'shot_review.mp4'}."
+    assert movie_length(tmp_path / "shot_review.mp4") == 10
+    assert threading.main_thread().name not in plate.threads
+
+
+def test_range_size_speed_and_what_is_on_it_are_asked_for(qtbot: QtBot, dialog: ReviewDialog, tmp_path: Path) -> None:
+    qtbot.mouseClick(dialog.in_out, LEFT)
+    dialog.scale.setValue(50.0)
+    dialog.fps.setValue(12.0)
+    pick(dialog.view, ReviewView.CUTOUT.value)
+    dialog.burns[Burn.NOTE].setChecked(False)
+    request = dialog.request()
+    assert request.frames == (1003, 1004, 1005)
+    assert request.look.burns == frozenset({Burn.FRAME})
+    assert request.look.view is ReviewView.CUTOUT
+    assert dialog.hint.text() == "3 frames, 80 x 44"
+    write(qtbot, dialog)
+    assert cv2.VideoCapture(str(tmp_path / "shot_review.mp4")).get(cv2.CAP_PROP_FPS) == pytest.approx(12.0)
+
+
+def test_the_viewers_cut_out_is_proposed_as_one(dialog: ReviewDialog) -> None:
+    assert not dialog.ground.isEnabled()
+    dialog.show_for(Output.MOVIE, ViewMode.CUTOUT)
+    assert dialog.request().look.view is ReviewView.CUTOUT
+    assert dialog.ground.isEnabled()
+
+
+def test_pictures_go_to_a_folder_and_are_those_of_the_engine(
+    qtbot: QtBot, dialog: ReviewDialog, tmp_path: Path, document: Document
+) -> None:
+    pick(dialog.output, Output.PICTURES.value)
+    assert dialog.target.text() == str(tmp_path / "shot_review")
+    dialog.which.setCurrentText("1002")
+    request = dialog.request()
+    write(qtbot, dialog)
+    written = cv2.imread(str(tmp_path / "shot_review" / "review.1002.png"))[..., ::-1]
+    assert (written == review_picture(read(1002), document.project, 1002, request.look)).all()
+
+
+def test_a_sheet_takes_every_tenth_frame_at_first_or_what_is_typed(
+    qtbot: QtBot, dialog: ReviewDialog, tmp_path: Path
+) -> None:
+    pick(dialog.output, Output.SHEET.value)
+    assert dialog.hint.text() == "1 frame on 1 page"
+    assert not dialog.fps.isEnabled()
+    dialog.which.setCurrentText("x2,notes")
+    dialog.columns.setValue(2)
+    dialog.rows.setValue(1)
+    assert dialog.hint.text() == "6 frames on 3 pages"
+    assert write(qtbot, dialog).startswith("Wrote 6 frame(s) on 3 page(s)")
+    assert sorted(path.name for path in tmp_path.glob("*.png")) == [f"shot_review.{page}.png" for page in (1, 2, 3)]
+
+
+@pytest.mark.parametrize(
+    ("which", "target", "said"),
+    [
+        ("soon", "a.mp4", "'soon' names no frames"),
+        ("boil,1050", "a.mp4", "There is no frame of"),
+        ("all", "", "Say where to write it."),
+        ("all", "a.mkv", "neither a folder nor a movie"),
+    ],
+)
+def test_what_cannot_be_written_is_told_before_it_is_tried(
+    dialog: ReviewDialog, which: str, target: str, said: str
+) -> None:
+    dialog.which.setCurrentText(which)
+    dialog.target.setText(target)
+    if which == "boil,1050":
+        dialog.which.setCurrentText("1050")
+    assert said in dialog.hint.text()
+    assert not dialog.start.isEnabled()
+
+
+def test_a_movie_that_is_stopped_does_not_appear_and_another_can_be_written(
+    qtbot: QtBot, dialog: ReviewDialog, plate: Plate, tmp_path: Path
+) -> None:
+    plate.opened.clear()
+    qtbot.mouseClick(dialog.start, LEFT)
+    qtbot.waitUntil(lambda: bool(plate.threads), timeout=WAIT)
+    assert not dialog.start.isEnabled()
+    with qtbot.waitSignal(dialog._writing.finished, timeout=WAIT) as ended:
+        qtbot.mouseClick(dialog.stop, LEFT)
+        plate.opened.set()
+    assert ended.args[0] is Ending.CANCELLED
+    assert list(tmp_path.iterdir()) == []
+    assert dialog.hint.text() == "Stopped; pictures that are finished stay."
+    assert write(qtbot, dialog).startswith("Wrote 10 frame(s)")
+
+
+def test_what_somebody_else_made_is_asked_about(
+    qtbot: QtBot, dialog: ReviewDialog, tmp_path: Path, answers: list[bool]
+) -> None:
+    target = tmp_path / "shot_review.mp4"
+    target.write_bytes(b"mine")
+    answers[:] = [False, True]
+    assert write(qtbot, dialog) == "Nothing was written; the files that are there stay."
+    assert target.read_bytes() == b"mine"
+    assert write(qtbot, dialog).startswith("Wrote 10 frame(s)")
+    assert write(qtbot, dialog).startswith("Wrote 10 frame(s)"), "our own is not asked about"
+    assert answers == []
+
+
+def test_window_and_command_line_write_the_same_pictures(
+    qtbot: QtBot,
+    tmp_path: Path,
+    roam: Roam,  # noqa: F811
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr("tqdm.tqdm.monitor_interval", 0)  # its thread would outlive the test
+    with opened_window(qtbot, write_clip(tmp_path / "clip"), tmp_path / "state") as window:
+        window.document.apply("Mark", timing.set_mark(window.document.project, FIRST + 1, "look"))
+        window.actions_by_id["review.movie"].trigger()
+        dialog = window.reviewing._dialog
+        assert dialog is not None
+        pick(dialog.output, Output.PICTURES.value)
+        dialog.target.setText(str(tmp_path / "window"))
+        with qtbot.waitSignal(window.review_job.finished, timeout=WAIT):
+            qtbot.mouseClick(dialog.start, LEFT)
+        file.save(window.document.project, tmp_path / "p.roam")
+        dialog.close()
+    assert roam("review", tmp_path / "p.roam", tmp_path / "line").status == 0
+    names = [f"review.{frame}.png" for frame in range(FIRST, FIRST + COUNT)]
+    assert sorted(path.name for path in (tmp_path / "window").iterdir()) == names
+    for name in names:
+        ours, theirs = (cv2.imread(str(tmp_path / place / name)) for place in ("window", "line"))
+        assert np.array_equal(ours, theirs)
+
+
+def test_n_stops_at_frames_that_boil_and_says_so(qtbot: QtBot, tmp_path: Path) -> None:
+    with opened_window(qtbot, write_clip(tmp_path / "clip"), tmp_path / "state") as window:
+        project, shape = edit.new_shape(window.document.project, square(40.0) + 60.0, FIRST, name="Arm")
+        points = {frame: square(40.0) + 60.0 for frame in range(FIRST + 1, FIRST + COUNT)}
+        points[FIRST + 4][0] += 12.0
+        keys = [Keyframe(at, outline, origin=Origin.ENGINE, confidence=0.9) for at, outline in points.items()]
+        window.document.apply("Track", project.with_shape(edit.set_engine_keys(shape, keys)))
+        assert set(window.timeline.boil.most[window.timeline.boil.most[:, 1] >= BOILING, 0]) > {FIRST + 4, FIRST + 5}
+        window.actions_by_id["track.next_doubtful"].trigger()
+        assert window.view_state.frame == FIRST + 4, "where it boils most"
+        assert window.view_state.message.startswith(f"Frame {FIRST + 4}: Arm boils by ")
+        window.actions_by_id["track.next_doubtful"].trigger()
+        assert window.view_state.frame == FIRST + 4
+        assert window.view_state.message == f"No doubtful frame after frame {FIRST + 4}."
+        window.view_state.set_frame(FIRST + 6)
+        window.actions_by_id["track.previous_doubtful"].trigger()
+        assert window.view_state.frame == FIRST + 4
+
+
+def test_the_panel_is_opened_by_its_keys_and_scrolled_to(qtbot: QtBot, tmp_path: Path) -> None:
+    with opened_window(qtbot, write_clip(tmp_path / "clip"), tmp_path / "state") as window:
+        window.canvas.setFocus()
+        assert not window.review_panel.isVisible()
+        qtbot.keyClick(window.canvas, Qt.Key.Key_M, Qt.KeyboardModifier.AltModifier)
+        assert window.review_panel.isVisible()
+        note = window.review.note
+        qtbot.waitUntil(lambda: not note.visibleRegion().isEmpty())
+        note.setFocus()
+        qtbot.keyClicks(note, "b l n")  # a tool, playing and going on; in the field all are letters
+        window.canvas.setFocus()
+        assert [mark.text for mark in window.document.project.marks] == ["b l n"]
+        assert window.playback.speed == 0
+        window.view_state.set_frame(FIRST + 3)
+        qtbot.keyClick(window.canvas, Qt.Key.Key_PageUp, Qt.KeyboardModifier.ControlModifier)
+        assert window.view_state.frame == FIRST
+
+
+def test_boil_is_measured_by_the_picture_and_shown_in_the_lane(qtbot: QtBot, tmp_path: Path) -> None:
+    with opened_window(qtbot, write_clip(tmp_path / "clip"), tmp_path / "state") as window:
+        measure = window.actions_by_id["review.measure_boil"]
+        measure.trigger()
+        assert window.view_state.message == "Nothing is tracked yet whose boil could be measured."
+        project, shape = edit.new_shape(window.document.project, square(40.0) + 60.0, FIRST, name="Arm")
+        keys = [
+            Keyframe(at, square(40.0) + 60.0, origin=Origin.ENGINE, confidence=0.9)
+            for at in range(FIRST + 1, FIRST + COUNT)
+        ]
+        window.document.apply("Track", project.with_shape(edit.set_engine_keys(shape, keys)))
+        assert window.timeline.boil.most[:, 1].max() < 1e-6, "it stands still"
+        with qtbot.waitSignal(window.review_job.finished, timeout=WAIT) as ended:
+            measure.trigger()
+        assert ended.args == [Ending.DONE, "Boil is measured by the picture."]
+        assert window.timeline.boil.most[:, 0].tolist() == [float(at) for at in range(FIRST + 1, FIRST + COUNT - 1)]
+        assert window.timeline.boil.most[:, 1].max() > 1e-3, "the picture below it moves"

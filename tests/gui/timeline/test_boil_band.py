@@ -1,0 +1,107 @@
+"""The lane of boil: there with tracked frames, as high as outlines jitter, and a way to the frame."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtGui import QColor
+from pytestqt.qtbot import QtBot
+
+from app.features.boil import BoilOf, boil_of_document
+from app.model.document import Document
+from app.model.view_state import ViewState
+from app.timeline.boil_band import HEIGHT, most_of
+from app.timeline.keys.row_painter import DOUBT
+from app.timeline.timeline import Timeline
+from roam_core.review.boil import BOILING, boil
+from roam_core.roto import Project, RotoShape
+from tests.gui.timeline.places import x_of
+
+BENT = 1006
+
+
+def bent(shape: RotoShape, by: float = 40.0) -> RotoShape:
+    """The shape with one point out of place on one frame."""
+    keys = []
+    for key in shape.keys:
+        points = key.points.copy()
+        points[0] += by
+        keys.append(replace(key, points=points) if key.frame == BENT else key)
+    return replace(shape, keys=tuple(keys))
+
+
+def test_the_lane_shows_the_most_of_the_shapes_in_hand(
+    timeline: Timeline, document: Document, view_state: ViewState
+) -> None:
+    first, second = document.project.shapes
+    assert timeline.boil.isVisible()
+    assert timeline.boil.most[:, 1].max() < BOILING
+    document.apply("Bend", document.project.with_shape(bent(first)))
+    frame, value = timeline.boil.most[np.argmax(timeline.boil.most[:, 1])]
+    assert frame == BENT
+    assert value == pytest.approx(boil(document.project.shape(first.id))[:, 1].max())
+    assert f"Frame {BENT}\n{value:.1f} px  {first.name}, boils" in timeline.boil.tip_at(x_of(timeline, BENT))
+    view_state.select(frozenset([second.id]))
+    assert timeline.boil.most[:, 1].max() < BOILING, "of the other shape alone"
+
+
+def test_a_bar_beyond_the_line_has_the_colour_of_doubt(timeline: Timeline, document: Document) -> None:
+    document.apply("Bend", document.project.with_shape(bent(document.project.shapes[0])))
+    picture = timeline.boil.grab().toImage()
+    assert picture.pixelColor(x_of(timeline, BENT), HEIGHT - 4) == QColor(DOUBT)
+    assert picture.pixelColor(x_of(timeline, BENT + 8), HEIGHT - 4) != QColor(DOUBT)
+
+
+def test_a_press_goes_to_the_frame(qtbot: QtBot, timeline: Timeline, view_state: ViewState) -> None:
+    qtbot.mousePress(timeline.boil, Qt.MouseButton.LeftButton, pos=QPoint(x_of(timeline, 1012), 10))
+    assert view_state.frame == 1012
+    qtbot.mouseMove(timeline.boil, QPoint(x_of(timeline, 1020), 10))
+    qtbot.mouseRelease(timeline.boil, Qt.MouseButton.LeftButton, pos=QPoint(x_of(timeline, 1020), 10))
+
+
+def test_the_lane_keeps_its_place_without_tracked_frames(timeline: Timeline, document: Document) -> None:
+    place = timeline.boil.geometry()
+    document.open(Project(document.project.clip), None)
+    assert timeline.boil.isVisible()
+    assert timeline.boil.geometry() == place, "what is above does not jump when frames are tracked"
+    assert len(timeline.boil.most) == 0
+
+
+def test_boil_is_measured_anew_only_around_a_key_that_changed(
+    document: Document, timeline: Timeline, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    measured, shape = BoilOf(document), document.project.shapes[0]
+    assert measured(shape) == pytest.approx(boil(shape))
+    counts: list[int] = []
+    from app.features import boil as room
+
+    counted = room.boil_of
+    monkeypatch.setattr(room, "boil_of", lambda keys, closed: counts.append(len(keys)) or counted(keys, closed))
+    changed = replace(
+        shape, keys=tuple(replace(key, points=key.points + 3.0) if key.frame == BENT else key for key in shape.keys)
+    )
+    assert measured(changed) == pytest.approx(boil(changed))
+    assert counts == [3]
+    assert measured(changed) is measured(changed)
+
+
+def test_of_several_shapes_each_frame_has_the_greatest() -> None:
+    measured = [np.array([[1.0, 0.5], [3.0, 2.0]]), np.empty((0, 2)), np.array([[3.0, 1.0], [2.0, 0.1]])]
+    assert most_of(measured).tolist() == [[1.0, 0.5], [2.0, 0.1], [3.0, 2.0]]
+    assert most_of([]).shape == (0, 2)
+
+
+def test_what_was_measured_by_the_picture_stands_until_its_keys_change(document: Document, timeline: Timeline) -> None:
+    shape = document.project.shapes[0]
+    shared = boil_of_document(document)
+    assert boil_of_document(document) is shared
+    frames = boil(shape)[:, 0]
+    shared.take({shape.id: shape}, {shape.id: np.column_stack([frames, np.full(len(frames), 1.5)])})
+    shown = dict(timeline.boil.most.tolist())
+    assert {shown[frame] for frame in frames} == {1.5}
+    document.apply("Bend", document.project.with_shape(bent(shape)))
+    shown = dict(timeline.boil.most.tolist())
+    assert {frame for frame in frames if shown[frame] != 1.5} == {BENT - 1, BENT, BENT + 1}

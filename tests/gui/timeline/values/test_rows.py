@@ -1,0 +1,161 @@
+"""The rows of values: there while something varies; keys clicked, dragged, deleted, bent."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
+from PySide6.QtGui import QMouseEvent
+from PySide6.QtWidgets import QApplication
+from pytestqt.qtbot import QtBot
+
+from app.model.document import Document
+from app.model.view_state import ViewState
+from app.timeline.keys.row_painter import ROW
+from app.timeline.timeline import Timeline
+from roam_core.roto import Animated, Interpolation, Layer, RotoShape, ValueKey
+from tests.gui.timeline.places import place, x_of
+
+LEFT = Qt.MouseButton.LeftButton
+NONE, SHIFT = Qt.KeyboardModifier.NoModifier, Qt.KeyboardModifier.ShiftModifier
+FADES = Animated((ValueKey(1005, 0.2), ValueKey(1015, 0.8), ValueKey(1025, 0.5, Interpolation.HOLD)))
+SOFTENS = Animated((ValueKey(1002, 0.0), ValueKey(1040, 9.0)))
+
+
+@pytest.fixture
+def keyed(qtbot: QtBot, timeline: Timeline, document: Document) -> RotoShape:
+    """The lower shape with an opacity and a feather that vary."""
+    shape = replace(document.project.shape("shape-1"), opacity=FADES, feather=SOFTENS)
+    document.apply("Fade", document.project.with_shape(shape))
+    qtbot.waitUntil(timeline.value_rows.isVisible)
+    return shape
+
+
+def value(document: Document, name: str = "opacity") -> Animated:
+    found = getattr(document.project.shape("shape-1"), name)
+    assert isinstance(found, Animated)
+    return found
+
+
+def send(timeline: Timeline, kind: QEvent.Type, at: QPoint, modifiers: Qt.KeyboardModifier = NONE) -> None:
+    rows, moves = timeline.value_rows, kind == QEvent.Type.MouseMove
+    held = Qt.MouseButton.NoButton if kind == QEvent.Type.MouseButtonRelease else LEFT
+    where = QPointF(at), QPointF(rows.mapToGlobal(at))
+    QApplication.sendEvent(rows, QMouseEvent(kind, *where, Qt.MouseButton.NoButton if moves else LEFT, held, modifiers))
+
+
+def drag(timeline: Timeline, start: QPoint, end: QPoint) -> None:
+    send(timeline, QEvent.Type.MouseButtonPress, start)
+    for at in (start + (end - start) / 2, end):
+        send(timeline, QEvent.Type.MouseMove, at)
+
+
+def test_rows_come_and_go_with_what_varies(
+    qtbot: QtBot, timeline: Timeline, document: Document, view_state: ViewState, keyed: RotoShape
+) -> None:
+    assert [row.title for row in timeline.value_rows.rows()] == ["Shape 1: opacity", "Shape 1: feather"]
+    assert timeline.value_rows.height() == 2 * ROW
+    view_state.select(frozenset({"shape-2"}))
+    assert not timeline.value_rows.isVisible()
+    view_state.select(frozenset())
+    qtbot.waitUntil(timeline.value_rows.isVisible)
+    document.undo_stack.undo()
+    assert not timeline.value_rows.isVisible()
+
+
+def test_a_layer_has_a_row_of_its_opacity(timeline: Timeline, document: Document, view_state: ViewState) -> None:
+    root = document.project.root
+    layer = Layer("layer-1", "Body", root.children[:1], opacity=FADES)
+    document.apply("Layer", replace(document.project, root=replace(root, children=(layer, *root.children[1:]))))
+    assert [row.title for row in timeline.value_rows.rows()] == ["Body: opacity"]
+    send(timeline, QEvent.Type.MouseButtonPress, QPoint(30, 8))
+    assert view_state.layers == {"layer-1"}
+    assert view_state.selection.shapes == {"shape-1"}
+
+
+def test_a_click_chooses_a_key_and_goes_there_and_one_beside_goes_to_the_frame(
+    timeline: Timeline, view_state: ViewState, keyed: RotoShape
+) -> None:
+    for kind in (QEvent.Type.MouseButtonPress, QEvent.Type.MouseButtonRelease):
+        send(timeline, kind, place(timeline, 1015, 0) + QPoint(3, 2))
+    assert timeline.values.places == {("shape-1", "opacity", 1015)}
+    assert view_state.frame == 1015
+    for kind in (QEvent.Type.MouseButtonPress, QEvent.Type.MouseButtonRelease):
+        send(timeline, kind, place(timeline, 1040, 1), SHIFT)
+    assert timeline.values.places == {("shape-1", "opacity", 1015), ("shape-1", "feather", 1040)}
+    send(timeline, QEvent.Type.MouseButtonPress, place(timeline, 1032, 1))
+    assert view_state.frame == 1032
+    assert not timeline.values.places
+
+
+def test_a_dragged_key_is_previewed_and_one_undo_step(
+    timeline: Timeline, document: Document, view_state: ViewState, keyed: RotoShape
+) -> None:
+    before, steps = document.project, document.undo_stack.count()
+    drag(timeline, place(timeline, 1015, 0), place(timeline, 1019, 0))
+    assert document.project is before
+    assert timeline.value_rows.rows()[0].value.frames == (1005, 1019, 1025)
+    send(timeline, QEvent.Type.MouseButtonRelease, place(timeline, 1019, 0))
+    assert value(document).frames == (1005, 1019, 1025)
+    assert value(document, "feather") == SOFTENS
+    assert timeline.values.places == {("shape-1", "opacity", 1019)}
+    assert document.undo_stack.count() == steps + 1
+    assert view_state.preview is None
+
+
+def test_no_key_is_dragged_out_of_the_clip_and_esc_leaves_all_as_it_was(
+    qtbot: QtBot, timeline: Timeline, document: Document, view_state: ViewState, keyed: RotoShape
+) -> None:
+    before = document.project
+    drag(timeline, place(timeline, 1005, 0), QPoint(x_of(timeline, 1001) - 40, 8))
+    assert timeline.value_rows.rows()[0].value.frames[0] == 1001
+    qtbot.keyClick(timeline.value_rows, Qt.Key.Key_Escape)
+    assert view_state.preview is None
+    send(timeline, QEvent.Type.MouseButtonRelease, QPoint(x_of(timeline, 1001), 8))
+    assert document.project is before
+
+
+def test_keys_are_deleted_nudged_and_bent_by_keys_and_actions(
+    qtbot: QtBot, timeline: Timeline, document: Document, keyed: RotoShape
+) -> None:
+    timeline.activateWindow()
+    timeline.value_rows.setFocus()
+    qtbot.waitUntil(timeline.value_rows.hasFocus)
+    timeline.values.select(frozenset({("shape-1", "opacity", 1015)}))
+    qtbot.keyClick(timeline.value_rows, Qt.Key.Key_Right, Qt.KeyboardModifier.AltModifier)
+    assert value(document).frames == (1005, 1016, 1025)
+    actions = {action.objectName(): action for action in timeline.value_rows.menu.actions()}
+    actions["key.tangents"].trigger()
+    assert value(document).keys[1] == ValueKey(1016, 0.8, slopes=(0.0, 0.0))
+    actions["key.smooth"].trigger()
+    assert value(document).keys[1] == ValueKey(1016, 0.8, Interpolation.SMOOTH)
+    qtbot.keyClick(timeline.value_rows, Qt.Key.Key_Delete)
+    assert value(document).frames == (1005, 1025)
+    assert not timeline.values.places
+
+
+def test_choosing_keys_of_shapes_lets_go_of_keys_of_values(timeline: Timeline, keyed: RotoShape) -> None:
+    timeline.values.select(frozenset({("shape-1", "opacity", 1015)}))
+    timeline.keys.select(frozenset({("shape-1", 1001)}))
+    assert not timeline.values.places
+    timeline.values.select(frozenset({("shape-1", "opacity", 1015)}))
+    assert not timeline.keys.places
+
+
+def test_keys_of_what_is_locked_stay(
+    timeline: Timeline, document: Document, view_state: ViewState, keyed: RotoShape
+) -> None:
+    document.apply("Lock", document.project.with_shape(replace(keyed, locked=True)))
+    before = document.project
+    drag(timeline, place(timeline, 1015, 0), place(timeline, 1019, 0))
+    send(timeline, QEvent.Type.MouseButtonRelease, place(timeline, 1019, 0))
+    assert document.project is before
+    assert view_state.message == "It is locked; unlock it to change its keys."
+
+
+def test_tips_tell_the_value(timeline: Timeline, keyed: RotoShape) -> None:
+    tip = timeline.value_rows.tip_at
+    assert tip(QPointF(place(timeline, 1010, 0))) == "Shape 1: opacity, frame 1010: 50 %"
+    assert tip(QPointF(place(timeline, 1040, 1))) == "Shape 1: feather, frame 1040: 9 px, a key"
+    assert tip(QPointF(20, 8)) == "Shape 1: opacity. Click to select"

@@ -1,0 +1,110 @@
+"""An edit's clips become jobs, with handles and transitions, and their mattes go back above them."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from roam_core.cli.performing import perform
+from roam_core.errors import RoamError
+from roam_core.studio.edits import read_edit
+from roam_core.studio.finding import jobs_from
+from roam_core.studio.tasks import tasks_of
+from tests.unit.studio.shots import put_mask, put_plate
+
+otio = pytest.importorskip("opentimelineio", reason="OpenTimelineIO is not installed (pip install 'roam-roto[studio]')")
+RATE = 24.0
+
+
+def time(frames: float) -> Any:
+    return otio.opentime.RationalTime(frames, RATE)
+
+
+def span(first: float, length: float) -> Any:
+    return otio.opentime.TimeRange(time(first), time(length))
+
+
+def clip(name: str, plate: Path, first: int, length: int, **reference: Any) -> Any:
+    """A clip of the shot's plate, whose media begin at 1001 and are six frames long."""
+    media = otio.schema.ImageSequenceReference(
+        target_url_base=plate.as_uri(), name_prefix="plate.", name_suffix=".png", start_frame=1001, rate=RATE,
+        frame_zero_padding=4, available_range=span(1001, 6), **reference,
+    )  # fmt: skip
+    return otio.schema.Clip(name=name, media_reference=media, source_range=span(first, length))
+
+
+@pytest.fixture
+def edit(tmp_path: Path) -> Path:
+    """An edit of three clips, two of which have masks; the second one is dissolved into."""
+    plate = put_plate(tmp_path / "plate")
+    (tmp_path / "inits").mkdir()
+    for name in ("sh010", "sh_020"):
+        put_mask(tmp_path / "inits" / f"{name}.png")
+    track = otio.schema.Track(name="V1", kind=otio.schema.TrackKind.Video)
+    track.append(clip("sh010", plate, 1002, 2))
+    track.append(clip("titles", plate, 1001, 3))
+    track.append(otio.schema.Transition(in_offset=time(1), out_offset=time(0)))
+    track.append(clip("sh/020", plate, 1004, 2))
+    timeline = otio.schema.Timeline(name="edit")
+    timeline.tracks.append(track)
+    path = tmp_path / "edit.otio"
+    path.write_text(otio.core.serialize_json_to_string(timeline))
+    return path
+
+
+def ranges(path: Path, handles: int, **options: Any) -> dict[str, tuple[int, int]]:
+    jobs = jobs_from(path, handles=handles, inits=path.parent / "inits", **options).jobs.jobs
+    return {job.name: (job.steps[0].options["start"], job.steps[0].options["end"]) for job in jobs}
+
+
+def test_clips_with_an_init_become_jobs_of_the_frames_that_the_edit_shows(edit: Path) -> None:
+    assert ranges(edit, 0) == {"sh010": (1002, 1003), "sh_020": (1003, 1005)}
+    assert ranges(edit, 1) == {"sh010": (1001, 1004), "sh_020": (1002, 1006)}
+    assert ranges(edit, 50) == {"sh010": (1001, 1006), "sh_020": (1001, 1006)}
+
+
+def test_the_edit_comes_back_with_a_track_of_mattes(edit: Path, tmp_path: Path) -> None:
+    found = jobs_from(edit, handles=1, inits=tmp_path / "inits", out=tmp_path / "out")
+    line = tasks_of(found.jobs)[0]
+    line[0] = type(line[0])(**{**line[0].plain(), "words": (*line[0].words, "--config", "baseline")})
+    assert [perform("b", task.plain())["status"] for task in line] == ["done", "done"]
+    found.write_timeline(tmp_path / "with.otio")
+    made = read_edit(tmp_path / "with.otio")
+    plain, mattes = made.video_tracks()
+    assert [type(item).__name__ for item in mattes] == ["Clip", "Gap", "Gap"]
+    assert [item.duration().value for item in mattes] == [2, 3, 2]
+    media = mattes[0].media_reference
+    shown = mattes[0].trimmed_range().start_time
+    place = otio.url_utils.filepath_from_url(media.target_url_for_image_number(media.frame_for_time(shown) - 1001))
+    assert Path(place) == tmp_path / "out" / "sh010" / "mattes" / "plate.1002.png"
+    assert Path(place).exists()
+    assert media.available_range == span(1001, 4)
+    assert plain.is_equivalent_to(read_edit(edit).video_tracks()[0])
+
+
+def test_what_is_no_edit_or_has_no_init_is_told(edit: Path, tmp_path: Path) -> None:
+    with pytest.raises(RoamError, match="--inits"):
+        jobs_from(edit)
+    (tmp_path / "empty").mkdir()
+    with pytest.raises(RoamError, match=r"None of the 3 clip\(s\)"):
+        jobs_from(edit, inits=tmp_path / "empty")
+    for text, said in (
+        ("{", "is no edit"),
+        ("[" * 100_000, "nested too deeply"),
+        ('{"OTIO_SCHEMA": "Gap.1"}', "timeline"),
+    ):
+        edit.write_text(text)
+        with pytest.raises(RoamError, match=said):
+            jobs_from(edit, inits=tmp_path / "inits")
+
+
+@pytest.mark.parametrize(("url", "said"), [("http://show/plate.mov", "only files"), ("gone.mov", "gone.mov")])
+def test_media_that_cannot_be_opened_are_told(edit: Path, tmp_path: Path, url: str, said: str) -> None:
+    timeline = read_edit(edit)
+    media = otio.schema.ExternalReference(target_url=url, available_range=span(0, 10))
+    timeline.video_tracks()[0][0].media_reference = media
+    edit.write_text(otio.core.serialize_json_to_string(timeline))
+    with pytest.raises(RoamError, match=said):
+        jobs_from(edit, inits=tmp_path / "inits")

@@ -1,0 +1,176 @@
+"""A step carried out: the same bits as the command gives, known again, cancelled, and told of."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from roam_core import load_project
+from roam_core.cli import main, performing
+from roam_core.cli.performing import perform
+from roam_core.roto import file
+from roam_core.studio.finding import jobs_from
+from roam_core.studio.pictures import doubtful
+from roam_core.studio.tasks import Task, pieces, tasks_of
+from tests.unit.studio.shots import put_gaps, put_plate, put_shot
+
+CONFIG = "baseline"
+
+
+def carried_out(path: Path, out: Path, pictures: str = "", **options: Any) -> list[dict[str, Any]]:
+    """All steps of the jobs at `path`, one after the other, in this process."""
+    jobs = jobs_from(path, out=out, **options).jobs
+    return [perform("b", json.loads(json.dumps(task.plain())), pictures) for line in tasks_of(jobs) for task in line]
+
+
+@pytest.fixture
+def show(tmp_path: Path) -> Path:
+    put_shot(tmp_path / "show" / "sh010")
+    steps = [{"track": {"config": CONFIG}}, "render", {"export": {"to": "nuke", "keys": "artist"}}]
+    job = {"name": "sh010", "clip": "show/sh010/plate", "init": "show/sh010/init.png", "steps": steps}
+    (tmp_path / "jobs.json").write_text(json.dumps({"type": "roam.Jobs", "version": 1, "jobs": [job]}))
+    return tmp_path / "jobs.json"
+
+
+def test_steps_give_what_the_commands_give(show: Path, tmp_path: Path) -> None:
+    outcomes = carried_out(show, tmp_path / "out")
+    assert [outcome["status"] for outcome in outcomes] == ["done"] * 3
+    assert sorted(outcomes[0]["frames"]) == [str(frame) for frame in range(1001, 1007)]
+    shot, alone = show.parent / "show" / "sh010", tmp_path / "alone"
+    (alone / "deep").mkdir(parents=True)
+    project = alone / "deep" / "sh010.roam"
+    init = str(shot / "init.png")
+    assert main(["track", str(shot / "plate"), "--init", init, "--config", CONFIG, "--save", str(project)]) == 0
+    assert main(["render", str(project), "--out", str(alone / "deep" / "mattes")]) == 0
+    assert main(["export", str(project), str(alone / "deep" / "sh010.nk"), "--to", "nuke", "--keys", "artist"]) == 0
+    made = tmp_path / "out" / "sh010"
+    for path in sorted((alone / "deep").rglob("*")):
+        if path.is_file():
+            assert (made / path.relative_to(alone / "deep")).read_bytes() == path.read_bytes(), path
+
+
+def test_what_is_done_is_kept_until_something_changes(show: Path, tmp_path: Path) -> None:
+    out = tmp_path / "out"
+    first = carried_out(show, out)
+    again = carried_out(show, out)
+    assert [outcome["status"] for outcome in again] == ["kept"] * 3
+    assert again[0]["frames"] == first[0]["frames"]
+    (out / "sh010" / "mattes" / "plate.1003.png").write_bytes(b"")
+    assert [outcome["status"] for outcome in carried_out(show, out)] == ["kept", "done", "kept"]
+    frame = show.parent / "show" / "sh010" / "plate" / "plate.1004.png"
+    frame.write_bytes((frame.parent / "plate.1003.png").read_bytes())
+    assert [outcome["status"] for outcome in carried_out(show, out)] == ["done"] * 3
+    assert not list(out.rglob("*.roam.1"))  # what was made is no one else's work
+
+
+def test_a_result_that_the_artist_went_on_with_is_kept_aside(show: Path, tmp_path: Path) -> None:
+    out = tmp_path / "out"
+    carried_out(show, out)
+    result = out / "sh010" / "sh010.roam"
+    mine = result.read_bytes().replace(b"Shape 1", b"My work")
+    assert mine != result.read_bytes()
+    result.write_bytes(mine)
+    assert carried_out(show, out)[0]["status"] == "kept"
+    assert result.read_bytes() == mine
+    (out / "sh010" / "sh010.1-track.roam").unlink()
+    assert carried_out(show, out)[0]["status"] == "done"
+    assert (out / "sh010" / "sh010.roam.1").read_bytes() == mine
+
+
+def test_a_fill_in_pieces_is_the_fill_of_one_run(tmp_path: Path) -> None:
+    plate = put_plate(tmp_path / "plate")
+    given = put_gaps(tmp_path / "sh010.roam", plate)
+    job = {"name": "sh010", "init": str(given), "steps": [{"fill": {"config": CONFIG}}]}
+    (tmp_path / "jobs.json").write_text(json.dumps({"type": "roam.Jobs", "version": 1, "jobs": [job]}))
+    ((task,),) = tasks_of(jobs_from(tmp_path / "jobs.json", out=tmp_path / "out").jobs)
+    split = perform("b", task.plain())
+    assert split["status"] == "split"
+    assert [piece[0] for piece in split["pieces"]] == [(1001, 1003)] * 2 + [(1003, 1006)] * 2
+    parts, whole = pieces(task, split["pieces"])
+    assert [perform("b", part.plain())["status"] for part in reversed(parts)] == ["done"] * 4
+    joined = perform("b", whole.plain())
+    assert joined["status"] == "done"
+    assert "already filled" not in joined["said"]
+    assert {frame: values[1] for frame, values in joined["frames"].items()} == dict.fromkeys(joined["frames"], 0.0)
+    (tmp_path / "deep" / "in").mkdir(parents=True)
+    alone = tmp_path / "deep" / "in" / "one.roam"
+    assert main(["fill", str(given), "--config", CONFIG, "--save", str(alone)]) == 0
+    assert Path(task.result).read_bytes() == alone.read_bytes()
+    assert perform("b", task.plain())["status"] == "kept"
+
+
+def test_keys_of_other_settings_are_not_taken(tmp_path: Path) -> None:
+    given = put_gaps(tmp_path / "a.roam", put_plate(tmp_path / "plate"))
+    other, made = tmp_path / "other.roam", tmp_path / "made.roam"
+    assert main(["fill", str(given), "--config", "lean", "--save", str(other)]) == 0
+    words = ["fill", str(given), "--config", CONFIG, "--save"]
+    assert main([*words, str(made), "--take", str(other)]) == 0
+    assert main([*words, str(tmp_path / "alone.roam")]) == 0
+    assert made.read_bytes() == (tmp_path / "alone.roam").read_bytes()
+
+
+def test_mattes_become_a_project_and_mattes_again(show: Path, tmp_path: Path) -> None:
+    carried_out(show, tmp_path / "out")
+    shot = tmp_path / "matted" / "sh010"
+    shot.mkdir(parents=True)
+    (tmp_path / "out/sh010/mattes").rename(shot / "mattes")
+    (show.parent / "show/sh010/plate").rename(shot / "plate")
+    outcomes = carried_out(tmp_path / "matted", tmp_path / "again")
+    assert [outcome["status"] for outcome in outcomes] == ["done", "done"]
+    assert load_project(tmp_path / "again/sh010/sh010.roam").shapes
+    assert len(list((tmp_path / "again/sh010/mattes").iterdir())) == 6
+
+
+def test_a_refusal_is_told_and_nothing_recorded(show: Path, tmp_path: Path) -> None:
+    ((track, *_),) = tasks_of(jobs_from(show, out=tmp_path / "out").jobs)
+    (show.parent / "show/sh010/init.png").write_bytes(b"no picture")
+    outcome = perform("b", track.plain())
+    assert outcome["status"] == "failed"
+    assert "init.png" in outcome["said"]
+    assert not Path(track.record).exists()
+
+
+def test_a_cancelled_step_stops_and_is_not_taken_for_done(
+    show: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    ((track, *_),) = tasks_of(jobs_from(show, out=tmp_path / "out").jobs)
+    solved: list[Any] = []
+
+    def told(message: Any) -> None:
+        solved.append(message["frame"])
+        assert performing.cancel("other") == 0
+        assert performing.cancel("b") == 1
+
+    monkeypatch.setattr(performing, "PAUSE", 0.0)
+    outcome = perform("b", track.plain(), tell=told)
+    assert outcome["status"] == "cancelled"
+    assert solved == [1001]
+    assert not Path(track.made).exists()
+    assert file.load(track.part).shapes  # what was finished is kept
+    assert performing.cancel("b") == 0
+    assert perform("b", track.plain())["status"] == "done"
+    assert not Path(track.part).exists()
+
+
+def test_doubtful_frames_have_pictures(show: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("roam_core.studio.pictures.DOUBTED", 2.0)
+    outcome = carried_out(show, tmp_path / "out", str(tmp_path / "p"))[0]
+    assert len(outcome["pictures"]) == 3
+    assert sorted(outcome["pictures"].values()) == sorted(path.name for path in (tmp_path / "p").iterdir())
+
+
+def test_the_least_sure_frames_are_doubted_first() -> None:
+    frames = {"3": [0.5, 0, ""], "10": [0.2, 0, ""], "4": [0.95, 0, ""], "5": [0.8, 0, ""]}
+    assert doubtful(frames, 2) == [10, 3]
+    assert doubtful({"4": [0.95, 0, ""]}) == []
+
+
+def test_a_task_travels_as_json(show: Path, tmp_path: Path) -> None:
+    for task in tasks_of(jobs_from(show, out=tmp_path / "out").jobs)[0]:
+        assert Task.of(json.loads(json.dumps(task.plain()))).plain() == json.loads(json.dumps(task.plain())) | {
+            "words": task.words,
+            "reads": task.reads,
+        }

@@ -1,0 +1,66 @@
+"""What was done is known by content: the same input, settings and results, and no other."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+import pytest
+
+from roam_core.errors import RoamError
+from roam_core.studio.records import Record, Seen, digest_of, inputs_of
+
+
+@pytest.fixture
+def record(tmp_path: Path) -> Record:
+    """A step that read `in.txt` and wrote `out.txt`."""
+    (tmp_path / "in.txt").write_text("given")
+    (tmp_path / "out.txt").write_text("made")
+    outputs = {"out.txt": digest_of(tmp_path / "out.txt")}
+    return Record({"pair": (1, 2)}, (Seen.of(tmp_path / "in.txt"),), outputs, {"said": "done"})
+
+
+def holds(record: Record, folder: Path, **settings: object) -> bool:
+    inputs = inputs_of([str(folder / "in.txt")], "", "", record)
+    return record.holds({"pair": (1, 2), **settings}, inputs, folder)
+
+
+def test_a_record_holds_as_long_as_nothing_changes(record: Record, tmp_path: Path) -> None:
+    assert holds(record, tmp_path)
+    os.utime(tmp_path / "in.txt", ns=(1, 1))  # touched, and the same
+    os.utime(tmp_path / "out.txt", ns=(1, 1))
+    assert holds(record, tmp_path)
+    assert not holds(record, tmp_path, more=1)
+
+
+@pytest.mark.parametrize(("name", "text"), [("in.txt", "other"), ("in.txt", "longer than that"), ("out.txt", "mode")])
+def test_it_does_not_hold_of_other_content(record: Record, tmp_path: Path, name: str, text: str) -> None:
+    (tmp_path / name).write_text(text)
+    assert not holds(record, tmp_path)
+
+
+def test_it_does_not_hold_without_its_results(record: Record, tmp_path: Path) -> None:
+    (tmp_path / "out.txt").unlink()
+    assert not holds(record, tmp_path)
+    assert not Record(record.settings, record.inputs, {}, {}).holds(record.settings, record.inputs, tmp_path)
+
+
+def test_a_record_comes_back_from_its_file(record: Record, tmp_path: Path) -> None:
+    record.write(tmp_path / "r.json")
+    found = Record.read(tmp_path / "r.json")
+    assert found is not None
+    assert holds(found, tmp_path)
+    assert found.outcome == {"said": "done"}
+
+
+@pytest.mark.parametrize(
+    "text", ["", "{}", "[]", '{"type": "roam.StepDone", "version": 1, "inputs": 3}', "[" * 100_000]
+)
+def test_a_damaged_record_is_none(tmp_path: Path, text: str) -> None:
+    (tmp_path / "r.json").write_text(text)
+    assert Record.read(tmp_path / "r.json") is None
+
+
+def test_input_that_is_missing_is_told(tmp_path: Path) -> None:
+    with pytest.raises(RoamError, match=r"in\.txt cannot be read"):
+        inputs_of([str(tmp_path / "in.txt")], "", "", None)
