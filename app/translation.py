@@ -37,9 +37,9 @@ def tr(text: str, disambiguation: str = "", n: int = -1, /, **values: object) ->
     """
     if not text:
         return text
-    found = _catalogue.translate("", text, disambiguation, n) or text
+    found = _catalogue.translate("", text, disambiguation, n) or (_counted(text, n) if n >= 0 else text)
     if n >= 0:
-        found = _counted(found, n).replace("%n", str(n))
+        found = found.replace("%n", str(n))
     return _FILLING.vformat(found, (), values) if values else found
 
 

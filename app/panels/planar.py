@@ -12,7 +12,7 @@ from .. import style
 from ..actions.actions import Actions
 from ..features.planar_tracking import PlanarTracking
 from ..model.document import Document
-from ..translation import tr
+from ..translation import N_, tr
 from ..widgets.controls import ChoiceBox, tool_button
 
 WORDS = {
@@ -25,10 +25,13 @@ WORDS = {
     PlaneMotion.HOMOGRAPHY: (N_("Perspective"), N_("The plane tilts as screens and walls near the camera do")),
 }
 LEAVE_OUT_WORDS = {
-    LeaveOut.NOTHING: ("Leave out nothing", "Other shapes say nothing about what lies before the surface"),
-    LeaveOut.ABOVE: ("Leave out shapes above", "Visible shapes above the tracked ones lie before the surface"),
-    LeaveOut.OTHERS: ("Leave out all others", "All other visible shapes lie before the surface"),
-    LeaveOut.CHOSEN: ("Leave out chosen ones", "The shapes chosen by the button beside lie before it, hidden or not"),
+    LeaveOut.NOTHING: (N_("Leave out nothing"), N_("Other shapes say nothing about what lies before the surface")),
+    LeaveOut.ABOVE: (N_("Leave out shapes above"), N_("Visible shapes above the tracked ones lie before the surface")),
+    LeaveOut.OTHERS: (N_("Leave out all others"), N_("All other visible shapes lie before the surface")),
+    LeaveOut.CHOSEN: (
+        N_("Leave out chosen ones"),
+        N_("The shapes chosen by the button beside lie before it, hidden or not"),
+    ),
 }
 LEAVE_OUT_TIP = N_("Which other shapes cover the surface: what lies inside them is not looked at, frame by frame")
 TIP = N_("What the surface inside the shapes may do; choose the simplest that fits")

@@ -68,9 +68,9 @@ class ValueKeyButton(QToolButton):
         )
         self.menu_of_keys.addSeparator()
         self._ways = {kind: self._way(kind) for kind in Interpolation}
-        self._tangents = self._entry("Tangents", lambda value: bent(value, self.frame))
+        self._tangents = self._entry(tr("Tangents"), tr("tangents"), lambda value: bent(value, self.frame))
         self._tangents.setCheckable(True)
-        self._tangents.setToolTip("It runs smoothly through its key here, or the last one before, by tangents")
+        self._tangents.setToolTip(tr("It runs smoothly through its key here, or the last one before, by tangents"))
         self.show_values([0.0], 0)
 
     def show_values(self, values: Sequence[Animatable], frame: int) -> None:

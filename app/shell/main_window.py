@@ -227,20 +227,20 @@ class MainWindow(QMainWindow):
         actions = self.actions_by_id
         shape_tools = tuple(tool_button(actions, name) for name in ("shape.group", "shape.duplicate", "shape.delete"))
         key_tools = tuple(tool_button(actions, name) for name in ("key.set", "key.delete"))
-        self.history_panel = Panel("History", self.history)
-        self.review_panel = Panel("Review", self.review, self.review.tools)
-        shapes, shape = Panel("Shapes", self.shapes, shape_tools), Panel("Shape", self.properties, key_tools)
+        self.history_panel = Panel(tr("History"), self.history)
+        self.review_panel = Panel(tr("Review"), self.review, self.review.tools)
+        shapes, shape = Panel(tr("Shapes"), self.shapes, shape_tools), Panel(tr("Shape"), self.properties, key_tools)
         self.shape_panel = shape
-        tracks = Panel("Track", self.tracker), Panel("Planar track", self.planar_panel)
+        tracks = Panel(tr("Track"), self.tracker), Panel(tr("Planar track"), self.planar_panel)
         asked = self.review_panel, self.history_panel, self.services.log_panel
         column = layout.column(shapes, *tracks, shape, *asked, growing=shapes, is_loose=True)
         column.setObjectName("panelColumn")
         column.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
         for name, panel in zip(("shapes", "track", "planar", "shape"), (shapes, *tracks, shape), strict=True):
             self.workspace.add(name, panel.title, panel)
-        self.workspace.add("review", "Review", self.review_panel, show="review.panel", is_shown_first=False)
-        self.workspace.add("history", "History", self.history_panel, show="edit.history", is_shown_first=False)
-        self.workspace.add("log", "Messages", self.services.log_panel, show="help.log", is_shown_first=False)
+        self.workspace.add("review", tr("Review"), self.review_panel, show="review.panel", is_shown_first=False)
+        self.workspace.add("history", tr("History"), self.history_panel, show="edit.history", is_shown_first=False)
+        self.workspace.add("log", tr("Messages"), self.services.log_panel, show="help.log", is_shown_first=False)
         return layout.scrolled(column)
 
     # ---- connecting

@@ -58,7 +58,7 @@ class MarkBand(QWidget):
         """Put another word on the mark of a frame."""
         mark = timing.mark_at(self._document.project, frame)
         if mark is not None and mark.text != text:
-            self._document.apply("Write note", timing.set_mark(self._document.project, frame, text))
+            self._document.apply(tr("Write note"), timing.set_mark(self._document.project, frame, text))
 
     def mark_at(self, x: float) -> Mark | None:
         """The mark near a pixel, or None."""
@@ -117,8 +117,12 @@ class MarkBand(QWidget):
         mark = self.mark_at(x)
         if mark is None:
             return ""
-        title = f"Frame {mark.frame}: {mark.text}" if mark.text else f"Frame {mark.frame}"
-        return f"{title}\nDrag to move, double-click to write, right-click to remove"
+        title = (
+            tr("Frame {frame}: {text}", frame=mark.frame, text=mark.text)
+            if mark.text
+            else tr("Frame {frame}", frame=mark.frame)
+        )
+        return tr("{title}\nDrag to move, double-click to write, right-click to remove", title=title)
 
     # ---- the rest is private
 
@@ -169,7 +173,7 @@ class MarkField(QLineEdit):
         self._band, self._frame, self._is_asking = band, 0, False
         self.setObjectName("markField")
         self.setProperty(KEEPS_KEYBOARD, True)
-        self.setPlaceholderText("a note on this frame")
+        self.setPlaceholderText(tr("a note on this frame"))
         self.setVisible(False)
         self.editingFinished.connect(self._keep)
 

@@ -36,8 +36,8 @@ class MarkVerbs:
         if project.clip is None:
             self._view.say(tr(NO_CLIP))
         elif timing.mark_at(project, frame) is None:
-            self._document.apply("Mark frame", timing.set_mark(project, frame))
-            self._view.say(f"Frame {frame} is marked; double-click the mark to write a note.")
+            self._document.apply(tr("Mark frame"), timing.set_mark(project, frame))
+            self._view.say(tr("Frame {frame} is marked; double-click the mark to write a note.", frame=frame))
         else:
             self._document.apply(tr("Remove mark"), timing.remove_mark(project, frame))
 

@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QVBoxLayout, QWidget
 from ..actions.actions import Actions
 from ..model.document import Document
 from ..model.view_state import ViewState
+from ..translation import tr
 from ..widgets.controls import tool_button
 from ..widgets.panel import Panel
 from .axis import TimeAxis
@@ -67,7 +68,7 @@ class Timeline(QWidget):
         self.values = ValueSelection(document, self)
         self.value_rows = ValueRows(document, self.axis, self.values)
         self.curves = CurveEditor(document, self.axis, self.values)
-        self.curve_panel = Panel("Curves", self.curves, tuple(tool_button(actions, name) for name in VALUE_MENU[0]))
+        self.curve_panel = Panel(tr("Curves"), self.curves, tuple(tool_button(actions, name) for name in VALUE_MENU[0]))
         self.curve_panel.setVisible(False)
         self.confidence = ConfidencePlot(document, self.axis, marks)
         self.boil = BoilBand(document, self.axis)

@@ -11,6 +11,10 @@
         <source>  doubtful</source>
         <translation>  zweifelhaft</translation>
     </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
     <message numerus="yes">
         <source> %n of its {count} vertices is/are doubtful and ringed.</source>
         <translation>
@@ -43,6 +47,10 @@
         <translation> und </translation>
     </message>
     <message>
+        <source> fps</source>
+        <translation> fps</translation>
+    </message>
+    <message>
         <source> frames</source>
         <translation> Frames</translation>
     </message>
@@ -73,6 +81,14 @@
         <source> {shapes} edited meanwhile: left as they are.</source>
         <translation> {shapes} inzwischen bearbeitet und nicht verändert.</translation>
     </message>
+    <message>
+        <source>%n boiling frame(s)</source>
+        <translation>Flimmernde Frames: %n</translation>
+    </message>
+    <message>
+        <source>%n doubtful frame(s)</source>
+        <translation>Zweifelhafte Frames: %n</translation>
+    </message>
     <message numerus="yes">
         <source>%n doubtful frame(s): N goes to the next one.</source>
         <translation>
@@ -85,6 +101,13 @@
         <translation>
             <numerusform>%n Bearbeitung</numerusform>
             <numerusform>%n Bearbeitungen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n frame(s)</source>
+        <translation>
+            <numerusform>%n Frame</numerusform>
+            <numerusform>%n Frames</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -115,6 +138,17 @@
             <numerusform>%n Keyframes</numerusform>
         </translation>
     </message>
+    <message>
+        <source>%n note(s)</source>
+        <translation>Notizen: %n</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n page(s)</source>
+        <translation>
+            <numerusform>%n Seite</numerusform>
+            <numerusform>%n Seiten</numerusform>
+        </translation>
+    </message>
     <message numerus="yes">
         <source>%n point(s) of it.</source>
         <translation>
@@ -142,6 +176,10 @@
             <numerusform>%n getrackter Frame</numerusform>
             <numerusform>%n getrackte Frames</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>, a key</source>
+        <translation>, ein Keyframe</translation>
     </message>
     <message>
         <source>, worth a look</source>
@@ -216,6 +254,14 @@ Jetzt: {level}, {changes}</translation>
     <message>
         <source>A locked shape cannot be changed by hand</source>
         <translation>Eine gesperrte Form lässt sich nicht von Hand ändern</translation>
+    </message>
+    <message>
+        <source>A movie ends in {suffixes}; pictures go to a folder.</source>
+        <translation>Ein Film endet auf {suffixes}; Bilder kommen in einen Ordner.</translation>
+    </message>
+    <message>
+        <source>A movie or pictures of the outlines or the cut-out, to show</source>
+        <translation>Ein Film oder Bilder der Umrisse oder des Freistellers, zum Zeigen</translation>
     </message>
     <message>
         <source>A part hangs by joints on the parts that it overlaps</source>
@@ -462,12 +508,20 @@ Jetzt: {level}, {changes}</translation>
         <translation>Dahinter ab hier</translation>
     </message>
     <message>
+        <source>Bend opacity or feather smoothly through the chosen keys</source>
+        <translation>Deckkraft oder Feather glatt durch die gewählten Keyframes führen</translation>
+    </message>
+    <message>
         <source>Besides:</source>
         <translation>Außerdem:</translation>
     </message>
     <message>
         <source>Bezier</source>
         <translation>Bézier</translation>
+    </message>
+    <message>
+        <source>Black</source>
+        <translation>Schwarz</translation>
     </message>
     <message>
         <source>Blend</source>
@@ -508,6 +562,14 @@ Jetzt: {level}, {changes}</translation>
     <message>
         <source>Blue</source>
         <translation>Blau</translation>
+    </message>
+    <message>
+        <source>Boil</source>
+        <translation>Flimmern</translation>
+    </message>
+    <message>
+        <source>Boil is measured by the picture.</source>
+        <translation>Das Flimmern ist am Bild gemessen.</translation>
     </message>
     <message>
         <source>Box or click an object: a shape is fitted to it</source>
@@ -588,6 +650,14 @@ Jetzt: {level}, {changes}</translation>
     <message>
         <source>Choose keys in the timeline first: click one, or drag a box around several.</source>
         <translation>Zuerst Keyframes in der Zeitleiste wählen: einen anklicken oder um mehrere einen Rahmen ziehen.</translation>
+    </message>
+    <message>
+        <source>Choose keys of opacity or feather in the timeline or the curve editor first.</source>
+        <translation>Zuerst Keyframes von Deckkraft oder Feather in der Zeitleiste oder im Kurveneditor wählen.</translation>
+    </message>
+    <message>
+        <source>Choose the shapes that lie before the surface, one by one</source>
+        <translation>Die Formen einzeln wählen, die vor der Fläche liegen</translation>
     </message>
     <message>
         <source>Choose…</source>
@@ -690,6 +760,14 @@ Jetzt: {level}, {changes}</translation>
         <translation>Konfidenz: dünn und blau ist sicher, breit und orange ist zweifelhaft, grau ist nicht von der Engine</translation>
     </message>
     <message>
+        <source>Contact sheet</source>
+        <translation>Kontaktbogen</translation>
+    </message>
+    <message>
+        <source>Contact sheet…</source>
+        <translation>Kontaktbogen…</translation>
+    </message>
+    <message>
         <source>Copied the key of frame {frame}: paste puts it on another frame.</source>
         <translation>Keyframe von Frame {frame} kopiert: Einfügen setzt ihn auf einen anderen Frame.</translation>
     </message>
@@ -768,6 +846,14 @@ Jetzt: {level}, {changes}</translation>
     <message>
         <source>Ctrl+wheel</source>
         <translation>Strg+Mausrad</translation>
+    </message>
+    <message>
+        <source>Curve editor</source>
+        <translation>Kurveneditor</translation>
+    </message>
+    <message>
+        <source>Curves</source>
+        <translation>Kurven</translation>
     </message>
     <message>
         <source>Curves carried through a shot</source>
@@ -903,12 +989,16 @@ Jetzt: {level}, {changes}</translation>
         <translation>Was tun?</translation>
     </message>
     <message>
+        <source>Doubtful frames</source>
+        <translation>Zweifelhafte Frames</translation>
+    </message>
+    <message>
         <source>Drag a free line about points, not a rectangle</source>
         <translation>Freie Linie um Punkte ziehen statt eines Rechtecks</translation>
     </message>
     <message>
-        <source>Drag around the object; end near the start to close the shape. Zoom in for a finer fit.</source>
-        <translation>Um das Objekt ziehen; nahe am Anfang enden schließt die Form. Für eine feinere Anpassung hineinzoomen.</translation>
+        <source>Drag around the object; end near the start to close it. Zoom in or press a pen harder for a finer fit.</source>
+        <translation>Um das Objekt ziehen; nahe am Anfang enden schließt die Form. Hineinzoomen oder stärkerer Stiftdruck passt feiner an.</translation>
     </message>
     <message>
         <source>Drag from corner to corner of the ellipse. Shift: a circle. Ctrl: from its centre.</source>
@@ -1029,6 +1119,10 @@ klicken für Ecken, ziehen für Kurven.</translation>
         <translation>Bearbeiten</translation>
     </message>
     <message>
+        <source>Edits key the points that they move; a track derives the others</source>
+        <translation>Änderungen setzen Keyframes für die bewegten Punkte; ein Track leitet die anderen her</translation>
+    </message>
+    <message>
         <source>Edits make keys on their frames; off: they change keys around</source>
         <translation>Änderungen setzen Keyframes auf ihren Frames; aus: Sie ändern die Keyframes ringsum</translation>
     </message>
@@ -1144,6 +1238,10 @@ klicken für Ecken, ziehen für Kurven.</translation>
         <translation>Feather-Tangente</translation>
     </message>
     <message>
+        <source>Feather of the selected shapes, in pixels</source>
+        <translation>Feather der ausgewählten Formen, in Pixeln</translation>
+    </message>
+    <message>
         <source>File</source>
         <translation>Datei</translation>
     </message>
@@ -1252,6 +1350,10 @@ klicken für Ecken, ziehen für Kurven.</translation>
         <translation>Abdocken: Flächen-Track</translation>
     </message>
     <message>
+        <source>Float: Review</source>
+        <translation>Abdocken: Review</translation>
+    </message>
+    <message>
         <source>Float: Second viewer</source>
         <translation>Abdocken: Zweiter Viewer</translation>
     </message>
@@ -1316,6 +1418,10 @@ klicken für Ecken, ziehen für Kurven.</translation>
         <translation>Frame</translation>
     </message>
     <message>
+        <source>Frame number</source>
+        <translation>Framenummer</translation>
+    </message>
+    <message>
         <source>Frame selection</source>
         <translation>Auswahl einpassen</translation>
     </message>
@@ -1324,12 +1430,16 @@ klicken für Ecken, ziehen für Kurven.</translation>
         <translation>Frame {frame}</translation>
     </message>
     <message>
-        <source>Frame {frame} is marked; double-click the mark to name it.</source>
-        <translation>Frame {frame} ist markiert; Doppelklick auf die Markierung benennt sie.</translation>
+        <source>Frame {frame} is marked; double-click the mark to write a note.</source>
+        <translation>Frame {frame} ist markiert; Doppelklick auf die Markierung schreibt eine Notiz.</translation>
     </message>
     <message>
         <source>Frame {frame} is missing from the plate, or damaged</source>
         <translation>Frame {frame} fehlt in der Plate oder ist beschädigt</translation>
+    </message>
+    <message>
+        <source>Frame {frame}, {kind}</source>
+        <translation>Frame {frame}, {kind}</translation>
     </message>
     <message>
         <source>Frame {frame}.</source>
@@ -1350,8 +1460,16 @@ Klicken springt hin, Rechtsklick entfernt ihn</translation>
         <translation>Frame {frame}: Die Konfidenz von {name} ist {confidence:.2f}.{rings}</translation>
     </message>
     <message>
+        <source>Frame {frame}: {name} boils by {pixels:.1f} px.</source>
+        <translation>Frame {frame}: {name} flimmert um {pixels:.1f} px.</translation>
+    </message>
+    <message>
         <source>Frame {frame}: {text}</source>
         <translation>Frame {frame}: {text}</translation>
+    </message>
+    <message>
+        <source>Frame {frame}: {text}, {value}.</source>
+        <translation>Frame {frame}: {text}, {value}.</translation>
     </message>
     <message>
         <source>Frame {frame}: {told}</source>
@@ -1360,6 +1478,10 @@ Klicken springt hin, Rechtsklick entfernt ihn</translation>
     <message>
         <source>Frames</source>
         <translation>Frames</translation>
+    </message>
+    <message>
+        <source>Frames a second of the movie</source>
+        <translation>Frames pro Sekunde des Films</translation>
     </message>
     <message>
         <source>Frames after this one</source>
@@ -1372,6 +1494,10 @@ Klicken springt hin, Rechtsklick entfernt ihn</translation>
     <message>
         <source>Frames from one outline to the next</source>
         <translation>Frames von einem Umriss zum nächsten</translation>
+    </message>
+    <message>
+        <source>Frames worth a look</source>
+        <translation>Frames, die einen Blick wert sind</translation>
     </message>
     <message>
         <source>Free edges, which the picture shows, solid; seams of an object dashed; what a nearer part hides dotted</source>
@@ -1478,16 +1604,28 @@ Klicken springt hin, Rechtsklick entfernt ihn</translation>
         <translation>Zum Frame springen, dem die Engine am wenigsten traut</translation>
     </message>
     <message>
+        <source>Go to the mark or note after this frame</source>
+        <translation>Zur Markierung oder Notiz nach diesem Frame springen</translation>
+    </message>
+    <message>
+        <source>Go to the mark or note before this frame</source>
+        <translation>Zur Markierung oder Notiz vor diesem Frame springen</translation>
+    </message>
+    <message>
         <source>Go to the next frame on which the engine proposes a change</source>
         <translation>Zum nächsten Frame springen, auf dem die Engine eine Änderung vorschlägt</translation>
     </message>
     <message>
-        <source>Go to the next frame worth fixing</source>
-        <translation>Zum nächsten Frame springen, der eine Korrektur wert ist</translation>
+        <source>Go to the next frame worth fixing: where confidence is low, or the outline boils</source>
+        <translation>Zum nächsten Frame springen, der eine Korrektur wert ist: wo die Konfidenz niedrig ist oder der Umriss flimmert</translation>
     </message>
     <message>
         <source>Green</source>
         <translation>Grün</translation>
+    </message>
+    <message>
+        <source>Grey</source>
+        <translation>Grau</translation>
     </message>
     <message>
         <source>Group</source>
@@ -1570,6 +1708,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
     <message>
         <source>How long the shutter is open; 0.5 is 180 degrees</source>
         <translation>Wie lange der Verschluss offen ist; 0,5 sind 180 Grad</translation>
+    </message>
+    <message>
+        <source>How much the shapes in hand jitter beyond the motion of the plate: for shapes that bend as they move</source>
+        <translation>Wie sehr die aktiven Formen über die Bewegung der Plate hinaus zittern: für Formen, die sich beim Bewegen biegen</translation>
     </message>
     <message>
         <source>How much your key&apos;s colours count beside later ones</source>
@@ -1688,12 +1830,20 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Keyframe auf diesem Frame. Klicken löscht ihn</translation>
     </message>
     <message>
+        <source>It is locked; unlock it to change its keys.</source>
+        <translation>Gesperrt; erst entsperrt lassen sich die Keyframes ändern.</translation>
+    </message>
+    <message>
         <source>It joins soft edges as older versions did (Plus), so that its mattes stay as they were; choose Add in the Shape panel where they are to join as in other programs.</source>
         <translation>Es verbindet weiche Kanten wie ältere Versionen (Plus), damit die Mattes bleiben, wie sie waren; Addieren im Formbereich verbindet sie wie in anderen Programmen.</translation>
     </message>
     <message>
         <source>It never varies. Click to set a key on this frame</source>
         <translation>Ändert sich nie. Klicken setzt einen Keyframe auf diesem Frame</translation>
+    </message>
+    <message>
+        <source>It runs smoothly through its key here, or the last one before, by tangents</source>
+        <translation>Verläuft mit Tangenten glatt durch den Keyframe hier oder den letzten davor</translation>
     </message>
     <message>
         <source>It stays, and is found under File &gt; Recover work…</source>
@@ -1732,12 +1882,20 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Angenommen: Es gehört jetzt dazu. {key} trackt von hier weiter.</translation>
     </message>
     <message>
+        <source>Key by hand of {count} of {all} points; the shape {moves}</source>
+        <translation>Keyframe von Hand für {count} von {all} Punkten; die Form {moves}</translation>
+    </message>
+    <message>
         <source>Key by hand; the shape {moves}</source>
         <translation>Keyframe von Hand; die Form {moves}</translation>
     </message>
     <message>
         <source>Key colours</source>
         <translation>Key-Farben</translation>
+    </message>
+    <message>
+        <source>Key points</source>
+        <translation>Punkt-Keyframes</translation>
     </message>
     <message>
         <source>Keys</source>
@@ -1751,6 +1909,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
     <message>
         <source>Keys of</source>
         <translation>Tasten von</translation>
+    </message>
+    <message>
+        <source>Keys of opacity and feather</source>
+        <translation>Keyframes von Deckkraft und Feather</translation>
     </message>
     <message>
         <source>Keys of other programs, and keys of your own</source>
@@ -1815,6 +1977,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
     <message>
         <source>Leave out all others</source>
         <translation>Alle anderen auslassen</translation>
+    </message>
+    <message>
+        <source>Leave out chosen ones</source>
+        <translation>Gewählte auslassen</translation>
     </message>
     <message>
         <source>Leave out nothing</source>
@@ -1949,6 +2115,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Die Änderung ausführen, die die Engine hier vorschlägt</translation>
     </message>
     <message>
+        <source>Make the selected points, as they are here, the artist&apos;s</source>
+        <translation>Die ausgewählten Punkte, wie sie hier sind, zu eigenen machen</translation>
+    </message>
+    <message>
         <source>Make the selected shapes, as they are here, artist keys</source>
         <translation>Aus den ausgewählten Formen, wie sie hier sind, eigene Keyframes machen</translation>
     </message>
@@ -1999,6 +2169,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
     <message>
         <source>Max</source>
         <translation>Max</translation>
+    </message>
+    <message>
+        <source>Measure boil by the picture</source>
+        <translation>Flimmern am Bild messen</translation>
     </message>
     <message>
         <source>Memory for frames</source>
@@ -2129,8 +2303,16 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Punkte oder Formen bewegen, drehen, skalieren und scheren</translation>
     </message>
     <message>
+        <source>Movie</source>
+        <translation>Film</translation>
+    </message>
+    <message>
         <source>Movies (*.mov *.mp4 *.avi *.mkv *.m4v *.mxf *.webm *.mpg *.mpeg *.gif);;All files (*)</source>
         <translation>Filme (*.mov *.mp4 *.avi *.mkv *.m4v *.mxf *.webm *.mpg *.mpeg *.gif);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Movie…</source>
+        <translation>Film…</translation>
     </message>
     <message>
         <source>My keys only</source>
@@ -2139,14 +2321,6 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
     <message>
         <source>Name</source>
         <translation>Name</translation>
-    </message>
-    <message>
-        <source>Name mark</source>
-        <translation>Markierung benennen</translation>
-    </message>
-    <message>
-        <source>Name mark…</source>
-        <translation>Markierung benennen…</translation>
     </message>
     <message>
         <source>Natron Roto node (script)</source>
@@ -2185,8 +2359,8 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Nächster Keyframe</translation>
     </message>
     <message>
-        <source>Next mark</source>
-        <translation>Nächste Markierung</translation>
+        <source>Next note</source>
+        <translation>Nächste Notiz</translation>
     </message>
     <message>
         <source>Next part</source>
@@ -2199,6 +2373,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
     <message>
         <source>Next proposal</source>
         <translation>Nächster Vorschlag</translation>
+    </message>
+    <message>
+        <source>No boil is measured here</source>
+        <translation>Hier ist kein Flimmern gemessen</translation>
     </message>
     <message>
         <source>No doubtful frame after frame {frame}.</source>
@@ -2253,6 +2431,34 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Keine</translation>
     </message>
     <message>
+        <source>Note</source>
+        <translation>Notiz</translation>
+    </message>
+    <message>
+        <source>Note on frame {frame}; Ctrl+Return keeps it</source>
+        <translation>Notiz auf Frame {frame}; Strg+Eingabe behält sie</translation>
+    </message>
+    <message>
+        <source>Note on this frame</source>
+        <translation>Notiz auf diesem Frame</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>Notizen</translation>
+    </message>
+    <message>
+        <source>Notes and doubts</source>
+        <translation>Notizen und Zweifel</translation>
+    </message>
+    <message>
+        <source>Notes, doubtful frames and boil as a list</source>
+        <translation>Notizen, zweifelhafte Frames und Flimmern als Liste</translation>
+    </message>
+    <message>
+        <source>Notes, doubts and boil</source>
+        <translation>Notizen, Zweifel, Flimmern</translation>
+    </message>
+    <message>
         <source>Nothing is called so; try another word, or fewer letters.</source>
         <translation>Nichts heißt so; bitte ein anderes Wort versuchen oder weniger Buchstaben.</translation>
     </message>
@@ -2269,8 +2475,16 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Hier ist nichts getrackt</translation>
     </message>
     <message>
+        <source>Nothing is tracked yet whose boil could be measured.</source>
+        <translation>Noch ist nichts getrackt, dessen Flimmern sich messen ließe.</translation>
+    </message>
+    <message>
         <source>Nothing is white in {name}; paint the object white and the rest black.</source>
         <translation>In {name} ist nichts weiß; das Objekt weiß malen und den Rest schwarz.</translation>
+    </message>
+    <message>
+        <source>Nothing to list: no notes, no doubtful frames and none that boil, of the shapes in hand.</source>
+        <translation>Nichts aufzulisten: keine Notizen, keine zweifelhaften und keine flimmernden Frames der aktiven Formen.</translation>
     </message>
     <message>
         <source>Nothing was copied.</source>
@@ -2279,6 +2493,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
     <message>
         <source>Nothing was exported; the files that are there stay.</source>
         <translation>Nichts wurde exportiert; die vorhandenen Dateien bleiben.</translation>
+    </message>
+    <message>
+        <source>Nothing was written; the files that are there stay.</source>
+        <translation>Nichts wurde geschrieben; die vorhandenen Dateien bleiben.</translation>
     </message>
     <message>
         <source>Nothing yet</source>
@@ -2364,6 +2582,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Auf leerem Hintergrund: Punkte zur Auswahl hinzufügen, aus ihr entfernen</translation>
     </message>
     <message>
+        <source>On it</source>
+        <translation>Darauf</translation>
+    </message>
+    <message>
         <source>One object</source>
         <translation>Ein Objekt</translation>
     </message>
@@ -2388,6 +2610,14 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Deckkraft</translation>
     </message>
     <message>
+        <source>Opacity of the selected shapes and layers, in percent</source>
+        <translation>Deckkraft der ausgewählten Formen und Ebenen, in Prozent</translation>
+    </message>
+    <message>
+        <source>Opacity, feather and position as curves over time</source>
+        <translation>Deckkraft, Feather und Position als Kurven über die Zeit</translation>
+    </message>
+    <message>
         <source>Open</source>
         <translation>Öffnen</translation>
     </message>
@@ -2408,6 +2638,10 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
     <message>
         <source>Open a clip first: marks lie on its frames.</source>
         <translation>Zuerst einen Clip öffnen: Markierungen liegen auf seinen Frames.</translation>
+    </message>
+    <message>
+        <source>Open a clip first: notes lie on its frames.</source>
+        <translation>Zuerst einen Clip öffnen: Notizen liegen auf seinen Frames.</translation>
     </message>
     <message>
         <source>Open a clip first: shapes come into its frames and pixels.</source>
@@ -2506,12 +2740,20 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
         <translation>Out: Frame {last}. Ziehen verschiebt</translation>
     </message>
     <message>
+        <source>Outlines move straight, smoothly or not at all: opacity and feather have tangents.</source>
+        <translation>Umrisse bewegen sich gerade, weich oder gar nicht: Tangenten haben Deckkraft und Feather.</translation>
+    </message>
+    <message>
         <source>Outlines of frames after</source>
         <translation>Umrisse der Frames danach</translation>
     </message>
     <message>
         <source>Outlines of frames before</source>
         <translation>Umrisse der Frames davor</translation>
+    </message>
+    <message>
+        <source>Outlines on the plate</source>
+        <translation>Umrisse auf der Plate</translation>
     </message>
     <message>
         <source>Outside of the shape&apos;s lifetime</source>
@@ -2524,6 +2766,14 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
     <message>
         <source>Packing</source>
         <translation>Kompression</translation>
+    </message>
+    <message>
+        <source>Page</source>
+        <translation>Seite</translation>
+    </message>
+    <message>
+        <source>Pages of small pictures with frame numbers and notes</source>
+        <translation>Seiten mit kleinen Bildern, Framenummern und Notizen</translation>
     </message>
     <message>
         <source>Pan</source>
@@ -2610,8 +2860,24 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
         <translation>Bild unter dem Freisteller</translation>
     </message>
     <message>
+        <source>Pictures</source>
+        <translation>Bilder</translation>
+    </message>
+    <message>
         <source>Pictures (*.exr *.dpx *.png *.jpg *.jpeg *.tif *.tiff);;All files (*)</source>
         <translation>Bilder (*.exr *.dpx *.png *.jpg *.jpeg *.tif *.tiff);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Pictures (PNG)</source>
+        <translation>Bilder (PNG)</translation>
+    </message>
+    <message>
+        <source>Pictures beside each other on a page</source>
+        <translation>Bilder nebeneinander auf einer Seite</translation>
+    </message>
+    <message>
+        <source>Pictures to a folder</source>
+        <translation>Bilder in einen Ordner</translation>
     </message>
     <message>
         <source>Pin as A</source>
@@ -2690,8 +2956,16 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
         <translation>Plus</translation>
     </message>
     <message>
+        <source>Point at a curve of opacity or feather to set a key on it.</source>
+        <translation>Auf eine Kurve von Deckkraft oder Feather zeigen, um darauf einen Keyframe zu setzen.</translation>
+    </message>
+    <message>
         <source>Point track</source>
         <translation>Punkt-Track</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Punkte</translation>
     </message>
     <message>
         <source>Points near the selected ones follow them</source>
@@ -2710,6 +2984,14 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
         <translation>Position</translation>
     </message>
     <message>
+        <source>Position x</source>
+        <translation>Position x</translation>
+    </message>
+    <message>
+        <source>Position y</source>
+        <translation>Position y</translation>
+    </message>
+    <message>
         <source>Position, turn, size</source>
         <translation>Position, Drehung, Größe</translation>
     </message>
@@ -2726,8 +3008,8 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
         <translation>Vorheriger Keyframe</translation>
     </message>
     <message>
-        <source>Previous mark</source>
-        <translation>Vorherige Markierung</translation>
+        <source>Previous note</source>
+        <translation>Vorherige Notiz</translation>
     </message>
     <message>
         <source>Previous part</source>
@@ -2762,8 +3044,8 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
         <translation>Punkte unter einem weichen, runden Pinsel ziehen</translation>
     </message>
     <message>
-        <source>Put a word on this frame&apos;s mark</source>
-        <translation>Der Markierung dieses Frames ein Wort geben</translation>
+        <source>Put a note on this frame&apos;s mark</source>
+        <translation>Eine Notiz zur Markierung dieses Frames schreiben</translation>
     </message>
     <message>
         <source>Put into</source>
@@ -2800,6 +3082,10 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
     <message>
         <source>ROAM projects (*.roam)</source>
         <translation>ROAM-Projekte (*.roam)</translation>
+    </message>
+    <message>
+        <source>Range</source>
+        <translation>Bereich</translation>
     </message>
     <message>
         <source>Reach</source>
@@ -2886,6 +3172,10 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
         <translation>Bewegung entfernen</translation>
     </message>
     <message>
+        <source>Remove note</source>
+        <translation>Notiz entfernen</translation>
+    </message>
+    <message>
         <source>Rename</source>
         <translation>Umbenennen</translation>
     </message>
@@ -2934,6 +3224,10 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
         <translation>Eingabe, Esc</translation>
     </message>
     <message>
+        <source>Review</source>
+        <translation>Review</translation>
+    </message>
+    <message>
         <source>Ripple</source>
         <translation>Ripple</translation>
     </message>
@@ -2956,6 +3250,10 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
     <message>
         <source>Rotoscoping with a Rich Online Appearance Model: editable curves carried through a shot.</source>
         <translation>Rotoskopie mit einem Rich Online Appearance Model: editierbare Kurven, durch einen Shot getragen.</translation>
+    </message>
+    <message>
+        <source>Rows of pictures on a page</source>
+        <translation>Bildzeilen auf einer Seite</translation>
     </message>
     <message>
         <source>SVG</source>
@@ -3094,6 +3392,10 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
         <translation>Punkte mit einem Lasso auswählen</translation>
     </message>
     <message>
+        <source>Select the points that are right here first; a run then derives the others anew.</source>
+        <translation>Zuerst die Punkte auswählen, die hier stimmen; ein Lauf leitet die anderen dann neu her.</translation>
+    </message>
+    <message>
         <source>Select the shape to paste to; it may be neither locked nor hidden.</source>
         <translation>Die Form auswählen, in die eingefügt wird; sie darf weder gesperrt noch ausgeblendet sein.</translation>
     </message>
@@ -3128,6 +3430,10 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
     <message>
         <source>Set key</source>
         <translation>Keyframe setzen</translation>
+    </message>
+    <message>
+        <source>Set key for points</source>
+        <translation>Keyframe für Punkte setzen</translation>
     </message>
     <message>
         <source>Set out</source>
@@ -3314,6 +3620,10 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
         <translation>Größe</translation>
     </message>
     <message>
+        <source>Size of the pictures</source>
+        <translation>Größe der Bilder</translation>
+    </message>
+    <message>
         <source>Size on the screen</source>
         <translation>Größe am Bildschirm</translation>
     </message>
@@ -3406,6 +3716,10 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
         <translation>Flecken</translation>
     </message>
     <message>
+        <source>Speed</source>
+        <translation>Tempo</translation>
+    </message>
+    <message>
         <source>Split shape</source>
         <translation>Form teilen</translation>
     </message>
@@ -3450,12 +3764,20 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
         <translation>Anhalten; was fertig ist, bleibt  ({keys})</translation>
     </message>
     <message>
+        <source>Stopped measuring.</source>
+        <translation>Messung angehalten.</translation>
+    </message>
+    <message>
         <source>Stopped.</source>
         <translation>Angehalten.</translation>
     </message>
     <message>
         <source>Stopped; no edge was changed.</source>
         <translation>Angehalten; keine Kante wurde geändert.</translation>
+    </message>
+    <message>
+        <source>Stopped; pictures that are finished stay.</source>
+        <translation>Angehalten; die fertigen Bilder bleiben.</translation>
     </message>
     <message>
         <source>Subtract</source>
@@ -3484,6 +3806,10 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
     <message>
         <source>Tall timeline</source>
         <translation>Hohe Zeitleiste</translation>
+    </message>
+    <message>
+        <source>Tangents</source>
+        <translation>Tangenten</translation>
     </message>
     <message>
         <source>Ten frames back</source>
@@ -3584,6 +3910,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>Die wenigen Zahlen der Engine, an denen Drehen sich lohnt</translation>
     </message>
     <message>
+        <source>The first frame</source>
+        <translation>Der erste Frame</translation>
+    </message>
+    <message>
         <source>The first frame of {path} is not that of the plate that the project was made on ({before}); check that the shapes fit the picture.</source>
         <translation>Der erste Frame von {path} ist nicht der der Plate, auf der das Projekt entstand ({before}); bitte prüfen, ob die Formen zum Bild passen.</translation>
     </message>
@@ -3638,6 +3968,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>The keys of your shapes appear here.</source>
         <translation>Hier erscheinen die Keyframes der Formen.</translation>
+    </message>
+    <message>
+        <source>The last frame</source>
+        <translation>Der letzte Frame</translation>
     </message>
     <message>
         <source>The last frame to export</source>
@@ -3788,6 +4122,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>Die Formen sind ausgeblendet; zum Zeichnen und Bearbeiten bitte einblenden (Ansicht Overlay).</translation>
     </message>
     <message>
+        <source>The shapes chosen by the button beside lie before it, hidden or not</source>
+        <translation>Die mit der Taste daneben gewählten Formen liegen davor, ausgeblendet oder nicht</translation>
+    </message>
+    <message>
         <source>The soft edge goes over to your next keys, through the tracked frames between; &lt;feather.all_keys&gt; gives it to all.</source>
         <translation>Die weiche Kante geht durch die getrackten Frames in die nächsten eigenen Keyframes über; &lt;feather.all_keys&gt; gibt sie allen.</translation>
     </message>
@@ -3798,6 +4136,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>The translation {code!r} is not installed; choose another language in the settings.</source>
         <translation>Die Übersetzung {code!r} ist nicht installiert; bitte in den Einstellungen eine andere Sprache wählen.</translation>
+    </message>
+    <message>
+        <source>There is no closed shape yet</source>
+        <translation>Noch gibt es keine geschlossene Form</translation>
     </message>
     <message>
         <source>There is no display to open a window on; use the command line (roam --help), or log in with a display or X forwarding.</source>
@@ -3886,6 +4228,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>There is nothing to recover.</source>
         <translation>Es gibt nichts wiederherzustellen.</translation>
+    </message>
+    <message>
+        <source>There is nothing to show yet; open a clip first.</source>
+        <translation>Es gibt noch nichts zu zeigen; zuerst einen Clip öffnen.</translation>
     </message>
     <message>
         <source>They are lost if you do not.</source>
@@ -4005,6 +4351,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>An beiden Enden umkehren</translation>
     </message>
     <message>
+        <source>Turn tangent</source>
+        <translation>Tangente drehen</translation>
+    </message>
+    <message>
         <source>Undo</source>
         <translation>Rückgängig</translation>
     </message>
@@ -4101,6 +4451,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>Was das Format nicht halten kann</translation>
     </message>
     <message>
+        <source>What the list shows</source>
+        <translation>Was die Liste zeigt</translation>
+    </message>
+    <message>
         <source>What the second viewer shows</source>
         <translation>Was der zweite Viewer zeigt</translation>
     </message>
@@ -4123,6 +4477,14 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>Where the engine trusts the outline</source>
         <translation>Wo die Engine dem Umriss traut</translation>
+    </message>
+    <message>
+        <source>Where the selected points are, or the whole shape, from the left edge, in pixels</source>
+        <translation>Wo die ausgewählten Punkte oder die ganze Form liegen, vom linken Rand, in Pixeln</translation>
+    </message>
+    <message>
+        <source>Where the selected points are, or the whole shape, from the top edge, in pixels</source>
+        <translation>Wo die ausgewählten Punkte oder die ganze Form liegen, vom oberen Rand, in Pixeln</translation>
     </message>
     <message>
         <source>Which channel is shown</source>
@@ -4161,6 +4523,18 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>Arbeit, die in keiner Datei steht</translation>
     </message>
     <message>
+        <source>Write</source>
+        <translation>Schreiben</translation>
+    </message>
+    <message>
+        <source>Write note</source>
+        <translation>Notiz schreiben</translation>
+    </message>
+    <message>
+        <source>Write note…</source>
+        <translation>Notiz schreiben…</translation>
+    </message>
+    <message>
         <source>Write over</source>
         <translation>Überschreiben</translation>
     </message>
@@ -4174,6 +4548,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>Write over {name}?</source>
         <translation>{name} überschreiben?</translation>
+    </message>
+    <message>
+        <source>Writing {name} …</source>
+        <translation>{name} wird geschrieben …</translation>
     </message>
     <message>
         <source>You will be asked about {names} again.</source>
@@ -4200,8 +4578,8 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>eine weiche Kante von etwa {width}, als Unschärfe</translation>
     </message>
     <message>
-        <source>a word on this mark</source>
-        <translation>ein Wort zu dieser Markierung</translation>
+        <source>a note on this frame</source>
+        <translation>eine Notiz zu diesem Frame</translation>
     </message>
     <message>
         <source>accept yes topology</source>
@@ -4248,6 +4626,14 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>unter </translation>
     </message>
     <message>
+        <source>bezier handles ease spline curve animation smooth f-curve</source>
+        <translation>bezier anfasser ease spline kurve animation weich f-kurve</translation>
+    </message>
+    <message>
+        <source>boil</source>
+        <translation>Flimmern</translation>
+    </message>
+    <message>
         <source>bookmark marker flag note</source>
         <translation>lesezeichen marker flagge notiz</translation>
     </message>
@@ -4256,8 +4642,8 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>lesezeichen marker springen</translation>
     </message>
     <message>
-        <source>bookmark marker label note comment</source>
-        <translation>lesezeichen marker beschriftung notiz kommentar</translation>
+        <source>bookmark marker label note comment remark annotate</source>
+        <translation>lesezeichen marker beschriftung notiz kommentar anmerkung</translation>
     </message>
     <message>
         <source>bounce back and forth loop</source>
@@ -4270,6 +4656,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>bug crash error issue trace support</source>
         <translation>fehler absturz problem hilfe</translation>
+    </message>
+    <message>
+        <source>by</source>
+        <translation>mal</translation>
     </message>
     <message>
         <source>cancel abort interrupt</source>
@@ -4320,6 +4710,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>befehle suchen finden</translation>
     </message>
     <message>
+        <source>comments remarks review list doubtful boil jitter flicker supervisor</source>
+        <translation>kommentare anmerkungen review liste zweifelhaft flimmern zittern supervisor</translation>
+    </message>
+    <message>
         <source>composite comp cutout transparent background checkerboard colour</source>
         <translation>komposition freistellen ausschnitt transparent hintergrund schachbrett farbe</translation>
     </message>
@@ -4336,8 +4730,16 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>konfidenz falsch fehler korrigieren</translation>
     </message>
     <message>
+        <source>confidence wrong error fix bad boil jitter</source>
+        <translation>konfidenz falsch fehler korrigieren flimmern zittern</translation>
+    </message>
+    <message>
         <source>confidence {confidence:.2f}</source>
         <translation>Konfidenz {confidence:.2f}</translation>
+    </message>
+    <message>
+        <source>contact sheet thumbnails overview export pages print</source>
+        <translation>kontaktbogen vorschaubilder übersicht export seiten drucken</translation>
     </message>
     <message>
         <source>convert tangents handles</source>
@@ -4480,6 +4882,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>belichtung gamma viewer neutral standard</translation>
     </message>
     <message>
+        <source>graph editor dope sheet f-curve animation keyframes opacity feather tangents</source>
+        <translation>graph editor kurven animation keyframes deckkraft feather tangenten</translation>
+    </message>
+    <message>
         <source>handles shape the curve now, and no outline changed</source>
         <translation>die Tangenten formen jetzt die Kurve, und kein Umriss hat sich geändert</translation>
     </message>
@@ -4552,6 +4958,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>die Kurve ist jetzt überall glatt, und ihre Punkte haben sich um bis zu {moved:.1f} Pixel verschoben</translation>
     </message>
     <message>
+        <source>jitter flicker steady flow temporal</source>
+        <translation>zittern flimmern ruhig zeitlich</translation>
+    </message>
+    <message>
         <source>joint free unpin unparent rig</source>
         <translation>gelenk frei lösen rig</translation>
     </message>
@@ -4574,6 +4984,14 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>keyframe jump</source>
         <translation>keyframe springen</translation>
+    </message>
+    <message>
+        <source>keyframe partial vertex single some add</source>
+        <translation>keyframe teilweise punkt einzeln einige hinzufügen</translation>
+    </message>
+    <message>
+        <source>keyframe partial vertex single some record</source>
+        <translation>keyframe teilweise punkt einzeln einige aufzeichnen</translation>
     </message>
     <message>
         <source>keyframe pose</source>
@@ -4606,6 +5024,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>magic wand quick selection rotobrush ai auto sam box</source>
         <translation>zauberstab schnellauswahl rotobrush ki automatisch</translation>
+    </message>
+    <message>
+        <source>marked</source>
+        <translation>markiert</translation>
     </message>
     <message>
         <source>marks</source>
@@ -4676,6 +5098,14 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>zahlen bewegen drehen skalieren genau</translation>
     </message>
     <message>
+        <source>of the plate</source>
+        <translation>der Plate</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>auf</translation>
+    </message>
+    <message>
         <source>onionskin ghost light table frames before after</source>
         <translation>zwiebelhaut geister leuchttisch frames davor danach</translation>
     </message>
@@ -4702,6 +5132,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>pick arrow move edit transform deselect</source>
         <translation>pfeil bewegen bearbeiten transformieren abwählen</translation>
+    </message>
+    <message>
+        <source>pictures</source>
+        <translation>Bilder</translation>
     </message>
     <message>
         <source>planar track corner pin surface drift fix mocha keyframe</source>
@@ -4758,6 +5192,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>protect</source>
         <translation>schützen</translation>
+    </message>
+    <message>
+        <source>quicktime mp4 mov avi export playblast preview dailies supervisor render</source>
+        <translation>quicktime mp4 mov avi export vorschau muster supervisor rendern</translation>
     </message>
     <message>
         <source>read from a file between two of its keys</source>
@@ -4904,6 +5342,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>stopp halt</translation>
     </message>
     <message>
+        <source>tangents</source>
+        <translation>Tangenten</translation>
+    </message>
+    <message>
         <source>tangents curve handles</source>
         <translation>tangenten kurve anfasser</translation>
     </message>
@@ -5044,8 +5486,16 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>schreiben sichern behalten</translation>
     </message>
     <message>
+        <source>x</source>
+        <translation>x</translation>
+    </message>
+    <message>
         <source>xspline x-spline spline smooth draw roto mask path</source>
         <translation>xspline x-spline spline glatt zeichnen roto maske pfad</translation>
+    </message>
+    <message>
+        <source>y</source>
+        <translation>y</translation>
     </message>
     <message>
         <source>zoom focus</source>
@@ -5151,6 +5601,14 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>{first}–{last}, {count} Frames</translation>
     </message>
     <message>
+        <source>{frames} on {pages}</source>
+        <translation>{frames} auf {pages}</translation>
+    </message>
+    <message>
+        <source>{frames}, {width} x {height}</source>
+        <translation>{frames}, {width} x {height}</translation>
+    </message>
+    <message>
         <source>{journal} cannot be marked: {reason}.</source>
         <translation>{journal} lässt sich nicht kennzeichnen: {reason}.</translation>
     </message>
@@ -5213,6 +5671,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>{names} and {count} more</source>
         <translation>{names} und {count} weitere</translation>
+    </message>
+    <message>
+        <source>{name} boils</source>
+        <translation>{name} flimmert</translation>
     </message>
     <message>
         <source>{name} is drawn: drag its points to adjust it, ] tracks it forward.</source>
@@ -5279,6 +5741,22 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>{path} ist keine Tastenbelegung; bitte die Tasten unter Bearbeiten &gt; Tasten neu festlegen.</translation>
     </message>
     <message>
+        <source>{pixels:.1f} px</source>
+        <translation>{pixels:.1f} px</translation>
+    </message>
+    <message>
+        <source>{pixels:.1f} px  {name}</source>
+        <translation>{pixels:.1f} px  {name}</translation>
+    </message>
+    <message>
+        <source>{pixels:.1f} px  {name}, boils</source>
+        <translation>{pixels:.1f} px  {name}, flimmert</translation>
+    </message>
+    <message>
+        <source>{pixels:g} px</source>
+        <translation>{pixels:g} px</translation>
+    </message>
+    <message>
         <source>{rate:.0f} of </source>
         <translation>{rate:.0f} von </translation>
     </message>
@@ -5312,9 +5790,21 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     </message>
     <message>
         <source>{title}
-Drag to move, double-click to name, right-click to remove</source>
+Drag to move, double-click to write, right-click to remove</source>
         <translation>{title}
-Ziehen verschiebt, Doppelklick benennt, Rechtsklick entfernt</translation>
+Ziehen verschiebt, Doppelklick schreibt, Rechtsklick entfernt</translation>
+    </message>
+    <message>
+        <source>{title}, frame {frame}: {value:.4g} {unit}</source>
+        <translation>{title}, Frame {frame}: {value:.4g} {unit}</translation>
+    </message>
+    <message>
+        <source>{title}. Click to select</source>
+        <translation>{title}. Klicken wählt aus</translation>
+    </message>
+    <message>
+        <source>{value:.2f}</source>
+        <translation>{value:.2f}</translation>
     </message>
     <message>
         <source>{view} on {display}</source>

@@ -84,6 +84,8 @@ def is_shown(node: ast.expr, text: str) -> bool:
     if not WORDS.search(text) or not re.search(r"[^\W\d]", text) or text in NAMES or KEYS.fullmatch(text):
         return False
     parent = getattr(node, "parent", None)
+    if isinstance(parent, ast.List) and "__all__" in ast.unparse(next(iter(above(parent)))):
+        return False
     if isinstance(parent, ast.Compare | ast.Set | ast.Subscript) or name_of(parent) in MACHINES | PROGRAM_ERRORS:
         return False
     return not any(isinstance(each, ast.ClassDef) and is_enum(each) for each in list(above(node))[:3])

@@ -52,13 +52,13 @@ class ShapeVerbs:
         """Make the selected points, as they are on this frame, the artist's; a run may derive the others anew."""
         frame, points = self._view.frame, self._view.selection.points
         if not points:
-            self._view.say("Select the points that are right here first; a run then derives the others anew.")
+            self._view.say(tr("Select the points that are right here first; a run then derives the others anew."))
             return
 
         def keyed(shape: RotoShape) -> RotoShape:
             return edit.key_points(shape, frame, [index for shape_id, index in points if shape_id == shape.id])
 
-        self._edit_each("Set key for points", keyed)
+        self._edit_each(tr("Set key for points"), keyed)
 
     def delete_key(self) -> None:
         """Delete the selected shapes' keys on this frame."""

@@ -21,8 +21,8 @@ RADII = {"reshape": "brush_radius"}
 """The radius that a tool works with; with all others it is that of soft selection, while that is on."""
 
 WORDS = {
-    "key.auto": "Auto-key", "key.points": "Points", "key.ripple": "Ripple", "points.soft": "Soft",
-    "points.lasso": "Lasso",
+    "key.auto": N_("Auto-key"), "key.points": N_("Points"), "key.ripple": N_("Ripple"), "points.soft": N_("Soft"),
+    "points.lasso": N_("Lasso"),
 }  # fmt: skip
 
 

@@ -41,8 +41,11 @@ def _key_sentence(shape: RotoShape, frame: int, marks: KeyMarks) -> str:
     if key is None:
         return _gap_sentence(shape, frame)
     if kind == "artist":
-        some = f" of {len(key.set_points)} of {len(key.points)} points" if key.set_points else ""
-        return f"Key by hand{some}; the shape {MOVES[key.interpolation]}"
+        moves = tr(MOVES[key.interpolation])
+        if not key.set_points:
+            return tr("Key by hand; the shape {moves}", moves=moves)
+        count, all_ = len(key.set_points), len(key.points)
+        return tr("Key by hand of {count} of {all} points; the shape {moves}", count=count, all=all_, moves=moves)
     way, _, rest = key.inputs.partition(":")
     config = rest.partition(":")[0]
     made = tr(WAYS.get(way, TRACKED)) + (f" ({config})" if config else "")
