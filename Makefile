@@ -1,5 +1,6 @@
 # make run    opens the application on the built-in demo shot (without a display: tracks the demo and says so)
 # make test   runs every check; each target may be the first command on a fresh machine
+# make translations   takes the window's texts out of the code, and compiles what is translated
 # make wheel  makes the wheel; make bundle: ROAM with all it needs in one archive, for machines without Python
 # make docs   makes the reference of the library from its docstrings
 PYTHON ?= python3
@@ -7,7 +8,7 @@ VENV := .venv
 BIN := $(VENV)/bin
 READY := $(VENV)/.ready
 
-.PHONY: run test setup lint bench docs screenshots wheel bundle clean
+.PHONY: run test setup lint bench docs screenshots translations wheel bundle clean
 
 setup: $(READY)
 
@@ -41,6 +42,8 @@ docs: setup
 screenshots: setup
 	$(BIN)/python -m scripts.screenshots
 
+translations: setup
+	$(BIN)/python -m scripts.translations
 wheel: setup
 	$(BIN)/python -m pip wheel --quiet --disable-pip-version-check --no-deps --no-build-isolation --wheel-dir dist .
 

@@ -12,6 +12,8 @@ from roam_core.atomic_write import write_atomically
 from roam_core.bounded import bounded_bytes
 from roam_core.errors import RoamError
 
+from .translation import tr
+
 Value = TypeVar("Value")
 
 MOST_BYTES = 1 << 20
@@ -29,11 +31,11 @@ def load_json(path: Path) -> dict[str, Any]:
     if not os.path.lexists(path):
         return {}
     try:
-        document = json.loads(bounded_bytes(path, MOST_BYTES, "it is damaged"))
+        document = json.loads(bounded_bytes(path, MOST_BYTES, tr("it is damaged")))
     except (ValueError, RecursionError):
-        raise RoamError(f"{path} is damaged.") from None
+        raise RoamError(tr("{path} is damaged.", path=path)) from None
     if not isinstance(document, dict):
-        raise RoamError(f"{path} is damaged.")
+        raise RoamError(tr("{path} is damaged.", path=path))
     return document
 
 
@@ -56,8 +58,8 @@ def set_aside(path: Path) -> str:
     try:
         path.rename(aside)
     except OSError as error:
-        return f"The defaults are used; it could not be set aside ({error.strerror})."
-    return f"The defaults are used; it was set aside as {aside.name}."
+        return tr("The defaults are used; it could not be set aside ({reason}).", reason=error.strerror)
+    return tr("The defaults are used; it was set aside as {name}.", name=aside.name)
 
 
 def keep_json(path: Path, document: Mapping[str, object]) -> None:

@@ -22,7 +22,7 @@ HOVER = "#383838"
 SELECTED = "#444444"
 BUTTON = "#343434"
 TEXT = "#d8d8d8"
-WEAK = "#9a9a9a"
+WEAK = "#a8a8a8"
 DISABLED = "#6a6a6a"
 ACCENT = "#e0a030"
 
@@ -111,7 +111,7 @@ def _palette() -> QPalette:
         (role.Base, FIELD),
         (role.AlternateBase, PANEL),
         (role.Text, TEXT),
-        (role.PlaceholderText, DISABLED),
+        (role.PlaceholderText, WEAK),
         (role.Button, BUTTON),
         (role.ButtonText, TEXT),
         (role.ToolTipBase, FIELD),

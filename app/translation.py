@@ -11,9 +11,9 @@ from PySide6.QtCore import QCoreApplication, QLibraryInfo, QLocale, QTranslator
 
 from roam_core.errors import RoamError
 from roam_core.installation import resource
-from roam_core.translatable import N_
+from roam_core.translatable import N_, Sentence
 
-__all__ = ["LANGUAGES", "N_", "SYSTEM", "chosen", "shown_language", "speak", "tr"]
+__all__ = ["LANGUAGES", "N_", "SYSTEM", "chosen", "shown_language", "speak", "tr", "translated"]
 
 SOURCE = "en"
 """The language in which the texts stand in the code."""
@@ -37,10 +37,18 @@ def tr(text: str, disambiguation: str = "", n: int = -1, /, **values: object) ->
     """
     if not text:
         return text
-    found = _catalogue.translate("", text, disambiguation, n) or text
+    found = _catalogue.translate("", text, disambiguation, n) or (_counted(text, n) if n >= 0 else text)
     if n >= 0:
-        found = _counted(found, n).replace("%n", str(n))
+        found = found.replace("%n", str(n))
     return _FILLING.vformat(found, (), values) if values else found
+
+
+def translated(text: str) -> str:
+    """A sentence of the engine in the window's language; what is none, or was put together of several, as it is."""
+    if not isinstance(text, Sentence):
+        return text
+    values = {name: translated(value) if isinstance(value, str) else value for name, value in text.values.items()}
+    return tr(text.template, **values)
 
 
 def speak(language: str) -> None:
@@ -58,7 +66,9 @@ def speak(language: str) -> None:
     if code == SOURCE:
         return
     if not _catalogue.load(str(resource("translations", f"roam_{code}.qm"))):
-        raise RoamError(f"The translation {code!r} is not installed; choose another language in the settings.")
+        raise RoamError(
+            tr("The translation {code!r} is not installed; choose another language in the settings.", code=code)
+        )
     if _qt.load(f"qtbase_{code}", QLibraryInfo.path(QLibraryInfo.LibraryPath.TranslationsPath)):
         QCoreApplication.installTranslator(_qt)
 

@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from roam_core.errors import RoamError
+from roam_core.translatable import N_
 
 
 @dataclass(frozen=True)
@@ -87,22 +88,32 @@ def _is_curve(params: Any) -> bool:
     return params.region is None
 
 
-STEADY = (
+STEADY = N_(
     "How far each outline is drawn to where the frames around it have it, so that edges stand still. "
     "As it is it takes TODO; at 0 each frame stays as it was found"
 )
 """What the dial does, with its effect as measured (docs/ENGINE-NOTES.md)."""
 
 DIALS: tuple[Dial, ...] = (
-    Dial("reach", "Reach", "How far the outline may go in one frame from where the motion puts it", 0.25, 4.0, _reach),
     Dial(
-        "firmness", "Firmness", "How firmly the outline keeps its form from frame to frame", 0.0, 8.0, _firmness,
+        "reach", N_("Reach"), N_("How far the outline may go in one frame from where the motion puts it"), 0.25, 4.0,
+        _reach,
+    ),
+    Dial(
+        "firmness", N_("Firmness"), N_("How firmly the outline keeps its form from frame to frame"), 0.0, 8.0,
+        _firmness, _is_curve,
+    ),
+    Dial(
+        "smoothness", N_("Smoothness"), N_("How smooth the edge is: less follows finer detail"), 0.5, 3.0, _smoothness,
+    ),
+    Dial(
+        "learning", N_("Learning"), N_("How quickly new colours are learned; at 0 never"), 0.0, 4.0, _learning,
         _is_curve,
     ),
-    Dial("smoothness", "Smoothness", "How smooth the edge is: less follows finer detail", 0.5, 3.0, _smoothness),
-    Dial("learning", "Learning", "How quickly new colours are learned; at 0 never", 0.0, 4.0, _learning, _is_curve),
-    Dial("key", "Key colours", "How much your key's colours count beside later ones", 0.0, 3.0, _key_colours),
-    Dial("steadiness", "Steadiness", STEADY, 0.0, 4.0, _steadiness),
+    Dial(
+        "key", N_("Key colours"), N_("How much your key's colours count beside later ones"), 0.0, 3.0, _key_colours,
+    ),
+    Dial("steadiness", N_("Steadiness"), STEADY, 0.0, 4.0, _steadiness),
 )  # fmt: skip
 
 

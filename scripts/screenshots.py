@@ -412,6 +412,28 @@ def walker_project(plates: Path) -> Project:
     return Project(Clip.of(open_clip(plates)), Layer("root", "Root", shapes))
 
 
+def photograph_german(shown: MainWindow) -> None:
+    """The window in German, on the demo."""
+    from app.model.personal import Personal
+    from app.shell.main_window import MainWindow
+    from app.translation import SOURCE, speak
+
+    assert shown.personal.folder is not None
+    speak("de")
+    state = shown.personal.folder.with_name("german")
+    german = MainWindow(state / "journal", Personal(state, shown.personal.folder.with_name("cache")))
+    german.resize(shown.size())
+    german.show()
+    german.files.open_demo()
+    until(lambda: german.document.project.shapes and german.reader.source is not None, "the demo in German")
+    german.view_state.select(frozenset({german.document.project.shapes[0].id}))
+    show_frame(german, german.view_state.frame + 1)
+    photograph(german, "german.jpg")
+    german._leave()
+    until(lambda: not german.isVisible(), "the German window to close")
+    speak(SOURCE)
+
+
 SCENES = (
     photograph_opening,
     photograph_drawing,
@@ -429,6 +451,7 @@ SCENES = (
     photograph_start,
     photograph_parts,
     photograph_softness,
+    photograph_german,
     *desk_scenes.SCENES,
 )
 

@@ -1,7 +1,8 @@
 """The window's texts for translators: `make translations` takes them out of the code, and compiles what is translated.
 
-`pyside6-lupdate` finds what is written as `tr("...")` and `N_("...")` and puts it into `resources/translations`; texts
-that are new there wait for Qt Linguist. `pyside6-lrelease` makes of each the file that the window loads.
+`pyside6-lupdate` finds what is written as `tr("...")`, `N_("...")` and `sentence("...")`, and puts it into
+`resources/translations`; texts that are new there wait for Qt Linguist. `pyside6-lrelease`
+makes of each the file that the window loads.
 """
 
 from __future__ import annotations
@@ -15,8 +16,8 @@ from app.translation import LANGUAGES, SOURCE
 ROOT = Path(__file__).resolve().parents[1]
 TRANSLATIONS = ROOT / "resources" / "translations"
 ROOMS = ("app", "roam_core")
-MARK = "QT_TR_NOOP+=N_"
-"""How the mark of this house is called where Qt looks for it."""
+MARKS = "QT_TR_NOOP+=N_,QT_TR_NOOP+=sentence"
+"""What this house writes where Qt looks for its own marks."""
 
 
 def main() -> int:
@@ -36,7 +37,7 @@ def main() -> int:
 def extract(ts: Path, language: str) -> None:
     """Bring the texts of the code into `ts`; translations that are there stay, texts that are gone go."""
     sources = [str(path.relative_to(ROOT)) for room in ROOMS for path in sorted((ROOT / room).rglob("*.py"))]
-    options = ["-silent", "-no-obsolete", "-locations", "none", "-sort-messages", "-tr-function-alias", MARK]
+    options = ["-silent", "-no-obsolete", "-locations", "none", "-sort-messages", "-tr-function-alias", MARKS]
     languages = ["-source-language", SOURCE, "-target-language", language]
     _run("pyside6-lupdate", *options, *languages, *sources, "-ts", str(ts))
 

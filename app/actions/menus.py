@@ -81,7 +81,8 @@ MENUS: dict[str, tuple[str, ...]] = {
         "window.float_review", "window.float_history", "window.float_log", "window.float_timeline",
         "window.float_curves",
         "window.float_second_viewer", SEPARATOR,
-        "window.reset_layout",
+        "window.reset_layout", SEPARATOR,
+        "view.next_part", "view.previous_part",
     ),
     N_("Help"): ("help.palette", "help.keys", SEPARATOR, "help.log", "help.report", "help.about"),
 }  # fmt: skip

@@ -150,6 +150,8 @@ WORDS: Mapping[str, str] = {
     "view.blue": N_("channel rgb"),
     "view.fit_time": N_("zoom timeline dopesheet whole all"),
     "view.tall_timeline": N_("dopesheet keys height bigger large half"),
+    "view.next_part": N_("focus keyboard accessibility tab region pane"),
+    "view.previous_part": N_("focus keyboard accessibility tab region pane back"),
     "view.panels": N_("properties sidebar column interface toggle"),
     "view.shape_panel": N_(
         "properties attributes parameters motion blur shutter opacity transparency blend mode "

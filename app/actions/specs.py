@@ -329,6 +329,8 @@ SPECS: tuple[ActionSpec, ...] = (
     ActionSpec(
         "view.shape_panel", N_("Shape panel"), tip=N_("Show all that the Shape panel has of the selected shapes")
     ),
+    ActionSpec("view.next_part", N_("Next part"), tip=N_("Give the keyboard to the next part of the window")),
+    ActionSpec("view.previous_part", N_("Previous part"), tip=N_("Give the keyboard to the part before")),
     ActionSpec("view.panels", N_("Panels"), tip=N_("Show or hide the panels on the right"), checkable=True),
     ActionSpec("time.previous", N_("Previous frame")),
     ActionSpec("time.next", N_("Next frame")),

@@ -10,6 +10,7 @@ from roam_core.propagate.frame.topology_proposals import Proposal
 from .. import style
 from ..actions.actions import Actions
 from ..features.proposals import Proposals, sentence_of
+from ..translation import N_, tr
 from ..widgets.controls import weak_label
 from .items.proposal import Side
 from .view import CanvasView
@@ -18,8 +19,8 @@ ANSWERS = ("proposal.keep", "proposal.refuse", "proposal.keep_always", "proposal
 SIDES = {"proposal.keep": Side.AFTER, "proposal.refuse": Side.BEFORE}
 """What the viewer shows while the pointer rests on an answer."""
 
-LEGEND = "line: before, white dashes: after, hatched: what differs"
-GAIN = (
+LEGEND = N_("line: before, white dashes: after, hatched: what differs")
+GAIN = N_(
     "The energy is the engine's measure of how badly outlines agree with the picture:\n"
     "the farther it falls, the more speaks for the change."
 )
@@ -35,8 +36,8 @@ class ProposalBar(QWidget):
         self.setObjectName("proposalBar")
         self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
         self.setCursor(Qt.CursorShape.ArrowCursor)
-        self.sentence, self.legend = QLabel(), weak_label(LEGEND)
-        self.sentence.setToolTip(GAIN)
+        self.sentence, self.legend = QLabel(), weak_label(tr(LEGEND))
+        self.sentence.setToolTip(tr(GAIN))
         self.buttons = {name: _button(actions, name) for name in ANSWERS}
         self._keys = {name: weak_label("") for name in SIDES}
         row = QHBoxLayout(self)
@@ -100,5 +101,5 @@ def _button(actions: Actions, action_id: str) -> QToolButton:
     button.setDefaultAction(actions[action_id])
     button.setObjectName("raised")
     button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextOnly)
-    button.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+    button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
     return button

@@ -7,6 +7,7 @@ from PySide6.QtGui import QColor, QPainter, QPaintEvent, QRegion
 from PySide6.QtWidgets import QWidget
 
 from ..model.view_state import ViewState
+from ..translation import tr
 
 RED = QColor("#d83a34")
 WIDTH, TAB_HEIGHT = 3, 20
@@ -27,7 +28,7 @@ class RippleFrame(QWidget):
     @property
     def words(self) -> str:
         first, stop = self._view.play_range
-        return f"Ripple: edits change all keys {first}–{stop - 1}"
+        return tr("Ripple: edits change all keys {first}–{last}", first=first, last=stop - 1)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if event.type() is QEvent.Type.Resize:

@@ -27,6 +27,7 @@ from ..tools.in_hand import ToolInHand
 from ..tools.menu_place import taken_up
 from ..tools.reshape import pruned
 from ..tools.tool import Pointer, Tool
+from ..translation import tr
 from .items.joints import paint_joints
 from .items.proposal import ProposalPainter, Side
 from .plate.stage import Stage
@@ -71,7 +72,7 @@ class CanvasView(PointedWidget):
         self.in_hand = in_hand or ToolInHand(document, view_state, self)
         """The tools, which viewers may share."""
         self.points = PointActions(document, view_state)
-        self.empty_hint = "Draw a shape: press B"
+        self.empty_hint = tr("Draw a shape: press B")
         """What to do next, shown while the project has no shape."""
         self.viewing = Viewing(self)
         """Which view, channel and exposure; what lies under a cut-out; which frames the onion skin shows."""
@@ -289,7 +290,7 @@ class CanvasView(PointedWidget):
     def _sentence(self) -> str:
         """What is to be said in the middle of an empty viewer."""
         if self._image_size() is None:
-            return OPENING if self._is_waiting else NO_PLATE
+            return tr(OPENING) if self._is_waiting else tr(NO_PLATE)
         return self.stage.emptiness()
 
     def _hint(self, snapshot: ViewSnapshot) -> str:
@@ -415,7 +416,7 @@ class CanvasView(PointedWidget):
             self.update()
             return
         if not self.viewing.shows_shapes:
-            self._view_state.say("The shapes are hidden; show them (overlay view) to draw and edit.")
+            self._view_state.say(tr("The shapes are hidden; show them (overlay view) to draw and edit."))
             return
         self._is_pressed = True
         self._hand(call, event.position(), event.modifiers())

@@ -9,6 +9,7 @@ from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen, QPolygonF
 
 from ..model.viewing import title_of
 from ..paint import marks
+from ..translation import N_, tr
 from .view_snapshot import ViewSnapshot
 
 REACH = 5.0
@@ -19,7 +20,7 @@ HANDLE = QSizeF(11.0, 7.0)
 """Half the size of the mark that says that the line can be dragged."""
 
 
-NOTHING = "There is nothing to compare yet; open a clip first."
+NOTHING = N_("There is nothing to compare yet; open a clip first.")
 
 
 class Wipe(QObject):
@@ -56,7 +57,7 @@ class Wipe(QObject):
         """Keep what is shown now as A, left of the line."""
         snapshot = self._present()
         if snapshot.image is None:
-            self._say(NOTHING)
+            self._say(tr(NOTHING))
         else:
             self.pinned = snapshot
         self.changed.emit()

@@ -7,12 +7,13 @@ from PySide6.QtGui import QPainter
 
 from ..model.viewing import WITHOUT_SHAPES, ViewMode, title_of
 from ..paint.viewport import Viewport
+from ..translation import N_, tr
 from .items import edges
 from .items.confidence import LEGEND
 from .plate.backdrop import paint_label, paint_sentence
 from .view_snapshot import ViewSnapshot
 
-OPENING, NO_PLATE = "Opening …", "Drop a folder of images or a movie here"
+OPENING, NO_PLATE = N_("Opening …"), N_("Drop a folder of images or a movie here")
 
 
 def paint_words(
@@ -33,7 +34,7 @@ def paint_words(
 def label_of(snapshot: ViewSnapshot) -> str:
     """What is to be known of the view: nothing where it is the usual one."""
     if not snapshot.shows_shapes and snapshot.mode not in WITHOUT_SHAPES:
-        return "Shapes hidden"
+        return tr("Shapes hidden")
     if snapshot.mode is ViewMode.OVERLAY:
-        return edges.LEGEND if snapshot.edges else ""
-    return LEGEND if snapshot.mode is ViewMode.CONFIDENCE else title_of(snapshot.mode)
+        return tr(edges.LEGEND) if snapshot.edges else ""
+    return tr(LEGEND) if snapshot.mode is ViewMode.CONFIDENCE else title_of(snapshot.mode)

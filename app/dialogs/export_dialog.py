@@ -36,7 +36,7 @@ from ..jobs.foreseeing import Foresight
 from ..jobs.runner import Ending
 from ..model.document import Document
 from ..model.view_state import ViewState, selected_shapes
-from ..translation import N_, tr
+from ..translation import N_, tr, translated
 from ..widgets.controls import dense_form, form_label, measure_field, number_field, weak_label
 from . import questions
 from .matte_form import MatteForm
@@ -121,6 +121,8 @@ class ExportDialog(QDialog):
         self.hint = weak_label("")
         self.notes = QPlainTextEdit()
         self.notes.setReadOnly(True)
+        for part, name in ((self.formats, tr("Format")), (self.notes, tr("What the format cannot hold"))):
+            part.setAccessibleName(name)
         self.notes.setMinimumHeight(NOTES_HEIGHT)
         self.bar = QProgressBar()
         self.bar.setRange(0, 1000)
@@ -136,7 +138,10 @@ class ExportDialog(QDialog):
         form.addRow(form_label(tr("Keys")), self.keys)
         self._tolerance_label = form_label(tr("Within"))
         form.addRow(self._tolerance_label, _row(self.tolerance, None))
-        self._smoothing_label, self._smoothing_word = form_label(tr("Smooth")), weak_label(tr("through time"))
+        self._smoothing_label, self._smoothing_word = (
+            form_label(tr("Smooth", "what is done to keys")),
+            weak_label(tr("through time")),
+        )
         form.addRow(self._smoothing_label, _row(self.smoothing, self._smoothing_word, None))
         form.addRow(
             form_label(tr("Frames")), _row(self.first, QLabel(tr("to")), self.last, self.all_frames, self.in_out, None)
@@ -154,7 +159,7 @@ class ExportDialog(QDialog):
         column.setSpacing(style.MARGIN)
         column.addLayout(upper, 3)
         where: QFormLayout = dense_form()
-        where.addRow(form_label(tr("To")), _row(self.target, self.browse))
+        where.addRow(form_label(tr("To", "where it is written")), _row(self.target, self.browse))
         where.addRow(form_label(""), self.hint)
         column.addLayout(where)
         column.addWidget(self.notes, 2)
@@ -326,10 +331,14 @@ class ExportDialog(QDialog):
 
     def _show_foreseen(self, found: Foreseen) -> None:
         self._set_losses(found.losses)
-        losses = [tr("The mattes would differ in the other program:"), *found.losses] if found.losses else []
+        losses = (
+            [tr("The mattes would differ in the other program:"), *map(translated, found.losses)]
+            if found.losses
+            else []
+        )
         besides = ["", tr("Besides:")] if found.losses and found.notes else []
         self.notes.setPlaceholderText(tr(NOTHING_LOST))
-        self.notes.setPlainText("\n".join([*losses, *besides, *found.notes]))
+        self.notes.setPlainText("\n".join([*losses, *besides, *map(translated, found.notes)]))
 
     def _show_refused(self, sentence: str) -> None:
         self.notes.setPlainText(sentence)
@@ -378,7 +387,7 @@ class ExportDialog(QDialog):
 
     def _show_notes(self, notes: tuple[str, ...]) -> None:
         if self._is_ours:
-            self.notes.setPlainText("\n".join([tr("Exported to {path}.", path=self._written), *notes]))
+            self.notes.setPlainText("\n".join([tr("Exported to {path}.", path=self._written), *map(translated, notes)]))
 
     def _show_end(self, ending: Ending, sentence: str) -> None:
         if not self._is_ours:

@@ -57,14 +57,16 @@ class KeysDialog(QDialog):
 
     def __init__(self, actions: Actions, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.setWindowTitle(tr("Keys"))
+        self.setWindowTitle(tr("Keys", "of the keyboard"))
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.resize(440, 680)
         self.search = QLineEdit()
         self.search.setPlaceholderText(tr("Search for an action or a key"))
         self.search.setClearButtonEnabled(True)
+        self.search.setAccessibleName(self.search.placeholderText())
         self.search.textChanged.connect(self._pull)
         self.tree = _tree(2)
+        self.tree.setAccessibleName(tr("Keys", "of the keyboard"))
         for title, rows in _groups(actions).items():
             group = QTreeWidgetItem(self.tree, [title])
             group.setForeground(0, QColor(style.ACCENT))
@@ -108,6 +110,7 @@ class AboutDialog(QDialog):
         what = QLabel(tr("Rotoscoping with a Rich Online Appearance Model: editable curves carried through a shot."))
         what.setWordWrap(True)
         self.libraries = _tree(3)
+        self.libraries.setAccessibleName(tr("Libraries"))
         self.libraries.header().setSectionResizeMode(0, QHeaderView.ResizeMode.ResizeToContents)
         self.libraries.header().setStretchLastSection(True)
         for library in libraries():
@@ -175,7 +178,7 @@ def _tree(columns: int) -> QTreeWidget:
     tree.setColumnCount(columns)
     tree.setHeaderHidden(True)
     tree.setRootIsDecorated(False)
-    tree.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+    tree.setFocusPolicy(Qt.FocusPolicy.TabFocus)
     header = tree.header()
     header.setStretchLastSection(False)
     header.setSectionResizeMode(0, QHeaderView.ResizeMode.Stretch)

@@ -79,6 +79,8 @@ class Palette(QFrame):
         self.setObjectName("palette")
         self.field, self.list = QLineEdit(), QTreeWidget()
         self.field.setPlaceholderText(tr("Do what?"))
+        self.field.setAccessibleName(self.field.placeholderText())
+        self.list.setAccessibleName(tr("Actions"))
         self.field.setProperty(KEEPS_KEYBOARD, True)
         self.field.installEventFilter(self)
         self.field.textChanged.connect(lambda _: self._pull())

@@ -9,7 +9,7 @@ from pathlib import Path
 from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
 
 from ..model.document import PROJECT_SUFFIX
-from ..translation import N_, tr
+from ..translation import N_, tr, translated
 
 MOVIES = N_("Movies (*.mov *.mp4 *.avi *.mkv *.m4v *.mxf *.webm *.mpg *.mpeg *.gif);;All files (*)")
 MOST_LOSSES = 6
@@ -106,7 +106,7 @@ def ask_lossy(parent: QWidget, losses: Sequence[str]) -> bool:
     box = QMessageBox(parent)
     box.setWindowTitle("ROAM")
     box.setText(tr("Export, although the mattes would differ in the other program?"))
-    box.setInformativeText("\n".join(losses[:MOST_LOSSES]))
+    box.setInformativeText("\n".join(map(translated, losses[:MOST_LOSSES])))
     if len(losses) > MOST_LOSSES:
         box.setDetailedText("\n".join(losses))
     anyway = box.addButton(tr("Export anyway"), QMessageBox.ButtonRole.AcceptRole)

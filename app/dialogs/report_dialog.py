@@ -24,6 +24,7 @@ class ReportDialog(QDialog):
         self.sentence = weak_label(sentence)
         self.text = QPlainTextEdit()
         self.text.setReadOnly(True)
+        self.text.setAccessibleName(tr("Problem report"))
         self.copy_button, self.leave = QPushButton(tr("Copy the report")), QPushButton(tr("Close"))
         self.copy_button.clicked.connect(lambda: QGuiApplication.clipboard().setText(self.text.toPlainText()))
         self.leave.clicked.connect(self.close)

@@ -35,7 +35,7 @@ from ..model.preferences import (
     SCALES,
     Preferences,
 )
-from ..translation import tr
+from ..translation import LANGUAGES, SYSTEM, tr
 from ..widgets.controls import dense_form, weak_label
 
 LABEL_WIDTH, FIELD_WIDTH = 150, 150
@@ -76,7 +76,7 @@ class SettingsDialog(QDialog):
         self.undo.setRange(LEAST_UNDO, MOST_UNDO)
         self.undo.setSingleStep(64)
         self.undo.setSuffix(tr(" MB"))
-        self.config, self.preset, self.scale = QComboBox(), QComboBox(), QComboBox()
+        self.config, self.preset, self.scale, self.language = (QComboBox() for _ in range(4))
         self.config.addItem(tr("The one used last"), "")
         for name in CONFIGS:
             self.config.addItem(name.replace("_", " ").capitalize(), name)
@@ -84,6 +84,9 @@ class SettingsDialog(QDialog):
             self.preset.addItem(title, name)
         for scale in SCALES:
             self.scale.addItem(f"{scale:.0%}", scale)
+        self.language.addItem(tr("As the desktop"), SYSTEM)
+        for code, name in LANGUAGES.items():
+            self.language.addItem(name, code)
         self.change_keys = QPushButton(tr("Change keys…"))
         self.change_keys.setAutoDefault(False)
         self.asks = QCheckBox(tr("Show what was found before a clip opens"))
@@ -92,7 +95,8 @@ class SettingsDialog(QDialog):
         self.reset.setToolTip(tr("All settings as they were at first; keys stay"))
         for button in (self.reset, self.leave):
             button.setAutoDefault(False)
-        for widget in (self.cache, self.threads, self.backups, self.undo, self.config, self.preset, self.scale):
+        lists = self.config, self.preset, self.scale, self.language
+        for widget in (self.cache, self.threads, self.backups, self.undo, *lists):
             widget.setFixedWidth(FIELD_WIDTH)
         for number in (self.cache, self.threads, self.backups, self.undo):
             number.setAlignment(Qt.AlignmentFlag.AlignRight)
@@ -104,8 +108,9 @@ class SettingsDialog(QDialog):
         _row(form, tr("Memory for undo"), self.undo, tr("The oldest steps go first"))
         _row(form, tr("Backups"), self.backups, tr("Older versions of a project, kept beside it when you save"))
         _row(form, tr("Mode at the start"), self.config, tr("How the engine works"))
-        _row(form, tr("Keys"), self.preset, None, self.change_keys)
+        _row(form, tr("Keys", "of the keyboard"), self.preset, None, self.change_keys)
         _row(form, tr("Size on the screen"), self.scale, tr("From the next start on"))
+        _row(form, tr("Language"), self.language, tr("From the next start on"))
         _row(form, tr("Clips"), self.asks, None)
         buttons = QHBoxLayout()
         buttons.addWidget(self.reset)
@@ -125,6 +130,7 @@ class SettingsDialog(QDialog):
         self.undo.valueChanged.connect(lambda value: self._push(undo_megabytes=value))
         self.config.currentIndexChanged.connect(lambda _: self._push(config=self.config.currentData()))
         self.scale.currentIndexChanged.connect(lambda _: self._push(scale=self.scale.currentData()))
+        self.language.currentIndexChanged.connect(lambda _: self._push(language=self.language.currentData()))
         self.asks.toggled.connect(lambda on: self._push(asks_about_clips=on))
         self.preset.currentIndexChanged.connect(lambda _: self._push_preset())
         self.change_keys.clicked.connect(self.keys_asked)
@@ -144,7 +150,7 @@ class SettingsDialog(QDialog):
     def _pull(self) -> None:
         held = self._personal.preferences
         numbers = self.cache, self.threads, self.backups, self.undo
-        fields = (*numbers, self.config, self.scale, self.preset, self.asks)
+        fields = (*numbers, self.config, self.scale, self.language, self.preset, self.asks)
         for field in fields:
             field.blockSignals(True)
         self.cache.setValue(held.cache_gigabytes)
@@ -153,6 +159,7 @@ class SettingsDialog(QDialog):
         self.undo.setValue(held.undo_megabytes)
         self.config.setCurrentIndex(self.config.findData(held.config))
         self.scale.setCurrentIndex(_nearest(held.scale))
+        self.language.setCurrentIndex(self.language.findData(held.language))
         self.preset.setCurrentIndex(self.preset.findData(self._personal.keys.preset))
         self.asks.setChecked(held.asks_about_clips)
         for field in fields:
@@ -167,7 +174,8 @@ def _nearest(scale: float) -> int:
 def _row(form: QFormLayout, title: str, field: QWidget, word: str | None, *more: QWidget) -> None:
     """A label, a field, and a weak word about it."""
     label = QLabel(title)
-    label.setFixedWidth(LABEL_WIDTH)
+    field.setAccessibleName(title)
+    label.setMinimumWidth(LABEL_WIDTH)
     row = QHBoxLayout()
     row.setSpacing(style.MARGIN)
     for widget in (field, *more, *([] if word is None else [weak_label(word)])):

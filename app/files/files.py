@@ -26,7 +26,7 @@ from ..journal.recovery import Recovery
 from ..model.document import PROJECT_SUFFIX, Document
 from ..model.preferences import Preferences
 from ..model.view_state import ViewState
-from ..translation import N_, tr
+from ..translation import N_, tr, translated
 from .claim import Claim
 
 if TYPE_CHECKING:
@@ -358,7 +358,15 @@ def _demo_project(report: Report) -> tuple[Project, Any]:
 
     folder = cache_folder() / demo.cache_name()
     try:
-        demo.write_frames(folder, lambda fraction, text: report.progress(fraction, f"{text.capitalize()} …"))
+
+        def tell(fraction: float, text: str) -> None:
+            frame = text.rpartition(" ")[2]  # what is rendered says it in English, the number last
+            done = tr("The demo shot is rendered …")
+            report.progress(
+                fraction, tr("Rendering the demo shot, frame {frame} …", frame=frame) if fraction < 1.0 else done
+            )
+
+        demo.write_frames(folder, tell)
     except OSError as error:
         raise RoamError(
             tr("The demo shot cannot be written to {folder}: {reason}.", folder=folder, reason=error.strerror or error)
@@ -429,7 +437,7 @@ def _differences(project: Project, source: PlateSource) -> str:
     if project.clip is None:
         return ""
     found = Clip.of(source)
-    return other_size(project.clip, found) or other_content(project.clip, found)
+    return translated(other_size(project.clip, found) or other_content(project.clip, found))
 
 
 def _gaps(source: Any) -> str:

@@ -110,6 +110,7 @@ class StartPage(QWidget):
             offers.addWidget(_button(self._actions, action_id))
         offers.addStretch(1)
         self._recent_title = weak_label(tr("Opened lately"))
+        self.recent.setAccessibleName(self._recent_title.text())
         right = QVBoxLayout()
         right.addWidget(self._recent_title)
         right.addWidget(self.recent, 1)
@@ -171,7 +172,7 @@ def _button(actions: Actions, action_id: str) -> QPushButton:
     action = actions[action_id]
     button = QPushButton(action.text())
     button.setFixedWidth(180)
-    button.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+    button.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
     button.setToolTip(action.toolTip())
     action.changed.connect(lambda: button.setToolTip(action.toolTip()))
     button.clicked.connect(action.trigger)

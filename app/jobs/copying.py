@@ -6,8 +6,7 @@ from PySide6.QtCore import QObject, Signal
 
 from roam_core.roto import Project
 
-from ..counting import counted
-from ..translation import tr
+from ..translation import tr, translated
 from .runner import Ending, Report, Runner
 
 
@@ -39,8 +38,13 @@ class Copying(QObject):
             options = ExportOptions(lossy=True, progress=report.progress, token=report.token)
             text, notes = node_text(format_name, project, options)
             report.partial(text)
-            shapes = counted(len(project.shapes), "shape")
-            return " ".join([tr("Copied {shapes} for {program}; paste there.", shapes=shapes, program=program), *notes])
+            shapes = tr("%n shape(s)", "", len(project.shapes))
+            return " ".join(
+                [
+                    tr("Copied {shapes} for {program}; paste there.", shapes=shapes, program=program),
+                    *map(translated, notes),
+                ]
+            )
 
         job = self._runner.start("copy", work)
         job.progress.connect(self.progress)

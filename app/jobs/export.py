@@ -13,7 +13,7 @@ from roam_core.roto import Project
 from roam_core.roto.layers import only
 
 from ..model.document import Document
-from ..translation import tr
+from ..translation import tr, translated
 from .runner import Ending, Report, Runner
 
 if TYPE_CHECKING:
@@ -149,4 +149,4 @@ def _export(report: Report, request: _Request) -> str:
     told = replace(options, lossy=lossy, progress=report.progress, token=report.token)
     losses = EXPORTERS[request.format_name].export(request.project, path, told)
     report.partial(losses)
-    return " ".join([tr("Exported to {path}.", path=path), *losses])
+    return " ".join([tr("Exported to {path}.", path=path), *map(translated, losses)])

@@ -12,7 +12,7 @@ from PySide6.QtCore import QObject, Signal
 from roam_core.roto import Clip, edit
 
 from ..model.document import Document
-from ..translation import tr
+from ..translation import tr, translated
 from .runner import Ending, Report, Runner
 
 if TYPE_CHECKING:
@@ -69,7 +69,10 @@ class Import(QObject):
             if count:
                 report.partial(imported)
             return " ".join(
-                [tr("Read {shapes} from {name}.", shapes=tr("%n shape(s)", "", count), name=name), *imported.notes]
+                [
+                    tr("Read {shapes} from {name}.", shapes=tr("%n shape(s)", "", count), name=name),
+                    *map(translated, imported.notes),
+                ]
             )
 
         job = self._runner.start("import", work)

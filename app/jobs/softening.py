@@ -10,7 +10,7 @@ from PySide6.QtCore import QObject, Signal
 from roam_core.roto import Project, RotoShape
 
 from ..model.document import Document
-from ..translation import tr
+from ..translation import tr, translated
 from .runner import Ending, Report, Runner
 
 ReadFrame = Callable[[int], Any]
@@ -84,4 +84,4 @@ def _soften(report: Report, read: ReadFrame, project: Project, asked: Sequence[R
     found = measured(read, asked, project.shapes, SOFTNESS, report.token, report.progress)
     soft = [matched(shape, found, SOFTNESS, blur=True, feather=True) for shape in asked]
     report.partial(soft)
-    return told(found, asked, soft)
+    return translated(told(found, asked, soft))

@@ -82,7 +82,8 @@ class Recovery:
         ]
         recovered = [tr("recovered work")] if self.is_recovered else []
         words = [*recovered, *(word for word in counted if word)] or [tr("changes")]
-        what = tr(" and ").join(filter(None, (", ".join(words[:-1]), words[-1]))).capitalize()
+        what = tr(" and ").join(filter(None, (", ".join(words[:-1]), words[-1])))
+        what = what[:1].upper() + what[1:]
         where = tr(" in %n shape(s)", "", self.shapes) if self.shapes else ""
         since = tr(" since the last save") if self.original else ""
         damage = tr("; what came after them is damaged") if self.is_damaged else ""

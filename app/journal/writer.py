@@ -18,6 +18,7 @@ from roam_core.roto import Project, file
 from roam_core.roto.fingerprint import Fingerprint
 
 from ..model.beginning import Beginning
+from ..translation import tr
 from .delta import between
 from .record import Entry, append
 from .session import RECOVERED, Session
@@ -165,7 +166,9 @@ class JournalWriter:
             self._is_refused = True
             log.error("the journal cannot be written", exc_info=error)
             reason = error.strerror if isinstance(error, OSError) and error.strerror else str(error)
-            self._tell(f"Your edits cannot be written to the journal ({reason}); save the project yourself.")
+            self._tell(
+                tr("Your edits cannot be written to the journal ({reason}); save the project yourself.", reason=reason)
+            )
 
     def _end(self, why: str) -> None:
         self._waiting = None

@@ -10,6 +10,7 @@ from roam_core.media.cache import fair_limit
 from roam_core.params import CONFIGS
 
 from ..atomic_json import keep_json, load_json
+from ..translation import LANGUAGES, SYSTEM
 
 TYPE = "roam.Preferences"
 LEAST_CACHE, MOST_CACHE = 0.25, 512.0
@@ -35,6 +36,7 @@ class Preferences:
     config : the engine's configuration at the start; empty for the one used last.
     scale : size of everything in the window, times what the desktop says; holds from the next start on.
     asks_about_clips : whether a clip is shown, with what was found out about it, before it is opened.
+    language : what the window speaks, a code of `LANGUAGES`; empty for the desktop's. Holds from the next start on.
     undo_megabytes : the most memory that undo may take, in MB of 2**20 bytes; the oldest steps go first.
     """
 
@@ -45,6 +47,7 @@ class Preferences:
     scale: float = 1.0
     asks_about_clips: bool = True
     undo_megabytes: int = 256
+    language: str = SYSTEM
 
     @property
     def cache_bytes(self) -> int:
@@ -59,6 +62,7 @@ class Preferences:
             and 0 <= self.backups <= MOST_BACKUPS
             and LEAST_UNDO <= self.undo_megabytes <= MOST_UNDO
             and (not self.config or self.config in CONFIGS)
+            and (self.language == SYSTEM or self.language in LANGUAGES)
             and SCALES[0] <= self.scale <= SCALES[-1]
         )
 

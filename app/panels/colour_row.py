@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QButtonGroup, QColorDialog, QHBoxLayout, QToolButt
 from roam_core.roto.project import PALETTE
 
 from .. import style
+from ..translation import tr
 
 Colour = tuple[float, float, float]
 
@@ -35,8 +36,10 @@ class ColourRow(QWidget):
         row.setSpacing(0)
         for index, colour in enumerate(PALETTE):
             self._add(row, index).setIcon(style.swatch(colour, 12))
+            self.group.button(index).setAccessibleName(tr("Colour {number}", number=index + 1))
         other = self._add(row, OTHER)
-        other.setToolTip("Another colour…")
+        other.setToolTip(tr("Another colour…"))
+        other.setAccessibleName(tr("Another colour…"))
         other.setText("…")
         row.addStretch(1)
         self.group.idClicked.connect(self._choose)
@@ -46,7 +49,7 @@ class ColourRow(QWidget):
         button.setCheckable(True)
         button.setFixedSize(19, 20)
         button.setIconSize(QSize(12, 12))
-        button.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         self.group.addButton(button, index)
         row.addWidget(button)
         return button
@@ -70,7 +73,7 @@ class ColourRow(QWidget):
             return
         self.show_colour(self._shown)  # nothing is chosen yet
         dialog = QColorDialog(QColor.fromRgbF(*self._shown), self)
-        dialog.setWindowTitle("Colour of the outline")
+        dialog.setWindowTitle(tr("Colour of the outline"))
         dialog.setOption(QColorDialog.ColorDialogOption.DontUseNativeDialog)
         dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         dialog.colorSelected.connect(lambda colour: self.picked.emit(rounded(colour)))

@@ -12,6 +12,7 @@ from roam_core.params import params_for
 
 from .. import style
 from ..features.tracking import Tracking
+from ..translation import tr
 from ..widgets.controls import dense_form
 from ..widgets.fields import NumberField, ScrubLabel
 
@@ -27,13 +28,13 @@ class DialForm(QWidget):
         self._tracking, self._turned = tracking, turned
         self.arrow = QToolButton()
         self.arrow.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
-        self.arrow.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        self.arrow.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         self.arrow.setIconSize(style.ICON_SIZE)
-        self.arrow.setToolTip("The few numbers of the engine that are worth turning")
+        self.arrow.setToolTip(tr("The few numbers of the engine that are worth turning"))
         self.arrow.clicked.connect(lambda: self.unfold(not self.is_unfolded))
-        self.reset = QPushButton("Reset")
-        self.reset.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-        self.reset.setToolTip("Turn all of them back to 100 %")
+        self.reset = QPushButton(tr("Reset"))
+        self.reset.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+        self.reset.setToolTip(tr("Turn all of them back to 100 %"))
         self.reset.clicked.connect(self._reset)
         self._body = QWidget()
         self._form = dense_form()
@@ -61,16 +62,16 @@ class DialForm(QWidget):
         is_turned = self._tracking.configuration != self._tracking.config
         self.reset.setEnabled(is_turned)
         self.reset.setVisible(is_turned or self.is_unfolded)
-        self.arrow.setText("Fine tuning, changed" if is_turned else "Fine tuning")
+        self.arrow.setText(tr("Fine tuning, changed") if is_turned else tr("Fine tuning"))
         self.arrow.setIcon(style.icon("chevron-down" if self.is_unfolded else "chevron-right"))
 
     # ---- the rest is private
 
     def _add(self, name: str) -> NumberField:
         dial = next(dial for dial in DIALS if dial.name == name)
-        field = NumberField(100 * dial.low, 100 * dial.high, suffix=" %", step=STEP, tip=dial.sentence)
-        label = ScrubLabel(dial.title, field)
-        label.setToolTip(f"{dial.sentence}. Drag to change")
+        field = NumberField(100 * dial.low, 100 * dial.high, suffix=" %", step=STEP, tip=tr(dial.sentence))
+        label = ScrubLabel(tr(dial.title), field)
+        label.setToolTip(tr("{sentence}. Drag to change", sentence=tr(dial.sentence)))
         self._form.addRow(label, field)
         field.edited.connect(lambda value, _key: self._push(name, value / 100.0))
         return field

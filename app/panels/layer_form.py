@@ -17,6 +17,7 @@ from roam_core.roto.value_keys import with_value
 from .. import style
 from ..model.document import Document
 from ..model.view_state import ViewState
+from ..translation import tr
 from ..widgets.controls import dense_form, form_label
 from ..widgets.fields import BlendBox, NumberField, ScrubLabel, SwitchBox, shared
 from .value_key import ValueKeyButton, ValueVerb, keyed_row
@@ -35,28 +36,30 @@ class LayerForm(QWidget):
         form.setContentsMargins(style.MARGIN, style.MARGIN, style.MARGIN, style.MARGIN)
         self.setLayout(form)
         self.name = QLineEdit()
-        self.name.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
+        self.name.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.name.editingFinished.connect(self._push_name)
-        form.addRow(form_label("Layer"), self.name)
-        self.blend = BlendBox("How the joint matte of the layer joins what lies under it")
-        self.blend.picked.connect(lambda mode: self.push("Layer blend", blend=mode))
-        form.addRow(form_label("Blend"), self.blend)
-        self.opacity = NumberField(0.0, 100.0, suffix=" %", tip="Of the joint matte of all that lies in the layer")
+        form.addRow(form_label(tr("Layer")), self.name)
+        self.blend = BlendBox(tr("How the joint matte of the layer joins what lies under it"))
+        self.blend.picked.connect(lambda mode: self.push(tr("Layer blend"), blend=mode))
+        form.addRow(form_label(tr("Blend")), self.blend)
+        self.opacity = NumberField(0.0, 100.0, suffix=" %", tip=tr("Of the joint matte of all that lies in the layer"))
         self.opacity.edited.connect(self._push_opacity)
         self.opacity_key = ValueKeyButton()
-        self.opacity_key.acted.connect(lambda text, verb: self._push_value(f"Layer opacity: {text}", verb))
-        form.addRow(ScrubLabel("Opacity", self.opacity), keyed_row(self.opacity, self.opacity_key))
-        form.addRow(form_label("State"), self._switches())
+        self.opacity_key.acted.connect(
+            lambda text, verb: self._push_value(tr("Layer opacity: {text}", text=text), verb)
+        )
+        form.addRow(ScrubLabel(tr("Opacity"), self.opacity), keyed_row(self.opacity, self.opacity_key))
+        form.addRow(form_label(tr("State")), self._switches())
         self._motion = QLabel()
-        self._motion.setToolTip("The frames on which a track moves the layer")
-        self.clear_motion = QPushButton("Remove")
-        self.clear_motion.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-        self.clear_motion.setToolTip("Let the layer stand still; every key stays where it is seen")
+        self._motion.setToolTip(tr("The frames on which a track moves the layer"))
+        self.clear_motion = QPushButton(tr("Remove"))
+        self.clear_motion.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+        self.clear_motion.setToolTip(tr("Let the layer stand still; every key stays where it is seen"))
         self.clear_motion.clicked.connect(self._push_stillness)
         row = QHBoxLayout()
         row.addWidget(self._motion, 1)
         row.addWidget(self.clear_motion)
-        form.addRow(form_label("Motion"), row)
+        form.addRow(form_label(tr("Motion")), row)
         for signal in (document.changed, document.replaced, view_state.selection_changed):
             signal.connect(self._pull)
         view_state.frame_changed.connect(self._follow)
@@ -86,22 +89,22 @@ class LayerForm(QWidget):
 
     def _push_opacity(self, percent: float, merge_key: str) -> None:
         frame = self._view.frame
-        self._push_value("Layer opacity", lambda value: set_at(value, frame, percent / 100), merge_key)
+        self._push_value(tr("Layer opacity"), lambda value: set_at(value, frame, percent / 100), merge_key)
 
     def _push_value(self, text: str, verb: ValueVerb, merge_key: str = "") -> None:
         self._push_each(text, lambda layer: with_value(layer, "opacity", verb), merge_key)
 
     def _switches(self) -> QGridLayout:
-        self.visible = SwitchBox("Visible", "What lies in a hidden layer takes no part in the matte")
-        self.locked = SwitchBox("Locked", "What lies in a locked layer cannot be changed by hand")
-        self.invert = SwitchBox("Invert", "The matte is what lies outside of the shapes of the layer")
+        self.visible = SwitchBox(tr("Visible"), tr("What lies in a hidden layer takes no part in the matte"))
+        self.locked = SwitchBox(tr("Locked"), tr("What lies in a locked layer cannot be changed by hand"))
+        self.invert = SwitchBox(tr("Invert"), tr("The matte is what lies outside of the shapes of the layer"))
         grid = QGridLayout()
         grid.setVerticalSpacing(0)
         grid.setHorizontalSpacing(2 * style.MARGIN)
         grid.setColumnStretch(2, 1)
         texts = {
-            "visible": ("Hide layer", "Show layer"), "locked": ("Unlock layer", "Lock layer"),
-            "invert": ("Undo invert layer", "Invert layer"),
+            "visible": (tr("Hide layer"), tr("Show layer")), "locked": (tr("Unlock layer"), tr("Lock layer")),
+            "invert": (tr("Undo invert layer"), tr("Invert layer")),
         }  # fmt: skip
         for index, (name, box) in enumerate(
             (("visible", self.visible), ("locked", self.locked), ("invert", self.invert))
@@ -116,12 +119,12 @@ class LayerForm(QWidget):
         for layer in self.layers:
             if not layer.locked and layer.transform is not None:
                 project = still(project, layer.id)
-        self._document.apply("Remove motion", project)
+        self._document.apply(tr("Remove motion"), project)
 
     def _push_name(self) -> None:
         name = self.name.text().strip()
         if name and len(self.layers) == 1:
-            self.push("Rename", name=name)
+            self.push(tr("Rename"), name=name)
         self._pull()
 
     def _follow(self) -> None:
@@ -152,5 +155,5 @@ def _told(layers: list[Layer]) -> str:
     """Where the motion of the layers is known."""
     frames = {frame for layer in layers if layer.transform for frame in layer.transform.frames}
     if not frames:
-        return "stands still"
-    return f"{min(frames)} – {max(frames)}" if len(frames) > 1 else f"set on {min(frames)}"
+        return tr("stands still")
+    return f"{min(frames)} – {max(frames)}" if len(frames) > 1 else tr("set on {frame}", frame=min(frames))

@@ -7,6 +7,7 @@ from PySide6.QtWidgets import QPlainTextEdit, QToolButton, QVBoxLayout, QWidget
 
 from .. import style
 from ..features.messages import MOST, MessageLog
+from ..translation import tr
 from ..widgets.controls import icon_button
 
 
@@ -18,10 +19,11 @@ class LogPanel(QWidget):
         self._messages = messages
         self.text = QPlainTextEdit()
         self.text.setReadOnly(True)
+        self.text.setAccessibleName(tr("Messages"))
         self.text.setMaximumBlockCount(MOST)
-        self.text.setPlaceholderText("What ROAM says is kept here.")
+        self.text.setPlaceholderText(tr("What ROAM says is kept here."))
         self.text.setFixedHeight(7 * style.ROW_HEIGHT)
-        self.copy_button: QToolButton = icon_button("duplicate", "Copy all messages")
+        self.copy_button: QToolButton = icon_button("duplicate", tr("Copy all messages"))
         self.copy_button.clicked.connect(self.copy)
         self.tools = (self.copy_button,)
         column = QVBoxLayout(self)

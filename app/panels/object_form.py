@@ -15,22 +15,22 @@ from ..features.belonging import Belonging
 from ..features.verbs.objects import LEVELS, ObjectVerbs
 from ..model.document import Document
 from ..model.view_state import ViewState, selected_shapes
-from ..translation import tr
+from ..translation import N_, tr
 from ..widgets.controls import ChoiceBox, dense_form, form_label
 from ..widgets.fields import MIXED, SwitchBox, shared
 
 BY_OUTLINES, NEW_LINK, APART, OF_LINK = "outlines", "new", "apart", "link:"
 """What can be chosen: left to the outlines, a new link, a link of its own, or a link by its name."""
 
-SOLVE_TIP = (
+SOLVE_TIP = N_(
     "What is solved together. By outlines: shapes that overlap are parts, which move by themselves and hang together;"
     " shapes that lie near each other are one whole."
 )
-CHOICE_WIDTH = 82
+CHOICE_WIDTH = 90
 """Least width of a box: the column is narrow, and its words are as long as links' names are."""
 
-DEPTH_TIP = "What hides what, from this frame on; mattes go by the order in the list"
-ATTACHED_TIP = "A part hangs by joints on the parts that it overlaps"
+DEPTH_TIP = N_("What hides what, from this frame on; mattes go by the order in the list")
+ATTACHED_TIP = N_("A part hangs by joints on the parts that it overlaps")
 
 
 class ObjectForm(QWidget):
@@ -42,20 +42,21 @@ class ObjectForm(QWidget):
         super().__init__(parent)
         self._document, self._view, self._belonging = document, view_state, belonging
         self._verbs = ObjectVerbs(document, view_state)
-        self.solve, self.level = _choice(SOLVE_TIP), _choice(DEPTH_TIP)
+        self.solve, self.level = _choice(tr(SOLVE_TIP)), _choice(tr(DEPTH_TIP))
         self.place = QLabel()
         self.place.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)  # names can be long
-        self.attached = SwitchBox("Attached", ATTACHED_TIP)
-        for level, word in LEVELS.items():
+        self.attached = SwitchBox(tr("Attached"), tr(ATTACHED_TIP))
+        for level, word in ((level, tr(word)) for level, word in LEVELS.items()):
             self.level.addItem(word, level)
         form = dense_form()
-        form.addRow(form_label("Solve"), self.solve)
-        form.addRow(form_label("Object"), self.place)
+        form.addRow(form_label(tr("Solve")), self.solve)
+        form.addRow(form_label(tr("Object")), self.place)
         row = QHBoxLayout()
         row.setSpacing(style.MARGIN)
+        self.level.setSizeAdjustPolicy(ChoiceBox.SizeAdjustPolicy.AdjustToContents)
         row.addWidget(self.level, 1)
         row.addWidget(self.attached)
-        form.addRow(form_label("Depth"), row)
+        form.addRow(form_label(tr("Depth")), row)
         self.setLayout(form)
         self.solve.activated.connect(lambda _: self._push_solve(str(self.solve.currentData())))
         self.level.activated.connect(lambda _: self._push_depth(int(self.level.currentData())))
@@ -103,7 +104,7 @@ class ObjectForm(QWidget):
         level = shared(shape.depth_at(self._view.frame) for shape in shapes)
         with QSignalBlocker(self.level):
             self.level.setCurrentIndex(-1 if level is None else self.level.findData(level))
-        self.level.setToolTip(f"{DEPTH_TIP}{_told(shapes)}")
+        self.level.setToolTip(f"{tr(DEPTH_TIP)}{_told(shapes)}")
         self.attached.show_value(shared(shape.attached for shape in shapes))
         is_free = any(not shape.locked for shape in shapes)
         for control in (self.solve, self.level, self.attached):
@@ -112,10 +113,10 @@ class ObjectForm(QWidget):
     def _pull_solve(self, shapes: Sequence[RotoShape]) -> None:
         held = links(self._document.project)
         alone = {link for link, holders in held.items() if len(holders) == 1}
-        choices = {BY_OUTLINES: "By outlines", APART: "By itself"}
+        choices = {BY_OUTLINES: tr("By outlines"), APART: tr("By itself")}
         if len(shapes) > 1:
-            choices[NEW_LINK] = "As one new object"
-        choices |= {f"{OF_LINK}{link}": f"As one: {link}" for link in held if link not in alone}
+            choices[NEW_LINK] = tr("As one new object")
+        choices |= {f"{OF_LINK}{link}": tr("As one: {link}", link=link) for link in held if link not in alone}
         chosen = shared(_choice_of(shape.link, alone) for shape in shapes)
         with QSignalBlocker(self.solve):
             self.solve.clear()
@@ -139,5 +140,9 @@ def _told(shapes: Sequence[RotoShape]) -> str:
     """The changes of depth of one shape, to follow the tip."""
     if len(shapes) != 1 or not shapes[0].depth:
         return ""
-    changes = [f"from {frame} {LEVELS.get(level, str(level)).lower()}" for frame, level in shapes[0].depth]
-    return f".\nNow: {LEVELS[AS_STACKED].lower()}, {', '.join(changes)}"
+    changes = [tr("from {frame} {level}", frame=frame, level=_level_word(level)) for frame, level in shapes[0].depth]
+    return tr(".\nNow: {level}, {changes}", level=_level_word(AS_STACKED), changes=", ".join(changes))
+
+
+def _level_word(level: int) -> str:
+    return tr(LEVELS[level]).lower() if level in LEVELS else str(level)

@@ -12,23 +12,29 @@ from .. import style
 from ..actions.actions import Actions
 from ..features.planar_tracking import PlanarTracking
 from ..model.document import Document
-from ..translation import tr
+from ..translation import N_, tr
 from ..widgets.controls import ChoiceBox, tool_button
 
 WORDS = {
-    PlaneMotion.TRANSLATION: ("Position", "The plane moves, and neither turns nor grows"),
-    PlaneMotion.SIMILARITY: ("Position, turn, size", "The plane moves, turns and comes nearer: most things far away"),
-    PlaneMotion.AFFINE: ("… and shear", "The plane also tilts a little"),
-    PlaneMotion.HOMOGRAPHY: ("Perspective", "The plane tilts as screens and walls near the camera do"),
+    PlaneMotion.TRANSLATION: (N_("Position"), N_("The plane moves, and neither turns nor grows")),
+    PlaneMotion.SIMILARITY: (
+        N_("Position, turn, size"),
+        N_("The plane moves, turns and comes nearer: most things far away"),
+    ),
+    PlaneMotion.AFFINE: (N_("… and shear"), N_("The plane also tilts a little")),
+    PlaneMotion.HOMOGRAPHY: (N_("Perspective"), N_("The plane tilts as screens and walls near the camera do")),
 }
 LEAVE_OUT_WORDS = {
-    LeaveOut.NOTHING: ("Leave out nothing", "Other shapes say nothing about what lies before the surface"),
-    LeaveOut.ABOVE: ("Leave out shapes above", "Visible shapes above the tracked ones lie before the surface"),
-    LeaveOut.OTHERS: ("Leave out all others", "All other visible shapes lie before the surface"),
-    LeaveOut.CHOSEN: ("Leave out chosen ones", "The shapes chosen by the button beside lie before it, hidden or not"),
+    LeaveOut.NOTHING: (N_("Leave out nothing"), N_("Other shapes say nothing about what lies before the surface")),
+    LeaveOut.ABOVE: (N_("Leave out shapes above"), N_("Visible shapes above the tracked ones lie before the surface")),
+    LeaveOut.OTHERS: (N_("Leave out all others"), N_("All other visible shapes lie before the surface")),
+    LeaveOut.CHOSEN: (
+        N_("Leave out chosen ones"),
+        N_("The shapes chosen by the button beside lie before it, hidden or not"),
+    ),
 }
-LEAVE_OUT_TIP = "Which other shapes cover the surface: what lies inside them is not looked at, frame by frame"
-TIP = "What the surface inside the shapes may do; choose the simplest that fits"
+LEAVE_OUT_TIP = N_("Which other shapes cover the surface: what lies inside them is not looked at, frame by frame")
+TIP = N_("What the surface inside the shapes may do; choose the simplest that fits")
 
 
 class PlanarPanel(QWidget):
@@ -39,16 +45,16 @@ class PlanarPanel(QWidget):
     ) -> None:
         super().__init__(parent)
         self._document, self._tracking = document, tracking
-        self.kind = ChoiceBox(TIP)
+        self.kind = ChoiceBox(tr(TIP))
         for kind, (title, tip) in WORDS.items():
-            self.kind.addItem(title, kind)
-            self.kind.setItemData(self.kind.count() - 1, tip, Qt.ItemDataRole.ToolTipRole)
+            self.kind.addItem(tr(title), kind)
+            self.kind.setItemData(self.kind.count() - 1, tr(tip), Qt.ItemDataRole.ToolTipRole)
         self.kind.setCurrentIndex(self.kind.findData(tracking.kind))
         self.kind.currentIndexChanged.connect(self._push_kind)
-        self.leave_out = ChoiceBox(LEAVE_OUT_TIP)
+        self.leave_out = ChoiceBox(tr(LEAVE_OUT_TIP))
         for choice, (title, tip) in LEAVE_OUT_WORDS.items():
-            self.leave_out.addItem(title, choice)
-            self.leave_out.setItemData(self.leave_out.count() - 1, tip, Qt.ItemDataRole.ToolTipRole)
+            self.leave_out.addItem(tr(title), choice)
+            self.leave_out.setItemData(self.leave_out.count() - 1, tr(tip), Qt.ItemDataRole.ToolTipRole)
         self.leave_out.setCurrentIndex(self.leave_out.findData(tracking.leave_out))
         self.leave_out.currentIndexChanged.connect(self._push_leave_out)
         row = QHBoxLayout()

@@ -28,6 +28,7 @@ from ..features.belonging import Belonging
 from ..features.navigation import clip_frames
 from ..model.document import Document
 from ..model.view_state import ViewState, selected_shapes
+from ..translation import N_, tr
 from ..widgets.controls import FRAME_LIMIT, dense_form, form_label
 from ..widgets.fields import BlendBox, NumberField, ScrubLabel, SwitchBox, shared
 from .colour_row import ColourRow
@@ -35,7 +36,7 @@ from .layer_form import LayerForm
 from .object_form import ObjectForm
 from .value_key import ValueKeyButton, keyed_row
 
-NOTHING = "Select a shape to see its properties."
+NOTHING = N_("Select a shape to see its properties.")
 FREE_OF_LOCKS = {"visible", "locked"}
 """What can be changed on a locked shape."""
 
@@ -72,7 +73,7 @@ class PropertiesPanel(QWidget):
         self._form = dense_form()
         self._form.setContentsMargins(style.MARGIN, style.MARGIN, style.MARGIN, style.MARGIN)
         self._form_page.setLayout(self._form)
-        self._hint = QLabel(NOTHING)
+        self._hint = QLabel(tr(NOTHING))
         self._hint.setObjectName("weak")
         self._hint.setAlignment(Qt.AlignmentFlag.AlignHCenter | Qt.AlignmentFlag.AlignTop)
         self._hint.setContentsMargins(0, 2 * style.MARGIN, 0, 0)
@@ -96,35 +97,35 @@ class PropertiesPanel(QWidget):
 
     def _build_looks(self) -> None:
         self.name = name = QLineEdit()
-        name.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
-        self._add_row(form_label("Name"), name, lambda shapes: self._show_name(shapes))
+        name.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self._add_row(form_label(tr("Name")), name, lambda shapes: self._show_name(shapes))
         name.editingFinished.connect(lambda: self._push_name(name.text().strip()))
 
         self.colours = colours = ColourRow()
         self._add_row(
-            form_label("Colour"), colours, lambda shapes: colours.show_colour(shared(s.colour for s in shapes))
+            form_label(tr("Colour")), colours, lambda shapes: colours.show_colour(shared(s.colour for s in shapes))
         )
-        colours.picked.connect(lambda colour: self.push("Colour", colour=colour))
+        colours.picked.connect(lambda colour: self.push(tr("Colour"), colour=colour))
 
-        self.blend = blend = BlendBox("How the shape joins what lies under it in its layer")
+        self.blend = blend = BlendBox(tr("How the shape joins what lies under it in its layer"))
         self._add_row(
-            form_label("Blend"), blend, lambda shapes: blend.show_mode(shared(shape.blend for shape in shapes))
+            form_label(tr("Blend")), blend, lambda shapes: blend.show_mode(shared(shape.blend for shape in shapes))
         )
-        blend.picked.connect(lambda mode: self.push("Blend", blend=mode))
+        blend.picked.connect(lambda mode: self.push(tr("Blend"), blend=mode))
 
         self.opacity, self.opacity_key = NumberField(0.0, 100.0, suffix=" %"), ValueKeyButton()
-        self._add_value("Opacity", self.opacity, self.opacity_key, 100.0)
+        self._add_value("opacity", tr("Opacity"), self.opacity, self.opacity_key, 100.0)
 
-        tip = "Width of an even soft edge; below zero it lies inside"
+        tip = tr("Width of an even soft edge; below zero it lies inside")
         self.feather = NumberField(-500.0, 500.0, suffix=" px", decimals=1, step=0.5, tip=tip)
         self.feather_key = ValueKeyButton()
-        self._add_value("Feather", self.feather, self.feather_key)
+        self._add_value("feather", tr("Feather"), self.feather, self.feather_key)
 
     def _build_switches(self) -> None:
-        self.visible = SwitchBox("Visible", "A hidden shape takes no part in the matte")
-        self.locked = SwitchBox("Locked", "A locked shape cannot be changed by hand")
-        self.invert = SwitchBox("Invert", "The matte is what lies outside of the shape")
-        self.closed = SwitchBox("Closed", "Only a closed shape has a matte")
+        self.visible = SwitchBox(tr("Visible"), tr("A hidden shape takes no part in the matte"))
+        self.locked = SwitchBox(tr("Locked"), tr("A locked shape cannot be changed by hand"))
+        self.invert = SwitchBox(tr("Invert"), tr("The matte is what lies outside of the shape"))
+        self.closed = SwitchBox(tr("Closed"), tr("Only a closed shape has a matte"))
         grid = QGridLayout()
         grid.setVerticalSpacing(0)
         grid.setHorizontalSpacing(2 * style.MARGIN)
@@ -133,26 +134,33 @@ class PropertiesPanel(QWidget):
         for index, (name, box) in enumerate(switches):
             grid.addWidget(box, index // 2, index % 2)
             self._add_switch(name, box)
-        self._form.addRow(form_label("State"), grid)
+        self._form.addRow(form_label(tr("State")), grid)
 
     def _build_motion_blur(self) -> None:
-        self.blur = blur = SwitchBox("On", "Soft edges where the points move while the shutter is open")
+        self.blur = blur = SwitchBox(tr("On"), tr("Soft edges where the points move while the shutter is open"))
         self._add_row(
-            form_label("Motion blur"), blur, lambda shapes: blur.show_value(shared(bool(s.motion_blur) for s in shapes))
+            form_label(tr("Motion blur")),
+            blur,
+            lambda shapes: blur.show_value(shared(bool(s.motion_blur) for s in shapes)),
         )
-        blur.clicked.connect(lambda on: self.push_each("Motion blur", lambda shape: set_motion_blur(shape, on)))
+        blur.clicked.connect(lambda on: self.push_each(tr("Motion blur"), lambda shape: set_motion_blur(shape, on)))
         self.shutter = NumberField(
-            0.0, 4.0, suffix=" frames", decimals=2, step=0.05, tip="How long the shutter is open; 0.5 is 180 degrees"
+            0.0,
+            4.0,
+            suffix=tr(" frames"),
+            decimals=2,
+            step=0.05,
+            tip=tr("How long the shutter is open; 0.5 is 180 degrees"),
         )
         self.phase = NumberField(
-            -4.0, 4.0, suffix=" frames", decimals=2, step=0.05, tip="When it opens, counted from the frame"
+            -4.0, 4.0, suffix=tr(" frames"), decimals=2, step=0.05, tip=tr("When it opens, counted from the frame")
         )
-        self.samples = NumberField(2.0, 256.0, tip="Moments of the open shutter that are joined")
-        for label, field in (("Shutter", self.shutter), ("Phase", self.phase), ("Samples", self.samples)):
-            self._add_blur_number(label, field)
+        self.samples = NumberField(2.0, 256.0, tip=tr("Moments of the open shutter that are joined"))
+        self._add_blur_number("shutter", tr("Shutter"), self.shutter)
+        self._add_blur_number("phase", tr("Phase"), self.phase)
+        self._add_blur_number("samples", tr("Samples"), self.samples)
 
-    def _add_blur_number(self, label: str, field: NumberField) -> None:
-        name = label.lower()
+    def _add_blur_number(self, name: str, label: str, field: NumberField) -> None:
         kind = int if name == "samples" else float
 
         def put(shape: RotoShape, value: float) -> RotoShape:
@@ -161,20 +169,22 @@ class PropertiesPanel(QWidget):
         self._add_number(label, field, lambda s: getattr(s.motion_blur or MotionBlur(), name), put)
 
     def _build_lifetime(self) -> None:
-        self.limited = limited = SwitchBox("Limited", "The shape exists on some frames only")
+        self.limited = limited = SwitchBox(tr("Limited"), tr("The shape exists on some frames only"))
         self._add_row(
-            form_label("Lifetime"), limited, lambda shapes: limited.show_value(shared(bool(s.lifetime) for s in shapes))
+            form_label(tr("Lifetime")),
+            limited,
+            lambda shapes: limited.show_value(shared(bool(s.lifetime) for s in shapes)),
         )
         limited.clicked.connect(
-            lambda on: self.push_each("Lifetime", lambda shape: limit_lifetime(shape, on, self._clip()))
+            lambda on: self.push_each(tr("Lifetime"), lambda shape: limit_lifetime(shape, on, self._clip()))
         )
-        self.first = NumberField(-FRAME_LIMIT, FRAME_LIMIT, tip="First frame on which the shape exists")
-        self.last = NumberField(-FRAME_LIMIT, FRAME_LIMIT, tip="Last frame on which the shape exists")
-        self.from_here, self.to_here = _here("From this frame on"), _here("Up to this frame")
+        self.first = NumberField(-FRAME_LIMIT, FRAME_LIMIT, tip=tr("First frame on which the shape exists"))
+        self.last = NumberField(-FRAME_LIMIT, FRAME_LIMIT, tip=tr("Last frame on which the shape exists"))
+        self.from_here, self.to_here = _here(tr("From this frame on")), _here(tr("Up to this frame"))
         self.from_here.clicked.connect(lambda: self._push_frame(begin_at, self._view.frame))
         self.to_here.clicked.connect(lambda: self._push_frame(end_at, self._view.frame))
-        self._add_frame("From", self.first, self.from_here, lambda s: self._lifetime(s)[0], begin_at)
-        self._add_frame("To", self.last, self.to_here, lambda s: self._lifetime(s)[1] - 1, end_at)
+        self._add_frame(tr("From"), self.first, self.from_here, lambda s: self._lifetime(s)[0], begin_at)
+        self._add_frame(tr("To"), self.last, self.to_here, lambda s: self._lifetime(s)[1] - 1, end_at)
 
     def _lifetime(self, shape: RotoShape) -> tuple[int, int]:
         """The half-open range of frames in which a shape exists: those of the clip where it has no lifetime."""
@@ -208,9 +218,8 @@ class PropertiesPanel(QWidget):
         self._add_row(ScrubLabel(label, field), field, lambda shapes: field.show_value(shared(map(get, shapes))))
         field.edited.connect(lambda value, key: self.push_each(label, lambda shape: put(shape, value), key))
 
-    def _add_value(self, label: str, field: NumberField, button: ValueKeyButton, unit: float = 1.0) -> None:
-        """A row for a value that may vary with time; `unit` is what the field shows for 1."""
-        name = label.lower()
+    def _add_value(self, name: str, label: str, field: NumberField, button: ValueKeyButton, unit: float = 1.0) -> None:
+        """A row for the field `name` of shapes, which may vary with time; `unit` is what the row shows for 1."""
 
         def show(shapes: Shapes) -> None:
             values, frame = [getattr(shape, name) for shape in shapes], self._view.frame
@@ -251,11 +260,11 @@ class PropertiesPanel(QWidget):
 
     def _push_name(self, name: str) -> None:
         if name and len(self._selected()) == 1:
-            self.push("Rename", name=name)
+            self.push(tr("Rename"), name=name)
         self._pull()
 
     def _push_frame(self, verb: Callable[[RotoShape, int, range], RotoShape], frame: int, merge_key: str = "") -> None:
-        self.push_each("Lifetime", lambda shape: verb(shape, frame, self._clip()), merge_key)
+        self.push_each(tr("Lifetime"), lambda shape: verb(shape, frame, self._clip()), merge_key)
 
     def _clip(self) -> range:
         return clip_frames(self._document.project, self._view.frame)
@@ -299,15 +308,16 @@ class PropertiesPanel(QWidget):
         """A name belongs to one shape."""
         is_one = len(shapes) == 1
         self.name.setText(shapes[0].name if is_one else "")
-        self.name.setPlaceholderText("" if is_one else f"{len(shapes)} shapes")
+        self.name.setPlaceholderText("" if is_one else tr("{count} shapes", count=len(shapes)))
 
 
 def _here(tip: str) -> QToolButton:
     button = QToolButton()
     button.setObjectName("raised")
-    button.setText("here")
+    button.setText(tr("here"))
     button.setToolTip(tip)
-    button.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+    button.setAccessibleName(tip)
+    button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
     button.setFixedHeight(style.ROW_HEIGHT)
     return button
 
@@ -315,7 +325,7 @@ def _here(tip: str) -> QToolButton:
 def _switched(name: str, on: bool) -> str:
     """What a switch's undo step is called."""
     words = {
-        "visible": ("Hide", "Show"), "locked": ("Unlock", "Lock"), "closed": ("Open", "Close"),
-        "invert": ("Undo invert", "Invert"),
+        "visible": (tr("Hide"), tr("Show")), "locked": (tr("Unlock"), tr("Lock")), "closed": (tr("Open"), tr("Close")),
+        "invert": (tr("Undo invert"), tr("Invert")),
     }  # fmt: skip
     return words[name][on]

@@ -13,6 +13,7 @@ from roam_core.arrays import UInt8
 
 from ..canvas.view import CanvasView
 from ..model.viewing import ViewMode, title_of
+from ..translation import tr
 from ..widgets.controls import ChoiceBox
 
 LEAST_WIDTH = 200
@@ -29,7 +30,7 @@ class SecondViewer(QWidget):
         self._make, self._present = make, present
         self.canvas: CanvasView | None = None
         self._waits = False
-        self.mode = ChoiceBox("What the second viewer shows")
+        self.mode = ChoiceBox(tr("What the second viewer shows"))
         for mode in ViewMode:
             self.mode.addItem(title_of(mode), mode)
         self.mode.setCurrentIndex(self.mode.findData(ViewMode.MATTE))

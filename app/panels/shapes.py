@@ -18,12 +18,13 @@ from ..actions.keymaps import told
 from ..features.verbs.shapes import delete, toggle
 from ..model.document import Document
 from ..model.view_state import ViewState
+from ..translation import N_, tr
 
 NAME, EYE, LOCK = 0, 1, 2
 LEAST_ROWS, MOST_ROWS = 4, 9
 ID, IS_LAYER = Qt.ItemDataRole.UserRole, Qt.ItemDataRole.UserRole + 1
-EMPTY = "Draw a shape: press <tool.bezier> in the viewer,\nclick for corners, drag for curves."
-NO_CLIP = "Open a clip first: drop a folder of\nimages or a movie on the window."
+EMPTY = N_("Draw a shape: press <tool.bezier> in the viewer,\nclick for corners, drag for curves.")
+NO_CLIP = N_("Open a clip first: drop a folder of\nimages or a movie on the window.")
 
 
 class ShapesPanel(QWidget):
@@ -49,7 +50,7 @@ class ShapesPanel(QWidget):
     def _pull(self, _ids: object = None) -> None:
         is_empty = not self._document.project.root.children
         self._hint.setVisible(is_empty)
-        self._hint.setText(NO_CLIP if self._document.project.clip is None else told(EMPTY, self._view.keymap))
+        self._hint.setText(tr(NO_CLIP) if self._document.project.clip is None else told(tr(EMPTY), self._view.keymap))
         self.tree.setVisible(not is_empty)
 
 
@@ -84,7 +85,7 @@ class ShapeTree(QTreeWidget):
         self.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
         self.setDragDropMode(QAbstractItemView.DragDropMode.InternalMove)
         self.setEditTriggers(QAbstractItemView.EditTrigger.DoubleClicked | QAbstractItemView.EditTrigger.EditKeyPressed)
-        self.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         header = self.header()
         header.setStretchLastSection(False)
         header.setMinimumSectionSize(24)
@@ -149,7 +150,7 @@ class ShapeTree(QTreeWidget):
         name = row.text(NAME).strip()
         if column == NAME and name:
             project = edit.set_properties(self._document.project, row.data(NAME, ID), name=name)
-            self._document.apply("Rename", project)
+            self._document.apply(tr("Rename"), project)
         self._shown = None
         self._pull()
 
@@ -200,7 +201,9 @@ class ShapeTree(QTreeWidget):
         event.setDropAction(Qt.DropAction.IgnoreAction)
         event.accept()
         try:
-            self._document.apply("Restack", moved(self._document.project, self.selected_ids(), *self._place(target)))
+            self._document.apply(
+                tr("Restack"), moved(self._document.project, self.selected_ids(), *self._place(target))
+            )
         except RoamError as error:
             self._view.say(str(error))
 
@@ -247,8 +250,8 @@ def _dress_row(row: QTreeWidgetItem, item: Layer | RotoShape) -> None:
     # What is usual is quiet; what keeps a shape from being seen or edited stands out.
     row.setIcon(EYE, _drawing("eye", style.WEAK) if item.visible else _drawing("eye-off", style.TEXT))
     row.setIcon(LOCK, _drawing("lock", style.TEXT) if item.locked else _drawing("lock-open", style.WEAK))
-    row.setToolTip(EYE, "Show or hide")
-    row.setToolTip(LOCK, "Lock or unlock")
+    row.setToolTip(EYE, tr("Show or hide"))
+    row.setToolTip(LOCK, tr("Lock or unlock"))
     flag = Qt.ItemFlag
     drops = flag.ItemIsDropEnabled if isinstance(item, Layer) else flag.NoItemFlags
     row.setFlags(flag.ItemIsSelectable | flag.ItemIsEnabled | flag.ItemIsEditable | flag.ItemIsDragEnabled | drops)

@@ -14,6 +14,7 @@ from ..actions.actions import Actions
 from ..features.tracking import Scope, Tracking
 from ..model.document import Document
 from ..model.view_state import ViewState, shapes_in_hand
+from ..translation import N_, tr
 from ..widgets.controls import ChoiceBox, dense_form, form_label, tool_button, weak_label
 from .dials import DialForm
 
@@ -28,18 +29,18 @@ BUTTONS = (
 )
 
 WORDS = {
-    "best": "Follows the whole object by colour and motion: the surest on most shots, and the quickest.",
-    "full": "Edges, colours and landmarks; proposes to split a shape where the object comes apart. Slow.",
-    "medium": "Edges and nearby colours, carried along by landmarks: for objects with much texture.",
-    "lean": "Edges and the colours on both sides of them: for plain objects that move little.",
-    "baseline": "Edges alone: for clean contours on a plain background.",
+    "best": N_("Follows the whole object by colour and motion: the surest on most shots, and the quickest."),
+    "full": N_("Edges, colours and landmarks; proposes to split a shape where the object comes apart. Slow."),
+    "medium": N_("Edges and nearby colours, carried along by landmarks: for objects with much texture."),
+    "lean": N_("Edges and the colours on both sides of them: for plain objects that move little."),
+    "baseline": N_("Edges alone: for clean contours on a plain background."),
 }
 """What each configuration is good for, in an artist's words."""
 
 SCOPES = {
-    Scope.SELECTED: "Selected shapes, or all",
-    Scope.ALONE: "Selected, each alone",
-    Scope.ALL: "All shapes",
+    Scope.SELECTED: N_("Selected shapes, or all"),
+    Scope.ALONE: N_("Selected, each alone"),
+    Scope.ALL: N_("All shapes"),
 }
 
 
@@ -57,7 +58,7 @@ class TrackerPanel(QWidget):
         super().__init__(parent)
         self._document, self._view, self._tracking = document, view_state, tracking
         self._confidence = QLabel()
-        self.mode = ChoiceBox("How the engine works: what it looks at, and how long it takes")
+        self.mode = ChoiceBox(tr("How the engine works: what it looks at, and how long it takes"))
         self.scope = ChoiceBox()
         self.words = weak_label("")
         self.words.setWordWrap(True)
@@ -86,26 +87,26 @@ class TrackerPanel(QWidget):
     def _fill_modes(self) -> None:
         for name in CONFIGS:
             self.mode.addItem(name.replace("_", " ").capitalize(), name)
-            self.mode.setItemData(self.mode.count() - 1, WORDS.get(name, ""), Qt.ItemDataRole.ToolTipRole)
+            self.mode.setItemData(self.mode.count() - 1, tr(WORDS.get(name, "")), Qt.ItemDataRole.ToolTipRole)
         self.mode.setCurrentIndex(self.mode.findData(self._tracking.config))
         self.mode.currentIndexChanged.connect(self._push_mode)
 
     def _fill_scopes(self) -> None:
         for scope, title in SCOPES.items():
-            self.scope.addItem(title, scope)
+            self.scope.addItem(tr(title), scope)
         self.scope.currentIndexChanged.connect(self._push_scope)
 
     def _form(self, actions: Actions) -> QFormLayout:
         form = dense_form()
-        form.addRow(form_label("Shapes"), self.scope)
-        form.addRow(form_label("Mode"), self.mode)
+        form.addRow(form_label(tr("Shapes")), self.scope)
+        form.addRow(form_label(tr("Mode")), self.mode)
         form.addRow(self.words)
         form.addRow(self.dials)
         row = QHBoxLayout()
         row.addWidget(self._confidence, 1)
         for action_id in ("track.previous_doubtful", "track.next_doubtful"):
             row.addWidget(tool_button(actions, action_id))
-        form.addRow(form_label("Confidence"), row)
+        form.addRow(form_label(tr("Confidence")), row)
         return form
 
     def _push_mode(self) -> None:
@@ -117,7 +118,7 @@ class TrackerPanel(QWidget):
         self._pull()
 
     def _pull_mode(self) -> None:
-        self.words.setText(WORDS.get(self._tracking.config, ""))
+        self.words.setText(tr(WORDS.get(self._tracking.config, "")))
         self.dials.pull()
 
     def _pull(self, _ids: object = None) -> None:
@@ -129,19 +130,21 @@ class TrackerPanel(QWidget):
         ]
         if not values:
             self._confidence.setText("–")
-            self._confidence.setToolTip("This frame is not tracked")
+            self._confidence.setToolTip(tr("This frame is not tracked"))
         else:
-            doubt = "  doubtful" if is_doubtful(min(values)) else ""
-            self._confidence.setText(f"{min(values):.2f}{doubt}")
-            self._confidence.setToolTip("The engine's trust in this frame, 0 to 1")
+            doubt = tr("  doubtful") if is_doubtful(min(values)) else ""
+            self._confidence.setText(tr("{confidence:.2f}{doubt}", confidence=min(values), doubt=doubt))
+            self._confidence.setToolTip(tr("The engine's trust in this frame, 0 to 1"))
 
 
 def _scope_sentence(names: list[str]) -> str:
     """Which shapes a run would take now."""
     if not names:
-        return "There is no shape to track yet"
-    shown = ", ".join(names[:4]) + (f" and {len(names) - 4} more" if len(names) > 4 else "")
-    return f"Now: {shown}"
+        return tr("There is no shape to track yet")
+    shown = ", ".join(names[:4])
+    if len(names) > 4:
+        shown = tr("{names} and {count} more", names=shown, count=len(names) - 4)
+    return tr("Now: {shown}", shown=shown)
 
 
 def _button_row(actions: Actions) -> QHBoxLayout:

@@ -14,23 +14,31 @@ from roam_core.roto.animated import Animatable
 from roam_core.roto.value_keys import Keying, bent, interpolated, keyed, keying, leading_key, still, unkeyed
 
 from .. import style
+from ..translation import N_, tr
 from ..widgets.fields import NumberField, shared
 
 ValueVerb = Callable[[Animatable], Animatable]
 
 LOOKS = {
-    Keying.CONSTANT: ("value-none", style.WEAK, "It never varies. Click to set a key on this frame"),
-    Keying.KEY: ("value-here", style.ACCENT, "It has a key on this frame. Click to delete it"),
-    Keying.BETWEEN: ("value-between", style.ACCENT, "It varies, without a key on this frame. Click to set one"),
+    Keying.CONSTANT: ("value-none", style.WEAK, N_("It never varies. Click to set a key on this frame")),
+    Keying.KEY: ("value-here", style.ACCENT, N_("It has a key on this frame. Click to delete it")),
+    Keying.BETWEEN: ("value-between", style.ACCENT, N_("It varies, without a key on this frame. Click to set one")),
 }
 """Drawing, colour and tooltip of each state."""
-DIFFER = "Some have a key on this frame or vary, others do not. Click to set a key on all"
+WAYS = {
+    Interpolation.LINEAR: (N_("Linear"), N_("linear")),
+    Interpolation.SMOOTH: (N_("Smooth"), N_("smooth")),
+    Interpolation.HOLD: (N_("Hold"), N_("hold")),
+}
+"""How a value goes on from a key: in the menu, and in the name of a step."""
+DIFFER = N_("Some have a key on this frame or vary, others do not. Click to set a key on all")
 
 
 class ValueKeyButton(QToolButton):
     """Empty for a constant, filled for a key on this frame, half filled for a value that varies without one here.
 
-    Of several things it is filled where all have a key here, empty where all are constant. It never takes the keyboard.
+    Of several things it is filled where all have a key here, empty where all are constant. It takes the keyboard by Tab
+    alone.
 
     `acted(text, verb)` asks for a change: what it is called and what becomes of each value.
     """
@@ -42,7 +50,7 @@ class ValueKeyButton(QToolButton):
         self.setObjectName("flat")
         self.setIconSize(style.ICON_SIZE)
         self.setFixedSize(20, 20)
-        self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        self.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         self.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
         self.customContextMenuRequested.connect(self._show_menu)
         self.clicked.connect(self._click)
@@ -53,14 +61,16 @@ class ValueKeyButton(QToolButton):
         self._is_new, self._takes_new = False, False
         """Whether a key came just now, and whether the press did that: it took what was typed in the field."""
         self.menu_of_keys = QMenu(self)
-        self._set = self._entry("Set key", lambda value: keyed(value, self.frame))
-        self._delete = self._entry("Delete key", lambda value: unkeyed(value, self.frame))
-        self._delete_all = self._entry("Delete all keys", lambda value: still(value, self.frame))
+        self._set = self._entry(tr("Set key"), tr("set key"), lambda value: keyed(value, self.frame))
+        self._delete = self._entry(tr("Delete key"), tr("delete key"), lambda value: unkeyed(value, self.frame))
+        self._delete_all = self._entry(
+            tr("Delete all keys"), tr("delete all keys"), lambda value: still(value, self.frame)
+        )
         self.menu_of_keys.addSeparator()
         self._ways = {kind: self._way(kind) for kind in Interpolation}
-        self._tangents = self._entry("Tangents", lambda value: bent(value, self.frame))
+        self._tangents = self._entry(tr("Tangents"), tr("tangents"), lambda value: bent(value, self.frame))
         self._tangents.setCheckable(True)
-        self._tangents.setToolTip("It runs smoothly through its key here, or the last one before, by tangents")
+        self._tangents.setToolTip(tr("It runs smoothly through its key here, or the last one before, by tangents"))
         self.show_values([0.0], 0)
 
     def show_values(self, values: Sequence[Animatable], frame: int) -> None:
@@ -74,7 +84,8 @@ class ValueKeyButton(QToolButton):
             self._is_new = True
             QTimer.singleShot(0, self, self._settle)
         self.setIcon(self._icons[self.state])
-        self.setToolTip(LOOKS[self.state][2] if is_one else DIFFER)
+        self.setToolTip(tr(LOOKS[self.state][2]) if is_one else tr(DIFFER))
+        self.setAccessibleDescription(self.toolTip())
         leading = [key for value in values if (key := leading_key(value, frame)) is not None]
         way = shared(key.interpolation for key in leading) if leading else None
         is_bent = bool(leading) and all(key.slopes is not None for key in leading)
@@ -92,15 +103,16 @@ class ValueKeyButton(QToolButton):
 
     # ---- the rest is private
 
-    def _entry(self, text: str, verb: ValueVerb) -> QAction:
+    def _entry(self, text: str, step: str, verb: ValueVerb) -> QAction:
+        """An entry of the menu, and what its step is called within a sentence."""
         action = self.menu_of_keys.addAction(text)
-        action.triggered.connect(lambda: self.acted.emit(text.lower(), verb))
+        action.triggered.connect(lambda: self.acted.emit(step, verb))
         return action
 
     def _way(self, kind: Interpolation) -> QAction:
-        action = self._entry(kind.value.capitalize(), lambda value: interpolated(value, self.frame, kind))
+        action = self._entry(tr(WAYS[kind][0]), tr(WAYS[kind][1]), lambda value: interpolated(value, self.frame, kind))
         action.setCheckable(True)
-        action.setToolTip("How the value goes on from its key here, or the last one before")
+        action.setToolTip(tr("How the value goes on from its key here, or the last one before"))
         return action
 
     def _settle(self) -> None:

@@ -16,9 +16,13 @@ from ..dialogs.report_dialog import ReportDialog
 from ..features.messages import MessageLog
 from ..journal.journal import Journal
 from ..model.view_state import ViewState
+from ..translation import N_, tr
 from . import crash_report
 
-KEPT, AT_RISK = "Your project is as it was, and every edit is in the journal.", "Save your work under a new name now."
+KEPT, AT_RISK = (
+    N_("Your project is as it was, and every edit is in the journal."),
+    N_("Save your work under a new name now."),
+)
 PATIENCE = 1.0
 """Seconds for which the window waits until the journal holds every edit, before it says so."""
 MOST_SHOWN = 20
@@ -77,14 +81,14 @@ class Defects(QObject):
 
     def report_now(self) -> None:
         """Show a report that the artist asks for: versions, system, messages, and the last error of a job if any."""
-        what = self._last_error.trace or "Asked for in the Help menu; no error was noted."
-        self._open("Problem report", self._what_is_kept()).text.setPlainText(self._report(what))
+        what = self._last_error.trace or tr("Asked for in the Help menu; no error was noted.")
+        self._open(tr("Problem report"), self._what_is_kept()).text.setPlainText(self._report(what))
 
     def tell_of(self, crashes: list[str]) -> None:
         """Tell of native crashes of before."""
         if crashes:
-            sentence = "What could be found out about it is below; your edits up to then are in the journal."
-            dialog = self._open("ROAM ended in a crash", sentence)
+            sentence = tr("What could be found out about it is below; your edits up to then are in the journal.")
+            dialog = self._open(tr("ROAM ended in a crash"), sentence)
             dialog.text.setPlainText(self._report("\n".join(crashes)))
 
     def wait_for(self, question: QDialog) -> None:
@@ -113,14 +117,14 @@ class Defects(QObject):
             return
         self._seen.add(trace)
         kept = self._what_is_kept()
-        self._view.say(f"Something went wrong inside ROAM. {kept}")
+        self._view.say(tr("Something went wrong inside ROAM. {kept}", kept=kept))
         is_open = self.dialog is not None and isValid(self.dialog) and self.dialog.isVisible()
         before = self.dialog.text.toPlainText() + "\n" if self.dialog is not None and is_open else ""
-        dialog = self._open("Something went wrong inside ROAM", kept)
+        dialog = self._open(tr("Something went wrong inside ROAM"), kept)
         dialog.text.setPlainText(before + self._report(trace))
 
     def _what_is_kept(self) -> str:
-        return KEPT if self._journal.flush(PATIENCE) else AT_RISK
+        return tr(KEPT) if self._journal.flush(PATIENCE) else tr(AT_RISK)
 
     def _open(self, title: str, sentence: str) -> ReportDialog:
         if self.dialog is not None and isValid(self.dialog):

@@ -10,6 +10,8 @@ from logging.handlers import RotatingFileHandler
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from ..translation import N_, tr
+
 if TYPE_CHECKING:
     from ..jobs.runner import Runner
     from ..jobs.under_way import UnderWay
@@ -19,7 +21,7 @@ if TYPE_CHECKING:
 PATIENCE = 3000
 """Milliseconds after which the artist is told that the engine is being prepared."""
 BAD_USAGE = 2
-NO_DISPLAY = (
+NO_DISPLAY = N_(
     "There is no display to open a window on; use the command line (roam --help), "
     "or log in with a display or X forwarding."
 )
@@ -43,7 +45,7 @@ def open_window(path: str | None) -> int:
     if path is not None:
         _require_readable(path)
     if not has_display():
-        sys.stderr.write(f"roam: {NO_DISPLAY}\n")
+        sys.stderr.write(f"roam: {tr(NO_DISPLAY)}\n")
         return BAD_USAGE
     return _run(lambda window: _open_first(window, path))
 
@@ -78,7 +80,7 @@ def _run(begin: Callable[[MainWindow], object]) -> int:
     from PySide6.QtCore import QTimer
     from PySide6.QtWidgets import QApplication
 
-    from .. import style
+    from .. import style, translation
     from ..folders import cache_folder, state_folder, state_trouble
     from ..jobs import warm_up
     from ..model.personal import Personal
@@ -95,6 +97,7 @@ def _run(begin: Callable[[MainWindow], object]) -> int:
     application.setApplicationName("ROAM")
     application.setDesktopFileName("roam")
     style.apply(application)
+    translation.speak(personal.preferences.language)
     crashes = native_crashes(state_folder() / "crashes")
     window = MainWindow(state_folder() / "journal", personal)
     window.defects.install()
@@ -128,10 +131,10 @@ def _prepare(solver: Runner, config: str, view_state: ViewState, under_way: Unde
     def tell() -> None:
         if not preparation.is_over and not under_way.is_any:
             said.append(True)
-            view_state.say("The engine is being prepared, once on this machine; you can draw meanwhile.")
+            view_state.say(tr("The engine is being prepared, once on this machine; you can draw meanwhile."))
 
     QTimer.singleShot(PATIENCE, preparation, tell)
-    preparation.ended.connect(lambda *_: view_state.say("The engine is ready.") if said else None)
+    preparation.ended.connect(lambda *_: view_state.say(tr("The engine is ready.")) if said else None)
 
 
 def _scale(scale: float) -> None:

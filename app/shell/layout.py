@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QSize, Qt
 from PySide6.QtWidgets import QBoxLayout, QFrame, QHBoxLayout, QScrollArea, QSplitter, QVBoxLayout, QWidget
 
 LEAST_COLUMN_WIDTH = 240
@@ -33,14 +33,24 @@ def split(orientation: Qt.Orientation, growing: QWidget, other: QWidget) -> QSpl
     return splitter
 
 
+class _WideEnough(QScrollArea):
+    """Never narrower than what lies in it: words of other languages are longer."""
+
+    def minimumSizeHint(self) -> QSize:
+        whole = self.widget()
+        wanted = 0 if whole is None else whole.minimumSizeHint().width()
+        if self.verticalScrollBarPolicy() != Qt.ScrollBarPolicy.ScrollBarAlwaysOff:
+            wanted += self.verticalScrollBar().sizeHint().width()
+        return QSize(max(LEAST_COLUMN_WIDTH, wanted), super().minimumSizeHint().height())
+
+
 def scrolled(whole: QWidget) -> QScrollArea:
     """A column for small screens: nothing is squeezed, what does not fit is scrolled to."""
-    scroll = QScrollArea()
+    scroll = _WideEnough()
     scroll.setWidgetResizable(True)
     scroll.setFrameShape(QFrame.Shape.NoFrame)
     scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
     scroll.setWidget(whole)
-    scroll.setMinimumWidth(LEAST_COLUMN_WIDTH)
     return scroll
 
 

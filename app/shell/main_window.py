@@ -72,20 +72,23 @@ from ..tools.edit.feather import FeatherActions
 from ..tools.edit.transform_actions import TransformActions
 from ..tools.in_hand import ToolInHand
 from ..tools.toolbox import TOOLS
+from ..translation import N_, tr
 from ..widgets.controls import tool_button
 from ..widgets.focus import FocusFollowsPointer
 from ..widgets.panel import Panel
 from . import layout, settings
+from .accessibility import Accessibility, name_parts
 from .context_menus import ContextMenus
 from .defects import Defects
 from .full_screen import FullScreen
 from .second_view import second_viewer
 from .timeline_height import TimelineHeight
+from .undo_words import name_steps
 from .window_services import WindowServices
 from .workspace import Workspace
 
 PANEL_WIDTH = 272
-DRAW_HINT = "Draw a shape: press <tool.bezier>"
+DRAW_HINT = N_("Draw a shape: press <tool.bezier>")
 
 
 class MainWindow(QMainWindow):
@@ -160,7 +163,6 @@ class MainWindow(QMainWindow):
         self.properties = PropertiesPanel(document, view_state, self.belonging)
         self.review = ReviewPanel(document, view_state, actions)
         self.history = QUndoView(document.undo_stack)
-        self.history.setEmptyLabel("As opened")
         self.history.setMinimumHeight(6 * style.ROW_HEIGHT)
         self.transport = Transport(self.navigation, view_state, self.playback, actions)
         self.timeline = Timeline(
@@ -192,7 +194,7 @@ class MainWindow(QMainWindow):
     def _lay_out(self) -> None:
         actions = self.actions_by_id
         self.workspace = Workspace(self, actions, self._lay_out_anew)
-        second = Panel("Second viewer", self.second_viewer, (self.second_viewer.mode,))
+        second = Panel(tr("Second viewer"), self.second_viewer, (self.second_viewer.mode,))
         viewers = layout.split(Qt.Orientation.Horizontal, self.canvas, second)
         tools, lower = layout.rolled(self.tool_column), layout.column(self.transport, self.timeline)
         self.panel_column = self._panel_column()
@@ -201,10 +203,13 @@ class MainWindow(QMainWindow):
         self.splitters = {"upper": upper, "viewers": viewers}
         self.timeline_height = TimelineHeight(self._halves)
         self.workspace.add("second_viewer", second.title, second, is_shown_first=False)
-        self.workspace.add("timeline", "Timeline", lower)
-        self.workspace.add("curves", "Curves", self.timeline.curve_panel, show="view.curves", is_shown_first=False)
+        self.workspace.add("timeline", tr("Timeline"), lower)
+        self.workspace.add("curves", tr("Curves"), self.timeline.curve_panel, show="view.curves", is_shown_first=False)
         self._lay_out_anew()
         self.setCentralWidget(layout.column(self._halves, self.status))
+        parts = self.tool_column, self.view_bar, self.panel_column, self.transport, self.timeline, self.status
+        self.accessibility = Accessibility(self.document, self.view_state, self.canvas, parts, self.playback)
+        name_parts(self.timeline, self.history, self.shapes)
         around, panels = (self.menuWidget(), tools, self.status), actions["view.panels"]
         self.full_screen = FullScreen(
             self, actions["window.full_screen"], around, lambda: [*self.workspace.at_home, panels]
@@ -223,20 +228,20 @@ class MainWindow(QMainWindow):
         actions = self.actions_by_id
         shape_tools = tuple(tool_button(actions, name) for name in ("shape.group", "shape.duplicate", "shape.delete"))
         key_tools = tuple(tool_button(actions, name) for name in ("key.set", "key.delete"))
-        self.history_panel = Panel("History", self.history)
-        self.review_panel = Panel("Review", self.review, self.review.tools)
-        shapes, shape = Panel("Shapes", self.shapes, shape_tools), Panel("Shape", self.properties, key_tools)
+        self.history_panel = Panel(tr("History"), self.history)
+        self.review_panel = Panel(tr("Review"), self.review, self.review.tools)
+        shapes, shape = Panel(tr("Shapes"), self.shapes, shape_tools), Panel(tr("Shape"), self.properties, key_tools)
         self.shape_panel = shape
-        tracks = Panel("Track", self.tracker), Panel("Planar track", self.planar_panel)
+        tracks = Panel(tr("Track"), self.tracker), Panel(tr("Planar track"), self.planar_panel)
         asked = self.review_panel, self.history_panel, self.services.log_panel
         column = layout.column(shapes, *tracks, shape, *asked, growing=shapes, is_loose=True)
         column.setObjectName("panelColumn")
         column.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
         for name, panel in zip(("shapes", "track", "planar", "shape"), (shapes, *tracks, shape), strict=True):
             self.workspace.add(name, panel.title, panel)
-        self.workspace.add("review", "Review", self.review_panel, show="review.panel", is_shown_first=False)
-        self.workspace.add("history", "History", self.history_panel, show="edit.history", is_shown_first=False)
-        self.workspace.add("log", "Messages", self.services.log_panel, show="help.log", is_shown_first=False)
+        self.workspace.add("review", tr("Review"), self.review_panel, show="review.panel", is_shown_first=False)
+        self.workspace.add("history", tr("History"), self.history_panel, show="edit.history", is_shown_first=False)
+        self.workspace.add("log", tr("Messages"), self.services.log_panel, show="help.log", is_shown_first=False)
         return layout.scrolled(column)
 
     # ---- connecting
@@ -261,13 +266,7 @@ class MainWindow(QMainWindow):
         self.planar.doubted.connect(view.say)
         self.document.replaced.connect(self._pull_clip)
         self.document.path_changed.connect(self._pull_title)
-        self.document.forgot.connect(lambda: self.history.setEmptyLabel("Earlier steps were dropped"))
-        self.document.replaced.connect(lambda: self.history.setEmptyLabel("As opened"))
-        undo = self.document.undo_stack
-        undo.canUndoChanged.connect(self.actions_by_id["edit.undo"].setEnabled)
-        undo.canRedoChanged.connect(self.actions_by_id["edit.redo"].setEnabled)
-        undo.undoTextChanged.connect(lambda text: self.actions_by_id["edit.undo"].setText(f"Undo {text}".rstrip()))
-        undo.redoTextChanged.connect(lambda text: self.actions_by_id["edit.redo"].setText(f"Redo {text}".rstrip()))
+        name_steps(self.document, self.history, self.actions_by_id)
 
     def _connect_actions(self) -> None:
         actions = self.actions_by_id
@@ -310,6 +309,7 @@ class MainWindow(QMainWindow):
             TransformActions(self.document, self.view_state, self),
             self.services,
             self.workspace,
+            self.accessibility,
             self.reopening,
             self.reviewing,
             self.recovering,
@@ -368,7 +368,7 @@ class MainWindow(QMainWindow):
         actions.set_keymap(self.personal.keys.keymap)
         self.status.show_stop_keys(actions.keys_of("track.stop"))
         self.view_state.set_keymap(actions.keymap)
-        self.canvas.empty_hint = told(DRAW_HINT, actions.keymap)
+        self.canvas.empty_hint = told(tr(DRAW_HINT), actions.keymap)
         self.canvas.update()
 
     def _pull_preferences(self) -> None:

@@ -17,6 +17,7 @@ from roam_core.bounded import bounded_bytes
 from roam_core.errors import RoamError
 
 from ..atomic_json import MOST_BYTES, loaded
+from ..translation import tr
 from ..widgets.panel import Panel
 
 SWITCHES = ("time.loop", "time.ping_pong", "view.panels")
@@ -97,8 +98,8 @@ def keep(kept: Kept, path: Path) -> None:
 
 def _require_own(path: Path) -> None:
     """Refuse what `keep` does not write: a longer file, and values of other types, which Qt would make objects of."""
-    if os.path.lexists(path) and b"@Variant" in bounded_bytes(path, MOST_BYTES, "it is damaged"):
-        raise RoamError(f"{path} is damaged.")
+    if os.path.lexists(path) and b"@Variant" in bounded_bytes(path, MOST_BYTES, tr("it is damaged")):
+        raise RoamError(tr("{path} is damaged.", path=path))
 
 
 def _tables(text: object) -> dict[str, dict[str, str]]:

@@ -16,6 +16,7 @@ from ..features.messages import MessageLog
 from ..model.personal import Personal
 from ..model.view_state import ViewState
 from ..panels.log import LogPanel
+from ..translation import tr
 from ..widgets.panel import Panel
 
 
@@ -36,7 +37,7 @@ class WindowServices(QObject):
         self._actions, self._personal, self._parent = actions, personal, parent
         self.palette = Palette(parent, actions, view_state)
         self.log = LogPanel(messages)
-        self.log_panel = Panel("Messages", self.log, self.log.tools)
+        self.log_panel = Panel(tr("Messages"), self.log, self.log.tools)
         actions["help.log"].toggled.connect(self._show_log)
         self._editor: KeymapEditor | None = None
         self._settings: SettingsDialog | None = None

@@ -17,6 +17,7 @@ from .. import style
 from ..features.tracking import doubt_sentence, doubtful_points
 from ..model.document import Document
 from ..model.view_state import shapes_in_hand
+from ..translation import tr
 from .axis import TimeAxis
 from .marks import MarksOf
 from .scale import LABEL_WIDTH
@@ -45,7 +46,7 @@ class ConfidencePlot(QWidget):
         super().__init__(parent)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
         self.setToolTip(
-            "Confidence of the tracked frames; under the dashed line a frame is worth a look. Click to go there"
+            tr("Confidence of the tracked frames; under the dashed line a frame is worth a look. Click to go there")
         )
         self.lines = ConfidenceLines(document, axis, marks)
         self.lines.setMinimumHeight(LEAST_HEIGHT)
@@ -70,7 +71,7 @@ class ConfidencePlot(QWidget):
         middle, right = Qt.AlignmentFlag.AlignVCenter, Qt.AlignmentFlag.AlignRight
         for value, text in ((0.0, "0"), (DOUBTFUL, f"{DOUBTFUL:g}"), (1.0, "1")):
             painter.drawText(QRectF(0, self.value_y(value) - 8, LABEL_WIDTH - 6, 16), middle | right, text)
-        painter.drawText(QRectF(style.MARGIN, 0, LABEL_WIDTH, self.height()), middle, "confidence")
+        painter.drawText(QRectF(style.MARGIN, 0, LABEL_WIDTH, self.height()), middle, tr("confidence"))
         painter.end()
 
 
@@ -194,7 +195,7 @@ class ConfidenceLines(pg.GraphicsView):  # type: ignore[misc]
         )
         lines = [f"{value:.2f}  {name}" for value, name in known[:TOLD]]
         more = [f"and {len(known) - TOLD} more"] if len(known) > TOLD else []
-        return "\n".join([f"Frame {frame}", *(lines or ["Nothing is tracked here"]), *more])
+        return "\n".join([tr("Frame {frame}", frame=frame), *(lines or [tr("Nothing is tracked here")]), *more])
 
     def wheelEvent(self, event: QWheelEvent) -> None:
         self._axis.wheel(event, event.position().x() + LABEL_WIDTH)

@@ -12,6 +12,7 @@ from roam_core.roto import Mark, Project, timing
 
 from .. import style
 from ..model.document import Document
+from ..translation import tr
 from ..widgets.focus import KEEPS_KEYBOARD
 from .axis import TimeAxis, paint_playhead
 from .scale import LABEL_WIDTH
@@ -57,7 +58,7 @@ class MarkBand(QWidget):
         """Put another word on the mark of a frame."""
         mark = timing.mark_at(self._document.project, frame)
         if mark is not None and mark.text != text:
-            self._document.apply("Write note", timing.set_mark(self._document.project, frame, text))
+            self._document.apply(tr("Write note"), timing.set_mark(self._document.project, frame, text))
 
     def mark_at(self, x: float) -> Mark | None:
         """The mark near a pixel, or None."""
@@ -70,7 +71,7 @@ class MarkBand(QWidget):
     def mousePressEvent(self, event: QMouseEvent) -> None:
         mark = self.mark_at(event.position().x())
         if event.button() == Qt.MouseButton.RightButton and mark is not None:
-            self._document.apply("Remove mark", timing.remove_mark(self._document.project, mark.frame))
+            self._document.apply(tr("Remove mark"), timing.remove_mark(self._document.project, mark.frame))
         elif event.button() == Qt.MouseButton.LeftButton:
             self._held = mark
             if mark is not None:
@@ -95,7 +96,7 @@ class MarkBand(QWidget):
         """What was dragged is one undo step."""
         preview, self._preview, self._held = self._preview, None, None
         if preview is not None:
-            self._document.apply("Move mark", preview)
+            self._document.apply(tr("Move mark"), preview)
         self.update()
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
@@ -116,8 +117,12 @@ class MarkBand(QWidget):
         mark = self.mark_at(x)
         if mark is None:
             return ""
-        title = f"Frame {mark.frame}: {mark.text}" if mark.text else f"Frame {mark.frame}"
-        return f"{title}\nDrag to move, double-click to write, right-click to remove"
+        title = (
+            tr("Frame {frame}: {text}", frame=mark.frame, text=mark.text)
+            if mark.text
+            else tr("Frame {frame}", frame=mark.frame)
+        )
+        return tr("{title}\nDrag to move, double-click to write, right-click to remove", title=title)
 
     # ---- the rest is private
 
@@ -132,7 +137,7 @@ class MarkBand(QWidget):
         font.setPixelSize(11)
         painter.setFont(font)
         painter.setPen(QColor(style.WEAK))
-        painter.drawText(QRectF(style.MARGIN, 0, LABEL_WIDTH, HEIGHT), Qt.AlignmentFlag.AlignVCenter, "marks")
+        painter.drawText(QRectF(style.MARGIN, 0, LABEL_WIDTH, HEIGHT), Qt.AlignmentFlag.AlignVCenter, tr("marks"))
         painter.setClipRect(QRectF(LABEL_WIDTH, 0, self.width() - LABEL_WIDTH, HEIGHT))
         marks = (self._preview or self._document.project).marks
         for mark, following in pairwise([*marks, None]):
@@ -168,7 +173,7 @@ class MarkField(QLineEdit):
         self._band, self._frame, self._is_asking = band, 0, False
         self.setObjectName("markField")
         self.setProperty(KEEPS_KEYBOARD, True)
-        self.setPlaceholderText("a note on this frame")
+        self.setPlaceholderText(tr("a note on this frame"))
         self.setVisible(False)
         self.editingFinished.connect(self._keep)
 

@@ -8,8 +8,11 @@ from roam_core.roto import timing
 
 from ..model.document import Document
 from ..model.view_state import ViewState
+from ..translation import N_, tr
 
-NO_CLIP = "Open a clip first: marks lie on its frames."
+NONE_AFTER = N_("There is no mark after this frame.")
+NONE_BEFORE = N_("There is no mark before this frame.")
+NO_CLIP = N_("Open a clip first: marks lie on its frames.")
 
 
 class MarkVerbs:
@@ -31,17 +34,17 @@ class MarkVerbs:
         """Mark the playhead's frame, or take its mark away."""
         project, frame = self._document.project, self._view.frame
         if project.clip is None:
-            self._view.say(NO_CLIP)
+            self._view.say(tr(NO_CLIP))
         elif timing.mark_at(project, frame) is None:
-            self._document.apply("Mark frame", timing.set_mark(project, frame))
-            self._view.say(f"Frame {frame} is marked; double-click the mark to write a note.")
+            self._document.apply(tr("Mark frame"), timing.set_mark(project, frame))
+            self._view.say(tr("Frame {frame} is marked; double-click the mark to write a note.", frame=frame))
         else:
-            self._document.apply("Remove mark", timing.remove_mark(project, frame))
+            self._document.apply(tr("Remove mark"), timing.remove_mark(project, frame))
 
     def name(self) -> None:
         """Name the mark of the playhead's frame, which is set if it is not there."""
         if self._document.project.clip is None:
-            self._view.say(NO_CLIP)
+            self._view.say(tr(NO_CLIP))
             return
         if timing.mark_at(self._document.project, self._view.frame) is None:
             self.toggle()
@@ -53,4 +56,4 @@ class MarkVerbs:
         if beyond:
             self._view.set_frame(min(beyond) if step > 0 else max(beyond))
         else:
-            self._view.say(f"There is no mark {'after' if step > 0 else 'before'} this frame.")
+            self._view.say(tr(NONE_AFTER if step > 0 else NONE_BEFORE))

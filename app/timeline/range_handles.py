@@ -9,6 +9,7 @@ from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QPainter, QPen
 
 from .. import style
+from ..translation import tr
 from .axis import TimeAxis
 
 GRAB = 6
@@ -54,7 +55,11 @@ class RangeHandles:
     def tip(self, end: End) -> str:
         """What a bracket says of itself."""
         first, stop = self._axis.view_state.play_range
-        return f"In: frame {first}. Drag it" if end is End.IN else f"Out: frame {stop - 1}. Drag it"
+        return (
+            tr("In: frame {first}. Drag it", first=first)
+            if end is End.IN
+            else tr("Out: frame {last}. Drag it", last=stop - 1)
+        )
 
     def paint_background(self, painter: QPainter) -> None:
         """The range lies on a lighter background."""

@@ -21,6 +21,7 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QToolTip, QWidget
 
 from .. import style
+from ..translation import N_, tr
 from .axis import TimeAxis
 from .range_handles import End, RangeHandles
 from .scale import LABEL_WIDTH
@@ -35,7 +36,7 @@ TAB_SPACE = 4.0
 TICK, CACHED, MISSING = "#555555", "#6e6e6e", "#c8643c"
 
 
-HINT = "Drag to scrub, wheel to zoom, Shift+wheel to pan, double-click to see the whole clip"
+HINT = N_("Drag to scrub, wheel to zoom, Shift+wheel to pan, double-click to see the whole clip")
 
 
 class Ruler(QWidget):
@@ -98,7 +99,11 @@ class Ruler(QWidget):
         end, frame = self._handles.at(position), self._axis.scale.frame(position.x())
         if end is not None:
             return self._handles.tip(end)
-        return f"Frame {frame} is missing from the plate, or damaged" if frame in set(self._missing()) else HINT
+        return (
+            tr("Frame {frame} is missing from the plate, or damaged", frame=frame)
+            if frame in set(self._missing())
+            else tr(HINT)
+        )
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
         if self._handles.at(event.position()) is None:

@@ -18,6 +18,7 @@ from roam_core.roto.following import unpinned
 
 from .. import style
 from ..model.document import Document
+from ..translation import tr
 from .axis import TimeAxis, paint_playhead
 from .keys.row_painter import BACKGROUND, DIAMOND, DOUBT, ROW
 from .scale import LABEL_WIDTH
@@ -76,7 +77,7 @@ class TrackBand(QWidget):
         at, key = event.position(), self.adjust_key_at(event.position())
         if event.button() == Qt.MouseButton.RightButton and key is not None:
             after = unpinned(self._document.project, key[0].id, key[1])
-            self._document.apply("Remove adjust key", after)
+            self._document.apply(tr("Remove adjust key"), after)
         elif event.button() == Qt.MouseButton.LeftButton and at.x() < LABEL_WIDTH:
             layer = self.layer_at(at.y())
             if layer is not None:
@@ -105,12 +106,16 @@ class TrackBand(QWidget):
         if layer is None:
             return ""
         if at.x() < LABEL_WIDTH:
-            return f"The motion of {layer.name}: click to select its shapes"
+            return tr("The motion of {name}: click to select its shapes", name=layer.name)
         key = self.adjust_key_at(at)
         if key is not None:
-            return f"Frame {key[1]}: an adjust key of {layer.name}\nClick to go there, right-click to remove it"
+            return tr(
+                "Frame {frame}: an adjust key of {name}\nClick to go there, right-click to remove it",
+                frame=key[1],
+                name=layer.name,
+            )
         frame = self._axis.scale.frame(at.x())
-        return f"Frame {frame}: {_told(_of(layer), frame)}"
+        return tr("Frame {frame}: {told}", frame=frame, told=_told(_of(layer), frame))
 
     # ---- the rest is private
 
@@ -176,7 +181,7 @@ def _y(confidence: float) -> float:
 def _told(own: LayerTransform, frame: int) -> str:
     value = dict(own.confidence).get(frame)
     if value is None:
-        return "tracked before confidence was kept" if frame in own.frames else "not tracked"
+        return tr("tracked before confidence was kept") if frame in own.frames else tr("not tracked")
     if value == 0.0:
-        return "hidden: the motion goes evenly from the frames before to those after"
-    return f"confidence {value:.2f}" + (", worth a look" if is_doubtful(value) else "")
+        return tr("hidden: the motion goes evenly from the frames before to those after")
+    return tr("confidence {confidence:.2f}", confidence=value) + (tr(", worth a look") if is_doubtful(value) else "")

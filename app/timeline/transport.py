@@ -12,6 +12,7 @@ from ..actions.actions import Actions
 from ..features.navigation import Navigation
 from ..features.playback import Playback, Repeat
 from ..model.view_state import ViewState
+from ..translation import tr
 from ..widgets.controls import number_field, tool_button, weak_label
 
 BUTTONS = (
@@ -36,9 +37,9 @@ class Transport(QWidget):
         self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
         self.setFixedHeight(32)
         self._frame, self._in, self._out = (
-            number_field("Frame"),
-            number_field("First frame"),
-            number_field("Last frame"),
+            number_field(tr("Frame")),
+            number_field(tr("First frame")),
+            number_field(tr("Last frame")),
         )
         self._speed = QLabel()
         self._build(actions)
@@ -61,15 +62,15 @@ class Transport(QWidget):
         row.addSpacing(10)
         row.addWidget(self._frame)
         row.addStretch(1)
-        for text, field in (("in", self._in), ("out", self._out)):
+        for text, field in ((tr("in"), self._in), (tr("out"), self._out)):
             row.addWidget(weak_label(text))
             row.addSpacing(2)
             row.addWidget(field)
             row.addSpacing(10)
         self._speed.setObjectName("weak")
-        self._speed.setMinimumWidth(self._speed.fontMetrics().horizontalAdvance("24 of 23.976 fps × 0.125"))
+        self._speed.setMinimumWidth(self._speed.fontMetrics().horizontalAdvance(tr("24 of 23.976 fps × 0.125")))
         self._speed.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
-        self._speed.setToolTip("The clip's frames a second; while it plays, those that are shown, and the speed")
+        self._speed.setToolTip(tr("The clip's frames a second; while it plays, those that are shown, and the speed"))
         row.addWidget(self._speed)
         row.addSpacing(6)
         for action_id in AFTER_RANGE:
@@ -115,6 +116,6 @@ class Transport(QWidget):
     def _pull_speed(self) -> None:
         """The clip's speed; while it plays also how many pictures a second come to the screen, and how fast."""
         speed, rate = abs(self._playback.speed), self._playback.rate
-        shown = "" if rate is None else f"{rate:.0f} of "
+        shown = "" if rate is None else tr("{rate:.0f} of ", rate=rate)
         times = "" if speed in (0, 1) else f" × {speed:g}"
-        self._speed.setText(f"{shown}{self._playback.fps:g} fps{times}")
+        self._speed.setText(tr("{shown}{fps:g} fps{times}", shown=shown, fps=self._playback.fps, times=times))

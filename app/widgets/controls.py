@@ -2,9 +2,22 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QWheelEvent
-from PySide6.QtWidgets import QComboBox, QDoubleSpinBox, QFormLayout, QLabel, QSpinBox, QToolButton
+from PySide6.QtWidgets import (
+    QAbstractSpinBox,
+    QComboBox,
+    QDoubleSpinBox,
+    QFormLayout,
+    QLabel,
+    QLayout,
+    QLineEdit,
+    QSpinBox,
+    QToolButton,
+    QWidget,
+)
 
 from .. import style
 from ..actions.actions import Actions
@@ -15,7 +28,7 @@ MEASURE_WIDTH = 110
 
 
 def tool_button(actions: Actions, action_id: str, *, size: int = 24, name: str = "flat") -> QToolButton:
-    """A button for an action: its icon, its tooltip with the keys; it never takes the keyboard.
+    """A button for an action: its icon, its tooltip with the keys; it takes the keyboard by Tab alone.
 
     `name` is the style sheet's word for its look: `flat` in bars, `raised` among the fields of a form.
     """
@@ -24,21 +37,22 @@ def tool_button(actions: Actions, action_id: str, *, size: int = 24, name: str =
     button.setObjectName(name)
     button.setIconSize(style.ICON_SIZE)
     button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonIconOnly)
-    button.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+    button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
     button.setFixedHeight(size)
     button.setMinimumWidth(size)
     return button
 
 
 def icon_button(icon: str, tip: str, *, size: int = 24) -> QToolButton:
-    """A flat button that is no action of the window's; it never takes the keyboard."""
+    """A flat button that is no action of the window's; it takes the keyboard by Tab alone."""
     button = QToolButton()
     button.setObjectName("flat")
     button.setIcon(style.icon(icon))
     button.setIconSize(style.ICON_SIZE)
     button.setFixedSize(size, size)
-    button.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+    button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
     button.setToolTip(tip)
+    button.setAccessibleName(tip)
     return button
 
 
@@ -49,22 +63,24 @@ def number_field(tip: str) -> QSpinBox:
     field.setKeyboardTracking(False)
     field.setAlignment(Qt.AlignmentFlag.AlignRight)
     field.setFixedWidth(58)
-    field.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
+    field.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
     field.setToolTip(tip)
+    field.setAccessibleName(tip)
     return field
 
 
 class ChoiceBox(QComboBox):
     """A list to choose from in a panel.
 
-    It never takes the keyboard: keys pressed afterwards choose nothing. Nor does the wheel choose:
+    A click never gives it the keyboard, Tab does: keys pressed after a click choose nothing. Nor does the wheel choose:
     over it the panel scrolls, and a choice that is changed by the way is not noticed.
     """
 
     def __init__(self, tip: str = "") -> None:
         super().__init__()
-        self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        self.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         self.setToolTip(tip)
+        self.setAccessibleDescription(tip)
 
     def wheelEvent(self, event: QWheelEvent) -> None:
         event.ignore()
@@ -78,6 +94,7 @@ def measure_field(unit: str, value: float, least: float, most: float, step: floa
     field.setValue(value)
     field.setSuffix(unit)
     field.setToolTip(tip)
+    field.setAccessibleDescription(tip)
     field.setFixedWidth(MEASURE_WIDTH)
     field.setAlignment(Qt.AlignmentFlag.AlignRight)
     return field
@@ -90,9 +107,36 @@ def weak_label(text: str) -> QLabel:
     return label
 
 
+class _NamedForm(QFormLayout):
+    """A form whose labels name their fields for screen readers."""
+
+    def addRow(self, *row: Any) -> None:
+        super().addRow(*row)
+        label, field = row if len(row) == 2 else (None, None)
+        if isinstance(label, QLabel) and label.text():
+            for control in _controls_in(field):
+                if not control.accessibleName():
+                    control.setAccessibleName(label.text())
+
+
+def _controls_in(field: QWidget | QLayout | None) -> list[QWidget]:
+    """What is worked with in a row of a form: the field, or the fields and buttons beside each other in it."""
+    if isinstance(field, QLayout):
+        widgets = [item.widget() for index in range(field.count()) if (item := field.itemAt(index)) is not None]
+        return [control for widget in widgets for control in _controls_in(widget)]
+    if isinstance(field, QAbstractSpinBox | QComboBox | QLineEdit | QToolButton | QLabel):
+        return [field]
+    return [] if field is None else [each for child in field.findChildren(QWidget) for each in _fields_among(child)]
+
+
+def _fields_among(widget: QWidget) -> list[QWidget]:
+    is_part = isinstance(widget.parentWidget(), QAbstractSpinBox | QComboBox)
+    return [widget] if isinstance(widget, QAbstractSpinBox | QComboBox | QToolButton) and not is_part else []
+
+
 def dense_form() -> QFormLayout:
     """A form with the house's spacing and labels on the left."""
-    form = QFormLayout()
+    form = _NamedForm()
     form.setContentsMargins(0, 0, 0, 0)
     form.setHorizontalSpacing(style.MARGIN)
     form.setVerticalSpacing(6)
@@ -102,8 +146,8 @@ def dense_form() -> QFormLayout:
 
 
 def form_label(text: str) -> QLabel:
-    """A form's label: weak, of one width in all panels."""
+    """A form's label: weak, of one width in all panels but where a word of another language is longer."""
     label = weak_label(text)
-    label.setFixedWidth(LABEL_WIDTH)
+    label.setMinimumWidth(LABEL_WIDTH)
     label.setMinimumHeight(style.ROW_HEIGHT)
     return label

@@ -74,7 +74,8 @@ class NumberField(QDoubleSpinBox):
         self.setToolTip(tip)
         self.setKeyboardTracking(False)
         self.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
-        self.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.setAccessibleDescription(tip)
         self.lineEdit().setPlaceholderText(tr(MIXED))
         self.lineEdit().setTextMargins(0, 0, 4, 0)
         self.lineEdit().textEdited.connect(self._note_typing)
@@ -151,7 +152,7 @@ class ScrubLabel(QLabel):
     def __init__(self, text: str, field: NumberField) -> None:
         super().__init__(text)
         self.setObjectName("weak")
-        self.setFixedWidth(LABEL_WIDTH)
+        self.setMinimumWidth(LABEL_WIDTH)
         self.setMinimumHeight(style.ROW_HEIGHT)
         self._field = field
         self._last: float | None = None
@@ -213,7 +214,8 @@ class SwitchBox(QCheckBox):
     def __init__(self, text: str, tip: str = "", parent: QWidget | None = None) -> None:
         super().__init__(text, parent)
         self.setToolTip(tip)
-        self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        self.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+        self.setAccessibleDescription(tip)
 
     def show_value(self, value: bool | None) -> None:
         """Show on, off, or that they differ (None)."""

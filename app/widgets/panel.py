@@ -39,8 +39,9 @@ class Panel(QWidget):
         self._arrow = QToolButton()
         self._arrow.setIcon(style.icon("chevron-down"))
         self._arrow.setFixedSize(18, 18)
-        self._arrow.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        self._arrow.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         self._arrow.setToolTip(tr("Fold or unfold"))
+        self._arrow.setAccessibleName(f"{title}: {tr('Fold or unfold')}")
         self._arrow.clicked.connect(self.toggle)
         row.addWidget(self._arrow)
         row.addWidget(label)
@@ -58,7 +59,7 @@ class Panel(QWidget):
         button.setIconSize(style.ICON_SIZE)
         button.setFixedSize(22, 22)
         button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonIconOnly)
-        button.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         self._row.addWidget(button)
 
     @property

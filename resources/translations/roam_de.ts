@@ -5,3537 +5,5834 @@
     <name></name>
     <message>
         <source>  (on)</source>
-        <translation type="unfinished"></translation>
+        <translation>  (an)</translation>
+    </message>
+    <message>
+        <source>  doubtful</source>
+        <translation>  zweifelhaft</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
     </message>
     <message numerus="yes">
         <source> %n of its {count} vertices is/are doubtful and ringed.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform> %n von {count} Punkten ist zweifelhaft und eingekreist.</numerusform>
+            <numerusform> %n von {count} Punkten sind zweifelhaft und eingekreist.</numerusform>
         </translation>
     </message>
     <message>
         <source> (ripple)</source>
-        <translation type="unfinished"></translation>
+        <translation> (Ripple)</translation>
     </message>
     <message>
         <source> Bridged without a picture: {bridged}.</source>
-        <translation type="unfinished"></translation>
+        <translation> Ohne Bild überbrückt: {bridged}.</translation>
     </message>
     <message>
         <source> GB</source>
-        <translation type="unfinished"></translation>
+        <translation> GB</translation>
     </message>
     <message>
         <source> Its plate was found at {path}; save to keep that.</source>
-        <translation type="unfinished"></translation>
+        <translation> Die Plate wurde in {path} gefunden; durch Speichern bleibt das so.</translation>
     </message>
     <message>
         <source> MB</source>
-        <translation type="unfinished"></translation>
+        <translation> MB</translation>
     </message>
     <message>
         <source> and </source>
-        <translation type="unfinished"></translation>
+        <translation> und </translation>
+    </message>
+    <message>
+        <source> fps</source>
+        <translation> fps</translation>
+    </message>
+    <message>
+        <source> frames</source>
+        <translation> Frames</translation>
     </message>
     <message numerus="yes">
         <source> in %n shape(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform> in %n Form</numerusform>
+            <numerusform> in %n Formen</numerusform>
         </translation>
     </message>
     <message>
         <source> or </source>
-        <translation type="unfinished"></translation>
+        <translation> oder </translation>
     </message>
     <message>
         <source> px</source>
-        <translation type="unfinished"></translation>
+        <translation> px</translation>
     </message>
     <message>
         <source> px²</source>
-        <translation type="unfinished"></translation>
+        <translation> px²</translation>
     </message>
     <message>
         <source> since the last save</source>
-        <translation type="unfinished"></translation>
+        <translation> seit dem letzten Speichern</translation>
     </message>
     <message>
         <source> {shapes} edited meanwhile: left as they are.</source>
-        <translation type="unfinished"></translation>
+        <translation> {shapes} inzwischen bearbeitet und nicht verändert.</translation>
+    </message>
+    <message>
+        <source>%n boiling frame(s)</source>
+        <translation>Flimmernde Frames: %n</translation>
+    </message>
+    <message>
+        <source>%n doubtful frame(s)</source>
+        <translation>Zweifelhafte Frames: %n</translation>
     </message>
     <message numerus="yes">
         <source>%n doubtful frame(s): N goes to the next one.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n zweifelhafter Frame: N springt zum nächsten.</numerusform>
+            <numerusform>%n zweifelhafte Frames: N springt zum nächsten.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n edit(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Bearbeitung</numerusform>
+            <numerusform>%n Bearbeitungen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n frame(s)</source>
+        <translation>
+            <numerusform>%n Frame</numerusform>
+            <numerusform>%n Frames</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n frame(s) back</source>
+        <translation>
+            <numerusform>%n Frame zurück</numerusform>
+            <numerusform>%n Frames zurück</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n frame(s) is/are missing.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Frame fehlt.</numerusform>
+            <numerusform>%n Frames fehlen.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n frame(s) on</source>
+        <translation>
+            <numerusform>%n Frame weiter</numerusform>
+            <numerusform>%n Frames weiter</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n key(s)</source>
+        <translation>
+            <numerusform>%n Keyframe</numerusform>
+            <numerusform>%n Keyframes</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%n note(s)</source>
+        <translation>Notizen: %n</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n page(s)</source>
+        <translation>
+            <numerusform>%n Seite</numerusform>
+            <numerusform>%n Seiten</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n point(s) of it.</source>
+        <translation>
+            <numerusform>%n Punkt davon.</numerusform>
+            <numerusform>%n Punkte davon.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n proposal(s) to answer: Alt+P goes there.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Vorschlag wartet auf Antwort: Alt+P springt dorthin.</numerusform>
+            <numerusform>%n Vorschläge warten auf Antwort: Alt+P springt dorthin.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n shape(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Form</numerusform>
+            <numerusform>%n Formen</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n tracked frame(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n getrackter Frame</numerusform>
+            <numerusform>%n getrackte Frames</numerusform>
         </translation>
     </message>
     <message>
+        <source>, a key</source>
+        <translation>, ein Keyframe</translation>
+    </message>
+    <message>
+        <source>, worth a look</source>
+        <translation>, einen Blick wert</translation>
+    </message>
+    <message>
+        <source>.
+Now: {level}, {changes}</source>
+        <translation>.
+Jetzt: {level}, {changes}</translation>
+    </message>
+    <message>
+        <source>. Stale: what it was made from has changed, track it again</source>
+        <translation>. Veraltet: Die Grundlage hat sich geändert, bitte neu tracken</translation>
+    </message>
+    <message>
         <source>1 frame, {each:.0f} ms</source>
-        <translation type="unfinished"></translation>
+        <translation>1 Frame, {each:.0f} ms</translation>
     </message>
     <message>
         <source>100 %</source>
-        <translation type="unfinished"></translation>
+        <translation>100 %</translation>
     </message>
     <message>
         <source>16 bits</source>
-        <translation type="unfinished"></translation>
+        <translation>16 Bit</translation>
+    </message>
+    <message>
+        <source>24 of 23.976 fps × 0.125</source>
+        <translation>24 von 23,976 fps × 0,125</translation>
     </message>
     <message>
         <source>8 bits</source>
-        <translation type="unfinished"></translation>
+        <translation>8 Bit</translation>
+    </message>
+    <message>
+        <source>: worth a look</source>
+        <translation>: einen Blick wert</translation>
+    </message>
+    <message>
+        <source>; confidence {confidence:.2f}</source>
+        <translation>; Konfidenz {confidence:.2f}</translation>
     </message>
     <message>
         <source>; what came after them is damaged</source>
-        <translation type="unfinished"></translation>
+        <translation>; was danach kam, ist beschädigt</translation>
     </message>
     <message>
         <source>A closed shape needs at least {min_points_closed} points; click to place more.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine geschlossene Form braucht mindestens {min_points_closed} Punkte; weitere durch Klicken setzen.</translation>
     </message>
     <message>
         <source>A copy of {name}; save to keep it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Kopie von {name}; bleibt nur, wenn sie gespeichert wird.</translation>
     </message>
     <message>
         <source>A folder; its pictures are {first} and so on.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Ordner; die Bilder darin heißen {first} und so weiter.</translation>
+    </message>
+    <message>
+        <source>A hidden shape takes no part in the matte</source>
+        <translation>Eine ausgeblendete Form zählt nicht zur Matte</translation>
     </message>
     <message>
         <source>A key of your own</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine eigene Taste</translation>
     </message>
     <message>
         <source>A key on each so many frames; 0: at both ends of the range alone</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Keyframe alle so viele Frames; 0: nur an beiden Enden des Bereichs</translation>
+    </message>
+    <message>
+        <source>A locked shape cannot be changed by hand</source>
+        <translation>Eine gesperrte Form lässt sich nicht von Hand ändern</translation>
+    </message>
+    <message>
+        <source>A movie ends in {suffixes}; pictures go to a folder.</source>
+        <translation>Ein Film endet auf {suffixes}; Bilder kommen in einen Ordner.</translation>
+    </message>
+    <message>
+        <source>A movie or pictures of the outlines or the cut-out, to show</source>
+        <translation>Ein Film oder Bilder der Umrisse oder des Freistellers, zum Zeigen</translation>
+    </message>
+    <message>
+        <source>A part hangs by joints on the parts that it overlaps</source>
+        <translation>Ein Teil hängt über Gelenke an den Teilen, die er überlappt</translation>
     </message>
     <message>
         <source>A short shot to try everything on</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein kurzer Shot, um alles auszuprobieren</translation>
+    </message>
+    <message>
+        <source>A spline is a path alone; give the filter of {name}: {settings}.</source>
+        <translation>Ein Spline ist nur ein Pfad; dem Filter von {name} fehlt noch: {settings}.</translation>
+    </message>
+    <message>
+        <source>A spline is always there: switch off or cut the filter of {name} where it is not.</source>
+        <translation>Ein Spline ist immer da: den Filter von {name} abschalten oder schneiden, wo er fehlen soll.</translation>
+    </message>
+    <message>
+        <source>A still picture has no shutter: that of {name!r} was left out.</source>
+        <translation>Ein Standbild hat keinen Verschluss: Der von {name!r} entfällt.</translation>
     </message>
     <message>
         <source>About ROAM</source>
-        <translation type="unfinished"></translation>
+        <translation>Über ROAM</translation>
     </message>
     <message>
         <source>About ROAM…</source>
-        <translation type="unfinished"></translation>
+        <translation>Über ROAM…</translation>
     </message>
     <message>
         <source>About the middle of what is selected.</source>
-        <translation type="unfinished"></translation>
+        <translation>Um die Mitte der Auswahl.</translation>
     </message>
     <message>
         <source>Action</source>
-        <translation type="unfinished"></translation>
+        <translation>Aktion</translation>
+    </message>
+    <message>
+        <source>Actions</source>
+        <translation>Aktionen</translation>
     </message>
     <message>
         <source>Add</source>
-        <translation type="unfinished"></translation>
+        <translation>Addieren</translation>
     </message>
     <message>
         <source>Add an empty layer, to drop shapes on</source>
-        <translation type="unfinished"></translation>
+        <translation>Leere Ebene anlegen, auf die sich Formen ziehen lassen</translation>
     </message>
     <message>
         <source>Adjust key</source>
-        <translation type="unfinished"></translation>
+        <translation>Korrektur-Keyframe</translation>
     </message>
     <message>
         <source>Adjust key on frame {frame}: what it changes is spread to the adjust keys beside it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Korrektur-Keyframe auf Frame {frame}: Die Änderung verteilt sich bis zu den Korrektur-Keyframes daneben.</translation>
     </message>
     <message>
         <source>Adjust key on frame {here}: the track is right here.</source>
-        <translation type="unfinished"></translation>
+        <translation>Korrektur-Keyframe auf Frame {here}: Hier stimmt der Track.</translation>
     </message>
     <message>
         <source>Adjust track</source>
-        <translation type="unfinished"></translation>
+        <translation>Track korrigieren</translation>
+    </message>
+    <message>
+        <source>After</source>
+        <translation>Danach</translation>
+    </message>
+    <message>
+        <source>After Effects masks (script)</source>
+        <translation>After-Effects-Masken (Skript)</translation>
+    </message>
+    <message>
+        <source>After Effects&apos; feather points lie square to the outline: the feather curve of {name!r} keeps its width at each point, not its handles.</source>
+        <translation>Kantenpunkte von After Effects liegen senkrecht zum Umriss: Die weiche Kante von {name!r} behält ihre Breite an jedem Punkt, nicht ihre Tangenten.</translation>
+    </message>
+    <message>
+        <source>After Effects&apos; shutter is the composition&apos;s: that of {name!r} was left out.</source>
+        <translation>In After Effects gilt der Verschluss der Komposition: Der von {name!r} entfällt.</translation>
     </message>
     <message>
         <source>All</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle</translation>
     </message>
     <message>
         <source>All channels</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Kanäle</translation>
+    </message>
+    <message>
+        <source>All other visible shapes lie before the surface</source>
+        <translation>Alle anderen sichtbaren Formen liegen vor der Fläche</translation>
     </message>
     <message>
         <source>All pixels</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Pixel</translation>
     </message>
     <message>
         <source>All settings as they were at first; keys stay</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Einstellungen wie am Anfang; Tasten bleiben</translation>
+    </message>
+    <message>
+        <source>All shapes</source>
+        <translation>Alle Formen</translation>
     </message>
     <message>
         <source>All shapes together</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Formen zusammen</translation>
     </message>
     <message>
         <source>Alpha alone</source>
-        <translation type="unfinished"></translation>
+        <translation>Nur Alpha</translation>
+    </message>
+    <message>
+        <source>Also of those that are not selected</source>
+        <translation>Auch von denen, die nicht ausgewählt sind</translation>
     </message>
     <message>
         <source>Alt+arrows</source>
-        <translation type="unfinished"></translation>
+        <translation>Alt+Pfeiltasten</translation>
     </message>
     <message>
         <source>Always</source>
-        <translation type="unfinished"></translation>
+        <translation>Immer</translation>
     </message>
     <message>
         <source>An edit changes all keys of the in/out range alike</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Änderung gilt gleichermaßen für alle Keyframes von In bis Out</translation>
     </message>
     <message>
         <source>An error inside ROAM ended the work: {error}</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Fehler in ROAM hat die Arbeit beendet: {error}</translation>
+    </message>
+    <message>
+        <source>Another colour…</source>
+        <translation>Andere Farbe…</translation>
     </message>
     <message>
         <source>Another version of the plate below the same shapes</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine andere Version der Plate unter denselben Formen</translation>
+    </message>
+    <message>
+        <source>Another view of the same frame</source>
+        <translation>Eine andere Ansicht desselben Frames</translation>
     </message>
     <message>
         <source>Around the shapes only</source>
-        <translation type="unfinished"></translation>
+        <translation>Nur um die Formen</translation>
+    </message>
+    <message>
+        <source>Artist keys only</source>
+        <translation>Nur eigene Keyframes</translation>
     </message>
     <message>
         <source>As few as hold the outline</source>
-        <translation type="unfinished"></translation>
+        <translation>So wenige, dass der Umriss hält</translation>
     </message>
     <message>
         <source>As many as there are</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle vorhandenen</translation>
+    </message>
+    <message>
+        <source>As one new object</source>
+        <translation>Als ein neues Objekt</translation>
+    </message>
+    <message>
+        <source>As one: {link}</source>
+        <translation>Als eines: {link}</translation>
+    </message>
+    <message>
+        <source>As opened</source>
+        <translation>Wie geöffnet</translation>
     </message>
     <message>
         <source>As stacked</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie gestapelt</translation>
     </message>
     <message>
         <source>As stacked from here</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie gestapelt ab hier</translation>
+    </message>
+    <message>
+        <source>As the desktop</source>
+        <translation>Wie im System</translation>
     </message>
     <message>
         <source>Ask again</source>
-        <translation type="unfinished"></translation>
+        <translation>Erneut fragen</translation>
+    </message>
+    <message>
+        <source>Asked for in the Help menu; no error was noted.</source>
+        <translation>Im Hilfemenü angefordert; kein Fehler wurde festgestellt.</translation>
     </message>
     <message>
         <source>Attach to neighbours</source>
-        <translation type="unfinished"></translation>
+        <translation>An Nachbarn hängen</translation>
+    </message>
+    <message>
+        <source>Attached</source>
+        <translation>Angehängt</translation>
     </message>
     <message>
         <source>Auto-key</source>
-        <translation type="unfinished"></translation>
+        <translation>Auto-Key</translation>
     </message>
     <message>
         <source>B-spline</source>
-        <translation type="unfinished"></translation>
+        <translation>B-Spline</translation>
     </message>
     <message>
         <source>BSD 3-Clause licence, copyright the ROAM developers. The libraries beneath it:</source>
-        <translation type="unfinished"></translation>
+        <translation>BSD-3-Clause-Lizenz, Copyright die Entwickler von ROAM. Die Bibliotheken darunter:</translation>
     </message>
     <message>
         <source>Back and forth</source>
-        <translation type="unfinished"></translation>
+        <translation>Hin und her</translation>
+    </message>
+    <message>
+        <source>Background</source>
+        <translation>Hintergrund</translation>
     </message>
     <message>
         <source>Backups</source>
-        <translation type="unfinished"></translation>
+        <translation>Sicherungen</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>Davor</translation>
     </message>
     <message>
         <source>Begin again at the end of the range</source>
-        <translation type="unfinished"></translation>
+        <translation>Am Ende des Bereichs wieder von vorn</translation>
     </message>
     <message>
         <source>Begin and end softly after the chosen keys or this one</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach den gewählten Keyframes oder diesem weich beginnen und enden</translation>
     </message>
     <message>
         <source>Behind</source>
-        <translation type="unfinished"></translation>
+        <translation>Dahinter</translation>
     </message>
     <message>
         <source>Behind from here</source>
-        <translation type="unfinished"></translation>
+        <translation>Dahinter ab hier</translation>
+    </message>
+    <message>
+        <source>Bend opacity or feather smoothly through the chosen keys</source>
+        <translation>Deckkraft oder Feather glatt durch die gewählten Keyframes führen</translation>
     </message>
     <message>
         <source>Besides:</source>
-        <translation type="unfinished"></translation>
+        <translation>Außerdem:</translation>
     </message>
     <message>
         <source>Bezier</source>
-        <translation type="unfinished"></translation>
+        <translation>Bézier</translation>
+    </message>
+    <message>
+        <source>Black</source>
+        <translation>Schwarz</translation>
+    </message>
+    <message>
+        <source>Blend</source>
+        <translation>Mischen</translation>
+    </message>
+    <message>
+        <source>Blender blurs masks in its compositor: the shutter of {name!r} was left out.</source>
+        <translation>Blender zeichnet Masken im Compositor weich: Der Verschluss von {name!r} entfällt.</translation>
+    </message>
+    <message>
+        <source>Blender cuts masks off where pixels are this narrow: {name!r} reaches beyond the middle {rows:.0f} of {height} rows.</source>
+        <translation>Blender schneidet Masken bei so schmalen Pixeln ab: {name!r} reicht über die mittleren {rows:.0f} von {height} Zeilen hinaus.</translation>
+    </message>
+    <message>
+        <source>Blender cuts names after {longest_name} bytes: {name!r}... is one.</source>
+        <translation>Blender kürzt Namen nach {longest_name} Bytes: {name!r}... ist so einer.</translation>
+    </message>
+    <message>
+        <source>Blender mask (script)</source>
+        <translation>Blender-Maske (Skript)</translation>
+    </message>
+    <message>
+        <source>Blender softens edges by up to {pixels:.1f} pixels in a picture of {width} x {height}.</source>
+        <translation>Blender macht Kanten um bis zu {pixels:.1f} Pixel weicher, in einem Bild von {width} x {height}.</translation>
+    </message>
+    <message>
+        <source>Blender&apos;s feather lies square to the outline: the feather curve of {name!r} keeps its width at each point, not its handles.</source>
+        <translation>Blenders weiche Kante liegt senkrecht zum Umriss: Die von {name!r} behält ihre Breite an jedem Punkt, nicht ihre Tangenten.</translation>
+    </message>
+    <message>
+        <source>Blender&apos;s masks slide from key to key: {name!r}, which steps {count} times, does so during the last frame before each step.</source>
+        <translation>Blenders Masken gleiten von Keyframe zu Keyframe: {name!r}, mit {count} Sprüngen, tut das im letzten Frame vor jedem Sprung.</translation>
+    </message>
+    <message>
+        <source>Blender&apos;s masks slide from key to key: {name!r}, which steps, became {layers} layers, one for each stretch between steps.</source>
+        <translation>Blenders Masken gleiten von Keyframe zu Keyframe: Aus {name!r}, das springt, wurden {layers} Ebenen, eine für jede Strecke zwischen Sprüngen.</translation>
     </message>
     <message>
         <source>Blue</source>
-        <translation type="unfinished"></translation>
+        <translation>Blau</translation>
+    </message>
+    <message>
+        <source>Boil</source>
+        <translation>Flimmern</translation>
+    </message>
+    <message>
+        <source>Boil is measured by the picture.</source>
+        <translation>Das Flimmern ist am Bild gemessen.</translation>
     </message>
     <message>
         <source>Box or click an object: a shape is fitted to it</source>
-        <translation type="unfinished"></translation>
+        <translation>Rahmen oder Klick auf ein Objekt: Eine Form wird angepasst</translation>
     </message>
     <message>
         <source>Box the object or click on it; before that, Shift+click marks more of it and Ctrl+click what is not.</source>
-        <translation type="unfinished"></translation>
+        <translation>Objekt einrahmen oder anklicken; davor markiert Umschalt+Klick mehr davon und Strg+Klick, was nicht dazugehört.</translation>
     </message>
     <message>
         <source>Break a tangent; from an anchor: pull its handles out</source>
-        <translation type="unfinished"></translation>
+        <translation>Tangente brechen; von einem Punkt aus: Tangenten herausziehen</translation>
     </message>
     <message>
         <source>Brightness alone, and back</source>
-        <translation type="unfinished"></translation>
+        <translation>Nur Helligkeit, und zurück</translation>
     </message>
     <message>
         <source>Browse…</source>
-        <translation type="unfinished"></translation>
+        <translation>Auswählen…</translation>
     </message>
     <message>
         <source>By itself</source>
-        <translation type="unfinished"></translation>
+        <translation>Für sich</translation>
+    </message>
+    <message>
+        <source>By outlines</source>
+        <translation>Nach Umrissen</translation>
     </message>
     <message>
         <source>By outlines again: shapes that overlap are parts</source>
-        <translation type="unfinished"></translation>
+        <translation>Wieder nach Umrissen: Formen, die sich überlappen, sind Teile</translation>
+    </message>
+    <message>
+        <source>COCO has no mode &apos;difference&apos;: {name!r} is an object of its own.</source>
+        <translation>COCO hat keinen Modus Differenz: {name!r} ist ein eigenes Objekt.</translation>
+    </message>
+    <message>
+        <source>COCO instances</source>
+        <translation>COCO-Instanzen</translation>
+    </message>
+    <message>
+        <source>CVAT</source>
+        <translation>CVAT</translation>
+    </message>
+    <message>
+        <source>CVAT for video</source>
+        <translation>CVAT für Video</translation>
+    </message>
+    <message>
+        <source>CVAT has no layers of masks: {name!r} loses {lost}.</source>
+        <translation>CVAT hat keine Maskenebenen: {name!r} verliert {lost}.</translation>
+    </message>
+    <message>
+        <source>CVAT hides no tracks in a file: the invisible {name} is seen there.</source>
+        <translation>CVAT blendet in Dateien keine Tracks aus: Das unsichtbare {name} ist dort zu sehen.</translation>
     </message>
     <message>
         <source>Change keys</source>
-        <translation type="unfinished"></translation>
+        <translation>Tasten ändern</translation>
     </message>
     <message>
         <source>Change keys…</source>
-        <translation type="unfinished"></translation>
+        <translation>Tasten ändern…</translation>
     </message>
     <message>
         <source>Change the reach of soft selection, of the brush</source>
-        <translation type="unfinished"></translation>
+        <translation>Reichweite der weichen Auswahl oder des Pinsels ändern</translation>
     </message>
     <message>
         <source>Channels of one file</source>
-        <translation type="unfinished"></translation>
+        <translation>Kanäle einer Datei</translation>
+    </message>
+    <message>
+        <source>Checkerboard</source>
+        <translation>Schachbrett</translation>
+    </message>
+    <message>
+        <source>Choose keys in the timeline first: click one, or drag a box around several.</source>
+        <translation>Zuerst Keyframes in der Zeitleiste wählen: einen anklicken oder um mehrere einen Rahmen ziehen.</translation>
+    </message>
+    <message>
+        <source>Choose keys of opacity or feather in the timeline or the curve editor first.</source>
+        <translation>Zuerst Keyframes von Deckkraft oder Feather in der Zeitleiste oder im Kurveneditor wählen.</translation>
+    </message>
+    <message>
+        <source>Choose the shapes that lie before the surface, one by one</source>
+        <translation>Die Formen einzeln wählen, die vor der Fläche liegen</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Wählen…</translation>
     </message>
     <message>
         <source>Cineon log</source>
-        <translation type="unfinished"></translation>
+        <translation>Cineon-Log</translation>
     </message>
     <message>
         <source>Clear in and out</source>
-        <translation type="unfinished"></translation>
+        <translation>In und Out löschen</translation>
     </message>
     <message>
         <source>Click along an edge: the line clings to it, straight with Ctrl. Return or the first point closes.</source>
-        <translation type="unfinished"></translation>
+        <translation>Entlang einer Kante klicken: Die Linie schmiegt sich an, mit Strg gerade. Eingabe oder der erste Punkt schließt.</translation>
     </message>
     <message>
         <source>Click control points around the object. Return or the first point closes, Esc leaves it open.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kontrollpunkte um das Objekt klicken. Eingabe oder der erste Punkt schließt, Esc lässt offen.</translation>
     </message>
     <message>
         <source>Click for a corner, drag for a curve. Return or the first point closes, Esc leaves it open.</source>
-        <translation type="unfinished"></translation>
+        <translation>Klicken für eine Ecke, ziehen für eine Kurve. Eingabe oder der erste Punkt schließt, Esc lässt offen.</translation>
     </message>
     <message>
         <source>Click for each corner. Return or the first point closes, Esc leaves it open.</source>
-        <translation type="unfinished"></translation>
+        <translation>Jede Ecke anklicken. Eingabe oder der erste Punkt schließt, Esc lässt offen.</translation>
     </message>
     <message>
         <source>Click here, then press the new key</source>
-        <translation type="unfinished"></translation>
+        <translation>Hier klicken, dann die neue Taste drücken</translation>
     </message>
     <message>
         <source>Click one, two or four marks, then &lt;planar.forward&gt;; Ctrl and the wheel size their areas.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein, zwei oder vier Marken klicken, dann &lt;planar.forward&gt;; Strg und Mausrad ändern ihre Bereiche.</translation>
     </message>
     <message>
         <source>Click or box the object to find it, Return finds what is marked.</source>
-        <translation type="unfinished"></translation>
+        <translation>Objekt anklicken oder einrahmen, um es zu finden; Eingabe findet das Markierte.</translation>
     </message>
     <message>
         <source>Clips</source>
-        <translation type="unfinished"></translation>
+        <translation>Clips</translation>
     </message>
     <message>
         <source>Close</source>
-        <translation type="unfinished"></translation>
+        <translation>Schließen</translation>
     </message>
     <message>
         <source>Close a shape being drawn, leave it open</source>
-        <translation type="unfinished"></translation>
+        <translation>Gezeichnete Form schließen, offen lassen</translation>
+    </message>
+    <message>
+        <source>Closed</source>
+        <translation>Geschlossen</translation>
     </message>
     <message>
         <source>Colour</source>
-        <translation type="unfinished"></translation>
+        <translation>Farbe</translation>
+    </message>
+    <message>
+        <source>Colour of the outline</source>
+        <translation>Farbe des Umrisses</translation>
+    </message>
+    <message>
+        <source>Colour under the cut-out</source>
+        <translation>Farbe unter dem Freisteller</translation>
+    </message>
+    <message>
+        <source>Colour {number}</source>
+        <translation>Farbe {number}</translation>
     </message>
     <message>
         <source>Compare</source>
-        <translation type="unfinished"></translation>
+        <translation>Vergleichen</translation>
     </message>
     <message>
         <source>Compare what is shown now with what will be: drag the line</source>
-        <translation type="unfinished"></translation>
+        <translation>Vergleichen, was jetzt zu sehen ist, mit dem, was kommt: Linie ziehen</translation>
     </message>
     <message>
         <source>Compare with what is shown now, in place of what was pinned</source>
-        <translation type="unfinished"></translation>
+        <translation>Mit dem vergleichen, was jetzt zu sehen ist, statt mit dem zuvor Gemerkten</translation>
     </message>
     <message>
         <source>Confidence</source>
-        <translation type="unfinished"></translation>
+        <translation>Konfidenz</translation>
     </message>
     <message>
         <source>Confidence is {confidence:.2f} at least.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Konfidenz ist mindestens {confidence:.2f}.</translation>
+    </message>
+    <message>
+        <source>Confidence of the tracked frames; under the dashed line a frame is worth a look. Click to go there</source>
+        <translation>Konfidenz der getrackten Frames; unter der gestrichelten Linie ist ein Frame einen Blick wert. Klicken springt hin</translation>
+    </message>
+    <message>
+        <source>Confidence: thin and blue is sure, broad and orange is doubtful, grey is not the engine&apos;s</source>
+        <translation>Konfidenz: dünn und blau ist sicher, breit und orange ist zweifelhaft, grau ist nicht von der Engine</translation>
+    </message>
+    <message>
+        <source>Contact sheet</source>
+        <translation>Kontaktbogen</translation>
+    </message>
+    <message>
+        <source>Contact sheet…</source>
+        <translation>Kontaktbogen…</translation>
     </message>
     <message>
         <source>Copied the key of frame {frame}: paste puts it on another frame.</source>
-        <translation type="unfinished"></translation>
+        <translation>Keyframe von Frame {frame} kopiert: Einfügen setzt ihn auf einen anderen Frame.</translation>
+    </message>
+    <message>
+        <source>Copied {keys}: paste puts the first one on the playhead&apos;s frame.</source>
+        <translation>{keys} kopiert: Einfügen setzt den ersten auf den Frame des Abspielkopfs.</translation>
     </message>
     <message>
         <source>Copied {shapes} for {program}; paste there.</source>
-        <translation type="unfinished"></translation>
+        <translation>{shapes} für {program} kopiert; dort einfügen.</translation>
     </message>
     <message>
         <source>Copied {shapes}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{shapes} kopiert.</translation>
     </message>
     <message>
         <source>Copy</source>
-        <translation type="unfinished"></translation>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Copy all messages</source>
+        <translation>Alle Meldungen kopieren</translation>
     </message>
     <message>
         <source>Copy for Fusion</source>
-        <translation type="unfinished"></translation>
+        <translation>Für Fusion kopieren</translation>
     </message>
     <message>
         <source>Copy for Nuke</source>
-        <translation type="unfinished"></translation>
+        <translation>Für Nuke kopieren</translation>
     </message>
     <message>
         <source>Copy key</source>
-        <translation type="unfinished"></translation>
+        <translation>Keyframe kopieren</translation>
+    </message>
+    <message>
+        <source>Copy keys</source>
+        <translation>Keyframes kopieren</translation>
     </message>
     <message>
         <source>Copy the report</source>
-        <translation type="unfinished"></translation>
+        <translation>Bericht kopieren</translation>
     </message>
     <message>
         <source>Copy the selected shapes</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausgewählte Formen kopieren</translation>
     </message>
     <message>
         <source>Copy the selected shapes as they are on this frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausgewählte Formen kopieren, wie sie auf diesem Frame sind</translation>
+    </message>
+    <message>
+        <source>Copy {keys} {frames}: {first} to {last}.</source>
+        <translation>{keys} {frames} kopieren: {first} nach {last}.</translation>
     </message>
     <message>
         <source>Copying for {program} …</source>
-        <translation type="unfinished"></translation>
+        <translation>Kopieren für {program} …</translation>
     </message>
     <message>
         <source>Ctrl+Alt+click</source>
-        <translation type="unfinished"></translation>
+        <translation>Strg+Alt+Klick</translation>
     </message>
     <message>
         <source>Ctrl+Alt+click on an outline inserts a point there; a drag is a lasso.</source>
-        <translation type="unfinished"></translation>
+        <translation>Strg+Alt+Klick auf einen Umriss fügt dort einen Punkt ein; Ziehen ist ein Lasso.</translation>
     </message>
     <message>
         <source>Ctrl+Alt+drag</source>
-        <translation type="unfinished"></translation>
+        <translation>Strg+Alt+Ziehen</translation>
     </message>
     <message>
         <source>Ctrl+drag</source>
-        <translation type="unfinished"></translation>
+        <translation>Strg+Ziehen</translation>
     </message>
     <message>
         <source>Ctrl+wheel</source>
-        <translation type="unfinished"></translation>
+        <translation>Strg+Mausrad</translation>
+    </message>
+    <message>
+        <source>Curve editor</source>
+        <translation>Kurveneditor</translation>
+    </message>
+    <message>
+        <source>Curves</source>
+        <translation>Kurven</translation>
     </message>
     <message>
         <source>Curves carried through a shot</source>
-        <translation type="unfinished"></translation>
+        <translation>Kurven, durch den Shot getragen</translation>
+    </message>
+    <message>
+        <source>Curves were written as polygons that stray from them by at most {tolerance:g} px.</source>
+        <translation>Kurven wurden als Polygone geschrieben, die um höchstens {tolerance:g} px abweichen.</translation>
     </message>
     <message numerus="yes">
         <source>Cusp %n point(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Punkt zur Ecke machen</numerusform>
+            <numerusform>%n Punkte zu Ecken machen</numerusform>
         </translation>
     </message>
     <message>
         <source>Cusp points</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkte zu Ecken</translation>
     </message>
     <message>
         <source>Cut</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausschneiden</translation>
     </message>
     <message>
         <source>Cut the selected shapes</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausgewählte Formen ausschneiden</translation>
     </message>
     <message>
         <source>Cut-out</source>
-        <translation type="unfinished"></translation>
+        <translation>Freisteller</translation>
     </message>
     <message>
         <source>Cuts a hole into what lies under it</source>
-        <translation type="unfinished"></translation>
+        <translation>Schneidet ein Loch in das, was darunter liegt</translation>
+    </message>
+    <message>
+        <source>Cutting out …</source>
+        <translation>Freistellen …</translation>
     </message>
     <message>
         <source>Defaults</source>
-        <translation type="unfinished"></translation>
+        <translation>Standard</translation>
     </message>
     <message>
         <source>Delete</source>
-        <translation type="unfinished"></translation>
+        <translation>Löschen</translation>
     </message>
     <message numerus="yes">
         <source>Delete %n point(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Punkt löschen</numerusform>
+            <numerusform>%n Punkte löschen</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>Delete %n shape(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Form löschen</numerusform>
+            <numerusform>%n Formen löschen</numerusform>
         </translation>
     </message>
     <message>
+        <source>Delete all keys</source>
+        <translation>Alle Keyframes löschen</translation>
+    </message>
+    <message>
         <source>Delete every tracked frame; artist keys stay</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle getrackten Frames löschen; eigene Keyframes bleiben</translation>
     </message>
     <message>
         <source>Delete key</source>
-        <translation type="unfinished"></translation>
+        <translation>Keyframe löschen</translation>
+    </message>
+    <message>
+        <source>Delete keys</source>
+        <translation>Keyframes löschen</translation>
     </message>
     <message>
         <source>Delete shape</source>
-        <translation type="unfinished"></translation>
+        <translation>Form löschen</translation>
     </message>
     <message>
         <source>Delete the keys of the selected shapes on this frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Keyframes der ausgewählten Formen auf diesem Frame löschen</translation>
     </message>
     <message>
         <source>Delete the selected points or shapes</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausgewählte Punkte oder Formen löschen</translation>
     </message>
     <message>
         <source>Delete the selected shapes and layers</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausgewählte Formen und Ebenen löschen</translation>
     </message>
     <message>
         <source>Delete tracked frames</source>
-        <translation type="unfinished"></translation>
+        <translation>Getrackte Frames löschen</translation>
     </message>
     <message>
         <source>Depth</source>
-        <translation type="unfinished"></translation>
+        <translation>Tiefe</translation>
     </message>
     <message>
         <source>Detach</source>
-        <translation type="unfinished"></translation>
+        <translation>Lösen</translation>
     </message>
     <message>
         <source>Dials that were turned and are not offered (any more) stay at 100 %: {names}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Regler, die verstellt waren und nicht (mehr) angeboten werden, bleiben bei 100 %: {names}.</translation>
     </message>
     <message>
         <source>Difference</source>
-        <translation type="unfinished"></translation>
+        <translation>Differenz</translation>
+    </message>
+    <message>
+        <source>Display and view, for looking only: {shown}</source>
+        <translation>Anzeige und Ansicht, nur zum Betrachten: {shown}</translation>
     </message>
     <message>
         <source>Dissolve the layer; its shapes stay as they are seen</source>
-        <translation type="unfinished"></translation>
+        <translation>Ebene auflösen; ihre Formen bleiben, wie sie zu sehen sind</translation>
     </message>
     <message>
         <source>Do anything by a few letters of its name</source>
-        <translation type="unfinished"></translation>
+        <translation>Alles finden und ausführen, mit ein paar Buchstaben seines Namens</translation>
     </message>
     <message>
         <source>Do not offer again</source>
-        <translation type="unfinished"></translation>
+        <translation>Nicht mehr anbieten</translation>
     </message>
     <message>
         <source>Do what?</source>
-        <translation type="unfinished"></translation>
+        <translation>Was tun?</translation>
+    </message>
+    <message>
+        <source>Doubtful frames</source>
+        <translation>Zweifelhafte Frames</translation>
     </message>
     <message>
         <source>Drag a free line about points, not a rectangle</source>
-        <translation type="unfinished"></translation>
+        <translation>Freie Linie um Punkte ziehen statt eines Rechtecks</translation>
     </message>
     <message>
-        <source>Drag around the object; end near the start to close the shape. Zoom in for a finer fit.</source>
-        <translation type="unfinished"></translation>
+        <source>Drag around the object; end near the start to close it. Zoom in or press a pen harder for a finer fit.</source>
+        <translation>Um das Objekt ziehen; nahe am Anfang enden schließt die Form. Hineinzoomen oder stärkerer Stiftdruck passt feiner an.</translation>
     </message>
     <message>
         <source>Drag from corner to corner of the ellipse. Shift: a circle. Ctrl: from its centre.</source>
-        <translation type="unfinished"></translation>
+        <translation>Von Ecke zu Ecke der Ellipse ziehen. Umschalt: Kreis. Strg: von der Mitte aus.</translation>
     </message>
     <message>
         <source>Drag from corner to corner of the rectangle. Shift: a square. Ctrl: from its centre.</source>
-        <translation type="unfinished"></translation>
+        <translation>Von Ecke zu Ecke des Rechtecks ziehen. Umschalt: Quadrat. Strg: von der Mitte aus.</translation>
     </message>
     <message>
         <source>Drag out of a point of the selected shape to soften its edge; double-click a feather point to take it back.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aus einem Punkt der gewählten Form ziehen, um die Kante weich zu machen; Doppelklick auf einen Kantenpunkt nimmt es zurück.</translation>
     </message>
     <message>
         <source>Drag the corners to where they belong on this frame, or the inside to move all; Return says: right here.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ecken dorthin ziehen, wo sie auf diesem Frame hingehören, oder innen ziehen, um alle zu bewegen; Eingabe heißt: stimmt hier.</translation>
     </message>
     <message>
         <source>Drag to change; Shift: faster, Ctrl: finer</source>
-        <translation type="unfinished"></translation>
+        <translation>Ziehen ändert; Umschalt: schneller, Strg: feiner</translation>
     </message>
     <message>
         <source>Drag to pull the points under the brush. Ctrl+wheel or Ctrl+drag changes its size, a pen&apos;s pressure too.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ziehen bewegt die Punkte unter dem Pinsel. Strg+Mausrad oder Strg+Ziehen ändert seine Größe, auch der Stiftdruck.</translation>
+    </message>
+    <message>
+        <source>Drag to scrub, wheel to zoom, Shift+wheel to pan, double-click to see the whole clip</source>
+        <translation>Ziehen zum Scrubben, Mausrad zum Zoomen, Umschalt+Mausrad zum Verschieben, Doppelklick zeigt den ganzen Clip</translation>
     </message>
     <message>
         <source>Draw a Bezier shape: click corners, drag curves</source>
-        <translation type="unfinished"></translation>
+        <translation>Bézier-Form zeichnen: Ecken klicken, Kurven ziehen</translation>
     </message>
     <message>
         <source>Draw a line that clings to the edges</source>
-        <translation type="unfinished"></translation>
+        <translation>Linie zeichnen, die sich an Kanten schmiegt</translation>
     </message>
     <message>
         <source>Draw a polygon</source>
-        <translation type="unfinished"></translation>
+        <translation>Polygon zeichnen</translation>
     </message>
     <message>
         <source>Draw a shape first: press &lt;tool.bezier&gt; in the viewer.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zuerst eine Form zeichnen: &lt;tool.bezier&gt; im Viewer.</translation>
+    </message>
+    <message>
+        <source>Draw a shape: press &lt;tool.bezier&gt;</source>
+        <translation>Form zeichnen: &lt;tool.bezier&gt; drücken</translation>
+    </message>
+    <message>
+        <source>Draw a shape: press &lt;tool.bezier&gt; in the viewer,
+click for corners, drag for curves.</source>
+        <translation>Form zeichnen: &lt;tool.bezier&gt; im Viewer drücken,
+klicken für Ecken, ziehen für Kurven.</translation>
+    </message>
+    <message>
+        <source>Draw a shape: press B</source>
+        <translation>Form zeichnen: B drücken</translation>
     </message>
     <message>
         <source>Draw a smooth shape by its control points</source>
-        <translation type="unfinished"></translation>
+        <translation>Glatte Form durch ihre Kontrollpunkte zeichnen</translation>
     </message>
     <message>
         <source>Draw by hand; few points are fitted</source>
-        <translation type="unfinished"></translation>
+        <translation>Von Hand zeichnen; wenige Punkte werden angepasst</translation>
     </message>
     <message>
         <source>Draw shape</source>
-        <translation type="unfinished"></translation>
+        <translation>Form zeichnen</translation>
+    </message>
+    <message>
+        <source>Drop a folder of images or a movie here</source>
+        <translation>Hier einen Ordner mit Bildern oder einen Film ablegen</translation>
     </message>
     <message>
         <source>Drop part</source>
-        <translation type="unfinished"></translation>
+        <translation>Teil entfernen</translation>
     </message>
     <message>
         <source>Drop the part that came off {name}?</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Teil entfernen, der sich von {name} gelöst hat?</translation>
     </message>
     <message>
         <source>Duplicate</source>
-        <translation type="unfinished"></translation>
+        <translation>Duplizieren</translation>
     </message>
     <message>
         <source>EXR files only</source>
-        <translation type="unfinished"></translation>
+        <translation>Nur bei EXR-Dateien</translation>
+    </message>
+    <message>
+        <source>Earlier steps were dropped</source>
+        <translation>Ältere Schritte sind verworfen</translation>
+    </message>
+    <message>
+        <source>Edges alone: for clean contours on a plain background.</source>
+        <translation>Nur Kanten: für klare Konturen vor ruhigem Hintergrund.</translation>
+    </message>
+    <message>
+        <source>Edges and nearby colours, carried along by landmarks: for objects with much texture.</source>
+        <translation>Kanten und nahe Farben, von Landmarken getragen: für Objekte mit viel Textur.</translation>
+    </message>
+    <message>
+        <source>Edges and the colours on both sides of them: for plain objects that move little.</source>
+        <translation>Kanten und die Farben zu beiden Seiten: für schlichte Objekte, die sich wenig bewegen.</translation>
+    </message>
+    <message>
+        <source>Edges, colours and landmarks; proposes to split a shape where the object comes apart. Slow.</source>
+        <translation>Kanten, Farben und Landmarken; schlägt vor, eine Form zu teilen, wo das Objekt zerfällt. Langsam.</translation>
+    </message>
+    <message>
+        <source>Edges: solid is free, dashed a seam, dotted is hidden</source>
+        <translation>Kanten: durchgezogen frei, gestrichelt Naht, gepunktet verdeckt</translation>
     </message>
     <message>
         <source>Edit</source>
-        <translation type="unfinished"></translation>
+        <translation>Bearbeiten</translation>
+    </message>
+    <message>
+        <source>Edits key the points that they move; a track derives the others</source>
+        <translation>Änderungen setzen Keyframes für die bewegten Punkte; ein Track leitet die anderen her</translation>
     </message>
     <message>
         <source>Edits make keys on their frames; off: they change keys around</source>
-        <translation type="unfinished"></translation>
+        <translation>Änderungen setzen Keyframes auf ihren Frames; aus: Sie ändern die Keyframes ringsum</translation>
     </message>
     <message>
         <source>Ellipse</source>
-        <translation type="unfinished"></translation>
+        <translation>Ellipse</translation>
     </message>
     <message>
         <source>Equalise the handles</source>
-        <translation type="unfinished"></translation>
+        <translation>Tangenten gleich lang machen</translation>
+    </message>
+    <message numerus="yes">
+        <source>Erase %n point(s)</source>
+        <translation>
+            <numerusform>%n Punkt radieren</numerusform>
+            <numerusform>%n Punkte radieren</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Eraser</source>
+        <translation>Radierer</translation>
+    </message>
+    <message>
+        <source>Every</source>
+        <translation>Alle</translation>
     </message>
     <message>
         <source>Every key</source>
-        <translation type="unfinished"></translation>
+        <translation>Jeder Keyframe</translation>
     </message>
     <message>
         <source>Every layer</source>
-        <translation type="unfinished"></translation>
+        <translation>Jede Ebene</translation>
+    </message>
+    <message>
+        <source>Every part in its place, as in a new window</source>
+        <translation>Jeder Teil an seinem Platz wie in einem neuen Fenster</translation>
     </message>
     <message>
         <source>Every shape</source>
-        <translation type="unfinished"></translation>
+        <translation>Jede Form</translation>
     </message>
     <message>
         <source>Export</source>
-        <translation type="unfinished"></translation>
+        <translation>Exportieren</translation>
     </message>
     <message>
         <source>Export anyway</source>
-        <translation type="unfinished"></translation>
+        <translation>Trotzdem exportieren</translation>
     </message>
     <message>
         <source>Export mattes to a folder</source>
-        <translation type="unfinished"></translation>
+        <translation>Mattes in einen Ordner exportieren</translation>
     </message>
     <message>
         <source>Export mattes…</source>
-        <translation type="unfinished"></translation>
+        <translation>Mattes exportieren…</translation>
     </message>
     <message>
         <source>Export selected shapes…</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausgewählte Formen exportieren…</translation>
     </message>
     <message>
         <source>Export stopped; the files that are finished stay.</source>
-        <translation type="unfinished"></translation>
+        <translation>Export angehalten; die fertigen Dateien bleiben.</translation>
     </message>
     <message>
         <source>Export to Nuke</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach Nuke exportieren</translation>
     </message>
     <message>
         <source>Export to Nuke…</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach Nuke exportieren…</translation>
     </message>
     <message>
         <source>Export, although the mattes would differ in the other program?</source>
-        <translation type="unfinished"></translation>
+        <translation>Exportieren, obwohl die Mattes im anderen Programm abweichen würden?</translation>
     </message>
     <message>
         <source>Export: {title}</source>
-        <translation type="unfinished"></translation>
+        <translation>Export: {title}</translation>
     </message>
     <message>
         <source>Exported to {path}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Exportiert nach {path}.</translation>
     </message>
     <message>
         <source>Exporting to {name} …</source>
-        <translation type="unfinished"></translation>
+        <translation>Export nach {name} …</translation>
     </message>
     <message>
         <source>Export…</source>
-        <translation type="unfinished"></translation>
+        <translation>Exportieren…</translation>
+    </message>
+    <message>
+        <source>Exposure in stops, for looking only</source>
+        <translation>Belichtung in Blenden, nur zum Betrachten</translation>
     </message>
     <message>
         <source>Feather</source>
-        <translation type="unfinished"></translation>
+        <translation>Feather</translation>
     </message>
     <message>
         <source>Feather and shutter as the plate shows them, on all keys</source>
-        <translation type="unfinished"></translation>
+        <translation>Weiche Kante und Verschluss, wie die Plate sie zeigt, auf allen Keyframes</translation>
     </message>
     <message>
         <source>Feather for all keys</source>
-        <translation type="unfinished"></translation>
+        <translation>Feather für alle Keyframes</translation>
     </message>
     <message>
         <source>Feather handle</source>
-        <translation type="unfinished"></translation>
+        <translation>Feather-Tangente</translation>
+    </message>
+    <message>
+        <source>Feather of the selected shapes, in pixels</source>
+        <translation>Feather der ausgewählten Formen, in Pixeln</translation>
     </message>
     <message>
         <source>File</source>
-        <translation type="unfinished"></translation>
+        <translation>Datei</translation>
     </message>
     <message>
         <source>Files</source>
-        <translation type="unfinished"></translation>
+        <translation>Dateien</translation>
     </message>
     <message>
         <source>Files of their own</source>
-        <translation type="unfinished"></translation>
+        <translation>Eigene Dateien</translation>
     </message>
     <message>
         <source>Fill</source>
-        <translation type="unfinished"></translation>
+        <translation>Füllen</translation>
     </message>
     <message>
         <source>Fill between keys</source>
-        <translation type="unfinished"></translation>
+        <translation>Zwischen Keyframes füllen</translation>
     </message>
     <message>
         <source>Filled already: nothing that it depends on has changed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Schon gefüllt: Nichts, wovon es abhängt, hat sich geändert.</translation>
     </message>
     <message>
         <source>Filled the frames {first} to {last}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Frames {first} bis {last} gefüllt.</translation>
     </message>
     <message>
         <source>Filled {count} gaps between frames {first} and {last}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{count} Lücken zwischen den Frames {first} und {last} gefüllt.</translation>
     </message>
     <message>
         <source>Filling frames {first} to {last}</source>
-        <translation type="unfinished"></translation>
+        <translation>Frames {first} bis {last} werden gefüllt</translation>
     </message>
     <message>
         <source>Filling stopped after the gap up to frame {frame}; the finished frames stay.</source>
-        <translation type="unfinished"></translation>
+        <translation>Füllen angehalten nach der Lücke bis Frame {frame}; die fertigen Frames bleiben.</translation>
     </message>
     <message>
         <source>Filling stopped before a gap was finished.</source>
-        <translation type="unfinished"></translation>
+        <translation>Füllen angehalten, bevor eine Lücke fertig war.</translation>
     </message>
     <message>
         <source>Find an action…</source>
-        <translation type="unfinished"></translation>
+        <translation>Aktion finden…</translation>
     </message>
     <message>
         <source>Find object</source>
-        <translation type="unfinished"></translation>
+        <translation>Objekt finden</translation>
     </message>
     <message>
         <source>Finding the object …</source>
-        <translation type="unfinished"></translation>
+        <translation>Objekt wird gesucht …</translation>
+    </message>
+    <message>
+        <source>Fine tuning</source>
+        <translation>Feinabstimmung</translation>
+    </message>
+    <message>
+        <source>Fine tuning, changed</source>
+        <translation>Feinabstimmung, geändert</translation>
+    </message>
+    <message>
+        <source>Firmness</source>
+        <translation>Festigkeit</translation>
     </message>
     <message>
         <source>First frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Erster Frame</translation>
+    </message>
+    <message>
+        <source>First frame on which the shape exists</source>
+        <translation>Erster Frame, auf dem die Form existiert</translation>
     </message>
     <message>
         <source>Fit</source>
-        <translation type="unfinished"></translation>
+        <translation>Einpassen</translation>
     </message>
     <message>
         <source>Fit shapes to a folder of mask pictures</source>
-        <translation type="unfinished"></translation>
+        <translation>Formen an einen Ordner mit Maskenbildern anpassen</translation>
     </message>
     <message>
         <source>Fit shapes to a picture of this frame&apos;s mask</source>
-        <translation type="unfinished"></translation>
+        <translation>Formen an ein Bild der Maske dieses Frames anpassen</translation>
     </message>
     <message>
         <source>Fit time</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeit einpassen</translation>
     </message>
     <message>
         <source>Float</source>
-        <translation type="unfinished"></translation>
+        <translation>Float</translation>
+    </message>
+    <message>
+        <source>Float: History</source>
+        <translation>Abdocken: Verlauf</translation>
+    </message>
+    <message>
+        <source>Float: Messages</source>
+        <translation>Abdocken: Meldungen</translation>
+    </message>
+    <message>
+        <source>Float: Planar track</source>
+        <translation>Abdocken: Flächen-Track</translation>
+    </message>
+    <message>
+        <source>Float: Review</source>
+        <translation>Abdocken: Review</translation>
+    </message>
+    <message>
+        <source>Float: Second viewer</source>
+        <translation>Abdocken: Zweiter Viewer</translation>
+    </message>
+    <message>
+        <source>Float: Shape</source>
+        <translation>Abdocken: Form</translation>
+    </message>
+    <message>
+        <source>Float: Shapes</source>
+        <translation>Abdocken: Formen</translation>
+    </message>
+    <message>
+        <source>Float: Timeline</source>
+        <translation>Abdocken: Zeitleiste</translation>
+    </message>
+    <message>
+        <source>Float: Track</source>
+        <translation>Abdocken: Tracking</translation>
     </message>
     <message>
         <source>Fold or unfold</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein- oder ausklappen</translation>
     </message>
     <message>
         <source>Follow all</source>
-        <translation type="unfinished"></translation>
+        <translation>Allen folgen</translation>
     </message>
     <message>
         <source>Follow the surface in the shapes</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Fläche in den Formen folgen</translation>
     </message>
     <message>
         <source>Follow the surface in the shapes back</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Fläche in den Formen rückwärts folgen</translation>
     </message>
     <message>
         <source>Followed {what} to frame {last}: {done} frames. {verdict}</source>
-        <translation type="unfinished"></translation>
+        <translation>{what} bis Frame {last} verfolgt: {done} Frames. {verdict}</translation>
+    </message>
+    <message>
+        <source>Follows the whole object by colour and motion: the surest on most shots, and the quickest.</source>
+        <translation>Folgt dem ganzen Objekt nach Farbe und Bewegung: in den meisten Shots am sichersten und am schnellsten.</translation>
     </message>
     <message>
         <source>For decoding pictures and for the engine</source>
-        <translation type="unfinished"></translation>
+        <translation>Zum Lesen der Bilder und für die Engine</translation>
     </message>
     <message>
         <source>Forget all keys of your own</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle eigenen Tasten vergessen</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Format</translation>
     </message>
     <message>
         <source>Four points are enough: drag one of them, or take one back with Backspace.</source>
-        <translation type="unfinished"></translation>
+        <translation>Vier Punkte genügen: einen davon ziehen oder mit der Rücktaste einen zurücknehmen.</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>Frame</translation>
+    </message>
+    <message>
+        <source>Frame number</source>
+        <translation>Framenummer</translation>
     </message>
     <message>
         <source>Frame selection</source>
-        <translation type="unfinished"></translation>
+        <translation>Auswahl einpassen</translation>
+    </message>
+    <message>
+        <source>Frame {frame}</source>
+        <translation>Frame {frame}</translation>
+    </message>
+    <message>
+        <source>Frame {frame} is marked; double-click the mark to write a note.</source>
+        <translation>Frame {frame} ist markiert; Doppelklick auf die Markierung schreibt eine Notiz.</translation>
+    </message>
+    <message>
+        <source>Frame {frame} is missing from the plate, or damaged</source>
+        <translation>Frame {frame} fehlt in der Plate oder ist beschädigt</translation>
+    </message>
+    <message>
+        <source>Frame {frame}, {kind}</source>
+        <translation>Frame {frame}, {kind}</translation>
+    </message>
+    <message>
+        <source>Frame {frame}.</source>
+        <translation>Frame {frame}.</translation>
+    </message>
+    <message>
+        <source>Frame {frame}: an adjust key of {name}
+Click to go there, right-click to remove it</source>
+        <translation>Frame {frame}: ein Korrektur-Keyframe von {name}
+Klicken springt hin, Rechtsklick entfernt ihn</translation>
     </message>
     <message>
         <source>Frame {frame}: the confidence of the track {name} is {trust:.2f}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Frame {frame}: Die Konfidenz des Tracks {name} ist {trust:.2f}.</translation>
     </message>
     <message>
         <source>Frame {frame}: the confidence of {name} is {confidence:.2f}.{rings}</source>
-        <translation type="unfinished"></translation>
+        <translation>Frame {frame}: Die Konfidenz von {name} ist {confidence:.2f}.{rings}</translation>
+    </message>
+    <message>
+        <source>Frame {frame}: {name} boils by {pixels:.1f} px.</source>
+        <translation>Frame {frame}: {name} flimmert um {pixels:.1f} px.</translation>
+    </message>
+    <message>
+        <source>Frame {frame}: {text}</source>
+        <translation>Frame {frame}: {text}</translation>
+    </message>
+    <message>
+        <source>Frame {frame}: {text}, {value}.</source>
+        <translation>Frame {frame}: {text}, {value}.</translation>
+    </message>
+    <message>
+        <source>Frame {frame}: {told}</source>
+        <translation>Frame {frame}: {told}</translation>
     </message>
     <message>
         <source>Frames</source>
-        <translation type="unfinished"></translation>
+        <translation>Frames</translation>
+    </message>
+    <message>
+        <source>Frames a second of the movie</source>
+        <translation>Frames pro Sekunde des Films</translation>
+    </message>
+    <message>
+        <source>Frames after this one</source>
+        <translation>Frames nach diesem</translation>
+    </message>
+    <message>
+        <source>Frames before this one</source>
+        <translation>Frames vor diesem</translation>
+    </message>
+    <message>
+        <source>Frames from one outline to the next</source>
+        <translation>Frames von einem Umriss zum nächsten</translation>
+    </message>
+    <message>
+        <source>Frames worth a look</source>
+        <translation>Frames, die einen Blick wert sind</translation>
     </message>
     <message>
         <source>Free edges, which the picture shows, solid; seams of an object dashed; what a nearer part hides dotted</source>
-        <translation type="unfinished"></translation>
+        <translation>Freie Kanten, die das Bild zeigt, durchgezogen; Nähte eines Objekts gestrichelt; was ein näherer Teil verdeckt, gepunktet</translation>
     </message>
     <message>
         <source>Freehand</source>
-        <translation type="unfinished"></translation>
+        <translation>Freihand</translation>
     </message>
     <message>
         <source>From</source>
-        <translation type="unfinished"></translation>
+        <translation>Von</translation>
     </message>
     <message>
         <source>From frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Ab Frame</translation>
+    </message>
+    <message>
+        <source>From here on {where}</source>
+        <translation>Von hier an {where}</translation>
     </message>
     <message>
         <source>From mask image…</source>
-        <translation type="unfinished"></translation>
+        <translation>Aus Maskenbild…</translation>
     </message>
     <message>
         <source>From the next start on</source>
-        <translation type="unfinished"></translation>
+        <translation>Ab dem nächsten Start</translation>
+    </message>
+    <message>
+        <source>From this frame on</source>
+        <translation>Ab diesem Frame</translation>
     </message>
     <message>
         <source>From this frame on the others hide the shapes</source>
-        <translation type="unfinished"></translation>
+        <translation>Ab diesem Frame verdecken die anderen die Formen</translation>
     </message>
     <message>
         <source>From this frame on the shapes hide the others</source>
-        <translation type="unfinished"></translation>
+        <translation>Ab diesem Frame verdecken die Formen die anderen</translation>
     </message>
     <message>
         <source>From this frame on what hides what goes by the list</source>
-        <translation type="unfinished"></translation>
+        <translation>Ab diesem Frame gilt die Reihenfolge der Liste</translation>
+    </message>
+    <message>
+        <source>Full-screen viewer</source>
+        <translation>Viewer im Vollbild</translation>
+    </message>
+    <message>
+        <source>Fusion / DaVinci Resolve masks</source>
+        <translation>Fusion-/DaVinci-Resolve-Masken</translation>
+    </message>
+    <message>
+        <source>Fusion softens on both sides of an outline: {name!r} may look a little different.</source>
+        <translation>Fusion zeichnet zu beiden Seiten eines Umrisses weich: {name!r} kann etwas anders aussehen.</translation>
+    </message>
+    <message>
+        <source>Gamma, for looking only</source>
+        <translation>Gamma, nur zum Betrachten</translation>
     </message>
     <message>
         <source>Give the key to this action; the other one goes without it</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Taste dieser Aktion geben; die andere verliert sie</translation>
+    </message>
+    <message>
+        <source>Give the keyboard to the next part of the window</source>
+        <translation>Die Tastatur dem nächsten Teil des Fensters geben</translation>
+    </message>
+    <message>
+        <source>Give the keyboard to the part before</source>
+        <translation>Die Tastatur dem Teil davor geben</translation>
     </message>
     <message>
         <source>Give the selected B-splines handles; no outline changes</source>
-        <translation type="unfinished"></translation>
+        <translation>Den ausgewählten B-Splines Tangenten geben; kein Umriss ändert sich</translation>
     </message>
     <message>
         <source>Give the selected shapes control points: smooth everywhere</source>
-        <translation type="unfinished"></translation>
+        <translation>Den ausgewählten Formen Kontrollpunkte geben: überall glatt</translation>
     </message>
     <message>
         <source>Give the soft edge as it is here to every key</source>
-        <translation type="unfinished"></translation>
+        <translation>Die weiche Kante, wie sie hier ist, jedem Keyframe geben</translation>
     </message>
     <message>
         <source>Give the timeline half of the window</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Zeitleiste das halbe Fenster geben</translation>
     </message>
     <message>
         <source>Give this action the keys of the preset again</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieser Aktion wieder die Tasten der Vorgabe geben</translation>
     </message>
     <message>
         <source>Go one key, or change of depth, of the shapes in hand back</source>
-        <translation type="unfinished"></translation>
+        <translation>Einen Keyframe oder Tiefenwechsel der aktiven Formen zurück</translation>
     </message>
     <message>
         <source>Go one key, or change of depth, of the shapes in hand on</source>
-        <translation type="unfinished"></translation>
+        <translation>Einen Keyframe oder Tiefenwechsel der aktiven Formen weiter</translation>
     </message>
     <message>
         <source>Go to the frame that the engine trusts least</source>
-        <translation type="unfinished"></translation>
+        <translation>Zum Frame springen, dem die Engine am wenigsten traut</translation>
+    </message>
+    <message>
+        <source>Go to the mark or note after this frame</source>
+        <translation>Zur Markierung oder Notiz nach diesem Frame springen</translation>
+    </message>
+    <message>
+        <source>Go to the mark or note before this frame</source>
+        <translation>Zur Markierung oder Notiz vor diesem Frame springen</translation>
     </message>
     <message>
         <source>Go to the next frame on which the engine proposes a change</source>
-        <translation type="unfinished"></translation>
+        <translation>Zum nächsten Frame springen, auf dem die Engine eine Änderung vorschlägt</translation>
     </message>
     <message>
-        <source>Go to the next frame worth fixing</source>
-        <translation type="unfinished"></translation>
+        <source>Go to the next frame worth fixing: where confidence is low, or the outline boils</source>
+        <translation>Zum nächsten Frame springen, der eine Korrektur wert ist: wo die Konfidenz niedrig ist oder der Umriss flimmert</translation>
     </message>
     <message>
         <source>Green</source>
-        <translation type="unfinished"></translation>
+        <translation>Grün</translation>
+    </message>
+    <message>
+        <source>Grey</source>
+        <translation>Grau</translation>
     </message>
     <message>
         <source>Group</source>
-        <translation type="unfinished"></translation>
+        <translation>Gruppieren</translation>
     </message>
     <message>
         <source>Group into a layer</source>
-        <translation type="unfinished"></translation>
+        <translation>Zu Ebene gruppieren</translation>
     </message>
     <message>
         <source>Half float</source>
-        <translation type="unfinished"></translation>
+        <translation>Half Float</translation>
     </message>
     <message>
         <source>Help</source>
-        <translation type="unfinished"></translation>
+        <translation>Hilfe</translation>
     </message>
     <message>
         <source>Hide</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausblenden</translation>
+    </message>
+    <message>
+        <source>Hide layer</source>
+        <translation>Ebene ausblenden</translation>
     </message>
     <message>
         <source>Hide shapes</source>
-        <translation type="unfinished"></translation>
+        <translation>Formen ausblenden</translation>
     </message>
     <message>
         <source>Hide the shapes while you look</source>
-        <translation type="unfinished"></translation>
+        <translation>Formen beim Betrachten ausblenden</translation>
     </message>
     <message>
         <source>History</source>
-        <translation type="unfinished"></translation>
+        <translation>Verlauf</translation>
     </message>
     <message>
         <source>Hold</source>
-        <translation type="unfinished"></translation>
+        <translation>Halten</translation>
     </message>
     <message>
         <source>Hold the copied key through a range of frames</source>
-        <translation type="unfinished"></translation>
+        <translation>Den kopierten Keyframe über einen Bereich von Frames halten</translation>
     </message>
     <message>
         <source>Holding Alt while dropping a clip opens it without a question</source>
-        <translation type="unfinished"></translation>
+        <translation>Wird beim Ablegen eines Clips Alt gehalten, öffnet er sich ohne Nachfrage</translation>
     </message>
     <message>
         <source>Hole of {name}</source>
-        <translation type="unfinished"></translation>
+        <translation>Loch in {name}</translation>
     </message>
     <message>
         <source>How far a curve may stray from its mask&apos;s outline on any frame, in pixels of the masks; of masks that tremble, a fifth of the outline may stray farther</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie weit eine Kurve auf einem Frame vom Umriss ihrer Maske abweichen darf, in Pixeln der Masken; bei zitternden Masken darf ein Fünftel des Umrisses weiter abweichen</translation>
+    </message>
+    <message>
+        <source>How far it reaches, image pixels  (Ctrl+wheel in the viewer)</source>
+        <translation>Wie weit sie reicht, in Bildpixeln  (Strg+Mausrad im Viewer)</translation>
+    </message>
+    <message>
+        <source>How far the outline may go in one frame from where the motion puts it</source>
+        <translation>Wie weit der Umriss in einem Frame von dort abweichen darf, wohin ihn die Bewegung setzt</translation>
     </message>
     <message>
         <source>How far the outline may stray from the tracked one when keys are left out</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie weit der Umriss vom getrackten abweichen darf, wenn Keyframes entfallen</translation>
     </message>
     <message>
         <source>How far tracked keys may move so that shapes move evenly through time, in pixels of the plate;
 your own keys stay where they are, and so does the project</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie weit sich getrackte Keyframes verschieben dürfen, damit sich Formen gleichmäßig bewegen, in Pixeln der Plate;
+eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
+    </message>
+    <message>
+        <source>How firmly the outline keeps its form from frame to frame</source>
+        <translation>Wie fest der Umriss von Frame zu Frame seine Form behält</translation>
+    </message>
+    <message>
+        <source>How long the shutter is open; 0.5 is 180 degrees</source>
+        <translation>Wie lange der Verschluss offen ist; 0,5 sind 180 Grad</translation>
+    </message>
+    <message>
+        <source>How much the shapes in hand jitter beyond the motion of the plate: for shapes that bend as they move</source>
+        <translation>Wie sehr die aktiven Formen über die Bewegung der Plate hinaus zittern: für Formen, die sich beim Bewegen biegen</translation>
+    </message>
+    <message>
+        <source>How much your key&apos;s colours count beside later ones</source>
+        <translation>Wie viel die Farben des eigenen Keyframes neben späteren zählen</translation>
+    </message>
+    <message>
+        <source>How quickly new colours are learned; at 0 never</source>
+        <translation>Wie schnell neue Farben gelernt werden; bei 0 nie</translation>
+    </message>
+    <message>
+        <source>How smooth the edge is: less follows finer detail</source>
+        <translation>Wie glatt die Kante ist: weniger folgt feineren Details</translation>
     </message>
     <message>
         <source>How the engine works</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie die Engine arbeitet</translation>
+    </message>
+    <message>
+        <source>How the engine works: what it looks at, and how long it takes</source>
+        <translation>Wie die Engine arbeitet: worauf sie achtet und wie lange es dauert</translation>
+    </message>
+    <message>
+        <source>How the joint matte of the layer joins what lies under it</source>
+        <translation>Wie sich die gemeinsame Matte der Ebene mit dem verbindet, was darunter liegt</translation>
+    </message>
+    <message>
+        <source>How the shape joins what lies under it in its layer</source>
+        <translation>Wie sich die Form mit dem verbindet, was in ihrer Ebene darunter liegt</translation>
+    </message>
+    <message>
+        <source>How the value goes on from its key here, or the last one before</source>
+        <translation>Wie der Wert von seinem Keyframe hier oder dem letzten davor weitergeht</translation>
     </message>
     <message>
         <source>If both save, the later one wins. A copy is a project of its own, without a file until you save it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Speichern beide, gewinnt der spätere. Eine Kopie ist ein eigenes Projekt, ohne Datei bis zum Speichern.</translation>
     </message>
     <message>
         <source>If you save anyway, what is in the file now stays beside it as a backup.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wird trotzdem gespeichert, bleibt der jetzige Inhalt als Sicherung neben der Datei.</translation>
     </message>
     <message>
         <source>Import</source>
-        <translation type="unfinished"></translation>
+        <translation>Importieren</translation>
     </message>
     <message>
         <source>Import masks</source>
-        <translation type="unfinished"></translation>
+        <translation>Masken importieren</translation>
     </message>
     <message>
         <source>Import masks…</source>
-        <translation type="unfinished"></translation>
+        <translation>Masken importieren…</translation>
     </message>
     <message>
         <source>Import shapes</source>
-        <translation type="unfinished"></translation>
+        <translation>Formen importieren</translation>
     </message>
     <message>
         <source>Import shapes…</source>
-        <translation type="unfinished"></translation>
+        <translation>Formen importieren…</translation>
     </message>
     <message>
         <source>Import stopped.</source>
-        <translation type="unfinished"></translation>
+        <translation>Import angehalten.</translation>
     </message>
     <message>
         <source>Import the masks of a folder</source>
-        <translation type="unfinished"></translation>
+        <translation>Masken eines Ordners importieren</translation>
     </message>
     <message>
         <source>In front</source>
-        <translation type="unfinished"></translation>
+        <translation>Davor</translation>
     </message>
     <message>
         <source>In front from here</source>
-        <translation type="unfinished"></translation>
+        <translation>Davor ab hier</translation>
     </message>
     <message>
         <source>In the viewer</source>
-        <translation type="unfinished"></translation>
+        <translation>Im Viewer</translation>
     </message>
     <message>
         <source>In to out</source>
-        <translation type="unfinished"></translation>
+        <translation>In bis Out</translation>
+    </message>
+    <message>
+        <source>In: frame {first}. Drag it</source>
+        <translation>In: Frame {first}. Ziehen verschiebt</translation>
     </message>
     <message>
         <source>Insert a point on the outline</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkt auf dem Umriss einfügen</translation>
     </message>
     <message>
         <source>Insert point</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkt einfügen</translation>
     </message>
     <message>
         <source>Inside the box moves, handles scale, sides shear, outside a corner turns; Shift and Ctrl vary it. Esc ends.</source>
-        <translation type="unfinished"></translation>
+        <translation>Innen bewegt, Anfasser skalieren, Seiten scheren, außerhalb einer Ecke dreht; Umschalt und Strg variieren es. Esc beendet.</translation>
     </message>
     <message>
         <source>Intersect</source>
-        <translation type="unfinished"></translation>
+        <translation>Schnittmenge</translation>
+    </message>
+    <message>
+        <source>Invert</source>
+        <translation>Invertieren</translation>
+    </message>
+    <message>
+        <source>Invert layer</source>
+        <translation>Ebene invertieren</translation>
+    </message>
+    <message>
+        <source>It has a key on this frame. Click to delete it</source>
+        <translation>Keyframe auf diesem Frame. Klicken löscht ihn</translation>
+    </message>
+    <message>
+        <source>It is locked; unlock it to change its keys.</source>
+        <translation>Gesperrt; erst entsperrt lassen sich die Keyframes ändern.</translation>
     </message>
     <message>
         <source>It joins soft edges as older versions did (Plus), so that its mattes stay as they were; choose Add in the Shape panel where they are to join as in other programs.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es verbindet weiche Kanten wie ältere Versionen (Plus), damit die Mattes bleiben, wie sie waren; Addieren im Formbereich verbindet sie wie in anderen Programmen.</translation>
+    </message>
+    <message>
+        <source>It never varies. Click to set a key on this frame</source>
+        <translation>Ändert sich nie. Klicken setzt einen Keyframe auf diesem Frame</translation>
+    </message>
+    <message>
+        <source>It runs smoothly through its key here, or the last one before, by tangents</source>
+        <translation>Verläuft mit Tangenten glatt durch den Keyframe hier oder den letzten davor</translation>
     </message>
     <message>
         <source>It stays, and is found under File &gt; Recover work…</source>
-        <translation type="unfinished"></translation>
+        <translation>Sie bleibt und findet sich unter Datei &gt; Arbeit wiederherstellen…</translation>
+    </message>
+    <message>
+        <source>It varies, without a key on this frame. Click to set one</source>
+        <translation>Ändert sich, ohne Keyframe auf diesem Frame. Klicken setzt einen</translation>
+    </message>
+    <message>
+        <source>JSON (ROAM, COCO, MLT)</source>
+        <translation>JSON (ROAM, COCO, MLT)</translation>
     </message>
     <message>
         <source>Joins with what lies under it, soft edges as one painted over the other</source>
-        <translation type="unfinished"></translation>
+        <translation>Verbindet sich mit dem, was darunter liegt, weiche Kanten wie übereinander gemalt</translation>
     </message>
     <message>
         <source>Keep</source>
-        <translation type="unfinished"></translation>
+        <translation>Annehmen</translation>
     </message>
     <message>
         <source>Keep the keys that the action has, and add the new one</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Tasten der Aktion behalten und die neue hinzufügen</translation>
     </message>
     <message>
         <source>Keeps only what both cover</source>
-        <translation type="unfinished"></translation>
+        <translation>Behält nur, was beide bedecken</translation>
     </message>
     <message>
         <source>Keeps what one of both covers and the other does not</source>
-        <translation type="unfinished"></translation>
+        <translation>Behält, was eines von beiden bedeckt und das andere nicht</translation>
     </message>
     <message>
         <source>Kept: it is yours now. {key} tracks on from here.</source>
-        <translation type="unfinished"></translation>
+        <translation>Angenommen: Es gehört jetzt dazu. {key} trackt von hier weiter.</translation>
+    </message>
+    <message>
+        <source>Key by hand of {count} of {all} points; the shape {moves}</source>
+        <translation>Keyframe von Hand für {count} von {all} Punkten; die Form {moves}</translation>
+    </message>
+    <message>
+        <source>Key by hand; the shape {moves}</source>
+        <translation>Keyframe von Hand; die Form {moves}</translation>
+    </message>
+    <message>
+        <source>Key colours</source>
+        <translation>Key-Farben</translation>
+    </message>
+    <message>
+        <source>Key points</source>
+        <translation>Punkt-Keyframes</translation>
     </message>
     <message>
         <source>Keys</source>
-        <translation type="unfinished"></translation>
+        <comment>of the keyboard</comment>
+        <translation>Tasten</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Keyframes</translation>
     </message>
     <message>
         <source>Keys of</source>
-        <translation type="unfinished"></translation>
+        <translation>Tasten von</translation>
+    </message>
+    <message>
+        <source>Keys of opacity and feather</source>
+        <translation>Keyframes von Deckkraft und Feather</translation>
     </message>
     <message>
         <source>Keys of other programs, and keys of your own</source>
-        <translation type="unfinished"></translation>
+        <translation>Tasten anderer Programme und eigene Tasten</translation>
+    </message>
+    <message>
+        <source>Keys of shapes</source>
+        <translation>Keyframes der Formen</translation>
     </message>
     <message>
         <source>Keys…</source>
-        <translation type="unfinished"></translation>
+        <translation>Tasten…</translation>
+    </message>
+    <message>
+        <source>Labels are hard and opaque, without the {left} of {name}.</source>
+        <translation>Labels sind hart und deckend, ohne {left} von {name}.</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Sprache</translation>
+    </message>
+    <message>
+        <source>Lasso</source>
+        <translation>Lasso</translation>
     </message>
     <message>
         <source>Lasso selection</source>
-        <translation type="unfinished"></translation>
+        <translation>Lasso-Auswahl</translation>
     </message>
     <message>
         <source>Last frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Letzter Frame</translation>
+    </message>
+    <message>
+        <source>Last frame on which the shape exists</source>
+        <translation>Letzter Frame, auf dem die Form existiert</translation>
     </message>
     <message>
         <source>Later</source>
-        <translation type="unfinished"></translation>
+        <translation>Später</translation>
     </message>
     <message>
         <source>Layer</source>
-        <translation type="unfinished"></translation>
+        <translation>Ebene</translation>
+    </message>
+    <message>
+        <source>Layer blend</source>
+        <translation>Mischmodus der Ebene</translation>
+    </message>
+    <message>
+        <source>Layer opacity</source>
+        <translation>Deckkraft der Ebene</translation>
+    </message>
+    <message>
+        <source>Layer opacity: {text}</source>
+        <translation>Deckkraft der Ebene: {text}</translation>
+    </message>
+    <message>
+        <source>Learning</source>
+        <translation>Lernen</translation>
+    </message>
+    <message>
+        <source>Leave out all others</source>
+        <translation>Alle anderen auslassen</translation>
+    </message>
+    <message>
+        <source>Leave out chosen ones</source>
+        <translation>Gewählte auslassen</translation>
+    </message>
+    <message>
+        <source>Leave out nothing</source>
+        <translation>Nichts auslassen</translation>
+    </message>
+    <message>
+        <source>Leave out shapes above</source>
+        <translation>Formen darüber auslassen</translation>
     </message>
     <message>
         <source>Leave the shape as it is</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Form lassen, wie sie ist</translation>
     </message>
     <message>
         <source>Leave this action without a key</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Aktion ohne Taste lassen</translation>
     </message>
     <message>
         <source>Let parts hang by joints on those that they overlap</source>
-        <translation type="unfinished"></translation>
+        <translation>Teile mit Gelenken an die hängen, die sie überlappen</translation>
     </message>
     <message>
         <source>Let parts move free of those that they overlap</source>
-        <translation type="unfinished"></translation>
+        <translation>Teile von denen lösen, die sie überlappen</translation>
+    </message>
+    <message>
+        <source>Let the layer stand still; every key stays where it is seen</source>
+        <translation>Ebene stillstehen lassen; jeder Keyframe bleibt, wo er zu sehen ist</translation>
+    </message>
+    <message>
+        <source>Libraries</source>
+        <translation>Bibliotheken</translation>
+    </message>
+    <message>
+        <source>Lifetime</source>
+        <translation>Lebensdauer</translation>
+    </message>
+    <message>
+        <source>Limited</source>
+        <translation>Begrenzt</translation>
     </message>
     <message>
         <source>Linear</source>
-        <translation type="unfinished"></translation>
+        <translation>Linear</translation>
     </message>
     <message>
         <source>Lock</source>
-        <translation type="unfinished"></translation>
+        <translation>Sperren</translation>
+    </message>
+    <message>
+        <source>Lock layer</source>
+        <translation>Ebene sperren</translation>
     </message>
     <message>
         <source>Lock or unlock</source>
-        <translation type="unfinished"></translation>
+        <translation>Sperren oder entsperren</translation>
+    </message>
+    <message>
+        <source>Locked</source>
+        <translation>Gesperrt</translation>
     </message>
     <message>
         <source>Look at frame {frame}: confidence is {confidence:.2f} there.</source>
-        <translation type="unfinished"></translation>
+        <translation>Bitte Frame {frame} prüfen: Die Konfidenz ist dort {confidence:.2f}.</translation>
     </message>
     <message>
         <source>Look at frame {frame}: the planar track&apos;s confidence is {confidence:.2f} there.</source>
-        <translation type="unfinished"></translation>
+        <translation>Bitte Frame {frame} prüfen: Die Konfidenz des Flächen-Tracks ist dort {confidence:.2f}.</translation>
     </message>
     <message>
         <source>Looking at the plate&apos;s edge …</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Kante der Plate wird vermessen …</translation>
     </message>
     <message>
         <source>Looking at {name} …</source>
-        <translation type="unfinished"></translation>
+        <translation>{name} wird geprüft …</translation>
     </message>
     <message>
         <source>Looking for what the format cannot hold …</source>
-        <translation type="unfinished"></translation>
+        <translation>Prüfung, was das Format nicht halten kann …</translation>
     </message>
     <message>
         <source>Loop</source>
-        <translation type="unfinished"></translation>
+        <translation>Schleife</translation>
     </message>
     <message>
         <source>Luminance</source>
-        <translation type="unfinished"></translation>
+        <translation>Luminanz</translation>
+    </message>
+    <message>
+        <source>MLT has no layers of masks: {name!r} loses {lost}.</source>
+        <translation>MLT hat keine Maskenebenen: {name!r} verliert {lost}.</translation>
+    </message>
+    <message>
+        <source>MLT has no mode {mode!r}: that of {name} is lost.</source>
+        <translation>MLT hat keinen Modus {mode!r}: Der von {name} geht verloren.</translation>
+    </message>
+    <message>
+        <source>MLT has no motion blur: that of {name} was left out.</source>
+        <translation>MLT hat keine Bewegungsunschärfe: Die von {name} entfällt.</translation>
+    </message>
+    <message>
+        <source>MLT has one feather all around: the feather curve of {name} is lost.</source>
+        <translation>MLT hat eine weiche Kante rundum: Die Kurve der weichen Kante von {name} geht verloren.</translation>
+    </message>
+    <message>
+        <source>MLT rotoscoping (Kdenlive, Shotcut)</source>
+        <translation>MLT-Rotoskopie (Kdenlive, Shotcut)</translation>
+    </message>
+    <message>
+        <source>MLT&apos;s rotoscoping has no opacity: that of {name} is lost.</source>
+        <translation>Die Rotoskopie von MLT hat keine Deckkraft: Die von {name} geht verloren.</translation>
+    </message>
+    <message>
+        <source>MLT&apos;s splines are closed: the open {name!r} was left out.</source>
+        <translation>Splines von MLT sind geschlossen: Das offene {name!r} entfällt.</translation>
     </message>
     <message>
         <source>Magnetic lasso</source>
-        <translation type="unfinished"></translation>
+        <translation>Magnetisches Lasso</translation>
     </message>
     <message>
         <source>Make B-spline</source>
-        <translation type="unfinished"></translation>
+        <translation>Zu B-Spline machen</translation>
     </message>
     <message>
         <source>Make Bezier</source>
-        <translation type="unfinished"></translation>
+        <translation>Zu Bézier machen</translation>
     </message>
     <message>
         <source>Make the change that the engine proposes here</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Änderung ausführen, die die Engine hier vorschlägt</translation>
+    </message>
+    <message>
+        <source>Make the selected points, as they are here, the artist&apos;s</source>
+        <translation>Die ausgewählten Punkte, wie sie hier sind, zu eigenen machen</translation>
     </message>
     <message>
         <source>Make the selected shapes, as they are here, artist keys</source>
-        <translation type="unfinished"></translation>
+        <translation>Aus den ausgewählten Formen, wie sie hier sind, eigene Keyframes machen</translation>
     </message>
     <message>
         <source>Make this change, and every one proposed for this shape</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Änderung ausführen und jede weitere, die für diese Form vorgeschlagen wird</translation>
     </message>
     <message>
         <source>Mark frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Frame markieren</translation>
     </message>
     <message>
         <source>Mark this frame, or take its mark away</source>
-        <translation type="unfinished"></translation>
+        <translation>Diesen Frame markieren oder seine Markierung entfernen</translation>
+    </message>
+    <message>
+        <source>Marks</source>
+        <translation>Markierungen</translation>
+    </message>
+    <message>
+        <source>Mask pictures</source>
+        <translation>Maskenbilder</translation>
     </message>
     <message>
         <source>Mask pictures (*.png *.tif *.tiff *.jpg *.jpeg *.exr);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>Maskenbilder (*.png *.tif *.tiff *.jpg *.jpeg *.exr);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Masks cannot be hidden in After Effects: {name!r} has the mode None instead of {blend}.</source>
+        <translation>Masken lassen sich in After Effects nicht ausblenden: {name!r} hat den Modus „Ohne“ statt {blend}.</translation>
     </message>
     <message>
         <source>Match the plate&apos;s edge</source>
-        <translation type="unfinished"></translation>
+        <translation>An Kante der Plate anpassen</translation>
     </message>
     <message>
         <source>Matte</source>
-        <translation type="unfinished"></translation>
+        <translation>Matte</translation>
+    </message>
+    <message>
+        <source>Mattes (PNG, EXR, TIFF)</source>
+        <translation>Mattes (PNG, EXR, TIFF)</translation>
     </message>
     <message>
         <source>Mattes of</source>
-        <translation type="unfinished"></translation>
+        <translation>Mattes von</translation>
     </message>
     <message>
         <source>Max</source>
-        <translation type="unfinished"></translation>
+        <translation>Max</translation>
+    </message>
+    <message>
+        <source>Measure boil by the picture</source>
+        <translation>Flimmern am Bild messen</translation>
     </message>
     <message>
         <source>Memory for frames</source>
-        <translation type="unfinished"></translation>
+        <translation>Speicher für Frames</translation>
     </message>
     <message>
         <source>Memory for undo</source>
-        <translation type="unfinished"></translation>
+        <translation>Speicher für Verlauf</translation>
     </message>
     <message>
         <source>Menu</source>
-        <translation type="unfinished"></translation>
+        <translation>Menü</translation>
     </message>
     <message>
         <source>Messages</source>
-        <translation type="unfinished"></translation>
+        <translation>Meldungen</translation>
     </message>
     <message>
         <source>Middle button, Alt+left</source>
-        <translation type="unfinished"></translation>
+        <translation>Mittlere Taste, Alt+Linke</translation>
     </message>
     <message>
         <source>Mirror horizontally</source>
-        <translation type="unfinished"></translation>
+        <translation>Horizontal spiegeln</translation>
     </message>
     <message>
         <source>Mirror vertically</source>
-        <translation type="unfinished"></translation>
+        <translation>Vertikal spiegeln</translation>
     </message>
     <message>
         <source>Missing</source>
-        <translation type="unfinished"></translation>
+        <translation>Fehlend</translation>
+    </message>
+    <message>
+        <source>Mode</source>
+        <translation>Modus</translation>
     </message>
     <message>
         <source>Mode at the start</source>
-        <translation type="unfinished"></translation>
+        <translation>Modus beim Start</translation>
+    </message>
+    <message>
+        <source>Moments of the open shutter that are joined</source>
+        <translation>Momente des offenen Verschlusses, die verbunden werden</translation>
     </message>
     <message>
         <source>More</source>
-        <translation type="unfinished"></translation>
+        <translation>Mehr</translation>
     </message>
     <message>
         <source>More keeps more of a clip ready to play</source>
-        <translation type="unfinished"></translation>
+        <translation>Mehr hält mehr von einem Clip zum Abspielen bereit</translation>
     </message>
     <message>
         <source>Most doubtful frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Zweifelhaftester Frame</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>Bewegung</translation>
+    </message>
+    <message>
+        <source>Motion blur</source>
+        <translation>Motion Blur</translation>
+    </message>
+    <message>
+        <source>Motion of layers</source>
+        <translation>Bewegung der Ebenen</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>Bewegen</translation>
     </message>
     <message>
         <source>Move handle</source>
-        <translation type="unfinished"></translation>
+        <translation>Tangente bewegen</translation>
+    </message>
+    <message>
+        <source>Move keys</source>
+        <translation>Keyframes verschieben</translation>
+    </message>
+    <message>
+        <source>Move mark</source>
+        <translation>Markierung verschieben</translation>
     </message>
     <message>
         <source>Move on evenly from the chosen keys, or from this one</source>
-        <translation type="unfinished"></translation>
+        <translation>Von den gewählten Keyframes oder diesem gleichmäßig weiterbewegen</translation>
+    </message>
+    <message>
+        <source>Move pivot</source>
+        <translation>Drehpunkt bewegen</translation>
     </message>
     <message>
         <source>Move point</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkt bewegen</translation>
     </message>
     <message>
         <source>Move shape</source>
-        <translation type="unfinished"></translation>
+        <translation>Form bewegen</translation>
     </message>
     <message>
         <source>Move x, y</source>
-        <translation type="unfinished"></translation>
+        <translation>Bewegen x, y</translation>
     </message>
     <message>
         <source>Move {count} points</source>
-        <translation type="unfinished"></translation>
+        <translation>{count} Punkte bewegen</translation>
     </message>
     <message>
         <source>Move {count} shapes</source>
-        <translation type="unfinished"></translation>
+        <translation>{count} Formen bewegen</translation>
     </message>
     <message>
         <source>Move {dx:+.1f}, {dy:+.1f} px</source>
-        <translation type="unfinished"></translation>
+        <translation>Bewegen {dx:+.1f}, {dy:+.1f} px</translation>
+    </message>
+    <message>
+        <source>Move {keys} {frames}: {first} to {last}.</source>
+        <translation>{keys} {frames} verschieben: {first} nach {last}.</translation>
     </message>
     <message>
         <source>Move, turn, scale and shear by numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach Zahlen bewegen, drehen, skalieren und scheren</translation>
     </message>
     <message>
         <source>Move, turn, scale and shear points or shapes</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkte oder Formen bewegen, drehen, skalieren und scheren</translation>
+    </message>
+    <message>
+        <source>Movie</source>
+        <translation>Film</translation>
     </message>
     <message>
         <source>Movies (*.mov *.mp4 *.avi *.mkv *.m4v *.mxf *.webm *.mpg *.mpeg *.gif);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>Filme (*.mov *.mp4 *.avi *.mkv *.m4v *.mxf *.webm *.mpg *.mpeg *.gif);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Movie…</source>
+        <translation>Film…</translation>
     </message>
     <message>
         <source>My keys only</source>
-        <translation type="unfinished"></translation>
+        <translation>Nur eigene Keyframes</translation>
     </message>
     <message>
-        <source>Name mark…</source>
-        <translation type="unfinished"></translation>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Natron Roto node (script)</source>
+        <translation>Natron-Roto-Node (Skript)</translation>
+    </message>
+    <message>
+        <source>Natron&apos;s Plus goes beyond 1 where {name!r} overlaps what lies under it.</source>
+        <translation>Natrons Plus geht über 1 hinaus, wo {name!r} überlappt, was darunter liegt.</translation>
     </message>
     <message>
         <source>Neither {folder} nor a temporary folder can be written to: {error}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Weder {folder} noch ein temporärer Ordner ist beschreibbar: {error}.</translation>
     </message>
     <message>
         <source>Never</source>
-        <translation type="unfinished"></translation>
+        <translation>Nie</translation>
     </message>
     <message>
         <source>New</source>
-        <translation type="unfinished"></translation>
+        <translation>Neu</translation>
     </message>
     <message>
         <source>New layer</source>
-        <translation type="unfinished"></translation>
+        <translation>Neue Ebene</translation>
     </message>
     <message>
         <source>Next doubtful frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Nächster zweifelhafter Frame</translation>
     </message>
     <message>
         <source>Next frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Nächster Frame</translation>
     </message>
     <message>
         <source>Next key</source>
-        <translation type="unfinished"></translation>
+        <translation>Nächster Keyframe</translation>
     </message>
     <message>
-        <source>Next mark</source>
-        <translation type="unfinished"></translation>
+        <source>Next note</source>
+        <translation>Nächste Notiz</translation>
+    </message>
+    <message>
+        <source>Next part</source>
+        <translation>Nächster Fensterteil</translation>
     </message>
     <message>
         <source>Next point</source>
-        <translation type="unfinished"></translation>
+        <translation>Nächster Punkt</translation>
     </message>
     <message>
         <source>Next proposal</source>
-        <translation type="unfinished"></translation>
+        <translation>Nächster Vorschlag</translation>
+    </message>
+    <message>
+        <source>No boil is measured here</source>
+        <translation>Hier ist kein Flimmern gemessen</translation>
     </message>
     <message>
         <source>No doubtful frame after frame {frame}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kein zweifelhafter Frame nach Frame {frame}.</translation>
     </message>
     <message>
         <source>No doubtful frame before frame {frame}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kein zweifelhafter Frame vor Frame {frame}.</translation>
+    </message>
+    <message>
+        <source>No edge of these shapes could be read in the plate; nothing was changed.</source>
+        <translation>Keine Kante dieser Formen ließ sich in der Plate messen; nichts wurde geändert.</translation>
     </message>
     <message>
         <source>No frame is tracked yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch ist kein Frame getrackt.</translation>
     </message>
     <message>
         <source>No key</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine Taste</translation>
+    </message>
+    <message>
+        <source>No key: the shape is between frames {first} and {last}</source>
+        <translation>Kein Keyframe: Die Form liegt zwischen den Frames {first} und {last}</translation>
+    </message>
+    <message>
+        <source>No key: the shape stands as on frame {frame}</source>
+        <translation>Kein Keyframe: Die Form steht wie auf Frame {frame}</translation>
+    </message>
+    <message>
+        <source>No motion blur.</source>
+        <translation>Keine Bewegungsunschärfe.</translation>
     </message>
     <message>
         <source>No point lies under the brush; Ctrl and the wheel make it wider.</source>
-        <translation type="unfinished"></translation>
+        <translation>Unter dem Pinsel liegt kein Punkt; Strg und Mausrad machen ihn größer.</translation>
     </message>
     <message>
         <source>No proposal waits for an answer.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kein Vorschlag wartet auf Antwort.</translation>
     </message>
     <message>
         <source>No shape is in sight here that could be selected; show or unlock some.</source>
-        <translation type="unfinished"></translation>
+        <translation>Hier ist keine Form zu sehen, die sich auswählen ließe; bitte einige einblenden oder entsperren.</translation>
     </message>
     <message>
         <source>No shape is selected; select some, or export all.</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine Form ist ausgewählt; bitte einige auswählen oder alle exportieren.</translation>
     </message>
     <message>
         <source>None</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Notiz</translation>
+    </message>
+    <message>
+        <source>Note on frame {frame}; Ctrl+Return keeps it</source>
+        <translation>Notiz auf Frame {frame}; Strg+Eingabe behält sie</translation>
+    </message>
+    <message>
+        <source>Note on this frame</source>
+        <translation>Notiz auf diesem Frame</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>Notizen</translation>
+    </message>
+    <message>
+        <source>Notes and doubts</source>
+        <translation>Notizen und Zweifel</translation>
+    </message>
+    <message>
+        <source>Notes, doubtful frames and boil as a list</source>
+        <translation>Notizen, zweifelhafte Frames und Flimmern als Liste</translation>
+    </message>
+    <message>
+        <source>Notes, doubts and boil</source>
+        <translation>Notizen, Zweifel, Flimmern</translation>
     </message>
     <message>
         <source>Nothing is called so; try another word, or fewer letters.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts heißt so; bitte ein anderes Wort versuchen oder weniger Buchstaben.</translation>
+    </message>
+    <message>
+        <source>Nothing is selected.</source>
+        <translation>Nichts ist ausgewählt.</translation>
     </message>
     <message>
         <source>Nothing is sent. Copy it into an issue if you like.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wird gesendet. Der Bericht lässt sich in eine Fehlermeldung kopieren.</translation>
+    </message>
+    <message>
+        <source>Nothing is tracked here</source>
+        <translation>Hier ist nichts getrackt</translation>
+    </message>
+    <message>
+        <source>Nothing is tracked yet whose boil could be measured.</source>
+        <translation>Noch ist nichts getrackt, dessen Flimmern sich messen ließe.</translation>
     </message>
     <message>
         <source>Nothing is white in {name}; paint the object white and the rest black.</source>
-        <translation type="unfinished"></translation>
+        <translation>In {name} ist nichts weiß; das Objekt weiß malen und den Rest schwarz.</translation>
+    </message>
+    <message>
+        <source>Nothing to list: no notes, no doubtful frames and none that boil, of the shapes in hand.</source>
+        <translation>Nichts aufzulisten: keine Notizen, keine zweifelhaften und keine flimmernden Frames der aktiven Formen.</translation>
     </message>
     <message>
         <source>Nothing was copied.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde kopiert.</translation>
     </message>
     <message>
         <source>Nothing was exported; the files that are there stay.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde exportiert; die vorhandenen Dateien bleiben.</translation>
+    </message>
+    <message>
+        <source>Nothing was written; the files that are there stay.</source>
+        <translation>Nichts wurde geschrieben; die vorhandenen Dateien bleiben.</translation>
     </message>
     <message>
         <source>Nothing yet</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch nichts</translation>
+    </message>
+    <message>
+        <source>Now: {shown}</source>
+        <translation>Jetzt: {shown}</translation>
     </message>
     <message numerus="yes">
         <source>Nudge %n point(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Punkt schubsen</numerusform>
+            <numerusform>%n Punkte schubsen</numerusform>
         </translation>
     </message>
     <message>
         <source>Nudge points by a pixel, with Shift by ten</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkte um ein Pixel schubsen, mit Umschalt um zehn</translation>
+    </message>
+    <message>
+        <source>Nuke Python script</source>
+        <translation>Nuke-Python-Skript</translation>
+    </message>
+    <message>
+        <source>Nuke Roto node</source>
+        <translation>Nuke-Roto-Node</translation>
+    </message>
+    <message>
+        <source>Nuke Tracker and CornerPin nodes</source>
+        <translation>Nuke-Tracker- und CornerPin-Nodes</translation>
+    </message>
+    <message>
+        <source>Nuke gets nodes of their own for {what}: one Roto node is not known to join layers as ROAM does.</source>
+        <translation>Nuke erhält eigene Nodes für {what}: Ein einzelner Roto-Node verbindet Ebenen nicht sicher wie ROAM.</translation>
+    </message>
+    <message>
+        <source>Nuke script</source>
+        <translation>Nuke-Skript</translation>
+    </message>
+    <message>
+        <source>Nuke unites where ROAM adds {some}: pixels that two edges share are darker there.</source>
+        <translation>Nuke vereinigt, wo ROAM {some} addiert: Pixel, die sich zwei Kanten teilen, sind dort dunkler.</translation>
+    </message>
+    <message>
+        <source>Nuke&apos;s names of shapes are ASCII: {listed}. The true names stand in the node&apos;s label and come back when ROAM reads the file.</source>
+        <translation>Formnamen in Nuke sind ASCII: {listed}. Die wahren Namen stehen in der Beschriftung des Nodes und kommen zurück, wenn ROAM die Datei liest.</translation>
     </message>
     <message>
         <source>Object</source>
-        <translation type="unfinished"></translation>
+        <translation>Objekt</translation>
+    </message>
+    <message>
+        <source>Objects are hard, without the {left} of {name!r}.</source>
+        <translation>Objekte sind hart, ohne {left} von {name!r}.</translation>
+    </message>
+    <message>
+        <source>Objects are opaque: the opacity of {name!r} was left out.</source>
+        <translation>Objekte sind deckend: Die Deckkraft von {name!r} entfällt.</translation>
     </message>
     <message>
         <source>Occluder</source>
-        <translation type="unfinished"></translation>
+        <translation>Verdecker</translation>
+    </message>
+    <message>
+        <source>Of the joint matte of all that lies in the layer</source>
+        <translation>Von der gemeinsamen Matte von allem, was in der Ebene liegt</translation>
     </message>
     <message>
         <source>Off</source>
-        <translation type="unfinished"></translation>
+        <translation>Aus</translation>
     </message>
     <message>
         <source>Older versions of a project, kept beside it when you save</source>
-        <translation type="unfinished"></translation>
+        <translation>Ältere Versionen eines Projekts, beim Speichern daneben aufgehoben</translation>
+    </message>
+    <message>
+        <source>On</source>
+        <translation>An</translation>
     </message>
     <message>
         <source>On empty background: add points to the selection, take them away</source>
-        <translation type="unfinished"></translation>
+        <translation>Auf leerem Hintergrund: Punkte zur Auswahl hinzufügen, aus ihr entfernen</translation>
+    </message>
+    <message>
+        <source>On it</source>
+        <translation>Darauf</translation>
     </message>
     <message>
         <source>One object</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Objekt</translation>
     </message>
     <message>
         <source>One on every frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Einer auf jedem Frame</translation>
     </message>
     <message>
         <source>Onion skin</source>
-        <translation type="unfinished"></translation>
+        <translation>Zwiebelhaut</translation>
+    </message>
+    <message>
+        <source>Only a closed shape has a matte</source>
+        <translation>Nur eine geschlossene Form hat eine Matte</translation>
     </message>
     <message>
         <source>Only a closed shape that is not locked has an edge to match; unlock or close one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nur eine geschlossene, nicht gesperrte Form hat eine anpassbare Kante; bitte eine entsperren oder schließen.</translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation>Deckkraft</translation>
+    </message>
+    <message>
+        <source>Opacity of the selected shapes and layers, in percent</source>
+        <translation>Deckkraft der ausgewählten Formen und Ebenen, in Prozent</translation>
+    </message>
+    <message>
+        <source>Opacity, feather and position as curves over time</source>
+        <translation>Deckkraft, Feather und Position als Kurven über die Zeit</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
     </message>
     <message>
         <source>Open a clip first: a mask belongs to one of its frames.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zuerst einen Clip öffnen: Eine Maske gehört zu einem seiner Frames.</translation>
+    </message>
+    <message>
+        <source>Open a clip first: drop a folder of
+images or a movie on the window.</source>
+        <translation>Zuerst einen Clip öffnen: einen Ordner mit
+Bildern oder einen Film ins Fenster ziehen.</translation>
     </message>
     <message>
         <source>Open a clip first: drop a folder of images or a movie on the window.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zuerst einen Clip öffnen: einen Ordner mit Bildern oder einen Film ins Fenster ziehen.</translation>
+    </message>
+    <message>
+        <source>Open a clip first: marks lie on its frames.</source>
+        <translation>Zuerst einen Clip öffnen: Markierungen liegen auf seinen Frames.</translation>
+    </message>
+    <message>
+        <source>Open a clip first: notes lie on its frames.</source>
+        <translation>Zuerst einen Clip öffnen: Notizen liegen auf seinen Frames.</translation>
     </message>
     <message>
         <source>Open a clip first: shapes come into its frames and pixels.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zuerst einen Clip öffnen: Formen kommen in seine Frames und Pixel.</translation>
     </message>
     <message>
         <source>Open a copy</source>
-        <translation type="unfinished"></translation>
+        <translation>Kopie öffnen</translation>
     </message>
     <message>
         <source>Open anyway</source>
-        <translation type="unfinished"></translation>
+        <translation>Trotzdem öffnen</translation>
     </message>
     <message>
         <source>Open clip</source>
-        <translation type="unfinished"></translation>
+        <translation>Clip öffnen</translation>
     </message>
     <message>
         <source>Open clip: the folder of its frames</source>
-        <translation type="unfinished"></translation>
+        <translation>Clip öffnen: der Ordner seiner Frames</translation>
     </message>
     <message>
         <source>Open clips without asking from now on</source>
-        <translation type="unfinished"></translation>
+        <translation>Clips künftig ohne Nachfrage öffnen</translation>
     </message>
     <message>
         <source>Open clip…</source>
-        <translation type="unfinished"></translation>
+        <translation>Clip öffnen…</translation>
     </message>
     <message>
         <source>Open movie</source>
-        <translation type="unfinished"></translation>
+        <translation>Film öffnen</translation>
     </message>
     <message>
         <source>Open movie…</source>
-        <translation type="unfinished"></translation>
+        <translation>Film öffnen…</translation>
     </message>
     <message>
         <source>Open or close</source>
-        <translation type="unfinished"></translation>
+        <translation>Öffnen oder schließen</translation>
     </message>
     <message>
         <source>Open or close shape</source>
-        <translation type="unfinished"></translation>
+        <translation>Form öffnen oder schließen</translation>
     </message>
     <message>
         <source>Open project</source>
-        <translation type="unfinished"></translation>
+        <translation>Projekt öffnen</translation>
     </message>
     <message>
         <source>Open project…</source>
-        <translation type="unfinished"></translation>
+        <translation>Projekt öffnen…</translation>
     </message>
     <message>
         <source>Open recent</source>
-        <translation type="unfinished"></translation>
+        <translation>Zuletzt geöffnet</translation>
     </message>
     <message>
         <source>Open the demo</source>
-        <translation type="unfinished"></translation>
+        <translation>Demo öffnen</translation>
     </message>
     <message>
         <source>Open: not tracked</source>
-        <translation type="unfinished"></translation>
+        <translation>Offen: wird nicht getrackt</translation>
     </message>
     <message>
         <source>Opened lately</source>
-        <translation type="unfinished"></translation>
+        <translation>Zuletzt geöffnet</translation>
     </message>
     <message>
         <source>Opened {name}.{moved}</source>
-        <translation type="unfinished"></translation>
+        <translation>{name} geöffnet.{moved}</translation>
     </message>
     <message>
         <source>Opened {name}: {count} frames. {gaps}</source>
-        <translation type="unfinished"></translation>
+        <translation>{name} geöffnet: {count} Frames. {gaps}</translation>
     </message>
     <message>
         <source>Opening {name} …</source>
-        <translation type="unfinished"></translation>
+        <translation>{name} wird geöffnet …</translation>
+    </message>
+    <message>
+        <source>Opening …</source>
+        <translation>Wird geöffnet …</translation>
     </message>
     <message>
         <source>Or drop a folder of images, a movie or a project anywhere in this window.</source>
-        <translation type="unfinished"></translation>
+        <translation>Oder einen Ordner mit Bildern, einen Film oder ein Projekt irgendwo in dieses Fenster ziehen.</translation>
+    </message>
+    <message>
+        <source>Other shapes say nothing about what lies before the surface</source>
+        <translation>Andere Formen sagen nichts darüber, was vor der Fläche liegt</translation>
+    </message>
+    <message>
+        <source>Out: frame {last}. Drag it</source>
+        <translation>Out: Frame {last}. Ziehen verschiebt</translation>
+    </message>
+    <message>
+        <source>Outlines move straight, smoothly or not at all: opacity and feather have tangents.</source>
+        <translation>Umrisse bewegen sich gerade, weich oder gar nicht: Tangenten haben Deckkraft und Feather.</translation>
+    </message>
+    <message>
+        <source>Outlines of frames after</source>
+        <translation>Umrisse der Frames danach</translation>
+    </message>
+    <message>
+        <source>Outlines of frames before</source>
+        <translation>Umrisse der Frames davor</translation>
+    </message>
+    <message>
+        <source>Outlines on the plate</source>
+        <translation>Umrisse auf der Plate</translation>
+    </message>
+    <message>
+        <source>Outside of the shape&apos;s lifetime</source>
+        <translation>Außerhalb der Lebensdauer der Form</translation>
     </message>
     <message>
         <source>Overlay</source>
-        <translation type="unfinished"></translation>
+        <translation>Overlay</translation>
     </message>
     <message>
         <source>Packing</source>
-        <translation type="unfinished"></translation>
+        <translation>Kompression</translation>
+    </message>
+    <message>
+        <source>Page</source>
+        <translation>Seite</translation>
+    </message>
+    <message>
+        <source>Pages of small pictures with frame numbers and notes</source>
+        <translation>Seiten mit kleinen Bildern, Framenummern und Notizen</translation>
     </message>
     <message>
         <source>Pan</source>
-        <translation type="unfinished"></translation>
+        <translation>Verschieben</translation>
+    </message>
+    <message>
+        <source>Panel: Planar track</source>
+        <translation>Bereich: Flächen-Track</translation>
+    </message>
+    <message>
+        <source>Panel: Shape</source>
+        <translation>Bereich: Form</translation>
+    </message>
+    <message>
+        <source>Panel: Shapes</source>
+        <translation>Bereich: Formen</translation>
+    </message>
+    <message>
+        <source>Panel: Track</source>
+        <translation>Bereich: Tracking</translation>
     </message>
     <message>
         <source>Panels</source>
-        <translation type="unfinished"></translation>
+        <translation>Bereiche</translation>
     </message>
     <message>
         <source>Part of {count}</source>
-        <translation type="unfinished"></translation>
+        <translation>Teil von {count}</translation>
     </message>
     <message>
         <source>Parts and holes that are never larger are left out</source>
-        <translation type="unfinished"></translation>
+        <translation>Teile und Löcher, die nie größer sind, entfallen</translation>
     </message>
     <message>
         <source>Paste</source>
-        <translation type="unfinished"></translation>
+        <translation>Einfügen</translation>
     </message>
     <message>
         <source>Paste key</source>
-        <translation type="unfinished"></translation>
+        <translation>Keyframe einfügen</translation>
     </message>
     <message>
         <source>Paste key to range</source>
-        <translation type="unfinished"></translation>
+        <translation>Keyframe in Bereich einfügen</translation>
     </message>
     <message>
         <source>Paste key to range…</source>
-        <translation type="unfinished"></translation>
+        <translation>Keyframe in Bereich einfügen…</translation>
+    </message>
+    <message>
+        <source>Paste keys</source>
+        <translation>Keyframes einfügen</translation>
     </message>
     <message>
         <source>Paste the copied shapes, also those copied in Nuke or Fusion</source>
-        <translation type="unfinished"></translation>
+        <translation>Kopierte Formen einfügen, auch in Nuke oder Fusion kopierte</translation>
     </message>
     <message>
         <source>Pattern {pattern:.0f} px, search {search:.0f} px.</source>
-        <translation type="unfinished"></translation>
+        <translation>Muster {pattern:.0f} px, Suche {search:.0f} px.</translation>
     </message>
     <message>
         <source>Pause</source>
-        <translation type="unfinished"></translation>
+        <translation>Pause</translation>
     </message>
     <message>
         <source>Per second</source>
-        <translation type="unfinished"></translation>
+        <translation>Pro Sekunde</translation>
+    </message>
+    <message>
+        <source>Perspective</source>
+        <translation>Perspektive</translation>
+    </message>
+    <message>
+        <source>Phase</source>
+        <translation>Phase</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>Picture under the cut-out</source>
+        <translation>Bild unter dem Freisteller</translation>
+    </message>
+    <message>
+        <source>Pictures</source>
+        <translation>Bilder</translation>
+    </message>
+    <message>
+        <source>Pictures (*.exr *.dpx *.png *.jpg *.jpeg *.tif *.tiff);;All files (*)</source>
+        <translation>Bilder (*.exr *.dpx *.png *.jpg *.jpeg *.tif *.tiff);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Pictures (PNG)</source>
+        <translation>Bilder (PNG)</translation>
+    </message>
+    <message>
+        <source>Pictures beside each other on a page</source>
+        <translation>Bilder nebeneinander auf einer Seite</translation>
+    </message>
+    <message>
+        <source>Pictures to a folder</source>
+        <translation>Bilder in einen Ordner</translation>
     </message>
     <message>
         <source>Pin as A</source>
-        <translation type="unfinished"></translation>
+        <translation>Als A merken</translation>
     </message>
     <message>
         <source>Pin the corners of a tracked surface</source>
-        <translation type="unfinished"></translation>
+        <translation>Ecken einer getrackten Fläche festlegen</translation>
     </message>
     <message>
         <source>Pixel aspect</source>
-        <translation type="unfinished"></translation>
+        <translation>Pixelseitenverhältnis</translation>
     </message>
     <message>
         <source>Pixels</source>
-        <translation type="unfinished"></translation>
+        <translation>Pixel</translation>
+    </message>
+    <message>
+        <source>Plain JSON</source>
+        <translation>Einfaches JSON</translation>
     </message>
     <message>
         <source>Planar track</source>
-        <translation type="unfinished"></translation>
+        <translation>Flächen-Track</translation>
     </message>
     <message>
         <source>Planar track backward</source>
-        <translation type="unfinished"></translation>
+        <translation>Fläche rückwärts tracken</translation>
     </message>
     <message>
         <source>Planar track forward</source>
-        <translation type="unfinished"></translation>
+        <translation>Fläche vorwärts tracken</translation>
     </message>
     <message>
         <source>Plate</source>
-        <translation type="unfinished"></translation>
+        <translation>Plate</translation>
     </message>
     <message>
         <source>Play backward</source>
-        <translation type="unfinished"></translation>
+        <translation>Rückwärts abspielen</translation>
     </message>
     <message>
         <source>Play backward at half speed; again: slower</source>
-        <translation type="unfinished"></translation>
+        <translation>Mit halber Geschwindigkeit rückwärts; nochmals: langsamer</translation>
     </message>
     <message>
         <source>Play backward slowly</source>
-        <translation type="unfinished"></translation>
+        <translation>Langsam rückwärts abspielen</translation>
     </message>
     <message>
         <source>Play backward; again: faster</source>
-        <translation type="unfinished"></translation>
+        <translation>Rückwärts abspielen; nochmals: schneller</translation>
     </message>
     <message>
         <source>Play forward</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorwärts abspielen</translation>
     </message>
     <message>
         <source>Play forward at half speed; again: slower</source>
-        <translation type="unfinished"></translation>
+        <translation>Mit halber Geschwindigkeit vorwärts; nochmals: langsamer</translation>
     </message>
     <message>
         <source>Play forward; again: faster</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorwärts abspielen; nochmals: schneller</translation>
     </message>
     <message>
         <source>Play or pause</source>
-        <translation type="unfinished"></translation>
+        <translation>Abspielen oder anhalten</translation>
     </message>
     <message>
         <source>Play slowly</source>
-        <translation type="unfinished"></translation>
+        <translation>Langsam abspielen</translation>
     </message>
     <message>
         <source>Plus</source>
-        <translation type="unfinished"></translation>
+        <translation>Plus</translation>
+    </message>
+    <message>
+        <source>Point at a curve of opacity or feather to set a key on it.</source>
+        <translation>Auf eine Kurve von Deckkraft oder Feather zeigen, um darauf einen Keyframe zu setzen.</translation>
     </message>
     <message>
         <source>Point track</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkt-Track</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Punkte</translation>
     </message>
     <message>
         <source>Points near the selected ones follow them</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkte nahe den ausgewählten folgen ihnen</translation>
     </message>
     <message>
         <source>Polygon</source>
-        <translation type="unfinished"></translation>
+        <translation>Polygon</translation>
+    </message>
+    <message>
+        <source>Polygons of CVAT only add: the {what} of {name} is lost.</source>
+        <translation>Polygone in CVAT addieren nur: {what} von {name} geht verloren.</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Position</translation>
+    </message>
+    <message>
+        <source>Position x</source>
+        <translation>Position x</translation>
+    </message>
+    <message>
+        <source>Position y</source>
+        <translation>Position y</translation>
+    </message>
+    <message>
+        <source>Position, turn, size</source>
+        <translation>Position, Drehung, Größe</translation>
     </message>
     <message>
         <source>Previous doubtful frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorheriger zweifelhafter Frame</translation>
     </message>
     <message>
         <source>Previous frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorheriger Frame</translation>
     </message>
     <message>
         <source>Previous key</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorheriger Keyframe</translation>
     </message>
     <message>
-        <source>Previous mark</source>
-        <translation type="unfinished"></translation>
+        <source>Previous note</source>
+        <translation>Vorherige Notiz</translation>
+    </message>
+    <message>
+        <source>Previous part</source>
+        <translation>Vorheriger Fensterteil</translation>
     </message>
     <message>
         <source>Previous point</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorheriger Punkt</translation>
     </message>
     <message>
         <source>Problem report</source>
-        <translation type="unfinished"></translation>
+        <translation>Problembericht</translation>
     </message>
     <message>
         <source>Problem report…</source>
-        <translation type="unfinished"></translation>
+        <translation>Problembericht…</translation>
     </message>
     <message>
         <source>Proposal</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorschlag</translation>
     </message>
     <message>
         <source>Propose changes for the selected shapes again</source>
-        <translation type="unfinished"></translation>
+        <translation>Für die ausgewählten Formen wieder Änderungen vorschlagen</translation>
     </message>
     <message>
         <source>Pull out handles</source>
-        <translation type="unfinished"></translation>
+        <translation>Tangenten herausziehen</translation>
     </message>
     <message>
         <source>Pull the points under a soft, round brush</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkte unter einem weichen, runden Pinsel ziehen</translation>
     </message>
     <message>
-        <source>Put a word on this frame&apos;s mark</source>
-        <translation type="unfinished"></translation>
+        <source>Put a note on this frame&apos;s mark</source>
+        <translation>Eine Notiz zur Markierung dieses Frames schreiben</translation>
     </message>
     <message>
         <source>Put into</source>
-        <translation type="unfinished"></translation>
+        <translation>Ablegen in</translation>
     </message>
     <message>
         <source>Put points that a track follows, with the shapes</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkte setzen, denen ein Track mit den Formen folgt</translation>
     </message>
     <message>
         <source>Put the copied key on this frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Den kopierten Keyframe auf diesen Frame setzen</translation>
     </message>
     <message>
         <source>Put the feather of the selected points back on the outline</source>
-        <translation type="unfinished"></translation>
+        <translation>Die weiche Kante der ausgewählten Punkte auf den Umriss zurücksetzen</translation>
     </message>
     <message>
         <source>Quit</source>
-        <translation type="unfinished"></translation>
+        <translation>Beenden</translation>
     </message>
     <message>
         <source>ROAM did not close properly</source>
-        <translation type="unfinished"></translation>
+        <translation>ROAM wurde nicht richtig beendet</translation>
     </message>
     <message>
         <source>ROAM did not make what is there in {folder}. It would be lost.</source>
-        <translation type="unfinished"></translation>
+        <translation>Was in {folder} liegt, stammt nicht von ROAM. Es ginge verloren.</translation>
+    </message>
+    <message>
+        <source>ROAM ended in a crash</source>
+        <translation>ROAM ist abgestürzt</translation>
     </message>
     <message>
         <source>ROAM projects (*.roam)</source>
-        <translation type="unfinished"></translation>
+        <translation>ROAM-Projekte (*.roam)</translation>
+    </message>
+    <message>
+        <source>Range</source>
+        <translation>Bereich</translation>
+    </message>
+    <message>
+        <source>Reach</source>
+        <translation>Reichweite</translation>
     </message>
     <message>
         <source>Read {shapes} from {name}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{shapes} aus {name} gelesen.</translation>
     </message>
     <message>
         <source>Reading {name} …</source>
-        <translation type="unfinished"></translation>
+        <translation>{name} wird gelesen …</translation>
     </message>
     <message>
         <source>Recover</source>
-        <translation type="unfinished"></translation>
+        <translation>Wiederherstellen</translation>
     </message>
     <message>
         <source>Recover work</source>
-        <translation type="unfinished"></translation>
+        <translation>Arbeit wiederherstellen</translation>
     </message>
     <message>
         <source>Recover work…</source>
-        <translation type="unfinished"></translation>
+        <translation>Arbeit wiederherstellen…</translation>
     </message>
     <message>
         <source>Recovered; save to keep it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wiederhergestellt; bleibt nur, wenn es gespeichert wird.</translation>
     </message>
     <message>
         <source>Recovering …</source>
-        <translation type="unfinished"></translation>
+        <translation>Wiederherstellung …</translation>
     </message>
     <message>
         <source>Rectangle</source>
-        <translation type="unfinished"></translation>
+        <translation>Rechteck</translation>
     </message>
     <message>
         <source>Red</source>
-        <translation type="unfinished"></translation>
+        <translation>Rot</translation>
     </message>
     <message>
         <source>Redo</source>
-        <translation type="unfinished"></translation>
+        <translation>Wiederholen</translation>
+    </message>
+    <message>
+        <source>Redo {step}</source>
+        <translation>{step} wiederholen</translation>
     </message>
     <message>
         <source>Redone: {text}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wiederholt: {text}.</translation>
     </message>
     <message>
         <source>Refuse</source>
-        <translation type="unfinished"></translation>
+        <translation>Ablehnen</translation>
     </message>
     <message>
         <source>Refuse, and propose nothing more for this shape</source>
-        <translation type="unfinished"></translation>
+        <translation>Ablehnen und für diese Form nichts mehr vorschlagen</translation>
     </message>
     <message>
         <source>Relink clip: a frame of the plate, or a movie</source>
-        <translation type="unfinished"></translation>
+        <translation>Clip neu verknüpfen: ein Frame der Plate oder ein Film</translation>
     </message>
     <message>
         <source>Relink clip…</source>
-        <translation type="unfinished"></translation>
+        <translation>Clip neu verknüpfen…</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Remove adjust key</source>
+        <translation>Korrektur-Keyframe entfernen</translation>
+    </message>
+    <message>
+        <source>Remove mark</source>
+        <translation>Markierung entfernen</translation>
+    </message>
+    <message>
+        <source>Remove motion</source>
+        <translation>Bewegung entfernen</translation>
+    </message>
+    <message>
+        <source>Remove note</source>
+        <translation>Notiz entfernen</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Umbenennen</translation>
+    </message>
+    <message>
+        <source>Rendering the demo shot, frame {frame} …</source>
+        <translation>Demo-Shot wird gerendert, Frame {frame} …</translation>
+    </message>
+    <message>
+        <source>Rendering the matte …</source>
+        <translation>Matte wird gerendert …</translation>
     </message>
     <message>
         <source>Replaces the file that is there.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ersetzt die vorhandene Datei.</translation>
     </message>
     <message>
         <source>Reset</source>
-        <translation type="unfinished"></translation>
+        <translation>Zurücksetzen</translation>
     </message>
     <message>
         <source>Reset all</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle zurücksetzen</translation>
     </message>
     <message>
         <source>Reset exposure</source>
-        <translation type="unfinished"></translation>
+        <translation>Belichtung zurücksetzen</translation>
     </message>
     <message>
         <source>Reset feather</source>
-        <translation type="unfinished"></translation>
+        <translation>Feather zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Reset layout</source>
+        <translation>Anordnung zurücksetzen</translation>
     </message>
     <message>
         <source>Reshape</source>
-        <translation type="unfinished"></translation>
+        <translation>Verformen</translation>
+    </message>
+    <message>
+        <source>Restack</source>
+        <translation>Umordnen</translation>
     </message>
     <message>
         <source>Return, Esc</source>
-        <translation type="unfinished"></translation>
+        <translation>Eingabe, Esc</translation>
+    </message>
+    <message>
+        <source>Review</source>
+        <translation>Review</translation>
+    </message>
+    <message>
+        <source>Ripple</source>
+        <translation>Ripple</translation>
     </message>
     <message>
         <source>Ripple edit</source>
-        <translation type="unfinished"></translation>
+        <translation>Ripple-Bearbeitung</translation>
+    </message>
+    <message>
+        <source>Ripple: edits change all keys {first}–{last}</source>
+        <translation>Ripple: Änderungen gelten für alle Keyframes {first}–{last}</translation>
     </message>
     <message>
         <source>Rotate</source>
-        <translation type="unfinished"></translation>
+        <translation>Drehen</translation>
     </message>
     <message>
         <source>Rotate {degrees:+.1f}°</source>
-        <translation type="unfinished"></translation>
+        <translation>Drehen {degrees:+.1f}°</translation>
     </message>
     <message>
         <source>Rotoscoping with a Rich Online Appearance Model: editable curves carried through a shot.</source>
-        <translation type="unfinished"></translation>
+        <translation>Rotoskopie mit einem Rich Online Appearance Model: editierbare Kurven, durch einen Shot getragen.</translation>
+    </message>
+    <message>
+        <source>Rows of pictures on a page</source>
+        <translation>Bildzeilen auf einer Seite</translation>
+    </message>
+    <message>
+        <source>SVG</source>
+        <translation>SVG</translation>
+    </message>
+    <message>
+        <source>Samples</source>
+        <translation>Samples</translation>
     </message>
     <message>
         <source>Save</source>
-        <translation type="unfinished"></translation>
+        <translation>Speichern</translation>
     </message>
     <message>
         <source>Save anyway</source>
-        <translation type="unfinished"></translation>
+        <translation>Trotzdem speichern</translation>
     </message>
     <message>
         <source>Save as…</source>
-        <translation type="unfinished"></translation>
+        <translation>Speichern unter…</translation>
     </message>
     <message>
         <source>Save project</source>
-        <translation type="unfinished"></translation>
+        <translation>Projekt speichern</translation>
     </message>
     <message>
         <source>Save the changes to {name}?</source>
-        <translation type="unfinished"></translation>
+        <translation>Änderungen an {name} speichern?</translation>
+    </message>
+    <message>
+        <source>Save your work under a new name now.</source>
+        <translation>Bitte die Arbeit jetzt unter neuem Namen speichern.</translation>
     </message>
     <message>
         <source>Saved {name}. {warning}</source>
-        <translation type="unfinished"></translation>
+        <translation>{name} gespeichert. {warning}</translation>
     </message>
     <message>
         <source>Say where to write it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Bitte angeben, wohin geschrieben wird.</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Skalieren</translation>
     </message>
     <message>
         <source>Scale x, y</source>
-        <translation type="unfinished"></translation>
+        <translation>Skalieren x, y</translation>
     </message>
     <message>
         <source>Scale {x:.1f} %, {y:.1f} %</source>
-        <translation type="unfinished"></translation>
+        <translation>Skalieren {x:.1f} %, {y:.1f} %</translation>
     </message>
     <message>
         <source>Scene linear</source>
-        <translation type="unfinished"></translation>
+        <translation>Szenenlinear</translation>
     </message>
     <message>
         <source>Search</source>
-        <translation type="unfinished"></translation>
+        <translation>Suchen</translation>
     </message>
     <message>
         <source>Search for an action or a key</source>
-        <translation type="unfinished"></translation>
+        <translation>Aktion oder Taste suchen</translation>
+    </message>
+    <message>
+        <source>Second viewer</source>
+        <translation>Zweiter Viewer</translation>
     </message>
     <message>
         <source>Select</source>
-        <translation type="unfinished"></translation>
+        <translation>Auswählen</translation>
     </message>
     <message>
         <source>Select a layer first: click it in the list of shapes.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zuerst eine Ebene auswählen: in der Liste der Formen anklicken.</translation>
+    </message>
+    <message>
+        <source>Select a shape first, or choose keys in the timeline.</source>
+        <translation>Zuerst eine Form auswählen oder Keyframes in der Zeitleiste wählen.</translation>
     </message>
     <message>
         <source>Select a shape first: click it in the viewer or in the list.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zuerst eine Form auswählen: im Viewer oder in der Liste anklicken.</translation>
     </message>
     <message>
         <source>Select a shape first: its key on this frame is copied.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zuerst eine Form auswählen: Ihr Keyframe auf diesem Frame wird kopiert.</translation>
     </message>
     <message>
         <source>Select a shape or points to transform: click an outline or drag a marquee.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Form oder Punkte zum Transformieren auswählen: Umriss anklicken oder Rahmen ziehen.</translation>
     </message>
     <message>
         <source>Select a shape or some of its points first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zuerst eine Form oder einige ihrer Punkte auswählen.</translation>
     </message>
     <message>
         <source>Select a shape or some of its points first; locked and hidden ones stay as they are.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zuerst eine Form oder einige ihrer Punkte auswählen; gesperrte und ausgeblendete bleiben, wie sie sind.</translation>
+    </message>
+    <message>
+        <source>Select a shape to see its properties.</source>
+        <translation>Eine ausgewählte Form zeigt hier ihre Eigenschaften.</translation>
     </message>
     <message>
         <source>Select a shape whose plane is tracked (&lt;planar.forward&gt;), then pin its corners here.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Form auswählen, deren Fläche getrackt ist (&lt;planar.forward&gt;), dann hier ihre Ecken festlegen.</translation>
+    </message>
+    <message>
+        <source>Select a shape: the eraser deletes points of selected shapes.</source>
+        <translation>Eine Form auswählen: Der Radierer löscht Punkte ausgewählter Formen.</translation>
     </message>
     <message>
         <source>Select all points</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Punkte auswählen</translation>
     </message>
     <message>
         <source>Select all shapes</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Formen auswählen</translation>
     </message>
     <message>
         <source>Select an action first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zuerst eine Aktion auswählen.</translation>
     </message>
     <message>
         <source>Select an action to give it another key.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine ausgewählte Aktion kann hier eine andere Taste bekommen.</translation>
     </message>
     <message>
         <source>Select and drag shapes, points and handles</source>
-        <translation type="unfinished"></translation>
+        <translation>Formen, Punkte und Tangenten auswählen und ziehen</translation>
     </message>
     <message>
         <source>Select points with a lasso</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkte mit einem Lasso auswählen</translation>
+    </message>
+    <message>
+        <source>Select the points that are right here first; a run then derives the others anew.</source>
+        <translation>Zuerst die Punkte auswählen, die hier stimmen; ein Lauf leitet die anderen dann neu her.</translation>
     </message>
     <message>
         <source>Select the shape to paste to; it may be neither locked nor hidden.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Form auswählen, in die eingefügt wird; sie darf weder gesperrt noch ausgeblendet sein.</translation>
     </message>
     <message>
         <source>Select the shapes first that you want to be asked about again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zuerst die Formen auswählen, zu denen wieder gefragt werden soll.</translation>
     </message>
     <message>
         <source>Select the shapes in sight that are not locked</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle sichtbaren, nicht gesperrten Formen auswählen</translation>
     </message>
     <message>
         <source>Selected shapes only</source>
-        <translation type="unfinished"></translation>
+        <translation>Nur ausgewählte Formen</translation>
+    </message>
+    <message>
+        <source>Selected shapes, or all</source>
+        <translation>Ausgewählte Formen oder alle</translation>
+    </message>
+    <message>
+        <source>Selected, each alone</source>
+        <translation>Ausgewählte, jede einzeln</translation>
+    </message>
+    <message>
+        <source>Selected: {names}.</source>
+        <translation>Ausgewählt: {names}.</translation>
     </message>
     <message>
         <source>Set in</source>
-        <translation type="unfinished"></translation>
+        <translation>In setzen</translation>
     </message>
     <message>
         <source>Set key</source>
-        <translation type="unfinished"></translation>
+        <translation>Keyframe setzen</translation>
+    </message>
+    <message>
+        <source>Set key for points</source>
+        <translation>Keyframe für Punkte setzen</translation>
     </message>
     <message>
         <source>Set out</source>
-        <translation type="unfinished"></translation>
+        <translation>Out setzen</translation>
     </message>
     <message>
         <source>Settings</source>
-        <translation type="unfinished"></translation>
+        <translation>Einstellungen</translation>
     </message>
     <message>
         <source>Settings…</source>
-        <translation type="unfinished"></translation>
+        <translation>Einstellungen…</translation>
     </message>
     <message>
         <source>Shape</source>
-        <translation type="unfinished"></translation>
+        <translation>Form</translation>
     </message>
     <message>
         <source>Shape from mask</source>
-        <translation type="unfinished"></translation>
+        <translation>Form aus Maske</translation>
     </message>
     <message>
         <source>Shape from the mask of this frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Form aus der Maske dieses Frames</translation>
     </message>
     <message>
         <source>Shape panel</source>
-        <translation type="unfinished"></translation>
+        <translation>Formbereich</translation>
     </message>
     <message>
         <source>Shapes</source>
-        <translation type="unfinished"></translation>
+        <translation>Formen</translation>
     </message>
     <message>
         <source>Shapes ({kinds})</source>
-        <translation type="unfinished"></translation>
+        <translation>Formen ({kinds})</translation>
     </message>
     <message>
         <source>Shapes for other programs, and mattes: every format, keys and frames</source>
-        <translation type="unfinished"></translation>
+        <translation>Formen für andere Programme und Mattes: jedes Format, Keyframes und Frames</translation>
+    </message>
+    <message>
+        <source>Shapes hidden</source>
+        <translation>Formen ausgeblendet</translation>
     </message>
     <message>
         <source>Shapes of Nuke, Silhouette and others; or drop the file</source>
-        <translation type="unfinished"></translation>
+        <translation>Formen aus Nuke, Silhouette und anderen; die Datei lässt sich auch ablegen</translation>
+    </message>
+    <message>
+        <source>Shear</source>
+        <translation>Scheren</translation>
     </message>
     <message>
         <source>Shear x, y</source>
-        <translation type="unfinished"></translation>
+        <translation>Scheren x, y</translation>
     </message>
     <message>
         <source>Shear {percent:+.1f} %</source>
-        <translation type="unfinished"></translation>
+        <translation>Scheren {percent:+.1f} %</translation>
     </message>
     <message>
         <source>Shift+click, Ctrl+click</source>
-        <translation type="unfinished"></translation>
+        <translation>Umschalt+Klick, Strg+Klick</translation>
     </message>
     <message>
         <source>Shift+drag</source>
-        <translation type="unfinished"></translation>
+        <translation>Umschalt+Ziehen</translation>
     </message>
     <message>
         <source>Shift+drag, Ctrl+drag</source>
-        <translation type="unfinished"></translation>
+        <translation>Umschalt+Ziehen, Strg+Ziehen</translation>
     </message>
     <message>
         <source>Show</source>
-        <translation type="unfinished"></translation>
+        <translation>Einblenden</translation>
     </message>
     <message>
         <source>Show all</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle einblenden</translation>
     </message>
     <message>
         <source>Show all that the Shape panel has of the selected shapes</source>
-        <translation type="unfinished"></translation>
+        <translation>Alles zeigen, was der Formbereich über die ausgewählten Formen weiß</translation>
     </message>
     <message>
         <source>Show edges</source>
-        <translation type="unfinished"></translation>
+        <translation>Kanten zeigen</translation>
     </message>
     <message>
         <source>Show every key, and find one</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Tasten zeigen, eine finden</translation>
     </message>
     <message>
         <source>Show every step and go back to any</source>
-        <translation type="unfinished"></translation>
+        <translation>Jeden Schritt zeigen und zu jedem zurückgehen</translation>
     </message>
     <message>
         <source>Show joints</source>
-        <translation type="unfinished"></translation>
+        <translation>Gelenke zeigen</translation>
+    </message>
+    <message>
+        <source>Show layer</source>
+        <translation>Ebene einblenden</translation>
+    </message>
+    <message>
+        <source>Show or hide</source>
+        <translation>Ein- oder ausblenden</translation>
+    </message>
+    <message>
+        <source>Show or hide it, also in full screen</source>
+        <translation>Ein- oder ausblenden, auch im Vollbild</translation>
+    </message>
+    <message>
+        <source>Show or hide the list of shapes</source>
+        <translation>Liste der Formen ein- oder ausblenden</translation>
     </message>
     <message>
         <source>Show or hide the panels on the right</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Bereiche rechts ein- oder ausblenden</translation>
+    </message>
+    <message>
+        <source>Show or hide the planar tracker</source>
+        <translation>Flächen-Tracker ein- oder ausblenden</translation>
+    </message>
+    <message>
+        <source>Show or hide the tracker</source>
+        <translation>Tracker ein- oder ausblenden</translation>
+    </message>
+    <message>
+        <source>Show or hide what the selected shapes have</source>
+        <translation>Eigenschaften der ausgewählten Formen ein- oder ausblenden</translation>
     </message>
     <message>
         <source>Show the plate as it is: all channels, neutral</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Plate zeigen, wie sie ist: alle Kanäle, neutral</translation>
     </message>
     <message>
         <source>Show the whole clip in the timeline</source>
-        <translation type="unfinished"></translation>
+        <translation>Den ganzen Clip in der Zeitleiste zeigen</translation>
     </message>
     <message>
         <source>Show what was found before a clip opens</source>
-        <translation type="unfinished"></translation>
+        <translation>Vor dem Öffnen eines Clips zeigen, was gefunden wurde</translation>
     </message>
     <message>
         <source>Show what was said, and when</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeigen, was wann gemeldet wurde</translation>
+    </message>
+    <message>
+        <source>Shutter</source>
+        <translation>Verschluss</translation>
+    </message>
+    <message>
+        <source>Shutter {shutter:.2f} frames.</source>
+        <translation>Verschluss {shutter:.2f} Frames.</translation>
+    </message>
+    <message>
+        <source>Silhouette has one Add for ROAM&apos;s add and plus: that is what {some} became.</source>
+        <translation>Silhouette hat ein Add für Addieren und Plus von ROAM: Das wurde aus {some}.</translation>
+    </message>
+    <message>
+        <source>Silhouette layers have no opacity: that of {name!r} is a shape inside, {veil!r}.</source>
+        <translation>Ebenen in Silhouette haben keine Deckkraft: Die von {name!r} ist eine Form darin, {veil!r}.</translation>
+    </message>
+    <message>
+        <source>Silhouette layers have no opacity: that of {name!r} went into its shapes.</source>
+        <translation>Ebenen in Silhouette haben keine Deckkraft: Die von {name!r} ging in ihre Formen ein.</translation>
+    </message>
+    <message>
+        <source>Silhouette refuses shapes of a single point: {name!r} was left out.</source>
+        <translation>Silhouette lehnt Formen aus einem einzigen Punkt ab: {name!r} entfällt.</translation>
+    </message>
+    <message>
+        <source>Silhouette shapes</source>
+        <translation>Silhouette-Formen</translation>
+    </message>
+    <message>
+        <source>Silhouette&apos;s shutter is the session&apos;s: that of {name!r} was left out.</source>
+        <translation>In Silhouette gilt der Verschluss der Sitzung: Der von {name!r} entfällt.</translation>
     </message>
     <message>
         <source>Size</source>
-        <translation type="unfinished"></translation>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Size of the pictures</source>
+        <translation>Größe der Bilder</translation>
     </message>
     <message>
         <source>Size on the screen</source>
-        <translation type="unfinished"></translation>
+        <translation>Größe am Bildschirm</translation>
     </message>
     <message>
         <source>Skip frames whose files are there</source>
-        <translation type="unfinished"></translation>
+        <translation>Frames auslassen, deren Dateien da sind</translation>
     </message>
     <message>
         <source>Smooth</source>
-        <translation type="unfinished"></translation>
+        <comment>what is done to keys</comment>
+        <translation>Glätten</translation>
+    </message>
+    <message>
+        <source>Smooth</source>
+        <translation>Weich</translation>
     </message>
     <message numerus="yes">
         <source>Smooth %n point(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Punkt glätten</numerusform>
+            <numerusform>%n Punkte glätten</numerusform>
         </translation>
     </message>
     <message>
         <source>Smooth points</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkte glätten</translation>
+    </message>
+    <message>
+        <source>Smoothness</source>
+        <translation>Glätte</translation>
+    </message>
+    <message>
+        <source>Soft</source>
+        <translation>Weich</translation>
+    </message>
+    <message>
+        <source>Soft edges where the points move while the shutter is open</source>
+        <translation>Weiche Kanten, wo sich die Punkte bei offenem Verschluss bewegen</translation>
     </message>
     <message>
         <source>Soft selection</source>
-        <translation type="unfinished"></translation>
+        <translation>Weiche Auswahl</translation>
     </message>
     <message>
         <source>Soften the edge: pull the feather out of points</source>
-        <translation type="unfinished"></translation>
+        <translation>Kante weich machen: die weiche Kante aus Punkten ziehen</translation>
+    </message>
+    <message>
+        <source>Solve</source>
+        <translation>Tracken</translation>
     </message>
     <message>
         <source>Solve as one object</source>
-        <translation type="unfinished"></translation>
+        <translation>Als ein Objekt tracken</translation>
     </message>
     <message>
         <source>Solve as parts</source>
-        <translation type="unfinished"></translation>
+        <translation>Als Teile tracken</translation>
     </message>
     <message>
         <source>Solve by itself</source>
-        <translation type="unfinished"></translation>
+        <translation>Für sich tracken</translation>
+    </message>
+    <message>
+        <source>Some have a key on this frame or vary, others do not. Click to set a key on all</source>
+        <translation>Manche haben auf diesem Frame einen Keyframe oder ändern sich, andere nicht. Klicken setzt überall einen Keyframe</translation>
+    </message>
+    <message>
+        <source>Something went wrong inside ROAM</source>
+        <translation>In ROAM ist etwas schiefgegangen</translation>
+    </message>
+    <message>
+        <source>Something went wrong inside ROAM. {kept}</source>
+        <translation>In ROAM ist etwas schiefgegangen. {kept}</translation>
     </message>
     <message>
         <source>Source</source>
-        <translation type="unfinished"></translation>
+        <translation>Quelle</translation>
     </message>
     <message>
         <source>Span a rectangle; Shift makes it a square</source>
-        <translation type="unfinished"></translation>
+        <translation>Rechteck aufziehen; Umschalt macht es zum Quadrat</translation>
     </message>
     <message>
         <source>Span an ellipse; Shift makes it a circle</source>
-        <translation type="unfinished"></translation>
+        <translation>Ellipse aufziehen; Umschalt macht sie zum Kreis</translation>
     </message>
     <message>
         <source>Specks</source>
-        <translation type="unfinished"></translation>
+        <translation>Flecken</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Tempo</translation>
     </message>
     <message>
         <source>Split shape</source>
-        <translation type="unfinished"></translation>
+        <translation>Form teilen</translation>
     </message>
     <message>
         <source>Split {name} into {count} shapes?</source>
-        <translation type="unfinished"></translation>
+        <translation>{name} in {count} Formen teilen?</translation>
     </message>
     <message>
         <source>Stand still after the chosen keys, or this one</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach den gewählten Keyframes oder diesem stillstehen</translation>
     </message>
     <message>
         <source>Starting the planar track …</source>
-        <translation type="unfinished"></translation>
+        <translation>Flächen-Track beginnt …</translation>
     </message>
     <message>
         <source>Starting to fill {names} …</source>
-        <translation type="unfinished"></translation>
+        <translation>Füllen von {names} beginnt …</translation>
     </message>
     <message>
         <source>Starting to track {names} …</source>
-        <translation type="unfinished"></translation>
+        <translation>Tracken von {names} beginnt …</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Status</translation>
     </message>
     <message>
         <source>Stop</source>
-        <translation type="unfinished"></translation>
+        <translation>Anhalten</translation>
     </message>
     <message>
         <source>Stop; the frames that are finished stay</source>
-        <translation type="unfinished"></translation>
+        <translation>Anhalten; die fertigen Frames bleiben</translation>
+    </message>
+    <message>
+        <source>Stop; what is finished stays</source>
+        <translation>Anhalten; was fertig ist, bleibt</translation>
+    </message>
+    <message>
+        <source>Stop; what is finished stays  ({keys})</source>
+        <translation>Anhalten; was fertig ist, bleibt  ({keys})</translation>
+    </message>
+    <message>
+        <source>Stopped measuring.</source>
+        <translation>Messung angehalten.</translation>
     </message>
     <message>
         <source>Stopped.</source>
-        <translation type="unfinished"></translation>
+        <translation>Angehalten.</translation>
     </message>
     <message>
         <source>Stopped; no edge was changed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Angehalten; keine Kante wurde geändert.</translation>
+    </message>
+    <message>
+        <source>Stopped; pictures that are finished stay.</source>
+        <translation>Angehalten; die fertigen Bilder bleiben.</translation>
     </message>
     <message>
         <source>Subtract</source>
-        <translation type="unfinished"></translation>
+        <translation>Subtrahieren</translation>
     </message>
     <message>
         <source>Swap left and right of what is selected</source>
-        <translation type="unfinished"></translation>
+        <translation>Links und rechts der Auswahl vertauschen</translation>
     </message>
     <message>
         <source>Swap top and bottom of what is selected</source>
-        <translation type="unfinished"></translation>
+        <translation>Oben und unten der Auswahl vertauschen</translation>
+    </message>
+    <message>
+        <source>Take it out of the main window, to another monitor, or put it back</source>
+        <translation>Aus dem Hauptfenster nehmen, auf einen anderen Monitor, oder zurücksetzen</translation>
     </message>
     <message>
         <source>Take it over</source>
-        <translation type="unfinished"></translation>
+        <translation>Übernehmen</translation>
     </message>
     <message>
         <source>Take off this list</source>
-        <translation type="unfinished"></translation>
+        <translation>Aus dieser Liste nehmen</translation>
     </message>
     <message>
         <source>Tall timeline</source>
-        <translation type="unfinished"></translation>
+        <translation>Hohe Zeitleiste</translation>
+    </message>
+    <message>
+        <source>Tangents</source>
+        <translation>Tangenten</translation>
     </message>
     <message>
         <source>Ten frames back</source>
-        <translation type="unfinished"></translation>
+        <translation>Zehn Frames zurück</translation>
     </message>
     <message>
         <source>Ten frames on</source>
-        <translation type="unfinished"></translation>
+        <translation>Zehn Frames weiter</translation>
+    </message>
+    <message>
+        <source>The B-spline {name!r} was written as Bezier: the same curve, with other handles.</source>
+        <translation>Der B-Spline {name!r} wurde als Bézier geschrieben: dieselbe Kurve mit anderen Tangenten.</translation>
     </message>
     <message>
         <source>The blue channel alone, and back</source>
-        <translation type="unfinished"></translation>
+        <translation>Nur der blaue Kanal, und zurück</translation>
     </message>
     <message>
         <source>The clip begins here: there is no frame to track to.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Clip beginnt hier: Es gibt keinen Frame, zu dem getrackt werden könnte.</translation>
     </message>
     <message>
         <source>The clip ends here: there is no frame to track to.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Clip endet hier: Es gibt keinen Frame, zu dem getrackt werden könnte.</translation>
+    </message>
+    <message>
+        <source>The clip {path} is {size} now; the project was made for {before}. Put the old clip back, or open the project and choose another.</source>
+        <translation>Der Clip {path} ist jetzt {size}; das Projekt entstand für {before}. Den alten Clip zurücklegen oder das Projekt öffnen und einen anderen wählen.</translation>
+    </message>
+    <message>
+        <source>The clip&apos;s frames a second; while it plays, those that are shown, and the speed</source>
+        <translation>Frames pro Sekunde des Clips; beim Abspielen die gezeigten und die Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>The copied keys fit no shape here: shapes may be locked, or have other points.</source>
+        <translation>Die kopierten Keyframes passen hier zu keiner Form: Formen sind vielleicht gesperrt oder haben andere Punkte.</translation>
+    </message>
+    <message>
+        <source>The defaults are used; it could not be set aside ({reason}).</source>
+        <translation>Es gelten die Vorgaben; die Datei ließ sich nicht beiseitelegen ({reason}).</translation>
+    </message>
+    <message>
+        <source>The defaults are used; it was set aside as {name}.</source>
+        <translation>Es gelten die Vorgaben; die Datei wurde als {name} beiseitegelegt.</translation>
     </message>
     <message>
         <source>The demo shot cannot be written to {folder}: {reason}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Demo-Shot lässt sich nicht nach {folder} schreiben: {reason}.</translation>
+    </message>
+    <message>
+        <source>The demo shot is rendered …</source>
+        <translation>Der Demo-Shot ist gerendert …</translation>
     </message>
     <message>
         <source>The demo shot: press &lt;track.forward&gt; to track the shape, &lt;track.stop&gt; to stop; drag its points to correct it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Demo-Shot: &lt;track.forward&gt; trackt die Form, &lt;track.stop&gt; hält an; ihre Punkte lassen sich zur Korrektur ziehen.</translation>
     </message>
     <message>
         <source>The drag was dropped: its shape or the frame changed meanwhile.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Ziehen wurde verworfen: Seine Form oder der Frame hat sich inzwischen geändert.</translation>
+    </message>
+    <message>
+        <source>The energy is the engine&apos;s measure of how badly outlines agree with the picture:
+the farther it falls, the more speaks for the change.</source>
+        <translation>Die Energie misst, wie schlecht Umrisse mit dem Bild übereinstimmen:
+je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
+    </message>
+    <message>
+        <source>The engine is being prepared, once on this machine; you can draw meanwhile.</source>
+        <translation>Die Engine wird vorbereitet, einmal auf diesem Rechner; Zeichnen geht inzwischen.</translation>
+    </message>
+    <message>
+        <source>The engine is ready.</source>
+        <translation>Die Engine ist bereit.</translation>
+    </message>
+    <message>
+        <source>The engine&apos;s trust in this frame, 0 to 1</source>
+        <translation>Das Vertrauen der Engine in diesen Frame, 0 bis 1</translation>
+    </message>
+    <message>
+        <source>The feather curve of {name!r} is lost: Fusion&apos;s masks have one soft edge all around.</source>
+        <translation>Die Kurve der weichen Kante von {name!r} geht verloren: Masken in Fusion sind rundum gleich weich.</translation>
+    </message>
+    <message>
+        <source>The feather curve of {name!r} was written as outlines between it and the shape{more}: who moves the shape&apos;s path in another program does not move them.</source>
+        <translation>Die weiche Kante von {name!r} wurde als Umrisse zwischen ihr und der Form geschrieben{more}: Wer den Pfad der Form in einem anderen Programm bewegt, bewegt sie nicht mit.</translation>
+    </message>
+    <message>
+        <source>The feather of {name!r} became a feather and an expansion of half its width, which together cover the same ground.</source>
+        <translation>Aus der weichen Kante von {name!r} wurden eine weiche Kante und eine Erweiterung um ihre halbe Breite, die zusammen dieselbe Fläche bedecken.</translation>
+    </message>
+    <message>
+        <source>The feather of {name!r} is lost: how a Silhouette file holds it is not known.</source>
+        <translation>Die weiche Kante von {name!r} geht verloren: Wie eine Silhouette-Datei sie hält, ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>The few numbers of the engine that are worth turning</source>
+        <translation>Die wenigen Zahlen der Engine, an denen Drehen sich lohnt</translation>
+    </message>
+    <message>
+        <source>The first frame</source>
+        <translation>Der erste Frame</translation>
+    </message>
+    <message>
+        <source>The first frame of {path} is not that of the plate that the project was made on ({before}); check that the shapes fit the picture.</source>
+        <translation>Der erste Frame von {path} ist nicht der der Plate, auf der das Projekt entstand ({before}); bitte prüfen, ob die Formen zum Bild passen.</translation>
     </message>
     <message>
         <source>The first frame to export</source>
-        <translation type="unfinished"></translation>
+        <translation>Der erste zu exportierende Frame</translation>
     </message>
     <message>
         <source>The folder {wanted} cannot be written to: settings and the journal of edits are kept in {used} for now.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Ordner {wanted} ist nicht beschreibbar: Einstellungen und das Journal der Bearbeitungen liegen vorerst in {used}.</translation>
     </message>
     <message>
         <source>The format holds all that is chosen.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Format hält alles, was gewählt ist.</translation>
+    </message>
+    <message>
+        <source>The frames on which a track moves the layer</source>
+        <translation>Die Frames, auf denen ein Track die Ebene bewegt</translation>
     </message>
     <message>
         <source>The greater of both</source>
-        <translation type="unfinished"></translation>
+        <translation>Das größere von beiden</translation>
     </message>
     <message>
         <source>The green channel alone, and back</source>
-        <translation type="unfinished"></translation>
+        <translation>Nur der grüne Kanal, und zurück</translation>
+    </message>
+    <message>
+        <source>The inversion and visibility of the root layer are lost: it is no object.</source>
+        <translation>Invertierung und Sichtbarkeit der obersten Ebene gehen verloren: Sie ist kein Objekt.</translation>
     </message>
     <message>
         <source>The journal builds on {name} as it was, and that file has changed or gone.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Journal baut auf {name} auf, wie es war; diese Datei hat sich geändert oder fehlt.</translation>
     </message>
     <message>
         <source>The journal is damaged: its last edits could not be put together.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Journal ist beschädigt: Seine letzten Bearbeitungen ließen sich nicht zusammensetzen.</translation>
     </message>
     <message>
         <source>The journal is damaged: what came after its last sound entry is lost.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Journal ist beschädigt: Was nach seinem letzten heilen Eintrag kam, ist verloren.</translation>
     </message>
     <message>
         <source>The journal {journal} has no beginning; nothing of it can be recovered.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Journal {journal} hat keinen Anfang; daraus lässt sich nichts wiederherstellen.</translation>
+    </message>
+    <message>
+        <source>The keys before and after, however far</source>
+        <translation>Die Keyframes davor und danach, wie weit sie auch liegen</translation>
+    </message>
+    <message>
+        <source>The keys of your shapes appear here.</source>
+        <translation>Hier erscheinen die Keyframes der Formen.</translation>
+    </message>
+    <message>
+        <source>The last frame</source>
+        <translation>Der letzte Frame</translation>
     </message>
     <message>
         <source>The last frame to export</source>
-        <translation type="unfinished"></translation>
+        <translation>Der letzte zu exportierende Frame</translation>
+    </message>
+    <message>
+        <source>The matte is what lies outside of the shape</source>
+        <translation>Die Matte ist, was außerhalb der Form liegt</translation>
+    </message>
+    <message>
+        <source>The matte is what lies outside of the shapes of the layer</source>
+        <translation>Die Matte ist, was außerhalb der Formen der Ebene liegt</translation>
     </message>
     <message>
         <source>The matte of all visible shapes</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Matte aller sichtbaren Formen</translation>
     </message>
     <message>
         <source>The matte without its outlines, and back</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Matte ohne ihre Umrisse, und zurück</translation>
     </message>
     <message>
         <source>The mattes would differ in the other program:</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Mattes würden im anderen Programm abweichen:</translation>
+    </message>
+    <message>
+        <source>The motion of {name}: click to select its shapes</source>
+        <translation>Die Bewegung von {name}: Klicken wählt ihre Formen aus</translation>
     </message>
     <message>
         <source>The next frame is a key already: there is nothing to track before it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der nächste Frame ist schon ein Keyframe: Davor gibt es nichts zu tracken.</translation>
     </message>
     <message>
         <source>The oldest steps go first</source>
-        <translation type="unfinished"></translation>
+        <translation>Die ältesten Schritte gehen zuerst</translation>
     </message>
     <message>
         <source>The one used last</source>
-        <translation type="unfinished"></translation>
+        <translation>Zuletzt benutzter</translation>
     </message>
     <message>
         <source>The outlines of frames before and after</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Umrisse der Frames davor und danach</translation>
+    </message>
+    <message>
+        <source>The picture alone; Esc leaves</source>
+        <translation>Nur das Bild; Esc verlässt es</translation>
+    </message>
+    <message>
+        <source>The pixel under the pointer; the values are the plate&apos;s own, before exposure and gamma</source>
+        <translation>Das Pixel unter dem Zeiger; die Werte sind die der Plate, vor Belichtung und Gamma</translation>
     </message>
     <message>
         <source>The planar track stopped at frame {frame}; the finished frames stay.</source>
-        <translation type="unfinished"></translation>
+        <translation>Flächen-Track bei Frame {frame} angehalten; die fertigen Frames bleiben.</translation>
     </message>
     <message>
         <source>The planar track stopped before a frame was finished; the finished frames stay.</source>
-        <translation type="unfinished"></translation>
+        <translation>Flächen-Track angehalten, bevor ein Frame fertig war; die fertigen Frames bleiben.</translation>
+    </message>
+    <message>
+        <source>The plane also tilts a little</source>
+        <translation>Die Fläche kippt auch ein wenig</translation>
+    </message>
+    <message>
+        <source>The plane moves, and neither turns nor grows</source>
+        <translation>Die Fläche bewegt sich, ohne sich zu drehen oder zu wachsen</translation>
+    </message>
+    <message>
+        <source>The plane moves, turns and comes nearer: most things far away</source>
+        <translation>Die Fläche bewegt sich, dreht sich und kommt näher: das meiste, was weit entfernt ist</translation>
+    </message>
+    <message>
+        <source>The plane tilts as screens and walls near the camera do</source>
+        <translation>Die Fläche kippt, wie Bildschirme und Wände nahe der Kamera</translation>
     </message>
     <message>
         <source>The plate alone</source>
-        <translation type="unfinished"></translation>
+        <translation>Nur die Plate</translation>
     </message>
     <message>
         <source>The plate could not be opened; choose it again in the File menu. {error}</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Plate ließ sich nicht öffnen; sie kann im Menü Datei neu gewählt werden. {error}</translation>
     </message>
     <message>
         <source>The plate inside of the matte, on a ground</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Plate innerhalb der Matte, auf einem Hintergrund</translation>
     </message>
     <message>
         <source>The plate is {name} now; save to keep that.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Plate ist jetzt {name}; durch Speichern bleibt das so.</translation>
     </message>
     <message>
         <source>The plate with its shapes</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Plate mit ihren Formen</translation>
     </message>
     <message>
         <source>The points lie on one line, or on one another: put them apart.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Punkte liegen auf einer Linie oder aufeinander: bitte auseinanderziehen.</translation>
     </message>
     <message>
         <source>The project is being saved …</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Projekt wird gespeichert …</translation>
     </message>
     <message>
         <source>The red channel alone, and back</source>
-        <translation type="unfinished"></translation>
+        <translation>Nur der rote Kanal, und zurück</translation>
     </message>
     <message>
         <source>The selected shapes alone, in any format</source>
-        <translation type="unfinished"></translation>
+        <translation>Nur die ausgewählten Formen, in jedem Format</translation>
     </message>
     <message>
-        <source>The selected shapes are {kind} already.</source>
-        <translation type="unfinished"></translation>
+        <source>The selected shapes are B-spline already.</source>
+        <translation>Die ausgewählten Formen sind schon B-Splines.</translation>
+    </message>
+    <message>
+        <source>The selected shapes are Bezier already.</source>
+        <translation>Die ausgewählten Formen sind schon Bézier.</translation>
     </message>
     <message>
         <source>The selected shapes, or all, as a node to paste into a script</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausgewählte oder alle Formen als Node zum Einfügen in ein Skript</translation>
     </message>
     <message>
         <source>The selected shapes, or all, as nodes to paste into a flow</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausgewählte oder alle Formen als Nodes zum Einfügen in einen Flow</translation>
+    </message>
+    <message>
+        <source>The shape exists on some frames only</source>
+        <translation>Die Form existiert nur auf manchen Frames</translation>
+    </message>
+    <message>
+        <source>The shape is locked; unlock it to change its keys.</source>
+        <translation>Die Form ist gesperrt; erst entsperrt lassen sich ihre Keyframes ändern.</translation>
+    </message>
+    <message>
+        <source>The shape is locked; unlock it to move its keys.</source>
+        <translation>Die Form ist gesperrt; erst entsperrt lassen sich ihre Keyframes verschieben.</translation>
     </message>
     <message>
         <source>The shape stands still there: other keys in the range give way.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dort steht die Form still: Andere Keyframes im Bereich weichen.</translation>
+    </message>
+    <message>
+        <source>The shapes are hidden; show them (overlay view) to draw and edit.</source>
+        <translation>Die Formen sind ausgeblendet; zum Zeichnen und Bearbeiten bitte einblenden (Ansicht Overlay).</translation>
+    </message>
+    <message>
+        <source>The shapes chosen by the button beside lie before it, hidden or not</source>
+        <translation>Die mit der Taste daneben gewählten Formen liegen davor, ausgeblendet oder nicht</translation>
     </message>
     <message>
         <source>The soft edge goes over to your next keys, through the tracked frames between; &lt;feather.all_keys&gt; gives it to all.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die weiche Kante geht durch die getrackten Frames in die nächsten eigenen Keyframes über; &lt;feather.all_keys&gt; gibt sie allen.</translation>
     </message>
     <message>
         <source>The sum of both, as projects of earlier versions added: soft edges that overlap grow hard</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Summe beider, wie Projekte früherer Versionen addierten: sich überlappende weiche Kanten werden hart</translation>
+    </message>
+    <message>
+        <source>The translation {code!r} is not installed; choose another language in the settings.</source>
+        <translation>Die Übersetzung {code!r} ist nicht installiert; bitte in den Einstellungen eine andere Sprache wählen.</translation>
+    </message>
+    <message>
+        <source>There is no closed shape yet</source>
+        <translation>Noch gibt es keine geschlossene Form</translation>
+    </message>
+    <message>
+        <source>There is no display to open a window on; use the command line (roam --help), or log in with a display or X forwarding.</source>
+        <translation>Es gibt keinen Bildschirm für ein Fenster; bitte die Kommandozeile benutzen (roam --help) oder sich mit Bildschirm oder X-Weiterleitung anmelden.</translation>
     </message>
     <message>
         <source>There is no frame to track backward to.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es gibt keinen Frame, zu dem rückwärts getrackt werden könnte.</translation>
     </message>
     <message>
         <source>There is no frame to track forward to.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es gibt keinen Frame, zu dem vorwärts getrackt werden könnte.</translation>
     </message>
     <message>
         <source>There is no frame to track to.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es gibt keinen Frame, zu dem getrackt werden könnte.</translation>
     </message>
     <message>
         <source>There is no gap to fill here: set a key (&lt;key.set&gt;) on two frames, with others between them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Hier ist keine Lücke zu füllen: auf zwei Frames mit anderen dazwischen einen Keyframe setzen (&lt;key.set&gt;).</translation>
     </message>
     <message>
         <source>There is no key after this frame.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach diesem Frame gibt es keinen Keyframe.</translation>
     </message>
     <message>
         <source>There is no key before this frame.</source>
-        <translation type="unfinished"></translation>
+        <translation>Vor diesem Frame gibt es keinen Keyframe.</translation>
+    </message>
+    <message>
+        <source>There is no key to paste; copy keys in the timeline first.</source>
+        <translation>Es gibt keinen Keyframe zum Einfügen; zuerst Keyframes in der Zeitleiste kopieren.</translation>
     </message>
     <message>
         <source>There is no key to paste; copy one first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es gibt keinen Keyframe zum Einfügen; zuerst einen kopieren.</translation>
     </message>
     <message>
         <source>There is no keymap {name!r}; choose one that lies in resources/keymaps.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es gibt keine Tastenbelegung {name!r}; bitte eine aus resources/keymaps wählen.</translation>
+    </message>
+    <message>
+        <source>There is no mark after this frame.</source>
+        <translation>Nach diesem Frame gibt es keine Markierung.</translation>
+    </message>
+    <message>
+        <source>There is no mark before this frame.</source>
+        <translation>Vor diesem Frame gibt es keine Markierung.</translation>
     </message>
     <message>
         <source>There is no picture of this frame to find edges in (yet).</source>
-        <translation type="unfinished"></translation>
+        <translation>Von diesem Frame gibt es (noch) kein Bild, in dem sich Kanten finden ließen.</translation>
     </message>
     <message>
         <source>There is no picture of this frame to look at (yet).</source>
-        <translation type="unfinished"></translation>
+        <translation>Von diesem Frame gibt es (noch) kein Bild.</translation>
     </message>
     <message>
         <source>There is no plate to track in; open a clip first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es gibt keine Plate zum Tracken; zuerst einen Clip öffnen.</translation>
     </message>
     <message>
         <source>There is no shape here that can be reshaped; draw one, or unlock and show it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Hier ist keine Form, die sich verformen ließe; bitte eine zeichnen oder entsperren und einblenden.</translation>
     </message>
     <message>
         <source>There is no shape to copy for {programs}; draw one first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es gibt keine Form, die sich für {programs} kopieren ließe; zuerst eine zeichnen.</translation>
     </message>
     <message>
         <source>There is no shape to paste; copy one first, here or in another program.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es gibt keine Form zum Einfügen; zuerst eine kopieren, hier oder in einem anderen Programm.</translation>
+    </message>
+    <message>
+        <source>There is no shape to track yet</source>
+        <translation>Noch gibt es keine Form zum Tracken</translation>
+    </message>
+    <message>
+        <source>There is nothing to compare yet; open a clip first.</source>
+        <translation>Es gibt noch nichts zu vergleichen; zuerst einen Clip öffnen.</translation>
     </message>
     <message>
         <source>There is nothing to export yet; open a clip first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es gibt noch nichts zu exportieren; zuerst einen Clip öffnen.</translation>
     </message>
     <message>
         <source>There is nothing to recover.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es gibt nichts wiederherzustellen.</translation>
+    </message>
+    <message>
+        <source>There is nothing to show yet; open a clip first.</source>
+        <translation>Es gibt noch nichts zu zeigen; zuerst einen Clip öffnen.</translation>
     </message>
     <message>
         <source>They are lost if you do not.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ohne Speichern gehen sie verloren.</translation>
+    </message>
+    <message>
+        <source>This frame is not tracked</source>
+        <translation>Dieser Frame ist nicht getrackt</translation>
     </message>
     <message>
         <source>Threads</source>
-        <translation type="unfinished"></translation>
+        <translation>Threads</translation>
+    </message>
+    <message>
+        <source>Timeline</source>
+        <translation>Zeitleiste</translation>
+    </message>
+    <message>
+        <source>Timeline ruler</source>
+        <translation>Zeitlineal</translation>
     </message>
     <message>
         <source>To</source>
-        <translation type="unfinished"></translation>
+        <comment>where it is written</comment>
+        <translation>Nach</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>Bis</translation>
     </message>
     <message>
         <source>To frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Bis Frame</translation>
+    </message>
+    <message>
+        <source>Too little motion to tell the shutter.</source>
+        <translation>Zu wenig Bewegung, um den Verschluss zu bestimmen.</translation>
     </message>
     <message>
         <source>Track</source>
-        <translation type="unfinished"></translation>
+        <translation>Tracking</translation>
     </message>
     <message>
         <source>Track backward</source>
-        <translation type="unfinished"></translation>
+        <translation>Rückwärts tracken</translation>
     </message>
     <message>
         <source>Track each of the selected shapes with no other</source>
-        <translation type="unfinished"></translation>
+        <translation>Jede der ausgewählten Formen ohne andere tracken</translation>
     </message>
     <message>
         <source>Track forward</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorwärts tracken</translation>
     </message>
     <message>
         <source>Track one frame backward</source>
-        <translation type="unfinished"></translation>
+        <translation>Einen Frame rückwärts tracken</translation>
     </message>
     <message>
         <source>Track one frame forward</source>
-        <translation type="unfinished"></translation>
+        <translation>Einen Frame vorwärts tracken</translation>
     </message>
     <message>
         <source>Track points</source>
-        <translation type="unfinished"></translation>
+        <translation>Track-Punkte</translation>
     </message>
     <message>
         <source>Track the frames between two keys from both at once</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Frames zwischen zwei Keyframes von beiden zugleich aus tracken</translation>
     </message>
     <message>
         <source>Track the selected shapes as one whole object</source>
-        <translation type="unfinished"></translation>
+        <translation>Die ausgewählten Formen als ein ganzes Objekt tracken</translation>
     </message>
     <message>
         <source>Track to the next key</source>
-        <translation type="unfinished"></translation>
+        <translation>Bis zum nächsten Keyframe tracken</translation>
     </message>
     <message>
         <source>Tracked {names} to frame {frame}: {paced}.{gaps}</source>
-        <translation type="unfinished"></translation>
+        <translation>{names} bis Frame {frame} getrackt: {paced}.{gaps}</translation>
     </message>
     <message>
         <source>Tracking stopped at frame {frame}; the finished frames stay.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tracken bei Frame {frame} angehalten; die fertigen Frames bleiben.</translation>
     </message>
     <message>
         <source>Tracking stopped before a frame was finished.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tracken angehalten, bevor ein Frame fertig war.</translation>
     </message>
     <message>
         <source>Tracking {names} backward: {place} · {pace}</source>
-        <translation type="unfinished"></translation>
+        <translation>{names} wird rückwärts getrackt: {place} · {pace}</translation>
     </message>
     <message>
         <source>Tracking {names} forward: {place} · {pace}</source>
-        <translation type="unfinished"></translation>
+        <translation>{names} wird vorwärts getrackt: {place} · {pace}</translation>
+    </message>
+    <message>
+        <source>Tracks hold how shapes and layers move, not their outlines.</source>
+        <translation>Tracks halten, wie sich Formen und Ebenen bewegen, nicht ihre Umrisse.</translation>
     </message>
     <message>
         <source>Transform</source>
-        <translation type="unfinished"></translation>
+        <translation>Transformieren</translation>
     </message>
     <message>
         <source>Transform by numbers…</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach Zahlen transformieren…</translation>
+    </message>
+    <message>
+        <source>Turn all of them back to 100 %</source>
+        <translation>Alle auf 100 % zurückdrehen</translation>
     </message>
     <message>
         <source>Turn at both ends</source>
-        <translation type="unfinished"></translation>
+        <translation>An beiden Enden umkehren</translation>
+    </message>
+    <message>
+        <source>Turn tangent</source>
+        <translation>Tangente drehen</translation>
     </message>
     <message>
         <source>Undo</source>
-        <translation type="unfinished"></translation>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Undo invert</source>
+        <translation>Invertieren rückgängig</translation>
+    </message>
+    <message>
+        <source>Undo invert layer</source>
+        <translation>Invertieren der Ebene rückgängig</translation>
+    </message>
+    <message>
+        <source>Undo {step}</source>
+        <translation>{step} rückgängig machen</translation>
     </message>
     <message>
         <source>Undone: {text}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Rückgängig gemacht: {text}.</translation>
     </message>
     <message>
         <source>Ungroup</source>
-        <translation type="unfinished"></translation>
+        <translation>Gruppierung aufheben</translation>
     </message>
     <message>
         <source>Unlock</source>
-        <translation type="unfinished"></translation>
+        <translation>Entsperren</translation>
+    </message>
+    <message>
+        <source>Unlock layer</source>
+        <translation>Ebene entsperren</translation>
+    </message>
+    <message>
+        <source>Up to this frame</source>
+        <translation>Bis zu diesem Frame</translation>
     </message>
     <message>
         <source>Versions, system and messages, to copy into an issue</source>
-        <translation type="unfinished"></translation>
+        <translation>Versionen, System und Meldungen, zum Kopieren in eine Fehlermeldung</translation>
     </message>
     <message>
         <source>View</source>
-        <translation type="unfinished"></translation>
+        <translation>Ansicht</translation>
+    </message>
+    <message>
+        <source>Viewer</source>
+        <translation>Viewer</translation>
+    </message>
+    <message>
+        <source>Visible</source>
+        <translation>Sichtbar</translation>
+    </message>
+    <message>
+        <source>Visible shapes above the tracked ones lie before the surface</source>
+        <translation>Sichtbare Formen über den getrackten liegen vor der Fläche</translation>
+    </message>
+    <message>
+        <source>What ROAM says is kept here.</source>
+        <translation>Hier steht, was ROAM meldet.</translation>
+    </message>
+    <message>
+        <source>What could be found out about it is below; your edits up to then are in the journal.</source>
+        <translation>Was sich darüber herausfinden ließ, steht unten; die Bearbeitungen bis dahin sind im Journal.</translation>
     </message>
     <message>
         <source>What crashes left, and what was thrown away, session by session</source>
-        <translation type="unfinished"></translation>
+        <translation>Was Abstürze hinterließen und was verworfen wurde, Sitzung für Sitzung</translation>
+    </message>
+    <message>
+        <source>What hides what, from this frame on; mattes go by the order in the list</source>
+        <translation>Was was verdeckt, ab diesem Frame; Mattes gehen nach der Reihenfolge in der Liste</translation>
     </message>
     <message>
         <source>What is selected is locked; unlock it first (&lt;shape.lock&gt;).</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Auswahl ist gesperrt; zuerst entsperren (&lt;shape.lock&gt;).</translation>
+    </message>
+    <message>
+        <source>What is solved together. By outlines: shapes that overlap are parts, which move by themselves and hang together; shapes that lie near each other are one whole.</source>
+        <translation>Was zusammen getrackt wird. Nach Umrissen: Formen, die sich überlappen, sind Teile, die sich selbst bewegen und zusammenhängen; Formen, die nah beieinanderliegen, sind ein Ganzes.</translation>
+    </message>
+    <message>
+        <source>What lies in a hidden layer takes no part in the matte</source>
+        <translation>Was in einer ausgeblendeten Ebene liegt, zählt nicht zur Matte</translation>
+    </message>
+    <message>
+        <source>What lies in a locked layer cannot be changed by hand</source>
+        <translation>Was in einer gesperrten Ebene liegt, lässt sich nicht von Hand ändern</translation>
+    </message>
+    <message>
+        <source>What the cut-out lies on</source>
+        <translation>Worauf der Freisteller liegt</translation>
+    </message>
+    <message>
+        <source>What the format cannot hold</source>
+        <translation>Was das Format nicht halten kann</translation>
+    </message>
+    <message>
+        <source>What the list shows</source>
+        <translation>Was die Liste zeigt</translation>
+    </message>
+    <message>
+        <source>What the second viewer shows</source>
+        <translation>Was der zweite Viewer zeigt</translation>
+    </message>
+    <message>
+        <source>What the surface inside the shapes may do; choose the simplest that fits</source>
+        <translation>Was die Fläche in den Formen tun darf; das Einfachste, das passt, ist das Beste</translation>
     </message>
     <message>
         <source>Wheel</source>
-        <translation type="unfinished"></translation>
+        <translation>Mausrad</translation>
+    </message>
+    <message>
+        <source>When it opens, counted from the frame</source>
+        <translation>Wann er sich öffnet, vom Frame an gezählt</translation>
     </message>
     <message>
         <source>Where parts hang together, on frames with keys</source>
-        <translation type="unfinished"></translation>
+        <translation>Wo Teile zusammenhängen, auf Frames mit Keyframes</translation>
     </message>
     <message>
         <source>Where the engine trusts the outline</source>
-        <translation type="unfinished"></translation>
+        <translation>Wo die Engine dem Umriss traut</translation>
+    </message>
+    <message>
+        <source>Where the selected points are, or the whole shape, from the left edge, in pixels</source>
+        <translation>Wo die ausgewählten Punkte oder die ganze Form liegen, vom linken Rand, in Pixeln</translation>
+    </message>
+    <message>
+        <source>Where the selected points are, or the whole shape, from the top edge, in pixels</source>
+        <translation>Wo die ausgewählten Punkte oder die ganze Form liegen, vom oberen Rand, in Pixeln</translation>
+    </message>
+    <message>
+        <source>Which channel is shown</source>
+        <translation>Welcher Kanal zu sehen ist</translation>
+    </message>
+    <message>
+        <source>Which frames the onion skin shows</source>
+        <translation>Welche Frames die Zwiebelhaut zeigt</translation>
+    </message>
+    <message>
+        <source>Which other shapes cover the surface: what lies inside them is not looked at, frame by frame</source>
+        <translation>Welche anderen Formen die Fläche verdecken: Was in ihnen liegt, wird Frame für Frame nicht beachtet</translation>
     </message>
     <message>
         <source>Whole of {count} shapes</source>
-        <translation type="unfinished"></translation>
+        <translation>Ganzes aus {count} Formen</translation>
+    </message>
+    <message>
+        <source>Width of an even soft edge; below zero it lies inside</source>
+        <translation>Breite einer gleichmäßig weichen Kante; unter null liegt sie innen</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>Fenster</translation>
     </message>
     <message>
         <source>With the object tool: mark more of the object, mark what is not it</source>
-        <translation type="unfinished"></translation>
+        <translation>Mit dem Objektwerkzeug: mehr vom Objekt markieren, markieren, was nicht dazugehört</translation>
     </message>
     <message>
         <source>Within</source>
-        <translation type="unfinished"></translation>
+        <translation>Toleranz</translation>
     </message>
     <message>
         <source>Work that is in no file</source>
-        <translation type="unfinished"></translation>
+        <translation>Arbeit, die in keiner Datei steht</translation>
+    </message>
+    <message>
+        <source>Write</source>
+        <translation>Schreiben</translation>
+    </message>
+    <message>
+        <source>Write note</source>
+        <translation>Notiz schreiben</translation>
+    </message>
+    <message>
+        <source>Write note…</source>
+        <translation>Notiz schreiben…</translation>
     </message>
     <message>
         <source>Write over</source>
-        <translation type="unfinished"></translation>
+        <translation>Überschreiben</translation>
     </message>
     <message numerus="yes">
         <source>Write over {name} and %n other file(s)?</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>{name} und %n weitere Datei überschreiben?</numerusform>
+            <numerusform>{name} und %n weitere Dateien überschreiben?</numerusform>
         </translation>
     </message>
     <message>
         <source>Write over {name}?</source>
-        <translation type="unfinished"></translation>
+        <translation>{name} überschreiben?</translation>
+    </message>
+    <message>
+        <source>Writing {name} …</source>
+        <translation>{name} wird geschrieben …</translation>
     </message>
     <message>
         <source>You will be asked about {names} again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zu {names} wird wieder gefragt.</translation>
+    </message>
+    <message>
+        <source>Your edits cannot be written to the journal ({reason}); save the project yourself.</source>
+        <translation>Die Bearbeitungen lassen sich nicht ins Journal schreiben ({reason}); bitte das Projekt selbst speichern.</translation>
     </message>
     <message>
         <source>Your own files are not changed until you save. What you leave here stays.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die eigenen Dateien ändern sich erst beim Speichern. Was hier liegen bleibt, bleibt erhalten.</translation>
+    </message>
+    <message>
+        <source>Your project is as it was, and every edit is in the journal.</source>
+        <translation>Das Projekt ist, wie es war, und jede Bearbeitung ist im Journal.</translation>
     </message>
     <message>
         <source>Zoom at the pointer</source>
-        <translation type="unfinished"></translation>
+        <translation>Am Zeiger zoomen</translation>
+    </message>
+    <message>
+        <source>a feather of about {width}, which is a blur</source>
+        <translation>eine weiche Kante von etwa {width}, als Unschärfe</translation>
+    </message>
+    <message>
+        <source>a note on this frame</source>
+        <translation>eine Notiz zu diesem Frame</translation>
     </message>
     <message>
         <source>accept yes topology</source>
-        <translation type="unfinished"></translation>
+        <translation>annehmen ja topologie</translation>
     </message>
     <message>
         <source>again repeat</source>
-        <translation type="unfinished"></translation>
+        <translation>nochmals wiederholen</translation>
     </message>
     <message>
         <source>alone single isolate unlink</source>
-        <translation type="unfinished"></translation>
+        <translation>allein einzeln isolieren trennen</translation>
     </message>
     <message>
         <source>alpha mask black white</source>
-        <translation type="unfinished"></translation>
+        <translation>alpha maske schwarz weiß</translation>
     </message>
     <message>
         <source>as stacked again</source>
-        <translation type="unfinished"></translation>
+        <translation>wieder wie gestapelt</translation>
     </message>
     <message>
         <source>at both ends</source>
-        <translation type="unfinished"></translation>
+        <translation>an beiden Enden</translation>
+    </message>
+    <message>
+        <source>at depth {level}</source>
+        <translation>in Tiefe {level}</translation>
     </message>
     <message>
         <source>autokey keyframe record stopwatch</source>
-        <translation type="unfinished"></translation>
+        <translation>autokey keyframe aufzeichnen stoppuhr</translation>
     </message>
     <message>
         <source>begin start rewind home</source>
-        <translation type="unfinished"></translation>
+        <translation>anfang start zurückspulen</translation>
     </message>
     <message>
         <source>behind the others</source>
-        <translation type="unfinished"></translation>
+        <translation>hinter den anderen</translation>
     </message>
     <message>
         <source>below </source>
-        <translation type="unfinished"></translation>
+        <translation>unter </translation>
+    </message>
+    <message>
+        <source>bezier handles ease spline curve animation smooth f-curve</source>
+        <translation>bezier anfasser ease spline kurve animation weich f-kurve</translation>
+    </message>
+    <message>
+        <source>boil</source>
+        <translation>Flimmern</translation>
     </message>
     <message>
         <source>bookmark marker flag note</source>
-        <translation type="unfinished"></translation>
+        <translation>lesezeichen marker flagge notiz</translation>
     </message>
     <message>
         <source>bookmark marker jump</source>
-        <translation type="unfinished"></translation>
+        <translation>lesezeichen marker springen</translation>
     </message>
     <message>
-        <source>bookmark marker label note comment</source>
-        <translation type="unfinished"></translation>
+        <source>bookmark marker label note comment remark annotate</source>
+        <translation>lesezeichen marker beschriftung notiz kommentar anmerkung</translation>
     </message>
     <message>
         <source>bounce back and forth loop</source>
-        <translation type="unfinished"></translation>
+        <translation>pendeln vor und zurück schleife</translation>
     </message>
     <message>
         <source>brightness grey luma channel</source>
-        <translation type="unfinished"></translation>
+        <translation>helligkeit grau luma kanal</translation>
     </message>
     <message>
         <source>bug crash error issue trace support</source>
-        <translation type="unfinished"></translation>
+        <translation>fehler absturz problem hilfe</translation>
+    </message>
+    <message>
+        <source>by</source>
+        <translation>mal</translation>
     </message>
     <message>
         <source>cancel abort interrupt</source>
-        <translation type="unfinished"></translation>
+        <translation>abbrechen stopp unterbrechen</translation>
     </message>
     <message>
         <source>changes</source>
-        <translation type="unfinished"></translation>
+        <translation>Änderungen</translation>
     </message>
     <message>
         <source>channel rgb</source>
-        <translation type="unfinished"></translation>
+        <translation>kanal rgb</translation>
     </message>
     <message>
         <source>circle oval round draw roto mask</source>
-        <translation type="unfinished"></translation>
+        <translation>kreis oval rund zeichnen roto maske</translation>
     </message>
     <message>
         <source>clear track reset remove</source>
-        <translation type="unfinished"></translation>
+        <translation>track löschen zurücksetzen entfernen</translation>
     </message>
     <message>
         <source>clipboard</source>
-        <translation type="unfinished"></translation>
+        <translation>zwischenablage</translation>
     </message>
     <message>
         <source>clipboard davinci resolve setting mask node export</source>
-        <translation type="unfinished"></translation>
+        <translation>zwischenablage davinci resolve setting maske node export</translation>
     </message>
     <message>
         <source>clipboard insert</source>
-        <translation type="unfinished"></translation>
+        <translation>zwischenablage einsetzen</translation>
     </message>
     <message>
         <source>clipboard move</source>
-        <translation type="unfinished"></translation>
+        <translation>zwischenablage verschieben</translation>
     </message>
     <message>
         <source>clipboard roto node script export</source>
-        <translation type="unfinished"></translation>
+        <translation>zwischenablage roto node skript export</translation>
     </message>
     <message>
         <source>color rgb all channels</source>
-        <translation type="unfinished"></translation>
+        <translation>farbe rgb alle kanäle</translation>
     </message>
     <message>
         <source>commands search find</source>
-        <translation type="unfinished"></translation>
+        <translation>befehle suchen finden</translation>
+    </message>
+    <message>
+        <source>comments remarks review list doubtful boil jitter flicker supervisor</source>
+        <translation>kommentare anmerkungen review liste zweifelhaft flimmern zittern supervisor</translation>
     </message>
     <message>
         <source>composite comp cutout transparent background checkerboard colour</source>
-        <translation type="unfinished"></translation>
+        <translation>komposition freistellen ausschnitt transparent hintergrund schachbrett farbe</translation>
+    </message>
+    <message>
+        <source>confidence</source>
+        <translation>Konfidenz</translation>
     </message>
     <message>
         <source>confidence worst error fix bad</source>
-        <translation type="unfinished"></translation>
+        <translation>konfidenz schlechtester fehler korrigieren</translation>
     </message>
     <message>
         <source>confidence wrong error fix bad</source>
-        <translation type="unfinished"></translation>
+        <translation>konfidenz falsch fehler korrigieren</translation>
+    </message>
+    <message>
+        <source>confidence wrong error fix bad boil jitter</source>
+        <translation>konfidenz falsch fehler korrigieren flimmern zittern</translation>
+    </message>
+    <message>
+        <source>confidence {confidence:.2f}</source>
+        <translation>Konfidenz {confidence:.2f}</translation>
+    </message>
+    <message>
+        <source>contact sheet thumbnails overview export pages print</source>
+        <translation>kontaktbogen vorschaubilder übersicht export seiten drucken</translation>
     </message>
     <message>
         <source>convert tangents handles</source>
-        <translation type="unfinished"></translation>
+        <translation>umwandeln tangenten anfasser</translation>
     </message>
     <message>
         <source>convert xspline smooth</source>
-        <translation type="unfinished"></translation>
+        <translation>umwandeln xspline glatt</translation>
     </message>
     <message>
         <source>copy clone</source>
-        <translation type="unfinished"></translation>
+        <translation>kopieren klonen</translation>
     </message>
     <message>
         <source>corner linear sharp</source>
-        <translation type="unfinished"></translation>
+        <translation>ecke linear scharf</translation>
     </message>
     <message>
         <source>crash autosave backup journal lost restore</source>
-        <translation type="unfinished"></translation>
+        <translation>absturz sicherung journal verloren retten</translation>
     </message>
     <message>
         <source>cyclic finish open spline</source>
-        <translation type="unfinished"></translation>
+        <translation>zyklisch schließen öffnen spline</translation>
+    </message>
+    <message>
+        <source>delete all keys</source>
+        <translation>alle Keyframes löschen</translation>
+    </message>
+    <message>
+        <source>delete key</source>
+        <translation>Keyframe löschen</translation>
     </message>
     <message>
         <source>depth order occlusion over above z</source>
-        <translation type="unfinished"></translation>
+        <translation>tiefe reihenfolge verdeckung über z</translation>
     </message>
     <message>
         <source>depth order occlusion reset z</source>
-        <translation type="unfinished"></translation>
+        <translation>tiefe reihenfolge verdeckung zurücksetzen z</translation>
     </message>
     <message>
         <source>depth order occlusion under below hidden z</source>
-        <translation type="unfinished"></translation>
+        <translation>tiefe reihenfolge verdeckung unter hinter z</translation>
     </message>
     <message>
         <source>dissolve unparent folder</source>
-        <translation type="unfinished"></translation>
+        <translation>auflösen lösen ordner</translation>
+    </message>
+    <message>
+        <source>dock panels back default workspace</source>
+        <translation>andocken bereiche zurück standard arbeitsbereich</translation>
     </message>
     <message>
         <source>dopesheet keys height bigger large half</source>
-        <translation type="unfinished"></translation>
+        <translation>keyframes höhe größer halb</translation>
     </message>
     <message>
         <source>empty begin</source>
-        <translation type="unfinished"></translation>
+        <translation>leer beginnen</translation>
     </message>
     <message>
         <source>end</source>
-        <translation type="unfinished"></translation>
+        <translation>ende</translation>
+    </message>
+    <message>
+        <source>every </source>
+        <translation>alle </translation>
     </message>
     <message>
         <source>everything splines layers</source>
-        <translation type="unfinished"></translation>
+        <translation>alles splines ebenen</translation>
     </message>
     <message>
         <source>example sample tutorial manta</source>
-        <translation type="unfinished"></translation>
+        <translation>beispiel muster anleitung manta</translation>
     </message>
     <message>
         <source>exit close leave</source>
-        <translation type="unfinished"></translation>
+        <translation>schließen verlassen ende</translation>
+    </message>
+    <message>
+        <source>feather</source>
+        <translation>weiche Kante</translation>
+    </message>
+    <message>
+        <source>filled between two keys</source>
+        <translation>zwischen zwei Keyframes gefüllt</translation>
     </message>
     <message>
         <source>flip flop horizontal</source>
-        <translation type="unfinished"></translation>
+        <translation>spiegeln horizontal umdrehen</translation>
     </message>
     <message>
         <source>flip vertical</source>
-        <translation type="unfinished"></translation>
+        <translation>spiegeln vertikal umdrehen</translation>
+    </message>
+    <message>
+        <source>focus keyboard accessibility tab region pane</source>
+        <translation>fokus tastatur barrierefreiheit tab bereich</translation>
+    </message>
+    <message>
+        <source>focus keyboard accessibility tab region pane back</source>
+        <translation>fokus tastatur barrierefreiheit tab bereich zurück</translation>
     </message>
     <message>
         <source>folder group create</source>
-        <translation type="unfinished"></translation>
+        <translation>ordner gruppe anlegen</translation>
     </message>
     <message>
         <source>folder layer parent</source>
-        <translation type="unfinished"></translation>
+        <translation>ordner ebene gruppe</translation>
+    </message>
+    <message>
+        <source>frame {frame} is missing or damaged</source>
+        <translation>Frame {frame} fehlt oder ist beschädigt</translation>
     </message>
     <message>
         <source>frame {frame} of {last}</source>
-        <translation type="unfinished"></translation>
+        <translation>Frame {frame} von {last}</translation>
+    </message>
+    <message>
+        <source>frames</source>
+        <translation>Frames</translation>
     </message>
     <message>
         <source>freehand marquee</source>
-        <translation type="unfinished"></translation>
+        <translation>freihand rahmen</translation>
+    </message>
+    <message>
+        <source>from {frame} {level}</source>
+        <translation>ab {frame} {level}</translation>
+    </message>
+    <message>
+        <source>fullscreen maximise maximize whole monitor theatre</source>
+        <translation>vollbild maximieren ganzer monitor kino</translation>
     </message>
     <message>
         <source>gain gamma viewer neutral default</source>
-        <translation type="unfinished"></translation>
+        <translation>belichtung gamma viewer neutral standard</translation>
+    </message>
+    <message>
+        <source>graph editor dope sheet f-curve animation keyframes opacity feather tangents</source>
+        <translation>graph editor kurven animation keyframes deckkraft feather tangenten</translation>
     </message>
     <message>
         <source>handles shape the curve now, and no outline changed</source>
-        <translation type="unfinished"></translation>
+        <translation>die Tangenten formen jetzt die Kurve, und kein Umriss hat sich geändert</translation>
+    </message>
+    <message>
+        <source>here</source>
+        <translation>hier</translation>
+    </message>
+    <message>
+        <source>hidden: the motion goes evenly from the frames before to those after</source>
+        <translation>verdeckt: Die Bewegung geht gleichmäßig von den Frames davor zu denen danach</translation>
+    </message>
+    <message>
+        <source>hide show dopesheet</source>
+        <translation>ausblenden einblenden zeitleiste</translation>
+    </message>
+    <message>
+        <source>hold</source>
+        <translation>halten</translation>
+    </message>
+    <message>
+        <source>holds still up to the next key</source>
+        <translation>hält bis zum nächsten Keyframe still</translation>
     </message>
     <message>
         <source>import footage mov mp4 quicktime read load</source>
-        <translation type="unfinished"></translation>
+        <translation>importieren film mov mp4 quicktime lesen laden</translation>
     </message>
     <message>
         <source>import footage plate read sequence images source load</source>
-        <translation type="unfinished"></translation>
+        <translation>importieren material plate lesen sequenz bilder quelle laden</translation>
+    </message>
+    <message>
+        <source>in</source>
+        <translation>In</translation>
     </message>
     <message>
         <source>in front of the others</source>
-        <translation type="unfinished"></translation>
+        <translation>vor den anderen</translation>
     </message>
     <message>
         <source>intelligent scissors edge snap draw roto mask path</source>
-        <translation type="unfinished"></translation>
+        <translation>kante einrasten zeichnen roto maske pfad schere</translation>
     </message>
     <message>
         <source>interpolate inbetween tween both directions</source>
-        <translation type="unfinished"></translation>
+        <translation>interpolieren zwischenbilder beide richtungen</translation>
     </message>
     <message>
         <source>interpolation easing ease</source>
-        <translation type="unfinished"></translation>
+        <translation>interpolation easing</translation>
     </message>
     <message>
         <source>interpolation easing ease bezier</source>
-        <translation type="unfinished"></translation>
+        <translation>interpolation easing bezier weich</translation>
     </message>
     <message>
         <source>interpolation easing ease step constant freeze</source>
-        <translation type="unfinished"></translation>
+        <translation>interpolation stufe konstant einfrieren</translation>
+    </message>
+    <message>
+        <source>inversion</source>
+        <translation>Invertierung</translation>
+    </message>
+    <message>
+        <source>it is damaged</source>
+        <translation>sie ist beschädigt</translation>
     </message>
     <message>
         <source>its curve is smooth everywhere now, and its points moved by up to {moved:.1f} pixels</source>
-        <translation type="unfinished"></translation>
+        <translation>die Kurve ist jetzt überall glatt, und ihre Punkte haben sich um bis zu {moved:.1f} Pixel verschoben</translation>
+    </message>
+    <message>
+        <source>jitter flicker steady flow temporal</source>
+        <translation>zittern flimmern ruhig zeitlich</translation>
     </message>
     <message>
         <source>joint free unpin unparent rig</source>
-        <translation type="unfinished"></translation>
+        <translation>gelenk frei lösen rig</translation>
     </message>
     <message>
         <source>joint pin hinge parent rig</source>
-        <translation type="unfinished"></translation>
+        <translation>gelenk anheften scharnier rig</translation>
     </message>
     <message>
         <source>jump skip</source>
-        <translation type="unfinished"></translation>
+        <translation>springen</translation>
     </message>
     <message>
         <source>keyframe hold many frames</source>
-        <translation type="unfinished"></translation>
+        <translation>keyframe halten viele frames</translation>
     </message>
     <message>
         <source>keyframe insert add autokey</source>
-        <translation type="unfinished"></translation>
+        <translation>keyframe einfügen autokey</translation>
     </message>
     <message>
         <source>keyframe jump</source>
-        <translation type="unfinished"></translation>
+        <translation>keyframe springen</translation>
+    </message>
+    <message>
+        <source>keyframe partial vertex single some add</source>
+        <translation>keyframe teilweise punkt einzeln einige hinzufügen</translation>
+    </message>
+    <message>
+        <source>keyframe partial vertex single some record</source>
+        <translation>keyframe teilweise punkt einzeln einige aufzeichnen</translation>
     </message>
     <message>
         <source>keyframe pose</source>
-        <translation type="unfinished"></translation>
+        <translation>keyframe pose</translation>
     </message>
     <message>
         <source>keyframe remove</source>
-        <translation type="unfinished"></translation>
+        <translation>keyframe entfernen</translation>
+    </message>
+    <message>
+        <source>line: before, white dashes: after, hatched: what differs</source>
+        <translation>Linie: vorher, weiße Striche: nachher, schraffiert: was sich unterscheidet</translation>
+    </message>
+    <message>
+        <source>linear</source>
+        <translation>linear</translation>
     </message>
     <message>
         <source>linear straight draw roto mask path</source>
-        <translation type="unfinished"></translation>
+        <translation>linear gerade zeichnen roto maske pfad</translation>
     </message>
     <message>
         <source>link join group glue whole together</source>
-        <translation type="unfinished"></translation>
+        <translation>verbinden gruppe kleben ganz zusammen</translation>
     </message>
     <message>
         <source>load script scene session</source>
-        <translation type="unfinished"></translation>
+        <translation>laden skript szene sitzung</translation>
     </message>
     <message>
         <source>magic wand quick selection rotobrush ai auto sam box</source>
-        <translation type="unfinished"></translation>
+        <translation>zauberstab schnellauswahl rotobrush ki automatisch</translation>
+    </message>
+    <message>
+        <source>marked</source>
+        <translation>markiert</translation>
+    </message>
+    <message>
+        <source>marks</source>
+        <translation>Markierungen</translation>
     </message>
     <message>
         <source>mask black white channel</source>
-        <translation type="unfinished"></translation>
+        <translation>maske schwarz weiß kanal</translation>
     </message>
     <message>
         <source>mattes alpha segmentation load</source>
-        <translation type="unfinished"></translation>
+        <translation>mattes alpha segmentierung laden</translation>
+    </message>
+    <message>
+        <source>memory {used} of {limit}</source>
+        <translation>Speicher {used} von {limit}</translation>
     </message>
     <message>
         <source>messages errors console</source>
-        <translation type="unfinished"></translation>
+        <translation>meldungen fehler konsole</translation>
     </message>
     <message>
         <source>mixed</source>
-        <translation type="unfinished"></translation>
+        <translation>gemischt</translation>
+    </message>
+    <message>
+        <source>mode {mode!r}</source>
+        <translation>Modus {mode!r}</translation>
+    </message>
+    <message>
+        <source>motion blur</source>
+        <translation>Bewegungsunschärfe</translation>
     </message>
     <message>
         <source>motion tracker stabilise stabilize corner pin perspective mocha plane surface homography</source>
-        <translation type="unfinished"></translation>
+        <translation>tracker stabilisieren corner pin perspektive mocha ebene fläche</translation>
     </message>
     <message>
         <source>move rotate turn scale resize skew shear box jack gizmo</source>
-        <translation type="unfinished"></translation>
+        <translation>bewegen drehen größe skalieren neigen scheren rahmen</translation>
+    </message>
+    <message>
+        <source>moves on evenly</source>
+        <translation>bewegt sich gleichmäßig weiter</translation>
+    </message>
+    <message>
+        <source>moves on smoothly</source>
+        <translation>bewegt sich weich weiter</translation>
     </message>
     <message>
         <source>not installed</source>
-        <translation type="unfinished"></translation>
+        <translation>nicht installiert</translation>
+    </message>
+    <message>
+        <source>not tracked</source>
+        <translation>nicht getrackt</translation>
     </message>
     <message>
         <source>nuke silhouette fusion blender mocha after effects svg render write output</source>
-        <translation type="unfinished"></translation>
+        <translation>nuke silhouette fusion blender mocha after effects svg rendern schreiben ausgabe</translation>
     </message>
     <message>
         <source>nuke silhouette fusion svg roto load</source>
-        <translation type="unfinished"></translation>
+        <translation>nuke silhouette fusion svg roto laden</translation>
     </message>
     <message>
         <source>numeric move rotate scale type exact</source>
-        <translation type="unfinished"></translation>
+        <translation>zahlen bewegen drehen skalieren genau</translation>
+    </message>
+    <message>
+        <source>of the plate</source>
+        <translation>der Plate</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>auf</translation>
     </message>
     <message>
         <source>onionskin ghost light table frames before after</source>
-        <translation type="unfinished"></translation>
+        <translation>zwiebelhaut geister leuchttisch frames davor danach</translation>
     </message>
     <message>
         <source>only some shapes write output</source>
-        <translation type="unfinished"></translation>
+        <translation>nur einige formen schreiben ausgabe</translation>
+    </message>
+    <message>
+        <source>opacity</source>
+        <translation>Deckkraft</translation>
+    </message>
+    <message>
+        <source>out</source>
+        <translation>Out</translation>
     </message>
     <message>
         <source>pen spline draw roto mask path</source>
-        <translation type="unfinished"></translation>
+        <translation>stift feder spline zeichnen roto maske pfad</translation>
     </message>
     <message>
         <source>pencil sketch lasso draw roto mask path</source>
-        <translation type="unfinished"></translation>
+        <translation>bleistift skizze lasso zeichnen roto maske pfad</translation>
     </message>
     <message>
         <source>pick arrow move edit transform deselect</source>
-        <translation type="unfinished"></translation>
+        <translation>pfeil bewegen bearbeiten transformieren abwählen</translation>
+    </message>
+    <message>
+        <source>pictures</source>
+        <translation>Bilder</translation>
     </message>
     <message>
         <source>planar track corner pin surface drift fix mocha keyframe</source>
-        <translation type="unfinished"></translation>
+        <translation>fläche track corner pin drift korrigieren mocha keyframe</translation>
     </message>
     <message>
         <source>plate footage rgb image</source>
-        <translation type="unfinished"></translation>
+        <translation>plate material rgb bild</translation>
     </message>
     <message>
         <source>point mark begin work area range</source>
-        <translation type="unfinished"></translation>
+        <translation>punkt markieren anfang arbeitsbereich</translation>
     </message>
     <message>
         <source>point mark end work area range</source>
-        <translation type="unfinished"></translation>
+        <translation>punkt markieren ende arbeitsbereich</translation>
     </message>
     <message>
         <source>point tracker tracking one two four corners pattern search area follow</source>
-        <translation type="unfinished"></translation>
+        <translation>punkt tracker tracking eins zwei vier ecken muster suchbereich folgen</translation>
     </message>
     <message>
         <source>preferences options configuration memory cache threads scale</source>
-        <translation type="unfinished"></translation>
+        <translation>optionen konfiguration speicher cache threads größe sprache</translation>
     </message>
     <message>
         <source>propagate rotobrush follow solve motion tracker</source>
-        <translation type="unfinished"></translation>
+        <translation>propagieren rotobrush folgen tracker bewegung</translation>
     </message>
     <message>
         <source>propagate rotobrush follow solve play motion tracker</source>
-        <translation type="unfinished"></translation>
+        <translation>propagieren rotobrush folgen abspielen tracker bewegung</translation>
     </message>
     <message>
         <source>propagate step motion</source>
-        <translation type="unfinished"></translation>
+        <translation>propagieren schritt bewegung</translation>
     </message>
     <message>
         <source>propagate until</source>
-        <translation type="unfinished"></translation>
+        <translation>propagieren bis</translation>
     </message>
     <message>
         <source>properties attributes parameters motion blur shutter opacity transparency blend mode add subtract hole intersect difference invert colour color lifetime feather rename</source>
-        <translation type="unfinished"></translation>
+        <translation>eigenschaften attribute parameter bewegungsunschärfe verschluss deckkraft transparenz mischmodus addieren subtrahieren loch schnittmenge differenz invertieren farbe lebensdauer weiche kante umbenennen</translation>
     </message>
     <message>
         <source>properties sidebar column interface toggle</source>
-        <translation type="unfinished"></translation>
+        <translation>eigenschaften seitenleiste spalte oberfläche umschalten</translation>
     </message>
     <message>
         <source>proportional falloff magnet</source>
-        <translation type="unfinished"></translation>
+        <translation>proportional abfall magnet</translation>
     </message>
     <message>
         <source>protect</source>
-        <translation type="unfinished"></translation>
+        <translation>schützen</translation>
+    </message>
+    <message>
+        <source>quicktime mp4 mov avi export playblast preview dailies supervisor render</source>
+        <translation>quicktime mp4 mov avi export vorschau muster supervisor rendern</translation>
+    </message>
+    <message>
+        <source>read from a file between two of its keys</source>
+        <translation>aus einer Datei zwischen zweien ihrer Keyframes gelesen</translation>
     </message>
     <message>
         <source>recovered work</source>
-        <translation type="unfinished"></translation>
+        <translation>wiederhergestellte Arbeit</translation>
     </message>
     <message>
         <source>reject no topology</source>
-        <translation type="unfinished"></translation>
+        <translation>ablehnen nein topologie</translation>
     </message>
     <message>
         <source>remove erase</source>
-        <translation type="unfinished"></translation>
+        <translation>entfernen löschen</translation>
     </message>
     <message>
         <source>remove erase vertex vertices</source>
-        <translation type="unfinished"></translation>
+        <translation>entfernen löschen punkt punkte</translation>
     </message>
     <message>
         <source>render alpha png exr tiff masks write output</source>
-        <translation type="unfinished"></translation>
+        <translation>rendern alpha png exr tiff masken schreiben ausgabe</translation>
     </message>
     <message>
         <source>repeat cycle</source>
-        <translation type="unfinished"></translation>
+        <translation>wiederholen zyklus</translation>
     </message>
     <message>
         <source>replace plate version footage path missing moved</source>
-        <translation type="unfinished"></translation>
+        <translation>ersetzen plate version material pfad fehlt verschoben</translation>
     </message>
     <message>
         <source>reset work area remove</source>
-        <translation type="unfinished"></translation>
+        <translation>zurücksetzen arbeitsbereich entfernen</translation>
     </message>
     <message>
         <source>reverse rewind</source>
-        <translation type="unfinished"></translation>
+        <translation>rückwärts zurückspulen</translation>
     </message>
     <message>
         <source>revert back</source>
-        <translation type="unfinished"></translation>
+        <translation>zurück</translation>
     </message>
     <message>
         <source>rig skeleton hinges bones pins</source>
-        <translation type="unfinished"></translation>
+        <translation>rig skelett gelenke knochen</translation>
     </message>
     <message>
         <source>roto node script write output</source>
-        <translation type="unfinished"></translation>
+        <translation>roto node skript schreiben ausgabe</translation>
     </message>
     <message>
         <source>seam free contrast boundary outline kinds dashed dotted</source>
-        <translation type="unfinished"></translation>
+        <translation>naht frei kontrast grenze umriss arten gestrichelt gepunktet</translation>
     </message>
     <message>
         <source>see its package</source>
-        <translation type="unfinished"></translation>
+        <translation>siehe Paket</translation>
+    </message>
+    <message>
+        <source>set key</source>
+        <translation>Keyframe setzen</translation>
+    </message>
+    <message>
+        <source>set on {frame}</source>
+        <translation>gesetzt auf {frame}</translation>
     </message>
     <message>
         <source>shapes splines</source>
-        <translation type="unfinished"></translation>
+        <translation>formen splines</translation>
     </message>
     <message>
         <source>shortcuts hotkeys keyboard bindings remap</source>
-        <translation type="unfinished"></translation>
+        <translation>tastenkürzel tastatur belegung</translation>
     </message>
     <message>
         <source>shortcuts hotkeys keyboard help</source>
-        <translation type="unfinished"></translation>
+        <translation>tastenkürzel tastatur hilfe</translation>
     </message>
     <message>
         <source>slow half speed</source>
-        <translation type="unfinished"></translation>
+        <translation>langsam halbe geschwindigkeit</translation>
     </message>
     <message>
         <source>slow reverse half speed</source>
-        <translation type="unfinished"></translation>
+        <translation>langsam rückwärts halbe geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>smooth</source>
+        <translation>weich</translation>
     </message>
     <message>
         <source>snapshot store buffer compare reference</source>
-        <translation type="unfinished"></translation>
+        <translation>schnappschuss merken vergleichen referenz</translation>
     </message>
     <message>
         <source>soft edge blur every frame copy</source>
-        <translation type="unfinished"></translation>
+        <translation>weiche kante unschärfe jeder frame kopieren</translation>
     </message>
     <message>
         <source>soft edge blur falloff</source>
-        <translation type="unfinished"></translation>
+        <translation>weiche kante unschärfe abfall</translation>
     </message>
     <message>
         <source>soft edge remove clear hard</source>
-        <translation type="unfinished"></translation>
+        <translation>weiche kante entfernen hart</translation>
     </message>
     <message>
         <source>soften feather softness blurred focus defocus shutter width</source>
-        <translation type="unfinished"></translation>
+        <translation>weichzeichnen unschärfe fokus defokus verschluss breite</translation>
     </message>
     <message>
         <source>splines outlines invisible</source>
-        <translation type="unfinished"></translation>
+        <translation>splines umrisse unsichtbar</translation>
     </message>
     <message>
         <source>square box quad draw roto mask</source>
-        <translation type="unfinished"></translation>
+        <translation>quadrat rahmen viereck zeichnen roto maske</translation>
+    </message>
+    <message>
+        <source>stands still</source>
+        <translation>steht still</translation>
     </message>
     <message>
         <source>start run</source>
-        <translation type="unfinished"></translation>
+        <translation>starten laufen</translation>
     </message>
     <message>
         <source>start stop</source>
-        <translation type="unfinished"></translation>
+        <translation>starten stoppen</translation>
     </message>
     <message>
         <source>step back arrow</source>
-        <translation type="unfinished"></translation>
+        <translation>schritt zurück pfeil</translation>
     </message>
     <message>
         <source>step on arrow</source>
-        <translation type="unfinished"></translation>
+        <translation>schritt weiter pfeil</translation>
     </message>
     <message>
         <source>stop halt</source>
-        <translation type="unfinished"></translation>
+        <translation>stopp halt</translation>
+    </message>
+    <message>
+        <source>tangents</source>
+        <translation>Tangenten</translation>
     </message>
     <message>
         <source>tangents curve handles</source>
-        <translation type="unfinished"></translation>
+        <translation>tangenten kurve anfasser</translation>
     </message>
     <message>
         <source>the clipboard</source>
-        <translation type="unfinished"></translation>
+        <translation>die Zwischenablage</translation>
+    </message>
+    <message>
+        <source>the inversion</source>
+        <translation>die Invertierung</translation>
+    </message>
+    <message>
+        <source>the mode {mode!r}</source>
+        <translation>den Modus {mode!r}</translation>
+    </message>
+    <message>
+        <source>the opacity</source>
+        <translation>die Deckkraft</translation>
     </message>
     <message>
         <source>the plane</source>
-        <translation type="unfinished"></translation>
+        <translation>Fläche</translation>
+    </message>
+    <message>
+        <source>the plate&apos;s light with the sRGB curve</source>
+        <translation>das Licht der Plate mit der sRGB-Kurve</translation>
     </message>
     <message>
         <source>the points</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkte</translation>
     </message>
     <message>
         <source>the whole</source>
-        <translation type="unfinished"></translation>
+        <translation>dem Ganzen</translation>
     </message>
     <message>
         <source>through time</source>
-        <translation type="unfinished"></translation>
+        <translation>durch die Zeit</translation>
     </message>
     <message>
         <source>to</source>
-        <translation type="unfinished"></translation>
+        <translation>bis</translation>
     </message>
     <message>
         <source>topology split suggestion</source>
-        <translation type="unfinished"></translation>
+        <translation>topologie teilen vorschlag</translation>
     </message>
     <message>
         <source>topology suggestion reset</source>
-        <translation type="unfinished"></translation>
+        <translation>topologie vorschlag zurücksetzen</translation>
     </message>
     <message>
         <source>trace vectorise matte image</source>
-        <translation type="unfinished"></translation>
+        <translation>nachzeichnen vektorisieren matte bild</translation>
+    </message>
+    <message>
+        <source>tracked</source>
+        <translation>getrackt</translation>
+    </message>
+    <message>
+        <source>tracked backward</source>
+        <translation>rückwärts getrackt</translation>
+    </message>
+    <message>
+        <source>tracked before confidence was kept</source>
+        <translation>getrackt, bevor Konfidenz aufgehoben wurde</translation>
+    </message>
+    <message>
+        <source>tracked forward</source>
+        <translation>vorwärts getrackt</translation>
     </message>
     <message>
         <source>trust doubt heat quality</source>
-        <translation type="unfinished"></translation>
+        <translation>vertrauen zweifel qualität</translation>
+    </message>
+    <message>
+        <source>two viewers beside split compare matte monitor dual</source>
+        <translation>zwei viewer nebeneinander geteilt vergleichen matte monitor</translation>
     </message>
     <message>
         <source>uberkey multi-frame multiframe all keys offset</source>
-        <translation type="unfinished"></translation>
+        <translation>uberkey alle keyframes versatz mehrere frames</translation>
     </message>
     <message>
         <source>undo list steps</source>
-        <translation type="unfinished"></translation>
+        <translation>rückgängig liste schritte</translation>
+    </message>
+    <message>
+        <source>undock detach tear off monitor</source>
+        <translation>abdocken lösen monitor</translation>
+    </message>
+    <message>
+        <source>undock detach tear off monitor dopesheet</source>
+        <translation>abdocken lösen monitor zeitleiste</translation>
     </message>
     <message>
         <source>unhide reveal visibility eye</source>
-        <translation type="unfinished"></translation>
+        <translation>einblenden sichtbarkeit auge</translation>
     </message>
     <message>
         <source>unlink limbs articulated overlap rig</source>
-        <translation type="unfinished"></translation>
+        <translation>trennen glieder gelenke überlappen rig</translation>
     </message>
     <message>
         <source>untitled</source>
-        <translation type="unfinished"></translation>
+        <translation>unbenannt</translation>
     </message>
     <message>
         <source>version copy</source>
-        <translation type="unfinished"></translation>
+        <translation>version kopie</translation>
     </message>
     <message>
         <source>version licence credits libraries</source>
-        <translation type="unfinished"></translation>
+        <translation>version lizenz mitwirkende bibliotheken</translation>
     </message>
     <message>
         <source>vertex cycle</source>
-        <translation type="unfinished"></translation>
+        <translation>punkt durchgehen</translation>
     </message>
     <message>
         <source>vertices</source>
-        <translation type="unfinished"></translation>
+        <translation>punkte</translation>
     </message>
     <message>
         <source>visibility invisible eye</source>
-        <translation type="unfinished"></translation>
+        <translation>sichtbarkeit unsichtbar auge</translation>
     </message>
     <message>
         <source>warp push pull liquify sculpt brush magnet</source>
-        <translation type="unfinished"></translation>
+        <translation>verbiegen schieben ziehen verflüssigen modellieren pinsel magnet</translation>
     </message>
     <message>
         <source>wipe compare split screen ab buffer before after snapshot</source>
-        <translation type="unfinished"></translation>
+        <translation>wischen vergleichen teilen ab puffer vorher nachher schnappschuss</translation>
     </message>
     <message>
         <source>write store keep</source>
-        <translation type="unfinished"></translation>
+        <translation>schreiben sichern behalten</translation>
+    </message>
+    <message>
+        <source>x</source>
+        <translation>x</translation>
     </message>
     <message>
         <source>xspline x-spline spline smooth draw roto mask path</source>
-        <translation type="unfinished"></translation>
+        <translation>xspline x-spline spline glatt zeichnen roto maske pfad</translation>
+    </message>
+    <message>
+        <source>y</source>
+        <translation>y</translation>
     </message>
     <message>
         <source>zoom focus</source>
-        <translation type="unfinished"></translation>
+        <translation>zoom fokus</translation>
     </message>
     <message>
         <source>zoom pixels one to one</source>
-        <translation type="unfinished"></translation>
+        <translation>zoom pixel eins zu eins</translation>
     </message>
     <message>
         <source>zoom timeline dopesheet whole all</source>
-        <translation type="unfinished"></translation>
+        <translation>zoom zeitleiste ganz alles</translation>
     </message>
     <message>
         <source>zoom whole frame all</source>
-        <translation type="unfinished"></translation>
+        <translation>zoom ganzer frame alles</translation>
     </message>
     <message>
         <source>{action} cannot be done at the moment.</source>
-        <translation type="unfinished"></translation>
+        <translation>{action} ist im Moment nicht möglich.</translation>
+    </message>
+    <message>
+        <source>{act} point</source>
+        <translation>{act}: Punkt</translation>
+    </message>
+    <message>
+        <source>{act} shape</source>
+        <translation>{act}: Form</translation>
+    </message>
+    <message>
+        <source>{act} {count} points</source>
+        <translation>{act}: {count} Punkte</translation>
+    </message>
+    <message>
+        <source>{act} {count} shapes</source>
+        <translation>{act}: {count} Formen</translation>
+    </message>
+    <message>
+        <source>{before} and {after}</source>
+        <translation>{before} und {after}</translation>
+    </message>
+    <message>
+        <source>{blur} Edge {width:.1f} px at the median. {shapes} changed, {soft} with feather.</source>
+        <translation>{blur} Kante {width:.1f} px im Median. {shapes} geändert, {soft} mit weicher Kante.</translation>
+    </message>
+    <message>
+        <source>{confidence:.2f}{doubt}</source>
+        <translation>{confidence:.2f}{doubt}</translation>
     </message>
     <message>
         <source>{count} frames, from {first} to {last}</source>
-        <translation type="unfinished"></translation>
+        <translation>{count} Frames, von {first} bis {last}</translation>
+    </message>
+    <message>
+        <source>{count} more</source>
+        <translation>{count} weitere</translation>
     </message>
     <message>
         <source>{count} of {all} gap(s) could not be filled: {reason}</source>
-        <translation type="unfinished"></translation>
+        <translation>{count} von {all} Lücken ließen sich nicht füllen: {reason}</translation>
+    </message>
+    <message>
+        <source>{count} shape</source>
+        <translation>{count} Form</translation>
     </message>
     <message>
         <source>{count} shapes</source>
-        <translation type="unfinished"></translation>
+        <translation>{count} Formen</translation>
     </message>
     <message>
         <source>{count} shapes are fitted: drag the points to adjust, ] tracks forward.</source>
-        <translation type="unfinished"></translation>
+        <translation>{count} Formen sind angepasst: zum Korrigieren die Punkte ziehen, ] trackt vorwärts.</translation>
     </message>
     <message>
-        <source>{count} shapes changed. {sentences}</source>
-        <translation type="unfinished"></translation>
+        <source>{count} shapes are selected.</source>
+        <translation>{count} Formen sind ausgewählt.</translation>
+    </message>
+    <message>
+        <source>{count} shapes changed. {sentence}</source>
+        <translation>{count} Formen geändert. {sentence}</translation>
     </message>
     <message>
         <source>{count} shapes lie {where} from frame {frame} on.</source>
-        <translation type="unfinished"></translation>
+        <translation>{count} Formen liegen {where} ab Frame {frame}.</translation>
     </message>
     <message>
         <source>{done} frames, {each:.0f} ms each</source>
-        <translation type="unfinished"></translation>
+        <translation>{done} Frames, je {each:.0f} ms</translation>
     </message>
     <message numerus="yes">
         <source>{edit}: %n key(s) changed.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>{edit}: %n Keyframe geändert.</numerusform>
+            <numerusform>{edit}: %n Keyframes geändert.</numerusform>
         </translation>
     </message>
     <message>
         <source>{first}, a single picture</source>
-        <translation type="unfinished"></translation>
+        <translation>{first}, ein einzelnes Bild</translation>
     </message>
     <message>
         <source>{first}–{last}, {count} frames</source>
-        <translation type="unfinished"></translation>
+        <translation>{first}–{last}, {count} Frames</translation>
+    </message>
+    <message>
+        <source>{frames} on {pages}</source>
+        <translation>{frames} auf {pages}</translation>
+    </message>
+    <message>
+        <source>{frames}, {width} x {height}</source>
+        <translation>{frames}, {width} x {height}</translation>
     </message>
     <message>
         <source>{journal} cannot be marked: {reason}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{journal} lässt sich nicht kennzeichnen: {reason}.</translation>
     </message>
     <message>
         <source>{journal} cannot be read: {reason}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{journal} lässt sich nicht lesen: {reason}.</translation>
     </message>
     <message>
         <source>{keys} is the key of “{action}”.</source>
-        <translation type="unfinished"></translation>
+        <translation>{keys} ist die Taste von „{action}“.</translation>
     </message>
     <message>
         <source>{keys} moves the selected points; choose another key.</source>
-        <translation type="unfinished"></translation>
+        <translation>{keys} bewegt die ausgewählten Punkte; bitte eine andere Taste wählen.</translation>
+    </message>
+    <message>
+        <source>{keys} stops</source>
+        <translation>{keys} hält an</translation>
+    </message>
+    <message>
+        <source>{name!r} does not exist on the frames that are written: it was left out.</source>
+        <translation>{name!r} existiert auf den geschriebenen Frames nicht und entfällt.</translation>
+    </message>
+    <message>
+        <source>{name!r} has a feather curve and a uniform feather; Natron adds one to the other.</source>
+        <translation>{name!r} hat eine Kurve der weichen Kante und eine gleichmäßige; Natron addiert beide.</translation>
+    </message>
+    <message>
+        <source>{name!r} has one key and no motion; it was left out.</source>
+        <translation>{name!r} hat einen Keyframe und keine Bewegung und entfällt.</translation>
+    </message>
+    <message>
+        <source>{name!r} has too few points for CVAT: it was left out.</source>
+        <translation>{name!r} hat zu wenige Punkte für CVAT und entfällt.</translation>
     </message>
     <message>
         <source>{name!r} is a B-spline, which is smooth everywhere; make it Bezier for corners.</source>
-        <translation type="unfinished"></translation>
+        <translation>{name!r} ist ein B-Spline und überall glatt; Ecken hat er erst als Bézier.</translation>
     </message>
     <message>
         <source>{name!r} is locked or hidden; unlock and show it to edit it.</source>
-        <translation type="unfinished"></translation>
+        <translation>{name!r} ist gesperrt oder ausgeblendet; zum Bearbeiten bitte entsperren und einblenden.</translation>
+    </message>
+    <message>
+        <source>{name!r} is open or invisible, no object: it was left out.</source>
+        <translation>{name!r} ist offen oder unsichtbar, kein Objekt, und entfällt.</translation>
+    </message>
+    <message>
+        <source>{name!r} takes away where nothing lies under it: it was written as hidden.</source>
+        <translation>{name!r} nimmt weg, wo nichts darunter liegt, und wurde ausgeblendet geschrieben.</translation>
+    </message>
+    <message>
+        <source>{name!r}: smoothed through time; the engine&apos;s outlines moved by at most {max_error:.2f} px, {mean_error:.2f} px on average.</source>
+        <translation>{name!r}: durch die Zeit geglättet; Umrisse der Engine bewegten sich um höchstens {max_error:.2f} px, im Mittel {mean_error:.2f} px.</translation>
+    </message>
+    <message>
+        <source>{names} and others</source>
+        <translation>{names} und weiteren</translation>
+    </message>
+    <message>
+        <source>{names} and {count} more</source>
+        <translation>{names} und {count} weitere</translation>
+    </message>
+    <message>
+        <source>{name} boils</source>
+        <translation>{name} flimmert</translation>
     </message>
     <message>
         <source>{name} is drawn: drag its points to adjust it, ] tracks it forward.</source>
-        <translation type="unfinished"></translation>
+        <translation>{name} ist gezeichnet: zum Anpassen die Punkte ziehen, ] trackt vorwärts.</translation>
     </message>
     <message>
         <source>{name} is drawn: drag its points to adjust it, it is open, C closes it.</source>
-        <translation type="unfinished"></translation>
+        <translation>{name} ist gezeichnet: zum Anpassen die Punkte ziehen; die Form ist offen, C schließt sie.</translation>
     </message>
     <message>
         <source>{name} is fitted: drag the points to adjust, ] tracks forward.</source>
-        <translation type="unfinished"></translation>
+        <translation>{name} ist angepasst: zum Korrigieren die Punkte ziehen, ] trackt vorwärts.</translation>
     </message>
     <message>
         <source>{name} is locked; unlock it to track it.</source>
-        <translation type="unfinished"></translation>
+        <translation>{name} ist gesperrt; zum Tracken bitte entsperren.</translation>
     </message>
     <message>
         <source>{name} is not saved yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>{name} ist noch nicht gespeichert.</translation>
     </message>
     <message>
         <source>{name} is open; close it (&lt;points.toggle_closed&gt; in the viewer) to track it.</source>
-        <translation type="unfinished"></translation>
+        <translation>{name} ist offen; zum Tracken bitte schließen (&lt;points.toggle_closed&gt; im Viewer).</translation>
     </message>
     <message>
         <source>{name} is open; close it (&lt;points.toggle_closed&gt; in the viewer) to track its plane.</source>
-        <translation type="unfinished"></translation>
+        <translation>{name} ist offen; zum Tracken der Fläche bitte schließen (&lt;points.toggle_closed&gt; im Viewer).</translation>
     </message>
     <message>
         <source>{name} is {who}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{name} ist {who}.</translation>
     </message>
     <message>
         <source>{name} lies {where} from frame {frame} on.</source>
-        <translation type="unfinished"></translation>
+        <translation>{name} liegt {where} ab Frame {frame}.</translation>
     </message>
     <message>
         <source>{name} was changed by another program since it was opened or saved here.</source>
-        <translation type="unfinished"></translation>
+        <translation>{name} wurde von einem anderen Programm geändert, seit es hier geöffnet oder gespeichert wurde.</translation>
     </message>
     <message>
         <source>{name} was not opened.</source>
-        <translation type="unfinished"></translation>
+        <translation>{name} wurde nicht geöffnet.</translation>
+    </message>
+    <message>
+        <source>{name}, frame {frame}</source>
+        <translation>{name}, Frame {frame}</translation>
+    </message>
+    <message>
+        <source>{name}: click to select, Shift adds</source>
+        <translation>{name}: Klicken wählt aus, Umschalt fügt hinzu</translation>
     </message>
     <message>
         <source>{pace:.0f} ms a frame</source>
-        <translation type="unfinished"></translation>
+        <translation>{pace:.0f} ms pro Frame</translation>
     </message>
     <message>
         <source>{path} is damaged.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path} ist beschädigt.</translation>
     </message>
     <message>
         <source>{path} is no keymap; set your keys again in Edit &gt; Keys.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path} ist keine Tastenbelegung; bitte die Tasten unter Bearbeiten &gt; Tasten neu festlegen.</translation>
+    </message>
+    <message>
+        <source>{pixels:.1f} px</source>
+        <translation>{pixels:.1f} px</translation>
+    </message>
+    <message>
+        <source>{pixels:.1f} px  {name}</source>
+        <translation>{pixels:.1f} px  {name}</translation>
+    </message>
+    <message>
+        <source>{pixels:.1f} px  {name}, boils</source>
+        <translation>{pixels:.1f} px  {name}, flimmert</translation>
+    </message>
+    <message>
+        <source>{pixels:g} px</source>
+        <translation>{pixels:g} px</translation>
+    </message>
+    <message>
+        <source>{rate:.0f} of </source>
+        <translation>{rate:.0f} von </translation>
+    </message>
+    <message>
+        <source>{sentence}. Drag to change</source>
+        <translation>{sentence}. Ziehen ändert</translation>
+    </message>
+    <message>
+        <source>{shown}{fps:g} fps{times}</source>
+        <translation>{shown}{fps:g} fps{times}</translation>
+    </message>
+    <message>
+        <source>{size:.0f} MB</source>
+        <translation>{size:.0f} MB</translation>
+    </message>
+    <message>
+        <source>{size:.1f} GB</source>
+        <translation>{size:.1f} GB</translation>
+    </message>
+    <message>
+        <source>{size:.1f} MB</source>
+        <translation>{size:.1f} MB</translation>
     </message>
     <message>
         <source>{space} (found)</source>
-        <translation type="unfinished"></translation>
+        <translation>{space} (gefunden)</translation>
+    </message>
+    <message>
+        <source>{tip}; double click: neutral</source>
+        <translation>{tip}; Doppelklick: neutral</translation>
+    </message>
+    <message>
+        <source>{title}
+Drag to move, double-click to write, right-click to remove</source>
+        <translation>{title}
+Ziehen verschiebt, Doppelklick schreibt, Rechtsklick entfernt</translation>
+    </message>
+    <message>
+        <source>{title}, frame {frame}: {value:.4g} {unit}</source>
+        <translation>{title}, Frame {frame}: {value:.4g} {unit}</translation>
+    </message>
+    <message>
+        <source>{title}. Click to select</source>
+        <translation>{title}. Klicken wählt aus</translation>
+    </message>
+    <message>
+        <source>{value:.2f}</source>
+        <translation>{value:.2f}</translation>
+    </message>
+    <message>
+        <source>{view} on {display}</source>
+        <translation>{view} auf {display}</translation>
     </message>
     <message>
         <source>{what}  The energy falls by {figures}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{what}  Die Energie fällt um {figures}.</translation>
+    </message>
+    <message>
+        <source>{where} since frame {frame}</source>
+        <translation>{where} seit Frame {frame}</translation>
     </message>
     <message>
         <source>{width:.0f} × {height:.0f} pixels. Shift: equal sides. Ctrl: from the centre.</source>
-        <translation type="unfinished"></translation>
+        <translation>{width:.0f} × {height:.0f} Pixel. Umschalt: gleiche Seiten. Strg: von der Mitte aus.</translation>
     </message>
     <message>
         <source>“{action}” in the menu</source>
-        <translation type="unfinished"></translation>
+        <translation>„{action}“ im Menü</translation>
     </message>
     <message>
         <source>“{action}” is {keys} now.</source>
-        <translation type="unfinished"></translation>
+        <translation>„{action}“ ist jetzt {keys}.</translation>
+    </message>
+    <message>
+        <source>… and shear</source>
+        <translation>… und Scherung</translation>
     </message>
 </context>
 </TS>

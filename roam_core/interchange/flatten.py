@@ -14,6 +14,7 @@ from roam_core.geometry import bezier
 from roam_core.interchange.bake_layers import bake_layers
 from roam_core.roto import BlendMode, Keyframe, Layer, Project, RotoShape
 from roam_core.roto.animated import Animatable, Animated, is_always, mapped, product
+from roam_core.translatable import sentence
 
 TAKING = (BlendMode.SUBTRACT, BlendMode.INTERSECT)
 """Modes that only take away from what lies under them: above nothing they leave nothing."""
@@ -74,7 +75,7 @@ def hidden_notes(project: Project, root: Branch) -> list[str]:
     """A sentence for each visible shape that lies above nothing and takes from it: it shows nothing, and is hidden."""
     written = {shape.id: shape for shape in root.shapes()}
     return [
-        f"{shape.name!r} takes away where nothing lies under it: it was written as hidden."
+        sentence("{name!r} takes away where nothing lies under it: it was written as hidden.", name=shape.name)
         for shape in shown_shapes(project.root)
         if shape.id in written and not written[shape.id].visible
     ]

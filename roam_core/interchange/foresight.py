@@ -11,8 +11,9 @@ from roam_core.interchange.mattes.exporter import MatteExporter
 from roam_core.interchange.nuke.tracks import NukeTracksExporter
 from roam_core.interchange.protocol import STANDARD, Exporter, ExportOptions, KeyChoice, LossyExport
 from roam_core.roto import Keyframe, Layer, LayerTransform, Project, RotoShape
+from roam_core.translatable import sentence
 
-TRACKS = "Tracks hold how shapes and layers move, not their outlines."
+TRACKS = sentence("Tracks hold how shapes and layers move, not their outlines.")
 
 
 @dataclass(frozen=True)

@@ -13,13 +13,14 @@ from roam_core.interchange.mlt.reading import MltReader
 from roam_core.interchange.plain_json import FORMAT, JsonReader
 from roam_core.interchange.reading import MAX_PARTS, PLAIN, Imported, ImportOptions, ShapeReader, quietly
 from roam_core.roto import Clip
+from roam_core.translatable import N_
 
 
 class JsonImporter:
     """Reads every kind of JSON that ROAM knows."""
 
     name = "json"
-    title = "JSON (ROAM, COCO, MLT)"
+    title = N_("JSON (ROAM, COCO, MLT)")
     suffixes = (".json",)
 
     @quietly

@@ -30,6 +30,7 @@ from roam_core.interchange.text_exporter import TextExporter
 from roam_core.interchange.timing import lifetime_steps, moments, straight_keys, tangent_notes
 from roam_core.roto import BlendMode, Interpolation, Layer, Project, RotoShape
 from roam_core.roto.animated import Animatable, ValueKey, value_at, values_of
+from roam_core.translatable import N_, sentence
 
 OPERATORS = {
     BlendMode.ADD: "eMergeOver",
@@ -56,7 +57,7 @@ class NatronExporter(TextExporter):
     """Writes a script that builds a Roto node with all layers and shapes of a project."""
 
     name = "natron"
-    title = "Natron Roto node (script)"
+    title = N_("Natron Roto node (script)")
     suffix = ".py"
 
     def document(self, project: Project, options: ExportOptions) -> tuple[str, tuple[str, ...]]:
@@ -136,10 +137,14 @@ class _Writer(ShapeWriter):
         blur = shape.motion_blur
         if has_feather_curve(shape) and any(values_of(shape.feather)):
             self.notes.append(
-                f"{shape.name!r} has a feather curve and a uniform feather; Natron adds one to the other."
+                sentence(
+                    "{name!r} has a feather curve and a uniform feather; Natron adds one to the other.", name=shape.name
+                )
             )
         if shape.blend is BlendMode.PLUS and takes_part(shape):
-            self.notes.append(f"Natron's Plus goes beyond 1 where {shape.name!r} overlaps what lies under it.")
+            self.notes.append(
+                sentence("Natron's Plus goes beyond 1 where {name!r} overlaps what lies under it.", name=shape.name)
+            )
         return {
             "name": whole(shape.name),
             "locked": shape.locked,

@@ -37,6 +37,7 @@ from roam_core.roto import (
 from roam_core.roto.animated import Animatable, Slopes
 from roam_core.roto.shape import NO_COLOUR
 from roam_core.roto.value_curves import bounded
+from roam_core.translatable import N_
 
 Number = Callable[..., float]
 """Reads a number of a field: `_Reader._number` or `_share`."""
@@ -50,7 +51,7 @@ class JsonFormat(TextExporter):
     """Writes and reads all layers and shapes of a project as plain JSON."""
 
     name = "json"
-    title = "Plain JSON"
+    title = N_("Plain JSON")
     suffix = ".json"
     suffixes = (".json",)
 

@@ -19,6 +19,7 @@ from roam_core.interchange.keys.smoothing import smoothed
 from roam_core.interchange.matte_style import MatteStyle
 from roam_core.interchange.timing import value_within
 from roam_core.roto import Clip, Interpolation, Keyframe, Layer, Origin, Project, RotoShape, Spline
+from roam_core.translatable import sentence
 
 FARTHEST = 1e7
 """Pixels: a coordinate beyond this is a defect of the project, and single precision would not hold it to a pixel."""
@@ -191,7 +192,11 @@ class ShapeWriter:
         self.options.advance(self.done / self.total, f"Shape {shape.name}")
         self.done += 1
         if shape.spline not in self.KINDS:
-            self.notes.append(f"The B-spline {shape.name!r} was written as Bezier: the same curve, with other handles.")
+            self.notes.append(
+                sentence(
+                    "The B-spline {name!r} was written as Bezier: the same curve, with other handles.", name=shape.name
+                )
+            )
         shape = exported_keys(shape, self.options, self.notes)
         if self.options.keys is not KeyChoice.REDUCED:
             return shape, ()

@@ -13,6 +13,7 @@ from roam_core.params.softness import SoftnessParams
 from roam_core.roto import Keyframe, MotionBlur, RotoShape
 from roam_core.roto.control_points import settled
 from roam_core.roto.feather import pulled, tidy
+from roam_core.translatable import sentence
 
 
 def matched(shape: RotoShape, found: Softness, params: SoftnessParams, *, blur: bool, feather: bool) -> RotoShape:
@@ -62,17 +63,23 @@ def told(found: Softness, before: Sequence[RotoShape], after: Sequence[RotoShape
     """What was seen and done, in a sentence or two."""
     width = found.typical(found.total)
     if width is None:
-        return "No edge of these shapes could be read in the plate; nothing was changed."
+        return sentence("No edge of these shapes could be read in the plate; nothing was changed.")
     if found.shutter is None:
-        blur = "Too little motion to tell the shutter."
+        blur = sentence("Too little motion to tell the shutter.")
     elif found.shutter == 0.0:
-        blur = "No motion blur."
+        blur = sentence("No motion blur.")
     else:
-        blur = f"Shutter {found.shutter:.2f} frames."
+        blur = sentence("Shutter {shutter:.2f} frames.", shutter=found.shutter)
     soft = sum(any(key.feather is not None for key in shape.keys) for shape in after)
     changed = sum(old != new for old, new in zip(before, after, strict=True))
-    return f"{blur} Edge {width:.1f} px at the median. {_shapes(changed)} changed, {soft} with feather."
+    return sentence(
+        "{blur} Edge {width:.1f} px at the median. {shapes} changed, {soft} with feather.",
+        blur=blur,
+        width=width,
+        shapes=_shapes(changed),
+        soft=soft,
+    )
 
 
 def _shapes(count: int) -> str:
-    return f"{count} shape" if count == 1 else f"{count} shapes"
+    return sentence("{count} shape", count=count) if count == 1 else sentence("{count} shapes", count=count)

@@ -10,6 +10,7 @@ from roam_core.errors import RoamError
 from roam_core.media.finding import is_there, places_near
 from roam_core.media.opening import open_clip
 from roam_core.roto.project import Clip, Project
+from roam_core.translatable import sentence
 
 MOST_OPENED = 16
 """Places of which the plate is looked at."""
@@ -37,9 +38,12 @@ def other_size(clip: Clip, found: Clip) -> str:
     """A sentence where the plate `found` is of another size than `clip`, on which the project was made; else ""."""
     if found.size == clip.size:
         return ""
-    return (
-        f"The clip {found.path} is {found.size[0]}x{found.size[1]} now; the project was made for "
-        f"{clip.size[0]}x{clip.size[1]}. Put the old clip back, or open the project and choose another."
+    return sentence(
+        "The clip {path} is {size} now; the project was made for {before}. "
+        "Put the old clip back, or open the project and choose another.",
+        path=found.path,
+        size=f"{found.size[0]}x{found.size[1]}",
+        before=f"{clip.size[0]}x{clip.size[1]}",
     )
 
 
@@ -47,9 +51,11 @@ def other_content(clip: Clip, found: Clip) -> str:
     """A sentence where the plate `found` shows something else than the one of the project, `clip`; else ""."""
     if not clip.content or not found.content or found.content == clip.content:
         return ""
-    return (
-        f"The first frame of {found.path} is not that of the plate that the project was made on ({clip.path}); "
-        "check that the shapes fit the picture."
+    return sentence(
+        "The first frame of {path} is not that of the plate that the project was made on ({before}); "
+        "check that the shapes fit the picture.",
+        path=found.path,
+        before=clip.path,
     )
 
 

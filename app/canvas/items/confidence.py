@@ -14,6 +14,7 @@ from roam_core.roto import Project, RotoShape
 from ...model.shown import shown_shapes
 from ...paint import marks
 from ...paint.viewport import Viewport
+from ...translation import N_
 
 SURE, DOUBT, NO_WORD = QColor("#4aa8ff"), QColor("#ff8c1a"), QColor("#9a9a9a")
 """Blue and orange, which all eyes tell apart; grey where the engine has said nothing: keys by hand, between keys."""
@@ -22,7 +23,7 @@ WIDTHS = (8.0, 20.0)
 """Of the glow where the engine is sure, and where it has no confidence at all."""
 
 OPACITY = 0.85
-LEGEND = "Confidence: thin and blue is sure, broad and orange is doubtful, grey is not the engine's"
+LEGEND = N_("Confidence: thin and blue is sure, broad and orange is doubtful, grey is not the engine's")
 
 
 def paint_confidence(painter: QPainter, viewport: Viewport, project: Project, frame: int) -> None:

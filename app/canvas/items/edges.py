@@ -13,8 +13,9 @@ from roam_core.roto import Outline, RotoShape
 
 from ...paint import marks
 from ...paint.viewport import Viewport
+from ...translation import N_
 
-LEGEND = "Edges: solid is free, dashed a seam, dotted is hidden"
+LEGEND = N_("Edges: solid is free, dashed a seam, dotted is hidden")
 DASHES = {Edge.SEAM: (9.0, 5.0), Edge.HIDDEN: (2.0, 4.0)}
 """Lengths of strokes and gaps, in widget units; what is not here is solid."""
 UNKNOWN_OPACITY = 0.45

@@ -12,6 +12,7 @@ from roam_core.roto import Project
 
 from ...model.viewing import OF_MATTE, Viewing, ViewMode
 from ...paint import marks
+from ...translation import tr
 from .backdrop import Below
 from .background import BackgroundLayer
 from .matte_layer import MatteLayer
@@ -87,9 +88,9 @@ class Stage(QObject):
         """Why the plate's area is empty, or nothing where it is not."""
         mode = self._viewing.mode
         if self.missing is not None and mode not in (ViewMode.MATTE, ViewMode.ALPHA):
-            return f"frame {self.missing} is missing or damaged"
+            return tr("frame {frame} is missing or damaged", frame=self.missing)
         if mode in OF_MATTE and self.shown_picture() is None:
-            return "Cutting out …" if mode is ViewMode.CUTOUT else "Rendering the matte …"
+            return tr("Cutting out …") if mode is ViewMode.CUTOUT else tr("Rendering the matte …")
         return ""
 
     def _ask(self, project: Project, frame: int, size: tuple[int, int], cuts_out: bool) -> None:

@@ -22,7 +22,7 @@ class PasteRangeDialog(QDialog):
         self.last = _field(play_range[1] - 1, lowest, highest)
         self.step = _field(0, 0, FRAME_LIMIT)
         self.step.setSpecialValueText(tr("at both ends"))
-        self.step.setPrefix("every ")
+        self.step.setPrefix(tr("every "))
         self.step.setToolTip(tr("A key on each so many frames; 0: at both ends of the range alone"))
         form = dense_form()
         for title, field in ((tr("From frame"), self.first), (tr("To frame"), self.last), (tr("Keys"), self.step)):

@@ -58,7 +58,7 @@ class ShapeVerbs:
         def keyed(shape: RotoShape) -> RotoShape:
             return edit.key_points(shape, frame, [index for shape_id, index in points if shape_id == shape.id])
 
-        self._edit_each("Set key for points", keyed)
+        self._edit_each(tr("Set key for points"), keyed)
 
     def delete_key(self) -> None:
         """Delete the selected shapes' keys on this frame."""

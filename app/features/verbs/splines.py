@@ -47,8 +47,10 @@ class SplineVerbs:
         shapes = [shape for shape in editable_shapes(project, self._view.frame) if shape.id in chosen]
         turning = [shape for shape in shapes if shape.spline is not spline]
         if not turning:
-            kind = tr("Bezier") if spline is Spline.BEZIER else "B-spline"
-            self._view.say(tr("The selected shapes are {kind} already.", kind=kind) if shapes else tr(NOTHING_SELECTED))
+            already = tr("The selected shapes are Bezier already.")
+            if spline is Spline.BSPLINE:
+                already = tr("The selected shapes are B-spline already.")
+            self._view.say(already if shapes else tr(NOTHING_SELECTED))
             return
         sentences = []
         for shape in turning:
@@ -61,5 +63,5 @@ class SplineVerbs:
         self._view.say(
             sentences[0]
             if len(sentences) == 1
-            else tr("{count} shapes changed. {sentences}", count=len(sentences), sentences=sentences[0])
+            else tr("{count} shapes changed. {sentence}", count=len(sentences), sentence=sentences[0])
         )

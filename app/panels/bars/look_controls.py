@@ -17,11 +17,12 @@ from roam_core.media.looking import Channel, Look
 from ... import style
 from ...actions.actions import Actions
 from ...model.viewing import EXPOSURES, GAMMAS, Viewing
+from ...translation import tr
 from ...widgets.fields import NumberField
 
 STEPS = 160
 """Steps of a slider from one end to the other."""
-SLIDER_WIDTH, FIELD_WIDTH = 72, 40
+SLIDER_WIDTH, LEAST_SLIDER_WIDTH, FIELD_WIDTH = 72, 12, 40
 DISPLAY_WIDTH = 84
 PLAIN_VIEW = "sRGB"
 """The view that needs no configuration: what the engine sees."""
@@ -47,8 +48,9 @@ class ResettingSlider(QSlider):
     def __init__(self, tip: str) -> None:
         super().__init__(Qt.Orientation.Horizontal)
         self.setRange(0, STEPS)
-        self.setFixedWidth(SLIDER_WIDTH)
-        self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        self.setMaximumWidth(SLIDER_WIDTH)
+        self.setMinimumWidth(LEAST_SLIDER_WIDTH)
+        self.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         self.setToolTip(tip)
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
@@ -75,9 +77,11 @@ class LookSlider(QWidget):
         self._viewing, self._name, self._letters, self._share = viewing, name, letters, share
         self.mark = QLabel()
         self.mark.setToolTip(tip)
-        self.slider = ResettingSlider(f"{tip}; double click: neutral")
+        self.slider = ResettingSlider(tr("{tip}; double click: neutral", tip=tip))
         self.field = NumberField(*bounds, decimals=2, step=0.1, tip=tip)
         self.field.setFixedWidth(FIELD_WIDTH)
+        self.slider.setAccessibleName(tip)
+        self.field.setAccessibleName(tip)
         row = QHBoxLayout(self)
         row.setContentsMargins(0, 0, 0, 0)
         row.setSpacing(4)
@@ -114,8 +118,9 @@ class ChannelButton(QToolButton):
         self._viewing, self._actions = viewing, actions
         self.setObjectName("menuButton")
         self.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
-        self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-        self.setToolTip("Which channel is shown")
+        self.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+        self.setToolTip(tr("Which channel is shown"))
+        self.setAccessibleName(tr("Which channel is shown"))
         self.setFixedSize(42, 24)
         menu, group = QMenu(self), QActionGroup(self)
         for channel in Channel:
@@ -141,7 +146,7 @@ class DisplayButton(QToolButton):
         self._viewing = viewing
         self.setObjectName("menuButton")
         self.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
-        self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        self.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         self.setFixedSize(DISPLAY_WIDTH, 24)
         menu = QMenu(self)
         # The configuration is read when it is asked for: a window opens without it.
@@ -175,8 +180,12 @@ class DisplayButton(QToolButton):
         view = self._viewing.look.view
         name = PLAIN_VIEW if view is None else view[1]
         self.setText(self.fontMetrics().elidedText(name, Qt.TextElideMode.ElideRight, DISPLAY_WIDTH - 20))
-        shown = "the plate's light with the sRGB curve" if view is None else f"{view[1]} on {view[0]}"
-        self.setToolTip(f"Display and view, for looking only: {shown}")
+        shown = (
+            tr("the plate's light with the sRGB curve")
+            if view is None
+            else tr("{view} on {display}", view=view[1], display=view[0])
+        )
+        self.setToolTip(tr("Display and view, for looking only: {shown}", shown=shown))
         self.setStyleSheet("" if view is None else f"color: {style.ACCENT};")
 
 
@@ -186,7 +195,7 @@ def exposure_slider(viewing: Viewing) -> LookSlider:
     return LookSlider(
         viewing, "exposure", "EV", EXPOSURES,
         lambda stops: (stops - low) / (high - low), lambda share: low + share * (high - low),
-        "Exposure in stops, for looking only",
+        tr("Exposure in stops, for looking only"),
     )  # fmt: skip
 
 
@@ -196,5 +205,5 @@ def gamma_slider(viewing: Viewing) -> LookSlider:
     return LookSlider(
         viewing, "gamma", "γ", GAMMAS,
         lambda gamma: math.log(gamma / GAMMAS[0]) / span, lambda share: GAMMAS[0] * math.exp(share * span),
-        "Gamma, for looking only",
+        tr("Gamma, for looking only"),
     )  # fmt: skip

@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QHBoxLayout, QToolButton, QWidget
 from ...actions.actions import Actions
 from ...model.editing import LARGEST_RADIUS, LEAST_RADIUS
 from ...model.view_state import ViewState
+from ...translation import N_, tr
 from ...widgets.fields import NumberField
 
 SWITCHES = {
@@ -20,8 +21,8 @@ RADII = {"reshape": "brush_radius"}
 """The radius that a tool works with; with all others it is that of soft selection, while that is on."""
 
 WORDS = {
-    "key.auto": "Auto-key", "key.points": "Points", "key.ripple": "Ripple", "points.soft": "Soft",
-    "points.lasso": "Lasso",
+    "key.auto": N_("Auto-key"), "key.points": N_("Points"), "key.ripple": N_("Ripple"), "points.soft": N_("Soft"),
+    "points.lasso": N_("Lasso"),
 }  # fmt: skip
 
 
@@ -45,14 +46,15 @@ class ModeBar(QWidget):
             button.setDefaultAction(actions[action_id])
             button.setObjectName("mode")
             button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextOnly)
-            button.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+            button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
             row.addWidget(button)
         self.radius = NumberField(
             LEAST_RADIUS,
             LARGEST_RADIUS,
             suffix=" px",
-            tip="How far it reaches, image pixels  (Ctrl+wheel in the viewer)",
+            tip=tr("How far it reaches, image pixels  (Ctrl+wheel in the viewer)"),
         )
+        self.radius.setAccessibleName(tr("Reach"))
         self.radius.setFixedSize(76, 20)
         self.radius.edited.connect(lambda value, _: editing.set(**{self._radius: value}))
         row.addWidget(self.radius)
@@ -69,6 +71,6 @@ class ModeBar(QWidget):
         modes = self._view.editing.modes
         for action_id, mode in SWITCHES.items():
             self._actions[action_id].setChecked(getattr(modes, mode))
-            self._actions[action_id].setIconText(WORDS[action_id])
+            self._actions[action_id].setIconText(tr(WORDS[action_id]))
         self.radius.setVisible(modes.soft or self._view.tool in RADII)
         self.radius.show_value(getattr(modes, self._radius))

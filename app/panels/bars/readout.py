@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QLabel, QWidget
 
 from ...canvas.plate.pixel_marks import values_text
 from ...canvas.view import CanvasView
+from ...translation import tr
 
 WIDTH = 276
 """Holds positions of four figures and four values of eight bits, in widget units."""
@@ -24,7 +25,7 @@ class Readout(QLabel):
         self.setObjectName("weak")
         self.setFixedWidth(WIDTH)
         self.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
-        self.setToolTip("The pixel under the pointer; the values are the plate's own, before exposure and gamma")
+        self.setToolTip(tr("The pixel under the pointer; the values are the plate's own, before exposure and gamma"))
         canvas.pointer_moved.connect(self._follow)
         canvas.stage.changed.connect(self._pull)
 

@@ -10,7 +10,10 @@ from ... import style
 from ...jobs.runner import Ending
 from ...jobs.under_way import UnderWay
 from ...model.view_state import ViewState
+from ...translation import N_, tr
 from ...widgets.controls import icon_button
+
+MEMORY = N_("memory {used} of {limit}")
 
 
 class Sentence(QLabel):
@@ -61,7 +64,9 @@ class StatusBar(QWidget):
         for widget in (self.bar, self.stop, self._hint, self._memory):
             row.addWidget(widget)
         # As wide as it ever gets: what stands beside it does not move while frames come in.
-        self._memory.setMinimumWidth(self._memory.fontMetrics().horizontalAdvance("memory 888.8 MB of 88.8 GB"))
+        self._memory.setMinimumWidth(
+            self._memory.fontMetrics().horizontalAdvance(tr(MEMORY, used="888.8 MB", limit="88.8 GB"))
+        )
         self._memory.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
         self._pull()
 
@@ -81,18 +86,21 @@ class StatusBar(QWidget):
 
     def show_memory(self, used: int, limit: int) -> None:
         """Tell how much of the frame cache is used, in bytes."""
-        self._memory.setText(f"memory {_size(used)} of {_size(limit)}" if limit else "")
+        self._memory.setText(tr(MEMORY, used=_size(used), limit=_size(limit)) if limit else "")
 
     def show_stop_keys(self, keys: str) -> None:
         """Tell which keys stop what is under way."""
         self._stop_keys = keys
-        self.stop.setToolTip(f"Stop; what is finished stays  ({keys})" if keys else "Stop; what is finished stays")
+        self.stop.setToolTip(
+            tr("Stop; what is finished stays  ({keys})", keys=keys) if keys else tr("Stop; what is finished stays")
+        )
+        self.stop.setAccessibleName(self.stop.toolTip())
         self._pull()
 
     def _pull(self) -> None:
         more = self._under_way.count - 1
-        stops = f"{self._stop_keys} stops" if self._stop_keys else ""
-        self._hint.setText("  ·  ".join(filter(None, [stops, f"{more} more" if more > 0 else ""])))
+        stops = tr("{keys} stops", keys=self._stop_keys) if self._stop_keys else ""
+        self._hint.setText("  ·  ".join(filter(None, [stops, tr("{count} more", count=more) if more > 0 else ""])))
         for widget in (self.bar, self.stop, self._hint):
             widget.setVisible(self._under_way.is_any)
 
@@ -104,6 +112,6 @@ class StatusBar(QWidget):
 def _size(count: int) -> str:
     """Bytes in the unit that shows a single frame of a small plate as well as a full cache."""
     if count >= 2**30:
-        return f"{count / 2**30:.1f} GB"
+        return tr("{size:.1f} GB", size=count / 2**30)
     megabytes = count / 2**20
-    return f"{megabytes:.1f} MB" if 0.0 < megabytes < 9.95 else f"{megabytes:.0f} MB"
+    return tr("{size:.1f} MB", size=megabytes) if 0.0 < megabytes < 9.95 else tr("{size:.0f} MB", size=megabytes)

@@ -14,6 +14,7 @@ from ...canvas.view import CanvasView
 from ...folders import cache_folder
 from ...model.document import Document
 from ...model.viewing import ViewMode
+from ...translation import tr
 from ...widgets.controls import tool_button
 from .look_controls import ChannelButton, DisplayButton, exposure_slider, gamma_slider
 from .view_options import BackgroundForm, OnionForm, options_button
@@ -48,8 +49,8 @@ class ViewBar(QWidget):
         row.addWidget(tool_button(self._actions, "view.wipe"))
         row.addSpacing(style.MARGIN)
         options = {
-            ViewMode.CUTOUT: options_button(self.background, "What the cut-out lies on"),
-            ViewMode.ONION: options_button(self.onion, "Which frames the onion skin shows"),
+            ViewMode.CUTOUT: options_button(self.background, tr("What the cut-out lies on")),
+            ViewMode.ONION: options_button(self.onion, tr("Which frames the onion skin shows")),
         }
         self._group = QActionGroup(self)
         for mode in ViewMode:
@@ -85,7 +86,7 @@ class PlateLabel(QLabel):
         self.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
 
     def minimumSizeHint(self) -> QSize:
-        return QSize(40, super().minimumSizeHint().height())
+        return QSize(0, super().minimumSizeHint().height())
 
     def paintEvent(self, event: QPaintEvent) -> None:
         painter = QPainter(self)

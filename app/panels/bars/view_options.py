@@ -22,11 +22,16 @@ from PySide6.QtWidgets import (
 
 from ... import style
 from ...model.viewing import MOST_GHOSTS, BackgroundKind, Viewing
+from ...translation import N_, tr
 from ...widgets.controls import dense_form, form_label
 from ...widgets.fields import NumberField, SwitchBox
 
-BACKGROUNDS = {BackgroundKind.CHECKER: "Checkerboard", BackgroundKind.COLOUR: "Colour", BackgroundKind.IMAGE: "Picture"}
-IMAGES = "Pictures (*.exr *.dpx *.png *.jpg *.jpeg *.tif *.tiff);;All files (*)"
+BACKGROUNDS = {
+    BackgroundKind.CHECKER: N_("Checkerboard"),
+    BackgroundKind.COLOUR: N_("Colour"),
+    BackgroundKind.IMAGE: N_("Picture"),
+}
+IMAGES = N_("Pictures (*.exr *.dpx *.png *.jpg *.jpeg *.tif *.tiff);;All files (*)")
 COUNT_WIDTH = 52
 
 
@@ -39,8 +44,9 @@ class Swatch(QToolButton):
         self._colour = QColor()
         self.setObjectName("raised")
         self.setIconSize(QSize(24, 12))
-        self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        self.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         self.setToolTip(title)
+        self.setAccessibleName(title)
         self.clicked.connect(self._choose)
 
     def show_colour(self, name: str) -> None:
@@ -67,13 +73,13 @@ class BackgroundForm(QWidget):
         self.kind = QComboBox()
         for kind, word in BACKGROUNDS.items():
             self.kind.addItem(word, kind)
-        self.colour = Swatch("Colour under the cut-out", lambda name: viewing.set_background(colour=name))
+        self.colour = Swatch(tr("Colour under the cut-out"), lambda name: viewing.set_background(colour=name))
         self.image = QPushButton()
         self.image.setMaximumWidth(180)
         form = _form(self)
-        form.addRow(form_label("Background"), self.kind)
-        form.addRow(form_label("Colour"), self.colour)
-        form.addRow(form_label("Picture"), self.image)
+        form.addRow(form_label(tr("Background")), self.kind)
+        form.addRow(form_label(tr("Colour")), self.colour)
+        form.addRow(form_label(tr("Picture")), self.image)
         self.kind.activated.connect(lambda _: self._push_kind())
         self.image.clicked.connect(self._choose_image)
         viewing.changed.connect(self._pull)
@@ -89,7 +95,7 @@ class BackgroundForm(QWidget):
 
     def _choose_image(self) -> None:
         start = str(Path(self._viewing.background.image).parent) if self._viewing.background.image else ""
-        path, _ = QFileDialog.getOpenFileName(self, "Picture under the cut-out", start, IMAGES)
+        path, _ = QFileDialog.getOpenFileName(self, tr("Picture under the cut-out"), start, tr(IMAGES))
         if path:
             self._viewing.set_background(kind=BackgroundKind.IMAGE, image=path)
 
@@ -98,7 +104,7 @@ class BackgroundForm(QWidget):
         self.kind.setCurrentIndex(self.kind.findData(background.kind))
         self.colour.show_colour(background.colour)
         self.colour.setEnabled(background.kind is BackgroundKind.COLOUR)
-        self.image.setText(Path(background.image).name if background.image else "Choose…")
+        self.image.setText(Path(background.image).name if background.image else tr("Choose…"))
         self.image.setToolTip(background.image)
 
 
@@ -109,20 +115,20 @@ class OnionForm(QWidget):
         super().__init__()
         self._viewing = viewing
         self.before, self.after = (
-            NumberField(0, MOST_GHOSTS, tip=f"Frames {side} this one") for side in ("before", "after")
+            NumberField(0, MOST_GHOSTS, tip=tip) for tip in (tr("Frames before this one"), tr("Frames after this one"))
         )
-        self.step = NumberField(1, 100, tip="Frames from one outline to the next")
-        self.before_colour = Swatch("Outlines of frames before", lambda name: viewing.set_onion(before_colour=name))
-        self.after_colour = Swatch("Outlines of frames after", lambda name: viewing.set_onion(after_colour=name))
-        self.only_keys = SwitchBox("Artist keys only", "The keys before and after, however far")
-        self.all_shapes = SwitchBox("All shapes", "Also of those that are not selected")
+        self.step = NumberField(1, 100, tip=tr("Frames from one outline to the next"))
+        self.before_colour = Swatch(tr("Outlines of frames before"), lambda name: viewing.set_onion(before_colour=name))
+        self.after_colour = Swatch(tr("Outlines of frames after"), lambda name: viewing.set_onion(after_colour=name))
+        self.only_keys = SwitchBox(tr("Artist keys only"), tr("The keys before and after, however far"))
+        self.all_shapes = SwitchBox(tr("All shapes"), tr("Also of those that are not selected"))
         form = _form(self)
         for title, field, swatch in (
-            ("Before", self.before, self.before_colour),
-            ("After", self.after, self.after_colour),
+            (tr("Before"), self.before, self.before_colour),
+            (tr("After"), self.after, self.after_colour),
         ):
             form.addRow(form_label(title), _beside(field, swatch))
-        form.addRow(form_label("Every"), _beside(self.step, form_label("frames")))
+        form.addRow(form_label(tr("Every")), _beside(self.step, form_label(tr("frames"))))
         form.addRow(form_label(""), self.only_keys)
         form.addRow(form_label(""), self.all_shapes)
         for name, number in (("before", self.before), ("after", self.after), ("step", self.step)):
@@ -152,8 +158,9 @@ def options_button(form: QWidget, tip: str) -> QToolButton:
     button.setIconSize(QSize(10, 10))
     button.setFixedSize(14, 24)
     button.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
-    button.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+    button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
     button.setToolTip(tip)
+    button.setAccessibleName(tip)
     menu = QMenu(button)
     holder = QWidgetAction(menu)
     holder.setDefaultWidget(form)

@@ -29,7 +29,7 @@ from ..axis import TimeAxis
 from ..scale import LABEL_WIDTH
 from ..values.key_forms import key_path
 from ..values.selection import ValueSelection
-from ..values.shown import SHOWN_AS, Kind
+from ..values.shown import KINDS, SHOWN_AS, Kind
 from ..values.verbs import ValueVerbs
 from .hand import CurveHand, Found, Handle
 from .lines import CurveKey, CurveLine, lines_of, ticks, value_range
@@ -316,7 +316,7 @@ class CurvePlot(pg.GraphicsView):  # type: ignore[misc]
         """The values of all curves on the frame under the pointer."""
         frame, unit = self._axis.scale.frame(at.x() + LABEL_WIDTH), SHOWN_AS[self.kind][1]
         told = [f"{np.interp(frame, line.frames, line.values):.4g} {unit}  {line.title}" for line in self.lines]
-        return "\n".join([tr("Frame {frame}", frame=frame), *told])
+        return "\n".join([tr("Frame {frame}, {kind}", frame=frame, kind=tr(KINDS[self.kind])), *told])
 
     def _choose_next(self, step: int) -> None:
         """Choose the key after the chosen one, or before it, in the order of time; from end to end."""

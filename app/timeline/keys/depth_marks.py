@@ -10,6 +10,7 @@ from roam_core.roto.linking import AS_STACKED
 
 from ... import style
 from ...features.verbs.objects import PLACES
+from ...translation import tr
 from ..scale import TimeScale
 
 TOP, HEIGHT, HALF = 1.0, 4.0, 3.5
@@ -22,8 +23,12 @@ def depth_sentence(shape: RotoShape, frame: int) -> str:
     since = next((start for start, _ in reversed(shape.depth) if start <= frame), None)
     if since is None or (since != frame and level == AS_STACKED):
         return ""
-    word = PLACES.get(level, f"at depth {level}")
-    return f"From here on {word}" if since == frame else f"{word.capitalize()} since frame {since}"
+    word = tr(PLACES[level]) if level in PLACES else tr("at depth {level}", level=level)
+    return (
+        tr("From here on {where}", where=word)
+        if since == frame
+        else tr("{where} since frame {frame}", where=word[:1].upper() + word[1:], frame=since)
+    )
 
 
 def change_at(shape: RotoShape, x: float, scale: TimeScale, reach: float) -> int | None:

@@ -11,10 +11,14 @@ from roam_core.roto import Project, timing
 from roam_core.roto.timing import Place
 
 from ...model.document import Document
+from ...translation import N_, tr
 from ..axis import TimeAxis
 from ..scale import LABEL_WIDTH
 from .selection import KeySelection
 from .verbs import count_of, unlocked
+
+MOVING = N_("Move {keys} {frames}: {first} to {last}.")
+COPYING = N_("Copy {keys} {frames}: {first} to {last}.")
 
 STILL = 3
 """Pixels that the pointer may move between press and release of a click."""
@@ -116,7 +120,7 @@ class KeyHand:
         self.preview = verb(before, places, offset) if offset and places else None
         self._shift = 0 if self.preview is None else offset
         self._axis.view_state.set_preview(self.preview)
-        self._tell(places, offset, "Copy" if copies else "Move")
+        self._tell(places, offset, copies)
         self._show()
 
     def _drop(self, event: QMouseEvent) -> None:
@@ -124,7 +128,7 @@ class KeyHand:
         project, places, offset = self.preview, self._moving(), self._offset(event.position().x())
         self._axis.view_state.set_preview(None)
         if project is not None:
-            self._document.apply("Copy keys" if event.modifiers() & COPIES else "Move keys", project)
+            self._document.apply(tr("Copy keys") if event.modifiers() & COPIES else tr("Move keys"), project)
             self._keys.select(frozenset((shape_id, frame + offset) for shape_id, frame in places))
 
     def _draw_box(self, event: QMouseEvent) -> None:
@@ -162,13 +166,19 @@ class KeyHand:
         least, most = min(first - min(frames), 0), max(stop - 1 - max(frames), 0)
         return max(min(round(scale.time(x) - self._start_time), most), least)
 
-    def _tell(self, places: frozenset[Place], offset: int, word: str) -> None:
+    def _tell(self, places: frozenset[Place], offset: int, copies: bool) -> None:
         assert self._held is not None
         if not places:
-            sentence = "The shape is locked; unlock it to move its keys."
+            sentence = tr("The shape is locked; unlock it to move its keys.")
         else:
-            frames = f"{abs(offset)} frame{'s' * (abs(offset) != 1)} {'on' if offset >= 0 else 'back'}"
-            sentence = f"{word} {count_of(places)} {frames}: {self._held[1]} to {self._held[1] + offset}."
+            on, back = tr("%n frame(s) on", "", abs(offset)), tr("%n frame(s) back", "", abs(offset))
+            sentence = tr(
+                COPYING if copies else MOVING,
+                keys=count_of(places),
+                frames=on if offset >= 0 else back,
+                first=self._held[1],
+                last=self._held[1] + offset,
+            )
         self._axis.view_state.say(sentence)
 
     def _forget(self) -> None:

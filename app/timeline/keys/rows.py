@@ -24,6 +24,7 @@ from roam_core.roto.timing import Place
 from ... import style
 from ...actions.key_names import NUDGES, key_name
 from ...model.document import Document
+from ...translation import tr
 from ..axis import TimeAxis, paint_playhead
 from ..marks import MarksOf
 from ..scale import LABEL_WIDTH
@@ -65,7 +66,7 @@ class KeyRows(QAbstractScrollArea):
         self.hand = KeyHand(document, axis, keys, self.key_at, self.keys_in, self.viewport().update)
         self.setFrameShape(QFrame.Shape.NoFrame)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        self.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.viewport().setMouseTracking(True)
         self._pull_height()
         document.changed.connect(self._pull)
@@ -177,7 +178,7 @@ class KeyRows(QAbstractScrollArea):
         if shape is None:
             return ""
         if at.x() < LABEL_WIDTH:
-            return f"{shape.name}: click to select, Shift adds"
+            return tr("{name}: click to select, Shift adds", name=shape.name)
         near = self.key_at(at)
         change = change_at(shape, at.x(), self._axis.scale, GRAB)
         frame = near[1] if near is not None else self._axis.scale.frame(at.x()) if change is None else change
@@ -257,7 +258,7 @@ class KeyRows(QAbstractScrollArea):
     def _paint_hint(self, painter: QPainter) -> None:
         painter.setPen(QColor(style.WEAK))
         box = QRectF(LABEL_WIDTH + style.MARGIN, 0, self.viewport().width() - LABEL_WIDTH, ROW)
-        painter.drawText(box, Qt.AlignmentFlag.AlignCenter, "The keys of your shapes appear here.")
+        painter.drawText(box, Qt.AlignmentFlag.AlignCenter, tr("The keys of your shapes appear here."))
 
 
 def _is_escape(event: QEvent) -> bool:

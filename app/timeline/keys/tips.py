@@ -6,50 +6,62 @@ import bisect
 
 from roam_core.roto import Interpolation, RotoShape
 
+from ...translation import N_, tr
 from ..marks import KeyMarks
 from .depth_marks import depth_sentence
 
 MOVES = {
-    Interpolation.LINEAR: "moves on evenly",
-    Interpolation.SMOOTH: "moves on smoothly",
-    Interpolation.HOLD: "holds still up to the next key",
+    Interpolation.LINEAR: N_("moves on evenly"),
+    Interpolation.SMOOTH: N_("moves on smoothly"),
+    Interpolation.HOLD: N_("holds still up to the next key"),
 }
 WAYS = {
-    "forward": "tracked forward",
-    "backward": "tracked backward",
-    "fill": "filled between two keys",
-    "import": "read from a file between two of its keys",
+    "forward": N_("tracked forward"),
+    "backward": N_("tracked backward"),
+    "fill": N_("filled between two keys"),
+    "import": N_("read from a file between two of its keys"),
 }
+TRACKED = N_("tracked")
 
 
 def key_tip(shape: RotoShape, frame: int, marks: KeyMarks) -> str:
     """Lines: the shape and the frame; the key there, or between which keys the frame lies; the depth, if it varies."""
-    lines = f"{shape.name}, frame {frame}", _key_sentence(shape, frame, marks), depth_sentence(shape, frame)
+    lines = (
+        tr("{name}, frame {frame}", name=shape.name, frame=frame),
+        _key_sentence(shape, frame, marks),
+        depth_sentence(shape, frame),
+    )
     return "\n".join(line for line in lines if line)
 
 
 def _key_sentence(shape: RotoShape, frame: int, marks: KeyMarks) -> str:
     if not shape.exists_at(frame):
-        return "Outside of the shape's lifetime"
+        return tr("Outside of the shape's lifetime")
     key, kind = shape.key_at(frame), marks.kind_at(frame)
     if key is None:
         return _gap_sentence(shape, frame)
     if kind == "artist":
-        some = f" of {len(key.set_points)} of {len(key.points)} points" if key.set_points else ""
-        return f"Key by hand{some}; the shape {MOVES[key.interpolation]}"
+        moves = tr(MOVES[key.interpolation])
+        if not key.set_points:
+            return tr("Key by hand; the shape {moves}", moves=moves)
+        count, all_ = len(key.set_points), len(key.points)
+        return tr("Key by hand of {count} of {all} points; the shape {moves}", count=count, all=all_, moves=moves)
     way, _, rest = key.inputs.partition(":")
     config = rest.partition(":")[0]
-    made = f"{WAYS.get(way, 'tracked')} ({config})" if config else WAYS.get(way, "tracked")
-    trust = "" if key.confidence is None else f"; confidence {key.confidence:.2f}"
-    notes = {"doubtful": ": worth a look", "stale": ". Stale: what it was made from has changed, track it again"}
-    return f"{made.capitalize()}{trust}{notes.get(kind, '')}"
+    made = tr(WAYS.get(way, TRACKED)) + (f" ({config})" if config else "")
+    trust = "" if key.confidence is None else tr("; confidence {confidence:.2f}", confidence=key.confidence)
+    notes = {
+        "doubtful": tr(": worth a look"),
+        "stale": tr(". Stale: what it was made from has changed, track it again"),
+    }
+    return f"{made[:1].upper()}{made[1:]}{trust}{notes.get(kind, '')}"
 
 
 def _gap_sentence(shape: RotoShape, frame: int) -> str:
     frames = shape.frames
     index = bisect.bisect_left(frames, frame)
     if index == 0:
-        return f"No key: the shape stands as on frame {frames[0]}"
+        return tr("No key: the shape stands as on frame {frame}", frame=frames[0])
     if index == len(frames):
-        return f"No key: the shape stands as on frame {frames[-1]}"
-    return f"No key: the shape is between frames {frames[index - 1]} and {frames[index]}"
+        return tr("No key: the shape stands as on frame {frame}", frame=frames[-1])
+    return tr("No key: the shape is between frames {first} and {last}", first=frames[index - 1], last=frames[index])

@@ -11,11 +11,17 @@ from roam_core.roto.timing import Place
 
 from ...model.document import Document
 from ...model.view_state import ViewState, selected_shapes
+from ...translation import N_, tr
 from .selection import KeySelection
 
-NO_KEYS = "Choose keys in the timeline first: click one, or drag a box around several."
-NOTHING_COPIED = "There is no key to paste; copy keys in the timeline first."
-NOTHING_HERE = "Select a shape first, or choose keys in the timeline."
+WAYS = {
+    Interpolation.LINEAR: N_("Linear"),
+    Interpolation.SMOOTH: N_("Smooth"),
+    Interpolation.HOLD: N_("Hold"),
+}
+NO_KEYS = N_("Choose keys in the timeline first: click one, or drag a box around several.")
+NOTHING_COPIED = N_("There is no key to paste; copy keys in the timeline first.")
+NOTHING_HERE = N_("Select a shape first, or choose keys in the timeline.")
 
 
 class KeyVerbs:
@@ -66,14 +72,14 @@ class KeyVerbs:
         """Remember the chosen keys; False when there is none."""
         project, places = self._document.project, self._keys.places
         if not places:
-            self._view.say(NO_KEYS)
+            self._view.say(tr(NO_KEYS))
             return False
         self._copied = {
             shape.id: tuple(key for key in shape.keys if (shape.id, key.frame) in places)
             for shape in project.shapes
             if self._keys.frames_of(shape.id)
         }
-        self._view.say(f"Copied {count_of(places)}: paste puts the first one on the playhead's frame.")
+        self._view.say(tr("Copied {keys}: paste puts the first one on the playhead's frame.", keys=count_of(places)))
         return True
 
     def cut(self) -> None:
@@ -84,7 +90,7 @@ class KeyVerbs:
     def paste(self) -> None:
         """Put the copied keys into their shapes, or those of one shape into the selected one; the first one here."""
         if not self._copied:
-            self._view.say(NOTHING_COPIED)
+            self._view.say(tr(NOTHING_COPIED))
             return
         project, copied = self._document.project, self._targets()
         offset = self._view.frame - min(key.frame for keys in copied.values() for key in keys)
@@ -93,15 +99,15 @@ class KeyVerbs:
             (shape_id, key.frame + offset) for shape_id, keys in copied.items() for key in keys
         }
         if pasted == project or not places:
-            self._view.say("The copied keys fit no shape here: shapes may be locked, or have other points.")
+            self._view.say(tr("The copied keys fit no shape here: shapes may be locked, or have other points."))
             return
-        self._document.apply("Paste keys", pasted)
+        self._document.apply(tr("Paste keys"), pasted)
         self._keys.select(places)
 
     def delete(self) -> None:
         """Delete the chosen keys; the engine's stay, and are shown as stale."""
         if places := self._unlocked(self._keys.places):
-            self._apply("Delete keys", lambda project: timing.delete_keys(project, places))
+            self._apply(tr("Delete keys"), lambda project: timing.delete_keys(project, places))
 
     def nudge(self, frames: int, merge_key: str = "") -> None:
         """Move the chosen keys by some frames, not out of the clip; steps with one `merge_key` are one undo step."""
@@ -111,17 +117,17 @@ class KeyVerbs:
         own = [frame for _, frame in places]
         if clip is not None:
             frames = max(min(frames, max(clip.last - max(own), 0)), min(clip.first - min(own), 0))
-        self._document.apply("Move keys", timing.move_keys(project, places, frames), merge_key)
+        self._document.apply(tr("Move keys"), timing.move_keys(project, places, frames), merge_key)
         self._keys.select(frozenset((shape_id, frame + frames) for shape_id, frame in places))
 
     def interpolate(self, interpolation: Interpolation) -> None:
         """Set how shapes move on: from the chosen keys, or from the key before the playhead where none is chosen."""
         chosen = self._keys.places or self._governing()
         if not chosen:
-            self._view.say(NOTHING_HERE)
+            self._view.say(tr(NOTHING_HERE))
         elif places := self._unlocked(chosen):
             self._apply(
-                interpolation.value.capitalize(),
+                tr(WAYS[interpolation]),
                 lambda project: timing.set_interpolation(project, places, interpolation),
             )
 
@@ -144,7 +150,7 @@ class KeyVerbs:
         """The places of shapes that may be edited; says why when there is none."""
         free = unlocked(self._document.project, places)
         if not free:
-            self._view.say("The shape is locked; unlock it to change its keys." if places else NO_KEYS)
+            self._view.say(tr("The shape is locked; unlock it to change its keys.") if places else tr(NO_KEYS))
         return free
 
     def _targets(self) -> dict[str, tuple[Keyframe, ...]]:
@@ -172,7 +178,7 @@ def unlocked(project: Project, places: Iterable[Place]) -> frozenset[Place]:
 def count_of(places: Iterable[Place]) -> str:
     """`1 key`, `3 keys`."""
     number = len(list(places))
-    return f"{number} key{'s' * (number != 1)}"
+    return tr("%n key(s)", "", number)
 
 
 def _unlocked_ids(layer: Layer) -> Iterable[str]:

@@ -183,10 +183,13 @@ class ValueRows(QWidget):
         place = self.key_at(at)
         frame = place[2] if place is not None else self._axis.scale.frame(at.x())
         factor, unit = SHOWN_AS[row.kind]
-        seen = f"{row.value.at(frame) * factor:.4g} {unit}"
-        if place is not None:
-            return tr("{title}, frame {frame}: {value}, a key", title=row.title, frame=frame, value=seen)
-        return tr("{title}, frame {frame}: {value}", title=row.title, frame=frame, value=seen)
+        return tr(
+            "{title}, frame {frame}: {value:.4g} {unit}",
+            title=row.title,
+            frame=frame,
+            value=row.value.at(frame) * factor,
+            unit=unit,
+        ) + (tr(", a key") if place else "")
 
     # ---- the rest is private
 

@@ -24,7 +24,8 @@ class Kind(StrEnum):
     Y = "y"
 
 
-NAMES: Mapping[Kind, str] = {Kind.OPACITY: N_("opacity"), Kind.FEATHER: N_("feather"), Kind.X: "x", Kind.Y: "y"}
+KINDS = {Kind.OPACITY: N_("opacity"), Kind.FEATHER: N_("feather"), Kind.X: N_("x"), Kind.Y: N_("y")}
+"""What a curve shows, within a sentence."""
 OUTLINES = (Kind.X, Kind.Y)
 """Kinds whose keys are those of outlines."""
 SHOWN_AS: Mapping[Kind, tuple[float, str]] = {
@@ -43,7 +44,7 @@ class KeyedValue:
 
     @property
     def title(self) -> str:
-        return f"{self.item.name}: {tr(NAMES[self.kind])}"
+        return f"{self.item.name}: {tr(KINDS[self.kind])}"
 
 
 def items_in_hand(project: Project, view: ViewState) -> list[Layer | RotoShape]:

@@ -143,7 +143,7 @@ class ValueVerbs:
         """The chosen keys that may be changed; says why when there is none."""
         free = unlocked(self._document.project, self._chosen.places)
         if not free:
-            self._view.say(tr(LOCKED if self._chosen.places else NOTHING_CHOSEN))
+            self._view.say(tr(LOCKED) if self._chosen.places else tr(NOTHING_CHOSEN))
         return free
 
     def _points(self) -> dict[str, frozenset[int]]:

@@ -11,20 +11,21 @@ from roam_core.roto import Project, edit
 from ...model.document import Document
 from ...model.view_state import ViewState, selected_shapes
 from ...paint.viewport import Viewport
+from ...translation import N_, tr
 from ..gesture_tool import GestureTool
 from ..gestures import Gesture
 from ..hit_test import REACH, points_at
 from ..soft_marks import paint_reach
 from ..tool import Pointer
 
-NOTHING_SELECTED = "Select a shape: the eraser deletes points of selected shapes."
+NOTHING_SELECTED = N_("Select a shape: the eraser deletes points of selected shapes.")
 
 
 class Eraser(GestureTool):
     """In the hand for as long as the pen's other end is down, in place of the tool that the pen's tip has."""
 
     name = "eraser"
-    title = "Eraser"
+    title = N_("Eraser")
 
     @property
     def cursor(self) -> Qt.CursorShape:
@@ -32,7 +33,7 @@ class Eraser(GestureTool):
 
     def press(self, pointer: Pointer) -> None:
         if not selected_shapes(self.document.project, self.view_state.selection):
-            self.view_state.say(NOTHING_SELECTED)
+            self.view_state.say(tr(NOTHING_SELECTED))
             return
         self._gesture = Erasing(self.document, self.view_state, pointer)
         self._gesture.touch(pointer)
@@ -81,7 +82,7 @@ class Erasing(Gesture):
         self.move(pointer)
         if self._touched:
             count = len(self._touched)
-            self.document.apply(f"Erase {count} point{'s' * (count != 1)}", self._after)
+            self.document.apply(tr("Erase %n point(s)", "", count), self._after)
         self.view_state.set_preview(None)
 
     def drop(self) -> None:

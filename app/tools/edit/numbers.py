@@ -66,6 +66,7 @@ class NumbersDialog(QDialog):
             grid.addWidget(form_label(title), index, 0)
             for column, field in enumerate(fields, start=1):
                 field.valueChanged.connect(self.changed)
+                field.setAccessibleName(f"{title}: {'xy'[column - 1]}" if len(fields) > 1 else title)
                 grid.addWidget(field, index, column)
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Ok | QDialogButtonBox.StandardButton.Cancel)
         buttons.button(QDialogButtonBox.StandardButton.Ok).setText(tr("Transform"))

@@ -193,8 +193,12 @@ class PivotDrag(Gesture):
 
 
 def _step_text(part: Part, selection: Selection) -> str:
-    count, noun = (len(selection.points), "point") if selection.points else (len(selection.shapes), "shape")
-    return f"{part.act.value} {noun}" if count == 1 else f"{part.act.value} {count} {noun}s"
+    act = tr(part.act.value)
+    if selection.points:
+        count = len(selection.points)
+        return tr("{act} point", act=act) if count == 1 else tr("{act} {count} points", act=act, count=count)
+    count = len(selection.shapes)
+    return tr("{act} shape", act=act) if count == 1 else tr("{act} {count} shapes", act=act, count=count)
 
 
 def _cursor(box: Box, part: Part, pointer: Pointer) -> Qt.CursorShape:

@@ -10,7 +10,7 @@ import numpy as np
 from roam_core.arrays import Array
 from roam_core.geometry import affine
 
-from ...translation import tr
+from ...translation import N_, tr
 from ..tool import Modifier, Pointer
 
 Vector = tuple[float, float]
@@ -46,11 +46,11 @@ IDENTITY = affine.translation((0.0, 0.0))
 class Act(Enum):
     """What a drag of a part of the box does; the value is the undo step's first word."""
 
-    MOVE = "Move"
-    TURN = "Rotate"
-    SCALE = "Scale"
-    SHEAR = "Shear"
-    PIVOT = "Move pivot"
+    MOVE = N_("Move")
+    TURN = N_("Rotate")
+    SCALE = N_("Scale")
+    SHEAR = N_("Shear")
+    PIVOT = N_("Move pivot")
 
 
 @dataclass(frozen=True)

@@ -35,6 +35,7 @@ from roam_core.interchange.text_exporter import TextExporter
 from roam_core.interchange.timing import opacity_keys, straight_keys, tangent_notes
 from roam_core.roto import BlendMode, Interpolation, Keyframe, Project, RotoShape
 from roam_core.roto.animated import Animatable, ValueKey, mapped, value_at, values_of
+from roam_core.translatable import N_, sentence
 
 MODES = {
     BlendMode.ADD: "ADD",
@@ -71,7 +72,7 @@ class AfterEffectsExporter(TextExporter):
     """Writes a script that builds a mask for every shape of a project."""
 
     name = "after-effects"
-    title = "After Effects masks (script)"
+    title = N_("After Effects masks (script)")
     suffix = ".jsx"
 
     def document(self, project: Project, options: ExportOptions) -> tuple[str, tuple[str, ...]]:
@@ -199,19 +200,31 @@ class _Writer(ShapeWriter):
     def _note_losses(self, shape: RotoShape) -> None:
         if has_feather_curve(shape):
             self.notes.append(
-                f"After Effects' feather points lie square to the outline: the feather curve of {shape.name!r} keeps "
-                "its width at each point, not its handles."
+                sentence(
+                    "After Effects' feather points lie square to the outline: the feather curve of {name!r} "
+                    "keeps its width at each point, not its handles.",
+                    name=shape.name,
+                )
             )
         if any(values_of(shape.feather)):
             self.notes.append(
-                f"The feather of {shape.name!r} became a feather and an expansion of half its width, which together "
-                "cover the same ground."
+                sentence(
+                    "The feather of {name!r} became a feather and an expansion of half its width, which "
+                    "together cover the same ground.",
+                    name=shape.name,
+                )
             )
         if shape.motion_blur is not None:
-            self.notes.append(f"After Effects' shutter is the composition's: that of {shape.name!r} was left out.")
+            self.notes.append(
+                sentence("After Effects' shutter is the composition's: that of {name!r} was left out.", name=shape.name)
+            )
         if not shape.visible:
             self.notes.append(
-                f"Masks cannot be hidden in After Effects: {shape.name!r} has the mode None instead of {shape.blend}."
+                sentence(
+                    "Masks cannot be hidden in After Effects: {name!r} has the mode None instead of {blend}.",
+                    name=shape.name,
+                    blend=shape.blend,
+                )
             )
 
 

@@ -35,6 +35,7 @@ from roam_core.interchange.text_exporter import TextExporter
 from roam_core.interchange.timing import opacity_keys, straight_keys, tangent_notes, without_holds
 from roam_core.roto import BlendMode, Clip, Interpolation, Keyframe, Project, RotoShape
 from roam_core.roto.animated import Animatable, ValueKey, value_at
+from roam_core.translatable import N_, sentence
 
 BLENDS = {
     BlendMode.ADD: "MERGE_ADD",
@@ -57,7 +58,7 @@ class BlenderExporter(TextExporter):
     """Writes a script that builds a mask with a layer for every shape of a project."""
 
     name = "blender"
-    title = "Blender mask (script)"
+    title = N_("Blender mask (script)")
     suffix = ".py"
 
     def document(self, project: Project, options: ExportOptions) -> tuple[str, tuple[str, ...]]:
@@ -111,7 +112,14 @@ def ramp_notes(clip: Clip) -> list[str]:
     pixels = max(clip.size) / min(clip.size)
     if pixels < LONG:
         return []
-    return [f"Blender softens edges by up to {pixels:.1f} pixels in a picture of {clip.size[0]} x {clip.size[1]}."]
+    return [
+        sentence(
+            "Blender softens edges by up to {pixels:.1f} pixels in a picture of {width} x {height}.",
+            pixels=pixels,
+            width=clip.size[0],
+            height=clip.size[1],
+        )
+    ]
 
 
 def holds(shape: RotoShape) -> bool:
@@ -210,18 +218,36 @@ class _Writer(ShapeWriter):
         away = max(float(np.abs(key.points[..., 1] - height / 2.0).max()) for key in shape.keys)
         if takes_part(shape) and height > rows + 1e-6 and away > rows / 2.0:
             self.losses.append(
-                f"Blender cuts masks off where pixels are this narrow: {shape.name!r} reaches beyond the middle "
-                f"{rows:.0f} of {height} rows."
+                sentence(
+                    "Blender cuts masks off where pixels are this narrow: {name!r} reaches beyond the middle "
+                    "{rows:.0f} of {height} rows.",
+                    name=shape.name,
+                    rows=rows,
+                    height=height,
+                )
             )
         if has_feather_curve(shape):
             self.notes.append(
-                f"Blender's feather lies square to the outline: the feather curve of {shape.name!r} keeps its width at "
-                "each point, not its handles."
+                sentence(
+                    "Blender's feather lies square to the outline: the feather curve of {name!r} keeps its "
+                    "width at each point, not its handles.",
+                    name=shape.name,
+                )
             )
         if shape.motion_blur is not None:
-            self.notes.append(f"Blender blurs masks in its compositor: the shutter of {shape.name!r} was left out.")
+            self.notes.append(
+                sentence(
+                    "Blender blurs masks in its compositor: the shutter of {name!r} was left out.", name=shape.name
+                )
+            )
         if len(shape.name.encode("utf-8", "replace")) > LONGEST_NAME:
-            self.notes.append(f"Blender cuts names after {LONGEST_NAME} bytes: {shape.name[:20]!r}... is one.")
+            self.notes.append(
+                sentence(
+                    "Blender cuts names after {longest_name} bytes: {name!r}... is one.",
+                    longest_name=LONGEST_NAME,
+                    name=shape.name[:20],
+                )
+            )
 
 
 def with_feather_keys(shape: RotoShape) -> RotoShape:

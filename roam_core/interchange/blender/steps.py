@@ -10,6 +10,7 @@ from itertools import pairwise
 
 from roam_core.interchange.flatten import Branch, takes_part
 from roam_core.roto import Clip, Interpolation, Keyframe, RotoShape
+from roam_core.translatable import sentence
 
 MOST_STEPS = 24
 """A shape with more steps stays one, and slides during the last frame before each: nobody edits a hundred layers."""
@@ -25,14 +26,22 @@ def stepped(branch: Branch, clip: Clip, notes: list[str]) -> Branch:
         steps = _steps(item) if takes_part(item) else []
         if len(steps) > MOST_STEPS:
             notes.append(
-                f"Blender's masks slide from key to key: {item.name!r}, which steps {len(steps)} times, does so during "
-                "the last frame before each step."
+                sentence(
+                    "Blender's masks slide from key to key: {name!r}, which steps {count} times, does so "
+                    "during the last frame before each step.",
+                    name=item.name,
+                    count=len(steps),
+                )
             )
             steps = []
         elif steps:
             notes.append(
-                f"Blender's masks slide from key to key: {item.name!r}, which steps, became {len(steps) + 1} layers, "
-                "one for each stretch between steps."
+                sentence(
+                    "Blender's masks slide from key to key: {name!r}, which steps, became {layers} layers, "
+                    "one for each stretch between steps.",
+                    name=item.name,
+                    layers=len(steps) + 1,
+                )
             )
         items += _stretches(item, steps, clip) if steps else [item]
     return replace(branch, items=tuple(items))

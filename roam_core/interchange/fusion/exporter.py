@@ -29,6 +29,7 @@ from roam_core.interchange.text_exporter import TextExporter
 from roam_core.interchange.timing import moments, opacity_keys, straight_keys, tangent_notes, value_moments
 from roam_core.roto import BlendMode, Keyframe, Project, RotoShape
 from roam_core.roto.animated import Animatable, ValueKey, mapped, value_at, values_of
+from roam_core.translatable import N_, sentence
 
 PAINT_MODES = {
     BlendMode.ADD: "Merge",
@@ -59,7 +60,7 @@ class FusionExporter(TextExporter):
     """Writes every shape of a project as a polygon mask, chained in the order of compositing."""
 
     name = "fusion"
-    title = "Fusion / DaVinci Resolve masks"
+    title = N_("Fusion / DaVinci Resolve masks")
     suffix = ".setting"
     encoding = "utf-8"
 
@@ -290,10 +291,17 @@ class _Writer(ShapeWriter):
     def _note_losses(self, shape: RotoShape) -> None:
         if has_feather_curve(shape):
             lost = self.losses if takes_part(shape) else self.notes
-            lost.append(f"The feather curve of {shape.name!r} is lost: Fusion's masks have one soft edge all around.")
+            lost.append(
+                sentence(
+                    "The feather curve of {name!r} is lost: Fusion's masks have one soft edge all around.",
+                    name=shape.name,
+                )
+            )
         if any(values_of(shape.feather)):
             self.notes.append(
-                f"Fusion softens on both sides of an outline: {shape.name!r} may look a little different."
+                sentence(
+                    "Fusion softens on both sides of an outline: {name!r} may look a little different.", name=shape.name
+                )
             )
 
     def _tool_name(self, name: str) -> str:

@@ -22,6 +22,7 @@ from roam_core.interchange.fusion.text import Table, parsed
 from roam_core.interchange.reading import PLAIN, Imported, ImportOptions, ShapeReader, brief, quietly, sensible
 from roam_core.roto import BlendMode, Clip, Keyframe, Layer, MotionBlur, RotoShape, Spline
 from roam_core.roto.shape import NO_COLOUR
+from roam_core.translatable import N_
 
 LARGEST = 24 << 20
 """Bytes of a setting."""
@@ -39,7 +40,7 @@ class FusionImporter:
     """Reads the masks of a setting."""
 
     name = "fusion"
-    title = "Fusion / DaVinci Resolve masks"
+    title = N_("Fusion / DaVinci Resolve masks")
     suffixes = (".setting",)
 
     @quietly

@@ -20,6 +20,7 @@ from roam_core.geometry.bezier import ANCHOR, IN, OUT
 from roam_core.interchange.keys.reduction import PLACES, places
 from roam_core.kernels.key_spans import outline_distances
 from roam_core.roto import Interpolation, Origin, RotoShape, Spline
+from roam_core.translatable import sentence
 
 STIFFNESS = 10.0
 """Weight of a squared acceleration (pixels a frame a frame) against a squared pixel of distance: of a shiver from frame
@@ -51,9 +52,12 @@ class Smoothing:
 
     def report(self) -> str:
         """What was done, in one sentence."""
-        return (
-            f"{self.shape.name!r}: smoothed through time; the engine's outlines moved by at most "
-            f"{self.max_error:.2f} px, {self.mean_error:.2f} px on average."
+        return sentence(
+            "{name!r}: smoothed through time; the engine's outlines moved by at most {max_error:.2f} "
+            "px, {mean_error:.2f} px on average.",
+            name=self.shape.name,
+            max_error=self.max_error,
+            mean_error=self.mean_error,
         )
 
 

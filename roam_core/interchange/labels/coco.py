@@ -23,6 +23,7 @@ from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter,
 from roam_core.matte import render_matte
 from roam_core.roto import BlendMode, Layer, Project, RotoShape
 from roam_core.roto.animated import is_always
+from roam_core.translatable import N_, listed, sentence
 
 Item = Layer | RotoShape
 
@@ -40,7 +41,7 @@ class CocoExporter:
     """Writes the objects of a project as the instances of a data set: one file, an image a frame."""
 
     name = "coco"
-    title = "COCO instances"
+    title = N_("COCO instances")
     suffix = ".json"
 
     def export(self, project: Project, path: Path, options: ExportOptions = STANDARD) -> tuple[str, ...]:
@@ -73,7 +74,9 @@ class _Writer(ShapeWriter):
                 continue
             shape = self.begun(child)
             if not shape.closed or not shape.visible:
-                self.notes.append(f"{shape.name!r} is open or invisible, no object: it was left out.")
+                self.notes.append(
+                    sentence("{name!r} is open or invisible, no object: it was left out.", name=shape.name)
+                )
                 continue
             self._tell(shape)
             keys = tuple(replace(key, feather=None) for key in shape.keys)
@@ -85,19 +88,24 @@ class _Writer(ShapeWriter):
     def _tell(self, shape: RotoShape) -> None:
         left = [
             word
-            for word, is_so in (("feather", is_feathered(shape)), ("motion blur", shape.motion_blur is not None))
+            for word, is_so in (
+                (sentence("feather"), is_feathered(shape)),
+                (sentence("motion blur"), shape.motion_blur is not None),
+            )
             if is_so
         ]
         if left:
-            self.notes.append(f"Objects are hard, without the {' and '.join(left)} of {shape.name!r}.")
+            self.notes.append(
+                sentence("Objects are hard, without the {left} of {name!r}.", left=listed(left), name=shape.name)
+            )
         if not is_always(shape.opacity, 1.0):
-            self.notes.append(f"Objects are opaque: the opacity of {shape.name!r} was left out.")
+            self.notes.append(sentence("Objects are opaque: the opacity of {name!r} was left out.", name=shape.name))
 
     def document(self, root: Layer, told_to: ExportOptions) -> dict[str, Any]:
         """The data set; `told_to` hears of each frame."""
         objects = self._objects(root)
         if root.invert or not root.visible:
-            self.losses.append("The inversion and visibility of the root layer are lost: it is no object.")
+            self.losses.append(sentence("The inversion and visibility of the root layer are lost: it is no object."))
         names = list(dict.fromkeys(item.name for item, _ in objects))
         frames, width, height = self.options.frames_of(self.clip), *self.clip.size
         images: list[dict[str, Any]] = []
@@ -131,7 +139,9 @@ class _Writer(ShapeWriter):
             if item.blend in CUTTING:
                 continue
             if item.blend is BlendMode.DIFFERENCE and k:
-                self.losses.append(f"COCO has no mode 'difference': {item.name!r} is an object of its own.")
+                self.losses.append(
+                    sentence("COCO has no mode 'difference': {name!r} is an object of its own.", name=item.name)
+                )
             above = tuple(other for other in items[k + 1 :] if other.blend in CUTTING)
             objects.append((replace(item, blend=BlendMode.ADD), above))
         return objects

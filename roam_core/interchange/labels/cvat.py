@@ -19,6 +19,7 @@ from roam_core.interchange.timing import without_holds
 from roam_core.interchange.xml import xml_text
 from roam_core.roto import BlendMode, Layer, Project, RotoShape
 from roam_core.roto.animated import is_always
+from roam_core.translatable import N_, listed, sentence
 
 JOINING = {BlendMode.ADD, BlendMode.PLUS, BlendMode.MAX}
 """Modes that leave hard shapes side by side, as labels are."""
@@ -31,7 +32,7 @@ class CvatExporter(TextExporter):
     """Writes every shape as a track; its label is the name of the layer in the root that it lies in, or its own."""
 
     name = "cvat"
-    title = "CVAT for video"
+    title = N_("CVAT for video")
     suffix = ".xml"
     encoding = "utf-8"
 
@@ -82,9 +83,11 @@ class _Writer(ShapeWriter):
 
     def add(self, layer: Layer, label: str) -> None:
         """The shapes of a layer and of those in it; `label` is "" in the root."""
-        mode = "" if layer.blend in JOINING else f"the mode {layer.blend.value!r}"
-        if lost := " and ".join(filter(None, (mode, "the inversion" if layer.invert else ""))):
-            self.losses.append(f"CVAT has no layers of masks: {layer.name!r} loses {lost}.")
+        mode = "" if layer.blend in JOINING else sentence("the mode {mode!r}", mode=layer.blend.value)
+        if lost := list(filter(None, (mode, sentence("the inversion") if layer.invert else ""))):
+            self.losses.append(
+                sentence("CVAT has no layers of masks: {name!r} loses {lost}.", name=layer.name, lost=listed(lost))
+            )
         for child in layer.children:
             if isinstance(child, Layer):
                 self.add(child, label or child.name)
@@ -94,7 +97,7 @@ class _Writer(ShapeWriter):
     def _add_track(self, shape: RotoShape, label: str) -> None:
         shape = self.begun(shape)
         if shape.point_count < (3 if shape.closed else 2):
-            self.notes.append(f"{shape.name!r} has too few points for CVAT: it was left out.")
+            self.notes.append(sentence("{name!r} has too few points for CVAT: it was left out.", name=shape.name))
             return
         self._tell(shape)
         moving = without_holds(without_smooth_keys(shape))
@@ -121,7 +124,9 @@ class _Writer(ShapeWriter):
         start, stop = (frames[0], frames[-1] + 1) if shape.lifetime is None else shape.lifetime
         start, stop = max(start, frames[0]), min(stop, frames[-1] + 1)
         if start >= stop:
-            self.notes.append(f"{shape.name!r} does not exist on the frames that are written: it was left out.")
+            self.notes.append(
+                sentence("{name!r} does not exist on the frames that are written: it was left out.", name=shape.name)
+            )
             return {}
         found = dict.fromkeys((frame for frame in shape.frames if start <= frame < stop), True)
         found[start] = True
@@ -134,11 +139,22 @@ class _Writer(ShapeWriter):
     def _tell(self, shape: RotoShape) -> None:
         name = f"{shape.name!r}"
         if shape.closed and (shape.invert or shape.blend not in JOINING):
-            what = "inversion" if shape.invert else f"mode {shape.blend.value!r}"
-            self.losses.append(f"Polygons of CVAT only add: the {what} of {name} is lost.")
+            mode = sentence("mode {mode!r}", mode=shape.blend.value)
+            what = sentence("inversion") if shape.invert else mode
+            self.losses.append(
+                sentence("Polygons of CVAT only add: the {what} of {name} is lost.", what=what, name=name)
+            )
         dim, blurred = not is_always(shape.opacity, 1.0), shape.motion_blur is not None
-        kinds = ("feather", is_feathered(shape)), ("opacity", dim), ("motion blur", blurred)
+        kinds = (
+            (sentence("feather"), is_feathered(shape)),
+            (sentence("opacity"), dim),
+            (sentence("motion blur"), blurred),
+        )
         if left := [word for word, is_so in kinds if is_so]:
-            self.notes.append(f"Labels are hard and opaque, without the {' and '.join(left)} of {name}.")
+            self.notes.append(
+                sentence("Labels are hard and opaque, without the {left} of {name}.", left=listed(left), name=name)
+            )
         if not shape.visible:
-            self.notes.append(f"CVAT hides no tracks in a file: the invisible {name} is seen there.")
+            self.notes.append(
+                sentence("CVAT hides no tracks in a file: the invisible {name} is seen there.", name=name)
+            )

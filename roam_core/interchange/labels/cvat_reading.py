@@ -20,6 +20,7 @@ from roam_core.interchange.reading import PLAIN, Imported, ImportOptions, ShapeR
 from roam_core.interchange.svg.path import Spline, ellipse
 from roam_core.interchange.xml import local_name, parsed
 from roam_core.roto import Clip, Interpolation, Keyframe, Layer, RotoShape
+from roam_core.translatable import N_
 
 MAX_XML = 24 << 20
 """Bytes of a file that is read."""
@@ -31,7 +32,7 @@ class CvatImporter:
     """Reads annotations of videos and of images."""
 
     name = "cvat"
-    title = "CVAT"
+    title = N_("CVAT")
     suffixes = (".xml",)
 
     @quietly

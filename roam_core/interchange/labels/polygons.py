@@ -10,11 +10,14 @@ from roam_core.arrays import Array, Bools
 from roam_core.geometry import bezier
 from roam_core.kernels.flattening import step_counts
 from roam_core.roto import Keyframe, RotoShape
+from roam_core.translatable import sentence
 
 TOLERANCE = 0.1
 """Pixels by which a polygon's side may stray from the curve."""
 
-BELONG = f"Curves were written as polygons that stray from them by at most {TOLERANCE:g} px."
+BELONG = sentence(
+    "Curves were written as polygons that stray from them by at most {tolerance:g} px.", tolerance=TOLERANCE
+)
 
 
 class Flattener:

@@ -21,6 +21,7 @@ from roam_core.media.sequence import ImageSequence
 from roam_core.media.source import DamagedFrame, PlateSource
 from roam_core.params import scale_for
 from roam_core.roto import Clip, RotoShape
+from roam_core.translatable import N_
 
 READING = 0.25
 """Share of the work that reading the masks is."""
@@ -34,7 +35,7 @@ class MaskImporter:
     """Fits shapes to masks, white inside: a folder, a pattern, or one picture of a numbered sequence."""
 
     name = "masks"
-    title = "Mask pictures"
+    title = N_("Mask pictures")
     suffixes = ("", ".png", ".tif", ".tiff", ".exr", ".jpg", ".jpeg", ".dpx")
     """The empty one stands for a folder."""
 

@@ -16,6 +16,7 @@ from roam_core.interchange.naming import file_words, numbering
 from roam_core.interchange.protocol import STANDARD, ExportOptions, with_chosen_keys
 from roam_core.matte import Patch, render_matte, shape_patch
 from roam_core.roto import Layer, Project, RotoShape
+from roam_core.translatable import N_
 
 Shapes = Project | Layer | Sequence[RotoShape]
 NAME = "{name}"
@@ -45,7 +46,7 @@ class MatteExporter:
     """Writes mattes of the visible shapes for every frame of the clip, or for those that are asked for."""
 
     name = "mattes"
-    title = "Mattes (PNG, EXR, TIFF)"
+    title = N_("Mattes (PNG, EXR, TIFF)")
     suffix = ".png"
 
     def export(self, project: Project, path: Path, options: ExportOptions = STANDARD) -> tuple[str, ...]:

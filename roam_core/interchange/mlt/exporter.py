@@ -23,6 +23,7 @@ from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter,
 from roam_core.interchange.timing import without_holds
 from roam_core.roto import BlendMode, Layer, Project, RotoShape
 from roam_core.roto.animated import is_always, values_of
+from roam_core.translatable import N_, listed, sentence
 
 OPERATIONS = {
     BlendMode.ADD: "add",
@@ -38,7 +39,7 @@ class MltExporter:
     """Writes each closed shape as a spline of its own; a filter for each, in their order, makes the matte."""
 
     name = "mlt"
-    title = "MLT rotoscoping (Kdenlive, Shotcut)"
+    title = N_("MLT rotoscoping (Kdenlive, Shotcut)")
     suffix = ".json"
 
     def export(self, project: Project, path: Path, options: ExportOptions = STANDARD) -> tuple[str, ...]:
@@ -72,17 +73,19 @@ class _Writer(ShapeWriter):
 
     def _tell_layer(self, layer: Layer) -> None:
         kinds = (
-            ("the mode " + repr(layer.blend.value), layer.blend is not BlendMode.ADD),
-            ("the opacity", not is_always(layer.opacity, 1.0)),
-            ("the inversion", layer.invert),
+            (sentence("the mode {mode!r}", mode=layer.blend.value), layer.blend is not BlendMode.ADD),
+            (sentence("the opacity"), not is_always(layer.opacity, 1.0)),
+            (sentence("the inversion"), layer.invert),
         )
-        if lost := " and ".join(word for word, is_so in kinds if is_so):
-            self.losses.append(f"MLT has no layers of masks: {layer.name!r} loses {lost}.")
+        if lost := [word for word, is_so in kinds if is_so]:
+            self.losses.append(
+                sentence("MLT has no layers of masks: {name!r} loses {lost}.", name=layer.name, lost=listed(lost))
+            )
 
     def _add_shape(self, shape: RotoShape) -> None:
         shape = self.begun(shape)
         if not shape.closed:
-            self.notes.append(f"MLT's splines are closed: the open {shape.name!r} was left out.")
+            self.notes.append(sentence("MLT's splines are closed: the open {name!r} was left out.", name=shape.name))
             return
         self._tell_shape(shape)
         moving = without_holds(without_smooth_keys(shape))
@@ -100,25 +103,35 @@ class _Writer(ShapeWriter):
         name, told = f"{shape.name!r}", []
         operation = OPERATIONS.get(shape.blend)
         if operation is None:
-            self.losses.append(f"MLT has no mode {shape.blend.value!r}: that of {name} is lost.")
+            self.losses.append(
+                sentence("MLT has no mode {mode!r}: that of {name} is lost.", mode=shape.blend.value, name=name)
+            )
         elif self.texts:
             told.append(f"alpha operation {operation!r}")
         if shape.invert:
             told.append("inversion")
         width = max(map(abs, values_of(shape.feather)))
         if width:
-            told.append(f"a feather of about {max(round(width / 2), 1)}, which is a blur")
+            told.append(sentence("a feather of about {width}, which is a blur", width=max(round(width / 2), 1)))
         if told:
-            self.notes.append(f"A spline is a path alone; give the filter of {name}: {', '.join(told)}.")
+            self.notes.append(
+                sentence(
+                    "A spline is a path alone; give the filter of {name}: {settings}.",
+                    name=name,
+                    settings=", ".join(told),
+                )
+            )
         if not is_always(shape.opacity, 1.0):
-            self.losses.append(f"MLT's rotoscoping has no opacity: that of {name} is lost.")
+            self.losses.append(sentence("MLT's rotoscoping has no opacity: that of {name} is lost.", name=name))
         if not shape.visible or shape.lifetime is not None:
-            self.notes.append(f"A spline is always there: switch off or cut the filter of {name} where it is not.")
+            self.notes.append(
+                sentence("A spline is always there: switch off or cut the filter of {name} where it is not.", name=name)
+            )
         if has_feather_curve(shape):
             lost = self.losses if shape.visible else self.notes
-            lost.append(f"MLT has one feather all around: the feather curve of {name} is lost.")
+            lost.append(sentence("MLT has one feather all around: the feather curve of {name} is lost.", name=name))
         if shape.motion_blur is not None:
-            self.notes.append(f"MLT has no motion blur: that of {name} was left out.")
+            self.notes.append(sentence("MLT has no motion blur: that of {name} was left out.", name=name))
 
 
 def is_mlt(document: Any) -> bool:

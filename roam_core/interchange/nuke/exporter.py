@@ -41,6 +41,7 @@ from roam_core.interchange.protocol import STANDARD, ExportOptions, ShapeWriter,
 from roam_core.interchange.text_exporter import TextExporter
 from roam_core.roto import BlendMode, Layer, Project, RotoShape
 from roam_core.roto.animated import Animatable
+from roam_core.translatable import N_
 
 XPOS = 110
 """How far apart nodes stand in the graph."""
@@ -50,7 +51,7 @@ class NukeExporter(TextExporter):
     """Writes all layers and shapes of a project as one Roto node."""
 
     name = "nuke"
-    title = "Nuke Roto node"
+    title = N_("Nuke Roto node")
     suffix = ".nk"
     encoding = "utf-8"
 

@@ -15,6 +15,7 @@ from itertools import pairwise
 from roam_core.interchange.nuke.sums import UNIONS, Item, is_shown, is_soft_sum, sums_as_unions
 from roam_core.roto import BlendMode, Layer, RotoShape
 from roam_core.roto.animated import is_always
+from roam_core.translatable import sentence
 
 OPERATIONS = {
     BlendMode.ADD: "over",
@@ -91,11 +92,15 @@ def told(root: Layer) -> Iterator[str]:
         for painted, join in pairwise(made):
             if isinstance(painted, Painted) and join == Joined(BlendMode.PLUS):
                 names += [item.name for item in painted.layer.children]
-        what = ", ".join(map(repr, names)) or "the whole"
-        yield f"Nuke gets nodes of their own for {what}: one Roto node is not known to join layers as ROAM does."
+        what = ", ".join(map(repr, names)) or sentence("the whole")
+        yield sentence(
+            "Nuke gets nodes of their own for {what}: one Roto node is not known to join layers as ROAM does.",
+            what=what,
+        )
     if sums := [repr(item.name) for item in sums_as_unions(root)]:
-        some = ", ".join(sums[:6]) + (" and others" if len(sums) > 6 else "")
-        yield f"Nuke unites where ROAM adds {some}: pixels that two edges share are darker there."
+        added = ", ".join(sums[:6])
+        some = sentence("{names} and others", names=added) if len(sums) > 6 else added
+        yield sentence("Nuke unites where ROAM adds {some}: pixels that two edges share are darker there.", some=some)
 
 
 def _part(layer: Layer, items: list[Item]) -> Layer:

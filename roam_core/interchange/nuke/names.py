@@ -15,6 +15,7 @@ from dataclasses import dataclass, field
 
 from roam_core.interchange.naming import ascii_name, distinct
 from roam_core.roto import Layer
+from roam_core.translatable import sentence
 
 KNOB = "roam_names"
 """The knob that holds the true names."""
@@ -60,8 +61,11 @@ class Names:
         """One sentence, where a name had to change."""
         if self.changed:
             yield (
-                f"Nuke's names of shapes are ASCII: {_listed(self.changed)}. The true names stand in the node's label "
-                "and come back when ROAM reads the file."
+                sentence(
+                    "Nuke's names of shapes are ASCII: {listed}. The true names stand in the node's label "
+                    "and come back when ROAM reads the file.",
+                    listed=_listed(self.changed),
+                )
             )
 
     def within(self, layer: Layer) -> Names:

@@ -29,6 +29,7 @@ from roam_core.interchange.text_exporter import TextExporter
 from roam_core.interchange.timing import straight_keys, value_moments
 from roam_core.roto import Animated, BlendMode, Layer, Project, RotoShape
 from roam_core.roto.animated import Animatable
+from roam_core.translatable import N_
 
 SCRIPT = '''# Shapes from ROAM for Nuke's script editor: makes a Roto node, or several that are joined.
 import json
@@ -177,7 +178,7 @@ class NukePythonExporter(TextExporter):
     """Writes all layers and shapes of a project as a Python script for Nuke."""
 
     name = "nuke-python"
-    title = "Nuke Python script"
+    title = N_("Nuke Python script")
     suffix = ".py"
 
     def document(self, project: Project, options: ExportOptions) -> tuple[str, tuple[str, ...]]:

@@ -39,6 +39,7 @@ from roam_core.interchange.reading import (
     sensible,
 )
 from roam_core.roto import Clip, Keyframe, Layer, RotoShape
+from roam_core.translatable import N_
 
 PER_CURVE = 2
 """Parts that the curve of one coordinate counts for."""
@@ -48,7 +49,7 @@ class NukeImporter:
     """Reads `.nk` scripts and gizmos: every node with a knob of curves."""
 
     name = "nuke"
-    title = "Nuke script"
+    title = N_("Nuke script")
     suffixes = (".nk", ".gizmo")
 
     @quietly

@@ -24,6 +24,7 @@ from roam_core.interchange.nuke.text import HEAD, tcl_word
 from roam_core.interchange.protocol import FARTHEST, STANDARD, ExportOptions, ShapeWriter, exported_keys
 from roam_core.roto import Clip, Layer, Project, RotoShape
 from roam_core.roto.placement import matrix_at
+from roam_core.translatable import N_, sentence
 
 BOTTOM_LEFT, BOTTOM_RIGHT, TOP_RIGHT, TOP_LEFT = range(4)
 """Order of a corner pin's corners."""
@@ -65,7 +66,7 @@ class NukeTracksExporter:
     """Writes how each moving layer and each shape moves, as one Tracker4 and one CornerPin2D node for each."""
 
     name = "nuke-tracks"
-    title = "Nuke Tracker and CornerPin nodes"
+    title = N_("Nuke Tracker and CornerPin nodes")
     suffix = ".nk"
 
     def export(self, project: Project, path: Path, options: ExportOptions = STANDARD) -> tuple[str, ...]:
@@ -81,7 +82,7 @@ class NukeTracksExporter:
             writer.done += 1
             shape = exported_keys(shape, options, writer.notes)
             if len(shape.keys) < 2:
-                writer.notes.append(f"{shape.name!r} has one key and no motion; it was left out.")
+                writer.notes.append(sentence("{name!r} has one key and no motion; it was left out.", name=shape.name))
                 continue
             corners, frames = box_motion(shape)
             reference = reference_frame(shape)

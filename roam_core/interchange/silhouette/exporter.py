@@ -35,6 +35,7 @@ from roam_core.roto import (
     Spline,
 )
 from roam_core.roto.animated import Animatable, is_always, product
+from roam_core.translatable import N_, sentence
 
 MODES = {
     BlendMode.ADD: "Add",
@@ -57,7 +58,7 @@ class SilhouetteExporter(TextExporter):
     """Writes all layers and shapes of a project as a Silhouette shape file."""
 
     name = "silhouette"
-    title = "Silhouette shapes"
+    title = N_("Silhouette shapes")
     suffix = ".fxs"
     encoding = "utf-8"
 
@@ -95,8 +96,11 @@ def silhouette_document(project: Project, options: ExportOptions = STANDARD) -> 
     ET.indent(session, " ")
     text = f"<!-- Silhouette Shape File -->\n<!-- {MARK} -->\n" + ET.tostring(session, encoding="unicode") + "\n"
     if sums := [repr(item.name) for item in project.root.items() if item.blend is BlendMode.PLUS]:
-        some = ", ".join(sums[:6]) + (" and others" if len(sums) > 6 else "")
-        writer.notes.append(f"Silhouette has one Add for ROAM's add and plus: that is what {some} became.")
+        names = ", ".join(sums[:6])
+        some = sentence("{names} and others", names=names) if len(sums) > 6 else names
+        writer.notes.append(
+            sentence("Silhouette has one Add for ROAM's add and plus: that is what {some} became.", some=some)
+        )
     return text, settled(writer.notes, writer.losses, options)
 
 
@@ -123,7 +127,13 @@ class _Writer(ShapeWriter):
         if is_always(layer.opacity, 1.0) or not is_shown(layer) or _folds(layer):
             return layer
         name = f"{VEIL}{layer.name}"
-        self.notes.append(f"Silhouette layers have no opacity: that of {layer.name!r} is a shape inside, {name!r}.")
+        self.notes.append(
+            sentence(
+                "Silhouette layers have no opacity: that of {name!r} is a shape inside, {veil!r}.",
+                name=layer.name,
+                veil=name,
+            )
+        )
         veil = everything(name, self.clip.size, self.clip.first)
         veil = replace(veil, id=f"{layer.id} opacity", blend=BlendMode.INTERSECT, opacity=layer.opacity)
         held = layer.children if not layer.invert else (replace(layer, opacity=1.0, blend=BlendMode.ADD),)
@@ -133,7 +143,9 @@ class _Writer(ShapeWriter):
         """Properties and children of a layer; `opacity` is what the layers around it leave of its shapes'."""
         opacity = product(opacity, layer.opacity)
         if layer.opacity != 1.0:
-            self.notes.append(f"Silhouette layers have no opacity: that of {layer.name!r} went into its shapes.")
+            self.notes.append(
+                sentence("Silhouette layers have no opacity: that of {name!r} went into its shapes.", name=layer.name)
+            )
         properties = ET.SubElement(element, "Properties")
         _constant(properties, "color", "(1.000000,1.000000,1.000000)")
         _constant(properties, "invert", _truth(layer.invert))
@@ -150,7 +162,9 @@ class _Writer(ShapeWriter):
     def add_shape(self, objects: ET.Element, shape: RotoShape, opacity: Animatable) -> None:
         shape = without_smooth_keys(self.begun(shape))
         if shape.point_count < 2:
-            self.notes.append(f"Silhouette refuses shapes of a single point: {shape.name!r} was left out.")
+            self.notes.append(
+                sentence("Silhouette refuses shapes of a single point: {name!r} was left out.", name=shape.name)
+            )
             return
         self._note_losses(shape)
         kind = PATH_KINDS[shape.spline]
@@ -170,9 +184,15 @@ class _Writer(ShapeWriter):
     def _note_losses(self, shape: RotoShape) -> None:
         if is_feathered(shape):
             lost = self.losses if shape.id in self.shown else self.notes
-            lost.append(f"The feather of {shape.name!r} is lost: how a Silhouette file holds it is not known.")
+            lost.append(
+                sentence(
+                    "The feather of {name!r} is lost: how a Silhouette file holds it is not known.", name=shape.name
+                )
+            )
         if shape.motion_blur is not None:
-            self.notes.append(f"Silhouette's shutter is the session's: that of {shape.name!r} was left out.")
+            self.notes.append(
+                sentence("Silhouette's shutter is the session's: that of {name!r} was left out.", name=shape.name)
+            )
 
     def _add_opacity(self, properties: ET.Element, shape: RotoShape, opacity: Animatable) -> None:
         """A constant or keys; for a lifetime they hold zero before and after it."""

@@ -49,6 +49,7 @@ from roam_core.roto import (
 )
 from roam_core.roto.animated import Animatable
 from roam_core.roto.shape import NO_COLOUR
+from roam_core.translatable import N_
 
 UNKNOWN_PROPERTIES: dict[str, tuple[str, tuple[float, ...]]] = {
     "transform.pin_ul": ("its corner pin", (0.0, 0.0)),
@@ -67,7 +68,7 @@ class SilhouetteImporter:
     """Reads Silhouette shape files, and the shapes of all Roto nodes of its projects."""
 
     name = "silhouette"
-    title = "Silhouette shapes"
+    title = N_("Silhouette shapes")
     suffixes = (".fxs", ".sfx")
 
     @quietly

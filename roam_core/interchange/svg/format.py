@@ -21,6 +21,7 @@ from roam_core.interchange.svg.painting import Painter
 from roam_core.interchange.svg.reading import SvgReader
 from roam_core.interchange.svg.words import INKSCAPE, SODIPODI, SVG, XLINK, svg_tag
 from roam_core.roto import Clip, Project
+from roam_core.translatable import N_
 
 PAGE = "#404040"
 """The page's colour in Inkscape, before which white shapes are seen."""
@@ -30,7 +31,7 @@ class SvgFormat:
     """Writes the shapes as they are on one frame, or on every frame; reads the outlines of a drawing."""
 
     name = "svg"
-    title = "SVG"
+    title = N_("SVG")
     suffix = ".svg"
     suffixes = (".svg",)
 

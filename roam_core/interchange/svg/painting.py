@@ -33,6 +33,7 @@ from roam_core.interchange.svg.words import (
 )
 from roam_core.interchange.xml import xml_text
 from roam_core.roto import BlendMode, Layer, Outline, RotoShape, Spline
+from roam_core.translatable import sentence
 
 ALIKE = {BlendMode.PLUS, BlendMode.MAX}
 """Modes that leave hard, opaque shapes as a union would, but for pixels that two edges share."""
@@ -264,11 +265,17 @@ class Painter(ShapeWriter):
         if outline.feather is not None and outline.feather.any():
             more = ", and joins its even feather roughly" if shape.feather_at(self.frame) else ""
             self.notes.append(
-                f"The feather curve of {shape.name!r} was written as outlines between it and the shape{more}: who "
-                "moves the shape's path in another program does not move them."
+                sentence(
+                    "The feather curve of {name!r} was written as outlines between it and the shape{more}: "
+                    "who moves the shape's path in another program does not move them.",
+                    name=shape.name,
+                    more=more,
+                )
             )
         if shape.motion_blur is not None:
-            self.notes.append(f"A still picture has no shutter: that of {shape.name!r} was left out.")
+            self.notes.append(
+                sentence("A still picture has no shutter: that of {name!r} was left out.", name=shape.name)
+            )
 
     # ---- aids --------------------------------------------------------------------------------------------------------
 

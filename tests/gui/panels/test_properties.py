@@ -276,6 +276,6 @@ def test_neither_the_wheel_nor_the_keyboard_changes_a_choice_by_the_way(
             QApplication.sendEvent(box, event)
             assert not event.isAccepted()  # the panel scrolls
         assert box.currentIndex() == before
-        assert box.focusPolicy() is Qt.FocusPolicy.NoFocus
+        assert box.focusPolicy() is Qt.FocusPolicy.TabFocus
     assert panel.blend in panel.findChildren(ChoiceBox)
     assert document.undo_stack.count() == 0

@@ -1,0 +1,104 @@
+"""The window in another language: what is said, how numbers stand in it, and who decides which language it is."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import QCoreApplication, QLocale
+from PySide6.QtGui import QKeySequence
+from PySide6.QtWidgets import QWidget
+
+from app.actions.actions import Actions
+from app.actions.keymaps import load_keymap
+from app.actions.search_words import words_for
+from app.model.preferences import Preferences, load_preferences, save_preferences
+from app.translation import N_, SOURCE, SYSTEM, VARIABLE, chosen, shown_language, speak, tr, translated
+from roam_core.translatable import listed, sentence
+
+
+@pytest.fixture
+def german(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
+    """The window speaks German, and afterwards English again."""
+    monkeypatch.delenv(VARIABLE, raising=False)
+    before = QLocale()
+    speak("de")
+    yield
+    speak(SOURCE)
+    QLocale.setDefault(before)
+
+
+def test_english_is_what_stands_in_the_code() -> None:
+    assert tr("Track forward") == "Track forward"
+    assert tr("%n frame(s) is/are missing.", "", 1) == "1 frame is missing."
+    assert tr("%n frame(s) is/are missing.", "", 3) == "3 frames are missing."
+    assert tr("no text of the window") == "no text of the window"
+
+
+def test_german(german: None) -> None:
+    assert shown_language() == "de"
+    assert tr("Track forward") == "Vorwärts tracken"
+    assert tr("%n frame(s) is/are missing.", "", 1) == "1 Frame fehlt."
+    assert tr("%n frame(s) is/are missing.", "", 3) == "3 Frames fehlen."
+    assert tr(N_("Opening {name} …"), name="a.roam") == "a.roam wird geöffnet …"
+    assert tr("Keys") == "Keyframes"
+    assert tr("Keys", "of the keyboard") == "Tasten"
+
+
+def test_numbers_and_keys_go_with_the_language(german: None) -> None:
+    assert tr("Confidence is {confidence:.2f} at least.", confidence=0.5) == "Die Konfidenz ist mindestens 0,50."
+    assert QKeySequence("Ctrl+Z").toString(QKeySequence.SequenceFormat.NativeText) == "Strg+Z"
+    assert QKeySequence("Ctrl+Z").toString() == "Ctrl+Z"
+    assert QCoreApplication.translate("QPlatformTheme", "Cancel") == "Abbrechen"
+
+
+def test_sentences_of_the_engine_are_translated_with_what_they_hold(german: None) -> None:
+    told = sentence("Labels are hard and opaque, without the {left} of {name}.", left=listed(
+        [sentence("feather"), sentence("opacity")]), name="'a'")  # fmt: skip
+    assert told == "Labels are hard and opaque, without the feather and opacity of 'a'."
+    assert translated(told) == "Labels sind hart und deckend, ohne weiche Kante und Deckkraft von 'a'."
+    assert translated("put together of several") == "put together of several"
+
+
+def test_english_again(german: None) -> None:
+    speak(SOURCE)
+    assert tr("Track forward") == "Track forward"
+    assert QKeySequence("Ctrl+Z").toString(QKeySequence.SequenceFormat.NativeText) == "Ctrl+Z"
+
+
+def test_actions_are_called_and_found_in_the_language(german: None, qtbot: object) -> None:
+    widget = QWidget()
+    actions = Actions(widget, widget, load_keymap())
+    assert actions["edit.undo"].text() == "Rückgängig"
+    assert "Strg+Z" in actions["edit.undo"].toolTip()
+    assert "lesezeichen" in words_for("mark.toggle")
+    assert "bookmark" in words_for("mark.toggle")
+    widget.deleteLater()
+
+
+def test_the_environment_wins_over_the_preference_and_both_over_the_desktop(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.delenv(VARIABLE, raising=False)
+    assert chosen("de") == "de"
+    assert chosen("nowhere's") == chosen(SYSTEM)
+    monkeypatch.setenv(VARIABLE, "de")
+    assert chosen(SOURCE) == "de"
+    monkeypatch.setenv(VARIABLE, "nowhere's")
+    assert chosen("de") == "de"
+
+
+@pytest.mark.parametrize(("desktop", "wanted"), [(["de-AT", "de"], "de"), (["fr-FR", "de"], "de"), (["fr"], SOURCE)])
+def test_the_desktop_decides_where_nobody_said(
+    desktop: list[str], wanted: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.delenv(VARIABLE, raising=False)
+    monkeypatch.setattr(QLocale, "uiLanguages", lambda _self, *_: desktop)
+    assert chosen(SYSTEM) == wanted
+
+
+def test_the_language_is_kept_and_one_that_is_none_is_not_believed(tmp_path: Path) -> None:
+    path = tmp_path / "preferences.json"
+    save_preferences(Preferences(language="de"), path)
+    assert load_preferences(path).language == "de"
+    path.write_text(path.read_text().replace('"de"', '"xx"'))
+    assert load_preferences(path).language == SYSTEM
