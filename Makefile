@@ -1,12 +1,13 @@
 # make run    opens the application on the built-in demo shot (without a display: tracks the demo and says so)
 # make test   runs every check; each target may be the first command on a fresh machine
+# make wheel  makes the wheel; make bundle: ROAM with all it needs in one archive, for machines without Python
 # make docs   makes the reference of the library from its docstrings
 PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
 READY := $(VENV)/.ready
 
-.PHONY: run test setup lint bench docs screenshots clean
+.PHONY: run test setup lint bench docs screenshots wheel bundle clean
 
 setup: $(READY)
 
@@ -39,6 +40,12 @@ docs: setup
 
 screenshots: setup
 	$(BIN)/python -m scripts.screenshots
+
+wheel: setup
+	$(BIN)/python -m pip wheel --quiet --disable-pip-version-check --no-deps --no-build-isolation --wheel-dir dist .
+
+bundle: setup
+	$(BIN)/python -m bundle
 
 clean:
 	rm -rf $(VENV) build dist *.egg-info

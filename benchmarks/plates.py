@@ -25,7 +25,7 @@ import OpenImageIO as oiio  # noqa: N813 - the name its own manual uses
 
 from benchmarks import report
 from benchmarks.scaling import drawn
-from roam_core.cli.plate import opened
+from roam_core.cli.plate import AHEAD, opened
 from roam_core.media import FrameCache, open_clip
 from roam_core.media.cache import DEFAULT_LIMIT
 from roam_core.media.colour import to_display
@@ -164,16 +164,16 @@ def first_picture(folder: Path) -> Opened:
 
 
 def tracked(folder: Path, shape: RotoShape, count: int) -> Tracked:
-    """The command's own way from files to curves, after one frame to settle."""
+    """The command's own way from files to curves, after those frames that are read ahead before anything is known."""
     warm_up()
     with opened(str(folder)) as plate:
         assert plate.source.colour_space == LINEAR
-        frames = range(plate.source.frames[0], plate.source.frames[0] + count + 2)
+        frames = range(plate.source.frames[0], plate.source.frames[0] + AHEAD + 2 + count)
         plate.ahead_of(frames[0], frames)
         began = 0.0
         for solved in track(plate.parts_or_bridge, [shape], frames):
             plate.ahead_of(solved.frame, frames)
-            if solved.frame == frames[1]:
+            if solved.frame == frames[AHEAD + 1]:
                 began = time.process_time()
         seconds = (time.process_time() - began) / count
     return Tracked(seconds, peak_mebibytes())

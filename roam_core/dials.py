@@ -75,10 +75,23 @@ def _key_colours(params: Any, factor: float) -> Any:
     return replace(params, appearance=replace(params.appearance, key_share=share))
 
 
+def _steadiness(params: Any, factor: float) -> Any:
+    if params.region is None:
+        return params
+    weight = params.region.steadiness.weight * factor
+    return replace(params, region=replace(params.region, steadiness=replace(params.region.steadiness, weight=weight)))
+
+
 def _is_curve(params: Any) -> bool:
     """Whether curves are drawn by their own energy: for regions what the dial turns told nothing but chance."""
     return params.region is None
 
+
+STEADY = (
+    "How far each outline is drawn to where the frames around it have it, so that edges stand still. "
+    "As it is it takes TODO; at 0 each frame stays as it was found"
+)
+"""What the dial does, with its effect as measured (docs/ENGINE-NOTES.md)."""
 
 DIALS: tuple[Dial, ...] = (
     Dial("reach", "Reach", "How far the outline may go in one frame from where the motion puts it", 0.25, 4.0, _reach),
@@ -89,6 +102,7 @@ DIALS: tuple[Dial, ...] = (
     Dial("smoothness", "Smoothness", "How smooth the edge is: less follows finer detail", 0.5, 3.0, _smoothness),
     Dial("learning", "Learning", "How quickly new colours are learned; at 0 never", 0.0, 4.0, _learning, _is_curve),
     Dial("key", "Key colours", "How much your key's colours count beside later ones", 0.0, 3.0, _key_colours),
+    Dial("steadiness", "Steadiness", STEADY, 0.0, 4.0, _steadiness),
 )  # fmt: skip
 
 

@@ -2,15 +2,18 @@
 
 In the repository the window is `app` and what is shipped beside the code is `resources`. A wheel holds them as
 `roam_window` and `roam_core.resources`, for those two names would be in the way of other people's packages. The engine
-needs `resources` for its demo, the program needs the window to open; both are found here, and nowhere else.
+needs `resources` for its demo, the program needs the window to open; both are found here, and nowhere else. A
+stand-alone bundle (`bundle/`) holds the wheel's packages, an interpreter of its own, and the kernels compiled.
 """
 
 from __future__ import annotations
 
+import sys
 from importlib import import_module
 from importlib.resources import files
 from importlib.resources.abc import Traversable
 from importlib.util import find_spec
+from pathlib import Path
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
@@ -23,6 +26,8 @@ IS_WHEEL = find_spec("roam_core.resources") is not None
 """False in a checkout, an editable install of it included."""
 RESOURCES = "roam_core.resources" if IS_WHEEL else "resources"
 WINDOW = "roam_window" if IS_WHEEL else "app"
+BUNDLE = Path(str(sys._MEIPASS)) if hasattr(sys, "_MEIPASS") else None
+"""The folder of the stand-alone bundle that this process runs from, as PyInstaller's loader tells it; else None."""
 WINDOW_LIBRARIES = ("PySide6", "pyqtgraph")
 """What the extra `window` brings."""
 WINDOW_MISSING = (

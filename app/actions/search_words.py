@@ -179,6 +179,7 @@ WORDS: Mapping[str, str] = {
     "window.second_viewer": N_("two viewers beside split compare matte monitor dual"),
     "window.timeline": N_("hide show dopesheet"),
     "window.float_second_viewer": N_("undock detach tear off monitor"),
+    "window.float_curves": N_("undock detach tear off monitor graph editor"),
     "window.float_timeline": N_("undock detach tear off monitor dopesheet"),
     "window.reset_layout": N_("dock panels back default workspace"),
 }

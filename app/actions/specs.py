@@ -2,45 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from enum import StrEnum
+from ..translation import N_
+from .review_specs import REVIEW
+from .spec import ActionSpec, Reach
 
-from ..translation import N_, tr
-
-
-class Reach(StrEnum):
-    """Where an action's keys work: transport and files in the whole window, edits in the viewer only."""
-
-    WINDOW = "window"
-    VIEWER = "viewer"
-
-
-@dataclass(frozen=True)
-class ActionSpec:
-    """What an action is called and where its keys work; `tip` is a sentence for the tooltip, if the title needs one."""
-
-    id: str
-    title: str
-    reach: Reach = Reach.WINDOW
-    icon: str = ""
-    tip: str = ""
-    checkable: bool = False
-
-    @property
-    def label(self) -> str:
-        """The title in the window's language, with dots where a question follows."""
-        return tr(self.title)
-
-    @property
-    def name(self) -> str:
-        """The title in the window's language, as sentences name it."""
-        return self.label.rstrip("…")
-
-    @property
-    def sentence(self) -> str:
-        """What it does, in the window's language."""
-        return tr(self.tip) if self.tip else self.name
-
+__all__ = ["SPECS", "ActionSpec", "Reach"]
 
 _VIEWER = Reach.VIEWER
 _FLOAT = N_("Take it out of the main window, to another monitor, or put it back")
@@ -213,20 +179,8 @@ SPECS: tuple[ActionSpec, ...] = (
         N_("Edits make keys on their frames; off: they change keys around"),
         True,
     ),
-    ActionSpec(
-        "key.points",
-        N_("Key points"),
-        _VIEWER,
-        "",
-        N_("Edits key the points that they move; a track derives the others"),
-        True,
-    ),
-    ActionSpec(
-        "key.set_points",
-        N_("Set key for points"),
-        _VIEWER,
-        tip=N_("Make the selected points, as they are here, the artist's"),
-    ),
+    ActionSpec("key.points", N_("Key points"), _VIEWER, "", N_("An edit keys only the points that it moves"), True),
+    ActionSpec("key.set_points", N_("Set key for points"), _VIEWER, tip=N_("Make the selected points yours here")),
     ActionSpec("key.copy", N_("Copy key"), _VIEWER, tip=N_("Copy the selected shapes as they are on this frame")),
     ActionSpec("key.paste", N_("Paste key"), _VIEWER, tip=N_("Put the copied key on this frame")),
     ActionSpec(
@@ -252,12 +206,7 @@ SPECS: tuple[ActionSpec, ...] = (
         "key.smooth", N_("Smooth"), icon="key-smooth", tip=N_("Begin and end softly after the chosen keys or this one")
     ),
     ActionSpec("key.hold", N_("Hold"), icon="key-hold", tip=N_("Stand still after the chosen keys, or this one")),
-    ActionSpec(
-        "key.tangents",
-        N_("Tangents"),
-        icon="key-tangents",
-        tip=N_("Bend opacity or feather smoothly through the chosen keys"),
-    ),
+    ActionSpec("key.tangents", N_("Tangents"), icon="key-tangents", tip=N_("Bend the chosen keys of values smoothly")),
     ActionSpec("track.backward", N_("Track backward"), icon="track-backward"),
     ActionSpec("track.backward_one", N_("Track one frame backward"), icon="track-backward-one"),
     ActionSpec("track.stop", N_("Stop"), icon="track-stop", tip=N_("Stop; the frames that are finished stay")),
@@ -376,12 +325,7 @@ SPECS: tuple[ActionSpec, ...] = (
     ActionSpec(
         "view.tall_timeline", N_("Tall timeline"), tip=N_("Give the timeline half of the window"), checkable=True
     ),
-    ActionSpec(
-        "view.curves",
-        N_("Curve editor"),
-        tip=N_("Opacity, feather and position as curves over time"),
-        checkable=True,
-    ),
+    ActionSpec("view.curves", N_("Curve editor"), tip=N_("Opacity, feather, position over time"), checkable=True),
     ActionSpec(
         "view.shape_panel", N_("Shape panel"), tip=N_("Show all that the Shape panel has of the selected shapes")
     ),
@@ -421,20 +365,7 @@ SPECS: tuple[ActionSpec, ...] = (
     ActionSpec("time.set_in", N_("Set in")),
     ActionSpec("time.set_out", N_("Set out")),
     ActionSpec("time.clear_range", N_("Clear in and out")),
-    ActionSpec("mark.toggle", N_("Mark frame"), icon="mark", tip=N_("Mark this frame, or take its mark away")),
-    ActionSpec("mark.name", N_("Write note…"), tip=N_("Put a note on this frame's mark")),
-    ActionSpec("time.previous_mark", N_("Previous note"), tip=N_("Go to the mark or note before this frame")),
-    ActionSpec("time.next_mark", N_("Next note"), tip=N_("Go to the mark or note after this frame")),
-    ActionSpec(
-        "review.panel", N_("Notes and doubts"), tip=N_("Notes, doubtful frames and boil as a list"), checkable=True
-    ),
-    ActionSpec(
-        "review.measure_boil",
-        N_("Measure boil by the picture"),
-        tip=N_("How much the shapes in hand jitter beyond the motion of the plate: for shapes that bend as they move"),
-    ),
-    ActionSpec("review.movie", N_("Movie…"), tip=N_("A movie or pictures of the outlines or the cut-out, to show")),
-    ActionSpec("review.sheet", N_("Contact sheet…"), tip=N_("Pages of small pictures with frame numbers and notes")),
+    *REVIEW,
     ActionSpec("edit.keymap", N_("Change keys…"), tip=N_("Keys of other programs, and keys of your own")),
     ActionSpec("edit.settings", N_("Settings…")),
     ActionSpec("help.palette", N_("Find an action…"), tip=N_("Do anything by a few letters of its name")),
@@ -458,6 +389,7 @@ SPECS: tuple[ActionSpec, ...] = (
     ActionSpec("window.float_review", N_("Float: Review"), icon="float", tip=_FLOAT, checkable=True),
     ActionSpec("window.float_history", N_("Float: History"), icon="float", tip=_FLOAT, checkable=True),
     ActionSpec("window.float_log", N_("Float: Messages"), icon="float", tip=_FLOAT, checkable=True),
+    ActionSpec("window.float_curves", N_("Float: Curve editor"), icon="float", tip=_FLOAT, checkable=True),
     ActionSpec("window.float_timeline", N_("Float: Timeline"), icon="float", tip=_FLOAT, checkable=True),
     ActionSpec("window.float_second_viewer", N_("Float: Second viewer"), icon="float", tip=_FLOAT, checkable=True),
     ActionSpec("window.reset_layout", N_("Reset layout"), tip=N_("Every part in its place, as in a new window")),

@@ -8,7 +8,7 @@ from enum import StrEnum
 from roam_core.dials import name_of
 from roam_core.params import DEFAULT_CONFIG, departed, is_doubtful
 from roam_core.propagate.shapes.provenance import known_params
-from roam_core.review.findings import Finding, boiling_frames
+from roam_core.review.findings import Finding, boiling_frames, worst_of_stretches
 from roam_core.roto import Layer, Project, RotoShape
 
 from ..jobs.filling import Gap, gaps_of
@@ -225,7 +225,7 @@ class Tracking:
         doubtful += [
             (abs(found.frame - here), 1.0, found.frame, boil_sentence(found))
             for shape in shapes
-            for found in boiling_frames(shape, self._boil(shape))
+            for found in worst_of_stretches(boiling_frames(shape, self._boil(shape)))
             if (found.frame - here) * step > 0
         ]
         doubtful += [

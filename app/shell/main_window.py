@@ -202,6 +202,7 @@ class MainWindow(QMainWindow):
         self.timeline_height = TimelineHeight(self._halves)
         self.workspace.add("second_viewer", second.title, second, is_shown_first=False)
         self.workspace.add("timeline", "Timeline", lower)
+        self.workspace.add("curves", "Curves", self.timeline.curve_panel, show="view.curves", is_shown_first=False)
         self._lay_out_anew()
         self.setCentralWidget(layout.column(self._halves, self.status))
         around, panels = (self.menuWidget(), tools, self.status), actions["view.panels"]
@@ -248,10 +249,9 @@ class MainWindow(QMainWindow):
         self.edge_kinds.changed.connect(self.canvas.update)
         reader.plate_changed.connect(self.edge_kinds.forget)
         reader.plate_changed.connect(lambda: reader.show(view.frame))
-        reader.picture.connect(self.canvas.set_image)
-        reader.picture.connect(self.second_viewer.set_image)
-        reader.picture.connect(self.playback.note_picture)
-        reader.picture.connect(self.pictures.show)
+        seeing = self.canvas.set_image, self.second_viewer.set_image, self.playback.note_picture, self.pictures.show
+        for see in seeing:
+            reader.picture.connect(see)
         reader.plate_changed.connect(self.pictures.clear)
         reader.refused.connect(view.say)
         reader.cache_changed.connect(self.timeline.ruler.update)
@@ -274,12 +274,8 @@ class MainWindow(QMainWindow):
         actions.connect_all(self._handlers())
         for name in ("edit.undo", "edit.redo", "track.stop"):
             actions[name].setEnabled(False)
-        for name, switch in (
-            ("view.panels", self.panel_column.setVisible),
-            ("view.tall_timeline", self.timeline_height.make_tall),
-            ("view.curves", self.timeline.show_curves),
-        ):
-            actions[name].toggled.connect(switch)
+        actions["view.panels"].toggled.connect(self.panel_column.setVisible)
+        actions["view.tall_timeline"].toggled.connect(self.timeline_height.make_tall)
 
     def _connect_personal(self) -> None:
         personal, say = self.personal, self.view_state.say

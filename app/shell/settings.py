@@ -19,7 +19,7 @@ from roam_core.errors import RoamError
 from ..atomic_json import MOST_BYTES, loaded
 from ..widgets.panel import Panel
 
-SWITCHES = ("time.loop", "time.ping_pong", "view.panels", "view.curves")
+SWITCHES = ("time.loop", "time.ping_pong", "view.panels")
 """The actions whose state is kept."""
 
 

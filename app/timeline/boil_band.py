@@ -30,9 +30,9 @@ CALM = "#8a8a8a"
 
 
 class BoilBand(QWidget):
-    """The most that any of the shapes in hand boils, as a bar on each frame; there while something is tracked.
+    """The most that any of the shapes in hand boils, as a bar on each frame. A frame is a click away.
 
-    A frame is a click away.
+    It keeps its place where nothing is tracked, so that nothing jumps.
     """
 
     def __init__(self, document: Document, axis: TimeAxis, parent: QWidget | None = None) -> None:
@@ -94,7 +94,6 @@ class BoilBand(QWidget):
 
     def _pull(self, _ids: object = None) -> None:
         self._most = most_of([self._boil(shape) for shape in self._shown()])
-        self.setVisible(len(self._most) > 0)
         self.update()
 
     def paintEvent(self, event: QPaintEvent) -> None:

@@ -29,6 +29,8 @@ COMMANDS: dict[str, str] = {
     "review": "write a movie or contact sheet of a shot; list frames worth a look",
     "explain": "say what each term contributes to a tracked key",
     "info": "say what is in a project or clip",
+    "plugin": "write ROAM's menu for Nuke, Natron or Blender",
+    "prepare": "compile the engine ahead of the first track",
     "configs": "list the engine's configurations, dials and parameters",
     "batch": "carry out many jobs on many shots, on all cores or on a studio's machines",
     "farm": "write a project's work as a job for a render farm",

@@ -31,12 +31,8 @@ COMBED = (0.05, 1.15)
 Of 23 shots the ratio is 0.4 at most, of mere noise 1. Of the same shots with rows of two frames woven together 20 are
 found; water, a car far away and a small ball pass for progressive.
 """
-_PROBE = """
-import sys, cv2
-movie = cv2.VideoCapture(sys.argv[1], cv2.CAP_FFMPEG)
-movie.read()
-"""
-"""Decodes the first picture of a movie. What FFmpeg cannot convert it writes to the output; OpenCV tells nobody."""
+PROBE = "roam_core.media.first_picture"
+"""The module that decodes a movie's first picture; the program of a bundle runs it as Python does."""
 LONGEST_PROBE = 30.0
 """Seconds after which a probe says nothing."""
 
@@ -120,7 +116,7 @@ def _is_marked(path: Path) -> bool:
     heard = {**os.environ, "OPENCV_FFMPEG_LOGLEVEL": "16"}
     try:
         with plain_name(path) as name:
-            command = [sys.executable, "-c", _PROBE, name]
+            command = [sys.executable, "-m", PROBE, name]
             done = subprocess.run(command, capture_output=True, env=heard, timeout=LONGEST_PROBE, check=False)
     except (OSError, subprocess.SubprocessError):
         return False

@@ -8,7 +8,7 @@ what a pose costs.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -31,6 +31,8 @@ class Surroundings:
     pyramid : the picture. hidden : for each level where nearer parts lie.
     needs : for each level, in [0, 1], what belongs to the object and to no other part; None where that is not known.
     ties : springs to other parts. is_complete : no more than `hidden` can lie before the part.
+    drift : how what is seen around a place `(2,)` of the last frame moved to this one, `(2,)`; None where that is not
+        known.
     """
 
     pyramid: Pyramid
@@ -38,6 +40,7 @@ class Surroundings:
     needs: tuple[Float32, ...] | None = None
     ties: Ties | None = None
     is_complete: bool = True
+    drift: Callable[[Array], Array] | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -61,6 +64,16 @@ class Look:
     def unlike(self) -> float:
         """Mean share, in [0, 1], by which what is seen of the part is unlike its key; 1 where nothing is seen."""
         return float(self.wrong[self.own].mean()) if self.own.any() else 1.0
+
+    @property
+    def difference(self) -> float:
+        """The median difference of colour to the key of what is seen of the part; infinite where nothing is seen."""
+        return float(np.median(np.sqrt(self.apart[self.own]))) if self.own.any() else float("inf")
+
+    @property
+    def closest(self) -> float:
+        """The difference of colour to the key of which a quarter of what is seen of the part stays under."""
+        return float(np.quantile(np.sqrt(self.apart[self.own]), 0.25)) if self.own.any() else float("inf")
 
     @property
     def beside(self) -> float:
@@ -89,7 +102,8 @@ class Pose:
     template : what it looks like on its key. values : (P,) as in `kernels.posing`. velocity : (P,) a frame.
     like : difference of colour at which a sample is half unlike the key: it grows with how unlike the part has been.
     cost : what the pose costs, mostly in [0, 1]. since : frames since it was no longer good.
-    look : what was seen; None on the key.
+    look : what was seen; None on the key. unclear : frames since what was seen looked clearly as on the key. is_gone :
+        the part was not to be seen, and is only carried along.
     """
 
     template: Template
@@ -99,6 +113,8 @@ class Pose:
     cost: float = 0.0
     since: int = 0
     look: Look | None = None
+    unclear: int = 0
+    is_gone: bool = False
 
     @classmethod
     def on_key(cls, template: Template, params: PoseParams) -> Pose:
@@ -145,28 +161,45 @@ class Pose:
         search = Search(self, around, params)
         values, cost = search.best()
         look = search.look(values)
+        if around.drift is not None and look.closest >= params.gone and (self.is_gone or self.unclear < RECENT):
+            return self._carried_along(search, around.drift)
         velocity = values - self.values
         velocity[2 + self.template.chain.count :] = 0.0
         since = 0 if cost <= params.lost else self.since + 1
         # What hides a part unknown must not pass for a new look of it: a pose in doubt teaches nothing there.
         is_learned = around.is_complete or since == 0
         like = self._likened(look, params) if is_learned else self.like
-        return Pose(self.template, values, velocity, like, cost, since, look)
+        unclear = 0 if look.closest < params.clear else self.unclear + 1
+        return Pose(self.template, values, velocity, like, cost, since, look, unclear)
+
+    def _carried_along(self, search: Search, drift: Callable[[Array], Array]) -> Pose:
+        """On a frame where the part is not to be seen: its own motion dies away into that of what lies before it."""
+        velocity = search.params.momentum * self.velocity
+        places = search.template.chain.carried(self.values, search.template.levels[0].places)
+        velocity[:2] += (1.0 - search.params.momentum) * drift(places)
+        values = self.values + velocity
+        look, since = search.look(values), self.since + 1
+        return replace(self, values=values, velocity=velocity, cost=1.0, since=since, look=look, is_gone=True)
 
     def missed(self) -> Pose:
         """After a frame that showed nothing of the part."""
-        return replace(self, velocity=np.zeros_like(self.velocity), cost=1.0, since=self.since + 1, look=NOTHING)
+        return replace(
+            self, velocity=np.zeros_like(self.velocity), cost=1.0, since=self.since + 1, look=NOTHING, is_gone=True
+        )
 
     def _likened(self, look: Look, params: PoseParams) -> float:
         if np.count_nonzero(look.own) < params.least_samples:
             return self.like
-        wanted = params.like_times * float(np.median(np.sqrt(look.apart[look.own])))
         least, most = params.like
-        return min(max(0.5 * (self.like + wanted), least), most)
+        return min(max(0.5 * (self.like + params.like_times * look.difference), least), most)
 
 
 NOTHING = Look(np.zeros((0, 2)), np.zeros(0, bool), np.zeros(0), np.zeros(0), 0.0)
 """What is seen of a part where there is nothing to be seen."""
+
+
+RECENT = 2
+"""Frames within which a part that has gone must have been clearly seen to be hidden, and not changed."""
 
 
 def _cost(found: tuple[Array, float]) -> float:

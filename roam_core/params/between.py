@@ -46,7 +46,8 @@ class SpanParams:
     alike : pixels of a 480-line image, in the mean, up to which the poses from both ends are taken for the same
         one.
     sure_cost : what is added to the cost of a pose: even the best may be wrong.
-    unposed : what an outline that was not carried by its pose is taken to cost.
+    unposed : what an outline that was not carried by its pose is taken to cost. arrived : overlap with the other key
+        from which a pass by poses has come to it.
     apart : pixels of a 480-line image between the estimates of a point at which half the trust in it is gone.
     endpoint_consistency : of what both passes are believed by. key_colours : of what the colours of both keys say.
     """
@@ -62,6 +63,7 @@ class SpanParams:
     alike: float = 8.0
     sure_cost: float = 0.1
     unposed: float = 0.4
+    arrived: float = 0.6
     apart: float = 4.0
     endpoint_consistency: EndpointConsistencyParams = later(EndpointConsistencyParams())
     key_colours: KeyColoursParams = later(KeyColoursParams())

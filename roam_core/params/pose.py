@@ -94,7 +94,9 @@ class PoseParams:
     expect_move, expect_turn, expect_strain : standard deviations from what is expected; most_strain : those from the
         key (along the part, across, shear). prior : weight of all that, in units of a sample's cost.
     bend, straight : standard deviations of how a joint's angle changes in a frame, and of the angle itself.
-    lost : cost from which a pose is in doubt. widened : times that the search grows by further such frames, at most.
+    lost : cost from which a pose is in doubt. gone, clear : difference of colour to the key that three quarters of a
+        lone shape's samples exceed where it is not to be seen, and that a quarter stays under where it is, clearly.
+        widened : times that the search grows by further such frames, at most.
     apart_step, apart_turn : steps of the search, and turns of it, from which two poses are two candidates.
     least_samples : sample places that a part must have to be matched at all.
     around : sample places around a point by which it is judged.
@@ -136,6 +138,8 @@ class PoseParams:
     bend: float = 0.1
     straight: float = 1.0
     lost: float = 0.4
+    gone: float = 4.5
+    clear: float = 2.0
     widened: float = 2.5
     apart_step: float = later(1.25)
     apart_turn: float = later(1.8)

@@ -13,6 +13,7 @@ from roam_core.params.pose import PoseParams
 from roam_core.params.redetection import RedetectionParams
 from roam_core.params.rigid import RigidityParams
 from roam_core.params.stamped import former, later
+from roam_core.params.steadiness import SteadinessParams
 
 
 @dataclass(frozen=True)
@@ -65,8 +66,10 @@ class RegionParams:
     part : of the poses of an object drawn in parts (`propagate.parts.figure`); None: it is carried as one region.
     pose : of the pose of a lone shape, one more hypothesis (`propagate.whole.posed`); None: it is not asked.
     pose_seam : share of the outline on the key beside which nothing changes, from which it is. pose_area : square
-        pixels of a 480-line image that the outline encloses at most for it to be. pose_agrees : overlap with the region
-        from which it is not needed. pose_unlike : how unlike the key it may be. pose_against : how much may speak
+        pixels of a 480-line image that the outline encloses at most for it to be. pose_edged : how unlike
+        the key a small one with an edge all around may be; pose_same : by how much the colours of a large one may
+        differ from it, in the median. pose_agrees : overlap with the region from
+        which it is not needed. pose_unlike : how unlike the key it may be. pose_against : how much may speak
         against it at the disputed places.
     unseen : density of a colour that the histograms never saw. trusted : steadiness below which a frame teaches them
         nothing. least_seen : share of an object that must be seen for its motion to be taken from that alone.
@@ -75,7 +78,8 @@ class RegionParams:
     label_propagation : of what a cell brings along. components : of the region's components. contour_fit : of laying
         points along it.
     redetection : of looking for what was lost. rigidity : of what is carried as one piece. figure : of an object in
-        parts. span : of filling between two keys. confidence : of how far all that is trusted.
+        parts. span : of filling between two keys. confidence : of how far all that is trusted. steadiness : of drawing
+        outlines to where those of the frames beside have them.
     """
 
     grid_factor: float = 0.5
@@ -120,6 +124,8 @@ class RegionParams:
     part: PoseParams | None = None
     pose_seam: float = 0.1
     pose_area: float = 6500.0
+    pose_edged: float = 0.45
+    pose_same: float = 2.2
     pose_agrees: float = 0.97
     pose_unlike: float = 0.6
     pose_against: float = 0.7
@@ -139,3 +145,4 @@ class RegionParams:
     figure: FigureParams = later(FigureParams())
     span: SpanParams = later(SpanParams())
     confidence: ConfidenceParams = later(ConfidenceParams())
+    steadiness: SteadinessParams = later(SteadinessParams())

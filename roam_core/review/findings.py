@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
 
@@ -65,6 +65,17 @@ def boiling_frames(shape: RotoShape, measured: Array | None = None) -> list[Find
         for frame, value in (boil(shape) if measured is None else measured).tolist()
         if value >= BOILING
     ]
+
+
+def worst_of_stretches(found: Sequence[Finding]) -> list[Finding]:
+    """Of each stretch of frames that follow each other the one with the greatest value; of one shape, as they go on."""
+    worst: list[Finding] = []
+    for each, before in zip(found, [None, *found], strict=False):
+        if before is None or each.frame > before.frame + 1:
+            worst.append(each)
+        elif each.value > worst[-1].value:
+            worst[-1] = each
+    return worst
 
 
 def findings(project: Project, measured: Mapping[str, Array] | None = None) -> tuple[Finding, ...]:

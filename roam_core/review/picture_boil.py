@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
-from typing import Any
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 
 from roam_core.arrays import Array
 from roam_core.cancel import CancelToken, Progress
+from roam_core.media.source import ReadImage
 from roam_core.params.steadiness import RESIDUAL
 from roam_core.propagate.steadiness.boil import boil as boil_beside_picture
 from roam_core.review.boil import triples
@@ -16,7 +16,7 @@ from roam_core.roto import RotoShape
 
 
 def boil_by_picture(
-    read: Callable[[int], Any],
+    read: ReadImage,
     shapes: Sequence[RotoShape],
     token: CancelToken | None = None,
     progress: Progress | None = None,

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 from enum import StrEnum
 from pathlib import Path
@@ -17,6 +17,7 @@ from roam_core.errors import RoamError
 from roam_core.interchange.authorship import Kind
 from roam_core.interchange.mattes.files import signed_png
 from roam_core.media import MissingFrame
+from roam_core.media.source import ReadImage
 from roam_core.review.lettering import require_font
 from roam_core.review.look import ReviewLook
 from roam_core.review.movie import ENCODERS, is_movie, require_encoder, write_movie
@@ -28,9 +29,6 @@ PNG = ".png"
 PICTURE_NAME = "review.{frame:04d}.png"
 OTHER_SUFFIXES = frozenset({".mkv", ".webm", ".m4v", ".wmv", ".gif", ".jpg", ".jpeg", ".tif", ".tiff", ".exr", ".pdf"})
 """Of pictures and movies that are not written: a path with one of these is no folder that somebody means."""
-
-ReadFrame = Callable[[int], Any]
-"""Gives the working picture of a frame, `(h, w, 3)`; raises `MissingFrame` where the plate has none."""
 
 
 class Output(StrEnum):
@@ -97,7 +95,7 @@ def output_of(path: Path, *, is_sheet: bool = False) -> Output:
 
 
 def write_review(
-    request: ReviewRequest, read: ReadFrame, token: CancelToken | None = None, progress: Progress | None = None
+    request: ReviewRequest, read: ReadImage, token: CancelToken | None = None, progress: Progress | None = None
 ) -> str:
     """Write what is asked for, each file whole or not at all; says in a sentence what was made.
 
@@ -127,7 +125,7 @@ def write_review(
 class _Frames:
     """Reads frames and says how far they are."""
 
-    def __init__(self, request: ReviewRequest, read: ReadFrame, token: CancelToken, progress: Progress) -> None:
+    def __init__(self, request: ReviewRequest, read: ReadImage, token: CancelToken, progress: Progress) -> None:
         self._request, self._read, self._token, self.progress = request, read, token, progress
         self._done = 0
 

@@ -67,7 +67,8 @@ def test_keys_of_the_tour_exist() -> None:
 
 
 def test_pictures_are_taken_by_the_script() -> None:
-    script = (ROOT / "scripts" / "screenshots.py").read_text(encoding="utf-8")
+    files = ROOT / "scripts" / "screenshots.py", *(ROOT / "scripts").glob("*_scenes.py")
+    script = "".join(path.read_text(encoding="utf-8") for path in files)
     shown = re.findall(r"\(images/([\w.-]+)\)", GUIDE)
     assert len(shown) >= 15
     assert [name for name in shown if not re.search(rf"\"{name.rpartition('.')[0]}[.\"]", script)] == []

@@ -52,7 +52,7 @@ class ShapeVerbs:
         """Make the selected points, as they are on this frame, the artist's; a run may derive the others anew."""
         frame, points = self._view.frame, self._view.selection.points
         if not points:
-            self._view.say("Select the points that are right here first; a run then derives the others anew.")
+            self._view.say(tr("Select the points that are right here first; a run then derives the others anew."))
             return
 
         def keyed(shape: RotoShape) -> RotoShape:

@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QButtonGroup, QHBoxLayout, QSizePolicy, QToolButto
 
 from ... import style
 from ...model.document import Document
+from ...translation import N_, tr
 from ..axis import TimeAxis
 from ..scale import LABEL_WIDTH
 from ..values.selection import ValueSelection
@@ -16,12 +17,12 @@ from .plot import CurvePlot
 
 LEAST_HEIGHT = 150
 CHOICES_WIDTH = 84
-TITLES = {Kind.OPACITY: "Opacity", Kind.FEATHER: "Feather", Kind.X: "Position x", Kind.Y: "Position y"}
+TITLES = {Kind.OPACITY: N_("Opacity"), Kind.FEATHER: N_("Feather"), Kind.X: N_("Position x"), Kind.Y: N_("Position y")}
 TIPS = {
-    Kind.OPACITY: "Opacity of the selected shapes and layers, in percent",
-    Kind.FEATHER: "Feather of the selected shapes, in pixels",
-    Kind.X: "Where the selected points are, or the whole shape, from the left edge, in pixels",
-    Kind.Y: "Where the selected points are, or the whole shape, from the top edge, in pixels",
+    Kind.OPACITY: N_("Opacity of the selected shapes and layers, in percent"),
+    Kind.FEATHER: N_("Feather of the selected shapes, in pixels"),
+    Kind.X: N_("Where the selected points are, or the whole shape, from the left edge, in pixels"),
+    Kind.Y: N_("Where the selected points are, or the whole shape, from the top edge, in pixels"),
 }
 
 
@@ -41,8 +42,8 @@ class CurveEditor(QWidget):
         column.setSpacing(1)
         for index, kind in enumerate(Kind):
             button = QToolButton()
-            button.setText(TITLES[kind])
-            button.setToolTip(TIPS[kind])
+            button.setText(tr(TITLES[kind]))
+            button.setToolTip(tr(TIPS[kind]))
             button.setObjectName("flat")
             button.setCheckable(True)
             button.setChecked(kind is Kind.OPACITY)

@@ -14,6 +14,7 @@ from roam_core.roto.value_curves import ValuePlace, set_slopes, values_of_item
 from roam_core.roto.value_keys import keyed, with_value
 
 from ...model.document import Document
+from ...translation import tr
 from ..axis import TimeAxis
 from ..values.drag import KeyDrag
 from ..values.selection import ValueSelection
@@ -118,7 +119,7 @@ class CurveHand:
             self._drag.finish()
         elif self._found.handle is not None and (preview := self._axis.view_state.preview) is not None:
             self._axis.view_state.set_preview(None)
-            self._document.apply("Turn tangent", preview)
+            self._document.apply(tr("Turn tangent"), preview)
         self._forget()
 
     def cancel(self) -> None:
@@ -149,7 +150,7 @@ class CurveHand:
         """
         project, (item_id, name, frame) = self._document.project, handle.place
         if not unlocked(project, [handle.place]):
-            self._axis.view_state.say(LOCKED)
+            self._axis.view_state.say(tr(LOCKED))
             return
         value = values_of_item(project.find(item_id))[name]
         key = value.key_at(frame) if isinstance(value, Animated) else None
@@ -192,16 +193,16 @@ class CurveHand:
     def _insert(self, at: QPointF) -> None:
         """A key of a value on the frame under the pointer, where the value is what it is there."""
         if self._found.curve is None or self._found.curve[1] not in (Kind.OPACITY, Kind.FEATHER):
-            self._axis.view_state.say("Point at a curve of opacity or feather to set a key on it.")
+            self._axis.view_state.say(tr("Point at a curve of opacity or feather to set a key on it."))
             return
         item_id, kind = self._found.curve
         frame = self._axis.scale.frame(at.x() + self._axis.scale.left)
         place, project = (item_id, kind.value, frame), self._document.project
         if not unlocked(project, [place]):
-            self._axis.view_state.say(LOCKED)
+            self._axis.view_state.say(tr(LOCKED))
             return
         after = project.map_item(item_id, lambda item: with_value(item, kind.value, lambda value: keyed(value, frame)))
-        self._document.apply("Set key", after)
+        self._document.apply(tr("Set key"), after)
         self._chosen.select(frozenset({place}))
         self._found = Found(key=place)
 

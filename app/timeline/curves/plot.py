@@ -24,6 +24,7 @@ from roam_core.roto.value_curves import ValuePlace
 from ... import style
 from ...actions.key_names import NUDGES, key_name
 from ...model.document import Document
+from ...translation import tr
 from ..axis import TimeAxis
 from ..scale import LABEL_WIDTH
 from ..values.key_forms import key_path
@@ -74,7 +75,7 @@ class CurvePlot(pg.GraphicsView):  # type: ignore[misc]
         self._is_fitted, self._presses = True, 0
         self._build()
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-        self.setAccessibleName("Curves")
+        self.setAccessibleName(tr("Curves"))
         self.setMouseTracking(True)
         view = axis.view_state
         for signal in (document.changed, document.replaced, axis.changed, chosen.changed):
@@ -315,7 +316,7 @@ class CurvePlot(pg.GraphicsView):  # type: ignore[misc]
         """The values of all curves on the frame under the pointer."""
         frame, unit = self._axis.scale.frame(at.x() + LABEL_WIDTH), SHOWN_AS[self.kind][1]
         told = [f"{np.interp(frame, line.frames, line.values):.4g} {unit}  {line.title}" for line in self.lines]
-        return "\n".join([f"Frame {frame}, {self.kind}", *told])
+        return "\n".join([tr("Frame {frame}", frame=frame), *told])
 
     def _choose_next(self, step: int) -> None:
         """Choose the key after the chosen one, or before it, in the order of time; from end to end."""

@@ -8,6 +8,7 @@ from roam_core.roto import Project
 from roam_core.roto.value_curves import ValuePlace
 
 from ...model.document import Document
+from ...translation import tr
 from ..axis import TimeAxis
 from .selection import ValueSelection
 from .verbs import LOCKED, unlocked
@@ -25,7 +26,7 @@ class KeyDrag:
         self.frames = 0
         """By how many frames the chosen keys are shifted where they are shown."""
         if not self._places:
-            axis.view_state.say(LOCKED)
+            axis.view_state.say(tr(LOCKED))
 
     def to(self, frames: int, amount: float) -> None:
         """Preview the keys shifted by whole frames, none of them out of the clip, and by an amount."""
@@ -43,7 +44,7 @@ class KeyDrag:
         preview, (frames, amount) = self._axis.view_state.preview, self._shown
         self._axis.view_state.set_preview(None)
         if preview is not None:
-            self._document.apply("Change keys" if amount else "Move keys", preview)
+            self._document.apply(tr("Change keys") if amount else tr("Move keys"), preview)
             moved = frozenset((item_id, name, frame + frames) for item_id, name, frame in self._places)
             self._chosen.select(moved)
 

@@ -27,6 +27,7 @@ from roam_core.roto.value_curves import ValuePlace
 from ... import style
 from ...actions.key_names import NUDGES, key_name
 from ...model.document import Document
+from ...translation import tr
 from ..axis import TimeAxis, paint_playhead
 from ..keys.row_painter import BACKGROUND, ROW
 from ..scale import LABEL_WIDTH
@@ -61,7 +62,7 @@ class ValueRows(QWidget):
         self._pressed, self._is_drag, self._presses = QPointF(), False, 0
         self.menu = QMenu(self)
         """What a right click offers."""
-        self.setAccessibleName("Keys of opacity and feather")
+        self.setAccessibleName(tr("Keys of opacity and feather"))
         self.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         view = axis.view_state
@@ -178,11 +179,14 @@ class ValueRows(QWidget):
         if row is None:
             return ""
         if at.x() < LABEL_WIDTH:
-            return f"{row.title}. Click to select"
+            return tr("{title}. Click to select", title=row.title)
         place = self.key_at(at)
         frame = place[2] if place is not None else self._axis.scale.frame(at.x())
         factor, unit = SHOWN_AS[row.kind]
-        return f"{row.title}, frame {frame}: {row.value.at(frame) * factor:.4g} {unit}" + (", a key" if place else "")
+        seen = f"{row.value.at(frame) * factor:.4g} {unit}"
+        if place is not None:
+            return tr("{title}, frame {frame}: {value}, a key", title=row.title, frame=frame, value=seen)
+        return tr("{title}, frame {frame}: {value}", title=row.title, frame=frame, value=seen)
 
     # ---- the rest is private
 

@@ -10,6 +10,7 @@ from roam_core.roto import Animated, Layer, Project, RotoShape
 from roam_core.roto.value_curves import values_of_item
 
 from ...model.view_state import ViewState
+from ...translation import N_, tr
 
 LAYER_COLOUR = (0.72, 0.72, 0.72)
 
@@ -23,6 +24,7 @@ class Kind(StrEnum):
     Y = "y"
 
 
+NAMES: Mapping[Kind, str] = {Kind.OPACITY: N_("opacity"), Kind.FEATHER: N_("feather"), Kind.X: "x", Kind.Y: "y"}
 OUTLINES = (Kind.X, Kind.Y)
 """Kinds whose keys are those of outlines."""
 SHOWN_AS: Mapping[Kind, tuple[float, str]] = {
@@ -41,7 +43,7 @@ class KeyedValue:
 
     @property
     def title(self) -> str:
-        return f"{self.item.name}: {self.kind}"
+        return f"{self.item.name}: {tr(NAMES[self.kind])}"
 
 
 def items_in_hand(project: Project, view: ViewState) -> list[Layer | RotoShape]:

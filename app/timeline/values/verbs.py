@@ -20,12 +20,13 @@ from roam_core.roto.value_curves import (
 
 from ...model.document import Document
 from ...model.view_state import ViewState
+from ...translation import N_, tr
 from .selection import ValueSelection
 from .shown import OUTLINES, Kind, items_in_hand
 
-NO_TANGENTS = "Outlines move straight, smoothly or not at all: opacity and feather have tangents."
-NOTHING_CHOSEN = "Choose keys of opacity or feather in the timeline or the curve editor first."
-LOCKED = "It is locked; unlock it to change its keys."
+NO_TANGENTS = N_("Outlines move straight, smoothly or not at all: opacity and feather have tangents.")
+NOTHING_CHOSEN = N_("Choose keys of opacity or feather in the timeline or the curve editor first.")
+LOCKED = N_("It is locked; unlock it to change its keys.")
 
 
 class ValueVerbs:
@@ -81,7 +82,7 @@ class ValueVerbs:
         values, outlines = _parted(self._free())
         keys = {(item_id, frame) for item_id, _, frame in outlines}
         if values or keys:
-            self._apply("Delete keys", lambda project: timing.delete_keys(delete_values(project, values), keys))
+            self._apply(tr("Delete keys"), lambda project: timing.delete_keys(delete_values(project, values), keys))
 
     def nudge(self, frames: int, merge_key: str) -> None:
         """Move the chosen keys by some frames, not out of the clip; steps with one `merge_key` are one undo step."""
@@ -90,7 +91,7 @@ class ValueVerbs:
             own = [frame for _, _, frame in places]
             frames = max(min(frames, max(clip.last - max(own), 0)), min(clip.first - min(own), 0))
         if places:
-            self._document.apply("Move keys", self.moved(self._document.project, places, frames, 0.0), merge_key)
+            self._document.apply(tr("Move keys"), self.moved(self._document.project, places, frames, 0.0), merge_key)
             self._chosen.select(frozenset((item_id, name, frame + frames) for item_id, name, frame in places))
 
     def raise_by(self, amount: float, merge_key: str) -> None:
@@ -100,7 +101,7 @@ class ValueVerbs:
             for kind in Kind:
                 own = [place for place in places if place[1] == kind]
                 project = self.moved(project, own, 0, amount / (100.0 if kind is Kind.OPACITY else 1.0))
-            self._document.apply("Change keys", project, merge_key)
+            self._document.apply(tr("Change keys"), project, merge_key)
 
     def interpolate(self, interpolation: Interpolation) -> None:
         """Set how values and outlines go on from the chosen keys; values lose their tangents there."""
@@ -111,18 +112,18 @@ class ValueVerbs:
             return timing.set_interpolation(interpolate_values(project, values, interpolation), keys, interpolation)
 
         if values or keys:
-            self._apply(interpolation.value.capitalize(), verb)
+            self._apply(tr(interpolation.value.capitalize()), verb)
 
     def bend(self) -> None:
         """Give the chosen keys tangents that run smoothly through them."""
         if not self._chosen.places:
-            self._view.say(NOTHING_CHOSEN)
+            self._view.say(tr(NOTHING_CHOSEN))
             return
         values, outlines = _parted(self._free())
         if values:
-            self._apply("Tangents", lambda project: bend_values(project, values))
+            self._apply(tr("Tangents"), lambda project: bend_values(project, values))
         elif outlines:
-            self._view.say(NO_TANGENTS)
+            self._view.say(tr(NO_TANGENTS))
 
     def select_all(self) -> None:
         """Choose every key of the values in hand."""
@@ -142,7 +143,7 @@ class ValueVerbs:
         """The chosen keys that may be changed; says why when there is none."""
         free = unlocked(self._document.project, self._chosen.places)
         if not free:
-            self._view.say(LOCKED if self._chosen.places else NOTHING_CHOSEN)
+            self._view.say(tr(LOCKED if self._chosen.places else NOTHING_CHOSEN))
         return free
 
     def _points(self) -> dict[str, frozenset[int]]:

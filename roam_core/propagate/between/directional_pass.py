@@ -41,13 +41,19 @@ class Stop:
 
     @property
     def posed(self) -> Stop | None:
-        """The same, if the pose is believed all the way."""
-        if self.motion.by_pose is None:
+        """The same, if the pose is believed all the way; None without one."""
+        by_pose = self.motion.by_pose
+        if by_pose is None:
             return None
-        points, cost = self.motion.by_pose
-        count = len(points)
-        motion = replace(self.motion, region=None, of_region=(False,) * count, pose_costs=(cost,) * count)
-        return replace(self, points=points, motion=motion)
+        count = len(by_pose.points)
+        motion = replace(
+            self.motion,
+            region=None,
+            of_region=(False,) * count,
+            pose_costs=(by_pose.cost,) * count,
+            gone=(by_pose.is_gone,) * count,
+        )
+        return replace(self, points=by_pose.points, motion=motion)
 
 
 @dataclass(frozen=True, eq=False)

@@ -19,6 +19,7 @@ from roam_core.features import Region
 from roam_core.features.grid import Grid
 from roam_core.geometry import bezier, similarity
 from roam_core.params import RegionParams
+from roam_core.propagate.between.bridging import seen_until_lost
 from roam_core.propagate.between.directional_pass import DirectionalPass, Stop
 from roam_core.propagate.frame.contour_fit import enclosed
 from roam_core.propagate.frame.nodes import smooth_points
@@ -80,24 +81,31 @@ class Span:
 
     @property
     def better(self) -> Span:
-        """This span, or the same by the poses of its lone shape where these came nearer to the other keys."""
+        """This span, or the same by the poses of its lone shape where these came nearer to the other keys.
+
+        They must look as on their keys, and on most frames like a part, where they are seen at all.
+        """
         onwards = None if self.onwards is None else self.onwards.posed
         back = None if self.back is None else self.back.posed
         if onwards is None or back is None:
             return self
-        costs = [
-            cost
+        poses = [
+            stop.motion.by_pose
             for directional_pass in (onwards, back)
             for stop in directional_pass.stops.values()
-            for cost in stop.motion.pose_costs
+            if stop.motion.by_pose is not None
         ]
-        if float(np.mean([cost for cost in costs if cost is not None])) > self.params.span.endpoint_consistency.dear:
+        seen = [pose for pose in poses if not pose.is_gone]  # on the keys, at least
+        if float(np.mean([pose.is_believable for pose in seen])) < 0.5:
+            return self
+        if float(np.mean([pose.cost for pose in seen])) > self.params.span.endpoint_consistency.dear:
             return self
         posed = replace(self, onwards=onwards, back=back)
         ours, theirs = (
             sum(residual.loss for residual in span.residuals[:2]) if span.residuals else 0.0 for span in (self, posed)
         )
-        return posed if theirs < self.params.span.endpoint_consistency.lenient * ours else self
+        came = any(posed._arrived(k, *way) for k in range(len(self.first.parts)) for way in posed._ways)
+        return posed if theirs < (self.params.span.endpoint_consistency.lenient if came else 1.0) * ours else self
 
     @cached_property
     def residuals(self) -> tuple[Residual, Residual, Residual, Residual] | None:
@@ -138,6 +146,42 @@ class Span:
             assert last is not None
             found[k] = 0.5 * (self._loss(came[k], last.points) + self._loss(back[k], first.points))
         return found
+
+    @cached_property
+    def believed(self) -> dict[int, tuple[frozenset[int], frozenset[int]]]:
+        """For each outline the frames on which its pose is believed in the pass onwards, and in the one back.
+
+        Where only one of them came to the other key, it alone is; each of them on its own key in any case.
+        """
+        found = {}
+        for k in {*self.first.members, *self.last.members}:
+            arrived = [self._arrived(k, *way) for way in self._ways]
+            onwards, back = (
+                frozenset[int]() if any(arrived) and not came else self._believed_in(k, way, key, came)
+                for (way, key, _), came in zip(self._ways, arrived, strict=True)
+            )
+            found[k] = onwards | {self.first.frame}, back | {self.last.frame}
+        return found
+
+    @property
+    def _ways(self) -> tuple[tuple[DirectionalPass | None, Key, Key], ...]:
+        """Each pass, where it begins, and where it leads."""
+        return (self.onwards, self.first, self.last), (self.back, self.last, self.first)
+
+    def _arrived(self, k: int, way: DirectionalPass | None, key: Key, other: Key) -> bool:
+        """Whether a pass brought an outline to where it lies on the other key."""
+        end, true = stop_at(way, other.frame), other.parts[k]
+        if end is None or true is None or k not in key.members:
+            return False
+        return 1.0 - self._loss(end.points[key.members.index(k)], true.points) >= self.params.span.arrived
+
+    def _believed_in(self, k: int, way: DirectionalPass | None, key: Key, arrived: bool) -> frozenset[int]:
+        """The frames on which the pose of an outline is believed in a pass that begins on `key`."""
+        if way is None or k not in key.members:
+            return frozenset()
+        place, frames = key.members.index(k), sorted(way.stops, key=lambda frame: abs(frame - key.frame))
+        gone = [bool(way.stops[frame].motion.gone) and way.stops[frame].motion.gone[place] for frame in frames]
+        return frozenset(f for f, seen in zip(frames, seen_until_lost(gone, arrived), strict=True) if seen)
 
     def _loss(self, found: Array, true: Array) -> float:
         """The share in which two outlines differ."""

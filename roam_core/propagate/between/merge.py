@@ -15,6 +15,7 @@ from roam_core.geometry import bezier, similarity
 from roam_core.geometry.simple import simplified
 from roam_core.kernels.diffusion import diffuse
 from roam_core.params import RegionParams
+from roam_core.propagate.between.bridging import between
 from roam_core.propagate.between.directional_pass import Stop
 from roam_core.propagate.between.endpoint_consistency import Key, Span, carried, grid_over, stop_at
 from roam_core.propagate.frame.confidence import SpanFeatures, expected_overlap, overlap, vertex_confidence
@@ -50,12 +51,13 @@ class Merged:
 
 @dataclass(frozen=True, eq=False)
 class _Moment:
-    """A frame of a span: how far along it lies, in (0, 1), where both passes stand, and their points by outline.
+    """A `frame` of a span: how far along it lies, in (0, 1), where both passes stand, and their points by outline.
 
     `of_region` are the outlines that a pass fitted to the object's region.
     """
 
     span: Span
+    frame: int
     u: float
     onwards: Stop | None
     back: Stop | None
@@ -75,7 +77,9 @@ class _Moment:
         costs = {k: (costs_there.get(k), costs_here.get(k)) for k in there.keys() | here.keys()}
         ends = ((onwards, span.first), (back, span.last))
         of_region = [np.array(key.members)[list(stop.motion.of_region)] for stop, key in ends if stop is not None]
-        return cls(span, u, onwards, back, there, here, costs, frozenset(np.concatenate([[], *of_region]).astype(int)))
+        return cls(
+            span, frame, u, onwards, back, there, here, costs, frozenset(np.concatenate([[], *of_region]).astype(int))
+        )
 
     def is_posed(self, k: int) -> bool:
         """True where a pass carried an outline by its pose."""
@@ -176,7 +180,7 @@ def _expected(moment: _Moment, k: int) -> Array:
         assert only is not None
         return only
     if moment.is_posed(k):
-        return _by_poses(moment, k)
+        return _seen_or_bridged(moment, k)
     planar = _planar(moment, k)
     if moment.span.is_planar:
         return planar
@@ -184,6 +188,20 @@ def _expected(moment: _Moment, k: int) -> Array:
         return there if moment.u < 0.5 else here
     weights = moment.weights(*(residual.of(k) for residual in moment.span.residuals))
     return _mean([weight[:, None, None] for weight in weights], [there, here, planar])
+
+
+def _seen_or_bridged(moment: _Moment, k: int) -> Array:
+    """The points of an outline by the poses that are believed; where none is, between the nearest frames with one."""
+    onwards, back = moment.span.believed[k]
+    ahead, behind = moment.frame in onwards, moment.frame in back
+    if ahead and behind:
+        return _by_poses(moment, k)
+    if ahead or behind:
+        return moment.there[k] if ahead else moment.here[k]
+    before = max(frame for frame in onwards | back if frame < moment.frame)
+    after = min(frame for frame in onwards | back if frame > moment.frame)
+    ends = [_seen_or_bridged(_Moment.of(moment.span, frame), k) for frame in (before, after)]
+    return between(ends[0], ends[1], (moment.frame - before) / (after - before))
 
 
 def _by_poses(moment: _Moment, k: int) -> Array:

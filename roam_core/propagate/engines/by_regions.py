@@ -14,7 +14,7 @@ from roam_core.features.grid import Grid
 from roam_core.geometry import polyline
 from roam_core.landmarks.pool import Pool
 from roam_core.params import RegionParams, RoamParams, scale_for
-from roam_core.propagate.engines.protocol import REGION, Account, Motion, by_pose
+from roam_core.propagate.engines.protocol import REGION, Account, ByPose, Motion, by_pose
 from roam_core.propagate.frame.nodes import NodeMap
 from roam_core.propagate.frame.result import Part, StepResult
 from roam_core.propagate.whole import posed, region
@@ -55,16 +55,18 @@ class RegionEngine:
             (True,) * count,
             state.agreement_as_one_piece is not None,
             (None,) * count,
+            (False,) * count,
             self._by_pose,
         )
 
     @property
-    def _by_pose(self) -> tuple[tuple[Array, ...], float] | None:
-        """The outlines of a lone shape by its pose, and what that costs; None where that may not be believed."""
-        pose = self.state.pose
-        if pose is None or not posed.is_believable(pose, region_params(self.params)):
+    def _by_pose(self) -> ByPose | None:
+        """The lone shape by its pose; None where there is none."""
+        pose, params = self.state.pose, region_params(self.params)
+        if pose is None:
             return None
-        return tuple(part.points for part in posed.carried(pose, self.state.drawn)), pose.cost
+        points = tuple(part.points for part in posed.carried(pose, self.state.drawn))
+        return ByPose(points, pose.cost, pose.is_gone, posed.is_believable(pose, params))
 
     def step(self, picture: PreparedFrame, order: Sequence[int], token: CancelToken | None = None) -> WholeStep:
         return WholeStep(region.step(self.state, picture, region_params(self.params), token), self.params)

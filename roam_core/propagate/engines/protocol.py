@@ -26,6 +26,18 @@ POSE = "pose"
 
 
 @dataclass(frozen=True, eq=False)
+class ByPose:
+    """A lone shape by its pose, taken or not: its outlines, what the pose costs, whether nothing is seen of it, and
+    whether it may be a part (`posed.is_believable`) that still looks as on its key.
+    """
+
+    points: tuple[Array, ...]
+    cost: float
+    is_gone: bool
+    is_believable: bool
+
+
+@dataclass(frozen=True, eq=False)
 class Motion:
     """How an object lies on a frame, beside its outlines.
 
@@ -36,7 +48,7 @@ class Motion:
     region : the object's region, where the engine works with regions. of_region : which outlines are fitted to it.
     as_one_piece : the outlines are as they are on the key, only moved (`propagate.whole.rigid`).
     pose_costs : for each outline what its pose costs; None where it was not carried by its pose alone.
-    by_pose : of a lone shape the outlines by its pose, taken or not, and what that costs (`posed.is_believable`).
+    gone : for each outline whether its pose is carried along without being seen. by_pose : of a lone shape.
     """
 
     since_key: Array | None
@@ -44,7 +56,8 @@ class Motion:
     of_region: tuple[bool, ...]
     as_one_piece: bool = False
     pose_costs: tuple[float | None, ...] = ()
-    by_pose: tuple[tuple[Array, ...], float] | None = None
+    gone: tuple[bool, ...] = ()
+    by_pose: ByPose | None = None
 
 
 @dataclass(frozen=True, eq=False)

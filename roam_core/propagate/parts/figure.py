@@ -38,6 +38,9 @@ from roam_core.roto import BlendMode
 
 T = TypeVar("T")
 
+HIDDEN = 0.25
+"""Share of a part that must be seen for its pose to be known."""
+
 
 @dataclass(frozen=True, eq=False)
 class Limb:
@@ -115,6 +118,12 @@ class FigureState:
         """What the pose of each shape costs, in their order; None where it has none."""
         costs = [None if limb.pose is None else limb.pose.cost for limb in self.limbs]
         return self._in_order([(cost,) * len(limb.unit.members) for limb, cost in zip(self.limbs, costs, strict=True)])
+
+    @property
+    def gone(self) -> tuple[bool, ...]:
+        """Which of the shapes, in their order, are carried by a pose of which nearly nothing is seen."""
+        hidden = [limb.pose is not None and limb.pose.seen < HIDDEN for limb in self.limbs]
+        return self._in_order([(each,) * len(limb.unit.members) for limb, each in zip(self.limbs, hidden, strict=True)])
 
     def _in_order(self, by_limb: Sequence[tuple[T, ...]]) -> tuple[T, ...]:
         pairs = [

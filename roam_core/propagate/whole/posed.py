@@ -12,8 +12,10 @@ import numpy as np
 
 from roam_core.arrays import Array
 from roam_core.features import PreparedFrame, Region
+from roam_core.features.grid import Grid
 from roam_core.features.pyramid import Pyramid
 from roam_core.geometry import bezier
+from roam_core.motion.flow import dense_flow
 from roam_core.motion.pose import Pose, Surroundings
 from roam_core.motion.template import Template
 from roam_core.params import ConfidenceParams, PoseParams, RegionParams, scale_for
@@ -21,6 +23,9 @@ from roam_core.propagate.frame.confidence import overlap, vertex_confidence
 from roam_core.propagate.frame.contour_fit import enclosed
 from roam_core.propagate.frame.result import Part, StepResult, Termination
 from roam_core.proposal.cues.evidence import Field
+
+AROUND = 30
+"""Cells around a part that is not to be seen whose motion it goes along with."""
 
 
 def on_key(
@@ -48,16 +53,36 @@ def learned(frame: PreparedFrame, line: Array, params: PoseParams, covers: Seque
 
 
 def step(
-    pose: Pose, drawn: Sequence[Part], frame: PreparedFrame, params: PoseParams, covers: Sequence[Array] = ()
+    pose: Pose,
+    drawn: Sequence[Part],
+    before: PreparedFrame,
+    frame: PreparedFrame,
+    params: PoseParams,
+    covers: Sequence[Array] = (),
 ) -> Pose:
-    """The pose on the next frame of the object that was `drawn` on the key."""
+    """The pose on the next frame of the object that was `drawn` on the key; `before` is the frame before."""
     scale = scale_for(frame.size)
     spots = np.vstack([pose.carried(bezier.flatten(part.points)) for part in drawn])
     window = Region.around(spots, (params.margin + params.search_move * pose.reach(params)) * scale, frame.size)
     if is_narrow(window, params):
         return pose.missed()
     pyramid = Pyramid.of(frame, window, 1.0 / scale, params.pyramid)
-    return pose.step(Surroundings(pyramid, pyramid.outlined(list(covers)), is_complete=False), params)
+
+    def drift(places: Array) -> Array:
+        return _moved(before, frame, window, places, scale)
+
+    return pose.step(Surroundings(pyramid, pyramid.outlined(list(covers)), is_complete=False, drift=drift), params)
+
+
+def _moved(before: PreparedFrame, frame: PreparedFrame, window: Region, places: Array, scale: float) -> Array:
+    """By how much `(2,)` what lies at `places (N, 2)` and around them moved: the median of the flow there."""
+    grid = Grid.over(window, 1.0 / scale)
+    low, high = np.floor(grid.to_grid(np.stack([places.min(axis=0), places.max(axis=0)]))).astype(np.intp)
+    (left, top), (right, below) = np.maximum(low - AROUND, 0), np.maximum(high + AROUND + 1, 0)
+    flow = dense_flow(before, frame, grid)[0][top:below, left:right]
+    if flow.size == 0:
+        return np.zeros(2)
+    return np.asarray(np.median(flow.reshape(-1, 2), axis=0) / grid.factor, dtype=np.float64)
 
 
 def is_narrow(window: Region, params: PoseParams) -> bool:
@@ -71,19 +96,43 @@ def carried(pose: Pose, drawn: Sequence[Part]) -> tuple[Part, ...]:
 
 
 def is_believable(pose: Pose, params: RegionParams) -> bool:
-    """Whether a lone shape may be a part: a large one is a whole object, and so is one with an edge all around."""
-    template = pose.template
-    return template.seam >= params.pose_seam and template.area <= params.pose_area * template.scale**2
+    """Whether a lone shape may be a part: a small one, part of its outline without an edge.
+
+    One with an edge all around is taken for a whole object, and so is a large one, but where it still looks as on its
+    key: the larger, the more exactly. Nothing large that has nearly no seam is a part.
+    """
+    if may_be_limb(pose, params):
+        return True
+    if pose.look is None:
+        return False
+    if _is_small(pose, params):
+        return pose.unlike < params.pose_edged
+    return pose.template.seam >= 0.5 * params.pose_seam and pose.look.difference < params.pose_same
 
 
-def is_believed(pose: Pose, parts: Sequence[Part], found: Field, params: RegionParams) -> bool:
+def may_be_limb(pose: Pose, params: RegionParams) -> bool:
+    """Whether a lone shape is small, and part of its outline without an edge."""
+    return pose.template.seam >= params.pose_seam and _is_small(pose, params)
+
+
+def _is_small(pose: Pose, params: RegionParams) -> bool:
+    return pose.template.area <= params.pose_area * pose.template.scale**2
+
+
+def is_believed(pose: Pose, parts: Sequence[Part], found: Field, params: RegionParams, was_posed: bool) -> bool:
     """Whether the pose, which puts the shapes at `parts`, is taken where the region that was `found` disputes it.
 
     It is where the object may be a part, still looks as on its key, and what is seen at the disputed places does not
-    speak against it.
+    speak against it. A limb that was carried by its pose the frame before (`was_posed`) is held to it: what hides it
+    is no change of its shape.
     """
+    is_limb = was_posed and may_be_limb(pose, params)
+    if is_limb and pose.is_gone:
+        return True
     if pose.look is None or not is_believable(pose, params) or pose.unlike >= params.pose_unlike:
         return False
+    if is_limb:
+        return True
     if overlap(enclosed(parts, found.grid) > 0.5, found.inside) >= params.pose_agrees:
         return False
     rows, columns = found.grid.shape

@@ -168,7 +168,7 @@ def step(
     taken from there if that promises more.
     """
     if state.pose is not None and params.pose is not None:
-        state = replace(state, pose=posed.step(state.pose, state.drawn, frame, params.pose, covers))
+        state = replace(state, pose=posed.step(state.pose, state.drawn, state.frame, frame, params.pose, covers))
     carried = _carried(state, frame, params, token, tuple(covers))
     if carried.state.trust >= params.doubted:
         return carried
@@ -228,7 +228,7 @@ def _carried(
     scale = scale_for(frame.size)
     if state.pose is not None:
         parts = posed.carried(state.pose, state.drawn)
-        if posed.is_believed(state.pose, parts, found, params):
+        if posed.is_believed(state.pose, parts, found, params, state.is_posed):
             return _as_posed(state, frame, observation, state.pose, parts, params)
     parts = tuple(replace(part, points=similarity.apply(observation.moved[:2], part.points)) for part in state.parts)
     shapes = zip(parts, state.drawn, state.constraints, strict=True)

@@ -62,9 +62,12 @@ def test_a_press_goes_to_the_frame(qtbot: QtBot, timeline: Timeline, view_state:
     qtbot.mouseRelease(timeline.boil, Qt.MouseButton.LeftButton, pos=QPoint(x_of(timeline, 1020), 10))
 
 
-def test_without_tracked_frames_there_is_no_lane(timeline: Timeline, document: Document) -> None:
+def test_the_lane_keeps_its_place_without_tracked_frames(timeline: Timeline, document: Document) -> None:
+    place = timeline.boil.geometry()
     document.open(Project(document.project.clip), None)
-    assert not timeline.boil.isVisible()
+    assert timeline.boil.isVisible()
+    assert timeline.boil.geometry() == place, "what is above does not jump when frames are tracked"
+    assert len(timeline.boil.most) == 0
 
 
 def test_boil_is_measured_anew_only_around_a_key_that_changed(

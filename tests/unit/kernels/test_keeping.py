@@ -127,3 +127,67 @@ def test_a_folder_is_writable_when_a_file_can_be_made_in_it(tmp_path: Path) -> N
     (tmp_path / "file").touch()
     assert is_writable(tmp_path / "a" / "b")
     assert not is_writable(tmp_path / "file" / "b")
+
+
+IN_A_BUNDLE = """
+import sys
+sys.frozen, sys._MEIPASS = True, sys.argv[1]
+import kernel
+from numba import config
+assert kernel.twice(4) == 8
+print(sum(kernel.twice.stats.cache_hits.values()), config.CPU_NAME)
+"""
+
+
+def in_a_bundle(folder: Path, bundle: Path, **environment: str) -> list[str]:
+    """Call the kernel as a bundle's program does: how often it was found compiled, and for which processor it is."""
+    plain = {name: value for name, value in os.environ.items() if not name.startswith(("NUMBA", "XDG"))}
+    done = subprocess.run(
+        [sys.executable, "-c", IN_A_BUNDLE, str(bundle)],
+        cwd=folder,
+        env=plain | {"PYTHONPATH": f"{ROOT}{os.pathsep}{folder}"} | environment,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert done.returncode == 0, done.stderr
+    return done.stdout.split()
+
+
+@needs_compiler
+def test_a_bundle_uses_the_kernels_that_it_was_shipped_with_wherever_it_lies(folder: Path, tmp_path: Path) -> None:
+    built, moved, home = tmp_path / "built", tmp_path / "moved", {"XDG_CACHE_HOME": str(tmp_path / "cache")}
+    shipped = built / keeping.SHIPPED
+    shipped.mkdir(parents=True)
+    assert in_a_bundle(folder, built, NUMBA_CACHE_DIR=str(shipped))[0] == "0"
+    assert list(shipped.glob("*.nbi"))
+    built.rename(moved)
+    assert in_a_bundle(folder, moved, **home)[0] == "1"
+    assert list(tmp_path.glob("cache/**/*.nbi")) == []
+
+
+@needs_compiler
+@pytest.mark.skipif(sys.platform != "linux", reason="XDG_CACHE_HOME is Linux's")
+def test_what_a_bundle_lacks_is_compiled_once_for_its_user(folder: Path, tmp_path: Path) -> None:
+    home = {"XDG_CACHE_HOME": str(tmp_path / "cache")}
+    (tmp_path / "bundle").mkdir()
+    assert in_a_bundle(folder, tmp_path / "bundle", **home)[0] == "0"
+    assert list((tmp_path / "cache" / "roam" / keeping.SHIPPED).glob("*.nbi"))
+    assert in_a_bundle(folder, tmp_path / "bundle", **home)[0] == "1"
+
+
+def test_kernels_are_made_for_common_processors_where_this_one_has_all_of_that(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(keeping.config, "CPU_NAME", None)
+    monkeypatch.setattr(keeping.config, "CPU_FEATURES", None)
+    monkeypatch.setattr(keeping.platform, "machine", lambda: "AMD64")
+    monkeypatch.setattr(keeping.llvm, "get_host_cpu_features", lambda: {"avx2": True, "fma": False})
+    assert not keeping.compile_for_common_processors()
+    assert keeping.config.CPU_NAME is None
+    name, needed = keeping.COMMON["x86_64"]
+    monkeypatch.setattr(keeping.llvm, "get_host_cpu_features", lambda: dict.fromkeys([*needed, "avx512f"], True))
+    assert keeping.compile_for_common_processors()
+    chosen = (keeping.config.CPU_NAME, keeping.config.CPU_FEATURES)
+    assert chosen == (name, "")
+    monkeypatch.setattr(keeping.config, "CPU_NAME", "znver1")
+    assert not keeping.compile_for_common_processors()
+    assert keeping.config.CPU_NAME == "znver1"

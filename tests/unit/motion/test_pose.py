@@ -223,3 +223,44 @@ def test_a_part_like_its_ground_has_a_seam_all_around() -> None:
     template = Template.of(Pyramid.of(frame, WHOLE, 1.0, PyramidParams()), PATCH, PARAMS, 1.0)
     assert template is not None
     assert template.seam == 1.0
+
+
+def still_over(pyramid: Pyramid, drift: Array) -> Surroundings:
+    """A frame of a lone part: what lies around it moved by `drift`."""
+    return Surroundings(pyramid, pyramid.nothing, is_complete=False, drift=lambda _: drift)
+
+
+def test_a_lone_part_that_something_hides_goes_along_with_it_and_is_found_again() -> None:
+    template, drift = learned(PATCH), np.array([2.0, 1.0])
+    blank = PreparedFrame(np.full((*SIZE, 3), (230, 20, 20), np.uint8))
+    behind = still_over(Pyramid.of(blank, WHOLE, 1.0, PyramidParams()), drift)
+    first = Pose.on_key(template, PARAMS).step(behind, PARAMS)
+    assert first.is_gone
+    assert first.cost == 1.0
+    np.testing.assert_allclose(first.values[:2], (1.0 - PARAMS.momentum) * drift)
+    second = first.step(behind, PARAMS)
+    assert second.is_gone
+    np.testing.assert_allclose(second.velocity[:2], (1.0 - PARAMS.momentum) * (1.0 + PARAMS.momentum) * drift)
+    planted = np.array([3.0, 2.0, 0.0, 0.0, 0.0, 0.0])
+    out = still_over(Pyramid.of(shown(template, planted, PATCH), WHOLE, 1.0, PyramidParams()), drift)
+    found = second.step(out, PARAMS)
+    assert not found.is_gone
+    assert off(template, found.values, planted, PATCH) < 0.5
+
+
+def test_a_lone_part_that_slowly_changed_its_look_is_not_taken_for_hidden() -> None:
+    template = learned(PATCH)
+    blank = PreparedFrame(np.full((*SIZE, 3), (230, 20, 20), np.uint8))
+    around = still_over(Pyramid.of(blank, WHOLE, 1.0, PyramidParams()), np.zeros(2))
+    changed = replace(Pose.on_key(template, PARAMS), unclear=5).step(around, PARAMS)
+    assert not changed.is_gone
+    assert changed.since == 1
+
+
+def test_a_quarter_that_looks_as_on_the_key_is_enough_to_be_seen_clearly() -> None:
+    template, planted = learned(PATCH), np.array([2.0, -1.5, 0.0, 0.0, 0.0, 0.0])
+    pyramid = Pyramid.of(shown(template, planted, PATCH, blind=box(40, 10, 40, 98)), WHOLE, 1.0, PyramidParams())
+    found = Pose.on_key(template, PARAMS).step(still_over(pyramid, np.zeros(2)), PARAMS)
+    assert not found.is_gone
+    assert found.look is not None
+    assert found.look.closest < PARAMS.clear < PARAMS.gone < found.look.difference

@@ -10,7 +10,7 @@ import pytest
 from roam_core.arrays import Array
 from roam_core.params import DOUBTFUL
 from roam_core.review.boil import BOILING, boil
-from roam_core.review.findings import FindingKind, boiling, doubtful, findings
+from roam_core.review.findings import Finding, FindingKind, boiling, doubtful, findings, worst_of_stretches
 from roam_core.roto import Keyframe, Origin, RotoShape
 from tests.golden.shots import blob, pose
 from tests.unit.review.conftest import body, project_of
@@ -61,6 +61,13 @@ def test_frames_without_both_neighbours_do_not_count_and_neither_do_keys_of_the_
     assert boil(gap)[:, 0].tolist() == [2, 6]
     assert len(boil(tracked([REST + 60.0] * 5, Origin.ARTIST))) == 0
     assert len(boil(replace(shape, keys=shape.keys[:2]))) == 0
+
+
+def test_of_each_stretch_the_worst_frame_is_kept() -> None:
+    found = [Finding(FindingKind.BOIL, frame, "shape-1", "Arm", value)
+             for frame, value in ((3, 1.2), (4, 2.5), (5, 1.1), (8, 1.3), (10, 1.0), (11, 1.4))]  # fmt: skip
+    assert [each.frame for each in worst_of_stretches(found)] == [4, 8, 11]
+    assert worst_of_stretches([]) == []
 
 
 def test_a_doubtful_and_a_boiling_frame_are_found_each_with_its_value() -> None:

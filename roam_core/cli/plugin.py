@@ -1,0 +1,59 @@
+"""`roam plugin PROGRAM FOLDER`: write the scripts that put a menu ROAM into Nuke, Natron or Blender."""
+
+from __future__ import annotations
+
+import argparse
+import shutil
+import sys
+from importlib.resources.abc import Traversable
+from pathlib import Path
+
+from roam_core.errors import RoamError
+from roam_core.installation import BUNDLE, resource
+
+NEXT = {
+    "nuke": "Add this line to the file init.py in the folder .nuke of your home: nuke.pluginAddPath({folder!r})",
+    "natron": "Add {folder} to the search path of PyPlugs in Natron's preferences, and start Natron again.",
+    "blender": "Enable the add-on ROAM in Blender's preferences; FOLDER is scripts/addons of Blender's user folder.",
+}
+"""By program what the artist does then."""
+BRIDGE, NAMED = "roam_bridge.py", "program.txt"
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Declare the command's options."""
+    parser.add_argument("program", choices=sorted(NEXT))
+    parser.add_argument("folder", type=Path, metavar="FOLDER", help="gets a folder roam with the scripts")
+    parser.add_argument("--overwrite", action="store_true", help="write over a folder roam that is there")
+
+
+def run(arguments: argparse.Namespace) -> int:
+    """Carry out the command."""
+    folder = (arguments.folder / "roam").absolute()
+    if folder.exists() and not arguments.overwrite:
+        raise RoamError(f"{folder} is there already; --overwrite writes the scripts over those in it.")
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        for script in _scripts(arguments.program):
+            (folder / script.name).write_bytes(script.read_bytes())
+        if (roam := _own_program()) is not None:
+            (folder / NAMED).write_text(f"{roam}\n", encoding="utf-8")
+    except OSError as error:
+        raise RoamError(f"The scripts cannot be written to {folder}: {error.strerror or error}.") from None
+    print(f"Wrote the menu for {arguments.program.capitalize()} to {folder}.")
+    print(NEXT[arguments.program].format(folder=folder.as_posix()))
+    return 0
+
+
+def _scripts(program: str) -> list[Traversable]:
+    plugins = resource("plugins")
+    own = [path for path in plugins.joinpath(program).iterdir() if path.name.endswith(".py")]
+    return [*own, plugins.joinpath(BRIDGE)]
+
+
+def _own_program() -> Path | None:
+    """The program that runs: what the scripts are to start."""
+    if BUNDLE is not None:
+        return Path(sys.executable)
+    found = shutil.which("roam") or shutil.which(sys.argv[0])
+    return Path(found).absolute() if found else None

@@ -1,0 +1,112 @@
+"""`roam prepare`: compile the engine's kernels now, so that neither the first track nor the first export waits."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+import tempfile
+from collections.abc import Callable
+from dataclasses import replace
+from functools import partial
+from pathlib import Path
+from time import perf_counter
+
+import cv2
+import numpy as np
+
+from roam_core.arrays import Image
+from roam_core.cli.bar import bar
+from roam_core.geometry.bezier import polygon_points
+from roam_core.interchange import ExportOptions, KeyChoice, MaskOptions, read_shapes, write_shapes
+from roam_core.interchange.reading import ImportOptions
+from roam_core.matte import render_matte
+from roam_core.params import CONFIGS
+from roam_core.propagate import fill_span
+from roam_core.propagate.run import track
+from roam_core.propagate.warm_up import warm_up
+from roam_core.proposal.mask_keys.keys import keys_from_mask
+from roam_core.roto import Clip, Interpolation, Keyframe, MotionBlur, Project, RotoShape, edit
+
+FRAMES = range(4)
+SIZE = (96, 72)
+"""Width and height of the pictures that are worked on."""
+
+Step = tuple[str, Callable[[], object]]
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Declare the command's options: there are none."""
+
+
+def run(arguments: argparse.Namespace) -> int:
+    """Carry out the command."""
+    began, steps = perf_counter(), work()
+    with bar(len(steps)) as progress:
+        for name, step in steps:
+            progress.set_description(name)
+            step()
+            progress.update()
+    print(f"The engine is prepared ({perf_counter() - began:.0f} s).", file=sys.stderr)
+    return 0
+
+
+def work() -> list[Step]:
+    """All that has to be done once for every kernel to be compiled, with a name each."""
+    tracking: list[Step] = [(f"tracking ({config})", partial(warm_up, config)) for config in CONFIGS]
+    return [*tracking, ("filling, a figure in parts", _filled), ("keys and mattes", _exported), ("masks", _imported)]
+
+
+def _figure() -> list[RotoShape]:
+    """Two parts of one object that hang together, and a hole in one of them; each with a key at either end."""
+    boxes = {"arm": (14, 24, 46, 40), "hand": (42, 22, 66, 44), "hole": (20, 28, 30, 36)}
+    shapes = []
+    for name, (left, top, right, bottom) in boxes.items():
+        corners = np.array([(left, top), (right, top), (right, bottom), (left, bottom)], dtype=np.float64)
+        keys = [Keyframe(frame, polygon_points(corners + 2.0 * frame)) for frame in (FRAMES[0], FRAMES[-1])]
+        shapes.append(RotoShape(name, name, tuple(keys), link="figure"))
+    return shapes
+
+
+def _pictures() -> dict[int, Image]:
+    """The figure as pictures `(h, w, 3)`, textured, so that there is something to follow."""
+    texture = np.random.default_rng(1).integers(0, 60, (SIZE[1], SIZE[0], 3)).astype(np.uint8)
+    pictures = {}
+    for frame in FRAMES:
+        matte = render_matte(_figure()[:2], frame, (SIZE[1], SIZE[0])) > 0.5
+        moved = np.roll(texture, (2 * frame, 2 * frame), axis=(0, 1))
+        pictures[frame] = np.where(matte[..., None], 180 + moved, texture + 20).astype(np.uint8)
+    return pictures
+
+
+def _filled() -> None:
+    pictures = _pictures()
+    parts = _figure()[:2]
+    fill_span(pictures, parts, FRAMES[0], FRAMES[-1])
+    for _ in track(pictures.__getitem__, [replace(part, keys=part.keys[:1]) for part in parts], FRAMES):
+        pass
+
+
+def _exported() -> None:
+    soft = replace(_figure()[0], motion_blur=MotionBlur(), feather=3.0)
+    render_matte([soft], FRAMES[1], (SIZE[1], SIZE[0]))
+    # A key on every frame, by which fewer can be found.
+    dense = replace(soft, motion_blur=None, feather=0.0)
+    keys = tuple(Keyframe(frame, dense.at(frame).points, interpolation=Interpolation.LINEAR) for frame in FRAMES)
+    clip = Clip(Path("warm-up"), FRAMES[0], FRAMES[-1], SIZE)
+    project = edit.add_shape(Project(clip), replace(dense, keys=keys))
+    with tempfile.TemporaryDirectory() as folder:
+        for smoothing in (0.0, 0.5):
+            options = ExportOptions(keys=KeyChoice.REDUCED, tolerance=0.5, smoothing=smoothing)
+            write_shapes(project, Path(folder) / f"shapes{smoothing}.nk", "nuke", options)
+
+
+def _imported() -> None:
+    clip = Clip(Path("warm-up"), FRAMES[0], FRAMES[-1], SIZE)
+    with tempfile.TemporaryDirectory() as folder:
+        mask = np.zeros((SIZE[1], SIZE[0]), dtype=np.uint8)
+        for frame in FRAMES:
+            mask[:] = 0
+            cv2.ellipse(mask, (40 + 2 * frame, 36), (22, 14), 20.0 * frame, 0, 360, 255, -1)
+            cv2.imwrite(str(Path(folder) / f"mask.{frame:04d}.png"), mask)
+        read = read_shapes(folder, clip, ImportOptions(masks=MaskOptions(keys=KeyChoice.REDUCED)))
+    keys_from_mask(list(read.layer.shapes()), mask > 0, FRAMES[1])

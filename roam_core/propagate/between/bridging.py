@@ -1,0 +1,56 @@
+"""What neither pass of a span sees: carried from where it was last seen to where it is seen again.
+
+A limb that something hides between two keys is lost by both passes, though both keys show it. It is taken to move,
+turn and grow evenly in between, by the similarity that takes the one outline to the other. Points of two keys need not
+lie at the same places of an outline: they may have slid along it, by up to a quarter of its length.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from roam_core.arrays import Array
+from roam_core.geometry import bezier, polyline, similarity
+
+PLACES = 64
+"""Places, evenly along an outline, by which two outlines are laid on each other."""
+
+
+def seen_until_lost(gone: Sequence[bool], arrived: bool) -> list[bool]:
+    """On which stops, from the key on, a pass is to be believed: until the first on which the part is gone.
+
+    After that only if it `arrived` at the other key, and not where the part is gone.
+    """
+    believed, lost = [], False
+    for is_gone in gone:
+        lost = lost or is_gone
+        believed.append(not is_gone and (arrived or not lost))
+    return believed
+
+
+def between(first: Array, last: Array, share: float) -> Array:
+    """A spline `(P, 3, 2)` a `share` of the way, in [0, 1], from `first` to `last`, `(P, 3, 2)` each.
+
+    The shape is that of the nearer one.
+    """
+    motion = _motion(first, last)
+    middle = bezier.flatten(first).mean(axis=0)
+    arrived = similarity.apply(motion, middle[None])[0]
+    here = (1.0 - share) * middle + share * arrived
+    turn, growth = np.arctan2(motion[1, 0], motion[0, 0]), np.log(np.hypot(motion[0, 0], motion[1, 0]))
+    points, about, rest = (first, middle, share) if share <= 0.5 else (last, arrived, share - 1.0)
+    c, s = np.exp(rest * growth) * np.array([np.cos(rest * turn), np.sin(rest * turn)])
+    return np.asarray((points - about) @ np.array([[c, s], [-s, c]]) + here)
+
+
+def _motion(first: Array, last: Array) -> Array:
+    """The similarity `(2, 3)` that takes one outline to the other, whichever of its places their points lie at."""
+    line, target = (polyline.resample(bezier.flatten(points), PLACES) for points in (first, last))
+    slid = [np.roll(target, by, axis=0) for by in range(-PLACES // 4, PLACES // 4 + 1)]
+    motions = [similarity.fit(line, each) for each in slid]
+    misses = [
+        float(((similarity.apply(motion, line) - each) ** 2).sum()) for motion, each in zip(motions, slid, strict=True)
+    ]
+    return np.asarray(motions[int(np.argmin(misses))])

@@ -1,0 +1,29 @@
+"""`roam prepare`: all that has to be compiled is asked for once, step by step."""
+
+from __future__ import annotations
+
+import pytest
+
+from roam_core.cli import main, prepare
+from roam_core.params import CONFIGS
+
+
+def test_every_step_is_done_once_and_the_end_is_told(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    done = list[str]()
+    monkeypatch.setattr(prepare, "work", lambda: [(name, lambda name=name: done.append(name)) for name in ("a", "b")])
+    assert main(["prepare"]) == 0
+    assert done == ["a", "b"]
+    assert capsys.readouterr().err.startswith("The engine is prepared")
+
+
+def test_every_configuration_is_among_the_steps() -> None:
+    names = [name for name, _ in prepare.work()]
+    assert [name for name in names if name.startswith("tracking")] == [f"tracking ({config})" for config in CONFIGS]
+
+
+@pytest.mark.parametrize("name", ["keys and mattes", "masks"])
+def test_the_other_steps_do_their_work(name: str) -> None:
+    steps = dict(prepare.work())
+    steps[name]()

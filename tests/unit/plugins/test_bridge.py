@@ -1,0 +1,85 @@
+"""What the scripts for other programs share: the program that they start, keys out of what was read on every frame."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+import pytest
+
+from roam_core.cli import main
+from roam_core.interchange import read_shapes
+from roam_core.roto import Clip
+from tests.unit.plugins.conftest import Desk, pytestmark
+
+__all__ = ["pytestmark"]
+
+
+@pytest.fixture
+def bridge(plugin: Any) -> Any:
+    return plugin("nuke", "roam_bridge", {"nuke": ModuleType("nuke")})
+
+
+def test_a_straight_way_needs_its_ends_alone(bridge: Any) -> None:
+    rows = {frame: [[float(min(frame, 5)), 2.0]] for frame in range(1, 10)}
+    assert [key["frame"] for key in bridge.keys_of(rows)] == [1, 5, 9]
+
+
+def test_a_single_frame_is_a_key(bridge: Any) -> None:
+    assert [key["frame"] for key in bridge.keys_of({7: [[1.0, 2.0]]})] == [7]
+
+
+def test_a_bent_way_keeps_every_frame(bridge: Any) -> None:
+    rows = {frame: [[float(frame**2), 0.0]] for frame in range(5)}
+    assert [key["frame"] for key in bridge.keys_of(rows)] == [0, 1, 2, 3, 4]
+
+
+def test_its_document_is_one_that_roam_reads(bridge: Any, tmp_path: Path) -> None:
+    rows = [[10.0, 10.0] * 3, [50.0, 10.0] * 3, [30.0, 40.0] * 3]
+    shape = {"name": "Arm", "closed": True, "keys": bridge.keys_of({1: rows, 2: rows})}
+    path = tmp_path / "shapes.json"
+    path.write_text(bridge.document([shape], (160, 90)), encoding="utf-8")
+    (read,) = read_shapes(path, Clip(Path("plate"), 1, 2, (160, 90))).layer.shapes()
+    assert (read.name, read.point_count) == ("Arm", 3)
+
+
+def test_a_program_that_is_not_there_is_told(bridge: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.delenv("ROAM_PROGRAM")
+    monkeypatch.setenv("PATH", "")
+    with pytest.raises(bridge.Trouble, match="ROAM_PROGRAM"):
+        bridge.run("info")
+
+
+def test_the_first_frame_is_the_plates(bridge: Any, desk: Desk) -> None:
+    assert bridge.first_frame(str(desk.plate)) == 1001
+
+
+@pytest.mark.parametrize(
+    ("program", "scripts"),
+    [
+        ("nuke", {"menu.py", "roam_nuke.py"}),
+        ("natron", {"initGui.py", "roam_natron.py"}),
+        ("blender", {"__init__.py", "roam_masks.py"}),
+    ],
+)
+def test_the_command_writes_all_that_a_program_needs(
+    program: str, scripts: set[str], tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(["plugin", program, str(tmp_path)]) == 0
+    written = {path.name for path in (tmp_path / "roam").iterdir()}
+    assert written - {"program.txt"} == scripts | {"roam_bridge.py"}
+    assert str(tmp_path / "roam") in capsys.readouterr().out
+    assert main(["plugin", program, str(tmp_path)]) == 1
+    assert "--overwrite" in capsys.readouterr().err
+    assert main(["plugin", program, str(tmp_path), "--overwrite"]) == 0
+
+
+def test_a_clip_that_is_not_there_is_refused_before_a_project_is_made(desk: Desk) -> None:
+    assert main(["export", str(desk.project), str(desk.folder / "a.json"), "--to", "json"]) == 0
+    target = desk.folder / "new.roam"
+    words = ["import", str(desk.folder / "a.json"), "--into", str(target), "--clip"]
+    assert main([*words, str(desk.folder / "nowhere")]) == 1
+    assert not target.exists()
+    assert main([*words, str(desk.plate)]) == 0
+    assert target.exists()

@@ -1,0 +1,83 @@
+"""Which lone shapes may be parts, and when one that was is held to its pose."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from roam_core.features import Region
+from roam_core.features.grid import Grid
+from roam_core.geometry.bezier import polygon_points
+from roam_core.motion.pose import Look, Pose
+from roam_core.params import RegionParams, params_for
+from roam_core.propagate.frame.result import Part
+from roam_core.propagate.whole.posed import is_believable, is_believed
+from roam_core.proposal.cues.evidence import SURE, Field
+from tests.unit.motion.test_pose import PATCH, learned
+
+
+def region_params() -> RegionParams:
+    params = params_for("best").region
+    assert params is not None
+    return params
+
+
+PARAMS = region_params()
+GRID = Grid.over(Region(0, 0, 160, 120), 1.0)
+PLACES = np.array([(60.0 + 2.0 * k, 50.0) for k in range(10)])
+SMALL, LARGE = 0.5 * PARAMS.pose_area, 2.0 * PARAMS.pose_area
+EDGED, NARROW, SEAMED = 0.0, 0.06, 0.3
+"""Shares of an outline beside which nothing changes."""
+
+
+def pose(area: float, seam: float, apart: float, *, gone: bool = False) -> Pose:
+    """A pose of a shape of that size and seam, all of which differs by so much from its key."""
+    template = replace(learned(PATCH), area=area, seam=seam)
+    wrong = apart**2 / (apart**2 + 25.0)
+    count = len(PLACES)
+    look = Look(PLACES, np.ones(count, bool), np.full(count, apart**2), np.full(count, wrong), 1.0)
+    rest = template.chain.rest
+    return Pose(template, rest, rest, 5.0, look=look, is_gone=gone)
+
+
+@pytest.mark.parametrize(
+    ("area", "seam", "apart", "may_be"),
+    [
+        (SMALL, SEAMED, 1.0, True),
+        (SMALL, SEAMED, 9.0, True),
+        (SMALL, EDGED, 1.0, True),
+        (SMALL, EDGED, 9.0, False),
+        (LARGE, SEAMED, 1.0, True),
+        (LARGE, SEAMED, 4.0, False),
+        (LARGE, NARROW, 1.0, True),
+        (LARGE, EDGED, 1.0, False),
+    ],
+)
+def test_the_larger_and_the_more_edged_the_more_it_must_look_as_on_its_key(
+    area: float, seam: float, apart: float, may_be: bool
+) -> None:
+    assert is_believable(pose(area, seam, apart), PARAMS) is may_be
+
+
+@pytest.mark.parametrize(
+    ("seam", "gone", "was_posed", "believed"),
+    [
+        (SEAMED, True, True, True),
+        (SEAMED, True, False, False),
+        (EDGED, True, True, False),
+        (SEAMED, False, True, True),
+        (SEAMED, False, False, False),
+    ],
+)
+def test_a_limb_that_was_carried_by_its_pose_is_held_to_it(
+    seam: float, gone: bool, was_posed: bool, believed: bool
+) -> None:
+    """The region has nothing where the limb should be: that alone does not speak against a limb that may be hidden."""
+    there = pose(SMALL, seam, 20.0 if gone else 6.0, gone=gone)
+    parts = (Part(polygon_points([(55, 40), (99, 40), (99, 76), (55, 76)])),)
+    nothing = Field(GRID, np.full(GRID.shape, -SURE, np.float32))
+    assert not gone or there.unlike > PARAMS.pose_unlike
+    strict = replace(PARAMS, pose_against=0.3)
+    assert is_believed(there, parts, nothing, strict, was_posed) is believed
