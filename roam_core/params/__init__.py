@@ -50,7 +50,6 @@ from roam_core.params.region import RegionParams
 from roam_core.params.rigid import PLANAR, PlanarParams, RigidityParams
 from roam_core.params.roam import RoamParams, scale_for
 from roam_core.params.softness import SOFTNESS, SoftnessParams
-from roam_core.params.steadiness import RESIDUAL, ResidualParams, SteadinessParams
 
 __all__ = [
     "ANCHORS",
@@ -75,7 +74,6 @@ __all__ = [
     "OUTLINE_MATCH",
     "PAIRING",
     "PLANAR",
-    "RESIDUAL",
     "SOFTNESS",
     "UNTYING",
     "AnchorParams",
@@ -112,12 +110,10 @@ __all__ = [
     "RedetectionParams",
     "RefineParams",
     "RegionParams",
-    "ResidualParams",
     "RigidityParams",
     "RoamParams",
     "SoftnessParams",
     "SpanParams",
-    "SteadinessParams",
     "UntyingParams",
     "departed",
     "is_doubtful",
