@@ -49,6 +49,7 @@ class SpanParams:
     unposed : what an outline that was not carried by its pose is taken to cost. arrived : overlap with the other key
         from which a pass by poses has come to it.
     apart : pixels of a 480-line image between the estimates of a point at which half the trust in it is gone.
+    places : places along two outlines by which they are laid on each other.
     endpoint_consistency : of what both passes are believed by. key_colours : of what the colours of both keys say.
     """
 
@@ -65,5 +66,6 @@ class SpanParams:
     unposed: float = 0.4
     arrived: float = 0.6
     apart: float = 4.0
+    places: int = later(64)
     endpoint_consistency: EndpointConsistencyParams = later(EndpointConsistencyParams())
     key_colours: KeyColoursParams = later(KeyColoursParams())

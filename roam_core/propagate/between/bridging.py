@@ -14,9 +14,6 @@ import numpy as np
 from roam_core.arrays import Array
 from roam_core.geometry import bezier, polyline, similarity
 
-PLACES = 64
-"""Places, evenly along an outline, by which two outlines are laid on each other."""
-
 
 def seen_until_lost(gone: Sequence[bool], arrived: bool) -> list[bool]:
     """On which stops, from the key on, a pass is to be believed: until the first on which the part is gone.
@@ -30,12 +27,12 @@ def seen_until_lost(gone: Sequence[bool], arrived: bool) -> list[bool]:
     return believed
 
 
-def between(first: Array, last: Array, share: float) -> Array:
+def between(first: Array, last: Array, share: float, places: int) -> Array:
     """A spline `(P, 3, 2)` a `share` of the way, in [0, 1], from `first` to `last`, `(P, 3, 2)` each.
 
-    The shape is that of the nearer one.
+    The shape is that of the nearer one. They are laid on each other by so many `places`, evenly along each.
     """
-    motion = _motion(first, last)
+    motion = _motion(first, last, places)
     middle = bezier.flatten(first).mean(axis=0)
     arrived = similarity.apply(motion, middle[None])[0]
     here = (1.0 - share) * middle + share * arrived
@@ -45,10 +42,10 @@ def between(first: Array, last: Array, share: float) -> Array:
     return np.asarray((points - about) @ np.array([[c, s], [-s, c]]) + here)
 
 
-def _motion(first: Array, last: Array) -> Array:
+def _motion(first: Array, last: Array, places: int) -> Array:
     """The similarity `(2, 3)` that takes one outline to the other, whichever of its places their points lie at."""
-    line, target = (polyline.resample(bezier.flatten(points), PLACES) for points in (first, last))
-    slid = [np.roll(target, by, axis=0) for by in range(-PLACES // 4, PLACES // 4 + 1)]
+    line, target = (polyline.resample(bezier.flatten(points), places) for points in (first, last))
+    slid = [np.roll(target, by, axis=0) for by in range(-places // 4, places // 4 + 1)]
     motions = [similarity.fit(line, each) for each in slid]
     misses = [
         float(((similarity.apply(motion, line) - each) ** 2).sum()) for motion, each in zip(motions, slid, strict=True)

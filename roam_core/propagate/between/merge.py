@@ -86,6 +86,11 @@ class _Moment:
         return any(cost is not None for cost in self.costs[k])
 
     @property
+    def is_lone(self) -> bool:
+        """True of a shape on its own: what hides it is not known."""
+        return any(stop.motion.by_pose is not None for stop in (self.onwards, self.back) if stop is not None)
+
+    @property
     def is_one_piece(self) -> bool:
         """True where both passes only moved what was drawn, to the same place: fitted to a region it would lose."""
         motions = [stop.motion for stop in (self.onwards, self.back) if stop is not None and stop.motion.as_one_piece]
@@ -180,7 +185,7 @@ def _expected(moment: _Moment, k: int) -> Array:
         assert only is not None
         return only
     if moment.is_posed(k):
-        return _seen_or_bridged(moment, k)
+        return _seen_or_bridged(moment, k) if moment.is_lone else _by_poses(moment, k)
     planar = _planar(moment, k)
     if moment.span.is_planar:
         return planar
@@ -201,7 +206,7 @@ def _seen_or_bridged(moment: _Moment, k: int) -> Array:
     before = max(frame for frame in onwards | back if frame < moment.frame)
     after = min(frame for frame in onwards | back if frame > moment.frame)
     ends = [_seen_or_bridged(_Moment.of(moment.span, frame), k) for frame in (before, after)]
-    return between(ends[0], ends[1], (moment.frame - before) / (after - before))
+    return between(ends[0], ends[1], (moment.frame - before) / (after - before), moment.span.params.span.places)
 
 
 def _by_poses(moment: _Moment, k: int) -> Array:

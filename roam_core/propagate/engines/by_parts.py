@@ -51,14 +51,13 @@ class PartsEngine:
         """That of what is not in parts behind the occluders, where that is one object."""
         count, limb = len(self.state.parts), self.state.whole
         if limb is None or limb.whole is None:
-            return Motion(None, None, (False,) * count, pose_costs=self.state.pose_costs, gone=self.state.gone)
+            return Motion(None, None, (False,) * count, pose_costs=self.state.pose_costs)
         return Motion(
             limb.whole.key.to_now,
             limb.whole.region,
             tuple(k in limb.unit.members for k in range(count)),
             limb.whole.agreement_as_one_piece is not None,
             self.state.pose_costs,
-            self.state.gone,
         )
 
     def step(self, picture: PreparedFrame, order: Sequence[int], token: CancelToken | None = None) -> PartsStep:

@@ -32,7 +32,7 @@ def apart(a: Array, b: Array) -> float:
 @pytest.mark.parametrize("slid", [0, 1])
 def test_an_outline_moves_turns_and_grows_evenly_though_its_points_have_slid(share: float, slid: int) -> None:
     last = np.roll(similarity.apply(moved(1.0), LIMB), slid, axis=0)
-    assert apart(between(LIMB, last, share), similarity.apply(moved(share), LIMB)) < 2.5
+    assert apart(between(LIMB, last, share, 64), similarity.apply(moved(share), LIMB)) < 2.5
 
 
 def test_a_pass_is_believed_until_it_loses_sight_and_after_that_only_if_it_arrived() -> None:
