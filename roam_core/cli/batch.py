@@ -86,7 +86,13 @@ def run(arguments: argparse.Namespace) -> int:
             workers = sum(client.nthreads().values())
             _tell_where(client, workers, dashboard=not arguments.no_dashboard)
             steps = driver.run(
-                client, WORK, tasks, retries=arguments.retries, pictures=pictures_in(out), watcher=terminal
+                client,
+                WORK,
+                tasks,
+                retries=arguments.retries,
+                pictures=pictures_in(out),
+                watcher=terminal,
+                ahead=0 if arguments.scheduler is None else driver.AHEAD,
             )
             outcomes.extend(steps)
     finally:

@@ -12,10 +12,10 @@ from roam_core.installation import studio_module
 from roam_core.studio.cluster import TOPIC, process_name
 from roam_core.studio.tasks import Task, pieces
 
-IN_FLIGHT = 200
-"""Steps that the scheduler knows of at a time, at least: more would only fill its memory."""
-AHEAD = 2
-"""Steps for each thread of the workers that it knows of, so that none waits for us."""
+AHEAD = 200
+"""Steps that wait at a studio's scheduler: it sees what there is to do, and workers do not wait for us."""
+COUNTED = 50
+"""Steps after which the workers are counted again: they come and go."""
 PATIENCE = 60.0
 """Seconds that a cancelled batch waits for steps to come to a safe point."""
 
@@ -80,13 +80,15 @@ def run(
     retries: int = 1,
     pictures: str = "",
     watcher: Watcher | None = None,
+    ahead: int = 0,
 ) -> Iterator[Outcome]:
     """Carry out jobs on the workers of a client; yields what each step came to, as they end.
 
     A step that fails, or whose worker dies, is tried `retries` times more; then the rest of its job is left out, and
-    yielded as `skipped`. Leaving the iteration early (by an exception too) stops what runs, at a safe point.
+    yielded as `skipped`. `ahead` steps more than the workers have threads are given to the scheduler, to wait there.
+    Leaving the iteration early (by an exception too) stops what runs, at a safe point.
     """
-    return _Batch(client, work, jobs, retries, pictures, watcher or Watcher()).run()
+    return _Batch(client, work, jobs, retries, pictures, watcher or Watcher(), ahead).run()
 
 
 class _Batch:
@@ -98,6 +100,7 @@ class _Batch:
         retries: int,
         pictures: str,
         watcher: Watcher,
+        ahead: int,
     ) -> None:
         self._client, self._work, self._retries = client, work, retries
         self._pictures, self._watcher = pictures, watcher
@@ -106,7 +109,7 @@ class _Batch:
         self._flying: dict[str, tuple[Any, _Ready]] = {}
         self._name = process_name()
         self._sent = Counter[str]()
-        self._rounds, self._most = 0, IN_FLIGHT
+        self._rounds, self._most, self._ahead = 0, 1, ahead
 
     def run(self) -> Iterator[Outcome]:
         self._watcher.begun(sum(len(line.tasks) for line in self._lines))
@@ -125,8 +128,8 @@ class _Batch:
 
     def _send(self, ended: Any) -> None:
         """Give the scheduler what is ready: what goes on with a job before what begins one."""
-        if self._rounds % IN_FLIGHT == 0:  # workers come and go
-            self._most = max(IN_FLIGHT, AHEAD * sum(self._client.nthreads().values()))
+        if self._rounds % COUNTED == 0:
+            self._most = max(1, sum(self._client.nthreads().values())) + self._ahead
         self._rounds += 1
         while self._ready and len(self._flying) < self._most:
             ready = self._ready.popleft()
