@@ -186,6 +186,10 @@
         <translation>, einen Blick wert</translation>
     </message>
     <message>
+        <source>, {count} missing</source>
+        <translation>, {count} fehlen</translation>
+    </message>
+    <message>
         <source>.
 Now: {level}, {changes}</source>
         <translation>.
@@ -4598,6 +4602,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>alpha maske schwarz weiß</translation>
     </message>
     <message>
+        <source>and {count} more</source>
+        <translation>und {count} weitere</translation>
+    </message>
+    <message>
         <source>as stacked again</source>
         <translation>wieder wie gestapelt</translation>
     </message>
@@ -5548,6 +5556,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>{count} frames, from {first} to {last}</source>
         <translation>{count} Frames, von {first} bis {last}</translation>
+    </message>
+    <message>
+        <source>{count} layers</source>
+        <translation>{count} Ebenen</translation>
     </message>
     <message>
         <source>{count} more</source>
