@@ -90,7 +90,7 @@ def _shots(
     differing = [
         str(path.relative_to(alone))
         for path in sorted(alone.rglob("*"))
-        if path.is_file() and path.read_bytes() != (folder / "shots" / path.relative_to(alone)).read_bytes()
+        if path.is_file() and not _is_same(path, folder / "shots" / path.relative_to(alone))
     ]
     again = _batch(folder, "shots", jobs)
     killed = sum(line["attempts"] > 1 for line in batch.lines)
@@ -131,6 +131,10 @@ def _tiny(folder: Path, count: int, rows: list[list[str]]) -> dict[str, Any]:
     ]
     done = sum(line["status"] == "done" for line in batch.lines)
     return {"seconds": batch.seconds, "start": few.seconds, "overhead": overhead, "memory": batch.memory, "done": done}
+
+
+def _is_same(one: Path, other: Path) -> bool:
+    return other.is_file() and one.read_bytes() == other.read_bytes()
 
 
 def _single(*words: object) -> None:

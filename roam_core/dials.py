@@ -76,10 +76,23 @@ def _key_colours(params: Any, factor: float) -> Any:
     return replace(params, appearance=replace(params.appearance, key_share=share))
 
 
+def _steadiness(params: Any, factor: float) -> Any:
+    if params.region is None:
+        return params
+    weight = params.region.steadiness.weight * factor
+    return replace(params, region=replace(params.region, steadiness=replace(params.region.steadiness, weight=weight)))
+
+
 def _is_curve(params: Any) -> bool:
     """Whether curves are drawn by their own energy: for regions what the dial turns told nothing but chance."""
     return params.region is None
 
+
+STEADY = N_(
+    "How far each outline is drawn to where the frames around it have it, so that edges stand still. "
+    "As it is it takes TODO; at 0 each frame stays as it was found"
+)
+"""What the dial does, with its effect as measured (docs/ENGINE-NOTES.md)."""
 
 DIALS: tuple[Dial, ...] = (
     Dial(
@@ -100,6 +113,7 @@ DIALS: tuple[Dial, ...] = (
     Dial(
         "key", N_("Key colours"), N_("How much your key's colours count beside later ones"), 0.0, 3.0, _key_colours,
     ),
+    Dial("steadiness", N_("Steadiness"), STEADY, 0.0, 4.0, _steadiness),
 )  # fmt: skip
 
 

@@ -284,6 +284,29 @@ def photograph_keyed_value(shown: MainWindow) -> None:
         photograph(shown.properties, "keyed.png", shown.properties.object_form.y())
 
 
+def photograph_curves(shown: MainWindow) -> None:
+    """The curve editor on an opacity with tangents, one of its keys chosen."""
+    from roam_core.roto import Animated, Interpolation, ValueKey
+
+    (shape,) = shown.document.project.shapes
+    peak = LOOKED_AT + 2
+    keys = (
+        ValueKey(LOOKED_AT - 9, 0.2, slopes=(0.0, 0.02)),
+        ValueKey(peak, 0.9, slopes=(0.01, 0.01)),
+        ValueKey(LOOKED_AT + 16, 0.4, Interpolation.SMOOTH),
+        ValueKey(LOOKED_AT + 26, 0.7, Interpolation.HOLD),
+    )
+    soft = Animated((ValueKey(LOOKED_AT - 5, 2.0), ValueKey(LOOKED_AT + 20, 12.0)))
+    with posed(shown, shown.document.project.with_shape(replace(shape, opacity=Animated(keys), feather=soft))):
+        shown.view_state.select(frozenset([shape.id]))
+        show_frame(shown, LOOKED_AT)
+        shown.actions_by_id["view.curves"].setChecked(True)
+        shown.timeline.values.select(frozenset([(shape.id, "opacity", peak)]))
+        live(500)
+        photograph(shown, "curves.jpg")
+        shown.actions_by_id["view.curves"].setChecked(False)
+
+
 @contextmanager
 def posed(shown: MainWindow, project: Project) -> Iterator[None]:
     """The project for a while, as one step that is undone."""
@@ -423,6 +446,7 @@ SCENES = (
     photograph_finding,
     photograph_export,
     photograph_keyed_value,
+    photograph_curves,
     lambda shown: photograph_review(shown, "review.jpg", "review-movie.png", "contact-sheet.jpg"),
     photograph_start,
     photograph_parts,

@@ -79,6 +79,7 @@ MENUS: dict[str, tuple[str, ...]] = {
         "window.shapes", "window.track", "window.planar", "window.shape", "window.timeline", SEPARATOR,
         "window.float_shapes", "window.float_track", "window.float_planar", "window.float_shape",
         "window.float_review", "window.float_history", "window.float_log", "window.float_timeline",
+        "window.float_curves",
         "window.float_second_viewer", SEPARATOR,
         "window.reset_layout", SEPARATOR,
         "view.next_part", "view.previous_part",

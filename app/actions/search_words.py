@@ -45,7 +45,7 @@ WORDS: Mapping[str, str] = {
     "key.tangents": N_("bezier handles ease spline curve animation smooth f-curve"),
     "key.points": N_("keyframe partial vertex single some record"),
     "key.set_points": N_("keyframe partial vertex single some add"),
-    "view.curves": N_("graph editor dope sheet f-curve animation keyframes opacity feather tangents"),
+    "view.curves": N_("graph editor dope sheet f-curve animation keyframes handles"),
     "track.forward": N_("propagate rotobrush follow solve play motion tracker"),
     "track.backward": N_("propagate rotobrush follow solve motion tracker"),
     "track.to_next_key": N_("propagate until"),
@@ -181,6 +181,7 @@ WORDS: Mapping[str, str] = {
     "window.second_viewer": N_("two viewers beside split compare matte monitor dual"),
     "window.timeline": N_("hide show dopesheet"),
     "window.float_second_viewer": N_("undock detach tear off monitor"),
+    "window.float_curves": N_("undock detach tear off monitor graph editor"),
     "window.float_timeline": N_("undock detach tear off monitor dopesheet"),
     "window.reset_layout": N_("dock panels back default workspace"),
 }

@@ -179,20 +179,8 @@ SPECS: tuple[ActionSpec, ...] = (
         N_("Edits make keys on their frames; off: they change keys around"),
         True,
     ),
-    ActionSpec(
-        "key.points",
-        N_("Key points"),
-        _VIEWER,
-        "",
-        N_("Edits key the points that they move; a track derives the others"),
-        True,
-    ),
-    ActionSpec(
-        "key.set_points",
-        N_("Set key for points"),
-        _VIEWER,
-        tip=N_("Make the selected points, as they are here, the artist's"),
-    ),
+    ActionSpec("key.points", N_("Key points"), _VIEWER, "", N_("An edit keys only the points that it moves"), True),
+    ActionSpec("key.set_points", N_("Set key for points"), _VIEWER, tip=N_("Make the selected points yours here")),
     ActionSpec("key.copy", N_("Copy key"), _VIEWER, tip=N_("Copy the selected shapes as they are on this frame")),
     ActionSpec("key.paste", N_("Paste key"), _VIEWER, tip=N_("Put the copied key on this frame")),
     ActionSpec(
@@ -218,12 +206,7 @@ SPECS: tuple[ActionSpec, ...] = (
         "key.smooth", N_("Smooth"), icon="key-smooth", tip=N_("Begin and end softly after the chosen keys or this one")
     ),
     ActionSpec("key.hold", N_("Hold"), icon="key-hold", tip=N_("Stand still after the chosen keys, or this one")),
-    ActionSpec(
-        "key.tangents",
-        N_("Tangents"),
-        icon="key-tangents",
-        tip=N_("Bend opacity or feather smoothly through the chosen keys"),
-    ),
+    ActionSpec("key.tangents", N_("Tangents"), icon="key-tangents", tip=N_("Bend the chosen keys of values smoothly")),
     ActionSpec("track.backward", N_("Track backward"), icon="track-backward"),
     ActionSpec("track.backward_one", N_("Track one frame backward"), icon="track-backward-one"),
     ActionSpec("track.stop", N_("Stop"), icon="track-stop", tip=N_("Stop; the frames that are finished stay")),
@@ -342,12 +325,7 @@ SPECS: tuple[ActionSpec, ...] = (
     ActionSpec(
         "view.tall_timeline", N_("Tall timeline"), tip=N_("Give the timeline half of the window"), checkable=True
     ),
-    ActionSpec(
-        "view.curves",
-        N_("Curve editor"),
-        tip=N_("Opacity, feather and position as curves over time"),
-        checkable=True,
-    ),
+    ActionSpec("view.curves", N_("Curve editor"), tip=N_("What is keyed, as curves over time"), checkable=True),
     ActionSpec(
         "view.shape_panel", N_("Shape panel"), tip=N_("Show all that the Shape panel has of the selected shapes")
     ),
@@ -413,6 +391,7 @@ SPECS: tuple[ActionSpec, ...] = (
     ActionSpec("window.float_review", N_("Float: Review"), icon="float", tip=_FLOAT, checkable=True),
     ActionSpec("window.float_history", N_("Float: History"), icon="float", tip=_FLOAT, checkable=True),
     ActionSpec("window.float_log", N_("Float: Messages"), icon="float", tip=_FLOAT, checkable=True),
+    ActionSpec("window.float_curves", N_("Float: Curve editor"), icon="float", tip=_FLOAT, checkable=True),
     ActionSpec("window.float_timeline", N_("Float: Timeline"), icon="float", tip=_FLOAT, checkable=True),
     ActionSpec("window.float_second_viewer", N_("Float: Second viewer"), icon="float", tip=_FLOAT, checkable=True),
     ActionSpec("window.reset_layout", N_("Reset layout"), tip=N_("Every part in its place, as in a new window")),

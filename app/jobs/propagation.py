@@ -170,7 +170,9 @@ class Propagation(QObject):
         """A tracked frame has arrived."""
         run = self._run
         if run is not None:
-            self._write(run, {each.shape.id: [each.key] for each in result.results if each.key is not None})
+            self._write(
+                run, {each.shape.id: [*each.revised, each.key] for each in result.results if each.key is not None}
+            )
             run.reached = result.frame
             self._follow(run, result.frame)
             self.solved.emit(result, run.frames.step)

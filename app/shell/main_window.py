@@ -204,6 +204,7 @@ class MainWindow(QMainWindow):
         self.timeline_height = TimelineHeight(self._halves)
         self.workspace.add("second_viewer", second.title, second, is_shown_first=False)
         self.workspace.add("timeline", tr("Timeline"), lower)
+        self.workspace.add("curves", tr("Curves"), self.timeline.curve_panel, show="view.curves", is_shown_first=False)
         self._lay_out_anew()
         self.setCentralWidget(layout.column(self._halves, self.status))
         parts = self.tool_column, self.view_bar, self.panel_column, self.transport, self.timeline, self.status
@@ -274,7 +275,6 @@ class MainWindow(QMainWindow):
             actions[name].setEnabled(False)
         actions["view.panels"].toggled.connect(self.panel_column.setVisible)
         actions["view.tall_timeline"].toggled.connect(self.timeline_height.make_tall)
-        actions["view.curves"].toggled.connect(self.timeline.show_curves)
 
     def _connect_personal(self) -> None:
         personal, say = self.personal, self.view_state.say

@@ -20,7 +20,7 @@ from ..atomic_json import MOST_BYTES, loaded
 from ..translation import tr
 from ..widgets.panel import Panel
 
-SWITCHES = ("time.loop", "time.ping_pong", "view.panels", "view.curves")
+SWITCHES = ("time.loop", "time.ping_pong", "view.panels")
 """The actions whose state is kept."""
 
 

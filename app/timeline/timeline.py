@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
 
+from PySide6.QtCore import QTimer
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from ..actions.actions import Actions
@@ -69,7 +70,9 @@ class Timeline(QWidget):
         self.value_rows = ValueRows(document, self.axis, self.values)
         self.curves = CurveEditor(document, self.axis, self.values)
         self.curve_panel = Panel(tr("Curves"), self.curves, tuple(tool_button(actions, name) for name in VALUE_MENU[0]))
-        self.curve_panel.setVisible(False)
+        self.curve_panel.hide()  # the workspace shows it
+        for name in ("view.curves", "window.float_curves"):
+            actions[name].toggled.connect(lambda _: self._pull_curves(actions))
         self.confidence = ConfidencePlot(document, self.axis, marks)
         self.boil = BoilBand(document, self.axis)
         column = QVBoxLayout(self)
@@ -101,12 +104,12 @@ class Timeline(QWidget):
             taken |= verbs.taking_over(taken)
         return taken
 
-    def show_curves(self, shown: bool) -> None:
-        """Show the curve editor in place of the confidence plot, with the keyboard; or the plot again."""
-        self.curve_panel.setVisible(shown)
-        self.confidence.setVisible(not shown)
-        if shown:
-            self.curves.plot.setFocus()
+    def _pull_curves(self, actions: Actions) -> None:
+        """In the timeline the curve editor has the place of the confidence plot; it takes the keyboard."""
+        is_shown = actions["view.curves"].isChecked()
+        self.confidence.setVisible(not is_shown or actions["window.float_curves"].isChecked())
+        if is_shown and self.isVisible():
+            QTimer.singleShot(0, self, self.curves.plot.setFocus)
 
     def _offer(self, actions: Actions) -> None:
         for group in KEY_MENU:

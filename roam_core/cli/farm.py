@@ -7,9 +7,9 @@ import sys
 from pathlib import Path
 
 from roam_core.atomic_write import write_atomically
-from roam_core.cli.fill import gaps_of
 from roam_core.cli.lines import print_json
 from roam_core.cli.plate import loaded
+from roam_core.cli.spans import gaps_of
 from roam_core.errors import RoamError
 from roam_core.roto import Project
 from roam_core.studio.jobs import Job, require_name, steps_named

@@ -7,7 +7,6 @@ import sys
 import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
@@ -22,6 +21,8 @@ from roam_core.cli.overwriting import add_overwrite, project_writer, tell_of_hol
 from roam_core.cli.picking import EVERYTHING, Picking, trackable
 from roam_core.cli.picking import add_arguments as add_picking
 from roam_core.cli.plate import Plate, loaded, opened
+from roam_core.cli.spans import Gap, gaps_of, is_filled, part_files, taken, within
+from roam_core.cli.spreading import filled_apart
 from roam_core.cli.stopping import cancelling
 from roam_core.cli.track import matte_path, matte_targets, require_target, require_writable
 from roam_core.errors import RoamError
@@ -33,12 +34,10 @@ from roam_core.params import CONFIGS, DEFAULT_CONFIG, RoamParams
 from roam_core.propagate import Termination, warm_up
 from roam_core.propagate.between.span import fill_span
 from roam_core.propagate.shapes.frame_confidence import whole_confidence
-from roam_core.propagate.shapes.provenance import Stamps, clip_stamp, takes_part
-from roam_core.roto import Keyframe, Origin, Project, RotoShape
+from roam_core.propagate.shapes.provenance import clip_stamp, takes_part
+from roam_core.roto import Origin, Project, RotoShape
 
 FAILED = 1
-Gap = tuple[int, int]
-"""Two frames with artist keys and none between."""
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -55,6 +54,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         action="append",
         metavar="PART",
         help="take keys that are what filling would make from this copy of P.roam, or from those of a folder",
+    )
+    parser.add_argument(
+        "--workers", type=int, default=1, metavar="N", help="spread gaps and objects over processes of this machine (1)"
     )
     parser.add_argument("--matte", type=Path, metavar="DIR", help="write 8-bit PNG mattes named as the frames")
     parser.add_argument("--save", type=Path, metavar="OUT.roam", help="write here (default: P.roam itself)")
@@ -86,6 +88,10 @@ def run(arguments: argparse.Namespace) -> int:
         for part in parts:
             project = taken(project, part, gaps, params, picking)
         wanted = [gap for gap in gaps if not is_filled(project, gap, params, plate, picking)]
+        if arguments.workers > 1 and wanted:
+            project = filled_apart(project, wanted, params, picking, arguments.workers, write)
+            parts.append(project)
+            wanted = [gap for gap in gaps if not is_filled(project, gap, params, plate, picking)]
         filled = fill_project(plate, project, wanted, params, write, picking)
         project = filled.project
         if not wanted and (target != arguments.project or parts):
@@ -101,104 +107,6 @@ def run(arguments: argparse.Namespace) -> int:
         rest = len(gaps) - len(wanted)
         print(f"Filled {len(filled.gaps)} gap(s)" + (f"; {rest} already filled." if rest else "."), file=sys.stderr)
     return FAILED if len(filled.gaps) < len(wanted) else 0
-
-
-def gaps_of(project: Project, path: Path, picking: Picking = EVERYTHING) -> list[Gap]:
-    """Every gap between neighbouring artist keys of a shape, in order; one sentence where there is none."""
-    if not trackable(project, picking):
-        raise RoamError(f"{path} holds no closed, unlocked shape to fill.")
-    gaps = {
-        gap
-        for shape in trackable(project, picking)
-        for gap in pairwise(shape.artist_frames)
-        if any(shape.exists_at(frame) for frame in range(gap[0] + 1, gap[1]))
-    }
-    if not gaps:
-        raise RoamError(
-            f"{path} has no gap to fill: no shape has artist keys on two frames with others between them. "
-            "Set a key on a later frame first."
-        )
-    return sorted(gaps)
-
-
-def within(gaps: Sequence[Gap], span: Sequence[int] | None) -> list[Gap]:
-    """The gaps that lie between two frames, both inclusive; all for None."""
-    if span is None:
-        return list(gaps)
-    first, last = span
-    inside = [gap for gap in gaps if first <= gap[0] and gap[1] <= last]
-    if not inside:
-        known = ", ".join(f"{gap[0]}-{gap[1]}" for gap in gaps[:8])
-        raise RoamError(f"--span {first} {last} holds no gap between artist keys; there are {known}.")
-    return inside
-
-
-def part_files(given: Sequence[Path] | None) -> list[Path]:
-    """The projects that `--take` names: files, and all projects of a folder, by name."""
-    return [path for place in given or () for path in (sorted(place.glob("*.roam")) if place.is_dir() else [place])]
-
-
-def taken(
-    project: Project, part: Project, gaps: Sequence[Gap], params: RoamParams, picking: Picking = EVERYTHING
-) -> Project:
-    """The project with those ENGINE keys of `part` that filling the gaps of `project` would make, told by their stamps.
-
-    Everything else of `part` is left alone: shapes that are not in the project, and keys of other settings.
-    """
-    stamps = Stamps.of(project.shapes, project.clip)
-    filled = {shape.id: shape for shape in part.shapes}
-    for shape in trackable(project, picking):
-        other = filled.get(shape.id)
-        if other is None or other.point_count != shape.point_count:
-            continue
-        keys: list[Keyframe] = []
-        for gap in gaps:
-            if takes_part(shape, gap) and set(gap) <= set(shape.artist_frames):
-                wanted = stamps.filled_key(shape, gap, params, picking.alone)
-                keys += [key for key in other.keys if gap[0] < key.frame < gap[1] and _is_of(key, wanted)]
-        if keys:
-            project = project.with_shape(shape.with_keys(keys))  # as they are: they were settled when they were made
-    return project
-
-
-def _is_of(key: Keyframe, stamp: str) -> bool:
-    return key.origin is Origin.ENGINE and key.inputs == stamp
-
-
-def pieces_of(
-    project: Project, gaps: Sequence[Gap], picking: Picking = EVERYTHING
-) -> list[tuple[Gap, tuple[str, ...]]]:
-    """The gaps divided by objects: what can be filled apart, and comes out as if it had been filled in one run.
-
-    Each piece is a gap with the ids of the shapes of one object that get keys there.
-    """
-    stamps, ids = Stamps.of(project.shapes, project.clip), [shape.id for shape in project.shapes]
-    pieces: list[tuple[Gap, tuple[str, ...]]] = []
-    for gap in gaps:
-        asked = [ids.index(shape.id) for shape in trackable(project, picking) if takes_part(shape, gap)]
-        for members in sorted({stamps.filled_with(k, gap, picking.alone) for k in asked}):
-            pieces.append((gap, tuple(ids[k] for k in members if k in asked)))
-    return pieces
-
-
-def is_filled(project: Project, gap: Gap, params: RoamParams, plate: Plate, picking: Picking = EVERYTHING) -> bool:
-    """True when every frame with a picture in the gap holds a key that filling would only make again."""
-    stamps = Stamps.of(project.shapes, project.clip)
-    inside = [frame for frame in plate.source.frames if gap[0] < frame < gap[1]]
-    for shape in trackable(project, picking):
-        if not takes_part(shape, gap):
-            continue
-        wanted = stamps.filled_key(shape, gap, params, picking.alone)
-        keys = {frame: shape.key_at(frame) for frame in inside if shape.exists_at(frame)}
-        made = [key for key in keys.values() if key is not None]
-        if set(gap) <= set(shape.artist_frames):
-            if not made or any(key.inputs != wanted for key in made):
-                return False
-            if any(key is None and plate.has_picture(frame) for frame, key in keys.items()):
-                return False
-        elif any(stamps.is_stale(shape, key) for key in made):
-            return False
-    return True
 
 
 @dataclass(frozen=True)

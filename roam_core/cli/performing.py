@@ -15,10 +15,10 @@ from typing import Any
 from roam_core.atomic_write import write_atomically
 from roam_core.cancel import CancelToken
 from roam_core.cli.configuring import configured
-from roam_core.cli.fill import gaps_of, is_filled, pieces_of
 from roam_core.cli.main import INTERRUPTED, main
 from roam_core.cli.picking import Picking
 from roam_core.cli.plate import loaded, opened
+from roam_core.cli.spans import gaps_of, is_filled, pieces_of
 from roam_core.cli.stopping import cancelled_by
 from roam_core.errors import RoamError
 from roam_core.interchange.targets import kept_aside

@@ -8,6 +8,7 @@ import sys
 from importlib.resources.abc import Traversable
 from pathlib import Path
 
+from roam_core.cli.lines import print_json
 from roam_core.errors import RoamError
 from roam_core.installation import BUNDLE, resource
 
@@ -24,6 +25,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Declare the command's options."""
     parser.add_argument("program", choices=sorted(NEXT))
     parser.add_argument("folder", type=Path, metavar="FOLDER", help="gets a folder roam with the scripts")
+    parser.add_argument("--json", action="store_true", help="print a line of JSON: the files, and what to do next")
     parser.add_argument("--overwrite", action="store_true", help="write over a folder roam that is there")
 
 
@@ -40,8 +42,12 @@ def run(arguments: argparse.Namespace) -> int:
             (folder / NAMED).write_text(f"{roam}\n", encoding="utf-8")
     except OSError as error:
         raise RoamError(f"The scripts cannot be written to {folder}: {error.strerror or error}.") from None
+    then = NEXT[arguments.program].format(folder=folder.as_posix())
+    if arguments.json:
+        print_json({"files": sorted(str(path) for path in folder.iterdir()), "next": then})
+        return 0
     print(f"Wrote the menu for {arguments.program.capitalize()} to {folder}.")
-    print(NEXT[arguments.program].format(folder=folder.as_posix()))
+    print(then)
     return 0
 
 

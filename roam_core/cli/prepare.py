@@ -16,6 +16,7 @@ import numpy as np
 
 from roam_core.arrays import Image
 from roam_core.cli.bar import bar
+from roam_core.cli.lines import print_json
 from roam_core.geometry.bezier import polygon_points
 from roam_core.interchange import ExportOptions, KeyChoice, MaskOptions, read_shapes, write_shapes
 from roam_core.interchange.reading import ImportOptions
@@ -35,18 +36,24 @@ Step = tuple[str, Callable[[], object]]
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Declare the command's options: there are none."""
+    """Declare the command's options."""
+    parser.add_argument("--json", action="store_true", help="print a line of JSON: the steps, with seconds")
 
 
 def run(arguments: argparse.Namespace) -> int:
     """Carry out the command."""
-    began, steps = perf_counter(), work()
+    seconds: dict[str, float] = {}
+    steps = work()
     with bar(len(steps)) as progress:
         for name, step in steps:
+            began = perf_counter()
             progress.set_description(name)
             step()
+            seconds[name] = round(perf_counter() - began, 3)
             progress.update()
-    print(f"The engine is prepared ({perf_counter() - began:.0f} s).", file=sys.stderr)
+    if arguments.json:
+        print_json({"seconds": seconds})
+    print(f"The engine is prepared ({sum(seconds.values()):.0f} s).", file=sys.stderr)
     return 0
 
 

@@ -161,7 +161,7 @@ class Pose:
         search = Search(self, around, params)
         values, cost = search.best()
         look = search.look(values)
-        if around.drift is not None and look.closest >= params.gone and (self.is_gone or self.unclear < RECENT):
+        if around.drift is not None and look.closest >= params.gone and (self.is_gone or self.unclear < params.recent):
             return self._carried_along(search, around.drift)
         velocity = values - self.values
         velocity[2 + self.template.chain.count :] = 0.0
@@ -196,10 +196,6 @@ class Pose:
 
 NOTHING = Look(np.zeros((0, 2)), np.zeros(0, bool), np.zeros(0), np.zeros(0), 0.0)
 """What is seen of a part where there is nothing to be seen."""
-
-
-RECENT = 2
-"""Frames within which a part that has gone must have been clearly seen to be hidden, and not changed."""
 
 
 def _cost(found: tuple[Array, float]) -> float:

@@ -50,6 +50,7 @@ from roam_core.params.region import RegionParams
 from roam_core.params.rigid import PLANAR, PlanarParams, RigidityParams
 from roam_core.params.roam import RoamParams, scale_for
 from roam_core.params.softness import SOFTNESS, SoftnessParams
+from roam_core.params.steadiness import RESIDUAL, ResidualParams, SteadinessParams
 
 __all__ = [
     "ANCHORS",
@@ -74,6 +75,7 @@ __all__ = [
     "OUTLINE_MATCH",
     "PAIRING",
     "PLANAR",
+    "RESIDUAL",
     "SOFTNESS",
     "UNTYING",
     "AnchorParams",
@@ -110,10 +112,12 @@ __all__ = [
     "RedetectionParams",
     "RefineParams",
     "RegionParams",
+    "ResidualParams",
     "RigidityParams",
     "RoamParams",
     "SoftnessParams",
     "SpanParams",
+    "SteadinessParams",
     "UntyingParams",
     "departed",
     "is_doubtful",

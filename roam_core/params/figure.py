@@ -63,7 +63,8 @@ class FigureParams:
     nats : nats of a region's evidence that change the odds of being needed by a factor e.
     smooth : cells over which needs are smoothed.
     trusted : expected overlap of the object's region from which its border is believed.
-    blind : confidence in a part that is carried along without being seen.
+    blind : confidence in a part that is carried along without being seen. hidden : share of a part that must be seen
+        for its pose to be known.
     free_edges : of those that go to the border of the union. joints : of where parts hang on each other.
     """
 
@@ -72,5 +73,9 @@ class FigureParams:
     smooth: float = 1.5
     trusted: float = 0.5
     blind: float = 0.3
+    hidden: float = later(0.25)
     free_edges: FreeEdgesParams = later(FreeEdgesParams())
     joints: JointParams = later(JOINTS)
+
+
+FIGURE = FigureParams()

@@ -96,6 +96,8 @@ class PoseParams:
     bend, straight : standard deviations of how a joint's angle changes in a frame, and of the angle itself.
     lost : cost from which a pose is in doubt. gone, clear : difference of colour to the key that three quarters of a
         lone shape's samples exceed where it is not to be seen, and that a quarter stays under where it is, clearly.
+        recent : frames within which it must have been seen so to be
+        hidden, not changed. along : pixels of a 480-line image around it whose motion it then goes along with.
         widened : times that the search grows by further such frames, at most.
     apart_step, apart_turn : steps of the search, and turns of it, from which two poses are two candidates.
     least_samples : sample places that a part must have to be matched at all.
@@ -148,6 +150,8 @@ class PoseParams:
     taps: int = later(5)
     shutter: float = later(0.5)
     margin: float = later(20.0)
+    recent: int = later(2)
+    along: int = later(30)
     narrow: int = later(8)
     pyramid: PyramidParams = later(PyramidParams())
     bones: BonesParams = later(BONES)

@@ -13,6 +13,7 @@ from roam_core.params.pose import PoseParams
 from roam_core.params.redetection import RedetectionParams
 from roam_core.params.rigid import RigidityParams
 from roam_core.params.stamped import former, later
+from roam_core.params.steadiness import SteadinessParams
 
 
 @dataclass(frozen=True)
@@ -77,7 +78,8 @@ class RegionParams:
     label_propagation : of what a cell brings along. components : of the region's components. contour_fit : of laying
         points along it.
     redetection : of looking for what was lost. rigidity : of what is carried as one piece. figure : of an object in
-        parts. span : of filling between two keys. confidence : of how far all that is trusted.
+        parts. span : of filling between two keys. confidence : of how far all that is trusted. steadiness : of drawing
+        outlines to where those of the frames beside have them.
     """
 
     grid_factor: float = 0.5
@@ -143,3 +145,4 @@ class RegionParams:
     figure: FigureParams = later(FigureParams())
     span: SpanParams = later(SpanParams())
     confidence: ConfidenceParams = later(ConfidenceParams())
+    steadiness: SteadinessParams = later(SteadinessParams())

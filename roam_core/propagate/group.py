@@ -12,13 +12,14 @@ from numpy.typing import NDArray
 from roam_core.cancel import CancelToken
 from roam_core.errors import RoamError
 from roam_core.features import PreparedFrame
-from roam_core.params import DEFAULT_CONFIG, RoamParams, params_for, scale_for
+from roam_core.params import DEFAULT_CONFIG, RoamParams, SteadinessParams, UntyingParams, params_for, scale_for
 from roam_core.propagate.engines.begin import begin
 from roam_core.propagate.engines.protocol import Engine
 from roam_core.propagate.frame.result import Landmarks, Part, StepResult, Termination, TrackResult
 from roam_core.propagate.frame.topology_proposals import Proposal
 from roam_core.propagate.shapes import provenance
 from roam_core.propagate.shapes.objects import near, stacked, units
+from roam_core.propagate.steadiness.trail import Trail
 from roam_core.roto import BlendMode, Keyframe, Origin, RotoShape
 from roam_core.roto.edit import set_engine_keys
 
@@ -28,7 +29,8 @@ class Standing:
     """Where a group stands: the frame, the shapes with all their keys so far, and what the engine knows of them.
 
     `began` is the frame whose outlines the landmarks go back to; `known_from` the one on which all that is known of the
-    shapes begins: each was given there (`provenance`).
+    shapes begins: each was given there (`provenance`). `trail` is where the outlines were on the last frames; None
+    where no parameter asks for it.
     """
 
     frame: int
@@ -36,6 +38,7 @@ class Standing:
     engine: Engine
     began: int
     known_from: int
+    trail: Trail | None = None
 
     @property
     def picture(self) -> PreparedFrame:
@@ -87,7 +90,7 @@ class GroupTracker:
                 raise RoamError(f"{shape.name!r} is a single point; draw an outline around the object to track it.")
         picture, given, parts = _prepared(image), tuple(shapes), parts_at(shapes, frame, forward=forward)
         engine = begin(picture, parts, self.params, units(given, near(picture.size)), stacked(given, frame))
-        self._standing = Standing(frame, given, engine, frame, frame)
+        self._standing = Standing(frame, given, engine, frame, frame, self._trail_of(frame, parts, picture))
 
     def given(self) -> tuple[TrackResult, ...]:
         """The shapes on the frame where the group stands, as they were given there, with what was learned of them."""
@@ -137,7 +140,8 @@ class GroupTracker:
         elif any(by_hand):
             self._correct(picture, shapes, frame, step.after, by_hand)
         else:
-            self._standing = Standing(frame, shapes, step.after, standing.began, standing.known_from)
+            trail = self._trail_on(standing, picture, frame, solved)
+            self._standing = Standing(frame, shapes, step.after, standing.began, standing.known_from, trail)
         seconds = (time.perf_counter() - began) / len(shapes)
         return tuple(
             _as_given(shape, frame, seconds, landmarks)
@@ -154,7 +158,36 @@ class GroupTracker:
         corrected = engine.corrected(parts, order, given)
         if corrected is None:
             corrected = begin(picture, parts, self.params, units(shapes, near(picture.size)), order)
-        self._standing = Standing(frame, shapes, corrected, frame, self.standing.known_from)
+        trail = self._trail_of(frame, parts, picture)
+        self._standing = Standing(frame, shapes, corrected, frame, self.standing.known_from, trail)
+
+    @property
+    def steadiness(self) -> SteadinessParams | None:
+        """How outlines are drawn to those of the frames beside; None where each stays where it was found."""
+        region = self.params.region
+        return region.steadiness if region is not None and region.steadiness.weight > 0 else None
+
+    @property
+    def untying(self) -> UntyingParams:
+        """How an outline that crosses itself is taken apart."""
+        region = self.params.region
+        return self.params.untying if region is None else region.contour_fit.untying
+
+    def _trail_of(self, frame: int, parts: Sequence[Part], picture: PreparedFrame) -> Trail | None:
+        asked = self.steadiness
+        return None if asked is None else Trail.begun(frame, parts, asked.residual, picture.size)
+
+    def _trail_on(
+        self, standing: Standing, picture: PreparedFrame, frame: int, solved: Sequence[StepResult]
+    ) -> Trail | None:
+        if self.steadiness is None or standing.trail is None:
+            return None
+        if any(_restacked(shape, standing.frame, frame) for shape in standing.shapes):
+            pairs = zip(standing.shapes, solved, strict=True)
+            parts = [Part(each.points, shape.blend is BlendMode.SUBTRACT) for shape, each in pairs]
+            return self._trail_of(frame, parts, picture)
+        points = tuple(each.points for each in solved)
+        return standing.trail.stepped(standing.picture, picture, frame, points, self.steadiness)
 
     def resume(self, standing: Standing, shapes: Sequence[RotoShape]) -> None:
         """Go on from where a group stood, with `shapes` (the same on that frame) in place of its own."""
@@ -211,6 +244,12 @@ def parts_at(shapes: Sequence[RotoShape], frame: int, *, forward: bool = True) -
 
 def _prepared(image: NDArray[Any] | PreparedFrame) -> PreparedFrame:
     return image if isinstance(image, PreparedFrame) else PreparedFrame(image)
+
+
+def _restacked(shape: RotoShape, before: int, frame: int) -> bool:
+    """Whether the artist stacked a shape otherwise between two frames: stamps from there on say so."""
+    low, high = sorted((before, frame))
+    return any(low < changed <= high for changed, _ in shape.depth)
 
 
 def _artist_key(shape: RotoShape, frame: int) -> bool:

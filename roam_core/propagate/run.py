@@ -17,6 +17,7 @@ from roam_core.propagate.frame.result import FrameResult, TrackResult
 from roam_core.propagate.group import GroupTracker
 from roam_core.propagate.memory import Beginning, TrackMemory, begins, take_up
 from roam_core.propagate.shapes.provenance import Stamps
+from roam_core.propagate.steadiness.lag import Lag, Trails
 from roam_core.roto import RotoShape
 from roam_core.threads import each
 
@@ -40,6 +41,10 @@ def track(
     first frame yields nothing: it is the artist's, or an engine frame from which the run goes on as if it had never
     been stopped (`memory` spares it the way there). `begun` is told of it before the others are solved: the shapes as
     given, and the landmarks to start with.
+
+    Where the parameters ask for it (`RegionParams.steadiness`) each outline is settled between those of the frames on
+    either side: a frame then comes when a few more were solved, and the last ones when the run ends
+    (`propagate.steadiness.lag`).
 
     `only` are the ids of the shapes that are wanted; None: all. The others are solved with those whose object they
     belong to, and are not given back: what is wanted comes out the same whichever of its object is. With `alone` each
@@ -80,22 +85,35 @@ def track(
     under_way = list(runs.values())
     if begun is not None:
         begun(_in_order(frames[0], under_way, [run.tracker.given() for run in under_way]))
+    tracker = under_way[0].tracker
+    lag = Lag(tracker.steadiness, tracker.untying, stamps.shapes, first.size)
+    lag.take_up(frames[0], _trails(under_way), stamps)
     for frame in frames[1:]:
         if token is not None:
             token.check()
         try:
             picture = PreparedFrame(read(frame))
         except MissingFrame:
-            yield _in_order(frame, under_way, [run.tracker.skip(frame) for run in under_way])
+            skipped = _in_order(frame, under_way, [run.tracker.skip(frame) for run in under_way])
+            yield from lag.add(skipped, _asked(under_way), {})
             continue
+        except RoamError:
+            yield from lag.rest()
+            raise
         began = time.perf_counter()
-        solved = each(partial(_stepped, picture, frame, token), under_way)
+        try:
+            solved = each(partial(_stepped, picture, frame, token), under_way)
+        except RoamError:
+            yield from lag.rest()
+            raise
         result = _in_order(frame, under_way, solved, time.perf_counter() - began)
         if memory is not None:
             for run in under_way:
                 memory.keep(run.tracker.standing, run.tracker.stamp(forward=forward))
+        ready = list(lag.add(result, _asked(under_way), _trails(under_way)))
         under_way = _regrouped(under_way, stamps, forward, alone, picture, frame)
-        yield result
+        yield from ready
+    yield from lag.rest()
 
 
 @dataclass(frozen=True, eq=False)
@@ -105,6 +123,18 @@ class _Run:
     tracker: GroupTracker
     members: tuple[int, ...]
     asked: tuple[int, ...]
+
+
+def _asked(runs: Sequence[_Run]) -> list[int]:
+    """The indices of the shapes that were asked for, in order."""
+    return sorted(k for run in runs for k in run.asked)
+
+
+def _trails(runs: Sequence[_Run]) -> Trails:
+    """The trails along which the shapes go that were asked for."""
+    return {
+        k: (run.tracker.standing.trail, place) for run in runs for place, k in enumerate(run.members) if k in run.asked
+    }
 
 
 def _regrouped(

@@ -12,8 +12,10 @@ from roam_core.installation import studio_module
 from roam_core.studio.cluster import TOPIC, process_name
 from roam_core.studio.tasks import Task, pieces
 
-IN_FLIGHT = 400
-"""Steps that the scheduler knows of at a time: more would only fill its memory."""
+IN_FLIGHT = 200
+"""Steps that the scheduler knows of at a time, at least: more would only fill its memory."""
+AHEAD = 2
+"""Steps for each thread of the workers that it knows of, so that none waits for us."""
 PATIENCE = 60.0
 """Seconds that a cancelled batch waits for steps to come to a safe point."""
 
@@ -104,6 +106,7 @@ class _Batch:
         self._flying: dict[str, tuple[Any, _Ready]] = {}
         self._name = process_name()
         self._sent = Counter[str]()
+        self._rounds, self._most = 0, IN_FLIGHT
 
     def run(self) -> Iterator[Outcome]:
         self._watcher.begun(sum(len(line.tasks) for line in self._lines))
@@ -122,7 +125,10 @@ class _Batch:
 
     def _send(self, ended: Any) -> None:
         """Give the scheduler what is ready: what goes on with a job before what begins one."""
-        while self._ready and len(self._flying) < IN_FLIGHT:
+        if self._rounds % IN_FLIGHT == 0:  # workers come and go
+            self._most = max(IN_FLIGHT, AHEAD * sum(self._client.nthreads().values()))
+        self._rounds += 1
+        while self._ready and len(self._flying) < self._most:
             ready = self._ready.popleft()
             self._sent[ready.task.record] += 1
             future = self._client.submit(

@@ -72,6 +72,12 @@ def tasks_of(jobs: Jobs, *, overwrite: bool = False) -> list[list[Task]]:
     return [_of_job(job, jobs.out / job.name, overwrite) for job in jobs.jobs]
 
 
+def fill_task(project: Path, folder: Path, config: str, *, alone: bool = False) -> Task:
+    """A fill of a project by itself, with results in `folder`."""
+    options = {"config": config, **({"alone": True} if alone else {})}
+    return _of_job(Job(project.stem, (Step("fill", options),), init=project), folder, overwrite=False)[0]
+
+
 def pieces(task: Task, parts: Sequence[tuple[tuple[int, int], Sequence[str]]]) -> tuple[list[Task], Task]:
     """A fill divided into gaps and objects: a task for each of `parts`, and the one that puts them together."""
     folder = Path(task.folder) / RECORDS / task.step

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+import time
 from dataclasses import replace
 from pathlib import Path
 
 import pytest
-from PySide6.QtCore import QPointF
+from PySide6.QtCore import QPointF, QRect
 from pytestqt.qtbot import QtBot
 
 from app.files.files import clip_project
+from app.shell.main_window import MainWindow
 from roam_core.geometry.bezier import polygon_points
 from roam_core.roto import Animated, ValueKey, edit, file
 from tests.gui.windows import FIRST, opened_window, write_clip
@@ -40,8 +42,7 @@ def places(qtbot: QtBot, project_path: Path, tmp_path: Path) -> dict[str, tuple[
         qtbot.wait(100)
         window.actions_by_id["view.curves"].trigger()
         plot = window.timeline.curves.plot
-        qtbot.waitUntil(lambda: plot.mapTo(window, plot.rect().bottomRight()).y() < WINDOW[1] and bool(plot.lines))
-        qtbot.wait(100)
+        settle(qtbot, window)
 
         def place(frame: float, percent: float) -> tuple[float, float]:
             point = plot.mapTo(window, plot.key_point(frame, percent).toPoint())
@@ -53,6 +54,18 @@ def places(qtbot: QtBot, project_path: Path, tmp_path: Path) -> dict[str, tuple[
             "there": place(key.frame + 1, 60.0),
             "beside": place(FIRST + 6, 5.0),
         }
+
+
+def settle(qtbot: QtBot, window: MainWindow) -> None:
+    """Wait until the plot lies where it will stay: nothing of it changes for a while."""
+    plot, seen = window.timeline.curves.plot, [QRect()]
+
+    def is_still() -> bool:
+        qtbot.wait(300)
+        seen.append(QRect(plot.mapTo(window, plot.rect().topLeft()), plot.size()))
+        return bool(plot.lines) and seen[-1] == seen[-2] and seen[-1].bottom() < WINDOW[1]
+
+    qtbot.waitUntil(is_still, timeout=20_000)
 
 
 def saved(path: Path) -> Animated:
@@ -67,6 +80,7 @@ def test_a_key_is_dragged_and_its_tangent_turned(
     with program_on(screen, project_path) as program:
         screen.do("mousemove", WINDOW[0] // 3, WINDOW[1] // 3)
         screen.key("f", "shift+t")
+        time.sleep(2.0)  # the window lays itself out
         screen.click(*places["beside"])
         drag(screen, places["key"], places["there"])
         screen.key("ctrl+s")

@@ -45,7 +45,16 @@ def test_the_drawn_plate_glides() -> None:
 
 
 def test_the_table_says_what_was_aimed_at(monkeypatch: pytest.MonkeyPatch, tmp_path: Path, capsys) -> None:
-    found = {"median": 7.25, "ninetieth": 9.0, "busy": 5.0, "shown": 24.0, "spent": 20.0, "most": 31.0, "start": 812.0}
+    found = {
+        "median": 7.25,
+        "ninetieth": 9.0,
+        "busy": 5.0,
+        "shown": 24.0,
+        "spent": 20.0,
+        "most": 31.0,
+        "start": 812.0,
+        "work": 700.0,
+    }
     monkeypatch.setattr(window, "_in_a_process", lambda platform: found)
     monkeypatch.setattr(report, "OUT", tmp_path)
     monkeypatch.setattr(report, "ROOT", tmp_path)
@@ -60,7 +69,10 @@ def test_the_table_says_what_was_aimed_at(monkeypatch: pytest.MonkeyPatch, tmp_p
 
 
 def test_two_checkouts_are_told_as_ratios(monkeypatch: pytest.MonkeyPatch, tmp_path: Path, capsys) -> None:
-    here, there = dict.fromkeys(("median", "ninetieth", "busy", "shown", "spent", "most", "start"), 6.0), tmp_path
+    here, there = (
+        dict.fromkeys(("median", "ninetieth", "busy", "shown", "spent", "most", "start", "work"), 6.0),
+        tmp_path,
+    )
     asked: list[Path] = []
 
     def in_a_process(platform: str, root: Path = report.ROOT) -> dict[str, float]:
@@ -78,4 +90,5 @@ def test_two_checkouts_are_told_as_ratios(monkeypatch: pytest.MonkeyPatch, tmp_p
 
 def test_the_start_of_the_program_is_measured() -> None:
     command = [window.sys.executable, "-c", window.START, str(window.time.monotonic())]
-    assert float(window._told(command, "offscreen", report.ROOT)) > 0.0
+    until_painted, of_processor = map(float, window._told(command, "offscreen", report.ROOT).split())
+    assert min(until_painted, of_processor) > 0.0

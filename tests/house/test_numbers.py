@@ -41,6 +41,8 @@ NO_CHOICE = {
     "kernels/keeping.py": {"DIGEST"},
     # Rounding, and bounds that change the time or keep a loop from going on for ever.
     "kernels/alignment.py": {"BEAM", "ROUNDING"},
+    "features/frame.py": {"DECODED_TOGETHER"},
+    "motion/planar.py": {"BESIDE"},
     "kernels/flattening.py": {"MOST"},
     # How closely an error is measured, which is then compared with a tolerance that somebody chose.
     "kernels/coverage.py": {"SWEEP_STEP", "MOST_STEPS", "DUST"},

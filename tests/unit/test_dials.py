@@ -28,11 +28,11 @@ def test_every_dial_that_is_offered_turns_something_both_ways(config: str) -> No
 
 def test_what_a_configuration_has_not_cannot_be_turned() -> None:
     assert {dial.name for dial in dials_of(CONFIGS["baseline"])} == {"reach", "firmness", "smoothness"}
-    assert {dial.name for dial in dials_of(CONFIGS["full"])} == {dial.name for dial in DIALS}
+    assert {dial.name for dial in dials_of(CONFIGS["full"])} == {dial.name for dial in DIALS} - {"steadiness"}
 
 
 def test_what_told_nothing_for_regions_is_not_offered_there_and_a_name_that_turns_it_is_understood() -> None:
-    assert {dial.name for dial in dials_of(CONFIGS["best"])} == {"reach", "smoothness", "key"}
+    assert {dial.name for dial in dials_of(CONFIGS["best"])} == {"reach", "smoothness", "key", "steadiness"}
     turned, usual = params_for("best+firmness=2").region, CONFIGS["best"].region
     assert turned is not None
     assert usual is not None
@@ -82,3 +82,13 @@ def test_key_colours_at_nothing_leave_the_key_out() -> None:
     louder = params_for("best+key=2").region
     assert louder is not None
     assert 0.0 < louder.key_aged < usual.key_aged
+
+
+def test_steadiness_is_what_neighbouring_frames_count_and_at_nothing_they_are_not_asked() -> None:
+    off, twice, usual = (params_for(name).region for name in ("best+steadiness=0", "best+steadiness=2", "best"))
+    assert off is not None
+    assert twice is not None
+    assert usual is not None
+    assert off.steadiness.weight == 0.0 < usual.steadiness.weight
+    assert twice.steadiness.weight == 2.0 * usual.steadiness.weight
+    assert params_for("full+steadiness=2").region is None

@@ -112,7 +112,7 @@ class ValueVerbs:
             return timing.set_interpolation(interpolate_values(project, values, interpolation), keys, interpolation)
 
         if values or keys:
-            self._apply(interpolation.value.capitalize(), verb)
+            self._apply(tr(interpolation.value.capitalize()), verb)
 
     def bend(self) -> None:
         """Give the chosen keys tangents that run smoothly through them."""

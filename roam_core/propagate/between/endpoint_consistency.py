@@ -104,8 +104,7 @@ class Span:
         ours, theirs = (
             sum(residual.loss for residual in span.residuals[:2]) if span.residuals else 0.0 for span in (self, posed)
         )
-        came = any(posed._arrived(k, *way) for k in range(len(self.first.parts)) for way in posed._ways)
-        return posed if theirs < (self.params.span.endpoint_consistency.lenient if came else 1.0) * ours else self
+        return posed if theirs < self.params.span.endpoint_consistency.lenient * ours else self
 
     @cached_property
     def residuals(self) -> tuple[Residual, Residual, Residual, Residual] | None:
@@ -151,7 +150,7 @@ class Span:
     def believed(self) -> dict[int, tuple[frozenset[int], frozenset[int]]]:
         """For each outline the frames on which its pose is believed in the pass onwards, and in the one back.
 
-        Where only one of them came to the other key, it alone is; each of them on its own key in any case.
+        Where only one of them came to the other key, it alone is; where none did, each on its half of the span.
         """
         found = {}
         for k in {*self.first.members, *self.last.members}:
@@ -181,7 +180,12 @@ class Span:
             return frozenset()
         place, frames = key.members.index(k), sorted(way.stops, key=lambda frame: abs(frame - key.frame))
         gone = [bool(way.stops[frame].motion.gone) and way.stops[frame].motion.gone[place] for frame in frames]
-        return frozenset(f for f, seen in zip(frames, seen_until_lost(gone, arrived), strict=True) if seen)
+        farthest = (1.0 if arrived else 0.5) * (self.last.frame - self.first.frame)
+        return frozenset(
+            frame
+            for frame, seen in zip(frames, seen_until_lost(gone, arrived), strict=True)
+            if seen and abs(frame - key.frame) <= farthest
+        )
 
     def _loss(self, found: Array, true: Array) -> float:
         """The share in which two outlines differ."""

@@ -20,6 +20,7 @@ from roam_core.params import RegionParams, RoamParams, params_for, scale_for
 from roam_core.propagate.between.directional_pass import DirectionalPass, directional_pass
 from roam_core.propagate.between.endpoint_consistency import Key, Span
 from roam_core.propagate.between.merge import Colours, Merged, merged
+from roam_core.propagate.between.steadying import steadied
 from roam_core.propagate.frame.result import Part
 from roam_core.propagate.shapes import provenance
 from roam_core.propagate.shapes.objects import near, stacked, units
@@ -46,13 +47,14 @@ def fill_span(
     Each gap between two neighbouring artist keys is one span: the object is carried forward from the first and
     backward from the second, each on a thread of its own, and both are merged with the motion of the object as one
     piece, each believed as far as it met the other key (`propagate.between.endpoint_consistency`), and with what the
-    colours of both keys say (`proposal.cues.key_colours`). Shapes of one object with the same keys are filled together.
+    colours of both keys say (`proposal.cues.key_colours`); then each outline is settled between those of the frames on
+    either side (`propagate.between.steadying`). Shapes of one object with the same keys are filled together.
     A shape that ends between two keys of its object is carried on from its last key; one that begins or ends on a key
     gets no keys, but tells how much of the object the others do not show there.
 
     Parameters
     ----------
-    images : gives the picture of a frame, (h, w, 3) RGB, uint8 or float32 in [0, 1]; each is asked for three times,
+    images : gives the picture of a frame, (h, w, 3) RGB, uint8 or float32 in [0, 1]; each is asked for four times,
         in no particular order, by one thread at a time. A `MissingFrame` is passed over.
     only : the ids of the shapes that get keys; None: all. The others take part all the same.
     alone : each shape is filled as if there were no others.
@@ -152,7 +154,10 @@ class Filling:
             span = self.passed(ours, gap, size)
             wanted = [(place, k) for place, k in enumerate(members) if k in asked]
             made |= {k: [] for _, k in wanted}
-            for frame, solved in zip(between, each(partial(self.solved, span, ours), between), strict=True):
+            rows = each(partial(self.solved, span, ours), between)
+            if self.params.region is not None:
+                rows = steadied(self.read, span, rows, self.params.region, self.token)
+            for frame, solved in zip(between, rows, strict=True):
                 for place, k in wanted:
                     found = solved[place]
                     if found is not None:

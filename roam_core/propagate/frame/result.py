@@ -95,6 +95,8 @@ class TrackResult:
     seconds : the engine's time for this shape and frame, without decoding.
     proposals : changes of topology that are offered, the greatest gain first; none of them was made.
     landmarks : those that were found on the frame; None where the configuration has none, or nothing was looked at.
+    revised : the shape's keys on frames before that an earlier run had made and that lie better now that this one went
+        on from them; `shape` holds them, too.
     """
 
     frame: int
@@ -105,6 +107,7 @@ class TrackResult:
     seconds: float = 0.0
     proposals: tuple[Proposal, ...] = ()
     landmarks: Landmarks | None = field(default=None, compare=False)
+    revised: tuple[Keyframe, ...] = ()
 
     @property
     def key(self) -> Keyframe | None:

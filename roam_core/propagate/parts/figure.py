@@ -27,6 +27,7 @@ from roam_core.kernels.posing import Ties
 from roam_core.matte.vectorise import shapes_from_mask
 from roam_core.motion.pose import Pose, Surroundings
 from roam_core.params import PoseParams, RegionParams, scale_for
+from roam_core.params.figure import FIGURE
 from roam_core.propagate.frame.confidence import PoseFeatures, expected_overlap
 from roam_core.propagate.frame.contour_fit import enclosed
 from roam_core.propagate.frame.result import Part, StepResult, Termination
@@ -37,9 +38,6 @@ from roam_core.propagate.whole.region import RegionState, RegionStep
 from roam_core.roto import BlendMode
 
 T = TypeVar("T")
-
-HIDDEN = 0.25
-"""Share of a part that must be seen for its pose to be known."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -122,7 +120,7 @@ class FigureState:
     @property
     def gone(self) -> tuple[bool, ...]:
         """Which of the shapes, in their order, are carried by a pose of which nearly nothing is seen."""
-        hidden = [limb.pose is not None and limb.pose.seen < HIDDEN for limb in self.limbs]
+        hidden = [limb.pose is not None and limb.pose.seen < FIGURE.hidden for limb in self.limbs]
         return self._in_order([(each,) * len(limb.unit.members) for limb, each in zip(self.limbs, hidden, strict=True)])
 
     def _in_order(self, by_limb: Sequence[tuple[T, ...]]) -> tuple[T, ...]:

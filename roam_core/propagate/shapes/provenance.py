@@ -42,13 +42,15 @@ def clip_stamp(clip: Clip | None) -> str:
 
 @dataclass(frozen=True)
 class Stamp:
-    """A stamp, taken apart: `direction:configuration:digest`, then `from=F`, `to=F` and `alone` where they apply.
+    """A stamp, taken apart: `direction:configuration:digest`; `from=F`, `to=F`, `ahead=N`, `alone` where they apply.
 
     Attributes
     ----------
     direction : forward, backward or fill. config : name of the configuration. digest : of all that the key depends on.
     begun : the frame on which what the run knew begins; of a fill that of the key before.
     until : of a fill the frame of the key after. alone : the shape was solved without others.
+    ahead : of a run the frames after this one that it had solved when it settled the key between both sides
+        (`propagate.steadiness.lag`); None: as many as are asked for.
     """
 
     direction: str
@@ -57,17 +59,19 @@ class Stamp:
     begun: int | None = None
     until: int | None = None
     alone: bool = False
+    ahead: int | None = None
 
     @classmethod
     def read(cls, text: str) -> Stamp:
         """What a key's `inputs` say; empty where they say nothing."""
         direction, config, digest, *more = [*text.split(":"), "", ""][: max(3, text.count(":") + 1)]
-        begun, until = (_frame(more, name) for name in ("from", "to"))
-        return cls(direction, config, digest, begun, until, "alone" in more)
+        begun, until, ahead = (_frame(more, name) for name in ("from", "to", "ahead"))
+        return cls(direction, config, digest, begun, until, "alone" in more, ahead)
 
     def __str__(self) -> str:
         words = [self.direction, self.config, self.digest]
-        words += [f"{name}={frame}" for name, frame in (("from", self.begun), ("to", self.until)) if frame is not None]
+        told = (("from", self.begun), ("to", self.until), ("ahead", self.ahead))
+        words += [f"{name}={number}" for name, number in told if number is not None]
         return ":".join([*words, "alone"] if self.alone else words)
 
     @property
@@ -81,7 +85,7 @@ class Stamp:
 
 
 def _frame(words: Sequence[str], name: str) -> int | None:
-    """The frame that `name=F` tells among words; None without it."""
+    """The number that `name=F` tells among words; None without it."""
     found = [word.removeprefix(f"{name}=") for word in words if word.startswith(f"{name}=")]
     return int(found[0]) if found and found[0].removeprefix("-").isdecimal() else None
 
@@ -280,7 +284,8 @@ class Stamps:
             return self.filled(k, gap, params, made.alone) != key.inputs
         if made.begun is None:
             return True
-        return self.tracked(k, key.frame, made.begun, params, made.forward, made.alone) != key.inputs
+        now = self.tracked(k, key.frame, made.begun, params, made.forward, made.alone)
+        return str(replace(Stamp.read(now), ahead=made.ahead)) != key.inputs
 
 
 def is_stale(shape: RotoShape, key: Keyframe, clip: Clip | None, shapes: Sequence[RotoShape] | None = None) -> bool:

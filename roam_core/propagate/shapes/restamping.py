@@ -46,4 +46,5 @@ def _stamp(stamps: Stamps, k: int, key: Keyframe) -> str:
         return key.inputs
     if made.direction == FILL:
         return key.inputs if made.gap is None else stamps.filled(k, made.gap, params, made.alone)
-    return stamps.tracked(k, key.frame, made.begun, params, made.forward, made.alone)
+    now = stamps.tracked(k, key.frame, made.begun, params, made.forward, made.alone)
+    return str(replace(Stamp.read(now), ahead=made.ahead))

@@ -13,8 +13,7 @@ from roam_core.cancel import CancelToken, Progress
 from roam_core.features import PreparedFrame
 from roam_core.geometry.polyline import following
 from roam_core.media.source import MissingFrame, ReadImage
-from roam_core.params import scale_for
-from roam_core.params.steadiness import ResidualParams
+from roam_core.params import ResidualParams, scale_for
 from roam_core.propagate.steadiness.residual import Flows, Places, residual
 from roam_core.roto import BlendMode, RotoShape
 

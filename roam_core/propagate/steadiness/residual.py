@@ -14,7 +14,7 @@ from roam_core.features.grid import Grid
 from roam_core.geometry import bezier
 from roam_core.geometry.polyline import following, preceding, signed_area
 from roam_core.motion.flow import cell_flow
-from roam_core.params.steadiness import ResidualParams
+from roam_core.params import ResidualParams
 
 
 @dataclass(frozen=True, eq=False)

@@ -24,9 +24,6 @@ from roam_core.propagate.frame.contour_fit import enclosed
 from roam_core.propagate.frame.result import Part, StepResult, Termination
 from roam_core.proposal.cues.evidence import Field
 
-AROUND = 30
-"""Cells around a part that is not to be seen whose motion it goes along with."""
-
 
 def on_key(
     frame: PreparedFrame, parts: Sequence[Part], params: RegionParams, covers: Sequence[Array] = ()
@@ -69,16 +66,18 @@ def step(
     pyramid = Pyramid.of(frame, window, 1.0 / scale, params.pyramid)
 
     def drift(places: Array) -> Array:
-        return _moved(before, frame, window, places, scale)
+        return _moved(before, frame, window, places, scale, params.along)
 
     return pose.step(Surroundings(pyramid, pyramid.outlined(list(covers)), is_complete=False, drift=drift), params)
 
 
-def _moved(before: PreparedFrame, frame: PreparedFrame, window: Region, places: Array, scale: float) -> Array:
+def _moved(
+    before: PreparedFrame, frame: PreparedFrame, window: Region, places: Array, scale: float, along: int
+) -> Array:
     """By how much `(2,)` what lies at `places (N, 2)` and around them moved: the median of the flow there."""
     grid = Grid.over(window, 1.0 / scale)
     low, high = np.floor(grid.to_grid(np.stack([places.min(axis=0), places.max(axis=0)]))).astype(np.intp)
-    (left, top), (right, below) = np.maximum(low - AROUND, 0), np.maximum(high + AROUND + 1, 0)
+    (left, top), (right, below) = np.maximum(low - along, 0), np.maximum(high + along + 1, 0)
     flow = dense_flow(before, frame, grid)[0][top:below, left:right]
     if flow.size == 0:
         return np.zeros(2)

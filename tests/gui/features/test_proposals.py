@@ -41,7 +41,7 @@ class Engine(StandIn):
 
     def found(self, asked: Asked) -> Iterator[FrameResult]:
         frames = asked.frames
-        stamps = Stamps(asked.shapes, asked.clip, asked.read(frames[0]).shape[:2])
+        stamps = Stamps(asked.shapes, asked.clip, asked.read(frames[0]).size)
         self.asked.append((tuple(shape.id for shape in asked.wanted), frames[0]))
         for frame in frames[1:]:
             asked.token.check()

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+import numpy as np
 import pytest
 from pytestqt.qtbot import QtBot
 
@@ -12,7 +13,7 @@ from app.jobs.runner import Ending, Runner
 from app.model.document import Document
 from app.model.view_state import ViewState
 from roam_core.geometry.bezier import polygon_points
-from roam_core.roto import Origin, Project, RotoShape, edit
+from roam_core.roto import Keyframe, Origin, Project, RotoShape, edit
 from tests.gui.engines import GlidingEngine, put_in
 
 WAIT = 5000
@@ -54,6 +55,26 @@ def test_a_run_is_one_undo_step_and_the_playhead_goes_with_it(
         Ending.DONE,
         "Tracked Shape 1 to frame 5: 4 frames, 10 ms each. 1 doubtful frame: N goes to the next one.",
     ]
+    document.undo_stack.undo()
+    assert document.project is before
+
+
+def test_a_run_derives_the_points_of_a_key_that_the_artist_did_not_set(
+    qtbot: QtBot, propagation: Propagation, document: Document, engine: GlidingEngine
+) -> None:
+    tracked = edit.set_engine_keys(shape(document), [Keyframe(3, SQUARE - 5.0, origin=Origin.ENGINE)])
+    drawn = edit.key_points(tracked, 3, [0])
+    document.apply("Points", document.project.with_shape(drawn))
+    before = document.project
+    engine.allow(4)
+    with qtbot.waitSignal(propagation.finished, timeout=WAIT):
+        propagation.start(["shape-1"], range(1, 6))
+    key = shape(document).key_at(3)
+    assert key is not None
+    assert (key.origin, key.set_points) == (Origin.ARTIST, (0,))
+    np.testing.assert_array_equal(key.points[0], SQUARE[0] - 5.0)
+    np.testing.assert_array_equal(key.points[1:], SQUARE[1:] + 2.0)
+    assert solved(document, [2, 4, 5])()
     document.undo_stack.undo()
     assert document.project is before
 

@@ -49,8 +49,7 @@ def test_a_clip_opens_on_its_own_frames(window: MainWindow) -> None:
 def test_every_action_is_connected(window: MainWindow) -> None:
     handled = set(window._handlers()) | {f"tool.{name}" for name in window.tool_column._names}
     switches = {"edit.history", "help.log", "view.panels", "view.tall_timeline", "time.loop", "time.ping_pong"}
-    switches |= {"key.auto", "key.points", "key.ripple", "points.soft", "points.lasso"}
-    switches |= {"view.curves", "window.full_screen"}
+    switches |= {"key.auto", "key.points", "key.ripple", "points.soft", "points.lasso", "window.full_screen"}
     for part in window.workspace.parts.values():
         switches |= {part.show_action.objectName(), part.float_action.objectName()}
     assert handled | switches == {spec.id for spec in SPECS}

@@ -6,7 +6,9 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from PySide6.QtCore import QRect
+from PySide6.QtCore import QRect, Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QToolButton
 from pytestqt.qtbot import QtBot
 
 from app.shell.main_window import MainWindow
@@ -52,8 +54,6 @@ def test_every_part_floats_is_closed_and_comes_back(qtbot: QtBot, window: MainWi
 
 
 def test_the_button_in_its_title_floats_a_panel(window: MainWindow) -> None:
-    from PySide6.QtWidgets import QToolButton
-
     part = window.workspace.parts["track"]
     (button,) = [each for each in part.widget.findChildren(QToolButton) if each.defaultAction() is part.float_action]
     button.click()
@@ -63,13 +63,15 @@ def test_the_button_in_its_title_floats_a_panel(window: MainWindow) -> None:
 
 
 def test_keys_of_the_window_work_in_what_floats(qtbot: QtBot, window: MainWindow) -> None:
-    part = window.workspace.parts["timeline"]
+    part = window.workspace.parts["shapes"]
     part.float_action.trigger()
     assert part.window is not None
-    assert part.window.parentWidget() is window  # the kind and parent by which Qt lets shortcuts through
-    from PySide6.QtCore import Qt
-
-    assert part.window.windowType() is Qt.WindowType.Tool
+    part.window.activateWindow()
+    window.shapes.tree.setFocus()
+    qtbot.waitUntil(lambda: QApplication.activeWindow() is part.window)
+    assert not window.actions_by_id["view.tall_timeline"].isChecked()
+    QTest.keyClick(window.shapes.tree, Qt.Key.Key_T, Qt.KeyboardModifier.ControlModifier)
+    assert window.actions_by_id["view.tall_timeline"].isChecked()
 
 
 def test_reset_puts_everything_back(window: MainWindow) -> None:

@@ -98,3 +98,33 @@ def test_turned_dials_and_back_and_forth_come_back(window: MainWindow, tmp_path:
     assert window.tracking.configuration == f"{window.tracking.config}+reach=1.5"
     assert window.tracker.dials.fields["reach"].value() == 150
     assert window.playback.repeat is Repeat.PING_PONG
+
+
+def test_the_curve_editor_has_the_place_of_the_confidence_floats_and_goes(qtbot: QtBot, window: MainWindow) -> None:
+    actions, timeline = window.actions_by_id, window.timeline
+    assert not timeline.curve_panel.isVisible()
+    actions["view.curves"].trigger()
+    qtbot.waitUntil(timeline.curves.plot.hasFocus)
+    assert timeline.curve_panel.window() is window
+    assert not timeline.confidence.isVisible()
+    actions["window.float_curves"].trigger()
+    qtbot.waitUntil(lambda: timeline.curve_panel.isVisible() and timeline.curve_panel.window() is not window)
+    assert timeline.confidence.isVisible()
+    actions["window.float_curves"].trigger()
+    qtbot.waitUntil(lambda: timeline.curve_panel.window() is window)
+    actions["view.curves"].trigger()
+    assert timeline.confidence.isVisible()
+    assert not timeline.curve_panel.isVisible()
+
+
+def test_keys_of_the_transport_work_while_the_curves_have_the_keyboard(qtbot: QtBot, window: MainWindow) -> None:
+    window.actions_by_id["view.curves"].trigger()
+    plot = window.timeline.curves.plot
+    qtbot.waitUntil(plot.hasFocus)
+    qtbot.keyClick(plot, Qt.Key.Key_L)
+    assert window.playback.speed > 0
+    qtbot.keyClick(plot, Qt.Key.Key_K)
+    assert window.playback.speed == 0
+    frame = window.view_state.frame
+    qtbot.keyClick(plot, Qt.Key.Key_Right)
+    assert window.view_state.frame == frame + 1

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import json
+
 import pytest
 
 from roam_core.cli import main, prepare
@@ -16,6 +18,8 @@ def test_every_step_is_done_once_and_the_end_is_told(
     assert main(["prepare"]) == 0
     assert done == ["a", "b"]
     assert capsys.readouterr().err.startswith("The engine is prepared")
+    assert main(["prepare", "--json"]) == 0
+    assert json.loads(capsys.readouterr().out)["seconds"].keys() == {"a", "b"}
 
 
 def test_every_configuration_is_among_the_steps() -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -72,7 +73,9 @@ def test_the_command_writes_all_that_a_program_needs(
     assert str(tmp_path / "roam") in capsys.readouterr().out
     assert main(["plugin", program, str(tmp_path)]) == 1
     assert "--overwrite" in capsys.readouterr().err
-    assert main(["plugin", program, str(tmp_path), "--overwrite"]) == 0
+    assert main(["plugin", program, str(tmp_path), "--overwrite", "--json"]) == 0
+    told = json.loads(capsys.readouterr().out)
+    assert {Path(path).name for path in told["files"]} == written
 
 
 def test_a_clip_that_is_not_there_is_refused_before_a_project_is_made(desk: Desk) -> None:

@@ -158,3 +158,16 @@ def test_without_the_extra_one_sentence_says_what_to_install(
     assert main(["batch", str(tmp_path / "show")]) == 1
     (line,) = capsys.readouterr().err.splitlines()
     assert "roam-roto[studio]" in line
+
+
+def test_a_fill_on_several_processes_is_the_fill_of_one(tmp_path: Path) -> None:
+    given = put_gaps(tmp_path / "c.roam", put_plate(tmp_path / "plate"))
+    words = ["fill", str(given), "--config", CONFIG, "--save"]
+    command = [sys.executable, "-m", "roam_core", *words, str(tmp_path / "two.roam"), "--workers", "2", "--json"]
+    environment = os.environ | {"PYTHONPATH": str(ROOT)}
+    done = subprocess.run(command, env=environment, capture_output=True, text=True, timeout=120, check=False)
+    assert done.returncode == 0, done.stderr
+    lines = [json.loads(line) for line in done.stdout.splitlines()]
+    assert {line["seconds"] for line in lines} == {0.0}  # nothing was left to be filled by the process itself
+    assert main([*words, str(tmp_path / "one.roam")]) == 0
+    assert (tmp_path / "two.roam").read_bytes() == (tmp_path / "one.roam").read_bytes()

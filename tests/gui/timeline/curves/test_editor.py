@@ -40,7 +40,9 @@ def plot(qtbot: QtBot, timeline: Timeline, document: Document, view_state: ViewS
     view_state.select(frozenset({"shape-1"}))
     timeline.resize(1100, 420)
     timeline.activateWindow()
-    timeline.show_curves(True)
+    timeline.confidence.hide()
+    timeline.curve_panel.show()
+    timeline.curves.plot.setFocus()
     qtbot.waitUntil(timeline.curves.plot.hasFocus)
     plot: CurvePlot = timeline.curves.plot
     return plot
@@ -87,13 +89,6 @@ def test_the_curve_is_the_value_in_percent(plot: CurvePlot) -> None:
     assert [(key.frame, round(key.value), key.form) for key in line.keys] == [
         (1005, 20, "linear"), (1020, 80, "tangents"), (1035, 50, "linear"),
     ]  # fmt: skip
-
-
-def test_it_takes_the_place_of_the_confidence_and_gives_it_back(timeline: Timeline, plot: CurvePlot) -> None:
-    assert not timeline.confidence.isVisible()
-    timeline.show_curves(False)
-    assert timeline.confidence.isVisible()
-    assert not plot.isVisible()
 
 
 def test_positions_are_those_of_the_selected_points_or_of_all(
