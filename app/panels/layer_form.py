@@ -138,7 +138,7 @@ class LayerForm(QWidget):
             return
         is_free, is_one = any(not layer.locked for layer in layers), len(layers) == 1
         self.name.setText(layers[0].name if is_one else "")
-        self.name.setPlaceholderText("" if is_one else f"{len(layers)} layers")
+        self.name.setPlaceholderText("" if is_one else tr("{count} layers", count=len(layers)))
         self.name.setEnabled(is_one and is_free)
         self.blend.show_mode(shared(layer.blend for layer in layers))
         self.opacity.show_value(shared(layer.opacity_at(self._view.frame) * 100 for layer in layers))

@@ -254,7 +254,7 @@ def _tree() -> QTreeWidget:
     tree.setHeaderHidden(True)
     tree.setRootIsDecorated(False)
     tree.setUniformRowHeights(True)
-    tree.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
+    tree.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
     tree.setFixedHeight(LIST_ROWS * style.ROW_HEIGHT)
     tree.setAccessibleName(tr("Frames worth a look"))
     mode = QHeaderView.ResizeMode

@@ -174,6 +174,7 @@ class MarkField(QLineEdit):
         self.setObjectName("markField")
         self.setProperty(KEEPS_KEYBOARD, True)
         self.setPlaceholderText(tr("a note on this frame"))
+        self.setAccessibleName(self.placeholderText())
         self.setVisible(False)
         self.editingFinished.connect(self._keep)
 

@@ -177,7 +177,7 @@ class Ruler(QWidget):
         painter.setPen(QColor(style.WEAK))
         first, stop = self._axis.scale.clip
         gone = len(set(self._missing()))
-        text = f"{stop - first} frame{'s' * (stop - first > 1)}" + (f", {gone} missing" if gone else "")
+        text = tr("%n frame(s)", "", stop - first) + (tr(", {count} missing", count=gone) if gone else "")
         text = painter.fontMetrics().elidedText(text, Qt.TextElideMode.ElideRight, LABEL_WIDTH - 16)
         painter.drawText(QRectF(8, 0, LABEL_WIDTH - 16, HEIGHT - 4), Qt.AlignmentFlag.AlignVCenter, text)
 

@@ -186,6 +186,10 @@
         <translation>, einen Blick wert</translation>
     </message>
     <message>
+        <source>, {count} missing</source>
+        <translation>, {count} fehlen</translation>
+    </message>
+    <message>
         <source>.
 Now: {level}, {changes}</source>
         <translation>.
@@ -392,6 +396,10 @@ Jetzt: {level}, {changes}</translation>
         <translation>Eine Änderung gilt gleichermaßen für alle Keyframes von In bis Out</translation>
     </message>
     <message>
+        <source>An edit keys only the points that it moves</source>
+        <translation>Eine Änderung setzt nur für die bewegten Punkte Keyframes</translation>
+    </message>
+    <message>
         <source>An error inside ROAM ended the work: {error}</source>
         <translation>Ein Fehler in ROAM hat die Arbeit beendet: {error}</translation>
     </message>
@@ -508,8 +516,8 @@ Jetzt: {level}, {changes}</translation>
         <translation>Dahinter ab hier</translation>
     </message>
     <message>
-        <source>Bend opacity or feather smoothly through the chosen keys</source>
-        <translation>Deckkraft oder Feather glatt durch die gewählten Keyframes führen</translation>
+        <source>Bend the chosen keys of values smoothly</source>
+        <translation>Die gewählten Keyframes von Werten glatt führen</translation>
     </message>
     <message>
         <source>Besides:</source>
@@ -1119,10 +1127,6 @@ klicken für Ecken, ziehen für Kurven.</translation>
         <translation>Bearbeiten</translation>
     </message>
     <message>
-        <source>Edits key the points that they move; a track derives the others</source>
-        <translation>Änderungen setzen Keyframes für die bewegten Punkte; ein Track leitet die anderen her</translation>
-    </message>
-    <message>
         <source>Edits make keys on their frames; off: they change keys around</source>
         <translation>Änderungen setzen Keyframes auf ihren Frames; aus: Sie ändern die Keyframes ringsum</translation>
     </message>
@@ -1336,6 +1340,10 @@ klicken für Ecken, ziehen für Kurven.</translation>
     <message>
         <source>Float</source>
         <translation>Float</translation>
+    </message>
+    <message>
+        <source>Float: Curve editor</source>
+        <translation>Abdocken: Kurveneditor</translation>
     </message>
     <message>
         <source>Float: History</source>
@@ -1682,6 +1690,10 @@ Klicken springt hin, Rechtsklick entfernt ihn</translation>
     <message>
         <source>How far a curve may stray from its mask&apos;s outline on any frame, in pixels of the masks; of masks that tremble, a fifth of the outline may stray farther</source>
         <translation>Wie weit eine Kurve auf einem Frame vom Umriss ihrer Maske abweichen darf, in Pixeln der Masken; bei zitternden Masken darf ein Fünftel des Umrisses weiter abweichen</translation>
+    </message>
+    <message>
+        <source>How far each outline is drawn to where the frames around it have it, so that edges stand still. As it is it takes TODO; at 0 each frame stays as it was found</source>
+        <translation>Wie weit jeder Umriss dorthin gezogen wird, wo ihn die Frames ringsum haben, damit Kanten stillstehen. Bei 0 bleibt jeder Frame, wie er gefunden wurde</translation>
     </message>
     <message>
         <source>How far it reaches, image pixels  (Ctrl+wheel in the viewer)</source>
@@ -2115,8 +2127,8 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Die Änderung ausführen, die die Engine hier vorschlägt</translation>
     </message>
     <message>
-        <source>Make the selected points, as they are here, the artist&apos;s</source>
-        <translation>Die ausgewählten Punkte, wie sie hier sind, zu eigenen machen</translation>
+        <source>Make the selected points yours here</source>
+        <translation>Die ausgewählten Punkte hier zu eigenen machen</translation>
     </message>
     <message>
         <source>Make the selected shapes, as they are here, artist keys</source>
@@ -2612,10 +2624,6 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
     <message>
         <source>Opacity of the selected shapes and layers, in percent</source>
         <translation>Deckkraft der ausgewählten Formen und Ebenen, in Prozent</translation>
-    </message>
-    <message>
-        <source>Opacity, feather and position as curves over time</source>
-        <translation>Deckkraft, Feather und Position als Kurven über die Zeit</translation>
     </message>
     <message>
         <source>Open</source>
@@ -3748,6 +3756,10 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
         <translation>Status</translation>
     </message>
     <message>
+        <source>Steadiness</source>
+        <translation>Ruhe</translation>
+    </message>
+    <message>
         <source>Stop</source>
         <translation>Anhalten</translation>
     </message>
@@ -4427,6 +4439,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>Was was verdeckt, ab diesem Frame; Mattes gehen nach der Reihenfolge in der Liste</translation>
     </message>
     <message>
+        <source>What is keyed, as curves over time</source>
+        <translation>Was Keyframes hat, als Kurven über die Zeit</translation>
+    </message>
+    <message>
         <source>What is selected is locked; unlock it first (&lt;shape.lock&gt;).</source>
         <translation>Die Auswahl ist gesperrt; zuerst entsperren (&lt;shape.lock&gt;).</translation>
     </message>
@@ -4596,6 +4612,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>alpha mask black white</source>
         <translation>alpha maske schwarz weiß</translation>
+    </message>
+    <message>
+        <source>and {count} more</source>
+        <translation>und {count} weitere</translation>
     </message>
     <message>
         <source>as stacked again</source>
@@ -4882,8 +4902,8 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>belichtung gamma viewer neutral standard</translation>
     </message>
     <message>
-        <source>graph editor dope sheet f-curve animation keyframes opacity feather tangents</source>
-        <translation>graph editor kurven animation keyframes deckkraft feather tangenten</translation>
+        <source>graph editor dope sheet f-curve animation keyframes handles</source>
+        <translation>graph editor kurven animation keyframes anfasser</translation>
     </message>
     <message>
         <source>handles shape the curve now, and no outline changed</source>
@@ -5442,6 +5462,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>abdocken lösen monitor zeitleiste</translation>
     </message>
     <message>
+        <source>undock detach tear off monitor graph editor</source>
+        <translation>abdocken lösen monitor kurveneditor</translation>
+    </message>
+    <message>
         <source>unhide reveal visibility eye</source>
         <translation>einblenden sichtbarkeit auge</translation>
     </message>
@@ -5548,6 +5572,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>{count} frames, from {first} to {last}</source>
         <translation>{count} Frames, von {first} bis {last}</translation>
+    </message>
+    <message>
+        <source>{count} layers</source>
+        <translation>{count} Ebenen</translation>
     </message>
     <message>
         <source>{count} more</source>

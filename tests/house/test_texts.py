@@ -15,7 +15,7 @@ from tests.conftest import ROOT
 REPORTS = "app/shell/crash_report.py"
 """What is read by those who mend stays English."""
 
-WORDS = re.compile(r"[a-z,.:;] [a-zA-Z(]|(?:^|[ (])[A-Z][a-z]|…")
+WORDS = re.compile(r"[a-z,.:;] [a-zA-Z(]|0 [a-z]{3,}|(?:^|[ (])[A-Z][a-z]|…")
 """What reads as words of a language: two words, or one that begins with a capital."""
 KEYS = re.compile(r"(?:(?:Ctrl|Alt|Shift)\+?)*(?:\w|Left|Right|Up|Down|Backspace|Esc)?")
 """Keys as keymaps write them: Qt tells them to the artist in the artist's language."""
