@@ -1692,10 +1692,6 @@ Klicken springt hin, Rechtsklick entfernt ihn</translation>
         <translation>Wie weit eine Kurve auf einem Frame vom Umriss ihrer Maske abweichen darf, in Pixeln der Masken; bei zitternden Masken darf ein Fünftel des Umrisses weiter abweichen</translation>
     </message>
     <message>
-        <source>How far each outline is drawn to where the frames around it have it, so that edges stand still. As it is it takes TODO; at 0 each frame stays as it was found</source>
-        <translation>Wie weit jeder Umriss dorthin gezogen wird, wo ihn die Frames ringsum haben, damit Kanten stillstehen. Bei 0 bleibt jeder Frame, wie er gefunden wurde</translation>
-    </message>
-    <message>
         <source>How far it reaches, image pixels  (Ctrl+wheel in the viewer)</source>
         <translation>Wie weit sie reicht, in Bildpixeln  (Strg+Mausrad im Viewer)</translation>
     </message>
@@ -3754,10 +3750,6 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
     <message>
         <source>State</source>
         <translation>Status</translation>
-    </message>
-    <message>
-        <source>Steadiness</source>
-        <translation>Ruhe</translation>
     </message>
     <message>
         <source>Stop</source>
