@@ -161,8 +161,8 @@ class _Batch:
             self._ready.extendleft(_Ready(part, ready.line, is_piece=True) for part in reversed(parts))
             self._watcher.more(len(parts))
             return
+        yield outcome  # kept by whoever asks before it is told of: a signal may come in between
         self._watcher.ended(outcome)
-        yield outcome
         if ready.is_piece:  # one that failed is filled again, and told of, where the pieces are put together
             line.pieces_left -= 1
             if line.pieces_left == 0:
@@ -180,8 +180,8 @@ class _Batch:
         for task in line.tasks[line.next :]:
             said = f"{outcome['step']} did not end well."
             left_out = {"job": task.job, "step": task.step, "status": "skipped", "said": said, "seconds": 0.0}
-            self._watcher.ended(left_out)
             yield left_out
+            self._watcher.ended(left_out)
 
     def _stop(self) -> None:
         """Cancel what waits, and wait until what runs has come to a safe point."""

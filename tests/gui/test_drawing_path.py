@@ -78,7 +78,7 @@ def test_each_tool_by_its_key(qtbot: QtBot, window: MainWindow) -> None:
         click(qtbot, window, spot)
     qtbot.keyClick(window.canvas, Qt.Key.Key_Return)
     qtbot.waitUntil(lambda: len(window.document.project.shapes) == 4, timeout=WAIT)
-    assert off_disc(drawn(window, 4)) < 2.0
+    assert off_disc(drawn(window, 4)) < 2.5  # the line has steps of a pixel, and the fit 1.5 px
 
     take(Qt.Key.Key_G, NONE, "object")
     with qtbot.waitSignal(window.pictures.finished, timeout=WAIT):

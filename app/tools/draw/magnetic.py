@@ -37,7 +37,7 @@ SNAP = 7.0
 SIGHT, LEAST_SIGHT = 220.0, 48.0
 """Screen pixels around the last point in which edges are looked for; at least this many of the picture."""
 
-TOLERANCE = 2.0
+TOLERANCE = 1.5
 """Screen pixels (pixels of the picture where these are larger) by which the spline may stray from the line."""
 
 KEPT = 0.7

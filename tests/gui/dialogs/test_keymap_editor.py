@@ -15,7 +15,7 @@ from app.model.personal import Personal
 from app.shell.main_window import MainWindow
 from tests.gui.windows import opened_window
 
-CONTROL = Qt.KeyboardModifier.ControlModifier
+CONTROL, ALT = Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.AltModifier
 
 
 @pytest.fixture
@@ -87,7 +87,7 @@ def test_keys_with_which_points_are_nudged_are_refused(qtbot: QtBot, editor: Key
 def test_every_key_can_be_recorded(qtbot: QtBot, window: MainWindow, editor: KeymapEditor) -> None:
     editor.select("edit.history")
     for key, modifiers, name in (
-        (Qt.Key.Key_Tab, CONTROL, "Ctrl+Tab"),
+        (Qt.Key.Key_Tab, CONTROL | ALT, "Ctrl+Alt+Tab"),
         (Qt.Key.Key_Escape, CONTROL, "Ctrl+Esc"),
         (Qt.Key.Key_Return, CONTROL, "Ctrl+Return"),
         (Qt.Key.Key_Control, CONTROL, "Ctrl+Return"),  # a modifier alone is no key

@@ -306,7 +306,7 @@ def test_the_panel_chooses_the_motion_and_the_keys_start_it(
     assert calls == ["planar.forward", "planar.backward"]
     panel.leave_out.setCurrentIndex(panel.leave_out.findData(LeaveOut.OTHERS))
     assert verbs.leave_out is LeaveOut.OTHERS
-    assert panel.kind.focusPolicy() is Qt.FocusPolicy.NoFocus
+    assert panel.kind.focusPolicy() is Qt.FocusPolicy.TabFocus
 
 
 def test_shapes_are_left_out_one_by_one(

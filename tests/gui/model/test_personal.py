@@ -22,7 +22,14 @@ from app.shell.main_window import MainWindow
 from tests.gui.windows import opened_window, write_clip
 
 OTHERS = Preferences(
-    cache_gigabytes=2.5, threads=3, backups=7, config="lean", scale=1.5, asks_about_clips=False, undo_megabytes=512
+    cache_gigabytes=2.5,
+    threads=3,
+    backups=7,
+    config="lean",
+    scale=1.5,
+    asks_about_clips=False,
+    undo_megabytes=512,
+    language="de",
 )
 """Every preference away from its default."""
 

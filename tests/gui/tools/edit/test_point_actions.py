@@ -33,7 +33,7 @@ def test_delete_removes_the_selected_points(
     hand.key(Key.Key_Delete)
     assert only.anchors() == [SQUARE[0], *SQUARE[2:]]
     assert view_state.selection == Selection(frozenset({square}))
-    assert document.undo_stack.undoText() == "Delete point"
+    assert document.undo_stack.undoText() == "Delete 1 point"
     document.undo_stack.undo()
     assert only.anchors() == SQUARE
 
@@ -101,7 +101,7 @@ def test_z_smooths_and_shift_z_cusps(
     hand.key(Key.Key_Z)
     assert edit.is_smooth(only().at(1).points[0])
     np.testing.assert_array_equal(only().at(1).points[1:], polygon_points(SQUARE)[1:])
-    assert document.undo_stack.undoText() == "Smooth point"
+    assert document.undo_stack.undoText() == "Smooth 1 point"
     hand.key(Key.Key_Z, SHIFT)
     np.testing.assert_array_equal(only().at(1).points, polygon_points(SQUARE))
     assert document.undo_stack.count() == 2

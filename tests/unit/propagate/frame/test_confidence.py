@@ -10,7 +10,7 @@ import pytest
 from roam_core.features import Region
 from roam_core.features.grid import Grid
 from roam_core.geometry import bezier
-from roam_core.params import CONFIDENCE
+from roam_core.params import CONFIDENCE, params_for
 from roam_core.propagate.engines.by_regions import RegionEngine
 from roam_core.propagate.frame.confidence import (
     ConfidenceFeatures,
@@ -136,7 +136,9 @@ def test_a_run_counts_its_frames_from_the_key(box_shot: Shot) -> None:
         assert state.features is not None
         return state.features
 
-    tracker = GroupTracker("best")
+    best = params_for("best")
+    assert best.region is not None
+    tracker = GroupTracker(replace(best, region=replace(best.region, pose=None)))
     tracker.start(box_shot.read(1001), [box_shot.shape()], 1001)
     for count, frame in enumerate(box_shot.frames[1:5], 1):
         [result] = tracker.step(box_shot.read(frame), frame)
