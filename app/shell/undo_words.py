@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from PySide6.QtCore import QObject, Slot
+from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QUndoView
 
 from ..actions.actions import Actions
 from ..model.document import Document
-from ..translation import tr
+from ..translation import N_, tr
 
 
 def name_steps(document: Document, history: QUndoView, actions: Actions) -> None:
@@ -17,5 +19,18 @@ def name_steps(document: Document, history: QUndoView, actions: Actions) -> None
     document.replaced.connect(lambda: history.setEmptyLabel(tr("As opened")))
     stack.canUndoChanged.connect(undo.setEnabled)
     stack.canRedoChanged.connect(redo.setEnabled)
-    stack.undoTextChanged.connect(lambda text: undo.setText(tr("Undo {step}", step=text) if text else tr("Undo")))
-    stack.redoTextChanged.connect(lambda text: redo.setText(tr("Redo {step}", step=text) if text else tr("Redo")))
+    stack.undoTextChanged.connect(_StepName(undo, tr("Undo"), N_("Undo {step}")).show)
+    stack.redoTextChanged.connect(_StepName(redo, tr("Redo"), N_("Redo {step}")).show)
+
+
+class _StepName(QObject):
+    """Names an action by its step. It goes with the action: an undo stack tells of its end after those of a window."""
+
+    def __init__(self, action: QAction, bare: str, named: str) -> None:
+        super().__init__(action)
+        self._action, self._bare, self._named = action, bare, named
+
+    @Slot(str)
+    def show(self, step: str) -> None:
+        """Name the action by this step; none: plainly."""
+        self._action.setText(tr(self._named, step=step) if step else self._bare)

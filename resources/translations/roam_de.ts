@@ -5030,6 +5030,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>verbinden gruppe kleben ganz zusammen</translation>
     </message>
     <message>
+        <source>list outliner layers hide show</source>
+        <translation>Liste Ebenen Gliederung ausblenden einblenden</translation>
+    </message>
+    <message>
         <source>load script scene session</source>
         <translation>laden skript szene sitzung</translation>
     </message>
@@ -5174,6 +5178,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>optionen konfiguration speicher cache threads größe sprache</translation>
     </message>
     <message>
+        <source>propagate engine mode hide show</source>
+        <translation>nachverfolgen Engine Modus ausblenden einblenden</translation>
+    </message>
+    <message>
         <source>propagate rotobrush follow solve motion tracker</source>
         <translation>propagieren rotobrush folgen tracker bewegung</translation>
     </message>
@@ -5188,6 +5196,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>propagate until</source>
         <translation>propagieren bis</translation>
+    </message>
+    <message>
+        <source>properties attributes hide show</source>
+        <translation>Eigenschaften Attribute ausblenden einblenden</translation>
     </message>
     <message>
         <source>properties attributes parameters motion blur shutter opacity transparency blend mode add subtract hole intersect difference invert colour color lifetime feather rename</source>
@@ -5354,6 +5366,10 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>stopp halt</translation>
     </message>
     <message>
+        <source>surface plane corner pin mocha hide show</source>
+        <translation>Oberfläche Ebene Eckpunkte mocha ausblenden einblenden</translation>
+    </message>
+    <message>
         <source>tangents</source>
         <translation>Tangenten</translation>
     </message>
@@ -5454,8 +5470,36 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
         <translation>abdocken lösen monitor zeitleiste</translation>
     </message>
     <message>
+        <source>undock detach tear off monitor errors console</source>
+        <translation>lösen abdocken schweben Monitor Fehler Konsole</translation>
+    </message>
+    <message>
         <source>undock detach tear off monitor graph editor</source>
         <translation>abdocken lösen monitor kurveneditor</translation>
+    </message>
+    <message>
+        <source>undock detach tear off monitor list outliner</source>
+        <translation>lösen abdocken schweben Monitor Liste Gliederung</translation>
+    </message>
+    <message>
+        <source>undock detach tear off monitor notes doubtful boil</source>
+        <translation>lösen abdocken schweben Monitor Notizen zweifelhaft Flimmern</translation>
+    </message>
+    <message>
+        <source>undock detach tear off monitor propagate engine</source>
+        <translation>lösen abdocken schweben Monitor nachverfolgen Engine</translation>
+    </message>
+    <message>
+        <source>undock detach tear off monitor properties attributes</source>
+        <translation>lösen abdocken schweben Monitor Eigenschaften Attribute</translation>
+    </message>
+    <message>
+        <source>undock detach tear off monitor surface plane</source>
+        <translation>lösen abdocken schweben Monitor Oberfläche Ebene</translation>
+    </message>
+    <message>
+        <source>undock detach tear off monitor undo steps</source>
+        <translation>lösen abdocken schweben Monitor rückgängig Schritte</translation>
     </message>
     <message>
         <source>unhide reveal visibility eye</source>
