@@ -66,8 +66,7 @@ class RegionParams:
     pose : of the pose of a lone shape, one more hypothesis (`propagate.whole.posed`); None: it is not asked.
     pose_seam : share of the outline on the key beside which nothing changes, from which it is. pose_area : square
         pixels of a 480-line image that the outline encloses at most for it to be. pose_edged : how unlike
-        the key a small one with an edge all around may be; pose_same : by how much the colours of a large one may
-        differ from it, in the median. pose_agrees : overlap with the region from
+        the key a small one with an edge all around may be. pose_agrees : overlap with the region from
         which it is not needed. pose_unlike : how unlike the key it may be. pose_against : how much may speak
         against it at the disputed places.
     unseen : density of a colour that the histograms never saw. trusted : steadiness below which a frame teaches them
@@ -123,7 +122,6 @@ class RegionParams:
     pose_seam: float = 0.1
     pose_area: float = 6500.0
     pose_edged: float = 0.45
-    pose_same: float = 2.2
     pose_agrees: float = 0.97
     pose_unlike: float = 0.6
     pose_against: float = 0.7

@@ -97,16 +97,11 @@ def carried(pose: Pose, drawn: Sequence[Part]) -> tuple[Part, ...]:
 def is_believable(pose: Pose, params: RegionParams) -> bool:
     """Whether a lone shape may be a part: a small one, part of its outline without an edge.
 
-    One with an edge all around is taken for a whole object, and so is a large one, but where it still looks as on its
-    key: the larger, the more exactly. Nothing large that has nearly no seam is a part.
+    One with an edge all around is taken for a whole object, but where it still looks as on its key. A large one is.
     """
     if may_be_limb(pose, params):
         return True
-    if pose.look is None:
-        return False
-    if _is_small(pose, params):
-        return pose.unlike < params.pose_edged
-    return pose.template.seam >= 0.5 * params.pose_seam and pose.look.difference < params.pose_same
+    return pose.look is not None and _is_small(pose, params) and pose.unlike < params.pose_edged
 
 
 def may_be_limb(pose: Pose, params: RegionParams) -> bool:
