@@ -37,7 +37,7 @@ from ..jobs.runner import Ending
 from ..model.document import Document
 from ..model.view_state import ViewState, selected_shapes
 from ..translation import N_, tr, translated
-from ..widgets.controls import dense_form, form_label, measure_field, number_field, weak_label
+from ..widgets.controls import dense_form, form_label, measure_field, number_field, side_by_side, weak_label
 from . import questions
 from .matte_form import MatteForm
 
@@ -137,14 +137,15 @@ class ExportDialog(QDialog):
         form.addRow(form_label(tr("Shapes")), self.selected)
         form.addRow(form_label(tr("Keys")), self.keys)
         self._tolerance_label = form_label(tr("Within"))
-        form.addRow(self._tolerance_label, _row(self.tolerance, None))
+        form.addRow(self._tolerance_label, side_by_side(self.tolerance, None))
         self._smoothing_label, self._smoothing_word = (
             form_label(tr("Smooth", "what is done to keys")),
             weak_label(tr("through time")),
         )
-        form.addRow(self._smoothing_label, _row(self.smoothing, self._smoothing_word, None))
+        form.addRow(self._smoothing_label, side_by_side(self.smoothing, self._smoothing_word, None))
         form.addRow(
-            form_label(tr("Frames")), _row(self.first, QLabel(tr("to")), self.last, self.all_frames, self.in_out, None)
+            form_label(tr("Frames")),
+            side_by_side(self.first, QLabel(tr("to")), self.last, self.all_frames, self.in_out, None),
         )
         right = QVBoxLayout()
         right.setSpacing(6)
@@ -159,11 +160,11 @@ class ExportDialog(QDialog):
         column.setSpacing(style.MARGIN)
         column.addLayout(upper, 3)
         where: QFormLayout = dense_form()
-        where.addRow(form_label(tr("To", "where it is written")), _row(self.target, self.browse))
+        where.addRow(form_label(tr("To", "where it is written")), side_by_side(self.target, self.browse))
         where.addRow(form_label(""), self.hint)
         column.addLayout(where)
         column.addWidget(self.notes, 2)
-        column.addLayout(_row(self.bar, self.stop, self.start, self.leave))
+        column.addLayout(side_by_side(self.bar, self.stop, self.start, self.leave))
 
     def _connect(self) -> None:
         self.formats.currentItemChanged.connect(lambda *_: self._pull_format())
@@ -402,15 +403,3 @@ def _kept(policy: QSizePolicy) -> QSizePolicy:
     """The policy of a widget whose place stays its own while it is hidden."""
     policy.setRetainSizeWhenHidden(True)
     return policy
-
-
-def _row(*parts: QWidget | None) -> QHBoxLayout:
-    """Widgets side by side; None is a stretch."""
-    row = QHBoxLayout()
-    row.setSpacing(6)
-    for part in parts:
-        if part is None:
-            row.addStretch(1)
-        else:
-            row.addWidget(part, 1 if isinstance(part, QLineEdit | QProgressBar) else 0)
-    return row

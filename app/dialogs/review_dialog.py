@@ -10,7 +10,6 @@ from PySide6.QtWidgets import (
     QCheckBox,
     QComboBox,
     QDialog,
-    QHBoxLayout,
     QLabel,
     QLineEdit,
     QProgressBar,
@@ -34,7 +33,7 @@ from ..model.document import Document
 from ..model.view_state import ViewState
 from ..model.viewing import ViewMode
 from ..translation import N_, tr
-from ..widgets.controls import dense_form, form_label, measure_field, number_field, weak_label
+from ..widgets.controls import dense_form, form_label, measure_field, number_field, side_by_side, weak_label
 from . import questions
 
 OUTPUTS = {Output.MOVIE: N_("Movie"), Output.PICTURES: N_("Pictures (PNG)"), Output.SHEET: N_("Contact sheet")}
@@ -112,23 +111,23 @@ class ReviewDialog(QDialog):
     def _lay_out(self) -> None:
         form = dense_form()
         form.addRow(form_label(tr("Write")), self.output)
-        form.addRow(form_label(tr("Show")), _row(self.view, weak_label(tr("on")), self.ground, None))
-        form.addRow(form_label(tr("On it")), _row(*self.burns.values(), None))
-        form.addRow(form_label(tr("Frames")), _row(self.which, None))
-        form.addRow(form_label(tr("Range")), _row(self.first, QLabel(tr("to")), self.last, self.in_out, None))
-        form.addRow(form_label(tr("Size")), _row(self.scale, weak_label(tr("of the plate")), None))
-        form.addRow(form_label(tr("Speed")), _row(self.fps, None))
+        form.addRow(form_label(tr("Show")), side_by_side(self.view, weak_label(tr("on")), self.ground, None))
+        form.addRow(form_label(tr("On it")), side_by_side(*self.burns.values(), None))
+        form.addRow(form_label(tr("Frames")), side_by_side(self.which, None))
+        form.addRow(form_label(tr("Range")), side_by_side(self.first, QLabel(tr("to")), self.last, self.in_out, None))
+        form.addRow(form_label(tr("Size")), side_by_side(self.scale, weak_label(tr("of the plate")), None))
+        form.addRow(form_label(tr("Speed")), side_by_side(self.fps, None))
         form.addRow(
             form_label(tr("Page")),
-            _row(self.columns, weak_label(tr("by")), self.rows, weak_label(tr("pictures")), None),
+            side_by_side(self.columns, weak_label(tr("by")), self.rows, weak_label(tr("pictures")), None),
         )
-        form.addRow(form_label(tr("To")), _row(self.target, self.browse))
+        form.addRow(form_label(tr("To")), side_by_side(self.target, self.browse))
         form.addRow(form_label(""), self.hint)
         column = QVBoxLayout(self)
         column.setSpacing(style.MARGIN)
         column.addLayout(form)
         column.addStretch(1)
-        column.addLayout(_row(self.bar, self.stop, self.start, self.leave))
+        column.addLayout(side_by_side(self.bar, self.stop, self.start, self.leave))
 
     def _connect(self) -> None:
         self.output.currentIndexChanged.connect(lambda _: self._pull_output())
@@ -296,15 +295,3 @@ def _number(value: int, most: int, tip: str) -> QSpinBox:
     field.setValue(value)
     field.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
     return field
-
-
-def _row(*parts: QWidget | None) -> QHBoxLayout:
-    """Widgets side by side; None is a stretch."""
-    row = QHBoxLayout()
-    row.setSpacing(6)
-    for part in parts:
-        if part is None:
-            row.addStretch(1)
-        else:
-            row.addWidget(part, 1 if isinstance(part, QLineEdit | QProgressBar) else 0)
-    return row

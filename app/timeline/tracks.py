@@ -8,9 +8,9 @@ from __future__ import annotations
 
 from itertools import pairwise
 
-from PySide6.QtCore import QEvent, QLineF, QPointF, QRectF, QSize, Qt
-from PySide6.QtGui import QColor, QHelpEvent, QMouseEvent, QPainter, QPaintEvent, QPen, QPolygonF, QWheelEvent
-from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
+from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
+from PySide6.QtGui import QColor, QMouseEvent, QPainter, QPen, QPolygonF
+from PySide6.QtWidgets import QWidget
 
 from roam_core.params import DOUBTFUL, is_doubtful
 from roam_core.roto import Layer, LayerTransform
@@ -19,8 +19,9 @@ from roam_core.roto.following import unpinned
 from .. import style
 from ..model.document import Document
 from ..translation import tr
-from .axis import TimeAxis, paint_playhead
+from .axis import TimeAxis
 from .keys.row_painter import BACKGROUND, DIAMOND, DOUBT, ROW
+from .row_band import RowBand
 from .scale import LABEL_WIDTH
 
 GRAB = 6
@@ -30,23 +31,14 @@ MARGIN = 3.0
 """Pixels between a row's edges and no or full confidence."""
 
 
-class TrackBand(QWidget):
+class TrackBand(RowBand[Layer]):
     """Click a frame to go there, an adjust key too; right-click an adjust key to remove it; click a name to select."""
 
     def __init__(self, document: Document, axis: TimeAxis, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self._document, self._axis = document, axis
-        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
-        for signal in (document.changed, document.replaced, axis.view_state.selection_changed):
-            signal.connect(self._pull)
-        for signal in (axis.changed, axis.view_state.frame_changed):
-            signal.connect(self.update)
-        self._pull()
+        super().__init__(document, axis, parent)
+        self.pull()
 
-    def sizeHint(self) -> QSize:
-        return QSize(600, ROW)
-
-    def layers(self) -> list[Layer]:
+    def rows(self) -> list[Layer]:
         """The tracks that are shown: those of the selected shapes, or else all; no more than have room."""
         moving = [
             item
@@ -57,14 +49,9 @@ class TrackBand(QWidget):
         meant = [layer for layer in moving if any(shape.id in chosen for shape in layer.shapes())]
         return (meant or moving)[:MOST]
 
-    def layer_at(self, y: float) -> Layer | None:
-        """The track whose row lies at `y` pixels."""
-        layers, index = self.layers(), int(y) // ROW
-        return layers[index] if 0 <= index < len(layers) else None
-
     def adjust_key_at(self, at: QPointF) -> tuple[Layer, int] | None:
         """The adjust key near a place, with its layer."""
-        layer = self.layer_at(at.y())
+        layer = self.row_at(at.y())
         if layer is None or at.x() < LABEL_WIDTH:
             return None
         near = [(abs(self._axis.scale.x(frame) - at.x()), frame) for frame in _of(layer).adjusted]
@@ -79,7 +66,7 @@ class TrackBand(QWidget):
             after = unpinned(self._document.project, key[0].id, key[1])
             self._document.apply(tr("Remove adjust key"), after)
         elif event.button() == Qt.MouseButton.LeftButton and at.x() < LABEL_WIDTH:
-            layer = self.layer_at(at.y())
+            layer = self.row_at(at.y())
             if layer is not None:
                 self._axis.view_state.select(frozenset(shape.id for shape in layer.shapes()))
         elif event.button() == Qt.MouseButton.LeftButton and key is not None:
@@ -91,18 +78,9 @@ class TrackBand(QWidget):
         if event.buttons() & Qt.MouseButton.LeftButton and event.position().x() >= LABEL_WIDTH:
             self._axis.scrub(event.position().x())
 
-    def wheelEvent(self, event: QWheelEvent) -> None:
-        self._axis.wheel(event, event.position().x())
-
-    def event(self, event: QEvent) -> bool:
-        if isinstance(event, QHelpEvent) and event.type() == QEvent.Type.ToolTip:
-            QToolTip.showText(event.globalPos(), self.tip_at(QPointF(event.pos())), self)
-            return True
-        return super().event(event)
-
     def tip_at(self, at: QPointF) -> str:
         """What is said of the track on the frame under the pointer."""
-        layer = self.layer_at(at.y())
+        layer = self.row_at(at.y())
         if layer is None:
             return ""
         if at.x() < LABEL_WIDTH:
@@ -117,32 +95,13 @@ class TrackBand(QWidget):
         frame = self._axis.scale.frame(at.x())
         return tr("Frame {frame}: {told}", frame=frame, told=_told(_of(layer), frame))
 
-    # ---- the rest is private
+    # ---- painting
 
-    def _pull(self, _ids: object = None) -> None:
-        rows = len(self.layers())
-        self.setVisible(rows > 0)
-        self.setFixedHeight(max(rows, 1) * ROW)
-        self.update()
+    def name_of(self, row: Layer) -> str:
+        return row.name
 
-    def paintEvent(self, event: QPaintEvent) -> None:
-        painter = QPainter(self)
-        painter.fillRect(self.rect(), QColor(style.PANEL))
-        for index, layer in enumerate(self.layers()):
-            painter.save()
-            painter.translate(0.0, index * ROW)
-            self._paint_row(painter, layer)
-            painter.restore()
-        paint_playhead(painter, self._axis, self)
-        painter.end()
-
-    def _paint_row(self, painter: QPainter, layer: Layer) -> None:
-        own, scale = _of(layer), self._axis.scale
-        painter.fillRect(QRectF(0, ROW - 1, self.width(), 1), QColor(style.WINDOW))
-        painter.setPen(QColor(style.TEXT))
-        name = painter.fontMetrics().elidedText(layer.name, Qt.TextElideMode.ElideRight, LABEL_WIDTH - 34)
-        painter.drawText(QRectF(22, 0, LABEL_WIDTH - 30, ROW - 1), Qt.AlignmentFlag.AlignVCenter, name)
-        painter.setClipRect(QRectF(scale.left, 0, self.width() - scale.left, ROW))
+    def paint_row(self, painter: QPainter, row: Layer) -> None:
+        own, scale = _of(row), self._axis.scale
         painter.setPen(QPen(QColor(BACKGROUND), 1, Qt.PenStyle.DotLine))
         painter.drawLine(QLineF(scale.x(own.frames[0]), _y(DOUBTFUL), scale.x(own.frames[-1]), _y(DOUBTFUL)))
         self._paint_confidence(painter, own)

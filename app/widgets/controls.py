@@ -11,9 +11,11 @@ from PySide6.QtWidgets import (
     QComboBox,
     QDoubleSpinBox,
     QFormLayout,
+    QHBoxLayout,
     QLabel,
     QLayout,
     QLineEdit,
+    QProgressBar,
     QSpinBox,
     QToolButton,
     QWidget,
@@ -98,6 +100,18 @@ def measure_field(unit: str, value: float, least: float, most: float, step: floa
     field.setFixedWidth(MEASURE_WIDTH)
     field.setAlignment(Qt.AlignmentFlag.AlignRight)
     return field
+
+
+def side_by_side(*parts: QWidget | None) -> QHBoxLayout:
+    """Widgets in a row, fields and bars as wide as there is room; None is a stretch."""
+    row = QHBoxLayout()
+    row.setSpacing(6)
+    for part in parts:
+        if part is None:
+            row.addStretch(1)
+        else:
+            row.addWidget(part, 1 if isinstance(part, QLineEdit | QProgressBar) else 0)
+    return row
 
 
 def weak_label(text: str) -> QLabel:

@@ -26,13 +26,10 @@ from PySide6.QtWidgets import (
 from pytestqt.qtbot import QtBot
 
 from app import style
-from app.dialogs.mask_dialog import MaskDialog
 from app.dialogs.palette import Palette
-from app.features.clipboards.paste_range import PasteRangeDialog
 from app.shell.main_window import MainWindow
-from app.tools.edit.numbers import NumbersDialog
 from app.widgets.reach import reachable
-from tests.gui.windows import opened_window, write_clip
+from tests.gui.windows import dialogs_of, opened_window, write_clip
 
 CONTROLS = (
     QAbstractButton, QComboBox, QAbstractSlider, QAbstractSpinBox, QLineEdit, QAbstractItemView, QPlainTextEdit,
@@ -86,29 +83,6 @@ def told(widget: QWidget) -> str:
     return f"{type(widget).__name__} {widget.objectName()} {widget.toolTip()!r} in {type(around).__name__}"
 
 
-def dialogs_of(window: MainWindow, qtbot: QtBot) -> Iterator[QWidget]:
-    """The dialogs that the menus open without a file, one after the other."""
-    for name in (
-        "edit.settings",
-        "edit.keymap",
-        "help.keys",
-        "help.about",
-        "help.report",
-        "file.export",
-        "help.palette",
-    ):
-        before = set(QApplication.topLevelWidgets())
-        window.actions_by_id[name].trigger()
-        opened = [each for each in QApplication.topLevelWidgets() if each not in before and each.isVisible()]
-        assert opened or name == "help.palette", name
-        yield from opened
-        for dialog in opened:
-            dialog.close()
-    for made in (MaskDialog("masks", (160, 120)), PasteRangeDialog((1001, 1009)), NumbersDialog()):
-        yield made
-        made.deleteLater()
-
-
 def test_every_control_of_the_window_has_a_name(window: MainWindow) -> None:
     assert [told(widget) for widget in controls(window) if not name_of(widget)] == []
 
@@ -118,9 +92,9 @@ def test_every_control_of_the_window_takes_the_keyboard_by_tab(window: MainWindo
     assert [told(widget) for widget in deaf] == []
 
 
-def test_every_control_of_every_dialog_has_a_name_and_takes_the_keyboard(window: MainWindow, qtbot: QtBot) -> None:
+def test_every_control_of_every_dialog_has_a_name_and_takes_the_keyboard(window: MainWindow) -> None:
     wrong = []
-    for dialog in dialogs_of(window, qtbot):
+    for dialog in dialogs_of(window):
         for widget in controls(dialog):
             is_reached = widget.focusPolicy() & Qt.FocusPolicy.TabFocus
             if not name_of(widget) or not is_reached:

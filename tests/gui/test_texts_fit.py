@@ -23,17 +23,14 @@ from PySide6.QtWidgets import (
 )
 from pytestqt.qtbot import QtBot
 
-from app.dialogs.mask_dialog import MaskDialog
-from app.features.clipboards.paste_range import PasteRangeDialog
 from app.panels.bars.status import Sentence
 from app.panels.bars.view_bar import PlateLabel
 from app.shell.main_window import MainWindow
 from app.timeline.scale import LABEL_WIDTH
-from app.tools.edit.numbers import NumbersDialog
 from app.translation import LANGUAGES, SOURCE, speak, tr
 from roam_core.interchange import EXPORTERS
 from roam_core.roto import edit
-from tests.gui.windows import opened_window, write_clip
+from tests.gui.windows import dialogs_of, opened_window, write_clip
 
 GIVES_WAY = (Sentence, PlateLabel)
 """Labels that say the whole of their text in a tip, and end in three dots where they lack room."""
@@ -119,25 +116,8 @@ def test_the_window_cuts_nothing_off(window: MainWindow, size: tuple[int, int]) 
 
 def test_no_dialog_cuts_anything_off(window: MainWindow) -> None:
     cut = []
-    for name in (
-        "edit.settings",
-        "edit.keymap",
-        "help.keys",
-        "help.about",
-        "help.report",
-        "file.export",
-        "help.palette",
-    ):
-        before = set(QApplication.topLevelWidgets())
-        window.actions_by_id[name].trigger()
-        for dialog in [each for each in QApplication.topLevelWidgets() if each not in before and each.isVisible()]:
-            cut += [f"{name}: {each}" for each in cut_off(dialog)]
-            dialog.close()
-    for made in (MaskDialog("masks", (160, 120)), PasteRangeDialog((1001, 1009)), NumbersDialog()):
-        made.show()
-        cut += [f"{type(made).__name__}: {each}" for each in cut_off(made)]
-        made.close()
-        made.deleteLater()
+    for dialog in dialogs_of(window):
+        cut += [f"{type(dialog).__name__}: {each}" for each in cut_off(dialog)]
     assert cut == []
 
 

@@ -12,15 +12,23 @@ import cv2
 import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, Qt
+from PySide6.QtWidgets import QApplication, QWidget
 from pytestqt.qtbot import QtBot
 
+from app.dialogs.mask_dialog import MaskDialog
+from app.features.clipboards.paste_range import PasteRangeDialog
 from app.model.personal import Personal
 from app.shell.main_window import MainWindow
+from app.tools.edit.numbers import NumbersDialog
 from roam_core.media.sequence import ImageSequence
 from roam_core.propagate import run
 from roam_core.roto import Project, RotoShape, file
 
 FIRST, COUNT, SIZE = 1001, 8, (160, 120)
+DIALOGS = (
+    "edit.settings", "edit.keymap", "help.keys", "help.about", "help.report", "file.export", "help.palette"
+)  # fmt: skip
+"""Actions that open a dialog."""
 WAIT = 30_000
 """Milliseconds after which a test gives up; the first track may compile kernels."""
 
@@ -88,6 +96,23 @@ def nothing_slow_in_the_window_thread(monkeypatch: pytest.MonkeyPatch) -> Iterat
     yield names
     names.extend(name for name, _ in calls)
     assert [name for name, in_window in calls if in_window] == []
+
+
+def dialogs_of(window: MainWindow) -> Iterator[QWidget]:
+    """The dialogs that open without a file, shown one after the other."""
+    for name in DIALOGS:
+        before = set(QApplication.topLevelWidgets())
+        window.actions_by_id[name].trigger()
+        opened = [each for each in QApplication.topLevelWidgets() if each not in before and each.isVisible()]
+        assert opened, name
+        yield from opened
+        for dialog in opened:
+            dialog.close()
+    for made in (MaskDialog("masks", SIZE), PasteRangeDialog((FIRST, FIRST + COUNT)), NumbersDialog()):
+        made.show()
+        yield made
+        made.close()
+        made.deleteLater()
 
 
 def widget_point(window: MainWindow, position: tuple[float, float]) -> QPoint:

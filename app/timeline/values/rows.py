@@ -6,30 +6,27 @@ There while something varies. The line in a row goes from the value's least at t
 from __future__ import annotations
 
 import numpy as np
-from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt
+from PySide6.QtCore import QEvent, QPointF, Qt
 from PySide6.QtGui import (
     QColor,
     QContextMenuEvent,
-    QHelpEvent,
     QKeyEvent,
     QMouseEvent,
     QPainter,
-    QPaintEvent,
     QPen,
     QPolygonF,
-    QWheelEvent,
 )
-from PySide6.QtWidgets import QMenu, QSizePolicy, QToolTip, QWidget
+from PySide6.QtWidgets import QMenu, QWidget
 
 from roam_core.roto import RotoShape
 from roam_core.roto.value_curves import ValuePlace
 
-from ... import style
 from ...actions.key_names import NUDGES, key_name
 from ...model.document import Document
 from ...translation import tr
-from ..axis import TimeAxis, paint_playhead
+from ..axis import TimeAxis
 from ..keys.row_painter import BACKGROUND, ROW
+from ..row_band import RowBand
 from ..scale import LABEL_WIDTH
 from .drag import KeyDrag
 from .key_forms import form_of, paint_key
@@ -46,7 +43,7 @@ MARGIN = 4.0
 ADDS = Qt.KeyboardModifier.ShiftModifier | Qt.KeyboardModifier.ControlModifier
 
 
-class ValueRows(QWidget):
+class ValueRows(RowBand[KeyedValue]):
     """Click a key to choose it and go there, drag it along time; a click beside goes to that frame.
 
     A click takes the keyboard: then Delete means keys, and Alt with arrows moves them.
@@ -55,8 +52,8 @@ class ValueRows(QWidget):
     def __init__(
         self, document: Document, axis: TimeAxis, chosen: ValueSelection, parent: QWidget | None = None
     ) -> None:
-        super().__init__(parent)
-        self._document, self._axis, self._chosen = document, axis, chosen
+        super().__init__(document, axis, parent)
+        self._chosen = chosen
         self.verbs = ValueVerbs(document, axis.view_state, chosen, self.hasFocus)
         self._drag: KeyDrag | None = None
         self._pressed, self._is_drag, self._presses = QPointF(), False, 0
@@ -64,27 +61,14 @@ class ValueRows(QWidget):
         """What a right click offers."""
         self.setAccessibleName(tr("Keys of opacity and feather"))
         self.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
-        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
-        view = axis.view_state
-        for signal in (document.changed, document.replaced, view.selection_changed):
-            signal.connect(self._pull)
-        for changed in (axis.changed, view.frame_changed, chosen.changed):
-            changed.connect(self.update)
-        self._pull()
-
-    def sizeHint(self) -> QSize:
-        return QSize(600, ROW)
+        chosen.changed.connect(self.update)
+        self.pull()
 
     def rows(self) -> list[KeyedValue]:
         """The values that are shown, as a drag would leave them: no more than have room."""
         view = self._axis.view_state
         shown = view.preview if self._drag is not None else None
         return keyed_values(shown or self._document.project, view)[:MOST]
-
-    def row_at(self, y: float) -> KeyedValue | None:
-        """The value whose row lies at `y` pixels."""
-        rows, index = self.rows(), int(y) // ROW
-        return rows[index] if 0 <= index < len(rows) else None
 
     def key_at(self, at: QPointF) -> ValuePlace | None:
         """The key near a place, or None."""
@@ -148,9 +132,6 @@ class ValueRows(QWidget):
         self.menu.popup(event.globalPos())
 
     def event(self, event: QEvent) -> bool:
-        if isinstance(event, QHelpEvent) and event.type() == QEvent.Type.ToolTip:
-            QToolTip.showText(event.globalPos(), self.tip_at(QPointF(event.pos())), self)
-            return True
         is_escape = isinstance(event, QKeyEvent) and event.key() == Qt.Key.Key_Escape
         if event.type() == QEvent.Type.ShortcutOverride and self._drag is not None and is_escape:
             event.accept()
@@ -169,9 +150,6 @@ class ValueRows(QWidget):
             self.verbs.nudge(int(frames), f"nudge-values-{self._presses}")
         else:
             event.ignore()
-
-    def wheelEvent(self, event: QWheelEvent) -> None:
-        self._axis.wheel(event, event.position().x())
 
     def tip_at(self, at: QPointF) -> str:
         """What is said of the value on the frame under the pointer."""
@@ -200,30 +178,11 @@ class ValueRows(QWidget):
         else:
             view.select(frozenset(shape.id for shape in item.shapes()), layers=frozenset({item.id}))
 
-    def _pull(self, _ids: object = None) -> None:
-        rows = len(self.rows())
-        self.setVisible(rows > 0)
-        self.setFixedHeight(max(rows, 1) * ROW)
-        self.update()
+    def name_of(self, row: KeyedValue) -> str:
+        return row.title
 
-    def paintEvent(self, event: QPaintEvent) -> None:
-        painter = QPainter(self)
-        painter.fillRect(self.rect(), QColor(style.PANEL))
-        for index, row in enumerate(self.rows()):
-            painter.save()
-            painter.translate(0.0, index * ROW)
-            self._paint_row(painter, row)
-            painter.restore()
-        paint_playhead(painter, self._axis, self)
-        painter.end()
-
-    def _paint_row(self, painter: QPainter, row: KeyedValue) -> None:
+    def paint_row(self, painter: QPainter, row: KeyedValue) -> None:
         scale, colour = self._axis.scale, QColor.fromRgbF(*colour_of(row.item))
-        painter.fillRect(QRectF(0, ROW - 1, self.width(), 1), QColor(style.WINDOW))
-        painter.setPen(QColor(style.WEAK))
-        name = painter.fontMetrics().elidedText(row.title, Qt.TextElideMode.ElideMiddle, LABEL_WIDTH - 34)
-        painter.drawText(QRectF(22, 0, LABEL_WIDTH - 30, ROW - 1), Qt.AlignmentFlag.AlignVCenter, name)
-        painter.setClipRect(QRectF(scale.left, 0, self.width() - scale.left, ROW))
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.setPen(QPen(QColor(BACKGROUND), 1))
         painter.drawPolyline(self._line(row))

@@ -39,7 +39,7 @@ def tracked(qtbot: QtBot, timeline: Timeline, document: Document) -> str:
 
 
 def test_the_row_comes_and_goes_with_the_track(timeline: Timeline, document: Document, tracked: str) -> None:
-    assert [layer.id for layer in timeline.tracks.layers()] == [tracked]
+    assert [layer.id for layer in timeline.tracks.rows()] == [tracked]
     assert timeline.tracks.height() == ROW
     document.undo_stack.undo()
     assert not timeline.tracks.isVisible()
@@ -97,9 +97,9 @@ def test_the_tracks_of_the_selection_are_shown(
     project, other = edit.new_shape(document.project, SQUARE, FIRST)
     project, layer_id = with_moving_layer(project, [other.id], FIRST, "Planar")
     document.apply("Track", followed(project, layer_id, FIRST, FIRST + 1, np.eye(3), 1.0))
-    assert len(timeline.tracks.layers()) == 2
+    assert len(timeline.tracks.rows()) == 2
     view_state.select(frozenset({other.id}))
-    assert [layer.id for layer in timeline.tracks.layers()] == [layer_id]
+    assert [layer.id for layer in timeline.tracks.rows()] == [layer_id]
 
 
 def test_a_track_of_an_older_project_tells_no_confidence(timeline: Timeline, document: Document, tracked: str) -> None:

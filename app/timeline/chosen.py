@@ -1,0 +1,52 @@
+"""ChosenPlaces: the keys that are chosen, by where they lie. Never saved, never undone."""
+
+from __future__ import annotations
+
+from collections.abc import Hashable
+from typing import Generic, TypeVar
+
+from PySide6.QtCore import QObject, Signal
+
+from roam_core.roto import Project
+
+from ..model.document import Document
+
+P = TypeVar("P", bound=Hashable)
+
+
+class ChosenPlaces(QObject, Generic[P]):
+    """Chosen places of keys. Those whose keys are gone are chosen no more.
+
+    Signals
+    -------
+    changed() : other keys are chosen.
+    """
+
+    changed = Signal()
+
+    def __init__(self, document: Document, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._document = document
+        self._places: frozenset[P] = frozenset()
+        document.changed.connect(self._prune)
+        document.replaced.connect(self.clear)
+
+    def places_in(self, project: Project) -> frozenset[P]:
+        """Where all keys lie that may be chosen."""
+        raise NotImplementedError
+
+    @property
+    def places(self) -> frozenset[P]:
+        return self._places
+
+    def select(self, places: frozenset[P]) -> None:
+        if places != self._places:
+            self._places = places
+            self.changed.emit()
+
+    def clear(self) -> None:
+        self.select(frozenset())
+
+    def _prune(self, _ids: object = None) -> None:
+        if self._places:
+            self.select(self._places & self.places_in(self._document.project))

@@ -1,0 +1,90 @@
+"""RowBand: rows of one height below the ruler, one a thing that goes with time; there while there are any."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Generic, TypeVar
+
+from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt
+from PySide6.QtGui import QColor, QHelpEvent, QPainter, QPaintEvent, QWheelEvent
+from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
+
+from .. import style
+from ..model.document import Document
+from .axis import TimeAxis, paint_playhead
+from .keys.row_painter import ROW
+from .scale import LABEL_WIDTH
+
+Row = TypeVar("Row")
+
+
+class RowBand(QWidget, Generic[Row]):
+    """A class of its own says what is shown (`rows`), how a row is painted and what is told of a place (`tip_at`).
+
+    It calls `pull` when it is made, and whenever it may have other rows.
+    """
+
+    def __init__(self, document: Document, axis: TimeAxis, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._document, self._axis = document, axis
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+        for signal in (document.changed, document.replaced, axis.view_state.selection_changed):
+            signal.connect(self.pull)
+        for signal in (axis.changed, axis.view_state.frame_changed):
+            signal.connect(self.update)
+
+    def rows(self) -> Sequence[Row]:
+        """What is shown, top row first."""
+        raise NotImplementedError
+
+    def paint_row(self, painter: QPainter, row: Row) -> None:
+        """Paint a row, its top-left corner at the origin. Its name is there; what lies over it is cut off."""
+        raise NotImplementedError
+
+    def tip_at(self, at: QPointF) -> str:
+        """What is said of the place under the pointer."""
+        raise NotImplementedError
+
+    def name_of(self, row: Row) -> str:
+        """What stands in front of a row."""
+        raise NotImplementedError
+
+    def row_at(self, y: float) -> Row | None:
+        """What has its row at `y` pixels."""
+        rows, index = self.rows(), int(y) // ROW
+        return rows[index] if 0 <= index < len(rows) else None
+
+    def sizeHint(self) -> QSize:
+        return QSize(600, ROW)
+
+    def pull(self, _ids: object = None) -> None:
+        """Be as high as there are rows; away where there are none."""
+        count = len(self.rows())
+        self.setVisible(count > 0)
+        self.setFixedHeight(max(count, 1) * ROW)
+        self.update()
+
+    def wheelEvent(self, event: QWheelEvent) -> None:
+        self._axis.wheel(event, event.position().x())
+
+    def event(self, event: QEvent) -> bool:
+        if isinstance(event, QHelpEvent) and event.type() == QEvent.Type.ToolTip:
+            QToolTip.showText(event.globalPos(), self.tip_at(QPointF(event.pos())), self)
+            return True
+        return super().event(event)
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        painter, left = QPainter(self), self._axis.scale.left
+        painter.fillRect(self.rect(), QColor(style.PANEL))
+        for index, row in enumerate(self.rows()):
+            painter.save()
+            painter.translate(0.0, index * ROW)
+            painter.fillRect(QRectF(0, ROW - 1, self.width(), 1), QColor(style.WINDOW))
+            painter.setPen(QColor(style.TEXT))
+            name = painter.fontMetrics().elidedText(self.name_of(row), Qt.TextElideMode.ElideMiddle, LABEL_WIDTH - 34)
+            painter.drawText(QRectF(22, 0, LABEL_WIDTH - 30, ROW - 1), Qt.AlignmentFlag.AlignVCenter, name)
+            painter.setClipRect(QRectF(left, 0, self.width() - left, ROW))
+            self.paint_row(painter, row)
+            painter.restore()
+        paint_playhead(painter, self._axis, self)
+        painter.end()
