@@ -16,6 +16,7 @@ from PySide6.QtWidgets import QApplication, QWidget
 from pytestqt.qtbot import QtBot
 
 from app.dialogs.mask_dialog import MaskDialog
+from app.dialogs.palette import Palette
 from app.features.clipboards.paste_range import PasteRangeDialog
 from app.model.personal import Personal
 from app.shell.main_window import MainWindow
@@ -25,9 +26,7 @@ from roam_core.propagate import run
 from roam_core.roto import Project, RotoShape, file
 
 FIRST, COUNT, SIZE = 1001, 8, (160, 120)
-DIALOGS = (
-    "edit.settings", "edit.keymap", "help.keys", "help.about", "help.report", "file.export", "help.palette"
-)  # fmt: skip
+DIALOGS = ("edit.settings", "edit.keymap", "help.keys", "help.about", "help.report", "file.export")
 """Actions that open a dialog."""
 WAIT = 30_000
 """Milliseconds after which a test gives up; the first track may compile kernels."""
@@ -99,15 +98,21 @@ def nothing_slow_in_the_window_thread(monkeypatch: pytest.MonkeyPatch) -> Iterat
 
 
 def dialogs_of(window: MainWindow) -> Iterator[QWidget]:
-    """The dialogs that open without a file, shown one after the other."""
+    """The dialogs that open without a file and the palette, shown one after the other."""
     for name in DIALOGS:
-        before = set(QApplication.topLevelWidgets())
+        before = {each for each in QApplication.topLevelWidgets() if each.isVisible()}
         window.actions_by_id[name].trigger()
-        opened = [each for each in QApplication.topLevelWidgets() if each not in before and each.isVisible()]
+        opened = [each for each in QApplication.topLevelWidgets() if each.isVisible() and each not in before]
         assert opened, name
         yield from opened
         for dialog in opened:
             dialog.close()
+    window.actions_by_id["help.palette"].trigger()
+    palette = window.findChild(Palette)
+    assert palette is not None
+    assert palette.isVisible()
+    yield palette
+    palette.hide()
     for made in (MaskDialog("masks", SIZE), PasteRangeDialog((FIRST, FIRST + COUNT)), NumbersDialog()):
         made.show()
         yield made
