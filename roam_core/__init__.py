@@ -6,8 +6,9 @@ so that a caller who only reads a project does not wait for the solver.
 
 from __future__ import annotations
 
-from importlib import import_module
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
+
+from roam_core.on_demand import offered
 
 __version__ = "0.1.0"
 
@@ -101,21 +102,9 @@ _ROOMS = {
         "RotoShape",
     ),
 }
-_HOME = {name: (room, name) for room, names in _ROOMS.items() for name in names} | {
+_RENAMED = {
+    "edit": ("roam_core.roto.edit", ""),
     "load_project": ("roam_core.roto.file", "load"),
     "save_project": ("roam_core.roto.file", "save"),
 }
-_MODULES = {"edit": "roam_core.roto.edit"}
-
-
-def __getattr__(name: str) -> Any:
-    if name in _MODULES:
-        return import_module(_MODULES[name])
-    if name not in _HOME:
-        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    room, own_name = _HOME[name]
-    return getattr(import_module(room), own_name)
-
-
-def __dir__() -> list[str]:
-    return sorted({*globals(), *__all__})
+__getattr__, __dir__ = offered(__name__, _ROOMS, _RENAMED)

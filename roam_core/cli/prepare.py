@@ -24,7 +24,7 @@ from roam_core.matte import render_matte
 from roam_core.params import CONFIGS
 from roam_core.propagate import fill_span
 from roam_core.propagate.run import track
-from roam_core.propagate.warm_up import warm_up
+from roam_core.propagate.warming import warm_up
 from roam_core.proposal.mask_keys.keys import keys_from_mask
 from roam_core.roto import Clip, Interpolation, Keyframe, MotionBlur, Project, RotoShape, edit
 

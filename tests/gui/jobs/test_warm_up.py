@@ -20,7 +20,7 @@ def test_kernels_are_compiled_on_the_solvers_thread(qtbot: QtBot, monkeypatch: p
         compiled.append((config, threading.current_thread() is threading.main_thread()))
 
     # By name: the package lends the module's name to its function.
-    monkeypatch.setattr(import_module("roam_core.propagate.warm_up"), "warm_up", compile_for)
+    monkeypatch.setattr(import_module("roam_core.propagate.warming"), "warm_up", compile_for)
     runner = Runner("solver")
     with qtbot.waitSignal(warm_up.start(runner, "baseline").ended, timeout=5000) as ended:
         pass
