@@ -80,10 +80,12 @@ def _run(argv: list[str]) -> int:
     parser = argparse.ArgumentParser(prog="roam", description="Rotoscoping: editable curves carried through a shot.")
     parser.add_argument("--version", action="version", version=f"roam {__version__}")
     commands = parser.add_subparsers(dest="command", required=True, metavar="command")
-    for name, summary in COMMANDS.items():
+    # Only the command that was asked for is loaded: `roam info` does not wait for the solver.
+    asked = argv[0] if argv and argv[0] in COMMANDS else None
+    for name in COMMANDS if asked is None else (asked,):
+        summary = COMMANDS[name]
         command = commands.add_parser(name, help=summary, description=summary.capitalize() + ".")
-        # Only the command that was asked for is loaded: `roam info` does not wait for the solver.
-        if name in argv:
+        if name == asked:
             _module(name).add_arguments(command)
     arguments = parser.parse_args(argv)
     take_threads()
