@@ -79,10 +79,13 @@ def fill_task(project: Path, folder: Path, config: str, *, alone: bool = False) 
 
 
 def pieces(task: Task, parts: Sequence[tuple[tuple[int, int], Sequence[str]]]) -> tuple[list[Task], Task]:
-    """A fill divided into gaps and objects: a task for each of `parts`, and the one that puts them together."""
+    """A fill divided into gaps and objects: a task for each of `parts`, and the one that puts them together.
+
+    The longest gaps come first, so that none of them begins when the others have ended.
+    """
     folder = Path(task.folder) / RECORDS / task.step
     made = []
-    for k, ((first, last), shapes) in enumerate(parts):
+    for k, ((first, last), shapes) in enumerate(sorted(parts, key=lambda part: part[0][0] - part[0][1])):
         place = folder / f"{k + 1:04d}.roam"
         words = [word for word in task.words[:-2] if not word.startswith("--shape=")]  # the last two say where to save
         words += ["--span", str(first), str(last), *(f"--shape={shape}" for shape in shapes)]
