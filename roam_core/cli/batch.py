@@ -23,6 +23,7 @@ from roam_core.studio import cluster, driver
 from roam_core.studio.fields import schema
 from roam_core.studio.finding import jobs_from
 from roam_core.studio.jobs import as_document
+from roam_core.studio.order import longest_first
 from roam_core.studio.report import pictures_in, report_of, write_report
 from roam_core.studio.tasks import tasks_of
 
@@ -88,7 +89,7 @@ def run(arguments: argparse.Namespace) -> int:
             steps = driver.run(
                 client,
                 WORK,
-                tasks,
+                longest_first(tasks),
                 retries=arguments.retries,
                 pictures=pictures_in(out),
                 watcher=terminal,
@@ -134,7 +135,7 @@ def _client(arguments: argparse.Namespace) -> Iterator[Any]:
             yield client
         return
     shares = cluster.Shares.here(arguments.workers)
-    with cluster.local(shares, dashboard=not arguments.no_dashboard) as client:
+    with cluster.local(shares, dashboard=not arguments.no_dashboard, loading=WORK.modules) as client:
         yield client
 
 

@@ -40,7 +40,7 @@ def filled_apart(
         shares = cluster.Shares.here(min(workers, len(parts)))
         made = {part.step: part.made for part in parts}
         with (
-            cluster.local(shares, dashboard=False) as client,
+            cluster.local(shares, dashboard=False, loading=WORK.modules) as client,
             kept(keep) as keeper,
             bar(len(parts), "{n}/{total} ") as shown,
         ):

@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import logging
+import multiprocessing
 import os
-from collections.abc import Iterator, Mapping
+import sys
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
+from importlib import import_module
 from pathlib import Path
 from typing import Any
 
@@ -65,11 +68,12 @@ class Shares:
 
 
 @contextmanager
-def local(shares: Shares, *, dashboard: bool = True) -> Iterator[Any]:
+def local(shares: Shares, *, dashboard: bool = True, loading: Sequence[str] = ()) -> Iterator[Any]:
     """A client of a cluster of this machine for the length of a `with` block: processes that take one step at a time.
 
     Scheduler, workers and dashboard are bound to 127.0.0.1. What they say to one another is encrypted with a key that
-    only this run has, so that no other user of the machine can give them work.
+    only this run has, so that no other user of the machine can give them work. `loading` names the modules that workers
+    need: where the system can fork, one process loads them, and workers are forks of it.
     """
     distributed = studio_module("distributed")
     studio_module("cryptography")
@@ -77,6 +81,7 @@ def local(shares: Shares, *, dashboard: bool = True) -> Iterator[Any]:
         studio_module("bokeh")
     with (
         _settings(),
+        _forking(shares, loading),
         distributed.LocalCluster(
             n_workers=shares.workers,
             threads_per_worker=1,
@@ -87,13 +92,37 @@ def local(shares: Shares, *, dashboard: bool = True) -> Iterator[Any]:
             dashboard_address=f"{HERE}:{DASHBOARD}" if dashboard else f"{HERE}:0",
             memory_limit=shares.memory,
             env=shares.environment,
-            worker_dashboard_address=f"{HERE}:0",
             scheduler_kwargs={"dashboard": dashboard},
             silence_logs=logging.CRITICAL,
         ) as cluster,
         distributed.Client(cluster) as client,
     ):
         yield client
+
+
+@contextmanager
+def _forking(shares: Shares, loading: Sequence[str]) -> Iterator[None]:
+    """Have workers be forks of one process that has loaded `loading`, for the length of a `with` block, on Linux.
+
+    That process has one thread, for it gets a worker's environment: so it can be forked at any time. It serves later
+    clusters of this process too. Elsewhere, and where a module cannot be loaded there, each worker loads what it needs.
+    """
+    if sys.platform != "linux":
+        yield
+        return
+    dask, utils = studio_module("dask"), studio_module("distributed.utils")
+    with dask.config.set({"distributed.worker.multiprocessing-method": "forkserver"}):
+        utils.get_mp_context()  # the first time it sets a list of its own
+        multiprocessing.set_forkserver_preload(["distributed.nanny", *loading])
+        given = dask.config.get("distributed.nanny.pre-spawn-environ") | shares.environment
+        before = dict(os.environ)
+        os.environ.update({name: str(value) for name, value in given.items()})
+        try:
+            import_module("multiprocessing.forkserver").ensure_running()
+        finally:
+            os.environ.clear()
+            os.environ.update(before)
+        yield
 
 
 @contextmanager

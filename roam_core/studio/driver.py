@@ -34,6 +34,11 @@ class Work:
     perform: Callable[[str, dict[str, Any], str], Outcome]
     cancel: Callable[[str], int]
 
+    @property
+    def modules(self) -> tuple[str, ...]:
+        """The modules of these functions, which workers load."""
+        return tuple(sorted({self.perform.__module__, self.cancel.__module__}))
+
 
 class Watcher:
     """Is told how a batch gets on; this one does nothing with it."""
