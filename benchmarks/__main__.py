@@ -14,6 +14,7 @@ from benchmarks import (
     davis,
     drift,
     fewest_keys,
+    first_start,
     kernels,
     key_optimum,
     masks_in,
@@ -52,6 +53,7 @@ BENCHMARKS: dict[str, ModuleType] = {
     "key_optimum": key_optimum,
     "masks_in": masks_in,
     "window": window,
+    "first_start": first_start,
     "saving": saving,
     "batch": batch,
 }

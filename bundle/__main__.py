@@ -80,7 +80,7 @@ def _environment(wheel: Path) -> Path:
     _run(sys.executable, "-m", "venv", folder)
     python = folder / ("Scripts/python.exe" if ON_WINDOWS else "bin/python")
     options = ["--quiet", "--disable-pip-version-check", "--constraint", ROOT / "constraints.txt"]
-    _run(python, "-m", "pip", "install", *options, f"{wheel}[window]", "pyinstaller")
+    _run(python, "-m", "pip", "install", *options, f"{wheel}[window,studio]", "pyinstaller")
     return python
 
 

@@ -6,11 +6,12 @@ It is unpacked into FOLDER, which cannot be written to afterwards. On Linux it r
 that is installed: it then sees the system's libraries, its own folder and an empty home, no network and no other
 program. Elsewhere its environment is empty and its home is. What is tried: the version, the demo tracked without a
 window, as closely as it must be, with the kernels that are shipped and no others, a process that it starts of itself,
-and the licences.
+a batch on workers, a job for a farm, and the licences.
 """
 
 from __future__ import annotations
 
+import json
 import os
 import platform
 import re
@@ -34,6 +35,15 @@ LIBRARIES = (
     "usr/share/fonts",
 )
 """What of the system a bundle sees within bubblewrap."""
+
+
+JOBS = """
+type: roam.Jobs
+version: 1
+steps: [{track: {end: 1004}}, render]
+jobs: [{name: one, clip: shot, init: demo.roam}, {name: two, clip: shot, init: demo.roam}]
+"""
+"""A batch of the demo, for two workers."""
 
 
 class Failed(Exception):
@@ -71,6 +81,10 @@ def try_archive(archive: Path, folder: Path) -> None:
     _require((home / "demo.nk").read_text(encoding="utf-8").startswith("#"), "the demo was not exported")
     heard(made, home, ["plugin", "nuke", "scripts"])
     _require((home / "scripts" / "roam" / "menu.py").exists(), "the menu for Nuke was not written")
+    (home / "jobs.yaml").write_text(JOBS, encoding="utf-8")
+    ended = heard(made, home, ["batch", "jobs.yaml", "--workers", "2", "--json"]).splitlines()
+    _require([json.loads(line)["status"] for line in ended] == ["done"] * 4, f"a batch ended badly: {ended}")
+    heard(made, home, ["farm", "demo.roam", "--steps", "render"])
     _require(any(made.rglob("LICENCES.txt")), "the licences are missing")
     print(f"The bundle was tried {'within bubblewrap' if _bubblewrap() else 'in an empty environment'}: {said.strip()}")
 
