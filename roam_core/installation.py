@@ -35,6 +35,8 @@ WINDOW_MISSING = (
     '(in a checkout of ROAM: ".[window]").'
 )
 
+STUDIO_LIBRARIES = ("distributed", "cryptography")
+"""What processes of this machine ask for, of all that the extra `studio` brings."""
 STUDIO_MISSING = (
     "{library} is not installed; what batches and farms need is installed with: python -m pip install "
     '"roam-roto[studio]" (in a checkout of ROAM: ".[studio]").'
@@ -51,6 +53,11 @@ def window_module(name: str) -> ModuleType | None:
     if any(find_spec(library) is None for library in WINDOW_LIBRARIES):
         return None
     return import_module(f"{WINDOW}.{name}")
+
+
+def has_studio() -> bool:
+    """Whether work can be spread over processes of this machine."""
+    return all(find_spec(library) is not None for library in STUDIO_LIBRARIES)
 
 
 def studio_module(name: str) -> Any:

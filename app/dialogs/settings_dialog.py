@@ -30,6 +30,7 @@ from ..model.preferences import (
     LEAST_UNDO,
     MOST_BACKUPS,
     MOST_CACHE,
+    MOST_PROCESSES,
     MOST_THREADS,
     MOST_UNDO,
     SCALES,
@@ -68,9 +69,11 @@ class SettingsDialog(QDialog):
         self.cache.setSingleStep(0.5)
         self.cache.setDecimals(2)
         self.cache.setSuffix(tr(" GB"))
-        self.threads, self.backups, self.undo = QSpinBox(), QSpinBox(), QSpinBox()
+        self.threads, self.processes, self.backups, self.undo = (QSpinBox() for _ in range(4))
         self.threads.setRange(0, MOST_THREADS)
         self.threads.setSpecialValueText(tr("As many as there are"))
+        self.processes.setRange(0, MOST_PROCESSES)
+        self.processes.setSpecialValueText(tr("One for two cores"))
         self.backups.setRange(0, MOST_BACKUPS)
         self.backups.setSpecialValueText(tr("None"))
         self.undo.setRange(LEAST_UNDO, MOST_UNDO)
@@ -96,15 +99,16 @@ class SettingsDialog(QDialog):
         for button in (self.reset, self.leave):
             button.setAutoDefault(False)
         lists = self.config, self.preset, self.scale, self.language
-        for widget in (self.cache, self.threads, self.backups, self.undo, *lists):
+        for widget in (self.cache, self.threads, self.processes, self.backups, self.undo, *lists):
             widget.setFixedWidth(FIELD_WIDTH)
-        for number in (self.cache, self.threads, self.backups, self.undo):
+        for number in (self.cache, self.threads, self.processes, self.backups, self.undo):
             number.setAlignment(Qt.AlignmentFlag.AlignRight)
 
     def _lay_out(self) -> None:
         form = dense_form()
         _row(form, tr("Memory for frames"), self.cache, tr("More keeps more of a clip ready to play"))
         _row(form, tr("Threads"), self.threads, tr("For decoding pictures and for the engine"))
+        _row(form, tr("Processes"), self.processes, tr("For filling many frames; 1: ROAM itself does it all"))
         _row(form, tr("Memory for undo"), self.undo, tr("The oldest steps go first"))
         _row(form, tr("Backups"), self.backups, tr("Older versions of a project, kept beside it when you save"))
         _row(form, tr("Mode at the start"), self.config, tr("How the engine works"))
@@ -126,6 +130,7 @@ class SettingsDialog(QDialog):
     def _connect(self) -> None:
         self.cache.valueChanged.connect(lambda value: self._push(cache_gigabytes=value))
         self.threads.valueChanged.connect(lambda value: self._push(threads=value))
+        self.processes.valueChanged.connect(lambda value: self._push(processes=value))
         self.backups.valueChanged.connect(lambda value: self._push(backups=value))
         self.undo.valueChanged.connect(lambda value: self._push(undo_megabytes=value))
         self.config.currentIndexChanged.connect(lambda _: self._push(config=self.config.currentData()))
@@ -149,12 +154,13 @@ class SettingsDialog(QDialog):
 
     def _pull(self) -> None:
         held = self._personal.preferences
-        numbers = self.cache, self.threads, self.backups, self.undo
+        numbers = self.cache, self.threads, self.processes, self.backups, self.undo
         fields = (*numbers, self.config, self.scale, self.language, self.preset, self.asks)
         for field in fields:
             field.blockSignals(True)
         self.cache.setValue(held.cache_gigabytes)
         self.threads.setValue(held.threads)
+        self.processes.setValue(held.processes)
         self.backups.setValue(held.backups)
         self.undo.setValue(held.undo_megabytes)
         self.config.setCurrentIndex(self.config.findData(held.config))

@@ -2,21 +2,25 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 from typing import Any
 
 from roam_core.errors import RoamError
+from roam_core.installation import has_studio
 from roam_core.params import RoamParams, params_for
 from roam_core.propagate.shapes.provenance import Stamps, takes_part
-from roam_core.roto import Keyframe, Origin, RotoShape
+from roam_core.roto import Keyframe, Origin, Project, RotoShape
 
 from ..translation import tr
 from .runner import Report
 
 Gap = tuple[int, int]
 """Two frames with artist keys and none between."""
+WORTH_PROCESSES = 24
+"""Frames to fill below which starting other processes takes longer than they save."""
 
 
 @dataclass(frozen=True)
@@ -29,9 +33,13 @@ class Filled:
 
 @dataclass(frozen=True)
 class FillRequest:
-    """A snapshot of everything that filling needs: all shapes of the project, and the ids of those to fill."""
+    """A snapshot of everything that filling needs: the project with all its shapes, and the ids of those to fill.
+
+    `processes` of this machine may be used for it; 0: one for each two cores.
+    """
 
     read: Callable[[int], Any]
+    project: Project
     shapes: tuple[RotoShape, ...]
     asked: frozenset[str]
     gaps: tuple[Gap, ...]
@@ -39,6 +47,7 @@ class FillRequest:
     clip: str
     size: tuple[int, int] | None = None
     alone: bool = False
+    processes: int = 1
 
 
 def gaps_of(shapes: Sequence[RotoShape]) -> list[Gap]:
@@ -56,8 +65,9 @@ def gaps_of(shapes: Sequence[RotoShape]) -> list[Gap]:
 def fill(report: Report, request: FillRequest) -> str:
     """Fill the gaps of the request, each handed over when it is finished; gives the closing sentence.
 
-    A gap that cannot be filled, as where the picture of its key is damaged, does not lose the others; `RoamError` is
-    raised at the end.
+    Much is spread over processes first, if there may be some: their keys are those that are made here. A gap that
+    cannot be filled, as where the picture of its key is damaged, does not lose the others; `RoamError` is raised at the
+    end.
     """
     from roam_core.propagate.between.span import fill_span
 
@@ -65,8 +75,11 @@ def fill(report: Report, request: FillRequest) -> str:
     wanted = [gap for gap in request.gaps if not _is_filled(stamps, request, gap, params)]
     plate = _Plate(request.read)
     failures: list[RoamError] = []
+    spread = _filled_apart(report, request, wanted, params)
     for done, gap in enumerate(wanted):
         report.token.check()
+        if gap in spread:
+            continue
 
         def tell(fraction: float, _text: str, done: int = done, gap: Gap = gap) -> None:
             place = tr("Filling frames {first} to {last}", first=gap[0] + 1, last=gap[1] - 1)
@@ -93,6 +106,38 @@ def fill(report: Report, request: FillRequest) -> str:
             )
         )
     return _sentence(wanted)
+
+
+def _filled_apart(report: Report, request: FillRequest, wanted: Sequence[Gap], params: RoamParams) -> Collection[Gap]:
+    """Fill on processes of this machine what is worth it, each piece handed over as it ends; gives the whole gaps."""
+    if request.processes == 1 or not has_studio() or sum(last - first - 1 for first, last in wanted) < WORTH_PROCESSES:
+        return ()
+    from roam_core.cli.picking import Picking
+    from roam_core.cli.spans import pieces_of, taken
+    from roam_core.cli.spreading import spread
+    from roam_core.studio.cluster import ENGINE_THREADS, cores
+
+    ids = [shape.id for shape in request.shapes if shape.id in request.asked and shape.closed and not shape.locked]
+    picking = Picking(ids, request.alone)
+    divided = pieces_of(request.project, wanted, picking) if ids else []
+    processes = min(request.processes or cores() // ENGINE_THREADS, len(divided))
+    if processes < 2:
+        return ()
+    report.progress(0.0, tr("Starting {count} processes …", count=processes))
+    left = Counter(gap for gap, _ in divided)
+    for done, piece in enumerate(
+        spread(request.project, divided, params, processes, alone=request.alone, token=report.token)
+    ):
+        if piece.made is not None:
+            left[piece.gap] -= 1
+            filled = taken(request.project, piece.made, [piece.gap], params, picking)
+            made = {shape_id: _keys_in(filled.shape(shape_id), piece.gap) for shape_id in ids}
+            report.partial(Filled(piece.gap, {name: keys for name, keys in made.items() if keys}))
+        place = tr(
+            "Filled {done} of {all} pieces on {count} processes", done=done + 1, all=len(divided), count=processes
+        )
+        report.progress((done + 1) / len(divided), place)
+    return [gap for gap, count in left.items() if not count]
 
 
 class _Plate(Mapping[int, Any]):

@@ -41,7 +41,8 @@ _run_numbers = itertools.count(1)
 class Propagation(QObject):
     """Runs the engine on a snapshot of the project and writes what it finds into the document, one undo step a run.
 
-    `read(frame)` gives plate frames in the engine's colours; the worker calls it.
+    `read(frame)` gives plate frames in the engine's colours; the worker calls it. `processes` may be used for large
+    fills (`FillRequest`).
 
     Signals
     -------
@@ -61,6 +62,7 @@ class Propagation(QObject):
     ) -> None:
         super().__init__(parent)
         self._document, self._view, self._runner, self._read = document, view_state, runner, read
+        self.processes = 1
         self._run: _Run | None = None
         self._memory = TrackMemory()
         # The very first frame compiles kernels, which nobody can interrupt: the artist need not wait for that.
@@ -112,7 +114,9 @@ class Propagation(QObject):
         shapes = tuple(project.shape(shape_id) for shape_id in shape_ids)
         size = None if project.clip is None else (project.clip.size[1], project.clip.size[0])
         stamp, asked = clip_stamp(project.clip), frozenset(shape_ids)
-        request = FillRequest(self._read, project.shapes, asked, tuple(gaps), config, stamp, size, alone)
+        request = FillRequest(
+            self._read, project, project.shapes, asked, tuple(gaps), config, stamp, size, alone, self.processes
+        )
         job = self._runner.start("track", lambda report: fill(report, request))
         job.partial.connect(self._put_in)
         run = _Run(job, FILL, shapes, self._view.frame, f"track-{next(_run_numbers)}")

@@ -14,7 +14,7 @@ from ..translation import LANGUAGES, SYSTEM
 
 TYPE = "roam.Preferences"
 LEAST_CACHE, MOST_CACHE = 0.25, 512.0
-MOST_THREADS, MOST_BACKUPS = 256, 99
+MOST_THREADS, MOST_PROCESSES, MOST_BACKUPS = 256, 256, 99
 LEAST_UNDO, MOST_UNDO = 16, 65536
 SCALES = (1.0, 1.25, 1.5, 1.75, 2.0, 2.5, 3.0)
 
@@ -32,6 +32,7 @@ class Preferences:
     ----------
     cache_gigabytes : the most memory that decoded frames may take, in GB of 2**30 bytes; a quarter of the machine's.
     threads : threads that the engine and the libraries for pictures may use; 0 leaves it to them.
+    processes : processes that a large fill is spread over; 0 for one to each two cores, 1 for none but ROAM itself.
     backups : older versions of a project kept beside it when it is saved.
     config : the engine's configuration at the start; empty for the one used last.
     scale : size of everything in the window, times what the desktop says; holds from the next start on.
@@ -42,6 +43,7 @@ class Preferences:
 
     cache_gigabytes: float = field(default_factory=_fair_gigabytes)
     threads: int = 0
+    processes: int = 0
     backups: int = 5
     config: str = ""
     scale: float = 1.0
@@ -59,6 +61,7 @@ class Preferences:
         return (
             LEAST_CACHE <= self.cache_gigabytes <= MOST_CACHE
             and 0 <= self.threads <= MOST_THREADS
+            and 0 <= self.processes <= MOST_PROCESSES
             and 0 <= self.backups <= MOST_BACKUPS
             and LEAST_UNDO <= self.undo_megabytes <= MOST_UNDO
             and (not self.config or self.config in CONFIGS)

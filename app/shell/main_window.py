@@ -376,6 +376,7 @@ class MainWindow(QMainWindow):
         self.reader.set_cache_limit(held.cache_bytes)
         self.files.backups = held.backups
         self.document.undo_bytes = held.undo_megabytes << 20
+        self.propagation.processes = held.processes
         if held.threads != self._threads:
             self._threads = held.threads
             warm_up.use_threads(self.writer, held.threads)

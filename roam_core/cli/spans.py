@@ -15,6 +15,8 @@ from roam_core.roto import Keyframe, Origin, Project
 
 Gap = tuple[int, int]
 """Two frames with artist keys and none between."""
+Piece = tuple[Gap, tuple[str, ...]]
+"""A gap, and the ids of the shapes of one object that get keys there."""
 
 
 def gaps_of(project: Project, path: Path, picking: Picking = EVERYTHING) -> list[Gap]:
@@ -79,15 +81,10 @@ def _is_of(key: Keyframe, stamp: str) -> bool:
     return key.origin is Origin.ENGINE and key.inputs == stamp
 
 
-def pieces_of(
-    project: Project, gaps: Sequence[Gap], picking: Picking = EVERYTHING
-) -> list[tuple[Gap, tuple[str, ...]]]:
-    """The gaps divided by objects: what can be filled apart, and comes out as if it had been filled in one run.
-
-    Each piece is a gap with the ids of the shapes of one object that get keys there.
-    """
+def pieces_of(project: Project, gaps: Sequence[Gap], picking: Picking = EVERYTHING) -> list[Piece]:
+    """The gaps divided by objects: what can be filled apart, and comes out as if it had been filled in one run."""
     stamps, ids = Stamps.of(project.shapes, project.clip), [shape.id for shape in project.shapes]
-    pieces: list[tuple[Gap, tuple[str, ...]]] = []
+    pieces: list[Piece] = []
     for gap in gaps:
         asked = [ids.index(shape.id) for shape in trackable(project, picking) if takes_part(shape, gap)]
         for members in sorted({stamps.filled_with(k, gap, picking.alone) for k in asked}):

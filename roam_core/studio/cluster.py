@@ -38,6 +38,11 @@ class Encryption:
     key: Path
 
 
+def cores() -> int:
+    """Cores that this process may use; a container's limits count."""
+    return int(studio_module("dask.system").CPU_COUNT)
+
+
 @dataclass(frozen=True)
 class Shares:
     """What each worker of this machine has: threads of the engine, bytes of memory, megabytes of decoded pictures."""
@@ -59,7 +64,7 @@ class Shares:
     def here(cls, wanted: int | None = None) -> Shares:
         """The shares of this machine; a container's limits count."""
         system = studio_module("distributed.system")
-        return cls.of(studio_module("dask.system").CPU_COUNT, system.MEMORY_LIMIT, wanted)
+        return cls.of(cores(), system.MEMORY_LIMIT, wanted)
 
     @property
     def environment(self) -> dict[str, str]:

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import time
 from collections import Counter, deque
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from typing import Any
 
+from roam_core.cancel import CancelToken
 from roam_core.installation import studio_module
 from roam_core.studio.cluster import TOPIC, process_name
 from roam_core.studio.tasks import Task, pieces
@@ -16,6 +18,8 @@ AHEAD = 200
 """Steps that wait at a studio's scheduler: it sees what there is to do, and workers do not wait for us."""
 COUNTED = 50
 """Steps after which the workers are counted again: they come and go."""
+PAUSE = 0.05
+"""Seconds between two looks at a token."""
 PATIENCE = 60.0
 """Seconds that a cancelled batch waits for steps to come to a safe point."""
 
@@ -86,14 +90,16 @@ def run(
     pictures: str = "",
     watcher: Watcher | None = None,
     ahead: int = 0,
+    token: CancelToken | None = None,
 ) -> Iterator[Outcome]:
     """Carry out jobs on the workers of a client; yields what each step came to, as they end.
 
     A step that fails, or whose worker dies, is tried `retries` times more; then the rest of its job is left out, and
     yielded as `skipped`. `ahead` steps more than the workers have threads are given to the scheduler, to wait there.
-    Leaving the iteration early (by an exception too) stops what runs, at a safe point.
+    Leaving the iteration early (by an exception too) stops what runs, at a safe point; so does a token that is
+    cancelled, with `Cancelled`.
     """
-    return _Batch(client, work, jobs, retries, pictures, watcher or Watcher(), ahead).run()
+    return _Batch(client, work, jobs, retries, pictures, watcher or Watcher(), ahead, token).run()
 
 
 class _Batch:
@@ -106,6 +112,7 @@ class _Batch:
         pictures: str,
         watcher: Watcher,
         ahead: int,
+        token: CancelToken | None,
     ) -> None:
         self._client, self._work, self._retries = client, work, retries
         self._pictures, self._watcher = pictures, watcher
@@ -114,7 +121,7 @@ class _Batch:
         self._flying: dict[str, tuple[Any, _Ready]] = {}
         self._name = process_name()
         self._sent = Counter[str]()
-        self._rounds, self._most, self._ahead = 0, 1, ahead
+        self._rounds, self._most, self._ahead, self._token = 0, 1, ahead, token
 
     def run(self) -> Iterator[Outcome]:
         self._watcher.begun(sum(len(line.tasks) for line in self._lines))
@@ -123,13 +130,20 @@ class _Batch:
             try:
                 self._send(ended)
                 while self._flying:
-                    future, result = next(ended)
+                    future, result = self._first(ended)
                     yield from self._received(future, result)
                     del future
                     self._send(ended)
             except BaseException:
                 self._stop()
                 raise
+
+    def _first(self, ended: Any) -> Any:
+        """The next step that ends, with its result."""
+        while self._token is not None and not ended.has_ready():
+            self._token.check()
+            time.sleep(PAUSE)
+        return next(ended)
 
     def _send(self, ended: Any) -> None:
         """Give the scheduler what is ready: what goes on with a job before what begins one."""

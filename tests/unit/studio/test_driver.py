@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import subprocess
+import sys
 import threading
 import time
 from collections.abc import Iterator
@@ -10,9 +12,11 @@ from typing import Any
 
 import pytest
 
+from roam_core.cancel import Cancelled, CancelToken
 from roam_core.errors import RoamError
 from roam_core.studio import cluster, driver
 from roam_core.studio.tasks import Task
+from tests.conftest import ROOT
 from tests.unit.studio.conftest import WORKERS
 from tests.unit.studio.work import WORK
 
@@ -98,6 +102,47 @@ def test_cancelling_keeps_what_is_finished_and_stops_what_runs(client: Any, tmp_
     assert done == ["first"]
     assert (waiting / "stop").exists()
     assert not client.processing() or not any(client.processing().values())
+
+
+def test_a_token_cancels_what_runs(client: Any, tmp_path: Path, waiting: Path) -> None:
+    for name in ("waits", "stop"):
+        (waiting / name).unlink(missing_ok=True)
+    token = CancelToken()
+    wait = Task("w", "1-x", ("fill", "wait"), str(waiting), record="token")
+    steps = driver.run(client, WORK, [tasks(tmp_path, "first", "ok"), [wait]], token=token)
+    assert next(steps)["job"] == "first"
+    while not (waiting / "waits").exists():
+        time.sleep(0.01)
+    token.cancel()
+    with pytest.raises(Cancelled):
+        next(steps)
+    assert (waiting / "stop").exists()
+
+
+def test_workers_of_this_machine_have_loaded_what_they_need_and_hear_nobody_else() -> None:
+    program = """
+import psutil
+from roam_core.cli.performing import WORK
+from roam_core.studio import cluster
+from tests.unit.studio.work import loaded
+
+if __name__ == "__main__":
+    with cluster.local(cluster.Shares.of(2, 4 << 30), dashboard=False, loading=WORK.modules) as client:
+        print(client.run(loaded, ["roam_core.cli.performing", "bokeh"]).values())
+        here = psutil.Process()
+        listening = [
+            connection.laddr.ip
+            for each in (here, *here.children(recursive=True))
+            for connection in each.net_connections()
+            if connection.status == psutil.CONN_LISTEN
+        ]
+        print(len(listening) > 2, set(listening))
+"""
+    done = subprocess.run([sys.executable, "-c", program], cwd=ROOT, capture_output=True, text=True, check=True)
+    loaded, bound = done.stdout.splitlines()
+    if sys.platform == "linux":  # where workers are forks
+        assert loaded == "dict_values([[True, False], [True, False]])"
+    assert bound == "True {'127.0.0.1'}"
 
 
 def test_the_batch_is_told_of_steps_and_of_frames(client: Any, tmp_path: Path) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import sys
 import time
 from pathlib import Path
 from typing import Any
@@ -39,6 +40,11 @@ def cancel(batch: str) -> int:
     for folder in WAITING:
         (Path(folder) / STOP).touch()
     return 1
+
+
+def loaded(names: list[str]) -> list[bool]:
+    """Which of these modules a worker has loaded."""
+    return [name in sys.modules for name in names]
 
 
 WAITING = tuple(filter(None, os.environ.get("ROAM_TEST_WAITING", "").split(os.pathsep)))
