@@ -1278,6 +1278,10 @@ klicken für Ecken, ziehen für Kurven.</translation>
         <translation>{count} Lücken zwischen den Frames {first} und {last} gefüllt.</translation>
     </message>
     <message>
+        <source>Filled {done} of {all} pieces on {count} processes</source>
+        <translation>{done} von {all} Teilen gefüllt, auf {count} Prozessen</translation>
+    </message>
+    <message>
         <source>Filling frames {first} to {last}</source>
         <translation>Frames {first} bis {last} werden gefüllt</translation>
     </message>
@@ -1408,6 +1412,10 @@ klicken für Ecken, ziehen für Kurven.</translation>
     <message>
         <source>For decoding pictures and for the engine</source>
         <translation>Zum Lesen der Bilder und für die Engine</translation>
+    </message>
+    <message>
+        <source>For filling many frames; 1: ROAM itself does it all</source>
+        <translation>Zum Füllen vieler Frames; 1: alles macht ROAM selbst</translation>
     </message>
     <message>
         <source>Forget all keys of your own</source>
@@ -2594,6 +2602,10 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Darauf</translation>
     </message>
     <message>
+        <source>One for two cores</source>
+        <translation>Einer für zwei Kerne</translation>
+    </message>
+    <message>
         <source>One object</source>
         <translation>Ein Objekt</translation>
     </message>
@@ -3030,6 +3042,10 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
     <message>
         <source>Problem report…</source>
         <translation>Problembericht…</translation>
+    </message>
+    <message>
+        <source>Processes</source>
+        <translation>Prozesse</translation>
     </message>
     <message>
         <source>Proposal</source>
@@ -3746,6 +3762,10 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
     <message>
         <source>Starting to track {names} …</source>
         <translation>Tracken von {names} beginnt …</translation>
+    </message>
+    <message>
+        <source>Starting {count} processes …</source>
+        <translation>{count} Prozesse werden gestartet …</translation>
     </message>
     <message>
         <source>State</source>

@@ -24,6 +24,7 @@ from tests.gui.windows import opened_window, write_clip
 OTHERS = Preferences(
     cache_gigabytes=2.5,
     threads=3,
+    processes=5,
     backups=7,
     config="lean",
     scale=1.5,
