@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import ctypes
 import os
-import resource
 import sys
 from collections.abc import Callable, Iterable
 from concurrent.futures import ProcessPoolExecutor
@@ -50,6 +49,8 @@ def adopt() -> None:
 
 def spent() -> float:
     """Processor seconds of all processes that this one began and that have ended; waits for those that are ending."""
+    import resource  # Windows has no such module, and the benchmarks that need none run there
+
     with suppress(ChildProcessError):
         while True:
             os.waitpid(-1, 0)
