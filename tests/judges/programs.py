@@ -55,14 +55,20 @@ def _svg(path: Path, clip: Clip, moment: float) -> Array:
 
 
 def _blender(path: Path, clip: Clip, moment: float) -> Array:
-    found = _rendered(path.read_text(encoding="ascii"), path.parent, _size(clip), clip.pixel_aspect)
+    moments = USUAL if moment in USUAL else (moment,)
+    found = _rendered(path.read_text(encoding="ascii"), path.parent, _size(clip), clip.pixel_aspect, moments)
     return np.asarray(found[moment], dtype=np.float64)
 
 
+USUAL = tuple(sorted({*WHOLE, *BETWEEN}))
+"""The moments of a scene that Blender starts once for; for any other it starts anew."""
+
+
 @lru_cache(maxsize=1)
-def _rendered(text: str, folder: Path, size: tuple[int, int], aspect: float) -> dict[float, Float32]:
-    """All moments of a scene, which Blender starts once for."""
-    return blender.mattes(text, folder, sorted({*WHOLE, *BETWEEN}), size, aspect)
+def _rendered(
+    text: str, folder: Path, size: tuple[int, int], aspect: float, moments: tuple[float, ...]
+) -> dict[float, Float32]:
+    return blender.mattes(text, folder, moments, size, aspect)
 
 
 def _without(program: str, found: object) -> str:
