@@ -1,6 +1,6 @@
 """Builds the stand-alone bundle of this system: `make bundle`, or `python -m bundle`.
 
-The wheel is built, installed with its window into an environment of its own, and PyInstaller collects what it needs
+The wheel is built, installed with its extras into an environment of its own, and PyInstaller collects what it needs
 (`bundle/roam.spec`). The bundle then compiles its kernels, gets the licences of its parts and, on Linux, what a desktop
 asks for; it is packed, and what was packed is unpacked elsewhere and tried (`bundle.check`).
 """
@@ -74,7 +74,7 @@ def _wheel() -> Path:
 
 
 def _environment(wheel: Path) -> Path:
-    """The interpreter of an environment with the wheel, its window and PyInstaller, and nothing of a developer's."""
+    """The interpreter of an environment with the wheel, its extras and PyInstaller, and nothing of a developer's."""
     _say("Installing it with its libraries")
     folder = WORK / "environment"
     _run(sys.executable, "-m", "venv", folder)

@@ -149,6 +149,15 @@ def test_the_example_of_the_python_interface_runs(shot: Path) -> None:
     assert "\nRoto {\n" in (shot / "shot.nk").read_text(encoding="ascii")
 
 
+def test_every_command_has_an_example_in_python() -> None:
+    page = (ROOT / "docs" / "STUDIO.md").read_text(encoding="utf-8")
+    examples = "\n".join(re.findall(r"^```python\n(.*?)^```", page, flags=re.DOTALL | re.MULTILINE))
+    by_library = {"batch": "driver.run(", "farm": "template_of("}
+    shown = {name for name in COMMANDS if by_library.get(name, f'main(["{name}"') in examples}
+    assert set(COMMANDS) - shown == {"prepare", "demo"}  # one compiles, the other is there to be looked at
+    assert "warm_up(" in page
+
+
 def test_the_examples_of_the_studio_run(shot: Path) -> None:
     pytest.importorskip("distributed", reason="Dask is not installed (pip install 'roam-roto[studio]')")
     page = (ROOT / "docs" / "STUDIO.md").read_text(encoding="utf-8")
