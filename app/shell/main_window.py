@@ -374,9 +374,8 @@ class MainWindow(QMainWindow):
     def _pull_preferences(self) -> None:
         held = self.personal.preferences
         self.reader.set_cache_limit(held.cache_bytes)
-        self.files.backups = held.backups
+        self.files.backups, self.propagation.processes = held.backups, held.processes
         self.document.undo_bytes = held.undo_megabytes << 20
-        self.propagation.processes = held.processes
         if held.threads != self._threads:
             self._threads = held.threads
             warm_up.use_threads(self.writer, held.threads)

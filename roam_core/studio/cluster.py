@@ -119,15 +119,24 @@ def _forking(shares: Shares, loading: Sequence[str]) -> Iterator[None]:
     with dask.config.set({"distributed.worker.multiprocessing-method": "forkserver"}):
         utils.get_mp_context()  # the first time it sets a list of its own
         multiprocessing.set_forkserver_preload(["distributed.nanny", *loading])
-        given = dask.config.get("distributed.nanny.pre-spawn-environ") | shares.environment
-        before = dict(os.environ)
-        os.environ.update({name: str(value) for name, value in given.items()})
-        try:
+        with _with_environment(dask.config.get("distributed.nanny.pre-spawn-environ") | shares.environment):
             import_module("multiprocessing.forkserver").ensure_running()
-        finally:
-            os.environ.clear()
-            os.environ.update(before)
         yield
+
+
+@contextmanager
+def _with_environment(wanted: Mapping[str, Any]) -> Iterator[None]:
+    """Have a process that is begun in this `with` block get these variables; the others are left alone."""
+    before = {name: os.environ.get(name) for name in wanted}
+    os.environ.update({name: str(value) for name, value in wanted.items()})
+    try:
+        yield
+    finally:
+        for name, value in before.items():
+            if value is None:
+                os.environ.pop(name, None)
+            else:
+                os.environ[name] = value
 
 
 @contextmanager
