@@ -3,11 +3,16 @@
 from __future__ import annotations
 
 import configparser
+import json
+import runpy
 import shutil
 import subprocess
 import sys
 import tarfile
+from dataclasses import dataclass
 from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
 from xml.etree import ElementTree
 
 import pytest
@@ -78,6 +83,70 @@ def test_its_own_processes_run_modules_of_the_engine_and_no_others(
     with pytest.raises(SystemExit, match="2"):
         entry.main()
     assert "usage: roam" in capsys.readouterr().err
+
+
+@dataclass
+class Made:
+    """What a specification asks PyInstaller for: each call's named values, by what is called."""
+
+    calls: dict[str, list[dict[str, Any]]]
+
+    @classmethod
+    def on(cls, system: str, monkeypatch: pytest.MonkeyPatch, folder: Path) -> Made:
+        """Run `bundle/roam.spec` as PyInstaller does on a system, with stand-ins for its classes."""
+        made = cls({})
+
+        def stand_in(name: str) -> Any:
+            def call(*values: Any, **named: Any) -> Any:
+                made.calls.setdefault(name, []).append(named | {"values": values})
+                return SimpleNamespace(pure=[("a", "a.py", "PYMODULE")], binaries=[], datas=[], scripts=[])
+
+            return call
+
+        for module, names in {
+            "PyInstaller.building.api": ["COLLECT", "EXE", "PYZ"],
+            "PyInstaller.building.build_main": ["Analysis"],
+            "PyInstaller.building.osx": ["BUNDLE"],
+        }.items():
+            monkeypatch.setitem(sys.modules, module, SimpleNamespace(**{name: stand_in(name) for name in names}))
+        hooks = SimpleNamespace(
+            collect_data_files=lambda name, **_: [(name, name)], collect_submodules=lambda name, **_: [f"{name}.*"]
+        )
+        monkeypatch.setitem(sys.modules, "PyInstaller.utils.hooks", hooks)
+        monkeypatch.setitem(sys.modules, "PyInstaller.depend.bindepend", SimpleNamespace(get_imports=lambda path: []))
+        monkeypatch.setattr(sys, "path", list(sys.path))
+        monkeypatch.setattr(sys, "platform", system)
+        spec = ROOT / "bundle" / "roam.spec"
+        given = {"SPECPATH": str(spec.parent), "workpath": str(folder / "pyinstaller" / "roam")}
+        runpy.run_path(str(spec), given)
+        return made
+
+
+@pytest.mark.parametrize("system", ["linux", "win32", "darwin"])
+def test_the_specification_is_one_for_every_system(
+    system: str, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    made = Made.on(system, monkeypatch, tmp_path).calls
+    (analysis,) = made["Analysis"]
+    assert {"roam_core.*", "roam_window.*", "distributed.*", "openjd.*", "opentimelineio.*"} < {
+        *analysis["hiddenimports"]
+    }
+    assert json.loads((tmp_path / "parts.json").read_text()) == [["a", "a.py"]]
+    programs = {each["name"]: each for each in made["EXE"]}
+    assert programs["roam"]["console"]
+    icon = {"linux": None, "win32": ".ico", "darwin": ".icns"}[system]
+    assert {each["icon"] and Path(each["icon"]).suffix for each in programs.values()} == {icon}
+    if system == "linux":
+        assert set(programs) == {"roam"}
+    else:  # what a double click starts opens no console
+        assert not programs["roam-window"]["console"]
+    bundles = made.get("BUNDLE", [])
+    assert len(bundles) == (system == "darwin")
+    for each in bundles:
+        told = each["info_plist"]
+        assert told["CFBundleExecutable"] in programs
+        assert told["CFBundleDocumentTypes"][0]["CFBundleTypeExtensions"] == ["roam"]
+        assert each["version"] == roam_core.__version__
 
 
 def test_the_menu_entry_opens_the_type_that_is_declared() -> None:
