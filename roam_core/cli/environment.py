@@ -3,19 +3,42 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Iterator
+from contextlib import contextmanager
 
 from roam_core.errors import RoamError
+from roam_core.media import decoding
 
 THREADS = "ROAM_THREADS"
 """Threads of the engine: 1, or 2 (default: as many as OpenCV takes, of which the engine uses two)."""
 CACHE = "ROAM_CACHE_MB"
 """Megabytes of decoded pictures that a command keeps."""
 USUAL_CACHE = 512
+DECODER = "ROAM_DECODER"
+"""`inside`: pictures are decoded in ROAM's own process. By default others do that, which a damaged file may end."""
 
 
 def cache_bytes() -> int:
     """Bytes of decoded pictures that a command keeps. Raises `RoamError` where the environment says nonsense."""
     return _whole(CACHE, USUAL_CACHE) << 20
+
+
+def take_decoder() -> None:
+    """Decode in other processes from now on, unless the environment says otherwise."""
+    if os.environ.get(DECODER) != "inside":
+        decoding.isolate()
+
+
+@contextmanager
+def decoding_apart() -> Iterator[None]:
+    """`take_decoder` for the length of a `with` block: around all that a program does."""
+    was_isolated = decoding.is_isolated()
+    take_decoder()
+    try:
+        yield
+    finally:
+        if not was_isolated:
+            decoding.trust()
 
 
 def take_threads() -> None:
