@@ -178,7 +178,7 @@ class _Pictures(Mapping[int, PartialPicture]):
         self._plate = plate
 
     def __getitem__(self, frame: int) -> PartialPicture:
-        return self._plate.decoded_or_bridge(frame)
+        return self._plate.parts_or_bridge(frame)
 
     def __iter__(self) -> Iterator[int]:
         return iter(self._plate.source.frames)

@@ -48,13 +48,7 @@ class Plate:
             return self.read(frame)
 
     def parts_or_bridge(self, frame: int) -> PartialPicture:
-        """As `read_or_bridge`, for the engine: no more of the picture is decoded than is looked at."""
-        picture = self.decoded_or_bridge(frame)
-        self._frames.follow(picture)
-        return picture
-
-    def decoded_or_bridge(self, frame: int) -> PartialPicture:
-        """As `read_or_bridge`, for the engine: no more of the picture is converted than is looked at."""
+        """As `read_or_bridge`, for the engine: no more is decoded and converted of the picture than is looked at."""
         with self._telling(frame):
             return self._cache.read(frame)
 
@@ -78,9 +72,9 @@ class Plate:
         self._cache.close()
 
     def has_picture(self, frame: int) -> bool:
-        """True where a frame can be read."""
+        """True where all of a frame can be read; of what the engine will look at it says nothing."""
         try:
-            self.read(frame)
+            self.source.read(frame)
         except MissingFrame:
             return False
         return True
