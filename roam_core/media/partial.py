@@ -137,7 +137,7 @@ class PartialFrames:
         rows = self._source.rows(frame) if expected else None
         if rows is None or expected is None:
             return PartialPicture(size, space, None, 0, self._source.read(frame), band)
-        top, end = whole_strips(max(expected[0] - ROWS_AT_ONCE, 0), expected[1] + ROWS_AT_ONCE, size[0])
+        top, end = whole_strips(*expected, size[0])
         return PartialPicture(size, space, rows, top, rows.read(top, end), band, partial(self._failed, frame))
 
     def _expected(self, frame: int) -> tuple[int, int] | None:
