@@ -134,7 +134,7 @@ def test_a_look_changes_what_is_painted_and_not_the_picture(scale: float) -> Non
 def test_less_exposure_brings_back_what_is_brighter_than_white() -> None:
     light = np.full((6, 6, 3), 4.0, dtype=np.float32)
     light[:, 3:] = 2.0
-    picture = Picture(to_display(light, LINEAR), Plate(light, LINEAR))
+    picture = Picture(to_display(light, LINEAR), Plate(light, LINEAR, light))
     assert picture.looked_at(0, 0, Look()) == picture.looked_at(5, 0, Look()) == (255, 255, 255)
     bright, dim = (picture.looked_at(x, 0, Look(exposure=-2.0))[0] for x in (0, 5))
     assert (bright, dim) == (255, 188)
