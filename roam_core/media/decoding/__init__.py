@@ -129,9 +129,9 @@ def software_of(file: Path) -> str:
 def open_movie(path: Path) -> MoviePlate:
     """A movie as a plate. Where other processes decode it has one for itself."""
     if _pool is None:
-        from roam_core.media.movie import Movie
+        from roam_core.media.deep_movie import opened_movie
 
-        return Movie(path)
+        return opened_movie(path)
     from roam_core.media.decoding.isolated_movie import IsolatedMovie
 
     return IsolatedMovie(path, _pool)

@@ -14,7 +14,6 @@ import signal
 import sys
 import time
 import traceback
-from collections import OrderedDict
 from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import asdict
@@ -37,7 +36,7 @@ from roam_core.media.image_file import (
 )
 
 if TYPE_CHECKING:
-    from roam_core.media.movie import Movie
+    from roam_core.media.movie_plate import MoviePlate
 
 MEMORY = 3 << 30
 """Bytes that decoding may take beyond the program itself: the largest picture that is accepted needs 1.2 GiB."""
@@ -54,7 +53,7 @@ class Worker:
 
     def __init__(self, shared: BinaryIO, answers: BinaryIO) -> None:
         self._shared, self._answers = shared, answers
-        self._movies: OrderedDict[str, Movie] = OrderedDict()
+        self._movies: dict[str, MoviePlate] = {}
         self._seconds, self._spoke = 0.0, 0.0
 
     def serve(self, requests: BinaryIO) -> None:
@@ -131,13 +130,13 @@ class Worker:
     def _movie_picture(self, file: str, frame: int) -> Result:
         return {}, self._opened(file).read(frame)
 
-    def _opened(self, file: str) -> Movie:
+    def _opened(self, file: str) -> MoviePlate:
         """The movie of a path: it stays open for the next picture."""
-        from roam_core.media.movie import Movie  # a large library
+        from roam_core.media.deep_movie import opened_movie  # large libraries
 
         if file not in self._movies:
             self._movies.clear()
-            self._movies[file] = Movie(Path(file), self.getting_on)
+            self._movies[file] = opened_movie(Path(file), self.getting_on)
         return self._movies[file]
 
     _tasks: ClassVar[dict[str, Callable[..., Result]]] = {
