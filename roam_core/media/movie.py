@@ -50,7 +50,7 @@ class Movie(MoviePlate):
         self.size = self._first_size()
         require_progressive(path, self._first_pictures())
         self.pixel_aspect = self._aspect()
-        self.count = self._verified_count()
+        self._number(self._verified_count())
 
     def _picture(self, index: int) -> Image | None:
         with self._lock:

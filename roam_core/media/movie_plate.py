@@ -12,12 +12,7 @@ from roam_core.media.source import DamagedFrame, MissingFrame
 
 
 class MoviePlate(ABC):
-    """A movie as a plate: frames are numbered from 1. See `PlateSource` for the attributes.
-
-    Attributes
-    ----------
-    count : the number of its frames.
-    """
+    """A movie as a plate: frames are numbered from 1. See `PlateSource` for the attributes."""
 
     readers = 1
     size: tuple[int, int]
@@ -30,12 +25,16 @@ class MoviePlate(ABC):
 
     def __init__(self, path: Path) -> None:
         self.path = path
-        self.count = 0
+        self.frames: tuple[int, ...] = ()
 
     @property
-    def frames(self) -> tuple[int, ...]:
-        """The numbers of its frames."""
-        return tuple(range(1, self.count + 1))
+    def count(self) -> int:
+        """The number of its frames."""
+        return len(self.frames)
+
+    def _number(self, count: int) -> None:
+        """Number its frames, so many."""
+        self.frames = tuple(range(1, count + 1))
 
     def file_of(self, frame: int) -> Path:
         """The movie, whichever the frame."""

@@ -17,6 +17,10 @@ from roam_core.media.movie_plate import MoviePlate
 from roam_core.media.source import DamagedFrame
 
 
+MOST_FRAMES = 10_000_000
+"""Of a movie: four days at 24 a second."""
+
+
 class IsolatedMovie(MoviePlate):
     """A movie as a plate, as `roam_core.media.movie.Movie` gives it; its process keeps it open between pictures.
 
@@ -37,7 +41,7 @@ class IsolatedMovie(MoviePlate):
         self.size = told.size()
         self.fps, self.pixel_aspect = told.number("fps"), told.number("pixel_aspect")
         self.colour_space, self.depth = told.text("colour_space"), told.text("depth")
-        self.count = int(told.number("count"))
+        self._number(min(int(told.number("count")), MOST_FRAMES))
 
     def _picture(self, index: int) -> Image | None:
         try:
