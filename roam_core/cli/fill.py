@@ -167,11 +167,11 @@ def _filled(
     stamp = clip_stamp(project.clip)
     asked = {shape.id for shape in trackable(project, picking) if takes_part(shape, gap)}
     shapes = [shape for shape in project.shapes if shape.closed]
-    filled = fill_span(_Pictures(plate), shapes, *gap, params, token, moved, stamp, only=asked, alone=picking.alone)
+    filled = fill_span(Pictures(plate), shapes, *gap, params, token, moved, stamp, only=asked, alone=picking.alone)
     return [shape for shape in filled if shape.id in asked]
 
 
-class _Pictures(Mapping[int, PartialPicture]):
+class Pictures(Mapping[int, PartialPicture]):
     """The plate's pictures by frame, for the engine; a gap of the plate raises `MissingFrame`."""
 
     def __init__(self, plate: Plate) -> None:

@@ -16,7 +16,6 @@ from roam_core.media.decoding.process import DecoderProcess, Died, path_text
 from roam_core.media.movie_plate import MoviePlate
 from roam_core.media.source import DamagedFrame
 
-
 MOST_FRAMES = 10_000_000
 """Of a movie: four days at 24 a second."""
 
