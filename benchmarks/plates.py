@@ -10,13 +10,12 @@ from __future__ import annotations
 
 import argparse
 import os
-import resource
-import sys
 import tempfile
 import time
 from collections.abc import Callable
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass
+from functools import partial
 from multiprocessing import get_context
 from pathlib import Path
 from typing import TypeVar
@@ -120,9 +119,8 @@ def run(given: argparse.Namespace) -> None:
         "plate", "first picture, ms", "of the processor", "process started too",
         "pictures/s from cache", "proxy 1/2", "1/4", "most MiB", "of what decodes",
     ]  # fmt: skip
-    carried_head = [
-        "plate", "object", "tracked, ms a frame", f"times 1080p {still}", "filled, ms", f"times 1080p {still}", "most MiB"
-    ]  # fmt: skip
+    times = f"times 1080p {still}"
+    carried_head = ["plate", "object", "tracked, ms a frame", times, "filled, ms", times, "most MiB"]
     text = (
         f"Budget of the cache: {DEFAULT_LIMIT >> 20} MiB. {report.circumstances()}.\n\n"
         f"{report.table(opened_head, first)}\n\n"
@@ -170,9 +168,14 @@ def alone(function: Callable[..., T], *words: object) -> T:
 
 
 def peak_mebibytes() -> float:
-    """The most memory that this process held."""
-    unit = 1.0 if sys.platform == "darwin" else 1024.0
-    return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * unit / (1 << 20)
+    """The most memory that this process held; what it began as, a copy of another one, does not count."""
+    return most_mebibytes("self")
+
+
+def most_mebibytes(process: int | str) -> float:
+    """The most memory that a process held, on Linux."""
+    lines = Path(f"/proc/{process}/status").read_text().splitlines()
+    return max(int(line.split()[1]) / 1024.0 for line in lines if line.startswith("VmHWM"))
 
 
 def decoders() -> list[int]:
@@ -192,11 +195,7 @@ def processor_seconds() -> float:
 
 def decoding_mebibytes() -> float:
     """The most memory that a process which decodes for this one held."""
-    peaks = [0.0]
-    for process in decoders():
-        lines = Path(f"/proc/{process}/status").read_text().splitlines()
-        peaks += [int(line.split()[1]) / 1024.0 for line in lines if line.startswith("VmHWM")]
-    return max(peaks)
+    return max(map(most_mebibytes, decoders()), default=0.0)
 
 
 def first_picture(folder: Path) -> Opened:
@@ -240,10 +239,10 @@ def tracked(folder: Path, shape: RotoShape, count: int) -> Carried:
         assert plate.source.colour_space == LINEAR
         first, timed = plate.source.frames[0], AHEAD + 1
         frames = range(first, first + timed + count + AHEAD + 1)  # as many lie ahead at the end as at the beginning
-        plate.ahead_of(first, frames)
         began = 0.0
-        for solved in track(plate.parts_or_bridge, [shape], frames):
-            plate.ahead_of(solved.frame, frames)
+        ahead = partial(plate.ahead_of, frames=frames)
+        for solved in track(plate.parts_or_bridge, [shape], frames, begun=lambda begun: ahead(begun.frame)):
+            ahead(solved.frame)
             if solved.frame == first + timed:
                 began = processor_seconds()
             if solved.frame == first + timed + count:

@@ -37,7 +37,11 @@ class Plate:
 
     def read(self, frame: int) -> Image:
         """The working picture `(h, w, 3)` of a frame, for the engine. Safe from any thread."""
-        return self._cache.read(frame).whole
+        return self.parts(frame).whole
+
+    def parts(self, frame: int) -> PartialPicture:
+        """As `read`: no more is decoded and converted of the picture than is looked at."""
+        return self._cache.read(frame)
 
     def read_or_bridge(self, frame: int) -> Image:
         """As `read`, for a run: of a frame that is there and cannot be read the user is told, once, that it is bridged.
@@ -48,9 +52,9 @@ class Plate:
             return self.read(frame)
 
     def parts_or_bridge(self, frame: int) -> PartialPicture:
-        """As `read_or_bridge`, for the engine: no more is decoded and converted of the picture than is looked at."""
+        """As `parts`, for a run: see `read_or_bridge`."""
         with self._telling(frame):
-            return self._cache.read(frame)
+            return self.parts(frame)
 
     @contextmanager
     def _telling(self, frame: int) -> Iterator[None]:

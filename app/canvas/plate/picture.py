@@ -16,7 +16,7 @@ from roam_core.media.looking import Look, Plate, is_seen_anew, seen, seen_plate
 from ...paint.viewport import Viewport
 
 NEAREST_ABOVE = 2.0
-"""Above this zoom (device pixels for an image pixel) pixels are shown as squares."""
+"""Above this zoom (device pixels for a pixel of the plate) pixels are shown as squares."""
 
 NEUTRAL = Look()
 
@@ -73,7 +73,7 @@ class Picture:
         down = viewport.scale * size.height() / rows
         area = painter.clipBoundingRect() if painter.hasClipping() else QRectF(painter.window())
         window = QRectF(0.0, 0.0, area.right(), area.bottom())
-        if max(across, down) * device_ratio < NEAREST_ABOVE:
+        if viewport.scale * max(viewport.pixel_aspect, 1.0) * device_ratio < NEAREST_ABOVE:
             self._paint_smooth(painter, (viewport.x, viewport.y), (across, down), window, device_ratio, look)
         else:
             self._paint_squares(painter, (viewport.x, viewport.y), (across, down), window, look)

@@ -64,6 +64,7 @@ class ViewBar(QWidget):
         self._actions["view.hide_overlays"].setChecked(self._canvas.viewing.are_shapes_hidden)
         for name, step in PROXIES.items():
             self._actions[name].setChecked(self._canvas.viewing.proxy == step)
+        self._pull()
         self._actions["view.joints"].setChecked(self._canvas.viewing.shows_joints)
         self._actions["view.edges"].setChecked(self._canvas.viewing.shows_edges)
         self._actions["view.wipe"].setChecked(self._canvas.wipe.pinned is not None)
@@ -74,7 +75,10 @@ class ViewBar(QWidget):
             self._plate.setText("")
             return
         width, height = clip.size
-        parts = (_name(clip), f"{clip.first}–{clip.last}", f"{width}×{height}", clip.colour_space)
+        parts = [_name(clip), f"{clip.first}–{clip.last}", f"{width}×{height}", clip.colour_space]
+        for name, step in PROXIES.items():
+            if step > 1 and step == self._canvas.viewing.proxy:
+                parts.append(self._actions[name].text())
         self._plate.setText("  ·  ".join(parts))
         self._plate.setToolTip(str(clip.path))
 
