@@ -11,11 +11,13 @@ from roam_core.arrays import Image
 from roam_core.bounded import require_regular
 from roam_core.errors import RoamError
 from roam_core.media.decoding.answers import Answer
-from roam_core.media.decoding.pool import SECONDS, Pool, asked_twice, refusal
+from roam_core.media.decoding.pool import Pool, asked_twice, refusal
 from roam_core.media.decoding.process import DecoderProcess, Died, path_text
 from roam_core.media.movie_plate import MoviePlate
 from roam_core.media.source import DamagedFrame
 
+SECONDS = 10.0
+"""Of the processor, that each picture may take that a movie passes."""
 MOST_FRAMES = 10_000_000
 """Of a movie: four days at 24 a second."""
 

@@ -22,6 +22,7 @@ from roam_core.media import DamagedFrame, MissingFrame, decoding, open_clip
 from roam_core.media.decoding import pool as pools
 from roam_core.media.decoding import process as processes_of
 from roam_core.media.decoding.pool import Pool
+from tests.conftest import ROOT
 from tests.unit.media.conftest import picture, write_image, write_movie, write_parts
 
 SENTENCE = r"cannot be decoded: .*It is damaged"
@@ -269,6 +270,19 @@ def test_a_forked_process_starts_its_own(tmp_path: Path, apart: Callable[[], Non
     assert decoding.read_image(path).shape == (12, 16, 3)
     for process in processes._parents:
         process.close()
+
+
+@pytest.mark.skipif(os.name == "nt", reason="a script stands in for the program of a bundle")
+def test_the_program_of_a_bundle_starts_itself(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    path = written(tmp_path, "p")
+    bundled = tmp_path / "roam"
+    bundled.write_text(f'#!/bin/sh\nexec "{sys.executable}" "{ROOT / "bundle" / "entry.py"}" "$@"\n')
+    bundled.chmod(0o755)
+    pool = Pool()
+    monkeypatch.setattr(decoding, "_pool", pool)
+    monkeypatch.setattr(sys, "executable", str(bundled))
+    assert decoding.read_image(path).shape == (12, 16, 3)
+    pool.close()
 
 
 # ---- who decodes so --------------------------------------------------------------------------------------------------
