@@ -65,6 +65,13 @@ def test_all_ten_bits_of_every_frame_in_any_order(av: Any, tmp_path: Path, times
         np.testing.assert_array_equal(np.round(picture * (1023.0 / 65535.0)), codes(frame - 1))
 
 
+def test_unevenly_timed_frames_of_eight_bits_are_frames_too(av: Any, tmp_path: Path) -> None:
+    plate = open_clip(write_deep(av, tmp_path / "m.mkv", UNEVEN, kind="bgr0"))
+    assert (plate.depth, plate.frames) == ("8 bits", tuple(range(1, COUNT + 1)))
+    for frame in (COUNT, 2, 17, 1, 16, 29):
+        np.testing.assert_allclose(plate.read(frame) * (1023.0 / 255.0), codes(frame - 1), atol=8.0)
+
+
 def test_frames_that_are_predicted_from_others(av: Any, tmp_path: Path) -> None:
     path = write_deep(av, tmp_path / "m.mov", kind="yuv422p10le", codec="prores_ks")
     plate = open_clip(path)
