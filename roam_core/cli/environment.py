@@ -7,7 +7,6 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 
 from roam_core.errors import RoamError
-from roam_core.media import decoding
 
 THREADS = "ROAM_THREADS"
 """Threads of the engine: 1, or 2 (default: as many as OpenCV takes, of which the engine uses two)."""
@@ -25,6 +24,8 @@ def cache_bytes() -> int:
 
 def take_decoder() -> None:
     """Decode in other processes from now on, unless the environment says otherwise."""
+    from roam_core.media import decoding  # large: `roam --version` does not wait for it
+
     if os.environ.get(DECODER) != "inside":
         decoding.isolate()
 
@@ -32,6 +33,8 @@ def take_decoder() -> None:
 @contextmanager
 def decoding_apart() -> Iterator[None]:
     """`take_decoder` for the length of a `with` block: around all that a program does."""
+    from roam_core.media import decoding
+
     was_isolated = decoding.is_isolated()
     take_decoder()
     try:

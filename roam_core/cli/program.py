@@ -13,7 +13,6 @@ from roam_core.cli.main import COMMANDS
 from roam_core.cli.main import main as command_line
 from roam_core.errors import RoamError
 from roam_core.installation import WINDOW_MISSING, window_module
-from roam_core.media import decoding
 
 FAILED, BAD_USAGE = 1, 2
 EPILOG = """commands that need no window:
@@ -24,18 +23,14 @@ roam COMMAND --help describes each of them.
 
 def main(argv: Sequence[str] | None = None) -> int:
     """Run `roam`. Returns the exit code: 0 done, 1 refused or failed, 2 bad usage, or no window or display."""
-    with decoding_apart():
-        return _run(list(sys.argv[1:] if argv is None else argv))
-
-
-def _run(arguments: list[str]) -> int:
-    """Carry out a command, or open the window."""
+    arguments = list(sys.argv[1:] if argv is None else argv)
     if arguments != ["demo"] and arguments and arguments[0] in COMMANDS:
-        return command_line(arguments)
+        with decoding_apart():
+            return command_line(arguments)
     path = _parser().parse_args(arguments).path
-    decoding.prepare()  # the first picture is not to wait for it
     launch = window_module("shell.launch")
-    return _demo(launch) if arguments == ["demo"] else _window(launch, path)
+    with decoding_apart():
+        return _demo(launch) if arguments == ["demo"] else _window(launch, path)
 
 
 def _window(launch: ModuleType | None, path: str | None) -> int:
