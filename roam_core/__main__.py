@@ -3,5 +3,8 @@
 import sys
 
 from roam_core.cli import main
+from roam_core.cli.environment import decoding_apart
 
-sys.exit(main())
+with decoding_apart():
+    status = main()
+sys.exit(status)

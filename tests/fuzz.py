@@ -120,7 +120,7 @@ def parts(compression: str, folder: Path) -> bytes:
 
 def movie(codec: str, folder: Path) -> bytes:
     """A whole movie of six frames of 64 x 48 pixels."""
-    path = folder / "whole.avi"
+    path = folder / ("whole.mp4" if codec == "mp4v" else "whole.avi")
     writer = cv2.VideoWriter(str(path), cv2.CAP_FFMPEG, cv2.VideoWriter.fourcc(*codec), 24.0, (64, 48))
     rng = np.random.default_rng(SEED)
     for _ in range(6):
@@ -208,10 +208,11 @@ READERS: dict[str, tuple[str, Callable[[str, Path], bytes], str, Callable[[Path]
     "project": (".roam", written, "project", read_project),
     **{
         suffix[1:]: (suffix, lambda suffix, folder: picture(suffix, folder), suffix, read_picture)
-        for suffix in (".png", ".jpg", ".tif", ".exr", ".dpx", ".gif")
+        for suffix in (".png", ".jpg", ".tif", ".exr", ".dpx", ".tga", ".gif")
     },
     "parts": (".exr", parts, "zip", read_every_layer),
     "movie": (".avi", movie, "MJPG", read_movie),
+    "mp4": (".mp4", movie, "mp4v", read_movie),
     "mask": (".png", lambda suffix, folder: picture(suffix, folder), ".png", read_mask),
     **{name: (".json", settings, name, read_settings(name)) for name in ("preferences", "keymap", "recent")},
 }

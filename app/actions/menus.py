@@ -61,6 +61,7 @@ MENUS: dict[str, tuple[str, ...]] = {
         "view.source", "view.overlay", "view.matte", "view.cutout", "view.onion", "view.confidence", "view.alpha",
         "view.hide_overlays", "view.joints", "view.edges", SEPARATOR,
         "view.colour", "view.red", "view.green", "view.blue", "view.luminance", "view.reset_look", SEPARATOR,
+        "view.full", "view.half", "view.quarter", SEPARATOR,
         "view.wipe", "view.pin", SEPARATOR,
         "view.fit", "view.fit_selection", "view.actual_size", SEPARATOR,
         "time.previous", "time.next", "time.previous_key", "time.next_key", "time.first", "time.last", SEPARATOR,

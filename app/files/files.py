@@ -331,10 +331,12 @@ def clip_project(
 ) -> tuple[Project, PlateSource]:
     """A new project on a clip, and the clip's source. Raises `RoamError` when there is no clip at `path`."""
     from roam_core.media import open_clip
+    from roam_core.media.colour_spaces import definition_of
 
     source = open_clip(path, layer)
     if declare is not None:
         source = declare(source)
+    definition_of(source.colour_space)  # kept from now on: stamps ask for it in the window's thread
     return Project(Clip.of(source)), source
 
 
@@ -422,9 +424,11 @@ def _rotated(path: Path, count: int) -> str:
 def plate_of(project: Project) -> tuple[Any, str]:
     """The plate of a project, or None and why it could not be opened; or the plate and what differs from before."""
     from roam_core.media import declared, open_clip
+    from roam_core.media.colour_spaces import definition_of
 
     if (clip := project.clip) is None:
         return None, ""
+    definition_of(clip.colour_space)
     try:
         source = declared(open_clip(clip.path, clip.layer), clip.colour_space, clip.fps, clip.pixel_aspect)
     except RoamError as error:

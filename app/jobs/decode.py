@@ -3,17 +3,18 @@
 from __future__ import annotations
 
 from collections import OrderedDict
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
 from roam_core.errors import RoamError
 
+from ..model.viewing import Viewing
 from ..translation import tr
 from .runner import Ending, Report, Runner
 
 if TYPE_CHECKING:
-    from roam_core.arrays import Image
+    from roam_core.arrays import Image, UInt8
     from roam_core.media import FrameCache, PlateSource
     from roam_core.media.looking import Plate
     from roam_core.media.partial import PartialPicture
@@ -23,7 +24,21 @@ READ_AHEAD = 120
 DEFAULT_CACHE_BYTES = 1 << 30
 """Bound on the plate's decoded frames, where the artist set no other."""
 DISPLAY_BYTES = 512 << 20
-"""Bound on pictures kept ready for the screen; only plates whose colours must be converted need any."""
+"""Bound on pictures kept ready for the screen; plates that are shown as they lie in their files need none."""
+
+
+class Ready(NamedTuple):
+    """What the screen shows of a frame: display values, and what views and exposure are made of, where one is wanted.
+
+    Of a proxy both have fewer pixels than the plate.
+    """
+
+    pixels: UInt8
+    scalable: Image | None
+
+    @property
+    def nbytes(self) -> int:
+        return int(self.pixels.nbytes) + (0 if self.scalable is None else int(self.scalable.nbytes))
 
 
 class PlateReader(QObject):
@@ -32,7 +47,8 @@ class PlateReader(QObject):
     Signals
     -------
     plate_changed() : another plate was opened, or none is.
-    picture(frame, image) : `image (h, w, 3)` uint8 for the screen, or None where the frame cannot be shown.
+    picture(frame, image) : `image (h, w, 3)` uint8 for the screen, or None where the frame cannot be shown. A proxy has
+        fewer pixels than the plate.
     refused(sentence) : why a frame cannot be shown.
     cache_changed() : other frames are cached, or known to be damaged, than before; at most ten times a second.
     """
@@ -48,7 +64,10 @@ class PlateReader(QObject):
         self._runner = Runner("decode", self)
         self._source: PlateSource | None = None
         self._cache: FrameCache[Image] | None = None
-        self._ready: OrderedDict[int, Any] = OrderedDict()
+        self._ready: OrderedDict[int, Ready] = OrderedDict()
+        self._viewings: list[Viewing] = []
+        self._baked: frozenset[tuple[str, tuple[str, str]]] = frozenset()
+        self._step = 1
         self._limit = DEFAULT_CACHE_BYTES
         self._wanted: int | None = None
         self._previous = 0
@@ -93,6 +112,21 @@ class PlateReader(QObject):
             return ()
         return tuple(sorted({*self._source.missing, *self._cache.damaged_frames()}))
 
+    def look_through(self, viewing: Viewing) -> None:
+        """What a viewer's look is made of is made on the worker; the first viewer chooses the size of pictures too."""
+        self._viewings.append(viewing)
+        viewing.changed.connect(self._look_again)
+
+    def _look_again(self) -> None:
+        """A look has changed, or pictures have another size from now on."""
+        step = self._viewings[0].proxy
+        if step != self._step:
+            self._step, self._ready = step, OrderedDict()
+        elif self._wanted is None or (plate := self.plate(self._wanted)) is None or not self._lacks(plate):
+            return
+        if self._wanted is not None:
+            self.show(self._wanted)
+
     def plate(self, frame: int) -> Plate | None:
         """The plate's own values of a frame, where it is held; never waits for decoding."""
         if self._cache is None or self._source is None:
@@ -100,7 +134,27 @@ class PlateReader(QObject):
         from roam_core.media.looking import Plate
 
         values = self._cache.get(frame)
-        return None if values is None else Plate(values, self._source.colour_space)
+        if values is None:
+            return None
+        ready = self._ready.get(frame)
+        scalable = None if ready is None else ready.scalable
+        if scalable is None and self._step == 1 and values.dtype != "float16":
+            scalable = values
+        if not self._views() <= self._baked:
+            scalable = None
+        return Plate(values, self._source.colour_space, scalable)
+
+    def full_picture(self, frame: int, pixels: UInt8) -> UInt8 | None:
+        """The display values of a frame in the plate's own size: the `pixels` on the screen where they have that.
+
+        None where the plate is not held; never waits for decoding.
+        """
+        from roam_core.media.colour import to_display
+
+        if self._source is None or pixels.shape[1::-1] == self._source.size:
+            return pixels
+        plate = self.plate(frame)
+        return None if plate is None else to_display(plate.values, plate.colour_space)
 
     def memory(self) -> tuple[int, int]:
         """Bytes held by the cache, and its bound."""
@@ -135,45 +189,78 @@ class PlateReader(QObject):
 
     # ---- the rest is private
 
-    def _at_hand(self, frame: int) -> Any:
+    def _at_hand(self, frame: int) -> UInt8 | None:
         """The picture of a frame that needs neither decoding nor conversion, or None."""
         from roam_core.media.colour import is_displayed_as_it_is
 
-        if (picture := self._ready.get(frame)) is not None:
-            return picture
-        assert self._cache is not None
-        assert self._source is not None
-        plate = self._cache.get(frame)
-        return plate if plate is not None and is_displayed_as_it_is(plate, self._source.colour_space) else None
+        plate = self.plate(frame)
+        if plate is not None and self._lacks(plate):
+            return None
+        if (ready := self._ready.get(frame)) is not None:
+            return ready.pixels
+        is_itself = plate is not None and self._step == 1 and is_displayed_as_it_is(plate.values, plate.colour_space)
+        return plate.values if plate is not None and is_itself else None
+
+    def _lacks(self, plate: Plate) -> bool:
+        """Whether one of the looks is made of what is not there yet."""
+        from roam_core.media.looking import is_seen_anew
+
+        return plate.scalable is None and any(is_seen_anew(plate, viewing.look) for viewing in self._viewings)
+
+    def _views(self) -> frozenset[tuple[str, tuple[str, str]]]:
+        """The views that are looked through, with the space of the plate that they are for."""
+        space = "" if self._source is None else self._source.colour_space
+        return frozenset((space, view) for viewing in self._viewings if (view := viewing.look.view))
+
+    def _bake(self, values: Image) -> None:
+        """On the worker: have the views made that are looked through, which takes long for some of ACES."""
+        from roam_core.media.looking import Look, seen_plate
+
+        for space, view in self._views() - self._baked:
+            seen_plate(values[:1, :1], space, Look(view=view))
+            self._baked = self._baked | {(space, view)}
 
     def _decode(self, frame: int) -> None:
-        cache, source, ready = self._cache, self._source, self._ready
+        cache, source, ready, step, lacks = self._cache, self._source, self._ready, self._step, self._lacks
         assert cache is not None
         assert source is not None
         ahead = self._ahead(frame)
 
         def work(report: Report) -> str:
             from roam_core.media.colour import to_display
+            from roam_core.media.looking import Plate, scalable
+            from roam_core.media.proxies import reduced
 
-            if (picture := ready.get(frame)) is None:
-                plate = cache.read(frame)
-                picture = to_display(plate, source.colour_space)
-                if picture is not plate:
-                    _keep(ready, frame, picture)
-            report.partial(picture)
+            values = cache.read(frame)
+            wants = lacks(Plate(values, source.colour_space))
+            self._bake(values)
+            if (seen := ready.get(frame)) is None or (wants and seen.scalable is None):
+                pixels = to_display(values, source.colour_space) if seen is None else seen.pixels
+                seen = Ready(
+                    reduced(pixels, step) if seen is None else pixels, scalable(values, step) if wants else None
+                )
+                if seen.pixels is not values:
+                    seen.pixels.setflags(write=False)
+                if seen.pixels is not values or wants:
+                    _keep(ready, frame, seen)
+            report.partial(seen.pixels)
             cache.read_ahead(ahead)
             return ""
 
         job = self._runner.start("decode", work)
         job.partial.connect(lambda picture: self.picture.emit(frame, picture))
-        job.ended.connect(lambda ending, sentence: self._decoded(frame, ending, sentence))
+        job.ended.connect(lambda ending, sentence: self._decoded(frame, step, ending, sentence))
 
-    def _decoded(self, frame: int, ending: Ending, sentence: str) -> None:
+    def _decoded(self, frame: int, step: int, ending: Ending, sentence: str) -> None:
         if ending is Ending.FAILED:
             self.picture.emit(frame, None)
             self.refused.emit(sentence)
-        if ending is not Ending.CANCELLED and self._wanted is not None and self._wanted != frame:
-            self.show(self._wanted)
+        if ending is not Ending.CANCELLED and self._wanted is not None:
+            plate = self.plate(frame)
+            is_late = step != self._step or (plate is not None and self._lacks(plate))  # it is looked at otherwise now
+            is_late &= ending is Ending.DONE
+            if self._wanted != frame or is_late:
+                self.show(self._wanted)
 
     def _ahead(self, frame: int) -> list[int]:
         assert self._source is not None
@@ -197,8 +284,9 @@ class PlateReader(QObject):
         self._ready = OrderedDict()
 
 
-def _keep(ready: OrderedDict[int, Any], frame: int, picture: Any) -> None:
+def _keep(ready: OrderedDict[int, Ready], frame: int, seen: Ready) -> None:
     """Remember a converted picture; the longest unseen go first when they are too many."""
-    ready[frame] = picture
-    while len(ready) * picture.nbytes > DISPLAY_BYTES and len(ready) > 1:
-        ready.popitem(last=False)
+    ready[frame] = seen
+    held = sum(each.nbytes for each in tuple(ready.values()))
+    while held > DISPLAY_BYTES and len(ready) > 1:
+        held -= ready.popitem(last=False)[1].nbytes

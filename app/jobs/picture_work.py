@@ -18,7 +18,7 @@ Spot = tuple[float, float]
 
 @dataclass(frozen=True, eq=False)
 class Shown:
-    """The picture of `frame`: `pixels (h, w, 3)` uint8 as on the screen; a proxy has fewer than the plate."""
+    """The picture of `frame`: `pixels (h, w, 3)` uint8 as on the screen, whole where that shows a proxy."""
 
     frame: int
     pixels: UInt8
@@ -32,6 +32,8 @@ class Shown:
 class PictureWork(QObject):
     """Keeps the picture that is shown, and looks at it on a worker.
 
+    `full_of` gives the whole picture of a frame for what is on the screen of it, which may be a proxy; None: not yet.
+
     Signals
     -------
     progress(fraction, text), finished(ending, sentence) : news of work that says what it does.
@@ -42,19 +44,33 @@ class PictureWork(QObject):
     finished = Signal(object, str)
     looked = Signal()
 
-    def __init__(self, runner: Runner, parent: QObject | None = None) -> None:
+    def __init__(
+        self,
+        runner: Runner,
+        parent: QObject | None = None,
+        full_of: Callable[[int, UInt8], UInt8 | None] = lambda _, pixels: pixels,
+    ) -> None:
         super().__init__(parent)
         self._runner = runner
         self._jobs: set[Job] = set()
-        self.shown: Shown | None = None
+        self._shown: Shown | None = None
+        self._full_of = full_of
+
+    @property
+    def shown(self) -> Shown | None:
+        """The picture that is on the screen, in the plate's own size: a proxy changes nothing that is found."""
+        if self._shown is not None and (full := self._full_of(self._shown.frame, self._shown.pixels)) is not None:
+            self._shown = self._shown if full is self._shown.pixels else Shown(self._shown.frame, full)
+            return self._shown
+        return None
 
     def show(self, frame: int, pixels: UInt8 | None) -> None:
         """The picture of `frame` is on the screen; None where the plate has none."""
-        self.shown = None if pixels is None else Shown(frame, pixels)
+        self._shown = None if pixels is None else Shown(frame, pixels)
 
     def clear(self) -> None:
         """Another plate is opened: nothing that was looked for in the old one arrives."""
-        self.shown = None
+        self._shown = None
         self.stop()
 
     def find(

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import asdict, dataclass, fields, replace
 from enum import StrEnum
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -12,6 +13,7 @@ from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QColor
 
 from roam_core.media.looking import Channel, Look
+from roam_core.media.proxies import STEPS
 
 from ..translation import N_, tr
 
@@ -50,6 +52,8 @@ def title_of(mode: ViewMode) -> str:
     return tr(TITLES[mode])
 
 
+PROXIES = dict(zip(("view.full", "view.half", "view.quarter"), STEPS, strict=True))
+"""The actions that choose a proxy, by their ids."""
 WITHOUT_SHAPES = frozenset({ViewMode.SOURCE, ViewMode.ALPHA})
 OF_MATTE = frozenset({ViewMode.MATTE, ViewMode.ALPHA, ViewMode.CUTOUT})
 """Views that need the matte rendered."""
@@ -109,6 +113,7 @@ class Viewing(QObject):
         self._mode = self._before_alpha = ViewMode.OVERLAY
         self._are_shapes_hidden = self._shows_joints = self._shows_edges = False
         self._look, self._onion, self._background = Look(), Onion(), Background()
+        self._proxy = STEPS[0]
 
     @property
     def mode(self) -> ViewMode:
@@ -168,6 +173,15 @@ class Viewing(QObject):
         gamma = min(max(look.gamma, GAMMAS[0]), GAMMAS[1])
         self._set("_look", replace(look, exposure=exposure, gamma=gamma))
 
+    @property
+    def proxy(self) -> int:
+        """How many of the plate's pixels lie along a side of one of those that are shown: 1, 2 or 4."""
+        return self._proxy
+
+    def set_proxy(self, step: int) -> None:
+        """Show the plate itself, or a proxy of it."""
+        self._set("_proxy", step)
+
     def toggle_channel(self, channel: Channel) -> None:
         """Show one channel alone, or all of them again."""
         self.set_look(channel=Channel.COLOUR if self._look.channel is channel else channel)
@@ -202,9 +216,11 @@ class Viewing(QObject):
             for channel in Channel
             if channel is not Channel.COLOUR
         }
+        proxies = {name: partial(self.set_proxy, step) for name, step in PROXIES.items()}
         return {
             **modes,
             **channels,
+            **proxies,
             "view.alpha": self.toggle_alpha,
             "view.colour": lambda: self.set_look(channel=Channel.COLOUR),
             "view.reset_look": self.reset_look,

@@ -80,6 +80,8 @@ def _run(begin: Callable[[MainWindow], object]) -> int:
     from PySide6.QtCore import QTimer
     from PySide6.QtWidgets import QApplication
 
+    from roam_core.media import decoding
+
     from .. import style, translation
     from ..folders import cache_folder, state_folder, state_trouble
     from ..jobs import warm_up
@@ -88,6 +90,7 @@ def _run(begin: Callable[[MainWindow], object]) -> int:
     from .leaving import leave_on_signals
     from .main_window import MainWindow
 
+    decoding.prepare()  # the first picture is not to wait for it
     _keep_log(state_folder() / "roam.log")
     personal = Personal(state_folder(), cache_folder())
     personal.trouble = " ".join(filter(None, (state_trouble(), personal.trouble)))

@@ -125,7 +125,7 @@ class MainWindow(QMainWindow):
         self.propagation = Propagation(self.document, self.view_state, self.solver, self.reader.engine_parts, self)
         self.proposals = Proposals(self.document, self.view_state, self.propagation, self)
         self.eye = Runner("eye", self)
-        self.pictures = PictureWork(self.eye, self)
+        self.pictures = PictureWork(self.eye, self, self.reader.full_picture)
         self.belonging = Belonging(self.document, self.view_state, self.eye, self)
         self.edge_kinds = EdgeKinds(self.document, self.view_state, self.reader.engine_parts, self.eye, self)
         self.planar = PlanarTrack(self.document, self.view_state, self.solver, self.reader.engine_frame, self)
@@ -153,7 +153,7 @@ class MainWindow(QMainWindow):
         self.canvas.bones, self.canvas.edges = self.belonging.bones, self.edge_kinds.here
         self.canvas.stage.plate_of = self.reader.plate
         RippleFrame(view_state, self.canvas)
-        self.second_viewer = second_viewer(self.canvas, document, view_state, actions, self)
+        self.second_viewer = second_viewer(self.canvas, document, view_state, actions, self, self.reader.look_through)
         self.proposal_bar = ProposalBar(self.proposals, actions, self.canvas)
         self.tool_column = ToolColumn(view_state, actions, tuple(TOOLS))
         self.view_bar = ViewBar(document, self.canvas, actions)

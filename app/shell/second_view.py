@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from PySide6.QtWidgets import QWidget
 
 from roam_core.arrays import UInt8
@@ -12,15 +14,25 @@ from ..canvas.ripple_frame import RippleFrame
 from ..canvas.view import CanvasView
 from ..model.document import Document
 from ..model.view_state import ViewState
+from ..model.viewing import PROXIES, Viewing
 from ..panels.second_viewer import SecondViewer
 from ..widgets.focus import FocusFollowsPointer
 from .context_menus import ContextMenus
 
 
 def second_viewer(
-    first: CanvasView, document: Document, view_state: ViewState, actions: Actions, parent: QWidget
+    first: CanvasView,
+    document: Document,
+    view_state: ViewState,
+    actions: Actions,
+    parent: QWidget,
+    look_through: Callable[[Viewing], object],
 ) -> SecondViewer:
-    """The second viewer beside `first`; its dialogs and menus lie over `parent`."""
+    """The second viewer beside `first`; its dialogs and menus lie over `parent`.
+
+    `look_through` is told how either looks at the plate, the first one first: proxies are that one's to choose.
+    """
+    look_through(first.viewing)
 
     def make() -> CanvasView:
         canvas = CanvasView(document, view_state, in_hand=first.in_hand)
@@ -28,7 +40,10 @@ def second_viewer(
         canvas.stage.plate_of, canvas.empty_hint = first.stage.plate_of, first.empty_hint
         RippleFrame(view_state, canvas)
         FocusFollowsPointer(canvas, minds_fields=False)
-        looks = {name: call for name, call in canvas.handlers().items() if name.startswith("view.")}
+        look_through(canvas.viewing)
+        looks = {
+            name: call for name, call in canvas.handlers().items() if name.startswith("view.") and name not in PROXIES
+        }
         menus = ContextMenus(document, view_state, ViewerActions(actions, canvas, looks), parent)
         canvas.menu_asked.connect(menus.open)
         return canvas

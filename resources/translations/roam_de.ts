@@ -1560,6 +1560,10 @@ Klicken springt hin, Rechtsklick entfernt ihn</translation>
         <translation>Ab diesem Frame gilt die Reihenfolge der Liste</translation>
     </message>
     <message>
+        <source>Full resolution</source>
+        <translation>Volle Auflösung</translation>
+    </message>
+    <message>
         <source>Full-screen viewer</source>
         <translation>Viewer im Vollbild</translation>
     </message>
@@ -3056,6 +3060,14 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
         <translation>Für die ausgewählten Formen wieder Änderungen vorschlagen</translation>
     </message>
     <message>
+        <source>Proxy 1/2</source>
+        <translation>Proxy 1/2</translation>
+    </message>
+    <message>
+        <source>Proxy 1/4</source>
+        <translation>Proxy 1/4</translation>
+    </message>
+    <message>
         <source>Pull out handles</source>
         <translation>Tangenten herausziehen</translation>
     </message>
@@ -3548,6 +3560,10 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
         <translation>Alle Tasten zeigen, eine finden</translation>
     </message>
     <message>
+        <source>Show every pixel of the plate</source>
+        <translation>Jeden Bildpunkt der Plate zeigen</translation>
+    </message>
+    <message>
         <source>Show every step and go back to any</source>
         <translation>Jeden Schritt zeigen und zu jedem zurückgehen</translation>
     </message>
@@ -3590,6 +3606,14 @@ Bildern oder einen Film ins Fenster ziehen.</translation>
     <message>
         <source>Show the plate as it is: all channels, neutral</source>
         <translation>Die Plate zeigen, wie sie ist: alle Kanäle, neutral</translation>
+    </message>
+    <message>
+        <source>Show the plate at a quarter of its size: plays sooner, changes no result</source>
+        <translation>Die Plate in einem Viertel ihrer Größe zeigen: spielt eher ab, ändert kein Ergebnis</translation>
+    </message>
+    <message>
+        <source>Show the plate at half its size: plays sooner, changes no result</source>
+        <translation>Die Plate in halber Größe zeigen: spielt eher ab, ändert kein Ergebnis</translation>
     </message>
     <message>
         <source>Show the whole clip in the timeline</source>
@@ -5236,6 +5260,14 @@ je weiter sie fällt, desto mehr spricht für die Änderung.</translation>
     <message>
         <source>protect</source>
         <translation>schützen</translation>
+    </message>
+    <message>
+        <source>proxy resolution downres fast playback</source>
+        <translation>proxy auflösung verkleinert schnell abspielen wiedergabe</translation>
+    </message>
+    <message>
+        <source>proxy resolution pixels</source>
+        <translation>proxy auflösung bildpunkte pixel</translation>
     </message>
     <message>
         <source>quicktime mp4 mov avi export playblast preview dailies supervisor render</source>

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Iterator
+from contextlib import contextmanager
 
 from roam_core.errors import RoamError
 
@@ -11,11 +13,35 @@ THREADS = "ROAM_THREADS"
 CACHE = "ROAM_CACHE_MB"
 """Megabytes of decoded pictures that a command keeps."""
 USUAL_CACHE = 512
+DECODER = "ROAM_DECODER"
+"""`inside`: pictures are decoded in ROAM's own process. By default others do that, which a damaged file may end."""
 
 
 def cache_bytes() -> int:
     """Bytes of decoded pictures that a command keeps. Raises `RoamError` where the environment says nonsense."""
     return _whole(CACHE, USUAL_CACHE) << 20
+
+
+def take_decoder() -> None:
+    """Decode in other processes from now on, unless the environment says otherwise."""
+    from roam_core.media import decoding  # large: `roam --version` does not wait for it
+
+    if os.environ.get(DECODER) != "inside":
+        decoding.isolate()
+
+
+@contextmanager
+def decoding_apart() -> Iterator[None]:
+    """`take_decoder` for the length of a `with` block: around all that a program does."""
+    from roam_core.media import decoding
+
+    was_isolated = decoding.is_isolated()
+    take_decoder()
+    try:
+        yield
+    finally:
+        if not was_isolated:
+            decoding.trust()
 
 
 def take_threads() -> None:

@@ -167,18 +167,18 @@ def _filled(
     stamp = clip_stamp(project.clip)
     asked = {shape.id for shape in trackable(project, picking) if takes_part(shape, gap)}
     shapes = [shape for shape in project.shapes if shape.closed]
-    filled = fill_span(_Pictures(plate), shapes, *gap, params, token, moved, stamp, only=asked, alone=picking.alone)
+    filled = fill_span(Pictures(plate), shapes, *gap, params, token, moved, stamp, only=asked, alone=picking.alone)
     return [shape for shape in filled if shape.id in asked]
 
 
-class _Pictures(Mapping[int, PartialPicture]):
+class Pictures(Mapping[int, PartialPicture]):
     """The plate's pictures by frame, for the engine; a gap of the plate raises `MissingFrame`."""
 
     def __init__(self, plate: Plate) -> None:
         self._plate = plate
 
     def __getitem__(self, frame: int) -> PartialPicture:
-        return self._plate.decoded_or_bridge(frame)
+        return self._plate.parts_or_bridge(frame)
 
     def __iter__(self) -> Iterator[int]:
         return iter(self._plate.source.frames)

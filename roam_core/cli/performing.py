@@ -15,6 +15,7 @@ from typing import Any
 from roam_core.atomic_write import write_atomically
 from roam_core.cancel import CancelToken
 from roam_core.cli.configuring import configured
+from roam_core.cli.environment import take_decoder
 from roam_core.cli.main import INTERRUPTED, main
 from roam_core.cli.picking import Picking
 from roam_core.cli.plate import loaded, opened
@@ -70,6 +71,7 @@ def perform(batch: str, plain: dict[str, Any], pictures: str = "", tell: Tell | 
 
 def perform_on_worker(batch: str, plain: dict[str, Any], pictures: str) -> dict[str, Any]:
     """`perform` as Dask's workers call it: the batch hears of the frames."""
+    take_decoder()
     return perform(batch, plain, pictures, cluster.tell)
 
 

@@ -37,7 +37,11 @@ class Plate:
 
     def read(self, frame: int) -> Image:
         """The working picture `(h, w, 3)` of a frame, for the engine. Safe from any thread."""
-        return self._cache.read(frame).whole
+        return self.parts(frame).whole
+
+    def parts(self, frame: int) -> PartialPicture:
+        """As `read`: no more is decoded and converted of the picture than is looked at."""
+        return self._cache.read(frame)
 
     def read_or_bridge(self, frame: int) -> Image:
         """As `read`, for a run: of a frame that is there and cannot be read the user is told, once, that it is bridged.
@@ -48,15 +52,9 @@ class Plate:
             return self.read(frame)
 
     def parts_or_bridge(self, frame: int) -> PartialPicture:
-        """As `read_or_bridge`, for the engine: no more of the picture is decoded than is looked at."""
-        picture = self.decoded_or_bridge(frame)
-        self._frames.follow(picture)
-        return picture
-
-    def decoded_or_bridge(self, frame: int) -> PartialPicture:
-        """As `read_or_bridge`, for the engine: no more of the picture is converted than is looked at."""
+        """As `parts`, for a run: see `read_or_bridge`."""
         with self._telling(frame):
-            return self._cache.read(frame)
+            return self.parts(frame)
 
     @contextmanager
     def _telling(self, frame: int) -> Iterator[None]:
@@ -78,9 +76,9 @@ class Plate:
         self._cache.close()
 
     def has_picture(self, frame: int) -> bool:
-        """True where a frame can be read."""
+        """True where all of a frame can be read; of what the engine will look at it says nothing."""
         try:
-            self.read(frame)
+            self.source.read(frame)
         except MissingFrame:
             return False
         return True

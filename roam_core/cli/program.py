@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from types import ModuleType
 
 from roam_core import __version__
+from roam_core.cli.environment import decoding_apart
 from roam_core.cli.main import COMMANDS
 from roam_core.cli.main import main as command_line
 from roam_core.errors import RoamError
@@ -24,10 +25,12 @@ def main(argv: Sequence[str] | None = None) -> int:
     """Run `roam`. Returns the exit code: 0 done, 1 refused or failed, 2 bad usage, or no window or display."""
     arguments = list(sys.argv[1:] if argv is None else argv)
     if arguments != ["demo"] and arguments and arguments[0] in COMMANDS:
-        return command_line(arguments)
+        with decoding_apart():
+            return command_line(arguments)
     path = _parser().parse_args(arguments).path
     launch = window_module("shell.launch")
-    return _demo(launch) if arguments == ["demo"] else _window(launch, path)
+    with decoding_apart():
+        return _demo(launch) if arguments == ["demo"] else _window(launch, path)
 
 
 def _window(launch: ModuleType | None, path: str | None) -> int:

@@ -152,14 +152,14 @@ def track_project(
     pictures = None if mattes is None else Mattes(plate, mattes)
 
     def finished(solved: FrameResult) -> None:
+        plate.ahead_of(solved.frame, frames)  # not before something was looked at of the first: the same is decoded
         keeper.offer(project)
         if pictures is not None:
             pictures.add(project, solved)
         if report is not None:
             report(solved)
 
-    plate.read(frames[0])
-    plate.ahead_of(frames[0], frames)
+    plate.parts(frames[0])  # where it cannot be read nothing begins
     quiet = not sys.stderr.isatty()
     with cancelling() as token, kept(keep) as keeper:
         keeper.offer(project)
@@ -169,7 +169,6 @@ def track_project(
         for result in tqdm(solved, total=len(frames) - 1, unit="frame", disable=quiet, leave=False):
             project = with_results(project, result)
             finished(result)
-            plate.ahead_of(result.frame, frames)
         if pictures is not None:
             pictures.finish(project)
     return project

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from roam_core.arrays import Array, Float32, UInt8
 from roam_core.media.partial import PartialPicture
 
-DECODED_TOGETHER = 64
+DECODED_TOGETHER = 32
 """Pixels: parts of a picture are decoded in boxes of whole multiples."""
 
 

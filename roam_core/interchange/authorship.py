@@ -68,10 +68,6 @@ def is_project(path: Path) -> bool:
 
 def _software(picture: Path) -> str:
     """The `Software` tag of a picture, from its header."""
-    import OpenImageIO as oiio  # noqa: N813 - large: only where there is a picture
+    from roam_core.media.decoding import software_of  # large: only where there is a picture
 
-    source = oiio.ImageInput.open(str(picture))
-    if source is None:
-        oiio.geterror()
-        return ""
-    return str(source.spec().get_string_attribute("Software"))
+    return software_of(picture)

@@ -7,7 +7,6 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-import OpenImageIO as oiio  # noqa: N813 - the name its own manual uses
 from contourpy import FillType, contour_generator
 from numpy.typing import NDArray
 
@@ -15,7 +14,7 @@ from roam_core.arrays import Array
 from roam_core.errors import RoamError
 from roam_core.geometry import fit, polyline
 from roam_core.geometry.simple import simplified
-from roam_core.media.image_file import opened_image
+from roam_core.media.decoding import read_channels
 from roam_core.params import UNTYING
 from roam_core.roto import BlendMode, Keyframe, RotoShape
 from roam_core.roto.project import PALETTE
@@ -23,7 +22,6 @@ from roam_core.roto.project import PALETTE
 LEAST_AREA = 12.0
 """Pixels: smaller specks of a mask become no shape, unless there is nothing larger."""
 
-MAX_MASK_BYTES = 512 << 20
 """Of all channels of a mask, which are read as they are stored."""
 
 
@@ -105,7 +103,7 @@ def read_mask(path: str | Path, size: tuple[int, int] | None = None) -> NDArray[
         when it is no picture, is damaged, holds more than 512 MiB of pixels, or is not of that size.
     """
     path = Path(path)
-    mask = _stored(path)
+    mask = read_channels(path)
     if mask is None:
         raise RoamError(f"{path} cannot be read as a mask image; give a PNG, TIFF or JPEG, white inside.")
     if size is not None and mask.shape[:2] != size:
@@ -114,14 +112,3 @@ def read_mask(path: str | Path, size: tuple[int, int] | None = None) -> NDArray[
             "give a mask of the start frame in the clip's size."
         )
     return mask
-
-
-def _stored(path: Path) -> NDArray[Any] | None:
-    """All channels of an image in their own type, or None where it is no image, damaged or cut short."""
-    source = opened_image(path)
-    if source is not None and source.spec().image_bytes() > MAX_MASK_BYTES:
-        raise RoamError(f"{path} holds more than {MAX_MASK_BYTES >> 20} MiB of pixels; give a mask of one channel.")
-    pixels = None if source is None else source.read_image("unknown")
-    # What a reader has to say is fetched, or it says it on the terminal later.
-    failed = bool((source or oiio).geterror())
-    return None if failed or pixels is None else np.asarray(pixels)

@@ -5,6 +5,7 @@ Loaded when the first plate asks for it: those in the spaces of `roam_core.media
 
 from __future__ import annotations
 
+import hashlib
 import os
 from functools import cache
 from pathlib import Path
@@ -14,6 +15,7 @@ import numpy as np
 import PyOpenColorIO as ocio  # noqa: N813 - the name its own manual uses
 
 from roam_core.arrays import Float32, UInt8
+from roam_core.bounded import bounded_bytes
 from roam_core.errors import RoamError
 from roam_core.media.curves import (
     BLACK_CODE,
@@ -34,6 +36,9 @@ VARIABLE = "OCIO"
 """The environment variable that names the studio's configuration, as in other programs."""
 WORKING = "Linear Rec.709 (sRGB)"
 """What OpenColorIO calls scene-linear values with the primaries of Rec. 709: every plate is brought there."""
+
+MOST_BYTES = 1 << 28
+"""Of a configuration, or of one of its tables."""
 
 _ALIASES = {SRGB: ("srgb_rec709_scene", "srgb_tx", "srgb_texture"), LINEAR: ("lin_rec709_scene", "lin_srgb")}
 """Names by which configurations know the spaces that ROAM knows by itself."""
@@ -110,6 +115,14 @@ def with_primaries(chromaticities: object) -> str | None:
     return None
 
 
+def definition_of(space: str) -> str:
+    """What `$OCIO` says that a space is, as 32 hexadecimal digits; "" for the built-in configuration, or an unread one.
+
+    It covers the whole configuration and the tables that the space is made of: their content, not where they lie.
+    """
+    return _definition(_version(), space)
+
+
 def to_linear(values: Float32, space: str) -> None:
     """Turn values `(..., 3)`, contiguous, into scene-linear ones with the primaries of Rec. 709, in place, unclipped.
 
@@ -162,6 +175,28 @@ def _opened(path: str) -> Any:
             f"The OpenColorIO configuration {path or BUILT_IN} cannot be read: {_reason(error)}. "
             f"Correct ${VARIABLE}, or unset it."
         ) from None
+
+
+@cache
+def _definition(path: str, space: str) -> str:
+    if not path:
+        return ""
+    try:
+        config = _opened(path)
+        used = config.getProcessor(space, ocio.ROLE_SCENE_LINEAR).getProcessorMetadata().getFiles()
+    except (RoamError, *_ERRORS):
+        return ""
+    found = hashlib.sha256()
+    for file in (path, *sorted(used, key=lambda file: Path(file).name)):
+        found.update(_content(Path(file)) or str(file).encode())  # of a configuration that is no file, its name
+    return found.hexdigest()[:32]
+
+
+def _content(file: Path) -> bytes:
+    try:
+        return bounded_bytes(file, MOST_BYTES)
+    except RoamError:
+        return b""
 
 
 def _reason(error: Exception) -> str:

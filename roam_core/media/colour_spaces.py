@@ -32,6 +32,15 @@ def known_space(name: str) -> str:
     return found
 
 
+def definition_of(space: str) -> str:
+    """What tells a space from another of its name, in another `$OCIO`; "" for ROAM's own and for the built-in ones."""
+    if space in COLOUR_SPACES or not os.environ.get("OCIO"):
+        return ""
+    from roam_core.media import colour_config
+
+    return colour_config.definition_of(space)
+
+
 def offered_spaces() -> tuple[str, ...]:
     """All colour spaces that a plate may be said to have: ROAM's own, then those of the configuration if it is read."""
     from roam_core.media.colour_config import space_names

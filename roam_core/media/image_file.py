@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -18,7 +17,7 @@ from roam_core.media.colour_spaces import space_by_rule, space_called, space_wit
 from roam_core.media.curves import LINEAR, LOG, SRGB
 from roam_core.media.layers import ImageLayer, Part, colour_layer, layers_of
 from roam_core.media.measure import plain_name, require_size, require_told_size
-from roam_core.media.source import DamagedFrame
+from roam_core.media.source import DamagedFrame, ImageHeader
 
 LARGEST_IMAGE_MB = 2048
 """A header that claims more uncompressed MiB, over all channels of which three are read, is taken for damaged."""
@@ -26,6 +25,10 @@ LARGEST_IMAGE_MB = 2048
 WIDEST_SPAN = 4
 """Channels that are read at once to get three of them."""
 
+MOST_BYTES = 512 << 20
+"""Of an image whose channels are all read."""
+MOST_CHANNELS = 1024
+"""Channels of a part, above which a header is taken for damaged."""
 MOST_PARTS = 256
 """Parts of a file that are looked at."""
 MOST_LISTED = 12
@@ -40,6 +43,7 @@ _UNLIKELY_EXTENSIONS = frozenset({"z", "int", "inta", "env", "sm", "vsm"})
 
 # The limit is one for the process, and OpenImageIO's own would let a broken header ask for all of the memory.
 oiio.attribute("limits:imagesize_MB", LARGEST_IMAGE_MB)
+oiio.attribute("limits:channels", MOST_CHANNELS)
 
 
 def image_extensions() -> frozenset[str]:
@@ -50,19 +54,6 @@ def image_extensions() -> frozenset[str]:
         if format_name not in _FORMATS_WITHOUT_FILES:
             extensions.update(names.split(","))
     return frozenset(f".{name}" for name in extensions - _UNLIKELY_EXTENSIONS if name)
-
-
-@dataclass(frozen=True)
-class ImageHeader:
-    """What a file says of its picture before a pixel is read; see `PlateSource` for the attributes."""
-
-    size: tuple[int, int]
-    fps: float
-    pixel_aspect: float
-    colour_space: str
-    depth: str
-    layer: str
-    layers: tuple[str, ...]
 
 
 def read_header(file: Path, layer: str = "") -> ImageHeader:
@@ -147,12 +138,41 @@ def read_alpha(file: Path) -> Image | None:
     return _in_display_window(np.repeat(pixels, 3, axis=2), source, stored, None)
 
 
+def read_channels(file: Path) -> Image | None:
+    """All channels of one image `(h, w, n)` in the type that they are stored in; None where it is none, or damaged.
+
+    Raises
+    ------
+    RoamError
+        when it holds more than `MOST_BYTES` of pixels.
+    """
+    source = opened_image(file)
+    if source is not None and source.spec().image_bytes() > MOST_BYTES:
+        raise RoamError(f"{file} holds more than {MOST_BYTES >> 20} MiB of pixels; give a mask of one channel.")
+    pixels = None if source is None else source.read_image("unknown")
+    # What a reader has to say is fetched, or it says it on the terminal later.
+    failed = bool((source or oiio).geterror())
+    return None if failed or pixels is None else np.asarray(pixels)
+
+
 def has_several_images(file: Path) -> bool:
     """Whether a file holds more than one image; False for what is no image."""
     source = opened_image(file)
     several = source is not None and bool(source.seek_subimage(1, 0))
     _reason(oiio if source is None else source)  # nobody asks why not
     return several
+
+
+def software_of(file: Path) -> str:
+    """What an image says it was written by; "" where it says nothing, or is none that can be read."""
+    try:
+        source = opened_image(file)
+    except RoamError:
+        return ""
+    if source is None:
+        _reason(oiio)  # nobody asks why not
+        return ""
+    return _text(source.spec().get_string_attribute("Software"))
 
 
 def opened_image(file: Path, config: Any = None) -> Any:

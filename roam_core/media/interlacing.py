@@ -56,10 +56,15 @@ def require_progressive(path: Path, pictures: Sequence[Image]) -> None:
         OpenCV, which cannot convert them, gives memory in which there never was a picture.
     """
     if is_combed(pictures) or (_are_all_one(pictures) and _holds_others(path, len(pictures)) and _is_marked(path)):
-        raise RoamError(
-            f"{path} is interlaced: each of its frames shows two moments, in every other row. "
-            "Deinterlace it in another program, as images or as a progressive movie, and open that."
-        )
+        raise interlaced(path)
+
+
+def interlaced(path: Path) -> RoamError:
+    """What is told of a movie that is interlaced."""
+    return RoamError(
+        f"{path} is interlaced: each of its frames shows two moments, in every other row. "
+        "Deinterlace it in another program, as images or as a progressive movie, and open that."
+    )
 
 
 def is_combed(pictures: Sequence[Image]) -> bool:

@@ -22,6 +22,7 @@ from roam_core.media.curves import (
     linear_from_srgb,
     srgb_from_linear,
 )
+from roam_core.media.proxies import reduced
 
 LUMINANCE = (0.2126, 0.7152, 0.0722)
 """Weights of red, green and blue in what an eye takes for brightness (Rec. 709)."""
@@ -38,10 +39,15 @@ class Channel(StrEnum):
 
 
 class Plate(NamedTuple):
-    """A plate's own values `(h, w, 3)`, and the colour space that they are in."""
+    """A plate's own values `(h, w, 3)`, and the colour space that they are in.
+
+    `scalable` are the same, or a proxy of them, in a type that OpenCV scales: what views and exposure are made of.
+    None where they have to be made first (`roam_core.media.looking.scalable`).
+    """
 
     values: Image
     colour_space: str
+    scalable: Image | None = None
 
 
 SINGLE = {Channel.RED: 0, Channel.GREEN: 1, Channel.BLUE: 2}
@@ -119,7 +125,12 @@ def seen_plate(values: Image, colour_space: str, look: Look) -> UInt8:
 
 def is_seen_anew(plate: Plate, look: Look) -> bool:
     """True where a look wants more of a plate than its display picture holds: its own values, for `seen_plate`."""
-    return look.view is not None or (look.exposure != 0.0 and has_more_than_shown(*plate))
+    return look.view is not None or (look.exposure != 0.0 and has_more_than_shown(plate.values, plate.colour_space))
+
+
+def scalable(values: Image, step: int = 1) -> Image:
+    """A plate's values, or a proxy of them (`roam_core.media.proxies`), in a type that OpenCV scales: no halves."""
+    return reduced(unit_floats(values) if values.dtype == np.float16 else values, step)
 
 
 def has_more_than_shown(values: Image, colour_space: str) -> bool:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import threading
+from collections.abc import Callable
 from itertools import pairwise
 from pathlib import Path
 
@@ -13,11 +14,9 @@ import numpy as np
 from roam_core.arrays import Image
 from roam_core.bounded import require_regular
 from roam_core.errors import RoamError
-from roam_core.media.curves import SRGB
 from roam_core.media.interlacing import PROBED, require_progressive, thinned
-from roam_core.media.layers import PLAIN
 from roam_core.media.measure import plain_name, require_size
-from roam_core.media.source import DamagedFrame, MissingFrame
+from roam_core.media.movie_plate import MoviePlate
 
 LONGEST_STEP = 24
 """Frames that are decoded one by one rather than sought: about the distance between key frames."""
@@ -25,19 +24,22 @@ SAME_TIME = 0.25
 """Two time stamps closer than this part of a frame are one frame's (Matroska rounds them to milliseconds)."""
 
 
-class Movie:
-    """A movie as a plate: frames are numbered from 1. See `PlateSource` for the attributes.
+class Movie(MoviePlate):
+    """A movie as a plate, decoded in this process.
 
     Pictures are 8-bit RGB, whatever the movie's own depth. A seek is believed only where the time stamp it lands on is
     the wanted frame's; else the movie is decoded from its start. So a frame is the same picture however it was
     reached. Opening looks at the first frames, whether they are interlaced, and at the last one; a movie whose stamps
     are uneven, or whose container is wrong about its length, is gone through once when it is opened.
+
+    Parameters
+    ----------
+    passed : is called after each frame that is decoded on the way to another one.
     """
 
-    readers = 1
-
-    def __init__(self, path: Path) -> None:
-        self.path = path
+    def __init__(self, path: Path, passed: Callable[[], None] = lambda: None) -> None:
+        super().__init__(path)
+        self._passed = passed
         self._lock = threading.Lock()
         self._capture = self._opened()
         self._next = 0  # index of the frame that the next grab gives
@@ -48,35 +50,12 @@ class Movie:
         self.size = self._first_size()
         require_progressive(path, self._first_pictures())
         self.pixel_aspect = self._aspect()
-        self.colour_space = SRGB
-        self.depth = "8 bits"
-        self._count = self._verified_count()
-        self.frames = tuple(range(1, self._count + 1))
-        self.missing: tuple[int, ...] = ()
-        self.layer, self.layers = PLAIN, (PLAIN,)
+        self._number(self._verified_count())
 
-    def file_of(self, frame: int) -> Path:
-        """The movie, whichever the frame."""
-        return self.path
-
-    def frame_name(self, frame: int) -> str:
-        """The frame's number, padded with zeros: to five digits, more for a longer movie."""
-        return f"{frame:0{max(5, len(str(self._count)))}d}"
-
-    def read(self, frame: int) -> Image:
-        """The picture `(h, w, 3)` uint8 of a frame."""
-        if not 1 <= frame <= self._count:
-            raise MissingFrame(f"Frame {frame} of {self.path} is missing: the movie has the frames 1 to {self._count}.")
+    def _picture(self, index: int) -> Image | None:
         with self._lock:
-            picture = self._retrieved() if self._go_to(frame - 1) else None
-        if picture is None:
-            raise DamagedFrame(f"Frame {frame} of {self.path} cannot be decoded; the movie is damaged or cut short.")
-        if (picture.shape[1], picture.shape[0]) != self.size:
-            raise DamagedFrame(f"Frame {frame} of {self.path} differs in size from the first; a plate needs one size.")
-        return np.asarray(cv2.cvtColor(picture, cv2.COLOR_BGR2RGB))
-
-    def rows(self, frame: int) -> None:
-        """None: a movie's pictures are decoded whole."""
+            picture = self._retrieved() if self._go_to(index) else None
+        return None if picture is None else np.asarray(cv2.cvtColor(picture, cv2.COLOR_BGR2RGB))
 
     # ---- moving through the file; `_lock` is held, except while opening ----------------------------------------------
 
@@ -94,6 +73,7 @@ class Movie:
         while self._next <= index:
             if not self._capture.grab():
                 return False
+            self._passed()
             if self._next == len(self._times):
                 self._times.append(self._stamp())
             self._next += 1

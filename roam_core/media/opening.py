@@ -12,7 +12,7 @@ from roam_core.media.numbering import FileSequence, file_names, find_pattern, fi
 from roam_core.media.source import PlateSource
 
 if TYPE_CHECKING:
-    from roam_core.media.movie import Movie
+    from roam_core.media.movie_plate import MoviePlate
     from roam_core.media.sequence import ImageSequence
 
 MOVIE_EXTENSIONS = frozenset(
@@ -129,7 +129,7 @@ def _open_pattern(place: Path, layer: str) -> PlateSource:
 
 def _is_animation(file: Path) -> bool:
     """Whether a GIF holds more than one picture: then it is a movie."""
-    from roam_core.media.image_file import has_several_images
+    from roam_core.media.decoding import has_several_images
 
     return file.suffix.lower() == ".gif" and has_several_images(file)
 
@@ -148,16 +148,16 @@ def _images(sequence: FileSequence, layer: str, path: Path | None = None) -> Ima
     return ImageSequence(sequence.checked(), path, layer)
 
 
-def _movie(path: Path, layer: str) -> Movie:
+def _movie(path: Path, layer: str) -> MoviePlate:
+    from roam_core.media.decoding import open_movie
     from roam_core.media.layers import PLAIN
-    from roam_core.media.movie import Movie
 
     if layer not in ("", PLAIN):
         raise RoamError(f"{path} is a movie: it has no layer {layer!r}.")
-    return Movie(path)
+    return open_movie(path)
 
 
 def _image_extensions() -> frozenset[str]:
-    from roam_core.media.image_file import image_extensions
+    from roam_core.media.decoding import image_extensions
 
     return image_extensions()

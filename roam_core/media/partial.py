@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import threading
-from collections import deque
 from collections.abc import Callable
 from functools import partial
 
@@ -18,9 +17,16 @@ ReadFrame = Callable[[int], "Image | PartialPicture"]
 """Gives the picture `(h, w, 3)` of a frame by its number, or its parts; raises `MissingFrame` in a gap."""
 
 
-UNASKED = (0, 0)
-FOLLOWED = 2
-"""Pictures: of the last one nothing may have been asked yet."""
+class Band:
+    """The rows of a frame that were looked at: from the first to before the last, None while there are none."""
+
+    def __init__(self) -> None:
+        self.rows: tuple[int, int] | None = None
+
+    def grow(self, top: int, end: int) -> None:
+        """Some rows are looked at."""
+        first, last = self.rows or (top, end)
+        self.rows = min(first, top), max(last, end)
 
 
 class PartialPicture:
@@ -32,11 +38,7 @@ class PartialPicture:
     ----------
     size : (h, w). colour_space : of the plate's values. rows : where its rows are read; None where all are held.
     top, held : the rows `(k, w, 3)` that are there already, and which is the first of them.
-    failed : is told when rows could not be read.
-
-    Attributes
-    ----------
-    asked : (first, end) of the rows asked for until now; (0, 0) before.
+    band : is told which rows are looked at. failed : is told when rows could not be read.
     """
 
     def __init__(
@@ -46,11 +48,12 @@ class PartialPicture:
         rows: Rows | None,
         top: int,
         held: Image,
+        band: Band | None = None,
         failed: Callable[[MissingFrame], None] | None = None,
     ) -> None:
         self.size = size
-        self.asked = UNASKED
         self._colour_space, self._rows, self._failed = colour_space, rows, failed
+        self._band = Band() if band is None else band
         self._top, self._held = top, held
         self._lock = threading.Lock()
 
@@ -73,8 +76,7 @@ class PartialPicture:
             where its rows cannot be read.
         """
         with self._lock:
-            first, last = self.asked
-            self.asked = (min(first, top), max(last, end)) if last > first else (top, end)
+            self._band.grow(top, end)
             try:
                 self._hold(*whole_strips(top, end, self.size[0]))
             except MissingFrame as error:
@@ -109,16 +111,17 @@ def whole_strips(top: int, end: int, height: int) -> tuple[int, int]:
 
 
 class PartialFrames:
-    """A plate for a `FrameCache`: of each frame the rows are decoded that were looked at of one before.
+    """A plate for a `FrameCache`: of each frame the rows are decoded that it will probably be asked for.
 
-    All are where that is not known yet, and where the plate does not give its rows (`PlateSource.rows`). `failed` is
-    told of a frame more of whose rows were wanted and could not be read.
+    They are those which were looked at of it before, or of the frame nearest to it. All are decoded while nothing was
+    looked at yet, and where the plate does not give its rows (`PlateSource.rows`). `failed` is told of a frame more of
+    whose rows were wanted and could not be read.
     """
 
     def __init__(self, source: PlateSource, failed: Callable[[int, MissingFrame], None]) -> None:
         self.readers = source.readers
         self._source, self._failed = source, failed
-        self._looked_at: deque[PartialPicture] = deque(maxlen=FOLLOWED)
+        self._bands: dict[int, Band] = {}
 
     def read(self, frame: int) -> PartialPicture:
         """A frame, with the rows that it will probably be asked for.
@@ -129,13 +132,15 @@ class PartialFrames:
             as `PlateSource.read` does.
         """
         size, space = self._source.size[::-1], self._source.colour_space
-        bands = [picture.asked for picture in tuple(self._looked_at) if picture.asked != UNASKED]
-        rows = self._source.rows(frame) if bands else None
-        if rows is None:
-            return PartialPicture(size, space, None, 0, self._source.read(frame))
-        top, end = whole_strips(max(bands[-1][0] - ROWS_AT_ONCE, 0), bands[-1][1] + ROWS_AT_ONCE, size[0])
-        return PartialPicture(size, space, rows, top, rows.read(top, end), partial(self._failed, frame))
+        expected = self._expected(frame)
+        band = self._bands.setdefault(frame, Band())
+        rows = self._source.rows(frame) if expected else None
+        if rows is None or expected is None:
+            return PartialPicture(size, space, None, 0, self._source.read(frame), band)
+        top, end = whole_strips(*expected, size[0])
+        return PartialPicture(size, space, rows, top, rows.read(top, end), band, partial(self._failed, frame))
 
-    def follow(self, picture: PartialPicture) -> None:
-        """Take what is looked at of this one for what will be of the next."""
-        self._looked_at.append(picture)
+    def _expected(self, frame: int) -> tuple[int, int] | None:
+        """The rows that were looked at of the frame nearest to one, or of itself; None where of no frame any were."""
+        seen = [(abs(other - frame), other) for other, band in tuple(self._bands.items()) if band.rows]
+        return self._bands[min(seen)[1]].rows if seen else None

@@ -7,9 +7,9 @@ from pathlib import Path
 
 from roam_core.arrays import Image
 from roam_core.errors import RoamError
-from roam_core.media.image_file import ImageHeader, read_header, read_image, size_in_rows
+from roam_core.media.decoding import read_header, read_image, size_in_rows
 from roam_core.media.numbering import FileSequence
-from roam_core.media.source import DamagedFrame, MissingFrame
+from roam_core.media.source import DamagedFrame, ImageHeader, MissingFrame
 
 
 class ImageSequence:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Protocol
 
@@ -32,6 +33,19 @@ class MissingFrame(RoamError):
 
 class DamagedFrame(MissingFrame):
     """The frame is there and cannot be used: damaged, cut short, of another size. A run bridges it like a gap."""
+
+
+@dataclass(frozen=True)
+class ImageHeader:
+    """What a file says of its picture before a pixel is read; see `PlateSource` for the attributes."""
+
+    size: tuple[int, int]
+    fps: float
+    pixel_aspect: float
+    colour_space: str
+    depth: str
+    layer: str
+    layers: tuple[str, ...]
 
 
 class PlateSource(Protocol):

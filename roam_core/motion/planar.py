@@ -49,9 +49,13 @@ class Match:
 
 @dataclass(frozen=True, eq=False)
 class Reference:
-    """A picture that later ones are matched to: its grey levels and corners in it, and where it is from the first."""
+    """A picture that later ones are matched to: corners in it, and where it is from the first.
+
+    Of its grey levels it has the `part` around the corners.
+    """
 
     grey: UInt8
+    part: Region
     corners: Array
     matrix: Array
     params: PlanarParams = PLANAR
@@ -71,8 +75,11 @@ class Reference:
         None: `PlanarParams.corners`.
         """
         most = params.corners if count is None else count
-        corners = corners_in(picture.grey, inside(outlines, holes, picture.size), most)
-        return cls(picture.grey, corners, matrix, params)
+        mask = inside(outlines, holes, picture.size)
+        x, y, width, height = cv2.boundingRect(mask)
+        part = _surroundings(np.array([[x, y], [x + width, y + height]]), picture.size)
+        grey = picture.grey_within(part)
+        return cls(grey, part, corners_in(grey, mask[part.slices], most) + part.origin, matrix, params)
 
     def matched(
         self,
@@ -95,7 +102,7 @@ class Reference:
         seen = ((there >= margin) & (there <= np.array([width, height]) - margin)).all(axis=1)
         if seen.sum() < least:
             return None
-        source, target, shrunk = _matched(self.grey, picture, self.corners[seen], since, params)
+        source, target, shrunk = _matched(self, picture, self.corners[seen], since)
         if check is not None:
             check()
         residual, agree = ransac(
@@ -159,15 +166,17 @@ def inside(outlines: Sequence[Array], holes: Sequence[Array], size: tuple[int, i
     return mask
 
 
-def _matched(
-    old: UInt8, new: PreparedFrame, corners: Array, since: Array, params: PlanarParams
-) -> tuple[Array, Array, float]:
+def _surroundings(places: Array, size: tuple[int, int]) -> Region:
+    """What of a picture `(h, w)` is looked at for corners at some `places (K, 2)`."""
+    return Region.around(places, 24.0 * scale_for(size), size)
+
+
+def _matched(old: Reference, new: PreparedFrame, corners: Array, since: Array) -> tuple[Array, Array, float]:
     """Corners of the reference picture, and where the new one, warped back by `since (3, 3)`, has them."""
-    height, width = old.shape
-    region = Region.around(corners, 24.0 * scale_for((height, width)), (height, width))
+    params, region = old.params, _surroundings(corners, new.size)
     shrunk = min(1.0, params.side / max(region.x1 - region.x0, region.y1 - region.y0))
     origin = np.asarray(region.origin, dtype=np.float64)
-    a = _reduced(old[region.slices], shrunk)
+    a = _reduced(old.grey[region.shifted(-old.part.x0, -old.part.y0).slices], shrunk)
     # From a pixel of the reduced reference, in OpenCV's coordinates, to one of the new picture.
     to_full = np.array(
         [[1 / shrunk, 0, origin[0] + 0.5 / shrunk], [0, 1 / shrunk, origin[1] + 0.5 / shrunk], [0, 0, 1]]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import json
+import os
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -103,7 +104,7 @@ def is_as_written(path: Path, digest: str) -> bool:
 
 
 def inputs_of(reads: Sequence[str], plate: str, layer: str, before: Record | None) -> list[Seen]:
-    """All files that a step reads, in order: its own, those of folders, and the pictures of the plate.
+    """All files that a step reads, in order: its own, those of folders, the pictures of the plate, and `$OCIO`.
 
     Raises `RoamError` where one is missing.
     """
@@ -113,6 +114,8 @@ def inputs_of(reads: Sequence[str], plate: str, layer: str, before: Record | Non
     if plate:
         source = open_clip(plate, layer)
         files += dict.fromkeys(source.file_of(frame) for frame in source.frames)
+        if (colours := Path(os.environ.get("OCIO") or "none")).is_file():
+            files.append(colours)
     known = () if before is None or len(before.inputs) != len(files) else before.inputs
     return [Seen.of(path, known[k] if known and known[k].name == path.name else None) for k, path in enumerate(files)]
 

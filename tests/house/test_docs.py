@@ -172,7 +172,8 @@ def test_the_examples_of_the_studio_run(shot: Path) -> None:
         said.append(done.stdout.splitlines()[-1:])
     steps = "['1-fill spans', '1-fill join', '2-render']"
     assert said[:3] == [["{'done': 1} report.html"], ["done kept"], [steps]]
-    assert len(said) == 4
+    assert said[3] == ["(60, 80, 3)"]
+    assert len(said) == 5
 
 
 def test_tables_are_renewed_in_their_place() -> None:

@@ -112,7 +112,7 @@ def paint_background(
 def _read(path: Path) -> UInt8:
     from roam_core.media import open_clip
     from roam_core.media.colour import to_display
-    from roam_core.media.image_file import read_image
+    from roam_core.media.decoding import read_image
 
     # The one picture that was chosen, in the colour space of the sequence that it may be of.
     pixels = to_display(read_image(path), open_clip(path).colour_space)

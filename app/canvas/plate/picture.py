@@ -11,13 +11,12 @@ from PySide6.QtCore import QPointF, QRectF, QSizeF
 from PySide6.QtGui import QImage, QPainter
 
 from roam_core.arrays import Image, UInt8
-from roam_core.media.colour import unit_floats
 from roam_core.media.looking import Look, Plate, is_seen_anew, seen, seen_plate
 
 from ...paint.viewport import Viewport
 
 NEAREST_ABOVE = 2.0
-"""Above this zoom (device pixels for an image pixel) pixels are shown as squares."""
+"""Above this zoom (device pixels for a pixel of the plate) pixels are shown as squares."""
 
 NEUTRAL = Look()
 
@@ -30,15 +29,16 @@ class Picture:
     Parameters
     ----------
     pixels : (h, w, 3) or (h, w) uint8, display values; (h, w, 4) with opacity. Kept, not copied, where it is read-only.
-    plate : the plate's own values of the same size, where they hold more than the display values show.
+    plate : the plate's own values, where they hold more than the display values show; of the same size, or larger where
+        the display values are a proxy's.
     """
 
     def __init__(self, pixels: UInt8, plate: Plate | None = None) -> None:
         # A writeable array may change under the picture's feet.
         self._levels: list[Image] = [pixels.copy() if pixels.flags.writeable else pixels]
-        self._plate = plate if plate and plate.values.shape[:2] == pixels.shape[:2] else None
-        self._plate_levels: list[Image] = []
-        """Halvings of the plate's own values, once a look asks for them."""
+        self._plate = plate if plate and len(plate.values) >= len(pixels) else None
+        self._plate_levels: list[Image] = [plate.scalable] if plate and plate.scalable is not None else []
+        """Halvings of the plate's own values, for the looks that are made of them."""
 
     @property
     def size(self) -> QSizeF:
@@ -51,10 +51,14 @@ class Picture:
         """The display values."""
         return self._levels[0]
 
-    @property
-    def values(self) -> Image:
-        """What is told of its pixels: the plate's own values where they are known, else the display values."""
-        return self._plate.values if self._plate else self._levels[0]
+    def value(self, x: float, y: float) -> Image:
+        """What is told of the pixel at (x, y), in its own pixels: the plate's own values where known, else display's.
+
+        Of a proxy it is the plate's pixel under that place. (3,), (4,) or a single number.
+        """
+        values = self._plate.values if self._plate else self._levels[0]
+        rows, columns = self._levels[0].shape[:2]
+        return np.asarray(values[int(y * len(values) / rows), int(x * values.shape[1] / columns)])
 
     def paint(
         self, painter: QPainter, viewport: Viewport, size: QSizeF, device_ratio: float, look: Look = NEUTRAL
@@ -64,11 +68,12 @@ class Picture:
         `size` is what the image covers in full-resolution pixels: a proxy has fewer pixels than that. `device_ratio`
         is the number of device pixels for a widget unit.
         """
-        across = viewport.scale * viewport.pixel_aspect * size.width() / self.size.width()
-        down = viewport.scale * size.height() / self.size.height()
+        rows, columns = self._sources(look)[0].shape[:2]
+        across = viewport.scale * viewport.pixel_aspect * size.width() / columns
+        down = viewport.scale * size.height() / rows
         area = painter.clipBoundingRect() if painter.hasClipping() else QRectF(painter.window())
         window = QRectF(0.0, 0.0, area.right(), area.bottom())
-        if max(across, down) * device_ratio < NEAREST_ABOVE:
+        if viewport.scale * max(viewport.pixel_aspect, 1.0) * device_ratio < NEAREST_ABOVE:
             self._paint_smooth(painter, (viewport.x, viewport.y), (across, down), window, device_ratio, look)
         else:
             self._paint_squares(painter, (viewport.x, viewport.y), (across, down), window, look)
@@ -86,11 +91,12 @@ class Picture:
         levels = self._sources(look)
         level = _level(levels, min(scale) * ratio)
         rows, columns = level.shape[:2]
+        height, width = levels[0].shape[:2]
         spans = [
             _Span.of(*given, ratio)
             for given in (
-                (corner[0], scale[0] * self.size.width(), columns, window.width()),
-                (corner[1], scale[1] * self.size.height(), rows, window.height()),
+                (corner[0], scale[0] * width, columns, window.width()),
+                (corner[1], scale[1] * height, rows, window.height()),
             )
         ]
         across, down = spans
@@ -108,12 +114,13 @@ class Picture:
         self, painter: QPainter, corner: tuple[float, float], scale: tuple[float, float], window: QRectF, look: Look
     ) -> None:
         """Paint the pixels in sight as they are, enlarged."""
-        rows, columns = self._levels[0].shape[:2]
+        source = self._sources(look)[0]
+        rows, columns = source.shape[:2]
         left, right = in_sight(corner[0], scale[0], columns, window.width())
         top, bottom = in_sight(corner[1], scale[1], rows, window.height())
         if left >= right or top >= bottom:
             return
-        image = _image(self._looked(self._sources(look)[0][top:bottom, left:right], look))
+        image = _image(self._looked(source[top:bottom, left:right], look))
         target = QRectF(
             corner[0] + left * scale[0], corner[1] + top * scale[1],
             (right - left) * scale[0], (bottom - top) * scale[1],
@@ -125,25 +132,22 @@ class Picture:
 
     def _sources(self, look: Look) -> list[Image]:
         """The halvings that the look is taken from: of the plate's values where exposing brings more to light."""
-        if not self._is_seen_anew(look):
-            return self._levels
-        if not self._plate_levels and self._plate:
-            values = self._plate.values
-            # OpenCV scales no halves.
-            self._plate_levels.append(unit_floats(values) if values.dtype == np.float16 else values)
-        return self._plate_levels
+        return self._plate_levels if self._is_seen_anew(look) else self._levels
 
     def _looked(self, shown: Image, look: Look) -> UInt8:
-        if self._plate and is_seen_anew(self._plate, look):
+        if self._plate and self._is_seen_anew(look):
             return seen_plate(shown, self._plate.colour_space, look)
         return seen(shown, look)
 
     def _is_seen_anew(self, look: Look) -> bool:
-        return self._plate is not None and is_seen_anew(self._plate, look)
+        """Whether it is made of the plate's own values; while they are not there the display values have to do."""
+        return self._plate is not None and bool(self._plate_levels) and is_seen_anew(self._plate, look)
 
     def looked_at(self, x: int, y: int, look: Look) -> tuple[int, ...]:
         """The display values of one pixel as the look shows them: one for a grey picture, else three."""
-        exact = self._looked(self._sources(look)[0][y : y + 1, x : x + 1], look)
+        source, (rows, columns) = self._sources(look)[0], self._levels[0].shape[:2]
+        row, column = y * len(source) // rows, x * source.shape[1] // columns
+        exact = self._looked(source[row : row + 1, column : column + 1], look)
         return tuple(int(value) for value in np.atleast_1d(exact[0, 0])[:3])
 
 

@@ -76,7 +76,7 @@ def _paint_values(painter: QPainter, first: QRectF, columns: range, rows: range,
             shown = picture.looked_at(column, row, look)
             brightness = float(np.dot(shown, LUMINANCE)) if len(shown) == 3 else shown[0]
             painter.setPen(QColor(0, 0, 0, 220) if brightness >= BRIGHT_FROM else QColor(255, 255, 255, 220))
-            values = np.atleast_1d(picture.values[row, column])
+            values = np.atleast_1d(picture.value(column + 0.5, row + 0.5))
             text = values_text(values if chosen is None or len(values) < 3 else values[chosen : chosen + 1])
             corner = QPointF(first.x() + column * first.width(), first.y() + row * first.height())
             painter.drawText(QRectF(corner, first.size()), Qt.AlignmentFlag.AlignCenter, "\n".join(text))

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import math
-
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QLabel, QWidget
 
@@ -42,11 +40,10 @@ class Readout(QLabel):
         if picture is None:
             return where
         # A proxy has fewer pixels than the plate.
-        column = math.floor(x * picture.size.width() / size.width())
-        row = math.floor(y * picture.size.height() / size.height())
+        column, row = x * picture.size.width() / size.width(), y * picture.size.height() / size.height()
         if not (0 <= column < picture.size.width() and 0 <= row < picture.size.height()):
             return where
-        values = picture.values[row, column]
+        values = picture.value(column, row)
         texts = values_text(values)
         if len(texts) == 1:
             return f"{where}    A {texts[0]}"

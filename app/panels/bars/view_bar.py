@@ -13,7 +13,7 @@ from ...actions.actions import Actions
 from ...canvas.view import CanvasView
 from ...folders import cache_folder
 from ...model.document import Document
-from ...model.viewing import ViewMode
+from ...model.viewing import PROXIES, ViewMode
 from ...translation import tr
 from ...widgets.controls import tool_button
 from .look_controls import ChannelButton, DisplayButton, exposure_slider, gamma_slider
@@ -62,6 +62,9 @@ class ViewBar(QWidget):
     def _pull_view(self) -> None:
         self._actions[f"view.{self._canvas.mode}"].setChecked(True)
         self._actions["view.hide_overlays"].setChecked(self._canvas.viewing.are_shapes_hidden)
+        for name, step in PROXIES.items():
+            self._actions[name].setChecked(self._canvas.viewing.proxy == step)
+        self._pull()
         self._actions["view.joints"].setChecked(self._canvas.viewing.shows_joints)
         self._actions["view.edges"].setChecked(self._canvas.viewing.shows_edges)
         self._actions["view.wipe"].setChecked(self._canvas.wipe.pinned is not None)
@@ -72,7 +75,10 @@ class ViewBar(QWidget):
             self._plate.setText("")
             return
         width, height = clip.size
-        parts = (_name(clip), f"{clip.first}–{clip.last}", f"{width}×{height}", clip.colour_space)
+        parts = [_name(clip), f"{clip.first}–{clip.last}", f"{width}×{height}", clip.colour_space]
+        for name, step in PROXIES.items():
+            if step > 1 and step == self._canvas.viewing.proxy:
+                parts.append(self._actions[name].text())
         self._plate.setText("  ·  ".join(parts))
         self._plate.setToolTip(str(clip.path))
 

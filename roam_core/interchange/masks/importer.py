@@ -16,7 +16,7 @@ from roam_core.interchange.protocol import KeyChoice
 from roam_core.interchange.reading import PLAIN, Imported, ImportOptions, MaskOptions, ShapeReader
 from roam_core.matte.vectorise import coverage_of
 from roam_core.media import open_clip
-from roam_core.media.image_file import read_alpha
+from roam_core.media.decoding import read_alpha
 from roam_core.media.sequence import ImageSequence
 from roam_core.media.source import DamagedFrame, PlateSource
 from roam_core.params import scale_for

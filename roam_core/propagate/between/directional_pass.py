@@ -103,16 +103,12 @@ def directional_pass(
             token.check()
         try:
             following = read(frame)
-        except MissingFrame:
+            step = engine.step(following, orders(frame), token)
+            since_key = step.after.motion.since_key
+            moved = since_key if since_key is not None else _moved(picture, following, points, params) @ carried
+        except MissingFrame:  # where its file is damaged may show only when it is read there
             continue
-        before, standing = picture, points
-        step = engine.step(following, orders(frame), token)
-        engine, motion = step.after, step.after.motion
-        if motion.since_key is None:
-            carried = _moved(before, following, standing, params) @ carried
-        else:
-            carried = motion.since_key
-        picture = following
+        engine, motion, carried, picture = step.after, step.after.motion, moved, following
         points = tuple(result.points for result in step.results)
         confidence = tuple(result.confidence for result in step.results)
         stops[frame] = Stop(points, confidence, carried, motion)

@@ -173,7 +173,10 @@ class Filling:
         if self.token is not None:
             self.token.check()
         alive = [k for k, shape in enumerate(shapes) if shape.exists_at(frame)]
-        return merged(span, frame, alive, self._colours(frame) if alive else None)
+        try:
+            return merged(span, frame, alive, self._colours(frame) if alive else None)
+        except MissingFrame:  # where its file is damaged may show only when it is read there
+            return merged(span, frame, alive, None)
 
     def _colours(self, frame: int) -> Colours | None:
         """The picture of a frame as something to go by; None where it is missing, or not asked."""

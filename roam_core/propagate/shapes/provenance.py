@@ -18,6 +18,7 @@ from pathlib import Path
 
 from roam_core.arrays import Array
 from roam_core.errors import RoamError
+from roam_core.media.colour_spaces import definition_of
 from roam_core.params import RoamParams, params_for
 from roam_core.propagate.shapes.objects import near, objects
 from roam_core.roto import BlendMode, Clip, Keyframe, Origin, RotoShape
@@ -33,11 +34,16 @@ MIN_POINTS = 2
 
 
 def clip_stamp(clip: Clip | None) -> str:
-    """What identifies a clip's pictures in a stamp: file name, range, size, colours and layer (not where it lies)."""
+    """What identifies a clip's pictures in a stamp: file name, range, size, colours and layer (not where it lies).
+
+    Of a colour space of `$OCIO` what it says counts too, not its name alone.
+    """
     if clip is None:
         return ""
     told = [Path(clip.path).name, clip.first, clip.last, list(clip.size), clip.colour_space]
-    return json.dumps([*told, clip.layer] if clip.layer else told)
+    definition = definition_of(clip.colour_space)
+    more = [clip.layer, definition] if definition else [clip.layer] if clip.layer else []
+    return json.dumps([*told, *more])
 
 
 @dataclass(frozen=True)

@@ -234,7 +234,7 @@ def test_a_look_reaches_the_screen_and_nothing_else(
 
 def test_float_plates_show_what_lies_above_white(canvas: CanvasView) -> None:
     light = np.full((150, 200, 3), 3.0, dtype=np.float32)
-    canvas.stage.plate_of = lambda frame: Plate(light, "linear")
+    canvas.stage.plate_of = lambda frame: Plate(light, "linear", light)
     canvas.set_image(1, np.full((150, 200, 3), 255, dtype=np.uint8))
     assert colour_at(canvas, 100.0, 75.0) == QColor(255, 255, 255)
     canvas.viewing.set_look(exposure=-2.0)

@@ -11,6 +11,7 @@ import pytest
 from pytestqt.qtbot import QtBot
 
 from app.jobs.decode import PlateReader
+from app.model.viewing import Viewing
 from roam_core.media import DamagedFrame, MissingFrame
 
 WAIT = 5000
@@ -167,3 +168,84 @@ def test_another_plate_lets_the_old_one_go(qtbot: QtBot, reader: PlateReader) ->
     assert reader.source is None
     assert reader.cached_frames() == frozenset()
     reader.show(2)  # no plate, no picture, no error
+
+
+class Large(Plate):
+    """Frames of 8 x 4 half floats, each pixel of another brightness."""
+
+    size = (8, 4)
+
+    def read(self, frame: int) -> np.ndarray:
+        return (np.arange(96, dtype=np.float32).reshape(4, 8, 3) / 96.0 * frame).astype(np.float16)
+
+
+def looked_through(reader: PlateReader) -> Viewing:
+    """How another viewer looks at the plate."""
+    viewing = Viewing(reader)
+    reader.look_through(viewing)
+    return viewing
+
+
+def shown(qtbot: QtBot, reader: PlateReader, frame: int) -> np.ndarray:
+    """The picture that the window is given of a frame."""
+    with qtbot.waitSignal(reader.picture, timeout=WAIT) as picture:
+        reader.show(frame)
+    qtbot.waitUntil(lambda: reader._runner.is_idle, timeout=WAIT)
+    return picture.args[1]
+
+
+def test_a_proxy_is_the_mean_of_what_it_covers_and_the_engine_sees_none_of_it(
+    qtbot: QtBot, reader: PlateReader
+) -> None:
+    viewing = looked_through(reader)
+    reader.open(Large("linear"))
+    full, seen_by_engine = shown(qtbot, reader, 1), reader.engine_frame(1)
+    with qtbot.waitSignal(reader.picture, timeout=WAIT) as again:
+        viewing.set_proxy(2)
+    assert again.args[0] == 1
+    assert again.args[1].shape == (2, 4, 3)
+    means = full.reshape(2, 2, 4, 2, 3).mean(axis=(1, 3))
+    np.testing.assert_allclose(again.args[1], means, atol=0.51)
+    np.testing.assert_array_equal(reader.engine_frame(1), seen_by_engine)
+    assert reader.plate(1).values.shape == (4, 8, 3)
+    np.testing.assert_array_equal(reader.full_picture(1, again.args[1]), full)
+    assert reader.full_picture(99, again.args[1]) is None
+    with qtbot.waitSignal(reader.picture, timeout=WAIT) as whole:
+        viewing.set_proxy(1)
+    np.testing.assert_array_equal(whole.args[1], full)
+
+
+def test_proxies_of_plates_that_are_shown_as_they_are(qtbot: QtBot, reader: PlateReader) -> None:
+    reader.open(Plate())
+    looked_through(reader).set_proxy(4)
+    assert shown(qtbot, reader, 3).shape == (1, 1, 3)
+    assert shown(qtbot, reader, 3).tolist() == [[[3, 3, 3]]]  # from what is kept ready
+
+
+def test_what_a_look_is_made_of_comes_with_the_picture(qtbot: QtBot, reader: PlateReader) -> None:
+    viewing, second = looked_through(reader), looked_through(reader)
+    reader.open(Large("linear"))
+    shown(qtbot, reader, 2)
+    assert reader.plate(2).scalable is None
+    second.set_proxy(4)
+    second.set_look(gamma=1.2)
+    assert reader._runner.is_idle
+    with qtbot.waitSignal(reader.picture, timeout=WAIT):
+        second.set_look(exposure=-1.0)
+    assert reader.plate(2).scalable.dtype == np.float32
+    assert reader.plate(2).scalable.shape == (4, 8, 3)
+    with qtbot.waitSignal(reader.picture, timeout=WAIT):
+        viewing.set_proxy(2)
+    assert reader.plate(2).scalable.shape == (2, 4, 3)
+
+
+def test_another_size_that_is_asked_for_meanwhile_is_shown_in_the_end(qtbot: QtBot, reader: PlateReader) -> None:
+    plate, viewing = Plate("linear"), looked_through(reader)
+    reader.open(plate)
+    plate.gate.clear()
+    pictures: list[tuple[int, ...]] = []
+    reader.picture.connect(lambda _, picture: pictures.append(picture.shape))
+    reader.show(1)
+    viewing.set_proxy(2)
+    plate.gate.set()
+    qtbot.waitUntil(lambda: pictures[-1:] == [(1, 2, 3)])

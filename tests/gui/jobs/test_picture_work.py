@@ -10,6 +10,7 @@ from pytestqt.qtbot import QtBot
 
 from app.jobs.picture_work import PictureWork
 from app.jobs.runner import Ending, Report, Runner
+from roam_core.arrays import UInt8
 from roam_core.errors import RoamError
 
 WAIT = 10_000
@@ -62,4 +63,24 @@ def test_a_picture_knows_how_much_of_the_plate_its_pixels_cover(pictures: Pictur
     assert pictures.shown.frame == 4
     assert pictures.shown.scale((200, 150)) == (2.0, 3.0)
     pictures.show(5, None)
+    assert pictures.shown is None
+
+
+def test_where_a_proxy_is_shown_the_whole_picture_is_looked_at(runner: Runner) -> None:
+    whole, calls = np.zeros((8, 12, 3), np.uint8), list[int]()
+
+    def full_of(frame: int, pixels: UInt8) -> UInt8 | None:
+        if len(pixels) == len(whole):
+            return pixels
+        calls.append(frame)
+        return whole if frame == 1 else None
+
+    pictures = PictureWork(runner, None, full_of)
+    pictures.show(1, np.zeros((4, 6, 3), np.uint8))
+    for _ in range(2):
+        assert pictures.shown is not None
+        assert pictures.shown.pixels is whole
+        assert pictures.shown.scale((12, 8)) == (1.0, 1.0)
+    assert calls == [1]  # it is made once
+    pictures.show(2, np.zeros((4, 6, 3), np.uint8))
     assert pictures.shown is None

@@ -17,8 +17,10 @@ from tests.unit.media.conftest import HEIGHT, WIDTH, write_bytes_png
 
 FIRSTS = (1001, -5, 0, 1_000_000)
 SQUARE = polygon_points(np.array([[2.0, 2.0], [12.0, 2.0], [12.0, 9.0], [2.0, 9.0]]))
-READABLE = ("nuke", "silhouette", "fusion", "json", "coco", "cvat")
+READABLE = ("nuke", "silhouette", "fusion", "json", "coco", "cvat", "mlt")
 """Formats that ROAM writes with all frames, and reads."""
+SCRIPTS = ("nuke-python", "nuke-tracks", "after-effects", "blender", "natron")
+"""Those that it writes, and does not read."""
 
 
 @pytest.fixture(params=FIRSTS)
@@ -58,7 +60,20 @@ def centre(project: Project, frame: int) -> Array:
     return np.asarray(project.shapes[0].at(frame).points[:, 0].mean(axis=0))
 
 
-@pytest.mark.parametrize("name", ["after-effects", "blender", "natron"])
+def test_a_drawing_of_one_frame_comes_back_on_the_clips_first(project: Project, tmp_path: Path) -> None:
+    path = tmp_path / "shapes.svg"
+    EXPORTERS["svg"].export(project, path, ExportOptions(lossy=True))
+    first = project.require_clip().first
+    assert str(first) in path.read_text(encoding="utf-8")
+    back = Project(project.clip, read_shapes(path, project.require_clip()).layer)
+    assert frames(back) == (first,)
+
+
+def test_every_export_is_looked_at() -> None:
+    assert {*READABLE, *SCRIPTS, "svg", "mattes"} == set(EXPORTERS)
+
+
+@pytest.mark.parametrize("name", SCRIPTS)
 def test_a_script_for_another_program_says_them(project: Project, tmp_path: Path, name: str) -> None:
     path = tmp_path / f"shapes{EXPORTERS[name].suffix}"
     EXPORTERS[name].export(project, path, ExportOptions(lossy=True))

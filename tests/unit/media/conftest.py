@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -13,6 +13,8 @@ import pytest
 from numpy.typing import NDArray
 
 from roam_core.arrays import Float32, UInt8
+from roam_core.media import decoding
+from roam_core.media.decoding.pool import Pool
 
 WIDTH, HEIGHT = 16, 12
 OF_SPEC = {"x", "y", "full_x", "full_y", "full_width", "full_height"}
@@ -103,3 +105,17 @@ def write_movie(path: Path, codec: str, count: int, fps: float = 24.0) -> Path:
         writer.write(image)
     writer.release()
     return path
+
+
+@pytest.fixture(scope="session")
+def processes() -> Iterator[Pool]:
+    """Processes that decode, for all tests that want some."""
+    pool = Pool()
+    yield pool
+    pool.close()
+
+
+@pytest.fixture
+def apart(processes: Pool, monkeypatch: pytest.MonkeyPatch) -> Callable[[], None]:
+    """From its call on, this test decodes in other processes."""
+    return lambda: monkeypatch.setattr(decoding, "_pool", processes)

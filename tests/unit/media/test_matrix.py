@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import itertools
 import struct
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -37,6 +38,9 @@ EXR_LAYOUTS: dict[str, tuple[str, ...]] = {
 }
 WITHOUT = {("dpx", "grey and alpha"), ("sgi", "grey and alpha"), ("tga", "grey and alpha"), ("tga", "grey")}
 """What OpenImageIO writes as something else, or not at all."""
+
+TOLD = ("frames", "missing", "size", "fps", "pixel_aspect", "colour_space", "depth", "layer", "layers")
+"""What a plate tells of its files."""
 
 CASES = [
     (extension, depth, layout, channels)
@@ -80,7 +84,12 @@ def shown(values: Image, channels: tuple[str, ...]) -> Image:
 
 @pytest.mark.parametrize(("extension", "depth", "layout", "channels"), CASES)
 def test_what_was_written_is_read(
-    tmp_path: Path, extension: str, depth: str, layout: str, channels: tuple[str, ...]
+    tmp_path: Path,
+    apart: Callable[[], None],
+    extension: str,
+    depth: str,
+    layout: str,
+    channels: tuple[str, ...],
 ) -> None:
     values = stored(depth, len(channels))
     plate = open_clip(written(tmp_path / f"p.1001.{extension}", depth, values, channels))
@@ -101,6 +110,12 @@ def test_what_was_written_is_read(
         np.testing.assert_array_equal(image, expected)
     words = {"half": "half float", "float": "float"}
     assert plate.depth == words.get(depth, f"{depth.removeprefix('uint')} bits")
+
+    apart()
+    again = open_clip(plate.path)
+    assert all(getattr(again, name) == getattr(plate, name) for name in TOLD)
+    decoded = again.read(1001)
+    assert (decoded.dtype, decoded.shape, decoded.tobytes()) == (image.dtype, image.shape, image.tobytes())
 
 
 @pytest.mark.parametrize("compression", ["none", "rle", "zips", "zip", "piz"])

@@ -91,6 +91,6 @@ def test_a_movie_is_measured_before_its_first_frame_is_decoded(tmp_path: Path, m
 def test_a_mask_of_many_channels_is_refused(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     file = write_image(tmp_path / "a.exr", picture(1, 40), "float")
     assert oiio.ImageInput.open(str(file)).spec().image_bytes() > 20_000
-    monkeypatch.setattr("roam_core.matte.vectorise.MAX_MASK_BYTES", 20_000)
+    monkeypatch.setattr("roam_core.media.image_file.MOST_BYTES", 20_000)
     with pytest.raises(RoamError, match="give a mask of one channel"):
         read_mask(file)

@@ -118,16 +118,16 @@ def test_of_the_next_frame_those_rows_are_decoded_that_were_looked_at(tmp_path: 
     frames = PartialFrames(plate, unheard)  # type: ignore[arg-type]
     first = frames.read(1)
     first.within(70, 72, 0, 9)
-    frames.follow(first)
     second = frames.read(2)
-    frames.follow(second)
-    assert plate.reads == [(0, HEIGHT), (32, 128)]
+    assert plate.reads == [(0, HEIGHT), (64, 96)]
     second.within(70, 80, 0, 9)
     assert plate.reads[2:] == []
     second.within(20, 40, 0, 9)  # what is missing above is read, and no more
-    assert plate.reads[2:] == [(0, 32)]
-    frames.read(3)
-    assert plate.reads[3:] == [(0, 128)]
+    assert plate.reads[2:] == [(0, 64)]
+    frames.read(3)  # the nearest frame tells
+    frames.read(2)  # or the frame itself
+    frames.read(1)
+    assert plate.reads[3:] == [(0, 96), (0, 96), (64, 96)]
 
 
 def test_a_cache_counts_what_is_decoded(tmp_path: Path) -> None:
@@ -164,7 +164,7 @@ def test_damage_in_the_middle_shows_where_it_is_looked_at(tmp_path: Path) -> Non
     rows = plate.rows(1)
     assert rows is not None
     top = rows.read(0, 16)
-    picture = PartialPicture((HEIGHT, WIDTH), "linear", rows, 0, top, lambda error: told.append(str(error)))
+    picture = PartialPicture((HEIGHT, WIDTH), "linear", rows, 0, top, failed=lambda error: told.append(str(error)))
     assert picture.within(0, 16, 0, WIDTH).shape == (16, WIDTH, 3)
     with pytest.raises(DamagedFrame, match=r"p\.1\.exr"):
         picture.within(0, HEIGHT, 0, WIDTH)

@@ -9,6 +9,7 @@ import pytest
 
 from roam_core.errors import RoamError
 from roam_core.studio.records import Record, Seen, digest_of, inputs_of
+from tests.unit.media.conftest import write_bytes_png
 
 
 @pytest.fixture
@@ -64,3 +65,17 @@ def test_a_damaged_record_is_none(tmp_path: Path, text: str) -> None:
 def test_input_that_is_missing_is_told(tmp_path: Path) -> None:
     with pytest.raises(RoamError, match=r"in\.txt cannot be read"):
         inputs_of([str(tmp_path / "in.txt")], "", "", None)
+
+
+def test_the_configuration_of_colours_is_read_with_a_plate(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    plate, colours = tmp_path / "p.1.png", tmp_path / "config.ocio"
+    write_bytes_png(plate)
+    monkeypatch.delenv("OCIO", raising=False)
+    alone = inputs_of([], str(plate), "", None)
+    digests = []
+    for text in ("one", "other"):
+        colours.write_text(text)
+        monkeypatch.setenv("OCIO", str(colours))
+        digests.append(inputs_of([], str(plate), "", None)[-1].digest)
+    assert [seen.name for seen in alone] == ["p.1.png"]
+    assert digests[0] != digests[1]

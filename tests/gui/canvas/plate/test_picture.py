@@ -59,8 +59,26 @@ def test_far_away_pixels_are_averaged() -> None:
 
 def test_proxy_covers_the_full_size() -> None:
     pixels = noise(4, 5)
-    shown = painted(pixels, Viewport(), 20, 16, QSizeF(20.0, 16.0))
-    np.testing.assert_array_equal(shown, pixels.repeat(4, axis=0).repeat(4, axis=1))
+    squares = painted(pixels, Viewport(2.0), 40, 32, QSizeF(20.0, 16.0))
+    np.testing.assert_array_equal(squares, pixels.repeat(8, axis=0).repeat(8, axis=1))
+    smooth = painted(pixels, Viewport(), 20, 16, QSizeF(20.0, 16.0))  # the plate's own pixels are no squares yet
+    np.testing.assert_array_equal(smooth[[0, 0, -1, -1], [0, -1, 0, -1]], pixels[[0, 0, -1, -1], [0, -1, 0, -1]])
+    assert np.abs(np.diff(smooth.astype(int), axis=1)).max() < np.abs(np.diff(pixels.astype(int), axis=1)).max()
+
+
+def test_of_a_proxy_the_plates_own_values_are_told() -> None:
+    light = np.arange(8 * 12 * 3, dtype=np.float32).reshape(8, 12, 3)
+    picture = Picture(noise(4, 6), Plate(light, LINEAR))
+    np.testing.assert_array_equal(picture.value(2.9, 1.6), light[3, 5])
+    np.testing.assert_array_equal(picture.value(5.99, 3.99), light[7, 11])
+    assert picture.looked_at(1, 1, Look(exposure=1.0)) != picture.looked_at(1, 1, Look())  # made of display values
+
+
+def test_exposure_of_a_proxy_is_made_of_its_own_values() -> None:
+    light = np.full((8, 8, 3), 4.0, dtype=np.float32)
+    small = light[::2, ::2].copy()
+    picture = Picture(to_display(small, LINEAR), Plate(light, LINEAR, small))
+    assert picture.looked_at(3, 3, Look(exposure=-3.0)) == (188, 188, 188)
 
 
 def test_grey_picture() -> None:
@@ -134,7 +152,7 @@ def test_a_look_changes_what_is_painted_and_not_the_picture(scale: float) -> Non
 def test_less_exposure_brings_back_what_is_brighter_than_white() -> None:
     light = np.full((6, 6, 3), 4.0, dtype=np.float32)
     light[:, 3:] = 2.0
-    picture = Picture(to_display(light, LINEAR), Plate(light, LINEAR))
+    picture = Picture(to_display(light, LINEAR), Plate(light, LINEAR, light))
     assert picture.looked_at(0, 0, Look()) == picture.looked_at(5, 0, Look()) == (255, 255, 255)
     bright, dim = (picture.looked_at(x, 0, Look(exposure=-2.0))[0] for x in (0, 5))
     assert (bright, dim) == (255, 188)

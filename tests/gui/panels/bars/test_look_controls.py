@@ -168,7 +168,8 @@ def test_the_read_out_tells_where_the_pointer_is_and_what_is_there(
 def test_the_read_out_tells_a_float_plates_own_values(canvas: CanvasView, hand: Hand, qtbot: QtBot) -> None:
     readout = Readout(canvas)
     qtbot.addWidget(readout)
-    canvas.stage.plate_of = lambda frame: Plate(np.full((150, 200, 3), 2.5, dtype=np.float32), "linear")
+    light = np.full((150, 200, 3), 2.5, dtype=np.float32)
+    canvas.stage.plate_of = lambda frame: Plate(light, "linear", light)
     canvas.set_image(1, np.full((150, 200, 3), 255, dtype=np.uint8))
     canvas.viewing.set_look(exposure=-1.0)
     hand.move((33.5, 44.5))

@@ -13,6 +13,7 @@ from app.actions.keymaps import load_keymap
 from app.canvas.view import CanvasView
 from app.folders import cache_folder
 from app.model.document import Document
+from app.model.viewing import PROXIES
 from app.panels.bars.view_bar import ViewBar
 from resources import demo
 from roam_core.roto import Clip, Project
@@ -36,3 +37,17 @@ def test_the_plate_is_called_by_a_name_the_artist_knows(
     document.open(Project(replace(CLIP, path=path)), None)
     assert bar._plate.text().split("  ·  ") == [name, "1001–1048", "960×540", "sRGB"]
     assert bar._plate.toolTip() == str(path)
+
+
+def test_a_proxy_is_named(qtbot: QtBot, document: Document, canvas: CanvasView) -> None:
+    actions = Actions(canvas, canvas, load_keymap())
+    actions.connect_all(canvas.handlers())
+    bar = ViewBar(document, canvas, actions)
+    qtbot.addWidget(bar)
+    document.open(Project(CLIP), None)
+    assert [actions[name].isChecked() for name in PROXIES] == [True, False, False]
+    actions["view.quarter"].trigger()
+    assert bar._plate.text().endswith("  ·  Proxy 1/4")
+    assert [actions[name].isChecked() for name in PROXIES] == [False, False, True]
+    actions["view.full"].trigger()
+    assert "Proxy" not in bar._plate.text()

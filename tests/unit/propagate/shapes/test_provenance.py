@@ -7,6 +7,7 @@ from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
+import PyOpenColorIO as ocio  # noqa: N813 - the name its own manual uses
 import pytest
 
 from roam_core.geometry.bezier import polygon_points
@@ -81,6 +82,43 @@ def test_another_clip_makes_everything_stale(led_both_ways: RotoShape) -> None:
     assert stale_frames(led_both_ways, replace(CLIP, path=Path("/plates/other"))) == engine
     assert stale_frames(led_both_ways, replace(CLIP, size=(320, 240))) == engine
     assert stale_frames(led_both_ways, None) == engine
+
+
+def test_another_definition_of_its_colours_makes_everything_stale(
+    led_both_ways: RotoShape, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    clip = replace(CLIP, colour_space="ACEScg")
+    built_in = clip_stamp(clip)
+    stamps = [built_in]
+    for name, stops in (("one", 1.0), ("other", 2.0), ("moved house", 1.0)):
+        monkeypatch.setenv("OCIO", str(studio_config(tmp_path / name, stops)))
+        stamps.append(clip_stamp(clip))
+        assert clip_stamp(CLIP) == clip_stamp(replace(CLIP))  # a space of ROAM's own is the same in all
+    assert len(set(stamps)) == 3
+    assert stamps[1] == stamps[3]
+    monkeypatch.setenv("OCIO", str(tmp_path / "none.ocio"))
+    assert clip_stamp(clip) == built_in
+    plain = clip_stamp(CLIP)
+    monkeypatch.delenv("OCIO")
+    assert clip_stamp(CLIP) == plain
+
+
+def studio_config(folder: Path, stops: float) -> Path:
+    """A configuration whose ACEScg is the usual one with so much more light, by a table in a file of its own."""
+    folder.mkdir()
+    (folder / "light.spi1d").write_text(
+        f"Version 1\nFrom 0.0 1.0\nLength 2\nComponents 1\n{{\n0.0\n{2.0**stops}\n}}\n", encoding="ascii"
+    )
+    config = ocio.Config.CreateRaw()
+    space = ocio.ColorSpace(ocio.REFERENCE_SPACE_SCENE, "ACEScg")
+    space.setTransform(ocio.FileTransform("light.spi1d"), ocio.COLORSPACE_DIR_TO_REFERENCE)
+    linear = ocio.ColorSpace(ocio.REFERENCE_SPACE_SCENE, "linear")
+    config.addColorSpace(space)
+    config.addColorSpace(linear)
+    config.setRole(ocio.ROLE_SCENE_LINEAR, "linear")
+    path = folder / "config.ocio"
+    path.write_text(config.serialize(), encoding="utf-8")
+    return path
 
 
 def test_a_clip_that_only_moved_house_is_the_same(led_both_ways: RotoShape) -> None:

@@ -1,0 +1,150 @@
+"""What passes between the window's process and one that decodes: lines of JSON, and pixels in a file that both share.
+
+Nothing that comes back is believed: an answer is bounded in length, a picture in its size, and of its pixels a copy is
+kept which the other process cannot change.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+import os
+import tempfile
+from contextlib import suppress
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any, BinaryIO
+
+import numpy as np
+
+from roam_core.arrays import Image
+from roam_core.errors import RoamError
+from roam_core.media.measure import MAX_PIXELS
+
+MOST_LINE = 1 << 24
+"""Bytes of an answer: the names of some hundred thousand layers."""
+MOST_BYTES = 1 << 30
+"""Of a picture: the largest that is accepted has 576 MiB."""
+TYPES = frozenset({"bool", "uint8", "uint16", "uint32", "int8", "int16", "int32", "float16", "float32", "float64"})
+
+
+class Garbled(Exception):
+    """An answer that no decoder of ours gives."""
+
+
+@dataclass(frozen=True)
+class Answer:
+    """What a process answered: the fields of its line, and the pixels that it left in the shared file."""
+
+    fields: dict[str, Any]
+    pixels: Image | None = field(default=None, compare=False)
+
+    @property
+    def picture(self) -> Image:
+        """The pixels. Raises `RoamError` where there are none."""
+        if self.pixels is None:
+            raise _garbled("picture")
+        return self.pixels
+
+    def text(self, name: str) -> str:
+        """A field that is a text. Raises `RoamError` where it is none."""
+        return str(self._field(name, str))
+
+    def number(self, name: str) -> float:
+        """A field that is a finite number. Raises `RoamError` where it is none."""
+        value = float(self._field(name, int, float))
+        if not math.isfinite(value):
+            raise _garbled(name)
+        return value
+
+    def texts(self, name: str) -> tuple[str, ...]:
+        """A field that is a list of texts. Raises `RoamError` where it is none."""
+        return tuple(map(str, self._field(name, list)))
+
+    def size(self) -> tuple[int, int]:
+        """The field `size`, (width, height). Raises `RoamError` where it is none, or larger than is accepted."""
+        match self._field("size", list):
+            case [int(width), int(height)] if width > 0 and height > 0 and width * height <= MAX_PIXELS:
+                return width, height
+        raise _garbled("size")
+
+    def _field(self, name: str, *types: type) -> Any:
+        value = self.fields.get(name)
+        if not isinstance(value, types):
+            raise _garbled(name)
+        return value
+
+
+def _garbled(name: str) -> RoamError:
+    return RoamError(f"The process that decodes answered without a {name} that makes sense; the file is damaged.")
+
+
+class SharedFile:
+    """A file in memory, or in the folder for temporary files where there are none such, that two processes know.
+
+    Attributes
+    ----------
+    name : by which the other process opens it. handle : what it inherits for that; -1 where nothing is needed.
+    """
+
+    def __init__(self) -> None:
+        self.handle = -1
+        if hasattr(os, "memfd_create"):
+            self.handle = os.memfd_create("roam-picture")
+            self.name = f"/proc/self/fd/{self.handle}"
+            self._file: BinaryIO = os.fdopen(self.handle, "r+b", buffering=0)
+        else:
+            handle, self.name = tempfile.mkstemp(prefix="roam-picture-")
+            self._file = os.fdopen(handle, "r+b", buffering=0)
+
+    def read(self, shape: tuple[int, ...], kind: str) -> Image:
+        """A copy of the pixels at its beginning."""
+        picture = np.empty(shape, kind)
+        into = picture.reshape(-1).view(np.uint8).data
+        self._file.seek(0)
+        done = 0
+        while done < len(into):
+            count = self._file.readinto(into[done:])  # type: ignore[attr-defined]  # an unbuffered file has it
+            if not count:
+                raise Garbled("fewer pixels than were told")
+            done += count
+        return picture
+
+    def close(self) -> None:
+        """Let go of it."""
+        self._file.close()
+        if self.handle < 0:
+            with suppress(OSError):
+                Path(self.name).unlink()
+
+
+def write_pixels(file: BinaryIO, picture: Image) -> dict[str, Any]:
+    """Leave pixels in the shared file; what the other side has to know of them."""
+    pixels = np.ascontiguousarray(picture)
+    view = pixels.reshape(-1).view(np.uint8).data
+    file.seek(0)
+    while len(view):
+        view = view[file.write(view) :]
+    return {"shape": list(pixels.shape), "type": pixels.dtype.name}
+
+
+def taken(line: bytes, shared: SharedFile) -> Answer:
+    """The answer of a line, with its pixels. Raises `Garbled`."""
+    try:
+        told = json.loads(line)
+        told.get("picture")
+    except (ValueError, AttributeError, RecursionError):
+        raise Garbled("no line of JSON") from None
+    if (picture := told.pop("picture", None)) is None:
+        return Answer(told)
+    try:
+        shape, kind = tuple(map(int, picture["shape"])), str(picture["type"])
+    except (KeyError, TypeError, ValueError):
+        raise Garbled("no picture") from None
+    if kind not in TYPES or not _is_possible(shape, np.dtype(kind).itemsize):
+        raise Garbled("an impossible picture")
+    return Answer(told, shared.read(shape, kind))
+
+
+def _is_possible(shape: tuple[int, ...], size: int) -> bool:
+    return len(shape) in (2, 3) and all(side >= 0 for side in shape) and math.prod(shape) * size <= MOST_BYTES

@@ -1,0 +1,70 @@
+"""MoviePlate: what every movie is as a plate, whoever decodes it."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from pathlib import Path
+
+from roam_core.arrays import Image
+from roam_core.media.curves import SRGB
+from roam_core.media.layers import PLAIN
+from roam_core.media.source import DamagedFrame, MissingFrame
+
+
+class MoviePlate(ABC):
+    """A movie as a plate: frames are numbered from 1. See `PlateSource` for the attributes."""
+
+    readers = 1
+    size: tuple[int, int]
+    fps: float
+    pixel_aspect: float
+    depth = "8 bits"
+    colour_space = SRGB
+    missing: tuple[int, ...] = ()
+    layer, layers = PLAIN, (PLAIN,)
+
+    def __init__(self, path: Path) -> None:
+        self.path = path
+        self.frames: tuple[int, ...] = ()
+
+    @property
+    def count(self) -> int:
+        """The number of its frames."""
+        return len(self.frames)
+
+    def _number(self, count: int) -> None:
+        """Number its frames, so many."""
+        self.frames = tuple(range(1, count + 1))
+
+    def file_of(self, frame: int) -> Path:
+        """The movie, whichever the frame."""
+        return self.path
+
+    def frame_name(self, frame: int) -> str:
+        """The frame's number, padded with zeros: to five digits, more for a longer movie."""
+        return f"{frame:0{max(5, len(str(self.count)))}d}"
+
+    def read(self, frame: int) -> Image:
+        """The picture `(h, w, 3)` of a frame: uint8, or uint16 of a movie with more than 8 bits.
+
+        Raises
+        ------
+        MissingFrame, DamagedFrame
+            see `PlateSource.read`.
+        """
+        if not 1 <= frame <= self.count:
+            raise MissingFrame(f"Frame {frame} of {self.path} is missing: the movie has the frames 1 to {self.count}.")
+        picture = self._picture(frame - 1)
+        if picture is None:
+            raise DamagedFrame(f"Frame {frame} of {self.path} cannot be decoded; the movie is damaged or cut short.")
+        if (picture.shape[1], picture.shape[0]) != self.size:
+            raise DamagedFrame(f"Frame {frame} of {self.path} differs in size from the first; a plate needs one size.")
+        return picture
+
+    def rows(self, frame: int) -> None:
+        """None: a movie's pictures are decoded whole."""
+        return None  # noqa: RET501 - that is an answer
+
+    @abstractmethod
+    def _picture(self, index: int) -> Image | None:
+        """The picture of the frame `index`, from 0; None where it cannot be decoded."""
