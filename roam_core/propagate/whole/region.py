@@ -20,6 +20,7 @@ from roam_core.features.grid import Grid
 from roam_core.geometry import bezier, similarity
 from roam_core.motion import pose as motion_pose
 from roam_core.motion.flow import carried_by_flow, dense_flow, flow_similarity, on_grid
+from roam_core.motion.patches import Patches, PatchMotion
 from roam_core.params import RegionParams, scale_for
 from roam_core.propagate.frame.confidence import (
     ConfidenceFeatures,
@@ -39,6 +40,7 @@ from roam_core.propagate.whole.rigid import Pose, Rigidity
 from roam_core.proposal.cues.evidence import SURE, Expectation, Field, KeyMemory, Sources, gathered
 from roam_core.proposal.cues.label_propagation import label_propagation
 from roam_core.proposal.cues.motion_cue import motion_on
+from roam_core.proposal.cues.patch_sides import PatchSides
 from roam_core.proposal.outline.contour import KeyConstraints
 from roam_core.proposal.segment import region as proposed
 
@@ -52,7 +54,8 @@ class RegionState:
     `flow_reliability`, on the region's grid, how far each cell's side still is the key's word
     (`proposal.cues.label_propagation`); `steps` counts the frames since the key; `features` tell how well the last of
     them went. `pose` is that of an object drawn as one shape; `covers` are closed polylines `(K, 2)` of what lies
-    before the object; `params` those that it began with.
+    before the object; `params` those that it began with. `patches` are what was learned of small pieces of the object
+    on its key, `patch_motion` where they lie.
     """
 
     frame: PreparedFrame
@@ -71,6 +74,8 @@ class RegionState:
     features: ConfidenceFeatures | PoseFeatures | None = None
     pose: motion_pose.Pose | None = None
     covers: tuple[Array, ...] = ()
+    patches: Patches | None = None
+    patch_motion: PatchMotion | None = None
 
     @property
     def trust(self) -> float:
@@ -114,10 +119,23 @@ def begin(
         AppearanceTemplate(frame, region, params.redetection, params.unseen),
         np.ones(grid.shape, np.float32),
     )
+    patches = _patches(frame, region, covers, params)
     return RegionState(
         frame, region, parts, constraints, key, colours, parts, appearance, seen, rigidity, flow_reliability, params,
-        pose=posed.on_key(frame, parts, params, covers), covers=tuple(covers),
+        pose=posed.on_key(frame, parts, params, covers), covers=tuple(covers), patches=patches,
+        patch_motion=None if patches is None else patches.on_key,
     )  # fmt: skip
+
+
+def _patches(frame: PreparedFrame, region: Field, covers: Sequence[Array], params: RegionParams) -> Patches | None:
+    """What is learned of small pieces of the object on its key, where nothing `covers` it."""
+    if params.patches is None:
+        return None
+    scale = scale_for(frame.size)
+    fine = Grid.over(region.grid.region, 1.0 / scale)
+    inside = region.on(fine) > 0.5
+    seen = visible(inside, covers, fine, params.least_seen)
+    return Patches.learned(frame, inside, seen, fine, scale, params.patches)
 
 
 @dataclass(frozen=True, eq=False)
@@ -129,6 +147,7 @@ class Observation:
     sources : what the cues are drawn from; they know the key, carried on to the frame.
     moved : (3, 3) similarity by which the object went as a whole. agreement : how much of it did, in [0, 1].
     rigidity : whether it may still move as one piece. pose : where it lies as one piece, if that is to be seen.
+    patch_motion : where its patches lie.
     """
 
     sources: Sources
@@ -136,6 +155,7 @@ class Observation:
     agreement: float
     rigidity: Rigidity
     pose: Pose | None
+    patch_motion: PatchMotion | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -202,6 +222,7 @@ def _as_last_seen(
         colours=key.colours,
         rigidity=rigidity,
         flow_reliability=np.zeros(grid.shape, np.float32),  # it lies there roughly
+        patch_motion=None if state.patches is None else state.patches.carried(to_now, params.believed),
     )
 
 
@@ -343,6 +364,7 @@ def _after(
         flow_reliability=flow_reliability,
         steps=state.steps + 1,
         features=features,
+        patch_motion=observation.patch_motion,
     )
     return RegionStep(state, after, results, observation)
 
@@ -374,20 +396,24 @@ def observed(
     surroundings, _ = flow_similarity(flows[0], ~everywhere, fine)
     motion = motion_on(grid, back, moved, surroundings, agreement, params.motion_sigma * scale, params)
     rigidity, pose = state.rigidity.step(frame, moved, params.rigid)
-    lines = None
+    lines = sides = None
+    patch_motion = state.patch_motion
+    if state.patches is not None and patch_motion is not None:
+        patch_motion = state.patches.step(patch_motion, frame, fine, flows[0])
+        sides = PatchSides.of(state.patches, patch_motion, frame, fine, grid, params.patches_inside)
     if params.label_propagation_weight > 0:
-        sides = carried_by_flow(state.region.nats_on(fine), flows[1])
+        before = carried_by_flow(state.region.nats_on(fine), flows[1])
         flow_reliability = grid.warped(state.flow_reliability, state.region.grid.map_to_image)
         lines = label_propagation(
-            pictures, sides, (forth, back), flow_reliability, grid, scale, params.label_propagation
+            pictures, before, (forth, back), flow_reliability, grid, scale, params.label_propagation
         )
     key = replace(state.key, to_now=moved @ state.key.to_now)
     last = state.region.on(grid)
     expected = Expectation(
         last, state.region.on(grid, moved) > 0.5, carried_by_flow(last, back) > 0.5, key.region.on(grid, key.to_now)
     )
-    sources = Sources(*pictures, grid, expected, back, key, state.colours, motion, params.band, lines)
-    return Observation(sources, moved, agreement, rigidity, pose)
+    sources = Sources(*pictures, grid, expected, back, key, state.colours, motion, params.band, lines, sides)
+    return Observation(sources, moved, agreement, rigidity, pose, patch_motion)
 
 
 def _corners(region: Field) -> Array:

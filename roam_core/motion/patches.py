@@ -1,0 +1,192 @@
+"""Patches of an object's key, each followed by itself: which side of the outline the picture near them lies on.
+
+An object is no plane, but small pieces of its surface are nearly one. Each is matched with the key's own picture on
+every frame (`kernels.patch_alignment`), from where the flow takes it and from where those around it lie; so one that
+was hidden or blurred is found again, and nothing adds up. What still looks as on the key says more exactly than any
+colour where the outline runs beside it, also where that has no edge in the picture.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import cv2
+import numpy as np
+
+from roam_core.arrays import Array, Bools, Float32, Int32, UInt8
+from roam_core.features import PreparedFrame
+from roam_core.features.grid import Grid, signed_distance
+from roam_core.geometry import similarity
+from roam_core.kernels.patch_alignment import Alignment, Picture, Templates, aligned, sides
+from roam_core.params.patches import PatchParams
+
+
+@dataclass(frozen=True, eq=False)
+class PatchMotion:
+    """Where patches lie on a frame.
+
+    Attributes
+    ----------
+    affines : (M, 6) `(q_x, q_y, L_xx, L_xy, L_yx, L_yy)`: the place k of the key lies at q + L (k - centre), pixels.
+    likeness : (M,) how much each looks there as on the key, in [0, 1].
+    open_by : (M,) what its own texture leaves open of its place, pixels of a 480-line image.
+    """
+
+    affines: Array
+    likeness: Array
+    open_by: Array
+
+
+@dataclass(frozen=True, eq=False)
+class Patches:
+    """What was learned of an object on its key.
+
+    Attributes
+    ----------
+    templates : places, colours and slopes of the M patches. radius : of a patch, pixels.
+    picture : the key's, blurred finely, and `depth (rows, columns)` the signed distance of its cells from the outline,
+        cells of about a pixel of a 480-line image.
+    """
+
+    templates: Templates
+    radius: float
+    picture: Picture
+    depth: Float32
+    scale: float
+    params: PatchParams
+
+    @classmethod
+    def learned(
+        cls, frame: PreparedFrame, inside: Bools, visible: Bools, grid: Grid, scale: float, params: PatchParams
+    ) -> Patches | None:
+        """The patches of what is `inside (rows, columns)`, as far as it is `visible`; None where nothing is.
+
+        `grid` has cells of about a pixel of a 480-line image, `scale` is `params.scale_for(size)`.
+        """
+        reach = params.reach * params.spacing
+        depth = signed_distance(inside, 2.0 * reach)
+        seen = visible & (depth > params.rim)
+        spacing = max(params.spacing, float(np.sqrt(np.count_nonzero(seen) / params.most)))
+        cells = _centres(seen, spacing, params.least)
+        if len(cells) == 0:
+            return None
+        radius = params.reach * spacing
+        places = np.stack([_places(seen, cell, radius, params.places) for cell in cells])
+        pictures = _levels(frame, grid, params)
+        colours, slopes = zip(*(_looks(each.image, places, grid) for each in pictures), strict=True)
+        neighbours, nearness = _neighbours(cells, spacing, params.neighbours)
+        templates = Templates(
+            grid.to_image(cells),
+            grid.to_image(places.astype(np.float64) + 0.5),
+            np.stack(colours),
+            np.stack(slopes),
+            neighbours,
+            nearness,
+        )
+        return cls(templates, radius * scale, pictures[-1], depth, scale, params)
+
+    @property
+    def on_key(self) -> PatchMotion:
+        """Their motion on the key itself."""
+        return self.carried(np.eye(3), 1.0)
+
+    def carried(self, transform: Array, likeness: float) -> PatchMotion:
+        """As if all had gone by one similarity `(3, 3)`, and matched there as well as that."""
+        count = len(self.templates.centres)
+        linear = np.tile(transform[:2, :2].reshape(1, 4), (count, 1))
+        affines = np.hstack([similarity.apply(transform[:2], self.templates.centres), linear])
+        return PatchMotion(affines, np.full(count, likeness), np.zeros(count))
+
+    def step(self, motion: PatchMotion, frame: PreparedFrame, grid: Grid, flow: Float32) -> PatchMotion:
+        """Their motion on the next `frame`, from that on the last one.
+
+        `flow (rows, columns, 2)` leads there from the last frame, in the cells of `grid`.
+        """
+        params, scale = self.params, self.scale
+        how = Alignment(
+            params.rounds, params.like_least, params.like_most, params.like, params.shift, params.move * scale,
+            params.strain, params.independent, params.parted * scale, scale,
+        )  # fmt: skip
+        coarse, fine = _levels(frame, grid, params)
+        carried = self._by_flow(motion, grid, flow)
+        affines, likeness, open_by = aligned(
+            self.templates, coarse, fine, carried, motion.affines, motion.likeness, how
+        )
+        return PatchMotion(affines, likeness, open_by / scale)
+
+    def sides(self, motion: PatchMotion, frame: PreparedFrame, grid: Grid) -> tuple[Float32, Float32]:
+        """How surely the cells of `grid` lie inside the outline, and outside, `(rows, columns)` each, in [0, 1]."""
+        params = self.params
+        matched = np.clip((motion.likeness - params.believed) / (1.0 - params.believed), 0.0, 1.0)
+        weights = np.sqrt(matched) / (1.0 + (motion.open_by / params.open_by) ** 2)
+        now = _levels(frame, grid, params)[-1]
+        return sides(
+            self.templates.centres, motion.affines, weights, self.radius, self.picture, self.depth, now, params.alike,
+            params.ramp,
+        )  # fmt: skip
+
+    def _by_flow(self, motion: PatchMotion, grid: Grid, flow: Float32) -> Array:
+        """`(M, 6)` the patches, moved by the median of the flow in them."""
+        affines = motion.affines.copy()
+        linear = affines[:, 2:].reshape(-1, 2, 2)
+        away = self.templates.places - self.templates.centres[:, None]
+        lie = affines[:, None, :2] + np.einsum("mab,mnb->mna", linear, away)
+        cells = np.floor(grid.to_grid(lie)).astype(np.intp)
+        columns, rows = np.clip(cells[..., 0], 0, grid.columns - 1), np.clip(cells[..., 1], 0, grid.rows - 1)
+        affines[:, :2] += np.median(flow[rows, columns], axis=1) / grid.factor
+        return affines
+
+
+def _levels(frame: PreparedFrame, grid: Grid, params: PatchParams) -> tuple[Picture, Picture]:
+    """The picture in the cells of `grid`, blurred coarsely and finely."""
+    colours = grid.colours_of(frame)
+    (fx, fy), (left, top) = grid.factor, grid.region.origin
+    coarse, fine = (cv2.GaussianBlur(colours, (0, 0), sigma) for sigma in (params.coarse, params.fine))
+    return (
+        Picture(np.asarray(coarse, np.uint8), float(fx), float(fy), float(left), float(top)),
+        Picture(np.asarray(fine, np.uint8), float(fx), float(fy), float(left), float(top)),
+    )
+
+
+def _centres(seen: Bools, spacing: float, least: float) -> Array:
+    """`(M, 2)` cells about which patches lie: the middles of what is seen in the squares of a grid, rows shifted."""
+    rows, columns = np.nonzero(seen)
+    if len(rows) == 0:
+        return np.zeros((0, 2))
+    spots = np.stack([columns, rows], axis=1) + 0.5
+    row = np.floor((spots[:, 1] - spots[:, 1].min()) / spacing).astype(np.intp)
+    column = np.floor((spots[:, 0] - spots[:, 0].min()) / spacing + 0.5 * (row % 2)).astype(np.intp)
+    _, square = np.unique(row * (column.max() + 1) + column, return_inverse=True)
+    count = np.bincount(square)
+    middles = np.stack([np.bincount(square, spots[:, axis]) / count for axis in (0, 1)], axis=1)
+    return np.asarray(middles[count >= least * spacing**2])
+
+
+def _places(seen: Bools, centre: Array, radius: float, count: int) -> Int32:
+    """`(count, 2)` cells (column, row) within `radius` of the centre that are seen, evenly through them."""
+    low, high = np.maximum(np.floor(centre - radius).astype(np.intp), 0), np.ceil(centre + radius).astype(np.intp)
+    rows, columns = np.nonzero(seen[low[1] : high[1], low[0] : high[0]])
+    cells = np.stack([columns, rows], axis=1) + low
+    cells = cells[np.hypot(*(cells + 0.5 - centre).T) < radius]
+    # In the order of a golden ratio sequence: a low discrepancy, whatever the number.
+    chosen = np.floor((0.5 + np.arange(count) / ((1.0 + np.sqrt(5.0)) / 2.0)) % 1.0 * len(cells)).astype(np.intp)
+    return np.asarray(cells[chosen], dtype=np.int32)
+
+
+def _looks(image: UInt8, places: Int32, grid: Grid) -> tuple[Float32, Float32]:
+    """The colours `(M, N, 3)` at places, cells, and how they change a pixel of the image, `(M, N, 3, 2)`."""
+    columns, rows = places[..., 0], places[..., 1]
+    colours = image.astype(np.float32)
+    across, down = (cv2.Sobel(colours, cv2.CV_32F, *order, ksize=1, scale=0.5) for order in ((1, 0), (0, 1)))
+    fx, fy = grid.factor.astype(np.float32)
+    return colours[rows, columns], np.stack([fx * across[rows, columns], fy * down[rows, columns]], axis=-1)
+
+
+def _neighbours(cells: Array, spacing: float, most: int) -> tuple[Int32, Array]:
+    """The nearest of each patch `(M, most)`, -1 where there are fewer, and how much each is heard `(M, most)`."""
+    away = np.hypot(*np.moveaxis(cells[:, None] - cells[None], -1, 0))
+    nearest = np.argsort(away, axis=1, kind="stable")[:, 1 : most + 1]
+    distance = np.take_along_axis(away, nearest, axis=1)
+    missing = ((0, 0), (0, most - nearest.shape[1]))
+    who = np.pad(np.where(distance < 2.2 * spacing, nearest, -1), missing, constant_values=-1)
+    return who.astype(np.int32), np.pad(np.exp(-0.25 * (distance / spacing) ** 2), missing)
