@@ -9,6 +9,7 @@ colour where the outline runs beside it, also where that has no edge in the pict
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import cv2
 import numpy as np
@@ -19,6 +20,24 @@ from roam_core.features.grid import Grid, signed_distance
 from roam_core.geometry import similarity
 from roam_core.kernels.patch_alignment import Alignment, Picture, Templates, aligned, sides
 from roam_core.params.patches import PatchParams
+
+OF_FLOW = 4
+"""Every so many of a patch's places are asked where the flow takes it."""
+
+
+class Levels(NamedTuple):
+    """A part of a picture in cells of about a pixel of a 480-line image, blurred coarsely and finely."""
+
+    coarse: Picture
+    fine: Picture
+
+    @classmethod
+    def of(cls, frame: PreparedFrame, grid: Grid, params: PatchParams) -> Levels:
+        """The picture in the cells of `grid`."""
+        colours = grid.colours_of(frame)
+        (fx, fy), (left, top) = grid.factor, grid.region.origin
+        blurred = (cv2.GaussianBlur(colours, (0, 0), sigma) for sigma in (params.coarse, params.fine))
+        return cls(*(Picture(np.asarray(each, np.uint8), fx, fy, float(left), float(top)) for each in blurred))
 
 
 @dataclass(frozen=True, eq=False)
@@ -71,9 +90,11 @@ class Patches:
         if len(cells) == 0:
             return None
         radius = params.reach * spacing
+        columns, rows = cells.astype(np.intp).T
+        cells = cells[depth[rows, columns] < params.inner * radius]  # what is deeper says nothing of the outline
         places = np.stack([_places(seen, cell, radius, params.places) for cell in cells])
-        pictures = _levels(frame, grid, params)
-        colours, slopes = zip(*(_looks(each.image, places, grid) for each in pictures), strict=True)
+        levels = Levels.of(frame, grid, params)
+        colours, slopes = zip(*(_looks(each.image, places, grid) for each in levels), strict=True)
         neighbours, nearness = _neighbours(cells, spacing, params.neighbours)
         templates = Templates(
             grid.to_image(cells),
@@ -83,7 +104,7 @@ class Patches:
             neighbours,
             nearness,
         )
-        return cls(templates, radius * scale, pictures[-1], depth, scale, params)
+        return cls(templates, radius * scale, levels.fine, depth, scale, params)
 
     @property
     def on_key(self) -> PatchMotion:
@@ -97,8 +118,8 @@ class Patches:
         affines = np.hstack([similarity.apply(transform[:2], self.templates.centres), linear])
         return PatchMotion(affines, np.full(count, likeness), np.zeros(count))
 
-    def step(self, motion: PatchMotion, frame: PreparedFrame, grid: Grid, flow: Float32) -> PatchMotion:
-        """Their motion on the next `frame`, from that on the last one.
+    def step(self, motion: PatchMotion, now: Levels, grid: Grid, flow: Float32) -> PatchMotion:
+        """Their motion on the next frame, `now`, from that on the last one.
 
         `flow (rows, columns, 2)` leads there from the last frame, in the cells of `grid`.
         """
@@ -107,45 +128,50 @@ class Patches:
             params.rounds, params.like_least, params.like_most, params.like, params.shift, params.move * scale,
             params.strain, params.independent, params.parted * scale, scale,
         )  # fmt: skip
-        coarse, fine = _levels(frame, grid, params)
         carried = self._by_flow(motion, grid, flow)
         affines, likeness, open_by = aligned(
-            self.templates, coarse, fine, carried, motion.affines, motion.likeness, how
+            self.templates, now.coarse, now.fine, carried, motion.affines, motion.likeness, how
         )
         return PatchMotion(affines, likeness, open_by / scale)
 
-    def sides(self, motion: PatchMotion, frame: PreparedFrame, grid: Grid) -> tuple[Float32, Float32]:
-        """How surely the cells of `grid` lie inside the outline, and outside, `(rows, columns)` each, in [0, 1]."""
+    def sides(self, motion: PatchMotion, now: Levels) -> tuple[Float32, Float32]:
+        """How surely the cells of a frame lie inside the outline, and outside, `(rows, columns)` each, in [0, 1]."""
+        weights = self.weights(motion)
+        said = self.params.alike, self.params.ramp
+        return sides(
+            self.templates.centres, motion.affines, weights, self.radius, self.picture, self.depth, now.fine, *said
+        )
+
+    def weights(self, motion: PatchMotion) -> Array:
+        """How far each patch is believed `(M,)`, in [0, 1]: as it matches, and as its texture tells where it lies."""
         params = self.params
         matched = np.clip((motion.likeness - params.believed) / (1.0 - params.believed), 0.0, 1.0)
-        weights = np.sqrt(matched) / (1.0 + (motion.open_by / params.open_by) ** 2)
-        now = _levels(frame, grid, params)[-1]
-        return sides(
-            self.templates.centres, motion.affines, weights, self.radius, self.picture, self.depth, now, params.alike,
-            params.ramp,
-        )  # fmt: skip
+        return np.asarray(np.sqrt(matched) / (1.0 + (motion.open_by / params.open_by) ** 2))
+
+    def carried_points(self, motion: PatchMotion, points: Array) -> tuple[Array, Array]:
+        """Where the patches about them have the `points (P, 3, 2)` of the key, and how surely `(P,)`, in [0, 1].
+
+        The handles of a point go with its anchor.
+        """
+        away = points[:, 0, None] - self.templates.centres
+        near = 1.0 - (away**2).sum(axis=-1) / self.radius**2
+        heard = self.weights(motion) * np.maximum(near, 0.0)
+        shares = heard / np.maximum(heard.sum(axis=1, keepdims=True), 1e-9)
+        linear = motion.affines[:, 2:].reshape(-1, 2, 2)
+        shift = motion.affines[:, :2] - np.einsum("mab,mb->ma", linear, self.templates.centres)
+        blended, moved = np.einsum("pm,mab->pab", shares, linear), shares @ shift
+        return np.einsum("pab,pkb->pka", blended, points) + moved[:, None], heard.max(axis=1)
 
     def _by_flow(self, motion: PatchMotion, grid: Grid, flow: Float32) -> Array:
         """`(M, 6)` the patches, moved by the median of the flow in them."""
         affines = motion.affines.copy()
         linear = affines[:, 2:].reshape(-1, 2, 2)
-        away = self.templates.places - self.templates.centres[:, None]
+        away = self.templates.places[:, ::OF_FLOW] - self.templates.centres[:, None]
         lie = affines[:, None, :2] + np.einsum("mab,mnb->mna", linear, away)
         cells = np.floor(grid.to_grid(lie)).astype(np.intp)
         columns, rows = np.clip(cells[..., 0], 0, grid.columns - 1), np.clip(cells[..., 1], 0, grid.rows - 1)
         affines[:, :2] += np.median(flow[rows, columns], axis=1) / grid.factor
         return affines
-
-
-def _levels(frame: PreparedFrame, grid: Grid, params: PatchParams) -> tuple[Picture, Picture]:
-    """The picture in the cells of `grid`, blurred coarsely and finely."""
-    colours = grid.colours_of(frame)
-    (fx, fy), (left, top) = grid.factor, grid.region.origin
-    coarse, fine = (cv2.GaussianBlur(colours, (0, 0), sigma) for sigma in (params.coarse, params.fine))
-    return (
-        Picture(np.asarray(coarse, np.uint8), float(fx), float(fy), float(left), float(top)),
-        Picture(np.asarray(fine, np.uint8), float(fx), float(fy), float(left), float(top)),
-    )
 
 
 def _centres(seen: Bools, spacing: float, least: float) -> Array:

@@ -14,6 +14,7 @@ class PatchParams:
     ----------
     spacing : between the centres of neighbouring patches; more where `most` patches would not cover the object.
     reach : radius of a patch, and how far it speaks of what lies around it, in spacings.
+    inner : how deep the centre of a patch may lie, in radii: what lies deeper says nothing of the outline.
     places : of a patch at which colours are compared. least : share of a square of one spacing that must be inside.
     rim : distance from the outline under which nothing is learned: the edge is mixed with what lies behind.
     coarse, fine : blur (sigma) of the pictures that are compared first and last.
@@ -32,9 +33,10 @@ class PatchParams:
         from which a patch is as sure of a side as it can be.
     """
 
-    spacing: float = 12.0
+    spacing: float = 14.0
     reach: float = 1.35
     most: int = 100
+    inner: float = 0.7
     places: int = 64
     least: float = 0.12
     rim: float = 1.5

@@ -20,7 +20,7 @@ from roam_core.features.grid import Grid
 from roam_core.geometry import bezier, similarity
 from roam_core.motion import pose as motion_pose
 from roam_core.motion.flow import carried_by_flow, dense_flow, flow_similarity, on_grid
-from roam_core.motion.patches import Patches, PatchMotion
+from roam_core.motion.patches import Levels, Patches, PatchMotion
 from roam_core.params import RegionParams, scale_for
 from roam_core.propagate.frame.confidence import (
     ConfidenceFeatures,
@@ -253,7 +253,7 @@ def _carried(
             return _as_posed(state, frame, observation, state.pose, parts, params)
     parts = tuple(replace(part, points=similarity.apply(observation.moved[:2], part.points)) for part in state.parts)
     shapes = zip(parts, state.drawn, state.constraints, strict=True)
-    pulled = [_pulled_to_key(*shape, observation.sources.key, params, scale) for shape in shapes]
+    pulled = [_expected_points(*shape, state, observation, params, scale) for shape in shapes]
     placed = fitted(parts, state.constraints, found, scale, params, pulled, expected.likely)
     colours = _adapted(state, observation, found, params)
     outlines = [replace(part, points=points) for part, (points, _) in zip(parts, placed, strict=True)]
@@ -274,16 +274,28 @@ def evidence(observation: Observation, params: RegionParams, covers: Sequence[Ar
     return carried_behind(gathered(observation.sources, params), covers, observation.sources.expected)
 
 
-def _pulled_to_key(
-    part: Part, drawn: Part, constraints: KeyConstraints, key: KeyMemory, params: RegionParams, scale: float
+def _expected_points(
+    part: Part,
+    drawn: Part,
+    constraints: KeyConstraints,
+    state: RegionState,
+    observation: Observation,
+    params: RegionParams,
+    scale: float,
 ) -> Array:
-    """The points `(P, 3, 2)` of a shape that was carried on from the last frame, drawn a little towards the key's.
+    """Where the points `(P, 3, 2)` of a shape that was carried on from the last frame are expected.
 
-    What points slide by from frame to frame would add up otherwise.
+    They are drawn a little towards where the key lies as a whole, for what they slide by from frame to frame would add
+    up otherwise; and to where the patches about them have them, as surely as those do.
     """
-    way = similarity.apply(key.to_now[:2], drawn.points) - part.points
+    points = part.points
+    way = similarity.apply(observation.sources.key.to_now[:2], drawn.points) - points
     length = np.hypot(*way[:, bezier.ANCHOR].T) / (params.key_pull_reach * scale)
-    return bezier.aligned(part.points + (params.key_pull / (1.0 + length**2))[:, None, None] * way, constraints.smooth)
+    points = points + (params.key_pull / (1.0 + length**2))[:, None, None] * way
+    if state.patches is not None and observation.patch_motion is not None:
+        there, sure = state.patches.carried_points(observation.patch_motion, drawn.points)
+        points = points + np.minimum(params.patches_inside * sure, 1.0)[:, None, None] * (there - points)
+    return bezier.aligned(points, constraints.smooth)
 
 
 def _as_one_piece(
@@ -399,8 +411,9 @@ def observed(
     lines = sides = None
     patch_motion = state.patch_motion
     if state.patches is not None and patch_motion is not None:
-        patch_motion = state.patches.step(patch_motion, frame, fine, flows[0])
-        sides = PatchSides.of(state.patches, patch_motion, frame, fine, grid, params.patches_inside)
+        levels = Levels.of(frame, fine, state.patches.params)
+        patch_motion = state.patches.step(patch_motion, levels, fine, flows[0])
+        sides = PatchSides.of(state.patches, patch_motion, levels, grid, params.patches_inside)
     if params.label_propagation_weight > 0:
         before = carried_by_flow(state.region.nats_on(fine), flows[1])
         flow_reliability = grid.warped(state.flow_reliability, state.region.grid.map_to_image)

@@ -8,9 +8,8 @@ import cv2
 import numpy as np
 
 from roam_core.arrays import Float32
-from roam_core.features import PreparedFrame
 from roam_core.features.grid import Grid
-from roam_core.motion.patches import Patches, PatchMotion
+from roam_core.motion.patches import Levels, Patches, PatchMotion
 
 
 @dataclass(frozen=True, eq=False)
@@ -25,16 +24,14 @@ class PatchSides:
     outside: Float32
 
     @classmethod
-    def of(
-        cls, patches: Patches, motion: PatchMotion, frame: PreparedFrame, fine: Grid, grid: Grid, surer: float
-    ) -> PatchSides:
-        """What patches say of the cells of `grid`, looked at in those of `fine`, which covers the same region.
+    def of(cls, patches: Patches, motion: PatchMotion, now: Levels, grid: Grid, surer: float) -> PatchSides:
+        """What patches say of the cells of `grid`; `now` is the picture of the same region.
 
         `surer`: factor on how sure they are of the inside (`RegionParams.patches_inside`).
         """
         inside, outside = (
             np.asarray(cv2.resize(side, (grid.columns, grid.rows), interpolation=cv2.INTER_AREA), np.float32)
-            for side in patches.sides(motion, frame, fine)
+            for side in patches.sides(motion, now)
         )
         inside = np.minimum(np.float32(surer) * inside, np.float32(1.0))
         return cls(inside, outside * (np.float32(1.0) - inside))
