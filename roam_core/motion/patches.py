@@ -82,16 +82,12 @@ class Patches:
 
         `grid` has cells of about a pixel of a 480-line image, `scale` is `params.scale_for(size)`.
         """
-        reach = params.reach * params.spacing
-        depth = signed_distance(inside, 2.0 * reach)
+        depth = signed_distance(inside, float(max(inside.shape)))
         seen = visible & (depth > params.rim)
-        spacing = max(params.spacing, float(np.sqrt(np.count_nonzero(seen) / params.most)))
-        cells = _centres(seen, spacing, params.least)
+        cells, spacing = _centres(seen, depth, params)
         if len(cells) == 0:
             return None
         radius = params.reach * spacing
-        columns, rows = cells.astype(np.intp).T
-        cells = cells[depth[rows, columns] < params.inner * radius]  # what is deeper says nothing of the outline
         places = np.stack([_places(seen, cell, radius, params.places) for cell in cells])
         levels = Levels.of(frame, grid, params)
         colours, slopes = zip(*(_looks(each.image, places, grid) for each in levels), strict=True)
@@ -174,8 +170,20 @@ class Patches:
         return affines
 
 
-def _centres(seen: Bools, spacing: float, least: float) -> Array:
-    """`(M, 2)` cells about which patches lie: the middles of what is seen in the squares of a grid, rows shifted."""
+def _centres(seen: Bools, depth: Float32, params: PatchParams) -> tuple[Array, float]:
+    """`(M, 2)` cells about which patches lie, and their spacing: the narrowest that needs no more than `most`."""
+    spacing = params.spacing
+    while True:
+        cells = _middles(seen, spacing, params.least)
+        columns, rows = cells.astype(np.intp).T
+        cells = cells[depth[rows, columns] < params.inner * params.reach * spacing]
+        if len(cells) <= params.most:
+            return cells, spacing
+        spacing *= 1.1
+
+
+def _middles(seen: Bools, spacing: float, least: float) -> Array:
+    """`(M, 2)` the middles of what is seen in the squares of a grid, every other row shifted by half of one."""
     rows, columns = np.nonzero(seen)
     if len(rows) == 0:
         return np.zeros((0, 2))

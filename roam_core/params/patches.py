@@ -12,7 +12,7 @@ class PatchParams:
 
     Attributes
     ----------
-    spacing : between the centres of neighbouring patches; more where `most` patches would not cover the object.
+    spacing : between the centres of neighbouring patches; more where there would be more than `most`.
     reach : radius of a patch, and how far it speaks of what lies around it, in spacings.
     inner : how deep the centre of a patch may lie, in radii: what lies deeper says nothing of the outline.
     places : of a patch at which colours are compared. least : share of a square of one spacing that must be inside.
