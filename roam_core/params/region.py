@@ -69,6 +69,8 @@ class RegionParams:
         the key a small one with an edge all around may be. pose_agrees : overlap with the region from
         which it is not needed. pose_unlike : how unlike the key it may be. pose_against : how much may speak
         against it at the disputed places.
+    pose_steady : difference of colour to the key that a quarter of a large shape stays under for the shape to be held
+        to its pose. pose_steady_seam : as `pose_seam`, for a large shape.
     unseen : density of a colour that the histograms never saw. trusted : steadiness below which a frame teaches them
         nothing. least_seen : share of an object that must be seen for its motion to be taken from that alone.
     whole_cells : cells, at most, after which a whole pixel begins.
@@ -125,6 +127,8 @@ class RegionParams:
     pose_agrees: float = 0.97
     pose_unlike: float = 0.6
     pose_against: float = 0.7
+    pose_steady: float = later(1.4)
+    pose_steady_seam: float = later(0.03)
     motion_agreed: float = later(2.5)
     key_sigma: float = later(1.5)
     prior_reach: float = later(20.0)
