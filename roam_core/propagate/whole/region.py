@@ -8,14 +8,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from fractions import Fraction
 
 import numpy as np
 
 from roam_core.appearance.global_model import GlobalModel
 from roam_core.arrays import Array, Float32
 from roam_core.cancel import CancelToken
-from roam_core.features import PreparedFrame, Region
+from roam_core.features import PreparedFrame
 from roam_core.features.grid import Grid
 from roam_core.geometry import bezier, similarity
 from roam_core.motion import pose as motion_pose
@@ -36,6 +35,7 @@ from roam_core.propagate.frame.nodes import smooth_points
 from roam_core.propagate.frame.redetection import AppearanceTemplate, LastSeen, area_of, as_on_key, is_better, middle_of
 from roam_core.propagate.frame.result import Part, StepResult, Termination
 from roam_core.propagate.whole import posed
+from roam_core.propagate.whole.interest import corners, grid_around
 from roam_core.propagate.whole.rigid import Pose, Rigidity
 from roam_core.proposal.cues.evidence import SURE, Expectation, Field, KeyMemory, Sources, gathered
 from roam_core.proposal.cues.label_propagation import label_propagation
@@ -55,7 +55,7 @@ class RegionState:
     (`proposal.cues.label_propagation`); `steps` counts the frames since the key; `features` tell how well the last of
     them went. `pose` is that of an object drawn as one shape; `covers` are closed polylines `(K, 2)` of what lies
     before the object; `params` those that it began with. `patches` are what was learned of small pieces of the object
-    on its key, `patch_motion` where they lie.
+    on its key, `patch_motion` where they lie; `is_steady`: a large shape looked as on its key all the time.
     """
 
     frame: PreparedFrame
@@ -76,6 +76,7 @@ class RegionState:
     covers: tuple[Array, ...] = ()
     patches: Patches | None = None
     patch_motion: PatchMotion | None = None
+    is_steady: bool = True
 
     @property
     def trust(self) -> float:
@@ -266,7 +267,9 @@ def _carried(
     parts = tuple(
         replace(part, points=points) if seen else part for part, (points, seen) in zip(parts, placed, strict=True)
     )
-    return _after(state, frame, observation, found, flow_reliability, parts, colours, features, results)
+    return _held_while_steady(
+        _after(state, frame, observation, found, flow_reliability, parts, colours, features, results), params
+    )
 
 
 def evidence(observation: Observation, params: RegionParams, covers: Sequence[Array]) -> Field:
@@ -332,12 +335,24 @@ def _as_posed(
 ) -> RegionStep:
     """The shapes as drawn on the key, under their pose."""
     found = Field.of_coverage(observation.sources.grid, enclosed(parts, observation.sources.grid))
-    features = PoseFeatures.of(pose)
-    confidence = expected_overlap(features, params=params.confidence)
-    results = tuple(posed.result(part.points, pose, confidence, params.confidence) for part in parts)
+    features, results = PoseFeatures.of(pose), posed.results(pose, parts, params.confidence)
     colours = _adapted(state, observation, found, params)
     flow_reliability = _flow_reliability(observation, found)
     return _after(state, frame, observation, found, flow_reliability, parts, colours, features, results)
+
+
+def _held_while_steady(stepped: RegionStep, params: RegionParams) -> RegionStep:
+    """A large shape lies by its pose while it has looked as on its key on all frames, its free edges at the region.
+
+    Behind that the region goes on with points of its own: once the pose no longer holds they lie as if it never had.
+    """
+    before, pose, found = stepped.begun, stepped.state.pose, stepped.state.region
+    if pose is None or not (before.is_steady and posed.is_steady(pose, params)):
+        return replace(stepped, state=replace(stepped.state, is_steady=False))
+    parts = posed.carried(pose, before.drawn)
+    parts = posed.at_the_edges(parts, found, scale_for(stepped.state.frame.size), params.figure.free_edges)
+    state = replace(stepped.state, features=PoseFeatures.of(pose))
+    return replace(stepped, state=state, results=posed.results(pose, parts, params.confidence))
 
 
 def _adapted(state: RegionState, observation: Observation, found: Field, params: RegionParams) -> GlobalModel:
@@ -392,7 +407,7 @@ def observed(
 ) -> Observation | None:
     """Where the object should be on `frame`, and what may be asked about it; None where it has left the picture."""
     scale = scale_for(frame.size)
-    spots = np.vstack([_corners(state.region), *(part.points[:, bezier.ANCHOR] for part in state.parts)])
+    spots = np.vstack([corners(state.region), *(part.points[:, bezier.ANCHOR] for part in state.parts)])
     grid = grid_around(spots, frame.size, params, scale)
     if min(grid.shape) < 4:
         return None
@@ -429,35 +444,10 @@ def observed(
     return Observation(sources, moved, agreement, rigidity, pose, patch_motion)
 
 
-def _corners(region: Field) -> Array:
-    """The first and the last cell `(2, 2)` of a region along x and y, in pixels of the image; `(0, 2)` of none."""
-    inside = region.inside
-    rows, columns = (np.flatnonzero(inside.any(axis=axis)) for axis in (1, 0))
-    if len(rows) == 0:
-        return np.zeros((0, 2))
-    return region.grid.to_image(np.array([[columns[0], rows[0]], [columns[-1], rows[-1]]]) + 0.5)
-
-
 def _flow_reliability(observation: Observation, found: Field) -> Float32:
     """How far each cell's side still is the key's word, once `found` was decided."""
     lines = observation.sources.label_propagation
     return np.ones(found.grid.shape, np.float32) if lines is None else lines.after(found.inside)
-
-
-def grid_around(positions: Array, size: tuple[int, int], params: RegionParams, scale: float) -> Grid:
-    """The region of interest, with finer cells for a small object.
-
-    Cells lie where they lay on other frames: what is carried from grid to grid is not blurred by it.
-    """
-    area = Region.around(positions, params.margin * scale, size)
-    if area.is_empty:  # wholly outside: the nearest pixel stands for a picture without the object
-        x, y = min(area.x0, size[1] - 1), min(area.y0, size[0] - 1)
-        return Grid(Region(x, y, x + 1, y + 1), 1, 1)
-    extent = np.ptp(positions, axis=0)
-    side = max(float(np.sqrt(extent[0] * extent[1])), 1.0)
-    factor = float(np.clip(params.least_cells / side, params.grid_factor / scale, 1.0 / scale))
-    cell = Fraction(1.0 / factor).limit_denominator(params.whole_cells)
-    return Grid.over(area.aligned(cell.numerator, size), float(1 / cell))
 
 
 def _result(part: Part, seen: bool, trust: float, found: Field, params: RegionParams) -> StepResult:
