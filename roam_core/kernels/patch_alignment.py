@@ -16,13 +16,6 @@ from numba import njit
 
 from roam_core.arrays import Array, Bools, Float32, Int32, UInt8
 
-MOVE = 4.0
-"""Pixels of a 480-line image by which one round moves a patch at most, and ..."""
-STRAIN = 0.25
-"""... by which it changes a number of L: from farther away the slopes tell nothing."""
-NOWHERE = 0.6
-"""What a place outside the picture costs: more than most that match, less than what speaks against a place."""
-
 
 class Templates(NamedTuple):
     """Of each of M patches: its centre `(M, 2)`, its places `(M, N, 2)`, pixels of the image, and at each, on several
@@ -54,7 +47,9 @@ class Alignment(NamedTuple):
     rounds on each level; T of the residuals: twice their median, within `like_least` and `like_most`; `like`: T of the
     cost by which places are compared and patches rated; `shift`: of brightness, at most; how far a patch may lie from
     where it is expected, `move`, and its L, `strain`; `independent`: share of the places that tell something new;
-    `parted`: distance from where a neighbour expects a patch at which it is heard half.
+    `parted`: distance from where a neighbour expects a patch at which it is heard half; `step`, `step_strain`: by which
+    one round changes a motion at most; `own`: how much a patch itself is heard beside its neighbours; `beyond`: what a
+    place outside the picture costs.
     """
 
     rounds: int
@@ -66,7 +61,10 @@ class Alignment(NamedTuple):
     strain: float
     independent: float
     parted: float
-    pixel: float
+    step: float
+    step_strain: float
+    own: float
+    beyond: float
 
 
 @njit(nogil=True, cache=True)
@@ -93,7 +91,7 @@ def aligned(
             for choice in range(3 if sweep == 0 else 2):
                 start[:] = before[k] if choice == 0 else expected if choice == 1 else last[k]
                 _compare(templates, 0, k, coarse, start, how, residuals, seen)
-                price = _price(residuals, seen, how.like)
+                price = _price(residuals, seen, how)
                 if price < least:
                     least = price
                     found[k] = start
@@ -101,16 +99,15 @@ def aligned(
                 _refine(templates, 0, k, coarse, found[k], expected, 2.0, how, residuals, seen)
             open_by[k] = _refine(templates, 1, k, fine, found[k], expected, 1.0, how, residuals, seen)
             _compare(templates, 1, k, fine, found[k], how, residuals, seen)
-            matched[k] = 1.0 - _price(residuals, seen, how.like)
+            matched[k] = 1.0 - _price(residuals, seen, how)
     return found, matched, open_by
 
 
 @njit(nogil=True, cache=True)
 def _expected(templates: Templates, found: Array, likeness: Array, k: int, how: Alignment, expected: Array) -> None:
     """Where its neighbours, each as far as it matched and agrees, and the patch itself expect it."""
-    centres, own = templates.centres, 0.3
-    total = own
-    expected[:] = own * found[k]
+    centres, total = templates.centres, how.own
+    expected[:] = how.own * found[k]
     for j, near in zip(templates.neighbours[k], templates.nearness[k]):  # noqa: B905 - numba knows no `strict`
         if j < 0:
             continue
@@ -163,15 +160,15 @@ def _compare(
 
 
 @njit(nogil=True, cache=True)
-def _price(residuals: Array, seen: Bools, like: float) -> float:
+def _price(residuals: Array, seen: Bools, how: Alignment) -> float:
     """The mean cost of the places, in [0, 1]."""
     total = 0.0
     for n in range(len(seen)):
         if seen[n]:
-            square = (residuals[n, 0] ** 2 + residuals[n, 1] ** 2 + residuals[n, 2] ** 2) / (3.0 * like * like)
+            square = (residuals[n, 0] ** 2 + residuals[n, 1] ** 2 + residuals[n, 2] ** 2) / (3.0 * how.like**2)
             total += square / (1.0 + square)
         else:
-            total += NOWHERE
+            total += how.beyond
     return total / len(seen)
 
 
@@ -249,7 +246,7 @@ def _refine(
         slope[5] -= firm_strain * (yx * expected[3] + yy * expected[5] - 1.0)
         hessian[0, 0] += firm_place
         hessian[1, 1] += firm_place
-        if _composed(motion, np.linalg.solve(hessian, slope).astype(np.float64), how.pixel):
+        if _composed(motion, np.linalg.solve(hessian, slope).astype(np.float64), how):
             break
     return open_by
 
@@ -264,13 +261,13 @@ def _open_by(hessian: Array) -> float:
 
 
 @njit(nogil=True, cache=True)
-def _composed(motion: Array, step: Array, pixel: float) -> bool:
+def _composed(motion: Array, step: Array, how: Alignment) -> bool:
     """Compose `motion (6,)` with the inverse of a step `(move x, y, columns of a strain)`; whether that is done."""
-    place, strain = max(abs(step[0]), abs(step[1])) / pixel, np.abs(step[2:]).max()
-    if place > MOVE:
-        step *= MOVE / place
-    if strain > STRAIN:
-        step *= STRAIN / strain
+    place, strain = max(abs(step[0]), abs(step[1])), np.abs(step[2:]).max()
+    if place > how.step:
+        step *= how.step / place
+    if strain > how.step_strain:
+        step *= how.step_strain / strain
     a, b, c, d = 1.0 + step[2], step[4], step[3], 1.0 + step[5]
     det = a * d - b * c
     xx, xy = (motion[2] * d - motion[3] * c) / det, (motion[3] * a - motion[2] * b) / det

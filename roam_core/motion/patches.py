@@ -21,9 +21,6 @@ from roam_core.geometry import similarity
 from roam_core.kernels.patch_alignment import Alignment, Picture, Templates, aligned, sides
 from roam_core.params.patches import PatchParams
 
-OF_FLOW = 4
-"""Every so many of a patch's places are asked where the flow takes it."""
-
 
 class Levels(NamedTuple):
     """A part of a picture in cells of about a pixel of a 480-line image, blurred coarsely and finely."""
@@ -121,9 +118,20 @@ class Patches:
         """
         params, scale = self.params, self.scale
         how = Alignment(
-            params.rounds, params.like_least, params.like_most, params.like, params.shift, params.move * scale,
-            params.strain, params.independent, params.parted * scale, scale,
-        )  # fmt: skip
+            rounds=params.rounds,
+            like_least=params.like_least,
+            like_most=params.like_most,
+            like=params.like,
+            shift=params.shift,
+            move=params.move * scale,
+            strain=params.strain,
+            independent=params.independent,
+            parted=params.parted * scale,
+            step=params.step * scale,
+            step_strain=params.step_strain,
+            own=params.own,
+            beyond=params.beyond,
+        )
         carried = self._by_flow(motion, grid, flow)
         affines, likeness, open_by = aligned(
             self.templates, now.coarse, now.fine, carried, motion.affines, motion.likeness, how
@@ -162,7 +170,7 @@ class Patches:
         """`(M, 6)` the patches, moved by the median of the flow in them."""
         affines = motion.affines.copy()
         linear = affines[:, 2:].reshape(-1, 2, 2)
-        away = self.templates.places[:, ::OF_FLOW] - self.templates.centres[:, None]
+        away = self.templates.places[:, :: self.params.of_flow] - self.templates.centres[:, None]
         lie = affines[:, None, :2] + np.einsum("mab,mnb->mna", linear, away)
         cells = np.floor(grid.to_grid(lie)).astype(np.intp)
         columns, rows = np.clip(cells[..., 0], 0, grid.columns - 1), np.clip(cells[..., 1], 0, grid.rows - 1)

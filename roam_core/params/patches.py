@@ -25,8 +25,11 @@ class PatchParams:
     shift : by which a patch may have become brighter or darker.
     move, strain : how far a patch may lie from where those around it expect it, and its linear part.
     independent : share of the places that tell something new.
+    step, step_strain : by which one round changes place and linear part at most: from farther away slopes tell nothing.
+    own : how much a patch itself is heard beside its neighbours, each at most once. beyond : what a place outside the
+        picture costs, in [0, 1].
     parted : distance from where a neighbour expects a patch at which that neighbour is heard half.
-    neighbours : that are heard.
+    of_flow : one of so many places of a patch is asked where the flow takes it. neighbours : that are heard.
     believed : how well a patch must match to say anything. open_by : what its texture may leave open of its place where
         it is believed half.
     alike : difference of colour at which a cell is half taken for the one of the key. ramp : distance from the outline
@@ -51,6 +54,11 @@ class PatchParams:
     strain: float = 0.15
     independent: float = 0.22
     parted: float = 4.0
+    step: float = 4.0
+    step_strain: float = 0.25
+    own: float = 0.3
+    beyond: float = 0.6
+    of_flow: int = 4
     neighbours: int = 8
     believed: float = 0.5
     open_by: float = 0.7

@@ -19,7 +19,7 @@ from roam_core.features.grid import Grid
 from roam_core.geometry import bezier, similarity
 from roam_core.motion import pose as motion_pose
 from roam_core.motion.flow import carried_by_flow, dense_flow, flow_similarity, on_grid
-from roam_core.motion.patches import Levels, Patches, PatchMotion
+from roam_core.motion.patches import Patches, PatchMotion
 from roam_core.params import RegionParams, scale_for
 from roam_core.propagate.frame.confidence import (
     ConfidenceFeatures,
@@ -34,13 +34,12 @@ from roam_core.propagate.frame.covering import carried_behind, learned_colours, 
 from roam_core.propagate.frame.nodes import smooth_points
 from roam_core.propagate.frame.redetection import AppearanceTemplate, LastSeen, area_of, as_on_key, is_better, middle_of
 from roam_core.propagate.frame.result import Part, StepResult, Termination
-from roam_core.propagate.whole import posed
+from roam_core.propagate.whole import pieces, posed
 from roam_core.propagate.whole.interest import corners, grid_around
 from roam_core.propagate.whole.rigid import Pose, Rigidity
 from roam_core.proposal.cues.evidence import SURE, Expectation, Field, KeyMemory, Sources, gathered
 from roam_core.proposal.cues.label_propagation import label_propagation
 from roam_core.proposal.cues.motion_cue import motion_on
-from roam_core.proposal.cues.patch_sides import PatchSides
 from roam_core.proposal.outline.contour import KeyConstraints
 from roam_core.proposal.segment import region as proposed
 
@@ -120,23 +119,12 @@ def begin(
         AppearanceTemplate(frame, region, params.redetection, params.unseen),
         np.ones(grid.shape, np.float32),
     )
-    patches = _patches(frame, region, covers, params)
+    patches = pieces.learned(frame, region, covers, params)
     return RegionState(
         frame, region, parts, constraints, key, colours, parts, appearance, seen, rigidity, flow_reliability, params,
         pose=posed.on_key(frame, parts, params, covers), covers=tuple(covers), patches=patches,
         patch_motion=None if patches is None else patches.on_key,
     )  # fmt: skip
-
-
-def _patches(frame: PreparedFrame, region: Field, covers: Sequence[Array], params: RegionParams) -> Patches | None:
-    """What is learned of small pieces of the object on its key, where nothing `covers` it."""
-    if params.patches is None:
-        return None
-    scale = scale_for(frame.size)
-    fine = Grid.over(region.grid.region, 1.0 / scale)
-    inside = region.on(fine) > 0.5
-    seen = visible(inside, covers, fine, params.least_seen)
-    return Patches.learned(frame, inside, seen, fine, scale, params.patches)
 
 
 @dataclass(frozen=True, eq=False)
@@ -254,8 +242,9 @@ def _carried(
             return _as_posed(state, frame, observation, state.pose, parts, params)
     parts = tuple(replace(part, points=similarity.apply(observation.moved[:2], part.points)) for part in state.parts)
     shapes = zip(parts, state.drawn, state.constraints, strict=True)
-    pulled = [_expected_points(*shape, state, observation, params, scale) for shape in shapes]
-    placed = fitted(parts, state.constraints, found, scale, params, pulled, expected.likely)
+    to_now, patches = observation.sources.key.to_now, (state.patches, observation.patch_motion)
+    expected_points = [pieces.expected_points(*shape, to_now, *patches, params, scale) for shape in shapes]
+    placed = fitted(parts, state.constraints, found, scale, params, expected_points, expected.likely)
     colours = _adapted(state, observation, found, params)
     outlines = [replace(part, points=points) for part, (points, _) in zip(parts, placed, strict=True)]
     flow_reliability = _flow_reliability(observation, found)
@@ -275,30 +264,6 @@ def _carried(
 def evidence(observation: Observation, params: RegionParams, covers: Sequence[Array]) -> Field:
     """What all cues say together, behind what covers the object that it stays as it is."""
     return carried_behind(gathered(observation.sources, params), covers, observation.sources.expected)
-
-
-def _expected_points(
-    part: Part,
-    drawn: Part,
-    constraints: KeyConstraints,
-    state: RegionState,
-    observation: Observation,
-    params: RegionParams,
-    scale: float,
-) -> Array:
-    """Where the points `(P, 3, 2)` of a shape that was carried on from the last frame are expected.
-
-    They are drawn a little towards where the key lies as a whole, for what they slide by from frame to frame would add
-    up otherwise; and to where the patches about them have them, as surely as those do.
-    """
-    points = part.points
-    way = similarity.apply(observation.sources.key.to_now[:2], drawn.points) - points
-    length = np.hypot(*way[:, bezier.ANCHOR].T) / (params.key_pull_reach * scale)
-    points = points + (params.key_pull / (1.0 + length**2))[:, None, None] * way
-    if state.patches is not None and observation.patch_motion is not None:
-        there, sure = state.patches.carried_points(observation.patch_motion, drawn.points)
-        points = points + np.minimum(params.patches_inside * sure, 1.0)[:, None, None] * (there - points)
-    return bezier.aligned(points, constraints.smooth)
 
 
 def _as_one_piece(
@@ -426,9 +391,7 @@ def observed(
     lines = sides = None
     patch_motion = state.patch_motion
     if state.patches is not None and patch_motion is not None:
-        levels = Levels.of(frame, fine, state.patches.params)
-        patch_motion = state.patches.step(patch_motion, levels, fine, flows[0])
-        sides = PatchSides.of(state.patches, patch_motion, levels, grid, params.patches_inside)
+        patch_motion, sides = pieces.step(state.patches, patch_motion, frame, (fine, flows[0]), grid, params)
     if params.label_propagation_weight > 0:
         before = carried_by_flow(state.region.nats_on(fine), flows[1])
         flow_reliability = grid.warped(state.flow_reliability, state.region.grid.map_to_image)

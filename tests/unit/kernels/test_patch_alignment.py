@@ -11,7 +11,7 @@ from roam_core.kernels.patch_alignment import Alignment, Picture, Templates, ali
 
 HOW = Alignment(
     rounds=8, like_least=5.0, like_most=15.0, like=14.0, shift=15.0, move=4.0, strain=0.15, independent=0.22,
-    parted=4.0, pixel=1.0,
+    parted=4.0, step=4.0, step_strain=0.25, own=0.3, beyond=0.6,
 )  # fmt: skip
 SIZE = 56, 64
 STILL = np.array([1.0, 0.0, 0.0, 1.0])
