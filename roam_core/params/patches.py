@@ -36,7 +36,7 @@ class PatchParams:
         from which a patch is as sure of a side as it can be.
     """
 
-    spacing: float = 14.0
+    spacing: float = 16.0
     reach: float = 1.35
     most: int = 100
     inner: float = 0.7

@@ -74,7 +74,9 @@ class RegionParams:
     patches_inside : by how much what they say of a cell inside is taken to be surer; in full, it counts as the key's
         word. patches_outside : nats of what they say of one outside.
     pose_steady : difference of colour to the key that a quarter of a large shape stays under for the shape to be held
-        to its pose. pose_steady_seam : as `pose_seam`, for a large shape.
+        to its pose. pose_steady_seam : as `pose_seam`, for a large shape. pose_near,
+        pose_agreed : pixels of a 480-line image within which its patches must lie of where the pose has them, and the
+        share of them that must.
     unseen : density of a colour that the histograms never saw. trusted : steadiness below which a frame teaches them
         nothing. least_seen : share of an object that must be seen for its motion to be taken from that alone.
     whole_cells : cells, at most, after which a whole pixel begins.
@@ -136,6 +138,8 @@ class RegionParams:
     patches_outside: float = 8.0
     pose_steady: float = later(1.4)
     pose_steady_seam: float = later(0.03)
+    pose_near: float = later(2.0)
+    pose_agreed: float = later(0.75)
     motion_agreed: float = later(2.5)
     key_sigma: float = later(1.5)
     prior_reach: float = later(20.0)

@@ -11,6 +11,7 @@ from roam_core.features import PreparedFrame
 from roam_core.features.grid import Grid
 from roam_core.geometry import bezier, similarity
 from roam_core.motion.patches import Levels, Patches, PatchMotion
+from roam_core.motion.pose import Pose
 from roam_core.params import RegionParams, scale_for
 from roam_core.propagate.frame.covering import visible
 from roam_core.propagate.frame.result import Part
@@ -72,3 +73,15 @@ def expected_points(
         there, sure = patches.carried_points(motion, drawn.points)
         points = points + np.minimum(params.patches_inside * sure, 1.0)[:, None, None] * (there - points)
     return bezier.aligned(points, constraints.smooth)
+
+
+def go_with(pose: Pose, patches: Patches | None, motion: PatchMotion | None, params: RegionParams) -> bool:
+    """Whether most of an object's patches, each as far as it is believed, lie where its one `pose` has them.
+
+    Those of a figure with limbs do not, though its torso still looks as on the key.
+    """
+    if patches is None or motion is None:
+        return True
+    away = np.hypot(*(pose.carried(patches.templates.centres) - motion.affines[:, :2]).T)
+    believed = patches.weights(motion)
+    return bool(believed[away < params.pose_near * patches.scale].sum() >= params.pose_agreed * believed.sum())

@@ -311,8 +311,12 @@ def _held_while_steady(stepped: RegionStep, params: RegionParams) -> RegionStep:
 
     Behind that the region goes on with points of its own: once the pose no longer holds they lie as if it never had.
     """
-    before, pose, found = stepped.begun, stepped.state.pose, stepped.state.region
-    if pose is None or not (before.is_steady and posed.is_steady(pose, params)):
+    before, state, pose, found = stepped.begun, stepped.state, stepped.state.pose, stepped.state.region
+    if (
+        pose is None
+        or not (before.is_steady and posed.is_steady(pose, params))
+        or not pieces.go_with(pose, state.patches, state.patch_motion, params)
+    ):
         return replace(stepped, state=replace(stepped.state, is_steady=False))
     parts = posed.carried(pose, before.drawn)
     parts = posed.at_the_edges(parts, found, scale_for(stepped.state.frame.size), params.figure.free_edges)
