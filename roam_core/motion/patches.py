@@ -8,11 +8,12 @@ colour where the outline runs beside it, also where that has no edge in the pict
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 import cv2
 import numpy as np
+from numpy.typing import NDArray
 
 from roam_core.arrays import Array, Bools, Float32, Int32, UInt8
 from roam_core.features import PreparedFrame
@@ -46,11 +47,13 @@ class PatchMotion:
     affines : (M, 6) `(q_x, q_y, L_xx, L_xy, L_yx, L_yy)`: the place k of the key lies at q + L (k - centre), pixels.
     likeness : (M,) how much each looks there as on the key, in [0, 1].
     open_by : (M,) what its own texture leaves open of its place, pixels of a 480-line image.
+    agreed : (M,) how far each lay on the object, as that was found on the last frames, in [0, 1].
     """
 
     affines: Array
     likeness: Array
     open_by: Array
+    agreed: Array
 
 
 @dataclass(frozen=True, eq=False)
@@ -109,7 +112,7 @@ class Patches:
         count = len(self.templates.centres)
         linear = np.tile(transform[:2, :2].reshape(1, 4), (count, 1))
         affines = np.hstack([similarity.apply(transform[:2], self.templates.centres), linear])
-        return PatchMotion(affines, np.full(count, likeness), np.zeros(count))
+        return PatchMotion(affines, np.full(count, likeness), np.zeros(count), np.ones(count))
 
     def step(self, motion: PatchMotion, now: Levels, grid: Grid, flow: Float32) -> PatchMotion:
         """Their motion on the next frame, `now`, from that on the last one.
@@ -136,7 +139,7 @@ class Patches:
         affines, likeness, open_by = aligned(
             self.templates, now.coarse, now.fine, carried, motion.affines, motion.likeness, how
         )
-        return PatchMotion(affines, likeness, open_by / scale)
+        return PatchMotion(affines, likeness, open_by / scale, motion.agreed)
 
     def sides(self, motion: PatchMotion, now: Levels) -> tuple[Float32, Float32]:
         """How surely the cells of a frame lie inside the outline, and outside, `(rows, columns)` each, in [0, 1]."""
@@ -147,10 +150,12 @@ class Patches:
         )
 
     def weights(self, motion: PatchMotion) -> Array:
-        """How far each patch is believed `(M,)`, in [0, 1]: as it matches, and as its texture tells where it lies."""
+        """How far each patch is believed `(M,)`, in [0, 1]: as it matches, as its texture tells where it lies, and as
+        it lay on the object before.
+        """
         params = self.params
         matched = np.clip((motion.likeness - params.believed) / (1.0 - params.believed), 0.0, 1.0)
-        return np.asarray(np.sqrt(matched) / (1.0 + (motion.open_by / params.open_by) ** 2))
+        return np.asarray(motion.agreed * np.sqrt(matched) / (1.0 + (motion.open_by / params.open_by) ** 2))
 
     def carried_points(self, motion: PatchMotion, points: Array) -> tuple[Array, Array]:
         """Where the patches about them have the `points (P, 3, 2)` of the key, and how surely `(P,)`, in [0, 1].
@@ -166,16 +171,31 @@ class Patches:
         blended, moved = np.einsum("pm,mab->pab", shares, linear), shares @ shift
         return np.einsum("pab,pkb->pka", blended, points) + moved[:, None], heard.max(axis=1)
 
+    def judged(self, motion: PatchMotion, inside: Bools, grid: Grid) -> PatchMotion:
+        """The same motion once it was decided which cells of a grid are `inside (rows, columns)` the object.
+
+        What lies beside the object has found its like there, and is believed the less.
+        """
+        rows, columns = self._cells(motion, grid)
+        in_sight = (rows >= 0) & (rows < grid.rows) & (columns >= 0) & (columns < grid.columns)
+        share = (in_sight & inside[rows.clip(0, grid.rows - 1), columns.clip(0, grid.columns - 1)]).mean(axis=1)
+        return replace(motion, agreed=0.5 * (motion.agreed + share))
+
     def _by_flow(self, motion: PatchMotion, grid: Grid, flow: Float32) -> Array:
         """`(M, 6)` the patches, moved by the median of the flow in them."""
+        rows, columns = self._cells(motion, grid)
+        there = flow[rows.clip(0, grid.rows - 1), columns.clip(0, grid.columns - 1)]
         affines = motion.affines.copy()
-        linear = affines[:, 2:].reshape(-1, 2, 2)
-        away = self.templates.places[:, :: self.params.of_flow] - self.templates.centres[:, None]
-        lie = affines[:, None, :2] + np.einsum("mab,mnb->mna", linear, away)
-        cells = np.floor(grid.to_grid(lie)).astype(np.intp)
-        columns, rows = np.clip(cells[..., 0], 0, grid.columns - 1), np.clip(cells[..., 1], 0, grid.rows - 1)
-        affines[:, :2] += np.median(flow[rows, columns], axis=1) / grid.factor
+        affines[:, :2] += np.median(there, axis=1) / grid.factor
         return affines
+
+    def _cells(self, motion: PatchMotion, grid: Grid) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
+        """Rows and columns of the cells where some places of each patch lie, `(M, K)` each; maybe beyond the grid."""
+        linear = motion.affines[:, 2:].reshape(-1, 2, 2)
+        away = self.templates.places[:, :: self.params.asked] - self.templates.centres[:, None]
+        lie = motion.affines[:, None, :2] + np.einsum("mab,mnb->mna", linear, away)
+        cells = np.floor(grid.to_grid(lie)).astype(np.intp)
+        return cells[..., 1], cells[..., 0]
 
 
 def _centres(seen: Bools, depth: Float32, params: PatchParams) -> tuple[Array, float]:

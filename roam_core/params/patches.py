@@ -29,7 +29,8 @@ class PatchParams:
     own : how much a patch itself is heard beside its neighbours, each at most once. beyond : what a place outside the
         picture costs, in [0, 1].
     parted : distance from where a neighbour expects a patch at which that neighbour is heard half.
-    of_flow : one of so many places of a patch is asked where the flow takes it. neighbours : that are heard.
+    asked : one of so many places of a patch is asked where the flow takes it, and whether it lies on the object.
+    neighbours : that are heard.
     believed : how well a patch must match to say anything. open_by : what its texture may leave open of its place where
         it is believed half.
     alike : difference of colour at which a cell is half taken for the one of the key. ramp : distance from the outline
@@ -58,7 +59,7 @@ class PatchParams:
     step_strain: float = 0.25
     own: float = 0.3
     beyond: float = 0.6
-    of_flow: int = 4
+    asked: int = 4
     neighbours: int = 8
     believed: float = 0.5
     open_by: float = 0.7

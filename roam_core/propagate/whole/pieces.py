@@ -51,6 +51,11 @@ def step(
     return moved, PatchSides.of(patches, moved, now, grid, params.patches_inside)
 
 
+def judged(patches: Patches | None, motion: PatchMotion | None, found: Field) -> PatchMotion | None:
+    """Their motion once the object's region was `found`."""
+    return motion if patches is None or motion is None else patches.judged(motion, found.inside, found.grid)
+
+
 def expected_points(
     part: Part,
     drawn: Part,

@@ -360,7 +360,7 @@ def _after(
         flow_reliability=flow_reliability,
         steps=state.steps + 1,
         features=features,
-        patch_motion=observation.patch_motion,
+        patch_motion=pieces.judged(state.patches, observation.patch_motion, found),
     )
     return RegionStep(state, after, results, observation)
 

@@ -132,3 +132,26 @@ def test_where_no_patch_is_near_nothing_is_expected() -> None:
     there, sure = learned().carried_points(learned().on_key, far)
     assert sure == 0.0
     assert np.isfinite(there).all()
+
+
+def test_what_lies_beside_the_object_is_believed_less_from_frame_to_frame() -> None:
+    patches = learned()
+    left = card()
+    left[:, 80:] = False
+    first = patches.judged(patches.on_key, left, GRID)
+    second = patches.judged(first, left, GRID)
+    right = patches.templates.centres[:, 0] > 105.0
+    npt.assert_allclose(first.agreed[right], 0.5)
+    npt.assert_allclose(second.agreed[right], 0.25)
+    npt.assert_allclose(second.agreed[patches.templates.centres[:, 0] < 55.0], 1.0)
+    assert patches.weights(second)[right].max() < 0.3
+    there, _ = patches.carried_points(second, np.full((1, 3, 2), 60.0))
+    npt.assert_allclose(there, 60.0)
+
+
+def test_a_patch_beyond_the_grid_is_on_no_object() -> None:
+    patches = learned()
+    away = np.eye(3)
+    away[0, 2] = 1000.0
+    gone = patches.judged(patches.carried(away, 1.0), np.ones(SIZE, np.bool_), GRID)
+    npt.assert_allclose(gone.agreed, 0.5)
