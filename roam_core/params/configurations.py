@@ -9,6 +9,7 @@ from roam_core.dials import DIALS, turn
 from roam_core.errors import RoamError
 from roam_core.params.appearance import AppearanceParams
 from roam_core.params.landmarks import LandmarkParams
+from roam_core.params.patches import PatchParams
 from roam_core.params.paths import changed, no_such
 from roam_core.params.pose import PoseParams
 from roam_core.params.proposals import ProposalParams
@@ -48,7 +49,9 @@ CONFIGS: dict[str, RoamParams] = {
         landmarks=LandmarkParams(),
         proposals=ProposalParams(least_share=0.7),
     ),
-    "best": RoamParams(config="best", region=RegionParams(pose=PoseParams(like=(5.0, 12.0)), part=PoseParams())),
+    "best": RoamParams(
+        config="best", region=RegionParams(pose=PoseParams(like=(5.0, 12.0)), part=PoseParams(), patches=PatchParams())
+    ),
 }
 """Configurations by name. `baseline`: gradient and l2 regulariser (the paper's Baseline); `lean`: local colour models
 of the edges beside them (the paper's Lean, as region competition); `medium`: landmarks as well, in the pre-warp and

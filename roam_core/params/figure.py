@@ -10,7 +10,7 @@ from roam_core.params.stamped import later
 
 @dataclass(frozen=True)
 class FreeEdgesParams:
-    """Parameters of free edges that go to the border of the union (`propagate.parts.free_edges`).
+    """Parameters of free edges that go to the border of the union (`propagate.frame.free_edges`).
 
     Attributes
     ----------

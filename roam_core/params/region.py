@@ -9,6 +9,7 @@ from roam_core.params.confidence import ConfidenceParams
 from roam_core.params.contour import ContourFitParams
 from roam_core.params.evidence import ComponentsParams, LabelPropagationParams
 from roam_core.params.figure import FigureParams
+from roam_core.params.patches import PatchParams
 from roam_core.params.pose import PoseParams
 from roam_core.params.redetection import RedetectionParams
 from roam_core.params.rigid import RigidityParams
@@ -69,6 +70,13 @@ class RegionParams:
         the key a small one with an edge all around may be. pose_agrees : overlap with the region from
         which it is not needed. pose_unlike : how unlike the key it may be. pose_against : how much may speak
         against it at the disputed places.
+    patches : of the key's patches that are followed one by one (`motion.patches`); None: they are not asked.
+    patches_inside : by how much what they say of a cell inside is taken to be surer; in full, it counts as the key's
+        word. patches_outside : nats of what they say of one outside.
+    pose_steady : difference of colour to the key that a quarter of a large shape stays under for the shape to be held
+        to its pose. pose_steady_seam : as `pose_seam`, for a large shape. pose_near,
+        pose_agreed : pixels of a 480-line image within which its patches must lie of where the pose has them, and the
+        share of them that must.
     unseen : density of a colour that the histograms never saw. trusted : steadiness below which a frame teaches them
         nothing. least_seen : share of an object that must be seen for its motion to be taken from that alone.
     whole_cells : cells, at most, after which a whole pixel begins.
@@ -125,6 +133,13 @@ class RegionParams:
     pose_agrees: float = 0.97
     pose_unlike: float = 0.6
     pose_against: float = 0.7
+    patches: PatchParams | None = None
+    patches_inside: float = 2.0
+    patches_outside: float = 8.0
+    pose_steady: float = later(1.4)
+    pose_steady_seam: float = later(0.03)
+    pose_near: float = later(2.0)
+    pose_agreed: float = later(0.75)
     motion_agreed: float = later(2.5)
     key_sigma: float = later(1.5)
     prior_reach: float = later(20.0)

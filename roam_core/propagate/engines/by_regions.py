@@ -66,7 +66,8 @@ class RegionEngine:
         if pose is None:
             return None
         points = tuple(part.points for part in posed.carried(pose, self.state.drawn))
-        return ByPose(points, pose.cost, pose.is_gone, posed.is_believable(pose, params))
+        is_part = posed.is_believable(pose, params) or posed.is_steady(pose, params)
+        return ByPose(points, pose.cost, pose.is_gone, is_part)
 
     def step(self, picture: PreparedFrame, order: Sequence[int], token: CancelToken | None = None) -> WholeStep:
         return WholeStep(region.step(self.state, picture, region_params(self.params), token), self.params)

@@ -1,6 +1,6 @@
 """Kinds of edge: where the outline of a shape is free, where it is a seam of its object, and where it is hidden.
 
-A free edge is drawn to the picture, a seam goes with the shape's own motion (`propagate.parts.free_edges`), of what a
+A free edge is drawn to the picture, a seam goes with the shape's own motion (`propagate.frame.free_edges`), of what a
 nearer shape hides the picture says nothing. Here this is measured on a picture with the outlines as they are: nothing
 is solved. It agrees with where the engine draws to the border of the object's region as far as that is right.
 """

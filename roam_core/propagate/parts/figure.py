@@ -27,10 +27,9 @@ from roam_core.kernels.posing import Ties
 from roam_core.matte.vectorise import shapes_from_mask
 from roam_core.motion.pose import Pose, Surroundings
 from roam_core.params import PoseParams, RegionParams, scale_for
-from roam_core.propagate.frame.confidence import PoseFeatures, expected_overlap
 from roam_core.propagate.frame.contour_fit import enclosed
+from roam_core.propagate.frame.free_edges import Border, drawn_to
 from roam_core.propagate.frame.result import Part, StepResult, Termination
-from roam_core.propagate.parts.free_edges import Border, drawn_to
 from roam_core.propagate.shapes.objects import Role, Unit
 from roam_core.propagate.whole import posed, region
 from roam_core.propagate.whole.region import RegionState, RegionStep
@@ -328,9 +327,7 @@ class _Solving:
         parts = posed.carried(pose, limb.drawn)
         if self._has_left(parts):
             return self._out_of_sight(replace(limb, parts=parts), pose)
-        trust = self.region_params.confidence
-        confidence = expected_overlap(PoseFeatures.of(pose), params=trust)
-        results = tuple(posed.result(part.points, pose, confidence, trust) for part in parts)
+        results = posed.results(pose, parts, self.region_params.confidence)
         return replace(limb, parts=parts, pose=pose, results=results)
 
     def _has_left(self, parts: Sequence[Part]) -> bool:

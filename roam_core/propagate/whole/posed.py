@@ -7,6 +7,7 @@ runs where nothing changes, is so held together by its pose; an object that chan
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -18,9 +19,10 @@ from roam_core.geometry import bezier
 from roam_core.motion.flow import dense_flow
 from roam_core.motion.pose import Pose, Surroundings
 from roam_core.motion.template import Template
-from roam_core.params import ConfidenceParams, PoseParams, RegionParams, scale_for
-from roam_core.propagate.frame.confidence import overlap, vertex_confidence
+from roam_core.params import ConfidenceParams, FreeEdgesParams, PoseParams, RegionParams, scale_for
+from roam_core.propagate.frame.confidence import PoseFeatures, expected_overlap, overlap, vertex_confidence
 from roam_core.propagate.frame.contour_fit import enclosed
+from roam_core.propagate.frame.free_edges import Border, drawn_to
 from roam_core.propagate.frame.result import Part, StepResult, Termination
 from roam_core.proposal.cues.evidence import Field
 
@@ -109,6 +111,19 @@ def may_be_limb(pose: Pose, params: RegionParams) -> bool:
     return pose.template.seam >= params.pose_seam and _is_small(pose, params)
 
 
+def is_steady(pose: Pose, params: RegionParams) -> bool:
+    """Whether a large shape, part of its outline without an edge, still looks as on its key.
+
+    What a limb before it covers may be unlike the key: a quarter of it that is seen tells.
+    """
+    return (
+        pose.look is not None
+        and not _is_small(pose, params)
+        and pose.template.seam >= params.pose_steady_seam
+        and pose.look.closest < params.pose_steady
+    )
+
+
 def _is_small(pose: Pose, params: RegionParams) -> bool:
     return pose.template.area <= params.pose_area * pose.template.scale**2
 
@@ -135,12 +150,22 @@ def is_believed(pose: Pose, parts: Sequence[Part], found: Field, params: RegionP
     return pose.look.against(inside) < params.pose_against
 
 
-def result(points: Array, pose: Pose, confidence: float, params: ConfidenceParams) -> StepResult:
-    """What a pose gives for one outline, trusted as far as `confidence`."""
-    return StepResult(
-        points=points,
-        confidence=confidence,
-        vertex_confidence=vertex_confidence(pose.support(points[:, bezier.ANCHOR]), confidence, params),
-        energies={"pose": pose.cost, "total": pose.cost},
-        termination=Termination.of(confidence),
+def results(pose: Pose, parts: Sequence[Part], params: ConfidenceParams) -> tuple[StepResult, ...]:
+    """What a pose that puts the outlines at `parts` gives for each of them, trusted as far as its looks allow."""
+    confidence = expected_overlap(PoseFeatures.of(pose), params=params)
+    return tuple(
+        StepResult(
+            points=part.points,
+            confidence=confidence,
+            vertex_confidence=vertex_confidence(pose.support(part.points[:, bezier.ANCHOR]), confidence, params),
+            energies={"pose": pose.cost, "total": pose.cost},
+            termination=Termination.of(confidence),
+        )
+        for part in parts
     )
+
+
+def at_the_edges(parts: Sequence[Part], found: Field, scale: float, params: FreeEdgesParams) -> tuple[Part, ...]:
+    """The parts of an object of one shape with their free edges where the region that was `found` ends."""
+    border, nothing = Border(found, found.grid, scale, params), np.zeros(found.grid.shape, np.uint8)
+    return tuple(replace(part, points=drawn_to(border, part.points, nothing)) for part in parts)

@@ -8,18 +8,18 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from fractions import Fraction
 
 import numpy as np
 
 from roam_core.appearance.global_model import GlobalModel
 from roam_core.arrays import Array, Float32
 from roam_core.cancel import CancelToken
-from roam_core.features import PreparedFrame, Region
+from roam_core.features import PreparedFrame
 from roam_core.features.grid import Grid
 from roam_core.geometry import bezier, similarity
 from roam_core.motion import pose as motion_pose
 from roam_core.motion.flow import carried_by_flow, dense_flow, flow_similarity, on_grid
+from roam_core.motion.patches import Patches, PatchMotion
 from roam_core.params import RegionParams, scale_for
 from roam_core.propagate.frame.confidence import (
     ConfidenceFeatures,
@@ -34,7 +34,8 @@ from roam_core.propagate.frame.covering import carried_behind, learned_colours, 
 from roam_core.propagate.frame.nodes import smooth_points
 from roam_core.propagate.frame.redetection import AppearanceTemplate, LastSeen, area_of, as_on_key, is_better, middle_of
 from roam_core.propagate.frame.result import Part, StepResult, Termination
-from roam_core.propagate.whole import posed
+from roam_core.propagate.whole import pieces, posed
+from roam_core.propagate.whole.interest import corners, grid_around
 from roam_core.propagate.whole.rigid import Pose, Rigidity
 from roam_core.proposal.cues.evidence import SURE, Expectation, Field, KeyMemory, Sources, gathered
 from roam_core.proposal.cues.label_propagation import label_propagation
@@ -52,7 +53,8 @@ class RegionState:
     `flow_reliability`, on the region's grid, how far each cell's side still is the key's word
     (`proposal.cues.label_propagation`); `steps` counts the frames since the key; `features` tell how well the last of
     them went. `pose` is that of an object drawn as one shape; `covers` are closed polylines `(K, 2)` of what lies
-    before the object; `params` those that it began with.
+    before the object; `params` those that it began with. `patches` are what was learned of small pieces of the object
+    on its key, `patch_motion` where they lie; `is_steady`: a large shape looked as on its key all the time.
     """
 
     frame: PreparedFrame
@@ -71,6 +73,9 @@ class RegionState:
     features: ConfidenceFeatures | PoseFeatures | None = None
     pose: motion_pose.Pose | None = None
     covers: tuple[Array, ...] = ()
+    patches: Patches | None = None
+    patch_motion: PatchMotion | None = None
+    is_steady: bool = True
 
     @property
     def trust(self) -> float:
@@ -114,9 +119,11 @@ def begin(
         AppearanceTemplate(frame, region, params.redetection, params.unseen),
         np.ones(grid.shape, np.float32),
     )
+    patches = pieces.learned(frame, region, covers, params)
     return RegionState(
         frame, region, parts, constraints, key, colours, parts, appearance, seen, rigidity, flow_reliability, params,
-        pose=posed.on_key(frame, parts, params, covers), covers=tuple(covers),
+        pose=posed.on_key(frame, parts, params, covers), covers=tuple(covers), patches=patches,
+        patch_motion=None if patches is None else patches.on_key,
     )  # fmt: skip
 
 
@@ -129,6 +136,7 @@ class Observation:
     sources : what the cues are drawn from; they know the key, carried on to the frame.
     moved : (3, 3) similarity by which the object went as a whole. agreement : how much of it did, in [0, 1].
     rigidity : whether it may still move as one piece. pose : where it lies as one piece, if that is to be seen.
+    patch_motion : where its patches lie.
     """
 
     sources: Sources
@@ -136,6 +144,7 @@ class Observation:
     agreement: float
     rigidity: Rigidity
     pose: Pose | None
+    patch_motion: PatchMotion | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -202,6 +211,7 @@ def _as_last_seen(
         colours=key.colours,
         rigidity=rigidity,
         flow_reliability=np.zeros(grid.shape, np.float32),  # it lies there roughly
+        patch_motion=None if state.patches is None else state.patches.carried(to_now, params.believed),
     )
 
 
@@ -232,8 +242,9 @@ def _carried(
             return _as_posed(state, frame, observation, state.pose, parts, params)
     parts = tuple(replace(part, points=similarity.apply(observation.moved[:2], part.points)) for part in state.parts)
     shapes = zip(parts, state.drawn, state.constraints, strict=True)
-    pulled = [_pulled_to_key(*shape, observation.sources.key, params, scale) for shape in shapes]
-    placed = fitted(parts, state.constraints, found, scale, params, pulled, expected.likely)
+    to_now, patches = observation.sources.key.to_now, (state.patches, observation.patch_motion)
+    expected_points = [pieces.expected_points(*shape, to_now, *patches, params, scale) for shape in shapes]
+    placed = fitted(parts, state.constraints, found, scale, params, expected_points, expected.likely)
     colours = _adapted(state, observation, found, params)
     outlines = [replace(part, points=points) for part, (points, _) in zip(parts, placed, strict=True)]
     flow_reliability = _flow_reliability(observation, found)
@@ -245,24 +256,14 @@ def _carried(
     parts = tuple(
         replace(part, points=points) if seen else part for part, (points, seen) in zip(parts, placed, strict=True)
     )
-    return _after(state, frame, observation, found, flow_reliability, parts, colours, features, results)
+    return _held_while_steady(
+        _after(state, frame, observation, found, flow_reliability, parts, colours, features, results), params
+    )
 
 
 def evidence(observation: Observation, params: RegionParams, covers: Sequence[Array]) -> Field:
     """What all cues say together, behind what covers the object that it stays as it is."""
     return carried_behind(gathered(observation.sources, params), covers, observation.sources.expected)
-
-
-def _pulled_to_key(
-    part: Part, drawn: Part, constraints: KeyConstraints, key: KeyMemory, params: RegionParams, scale: float
-) -> Array:
-    """The points `(P, 3, 2)` of a shape that was carried on from the last frame, drawn a little towards the key's.
-
-    What points slide by from frame to frame would add up otherwise.
-    """
-    way = similarity.apply(key.to_now[:2], drawn.points) - part.points
-    length = np.hypot(*way[:, bezier.ANCHOR].T) / (params.key_pull_reach * scale)
-    return bezier.aligned(part.points + (params.key_pull / (1.0 + length**2))[:, None, None] * way, constraints.smooth)
 
 
 def _as_one_piece(
@@ -299,12 +300,28 @@ def _as_posed(
 ) -> RegionStep:
     """The shapes as drawn on the key, under their pose."""
     found = Field.of_coverage(observation.sources.grid, enclosed(parts, observation.sources.grid))
-    features = PoseFeatures.of(pose)
-    confidence = expected_overlap(features, params=params.confidence)
-    results = tuple(posed.result(part.points, pose, confidence, params.confidence) for part in parts)
+    features, results = PoseFeatures.of(pose), posed.results(pose, parts, params.confidence)
     colours = _adapted(state, observation, found, params)
     flow_reliability = _flow_reliability(observation, found)
     return _after(state, frame, observation, found, flow_reliability, parts, colours, features, results)
+
+
+def _held_while_steady(stepped: RegionStep, params: RegionParams) -> RegionStep:
+    """A large shape lies by its pose while it has looked as on its key on all frames, its free edges at the region.
+
+    Behind that the region goes on with points of its own: once the pose no longer holds they lie as if it never had.
+    """
+    before, state, pose, found = stepped.begun, stepped.state, stepped.state.pose, stepped.state.region
+    if (
+        pose is None
+        or not (before.is_steady and posed.is_steady(pose, params))
+        or not pieces.go_with(pose, state.patches, state.patch_motion, params)
+    ):
+        return replace(stepped, state=replace(stepped.state, is_steady=False))
+    parts = posed.carried(pose, before.drawn)
+    parts = posed.at_the_edges(parts, found, scale_for(stepped.state.frame.size), params.figure.free_edges)
+    state = replace(stepped.state, features=PoseFeatures.of(pose))
+    return replace(stepped, state=state, results=posed.results(pose, parts, params.confidence))
 
 
 def _adapted(state: RegionState, observation: Observation, found: Field, params: RegionParams) -> GlobalModel:
@@ -343,6 +360,7 @@ def _after(
         flow_reliability=flow_reliability,
         steps=state.steps + 1,
         features=features,
+        patch_motion=pieces.judged(state.patches, observation.patch_motion, found),
     )
     return RegionStep(state, after, results, observation)
 
@@ -358,7 +376,7 @@ def observed(
 ) -> Observation | None:
     """Where the object should be on `frame`, and what may be asked about it; None where it has left the picture."""
     scale = scale_for(frame.size)
-    spots = np.vstack([_corners(state.region), *(part.points[:, bezier.ANCHOR] for part in state.parts)])
+    spots = np.vstack([corners(state.region), *(part.points[:, bezier.ANCHOR] for part in state.parts)])
     grid = grid_around(spots, frame.size, params, scale)
     if min(grid.shape) < 4:
         return None
@@ -374,51 +392,29 @@ def observed(
     surroundings, _ = flow_similarity(flows[0], ~everywhere, fine)
     motion = motion_on(grid, back, moved, surroundings, agreement, params.motion_sigma * scale, params)
     rigidity, pose = state.rigidity.step(frame, moved, params.rigid)
-    lines = None
+    lines = sides = None
+    patch_motion = state.patch_motion
+    if state.patches is not None and patch_motion is not None:
+        patch_motion, sides = pieces.step(state.patches, patch_motion, frame, (fine, flows[0]), grid, params)
     if params.label_propagation_weight > 0:
-        sides = carried_by_flow(state.region.nats_on(fine), flows[1])
+        before = carried_by_flow(state.region.nats_on(fine), flows[1])
         flow_reliability = grid.warped(state.flow_reliability, state.region.grid.map_to_image)
         lines = label_propagation(
-            pictures, sides, (forth, back), flow_reliability, grid, scale, params.label_propagation
+            pictures, before, (forth, back), flow_reliability, grid, scale, params.label_propagation
         )
     key = replace(state.key, to_now=moved @ state.key.to_now)
     last = state.region.on(grid)
     expected = Expectation(
         last, state.region.on(grid, moved) > 0.5, carried_by_flow(last, back) > 0.5, key.region.on(grid, key.to_now)
     )
-    sources = Sources(*pictures, grid, expected, back, key, state.colours, motion, params.band, lines)
-    return Observation(sources, moved, agreement, rigidity, pose)
-
-
-def _corners(region: Field) -> Array:
-    """The first and the last cell `(2, 2)` of a region along x and y, in pixels of the image; `(0, 2)` of none."""
-    inside = region.inside
-    rows, columns = (np.flatnonzero(inside.any(axis=axis)) for axis in (1, 0))
-    if len(rows) == 0:
-        return np.zeros((0, 2))
-    return region.grid.to_image(np.array([[columns[0], rows[0]], [columns[-1], rows[-1]]]) + 0.5)
+    sources = Sources(*pictures, grid, expected, back, key, state.colours, motion, params.band, lines, sides)
+    return Observation(sources, moved, agreement, rigidity, pose, patch_motion)
 
 
 def _flow_reliability(observation: Observation, found: Field) -> Float32:
     """How far each cell's side still is the key's word, once `found` was decided."""
     lines = observation.sources.label_propagation
     return np.ones(found.grid.shape, np.float32) if lines is None else lines.after(found.inside)
-
-
-def grid_around(positions: Array, size: tuple[int, int], params: RegionParams, scale: float) -> Grid:
-    """The region of interest, with finer cells for a small object.
-
-    Cells lie where they lay on other frames: what is carried from grid to grid is not blurred by it.
-    """
-    area = Region.around(positions, params.margin * scale, size)
-    if area.is_empty:  # wholly outside: the nearest pixel stands for a picture without the object
-        x, y = min(area.x0, size[1] - 1), min(area.y0, size[0] - 1)
-        return Grid(Region(x, y, x + 1, y + 1), 1, 1)
-    extent = np.ptp(positions, axis=0)
-    side = max(float(np.sqrt(extent[0] * extent[1])), 1.0)
-    factor = float(np.clip(params.least_cells / side, params.grid_factor / scale, 1.0 / scale))
-    cell = Fraction(1.0 / factor).limit_denominator(params.whole_cells)
-    return Grid.over(area.aligned(cell.numerator, size), float(1 / cell))
 
 
 def _result(part: Part, seen: bool, trust: float, found: Field, params: RegionParams) -> StepResult:

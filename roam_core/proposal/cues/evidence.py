@@ -18,6 +18,7 @@ from roam_core.kernels.local_match import log_ratio, nearest_colours
 from roam_core.params import RegionParams
 from roam_core.proposal.cues.key_view import KeyFlow, KeyView, lab, trimap
 from roam_core.proposal.cues.label_propagation import LabelPropagation
+from roam_core.proposal.cues.patch_sides import PatchSides
 
 SURE = 4.0
 """Nats given to pixels too deep inside or too far outside to be in doubt."""
@@ -108,6 +109,7 @@ class Sources:
     key, colours : the artist's key, and the global colours as they have become since.
     band_reach : cells to both sides of the expected outline in which pixels are in doubt.
     label_propagation : what the cells bring along from the frame before; None where that is not asked.
+    patches : on which side the key's patches have them; None where there are none.
     """
 
     before: UInt8
@@ -120,11 +122,19 @@ class Sources:
     motion: Float32
     band_reach: int
     label_propagation: LabelPropagation | None = None
+    patches: PatchSides | None = None
 
     @cached_property
     def lab(self) -> UInt8:
         """The new frame in CIE Lab."""
         return lab(self.after)
+
+    @cached_property
+    def reliability(self) -> Float32:
+        """How far the side of each cell is the key's word `(rows, columns)`, in [0, 1]; only with label propagation."""
+        assert self.label_propagation is not None
+        by_flow = self.label_propagation.flow_reliability
+        return by_flow if self.patches is None else np.maximum(by_flow, self.patches.inside)
 
     @cached_property
     def carried(self) -> Bools:
@@ -166,17 +176,21 @@ def cues(sources: Sources, params: RegionParams) -> Iterator[tuple[str, Float32]
     """Each cue by name with its weighted log-ratio `(rows, columns)`, nats, one after the other.
 
     "local" and "key": nearest colours of the last and of the key frame; "global key" and "global": the histograms;
-    "motion", "prior" and "bias"; "lineage", the more the less the others are heard. Only their sum in the band means
-    anything to the region.
+    "motion", "prior" and "bias"; "lineage", the key's word by the flow and its patches, the more the less the others
+    are heard; "patches", what those say of cells outside. Only their sum in the band means anything to the region.
     """
-    label_propagation = sources.label_propagation
+    label_propagation, patches = sources.label_propagation, sources.patches
     if label_propagation is None:
         yield from _own_cues(sources, params)
         return
-    heard = np.float32(1.0) - np.float32(1.0 - params.beside_label_propagation) * label_propagation.flow_reliability
+    heard = np.float32(1.0) - np.float32(1.0 - params.beside_label_propagation) * sources.reliability
     for name, cue in _own_cues(sources, params):
         yield name, heard * cue
-    yield "lineage", np.float32(params.label_propagation_weight) * label_propagation.log_ratio
+    brought = label_propagation.log_ratio
+    if patches is not None:
+        brought = brought + patches.inside * (np.float32(1.0) - brought)
+        yield "patches", np.float32(-params.patches_outside) * patches.outside
+    yield "lineage", np.float32(params.label_propagation_weight) * brought
 
 
 def _own_cues(sources: Sources, params: RegionParams) -> Iterator[tuple[str, Float32]]:
@@ -222,6 +236,6 @@ def gathered(sources: Sources, params: RegionParams) -> Field:
     blurred = np.where(band, cv2.GaussianBlur(ratio, (0, 0), params.blur), sure).astype(np.float32)
     smoothed = diffuse(blurred, sources.lab, band, params.diffusion, params.contrast, params.sweeps)
     if sources.label_propagation is not None:
-        held = np.where(band, sources.label_propagation.flow_reliability, np.float32(0.0))
+        held = np.where(band, sources.reliability, np.float32(0.0))
         smoothed += held * (ratio - smoothed)
     return Field(sources.grid, smoothed)

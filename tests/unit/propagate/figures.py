@@ -117,6 +117,12 @@ def arm_like_its_body(count: int = 6) -> Figure:
     return Figure((body, Moving("arm", box(14, 44), (88, 60), (1.5, 0.0), 2.0, texture(13, 0.55, 0.7))), count)
 
 
+def body_and_sleeve(count: int = 6) -> Figure:
+    """A large body, and a sleeve of the same cloth that turns before its edge: alone it is held to its pose."""
+    body = Moving("body", box(100, 76), (72, 62), (0.8, -0.3), 0.6, texture(11, 0.56, 0.66))
+    return Figure((body, Moving("sleeve", box(56, 22), (120, 58), (0.3, 0.6), 7.0, texture(13, 0.56, 0.66))), count)
+
+
 def subtracting(shape: RotoShape) -> RotoShape:
     return replace(shape, blend=BlendMode.SUBTRACT)
 

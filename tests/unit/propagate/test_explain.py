@@ -63,6 +63,7 @@ def test_the_cues_speak_for_the_object_inside_and_against_it_outside(blob_shot: 
         "prior",
         "bias",
         "lineage",
+        "patches",
         REGION,
     }
     inside, outside = told.account.sides[REGION]

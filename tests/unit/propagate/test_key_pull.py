@@ -17,7 +17,7 @@ from roam_core.proposal.cues.evidence import Field
 from roam_core.proposal.outline.contour import KeyConstraints
 from tests.golden.shots import blob, gliding
 
-PARAMS = replace(params_for("best").region, rigid=2.0)  # never as one piece
+PARAMS = replace(params_for("best").region, rigid=2.0, patches=None)  # nothing but its region tells where it lies
 SHOT = gliding(blob([32.0] * 8), 12, (60.0, 60.0), (2.0, 0.5))
 SLID = 15.0
 """Degrees by which all points of a disc are turned along its outline."""

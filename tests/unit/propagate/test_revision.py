@@ -21,7 +21,13 @@ from roam_core.params import CONFIGS
 from roam_core.propagate.shapes.provenance import REVISION
 from roam_core.roto import Origin, RotoShape
 from tests.golden.shots import Shot, blob, pose
-from tests.unit.propagate.figures import arm_like_its_body, body_behind_a_post, body_with_arms, subtracting
+from tests.unit.propagate.figures import (
+    arm_like_its_body,
+    body_and_sleeve,
+    body_behind_a_post,
+    body_with_arms,
+    subtracting,
+)
 
 STORED = Path(__file__).with_name("revision.json")
 NEAR = 0.01
@@ -59,6 +65,13 @@ def posed() -> Points:
     return _points([last.results[0].shape])
 
 
+def held() -> Points:
+    """A large body of one cloth with what lies before it."""
+    figure = body_and_sleeve(4)
+    *_, last = track(figure.read, figure.shapes()[:1], figure.frames, "best")
+    return _points([last.results[0].shape])
+
+
 def hidden() -> Points:
     """A whole object behind an occluder, tracked."""
     figure = body_behind_a_post(4)
@@ -75,7 +88,7 @@ def hidden_filled() -> Points:
 
 
 RUNS: dict[str, Callable[[], Points]] = {
-    each.__name__: each for each in (lone, parts, filled, posed, hidden, hidden_filled)
+    each.__name__: each for each in (lone, parts, filled, posed, held, hidden, hidden_filled)
 }
 
 

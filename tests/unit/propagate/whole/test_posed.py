@@ -1,4 +1,4 @@
-"""Which lone shapes may be parts, and when one that was is held to its pose."""
+"""Which lone shapes may be parts, and when one is held to its pose."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from roam_core.geometry.bezier import polygon_points
 from roam_core.motion.pose import Look, Pose
 from roam_core.params import RegionParams, params_for
 from roam_core.propagate.frame.result import Part
-from roam_core.propagate.whole.posed import is_believable, is_believed
+from roam_core.propagate.whole.posed import is_believable, is_believed, is_steady
 from roam_core.proposal.cues.evidence import SURE, Field
 from tests.unit.motion.test_pose import PATCH, learned
 
@@ -79,3 +79,22 @@ def test_a_limb_that_was_carried_by_its_pose_is_held_to_it(
     assert not gone or there.unlike > PARAMS.pose_unlike
     strict = replace(PARAMS, pose_against=0.3)
     assert is_believed(there, parts, nothing, strict, was_posed) is believed
+
+
+@pytest.mark.parametrize(
+    ("area", "seam", "alike", "steady"),
+    [
+        (LARGE, SEAMED, 1.0, True),
+        (LARGE, SEAMED, 0.4, True),
+        (LARGE, SEAMED, 0.2, False),
+        (LARGE, EDGED, 1.0, False),
+        (SMALL, SEAMED, 1.0, False),
+    ],
+)
+def test_a_large_shape_is_steady_while_a_quarter_of_it_is_as_on_its_key(
+    area: float, seam: float, alike: float, steady: bool
+) -> None:
+    changed = pose(area, seam, 30.0)
+    assert changed.look is not None
+    apart = np.where(np.arange(len(PLACES)) < alike * len(PLACES), 0.25, changed.look.apart)
+    assert is_steady(replace(changed, look=replace(changed.look, apart=apart)), PARAMS) is steady
