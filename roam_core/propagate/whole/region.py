@@ -34,7 +34,7 @@ from roam_core.propagate.frame.covering import carried_behind, learned_colours, 
 from roam_core.propagate.frame.nodes import smooth_points
 from roam_core.propagate.frame.redetection import AppearanceTemplate, LastSeen, area_of, as_on_key, is_better, middle_of
 from roam_core.propagate.frame.result import Part, StepResult, Termination
-from roam_core.propagate.whole import pieces, posed
+from roam_core.propagate.whole import patched, posed
 from roam_core.propagate.whole.interest import corners, grid_around
 from roam_core.propagate.whole.rigid import Pose, Rigidity
 from roam_core.proposal.cues.evidence import SURE, Expectation, Field, KeyMemory, Sources, gathered
@@ -119,7 +119,7 @@ def begin(
         AppearanceTemplate(frame, region, params.redetection, params.unseen),
         np.ones(grid.shape, np.float32),
     )
-    patches = pieces.learned(frame, region, covers, params)
+    patches = patched.learned(frame, region, covers, params)
     return RegionState(
         frame, region, parts, constraints, key, colours, parts, appearance, seen, rigidity, flow_reliability, params,
         pose=posed.on_key(frame, parts, params, covers), covers=tuple(covers), patches=patches,
@@ -243,7 +243,7 @@ def _carried(
     parts = tuple(replace(part, points=similarity.apply(observation.moved[:2], part.points)) for part in state.parts)
     shapes = zip(parts, state.drawn, state.constraints, strict=True)
     to_now, patches = observation.sources.key.to_now, (state.patches, observation.patch_motion)
-    expected_points = [pieces.expected_points(*shape, to_now, *patches, params, scale) for shape in shapes]
+    expected_points = [patched.expected_points(*shape, to_now, *patches, params, scale) for shape in shapes]
     placed = fitted(parts, state.constraints, found, scale, params, expected_points, expected.likely)
     colours = _adapted(state, observation, found, params)
     outlines = [replace(part, points=points) for part, (points, _) in zip(parts, placed, strict=True)]
@@ -315,7 +315,7 @@ def _held_while_steady(stepped: RegionStep, params: RegionParams) -> RegionStep:
     if (
         pose is None
         or not (before.is_steady and posed.is_steady(pose, params))
-        or not pieces.go_with(pose, state.patches, state.patch_motion, params)
+        or not patched.go_with(pose, state.patches, state.patch_motion, params)
     ):
         return replace(stepped, state=replace(stepped.state, is_steady=False))
     parts = posed.carried(pose, before.drawn)
@@ -360,7 +360,7 @@ def _after(
         flow_reliability=flow_reliability,
         steps=state.steps + 1,
         features=features,
-        patch_motion=pieces.judged(state.patches, observation.patch_motion, found),
+        patch_motion=patched.judged(state.patches, observation.patch_motion, found),
     )
     return RegionStep(state, after, results, observation)
 
@@ -395,7 +395,7 @@ def observed(
     lines = sides = None
     patch_motion = state.patch_motion
     if state.patches is not None and patch_motion is not None:
-        patch_motion, sides = pieces.step(state.patches, patch_motion, frame, (fine, flows[0]), grid, params)
+        patch_motion, sides = patched.step(state.patches, patch_motion, frame, (fine, flows[0]), grid, params)
     if params.label_propagation_weight > 0:
         before = carried_by_flow(state.region.nats_on(fine), flows[1])
         flow_reliability = grid.warped(state.flow_reliability, state.region.grid.map_to_image)

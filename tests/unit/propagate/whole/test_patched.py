@@ -14,7 +14,7 @@ from roam_core.features import PreparedFrame
 from roam_core.geometry.bezier import ANCHOR, polygon_points
 from roam_core.params import params_for
 from roam_core.propagate.frame.result import Part
-from roam_core.propagate.whole import pieces, posed
+from roam_core.propagate.whole import patched, posed
 from roam_core.propagate.whole.region import RegionState, begin, step
 
 PARAMS = replace(params_for("best").region, rigid=2.0)
@@ -51,9 +51,9 @@ def test_points_that_slid_are_expected_where_the_patches_have_them() -> None:
     (part,), (drawn,), (constraints,) = state.parts, state.drawn, state.constraints
     slid, to_now = replace(part, points=part.points + SLID), state.key.to_now
     args = slid, drawn, constraints, to_now
-    found = pieces.expected_points(*args, state.patches, state.patch_motion, PARAMS, 0.5)
+    found = patched.expected_points(*args, state.patches, state.patch_motion, PARAMS, 0.5)
     npt.assert_allclose(found[:, ANCHOR], (DRAWN + WENT)[:, ANCHOR], atol=1.5)
-    alone = pieces.expected_points(*args, None, None, PARAMS, 0.5)
+    alone = patched.expected_points(*args, None, None, PARAMS, 0.5)
     assert np.hypot(*(alone - DRAWN - WENT)[:, ANCHOR].T).min() > 6.0
 
 
@@ -64,8 +64,8 @@ def test_an_object_whose_halves_part_does_not_go_with_one_pose(lower: float, goe
     assert pose is not None
     for frame in range(1, 4):
         pose = posed.step(pose, state.drawn, read(frame - 1, lower), read(frame, lower), PARAMS.pose)
-    assert pieces.go_with(pose, state.patches, state.patch_motion, PARAMS) is goes
-    assert pieces.go_with(pose, None, None, PARAMS)
+    assert patched.go_with(pose, state.patches, state.patch_motion, PARAMS) is goes
+    assert patched.go_with(pose, None, None, PARAMS)
 
 
 def test_patches_are_learned_only_where_they_are_asked() -> None:

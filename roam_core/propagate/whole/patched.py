@@ -1,4 +1,4 @@
-"""Small pieces of a whole object, followed from its key: where they have its inside, and the points of its shapes."""
+"""Patches of a whole object, followed from its key: where they have its inside, and the points of its shapes."""
 
 from __future__ import annotations
 
