@@ -275,7 +275,7 @@ def _composed(motion: Array, step: Array, how: Alignment) -> bool:
     motion[0] -= xx * step[0] + xy * step[1]
     motion[1] -= yx * step[0] + yy * step[1]
     motion[2], motion[3], motion[4], motion[5] = xx, xy, yx, yy
-    return bool(place < 0.02 and strain < 0.002)
+    return bool(place < 0.05 and strain < 0.005)
 
 
 @njit(nogil=True, cache=True)
