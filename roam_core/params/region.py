@@ -74,9 +74,8 @@ class RegionParams:
     patches_inside : by how much what they say of a cell inside is taken to be surer; in full, it counts as the key's
         word. patches_outside : nats of what they say of one outside.
     pose_steady : difference of colour to the key that a quarter of a large shape stays under for the shape to be held
-        to its pose. pose_steady_seam : as `pose_seam`, for a large shape. pose_near,
-        pose_agreed : pixels of a 480-line image within which its patches must lie of where the pose has them, and the
-        share of them that must.
+        to its pose. pose_steady_seam : as `pose_seam`, for a large shape. pose_near : pixels of a 480-line image within
+        which its patches must lie of where the pose has them. pose_agreed : the share of them that must.
     unseen : density of a colour that the histograms never saw. trusted : steadiness below which a frame teaches them
         nothing. least_seen : share of an object that must be seen for its motion to be taken from that alone.
     whole_cells : cells, at most, after which a whole pixel begins.
