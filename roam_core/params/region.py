@@ -134,7 +134,7 @@ class RegionParams:
     pose_against: float = 0.7
     patches: PatchParams | None = None
     patches_inside: float = 2.0
-    patches_outside: float = 8.0
+    patches_outside: float = 5.0
     pose_steady: float = later(1.4)
     pose_steady_seam: float = later(0.03)
     pose_near: float = later(2.0)
