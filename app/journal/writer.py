@@ -137,6 +137,8 @@ class JournalWriter:
             self._waiting = wish
             self._keep_waiting()
         elif isinstance(wish, _Reached):
+            if self._open is not None:
+                self._open.settle()
             wish.event.set()
         elif isinstance(wish, _End):
             self._end(wish.why)
@@ -274,10 +276,14 @@ class _Open:
                 old.unlink(missing_ok=True)
             self._bases = self._bases[-BASES:]
 
-    def close(self) -> None:
+    def settle(self) -> None:
+        """Wait for a base that is being written: without it edits may not be enough, once the artist's file changes."""
         if self._copying is not None:
             self._copying.join()
         self.note_base()
+
+    def close(self) -> None:
+        self.settle()
         self._stream.close()
 
     def _consider_base(self) -> None:
