@@ -98,9 +98,17 @@ def aligned(
             if sweep == 0:
                 _refine(templates, 0, k, coarse, found[k], expected, 2.0, how, residuals, seen)
             open_by[k] = _refine(templates, 1, k, fine, found[k], expected, 1.0, how, residuals, seen)
+            if not is_sound(found[k]):
+                found[k] = carried[k]
             _compare(templates, 1, k, fine, found[k], how, residuals, seen)
             matched[k] = 1.0 - _price(residuals, seen, how)
     return found, matched, open_by
+
+
+@njit(nogil=True, cache=True)
+def is_sound(motion: Array) -> bool:
+    """Whether a motion leaves a patch an area: between a tenth of the key's and ten times that."""
+    return bool(0.1 < motion[2] * motion[5] - motion[3] * motion[4] < 10.0)
 
 
 @njit(nogil=True, cache=True)
@@ -293,9 +301,9 @@ def sides(
     inside, outside = np.zeros((rows, columns), np.float32), np.zeros((rows, columns), np.float32)
     for k in range(len(centres)):
         motion = motions[k]
-        det = motion[2] * motion[5] - motion[3] * motion[4]
-        if weights[k] <= 0.0 or not 0.1 < det < 10.0:
+        if weights[k] <= 0.0 or not is_sound(motion):
             continue
+        det = motion[2] * motion[5] - motion[3] * motion[4]
         xx, xy, yx, yy = motion[5] / det, -motion[3] / det, -motion[4] / det, motion[2] / det
         wide, high = reach * np.hypot(motion[2], motion[3]), reach * np.hypot(motion[4], motion[5])
         first, stop = (motion[1] - high - now.top) * now.factor_y, (motion[1] + high - now.top) * now.factor_y

@@ -161,3 +161,18 @@ def test_what_does_not_look_as_on_the_key_is_not_said_to_be_inside() -> None:
 def test_a_patch_that_is_not_believed_and_one_that_collapsed_say_nothing() -> None:
     for each in (*said(start()[0], weight=0.0), *said(np.array([20.0, 28.0, 0.1, 0.0, 0.0, 0.1]))):
         assert not each.any()
+
+
+@pytest.mark.parametrize("size", [0.3, 1e-200, 40.0])
+def test_a_patch_whose_area_vanishes_or_grows_beyond_reason_goes_back_to_where_it_was_carried(size: float) -> None:
+    carried = start()
+    carried[1, 2:] = 1e-3 * STILL
+    last = start()
+    last[1, 2:] = size * STILL
+    found, likeness, open_by = aligned(
+        templates(), shown(start()[0]), shown(start()[0]), carried, last, np.ones(2), HOW
+    )
+    assert np.isfinite(found).all()
+    assert np.isfinite(open_by).all()
+    npt.assert_allclose(found[0], start()[0], atol=0.1)
+    assert (likeness >= 0.0).all()
