@@ -133,7 +133,7 @@ class RegionParams:
     pose_unlike: float = 0.6
     pose_against: float = 0.7
     patches: PatchParams | None = None
-    patches_inside: float = 2.0
+    patches_inside: float = 3.0
     patches_outside: float = 5.0
     pose_steady: float = later(1.4)
     pose_steady_seam: float = later(0.03)
