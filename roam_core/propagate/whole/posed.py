@@ -103,12 +103,12 @@ def is_believable(pose: Pose, params: RegionParams) -> bool:
     """
     if may_be_limb(pose, params):
         return True
-    return pose.look is not None and _is_small(pose, params) and pose.unlike < params.pose_edged
+    return pose.look is not None and is_small(pose, params) and pose.unlike < params.pose_edged
 
 
 def may_be_limb(pose: Pose, params: RegionParams) -> bool:
     """Whether a lone shape is small, and part of its outline without an edge."""
-    return pose.template.seam >= params.pose_seam and _is_small(pose, params)
+    return pose.template.seam >= params.pose_seam and is_small(pose, params)
 
 
 def is_steady(pose: Pose, params: RegionParams) -> bool:
@@ -118,13 +118,19 @@ def is_steady(pose: Pose, params: RegionParams) -> bool:
     """
     return (
         pose.look is not None
-        and not _is_small(pose, params)
+        and not is_small(pose, params)
         and pose.template.seam >= params.pose_steady_seam
         and pose.look.closest < params.pose_steady
     )
 
 
-def _is_small(pose: Pose, params: RegionParams) -> bool:
+def is_clear(pose: Pose, params: RegionParams) -> bool:
+    """Whether what was seen of a shape within the last frames looked clearly as on its key."""
+    return params.pose is not None and pose.unclear < params.pose.recent
+
+
+def is_small(pose: Pose, params: RegionParams) -> bool:
+    """Whether a lone shape is small enough for a limb."""
     return pose.template.area <= params.pose_area * pose.template.scale**2
 
 

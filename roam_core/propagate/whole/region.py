@@ -310,15 +310,16 @@ def _held_while_steady(stepped: RegionStep, params: RegionParams) -> RegionStep:
     """A large shape lies by its pose while it has looked as on its key on all frames, its free edges at the region.
 
     Behind that the region goes on with points of its own: once the pose no longer holds they lie as if it never had.
+    Once nothing looks clearly as on the key the pose is looked for no more; until then it may serve a fill.
     """
-    before, state, pose, found = stepped.begun, stepped.state, stepped.state.pose, stepped.state.region
-    if (
-        pose is None
-        or not (before.is_steady and posed.is_steady(pose, params))
-        or not patched.go_with(pose, state.patches, state.patch_motion, params)
-    ):
-        return replace(stepped, state=replace(stepped.state, is_steady=False))
-    parts = posed.carried(pose, before.drawn)
+    state, pose, found = stepped.state, stepped.state.pose, stepped.state.region
+    if pose is None or posed.is_small(pose, params):
+        return stepped
+    is_steady = state.is_steady and posed.is_steady(pose, params)
+    if not is_steady or not patched.go_with(pose, state.patches, state.patch_motion, params):
+        kept = pose if posed.is_clear(pose, params) else None
+        return replace(stepped, state=replace(state, is_steady=False, pose=kept))
+    parts = posed.carried(pose, stepped.begun.drawn)
     parts = posed.at_the_edges(parts, found, scale_for(stepped.state.frame.size), params.figure.free_edges)
     state = replace(stepped.state, features=PoseFeatures.of(pose))
     return replace(stepped, state=state, results=posed.results(pose, parts, params.confidence))

@@ -108,7 +108,10 @@ def test_a_filled_key_tells_how_far_the_run_from_the_nearer_key_is(blob_shot: Sh
     (filled,) = fill_span({n: blob_shot.read(n) for n in blob_shot.frames}, [shape], 1001, 1005)
     (told,) = explained(blob_shot, [filled], 1002)
     assert told.config == "best"
-    assert 0.0 < told.apart < 6.0
+    (run,) = solved(blob_shot, [shape], "best", range(1001, 1003)).results
+    apart = filled.at(1002).points - run.shape.at(1002).points
+    assert told.apart == pytest.approx(np.hypot(*apart.reshape(-1, 2).T).max())
+    assert told.apart > 0.0
     assert REGION in told.account.terms
 
 
