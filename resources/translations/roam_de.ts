@@ -1746,8 +1746,8 @@ eigene Keyframes bleiben, wo sie sind, und das Projekt auch</translation>
         <translation>Wie glatt die Kante ist: weniger folgt feineren Details</translation>
     </message>
     <message>
-        <source>How strongly tracked edges are drawn to the motion of the picture. At 50 % they boil less by a tenth on rendered figures and by a twentieth on filmed shots, which is more than half of what tracking adds there to a mask&apos;s own; at 100 % hardly less still. At 0 % nothing moves</source>
-        <translation>Wie stark getrackte Kanten der Bewegung des Bildes folgen. Bei 50 % flimmern sie bei gerenderten Figuren um ein Zehntel und bei gefilmten Einstellungen um ein Zwanzigstel weniger, das ist mehr als die Hälfte dessen, was das Tracking dort zum Flimmern einer Maske hinzufügt; bei 100 % kaum noch weniger. Bei 0 % bewegt sich nichts</translation>
+        <source>How strongly tracked edges are drawn to the motion of the picture. At 50 % they boil less by a tenth on rendered figures and by a twentieth on filmed shots, about a third of what tracking adds there to a drawn mask&apos;s own; at 100 % hardly less still. At 0 % nothing moves</source>
+        <translation>Wie stark getrackte Kanten der Bewegung des Bildes folgen. Bei 50 % flimmern sie bei gerenderten Figuren um ein Zehntel und bei gefilmten Einstellungen um ein Zwanzigstel weniger, etwa ein Drittel dessen, was das Tracking dort zum Flimmern einer gezeichneten Maske hinzufügt; bei 100 % kaum noch weniger. Bei 0 % bewegt sich nichts</translation>
     </message>
     <message>
         <source>How the engine works</source>

@@ -13,7 +13,7 @@ from ...widgets.controls import dense_form, form_label, measure_field, weak_labe
 
 EFFECT = N_(
     "How strongly tracked edges are drawn to the motion of the picture. At 50 % they boil less by a tenth on rendered "
-    "figures and by a twentieth on filmed shots, which is more than half of what tracking adds there to a mask's own; "
+    "figures and by a twentieth on filmed shots, about a third of what tracking adds there to a drawn mask's own; "
     "at 100 % hardly less still. At 0 % nothing moves"
 )
 """What the dial does, with its effect as measured (docs/ENGINE-NOTES.md)."""

@@ -13,6 +13,8 @@ from roam_core.geometry import bezier
 from roam_core.geometry.simple import crossing_segments
 from roam_core.media.source import MissingFrame
 from roam_core.params.steadiness import RESIDUAL, STEADINESS
+from roam_core.propagate import track
+from roam_core.propagate.shapes.provenance import Stamps
 from roam_core.propagate.steadiness.boil import boil
 from roam_core.propagate.steadiness.steadied import steadied
 from roam_core.propagate.steadiness.steadying import steadying, told
@@ -249,3 +251,17 @@ def test_what_was_done_is_told(shot: Shot, trembling: RotoShape) -> None:
     assert 0.5 < fractions[-1] <= 1.0
     nothing = steadying(shot.read, [trembling], FRAMES, 0.0, STEADINESS, RESIDUAL)
     assert told(nothing) == "No tracked key could be steadied; nothing was changed."
+
+
+def test_what_was_moved_is_not_out_of_date_and_tracking_goes_on_as_from_what_was_there(shot: Shot) -> None:
+    *_, last = track(shot.read, [shot.shape()], FRAMES)
+    tracked = last.results[0].shape
+    half = replace(tracked, keys=tracked.keys[:5])
+    found = run(shot, half)
+    assert {key.frame for key in found.keys if key != half.key_at(key.frame)} == {1002, 1003, 1004, 1005}
+    stamps = Stamps([found], "", shot.size)
+    assert not any(stamps.is_stale(found, key) for key in found.keys)
+    *_, last = track(shot.read, [found], FRAMES[4:])
+    assert last.results[0].shape.keys == (*found.keys, *tracked.keys[5:])
+    *_, again = track(shot.read, [found], FRAMES)
+    assert again.results[0].shape == tracked
