@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QWidget
 
 from roam_core.roto import Origin
 
-from ...jobs.steadying import Steadying
+from ...jobs.by_plate.steadying import Steadying
 from ...model.document import Document
 from ...model.view_state import ViewState, shapes_in_hand
 from ...translation import tr

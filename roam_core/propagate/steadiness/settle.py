@@ -8,9 +8,6 @@ from scipy.linalg import solveh_banded
 from roam_core.arrays import Array, Bools
 from roam_core.params.steadiness import SteadinessParams
 
-BANDS = 3
-"""A frame is tied to the two after it: the diagonals of a symmetric matrix from its second one above on."""
-
 
 def settled(steps: Array, trust: Array, fixed: Bools, strength: float, params: SteadinessParams, scale: float) -> Array:
     """How far outwards each place `(T, N)` of an outline is to move on each of `T` frames: pixels.
@@ -44,7 +41,8 @@ def _heard(left: Array, alike: float) -> Array:
 def _solved(steps: Array, step: Array, turn: Array, fixed: Bools) -> Array:
     """The displacements for given weights: one banded system, place after place."""
     frames, count = len(steps) + 1, steps.shape[1]
-    bands, right = np.zeros((BANDS, frames, count)), np.zeros((frames, count))
+    # A frame is tied to the two after it: a symmetric matrix of five diagonals, of which the upper three are told.
+    bands, right = np.zeros((3, frames, count)), np.zeros((frames, count))
     further, next_one, own = bands
     own += 1.0
     for weight, by, stencil in ((step, steps, (-1.0, 1.0)), (turn, np.diff(steps, axis=0), (1.0, -2.0, 1.0))):
@@ -61,5 +59,5 @@ def _solved(steps: Array, step: Array, turn: Array, fixed: Bools) -> Array:
         band[held] = 0.0
         band[held[held + apart < frames] + apart] = 0.0
     own[held], right[held] = 1.0, 0.0
-    in_a_row = bands.transpose(0, 2, 1).reshape(BANDS, -1)
+    in_a_row = bands.transpose(0, 2, 1).reshape(len(bands), -1)
     return np.asarray(solveh_banded(in_a_row, right.T.reshape(-1)).reshape(count, frames).T)

@@ -13,8 +13,8 @@ from pytestqt.qtbot import QtBot
 from app.features.tracking import NO_CLIP
 from app.features.verbs.steady import Steady
 from app.features.verbs.steady_dialog import SteadyDialog
+from app.jobs.by_plate.steadying import Steadying
 from app.jobs.runner import Ending, Runner
-from app.jobs.steadying import Steadying
 from app.model.document import Document
 from app.model.view_state import ViewState
 from roam_core.arrays import UInt8
