@@ -54,13 +54,15 @@ def steadied(
     """
     if not 0.0 <= strength <= 1.0:
         raise ValueError(f"a strength is in [0, 1], not {strength}")
-    asked = [shape for shape in shapes if _can_move(shape, frames) and (only is None or shape.id in only)]
+    asked = [k for k, shape in enumerate(shapes) if _can_move(shape, frames) and (only is None or shape.id in only)]
+    made = list(shapes)
     if strength == 0.0 or not asked:
-        return list(shapes)
+        return made
     looked_at = range(frames.start - params.reach, frames.stop + params.reach)
-    paths, scale = _watched(read, asked, looked_at, params, token, progress)
-    found = {path.shape.id: path.moved(frames, strength, params, scale) for path in paths}
-    return [found.get(shape.id, shape) for shape in shapes]
+    paths, scale = _watched(read, [shapes[k] for k in asked], looked_at, params, token, progress)
+    for k, path in zip(asked, paths, strict=True):
+        made[k] = path.moved(frames, strength, params, scale)
+    return made
 
 
 def _can_move(shape: RotoShape, frames: range) -> bool:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Callable, Iterator
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -18,8 +19,9 @@ from app.jobs.runner import Ending, Runner
 from app.model.document import Document
 from app.model.view_state import ViewState
 from roam_core.arrays import UInt8
-from roam_core.roto import Clip, Project, edit
+from roam_core.roto import Clip, Keyframe, Origin, Project, RotoShape, edit
 from tests.golden.shots import Shot, blob, gliding
+from tests.gui.windows import COUNT, FIRST, centre, opened_window, write_clip
 from tests.unit.propagate.steadiness.test_steadied import FRAMES, RADII, drawn
 
 WAIT = 20_000
@@ -173,3 +175,23 @@ def test_what_cannot_be_steadied_is_said(document: Document, view_state: ViewSta
     verb.ask()
     assert view_state.message == NO_CLIP
     assert dialogs() == []
+
+
+def test_the_window_has_it_between_its_in_and_out(qtbot: QtBot, tmp_path: Path) -> None:
+    with opened_window(qtbot, write_clip(tmp_path / "clip"), tmp_path / "state") as window:
+        truth = {frame: blob(np.full(8, 24.0)) + centre(frame) for frame in range(FIRST, FIRST + COUNT)}
+        keys = [
+            Keyframe(frame, points + 0.8 * (-1) ** frame, origin=Origin.ARTIST if frame == FIRST else Origin.ENGINE)
+            for frame, points in truth.items()
+        ]
+        window.document.apply("Add", edit.add_shape(window.document.project, RotoShape("body", "Body", tuple(keys))))
+        before = window.document.project
+        window.view_state.set_play_range(FIRST, FIRST + 5)
+        with qtbot.waitSignal(window.under_way.ended, timeout=WAIT) as signal:
+            window.actions_by_id["shape.steady"].trigger()
+            (dialog,) = dialogs()
+            dialog.accept()
+        assert signal.args[0] is Ending.DONE
+        assert moved(before, window.document.project) == [FIRST + k for k in range(1, 5)]
+        window.actions_by_id["edit.undo"].trigger()
+        assert window.document.project == before

@@ -157,6 +157,8 @@ def test_the_order_of_the_shapes_and_what_else_is_asked_for_change_nothing(shot:
     there = steadied(shot.read, [trembling, other], FRAMES, 1.0, STEADINESS)
     back = steadied(shot.read, [other, trembling], FRAMES, 1.0, STEADINESS)
     assert there == back[::-1] == steadied(shot.read, [trembling, other], FRAMES, 1.0, STEADINESS)
+    alike = steadied(shot.read, [trembling, replace(other, id=trembling.id)], FRAMES, 1.0, STEADINESS)
+    assert [shape.keys for shape in alike] == [shape.keys for shape in there]
     only = steadied(shot.read, [trembling, other], FRAMES, 1.0, STEADINESS, only={"other"})
     assert only[0] is trembling
     assert only[1] != other
