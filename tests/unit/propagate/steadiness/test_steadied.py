@@ -18,7 +18,7 @@ from roam_core.propagate.shapes.provenance import Stamps
 from roam_core.propagate.steadiness.boil import boil
 from roam_core.propagate.steadiness.steadied import steadied
 from roam_core.propagate.steadiness.steadying import steadying, told
-from roam_core.roto import BlendMode, Keyframe, Origin, RotoShape, Spline
+from roam_core.roto import BlendMode, Keyframe, Layer, LayerTransform, Origin, Project, RotoShape, Spline
 from tests.golden.shots import Shot, blob, gliding, outline_distance
 
 FRAMES = range(1001, 1011)
@@ -267,3 +267,18 @@ def test_what_was_moved_is_not_out_of_date_and_tracking_goes_on_as_from_what_was
     assert last.results[0].shape.keys == (*found.keys, *tracked.keys[5:])
     *_, again = track(shot.read, [found], FRAMES)
     assert again.results[0].shape == tracked
+
+
+def test_in_a_layer_that_moves_the_artists_keys_stay_bit_by_bit(shot: Shot, trembling: RotoShape) -> None:
+    glides = np.tile(np.eye(3), (len(FRAMES), 1, 1))
+    glides[:, 0, 2], glides[:, 1, 2] = np.linspace(0.0, 7.3, len(FRAMES)), np.linspace(0.0, 2.1, len(FRAMES))
+    layer = Layer("layer", "Layer", transform=LayerTransform(tuple(FRAMES), glides))
+    empty = Project(root=replace(Project().root, children=(layer,)))
+    in_layer = empty.stored(trembling, "layer")
+    project = empty.map_item("layer", lambda held: replace(held, children=(in_layer,)))
+    (shape,) = project.shapes
+    found = project.with_shape(run(shot, shape))
+    (stored,) = found.root.shapes()
+    assert stored.artist_keys == in_layer.artist_keys
+    assert all(key != in_layer.key_at(key.frame) for key in engine(stored))
+    assert off(shot, found.shapes[0]) < 0.8 * off(shot, trembling)
